@@ -4,6 +4,7 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/updates.h"
 #include "widgets/control/arming.h"
+#include "widgets/service/servicedesk.h"
 
 #include <QMessageBox>
 #include <QPushButton>
@@ -21,11 +22,24 @@ Closing::Closing(Workbench &workbench, Arming &arming, QWidget &window)
     connect(&workbench, &Workbench::changed, this, &Closing::follow);
 }
 
+void Closing::setService(ServiceDesk &desk)
+{
+    m_service = &desk;
+    connect(&desk, &ServiceDesk::changed, this, &Closing::follow);
+}
+
+bool Closing::isServing() const
+{
+    return m_service && m_service->view().running;
+}
+
 bool Closing::mayClose()
 {
     m_within = true;
     if (m_state == State::Open) {
-        if (runningUpdates(m_workbench.snapshot()).empty())
+        if (isServing())
+            askAboutService();
+        else if (runningUpdates(m_workbench.snapshot()).empty())
             begin();
         else
             askAboutUpdates();
@@ -72,6 +86,21 @@ void Closing::askAboutUpdates()
     connect(&go, &QAbstractButton::clicked, this, &Closing::begin);
 }
 
+void Closing::askAboutService()
+{
+    const auto &rows = m_service->view().rows;
+    const bool critical
+        = std::any_of(rows.begin(), rows.end(), [](const service::QueueRow &row) { return !row.mayInterrupt; });
+    QAbstractButton &go = ask(tr("Units are being served. Cancel the queue?"),
+        critical ? tr("What is written now must not be cut: the window closes once it is over.")
+                 : tr("The journal knows where it stood, and the queue can be gone on with."),
+        tr("Cancel the queue and close"));
+    connect(&go, &QAbstractButton::clicked, this, [this] {
+        m_service->cancel();
+        begin();
+    });
+}
+
 void Closing::askAboutMotors()
 {
     QAbstractButton &go
@@ -97,7 +126,8 @@ void Closing::begin()
 
 void Closing::follow()
 {
-    if (m_state == State::Asking && m_question && m_moved.empty() && runningUpdates(m_workbench.snapshot()).empty()) {
+    if (m_state == State::Asking && m_question && m_moved.empty() && !isServing()
+        && runningUpdates(m_workbench.snapshot()).empty()) {
         m_question->close(); // it is over: nothing to ask any more
         keepOpen();
         return;
@@ -123,9 +153,10 @@ bool Closing::endUpdates()
         if (update->status.mayInterrupt)
             m_workbench.send(orders::CancelOperation{update->id});
     }
-    if (!updates.empty())
+    const bool all = updates.empty() && !isServing();
+    if (!all)
         m_since = m_workbench.now();
-    return updates.empty();
+    return all;
 }
 
 QStringList Closing::turning() const

@@ -14,6 +14,7 @@ class QMessageBox;
 namespace mb {
 
 class Arming;
+class ServiceDesk;
 
 /// Lets the window go only when nothing is cut by it. Asks while firmware is written, cancels what may be cancelled, waits
 /// out what must not be cut, and waits until what this program moved was seen to stop.
@@ -25,6 +26,8 @@ public:
 
     Closing(Workbench &workbench, Arming &arming, QWidget &window);
 
+    /// Units that are served are asked about, too. The desk outlives this.
+    void setService(ServiceDesk &desk);
     /// Of a close event: whether the window may go now. If not, it is closed from here later, or not at all.
     [[nodiscard]] bool mayClose();
 
@@ -32,6 +35,7 @@ private:
     enum class State { Open, Asking, Ending, Free };
 
     void askAboutUpdates();
+    void askAboutService();
     void askAboutMotors();
     /// The button that goes on.
     [[nodiscard]] QAbstractButton &ask(const QString &question, const QString &what, const QString &go);
@@ -40,11 +44,13 @@ private:
     void keepOpen();
     void leave();
     [[nodiscard]] bool endUpdates();
+    [[nodiscard]] bool isServing() const;
     [[nodiscard]] QStringList turning() const;
 
     Workbench &m_workbench;
     Arming &m_arming;
     QWidget &m_window;
+    ServiceDesk *m_service = nullptr;
     State m_state = State::Open;
     std::vector<DeviceId> m_moved; ///< to be seen stopped
     Instant m_since{};

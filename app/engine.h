@@ -48,6 +48,13 @@ public:
     void followService(
         std::function<void(const ServiceView &)> viewed, std::function<void(const service::Visit &)> ended);
 
+    /// A question of the user's file, answered here later.
+    template <class T>
+    void askBooks(std::function<Result<T>(Books &)> question, std::function<void(Result<T>)> answered)
+    {
+        m_store.ask<T>(m_toWindow, std::move(question), std::move(answered));
+    }
+
     /// Runs `work` on the engine thread. For tests that disturb a simulated device.
     void post(std::function<void(EngineCore &)> work);
 

@@ -9,6 +9,8 @@
 #include "app/keydesk.h"
 #include "app/linkchips.h"
 #include "app/productionface.h"
+#include "app/sidedock.h"
+#include "app/stationlamp.h"
 #include "app/windowmenu.h"
 #include "model/registry.h"
 #include "widgets/common/banner.h"
@@ -58,19 +60,6 @@ constexpr std::chrono::seconds messageTime{8}, footprintTime{1};
 constexpr int tallEnough = 520;  ///< for the line of the device above its page
 constexpr int roomyWidth = 1024; ///< for devices, a page and the inspector beside each other
 
-QDockWidget *makeDock(
-    QMainWindow &window, const QString &name, const QString &title, QWidget *content, Qt::DockWidgetArea area)
-{
-    auto *dock = new QDockWidget(title, &window);
-    dock->setObjectName(name);
-    dock->setTitleBarWidget(new QWidget(dock)); // the content has its own head
-    dock->setWidget(content);
-    content->setMinimumSize(1, 1); // on a small screen it is cut before the lamp and STOP are
-    dock->setFeatures(QDockWidget::DockWidgetClosable);
-    window.addDockWidget(area, dock);
-    return dock;
-}
-
 } // namespace
 
 MainWindow::MainWindow(Workbench &workbench, ThemeSource &theme, Settings &settings, QWidget *parent)
@@ -116,8 +105,7 @@ void MainWindow::buildHeader()
     column->addWidget(strip);
     setMenuWidget(top);
     buildMenu();
-    connect(&m_header->lamp(), &Lamp::armRequested, this, [this] { m_arming->arm(m_selection.device()); });
-    connect(&m_header->lamp(), &Lamp::disarmRequested, m_arming, &Arming::disarm);
+    m_station = new StationLamp(m_workbench, *m_arming, m_selection, *m_header);
     connect(&m_header->stopButton(), &StopButton::stopPressed, this, [this] { m_arming->stopAll(tr("button")); });
     connect(m_header, &HeaderBar::linkActivated, this, [this] { showPage(PageId::Bus); });
     connect(m_header, &HeaderBar::linksActivated, this, [this] { showPage(PageId::Bus); });
@@ -144,7 +132,7 @@ void MainWindow::buildMenu()
 void MainWindow::buildDevices()
 {
     auto *tree = new DeviceTree(m_workbench, m_selection, m_theme, this);
-    m_devices = makeDock(*this, QStringLiteral("devicesDock"), tr("Devices"), tree, Qt::LeftDockWidgetArea);
+    m_devices = makeSideDock(*this, QStringLiteral("devicesDock"), tr("Devices"), tree, Qt::LeftDockWidgetArea);
     connect(tree, &DeviceTree::collapseRequested, m_devices, &QWidget::hide);
     connect(tree, &DeviceTree::addLinkRequested, m_menu, &WindowMenu::addLink);
     connect(tree, &DeviceTree::simulateRequested, m_menu, &WindowMenu::openSimulation);
@@ -223,9 +211,17 @@ void MainWindow::addAbovePages(QWidget &strip)
 
 void MainWindow::setService(ServiceDesk &desk)
 {
+    m_closing->setService(desk);
+    m_station->setService(desk);
     auto *bench = new ProductionPage(desk, m_workbench, families(), m_theme, m_faces);
     m_production = new ProductionFace(*this, *m_faces, *bench, {m_devices, m_inspector});
     connect(bench, &ProductionPage::leaveRequested, m_production, [this] { m_production->show(false); });
+    connect(this, &MainWindow::pageMade, this, [&desk](PageId, QWidget *page) {
+        if (auto *firmware = qobject_cast<FirmwarePage *>(page))
+            firmware->setService(desk, families());
+        else if (auto *reports = qobject_cast<ReportsPage *>(page))
+            reports->setService(desk, families());
+    });
 }
 
 QWidget *MainWindow::makeOverview(QWidget *parent)
@@ -246,7 +242,8 @@ void MainWindow::buildInspector()
     scroll->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
     auto *inspector = new Inspector(m_workbench, m_selection, m_theme, scroll);
     scroll->setWidget(inspector);
-    m_inspector = makeDock(*this, QStringLiteral("inspectorDock"), tr("Inspector"), scroll, Qt::RightDockWidgetArea);
+    m_inspector
+        = makeSideDock(*this, QStringLiteral("inspectorDock"), tr("Inspector"), scroll, Qt::RightDockWidgetArea);
     m_inspector->hide();
     resizeDocks({m_devices}, {m_devices->widget()->sizeHint().width()}, Qt::Horizontal); // whatever is in the list
     for (QWidget *part : inspector->findChildren<QWidget *>())
@@ -430,7 +427,7 @@ void MainWindow::follow()
     followLinks(shot);
     m_conditions->follow();
     m_header->setNotices(m_banners->count());
-    m_header->setLampStatus(m_arming->status(m_selection.device()));
+    m_station->follow();
     const bool any = !shot.devices.empty();
     const QString reason = any ? QString() : tr("needs a device; open a link first");
     m_tabs->setUnavailable(static_cast<int>(PageId::Parameters), reason);

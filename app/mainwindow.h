@@ -31,6 +31,7 @@ class PageKeys;
 class PageTabs;
 class ProductionFace;
 class ServiceDesk;
+class StationLamp;
 class WindowMenu;
 
 /// The one window: header with links, lamp and STOP; devices at the left; pages; inspector at the right; status bar.
@@ -49,9 +50,10 @@ public:
     [[nodiscard]] QWidget *page(PageId id);
     void showPage(PageId id);
     [[nodiscard]] PageId shownPage() const;
-    /// Production (F11) is there with it. The desk outlives the window.
     /// Puts it above the pages, below what is said of the device; the window owns it from now on.
     void addAbovePages(QWidget &strip);
+    /// Production (F11), the queue of the page Firmware and the journal are there with it. Before a page is made. The desk outlives
+    /// the window.
     void setService(ServiceDesk &desk);
     [[nodiscard]] ProductionFace *production() const { return m_production; }
     /// A recording, as the menu opens it.
@@ -115,6 +117,7 @@ private:
     QStackedWidget *m_pages = nullptr;
     QStackedWidget *m_faces = nullptr; ///< the pages, or production
     ProductionFace *m_production = nullptr;
+    StationLamp *m_station = nullptr;
     std::vector<std::function<QWidget *(QWidget *)>> m_makers; ///< by place in m_pages
     QLabel *m_message = nullptr;
     QLabel *m_footprint = nullptr;

@@ -2,10 +2,36 @@
 #include "app/servicedoor.h"
 
 #include "app/engine/serviceroom.h"
+#include "storage/visitjson.h"
 
 #include <QPointer>
 
 namespace mb {
+namespace {
+
+/// Of the newest run on this station, if a unit of it is open still.
+Result<ServiceDesk::CutRun> cutRunOf(ServiceBook &book, const std::string &recipe, const std::string &hash)
+{
+    const auto run = book.lastRun(recipe);
+    if (!run)
+        return fail(run.error());
+    ServiceDesk::CutRun cut;
+    if (run->empty())
+        return cut;
+    service::VisitFilter filter;
+    filter.run = *run;
+    filter.recipeHash = hash;
+    const auto visits = book.list(filter);
+    if (!visits)
+        return fail(visits.error());
+    for (const service::Visit &visit : *visits)
+        ++(visit.outcome == service::Outcome::Open ? cut.open : cut.ended);
+    if (cut.open > 0)
+        cut.run = *run;
+    return cut;
+}
+
+} // namespace
 
 ServiceDoor::ServiceDoor(Engine &engine)
     : ServiceDesk(&engine)
@@ -44,6 +70,16 @@ void ServiceDoor::retry(std::uint32_t row)
     m_engine.askService([row](ServiceRoom &room) -> Result<void> { return room.retry(row), Result<void>(); }, {});
 }
 
+void ServiceDoor::retryFailed()
+{
+    m_engine.askService([](ServiceRoom &room) -> Result<void> { return room.retryFailed(), Result<void>(); }, {});
+}
+
+void ServiceDoor::cancel()
+{
+    m_engine.askService([](ServiceRoom &room) -> Result<void> { return room.cancel(), Result<void>(); }, {});
+}
+
 void ServiceDoor::finish()
 {
     m_engine.askService([](ServiceRoom &room) -> Result<void> { return room.finish(), Result<void>(); }, {});
@@ -57,6 +93,33 @@ void ServiceDoor::arm(bool on)
 void ServiceDoor::renew()
 {
     m_engine.askService([](ServiceRoom &room) -> Result<void> { return room.renew(), Result<void>(); }, {});
+}
+
+void ServiceDoor::findCut(const service::RecipeMatter &matter, CutFound found)
+{
+    m_engine.askBooks<CutRun>([recipe = matter.recipe.name, hash = matter.hash](
+                                  Books &books) { return cutRunOf(books.service, recipe, hash); },
+        std::move(found));
+}
+
+void ServiceDoor::list(const service::VisitFilter &filter, Listed listed)
+{
+    m_engine.askBooks<std::vector<service::Visit>>(
+        [filter](Books &books) { return books.service.list(filter); }, std::move(listed));
+}
+
+void ServiceDoor::setNote(const std::string &visit, const QString &note, Finished finished)
+{
+    m_engine.askBooks<void>(
+        [visit, text = note.toStdString()](Books &books) { return books.service.setNote(visit, text); },
+        std::move(finished));
+}
+
+void ServiceDoor::exportTo(const QString &path, std::vector<service::Visit> visits, Finished finished)
+{
+    m_engine.askBooks<void>(
+        [file = path.toStdString(), visits = std::move(visits)](Books &) { return exportVisits(file, visits); },
+        std::move(finished));
 }
 
 } // namespace mb

@@ -17,9 +17,15 @@ public:
     void pause(bool on) override;
     void skip(std::uint32_t row) override;
     void retry(std::uint32_t row) override;
+    void retryFailed() override;
     void finish() override;
+    void cancel() override;
     void arm(bool on) override;
     void renew() override;
+    void findCut(const service::RecipeMatter &matter, CutFound found) override;
+    void list(const service::VisitFilter &filter, Listed listed) override;
+    void setNote(const std::string &visit, const QString &note, Finished finished) override;
+    void exportTo(const QString &path, std::vector<service::Visit> visits, Finished finished) override;
 
 private:
     ServiceView m_view;

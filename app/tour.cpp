@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tour.h"
 
+#include "app/servicetour.h"
 #include "files/filebytes.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/headerbar.h"
@@ -33,6 +34,7 @@ Tour::Tour(Workbench &workbench, MainWindow &window, ThemeSource &theme, const Q
     , m_window(window)
     , m_theme(theme)
     , m_folder(folder)
+    , m_service(new ServiceTour(workbench, window, *this, this))
 {
     m_poll.setInterval(pollTime);
     connect(&m_poll, &QTimer::timeout, this, &Tour::look);
@@ -72,7 +74,7 @@ void Tour::pause(std::chrono::milliseconds time)
         time + std::chrono::seconds(10));
 }
 
-void Tour::picture(const QString &name)
+void Tour::picture(const QString &name, bool grey)
 {
     // A step for each: a theme takes its time, and the window must be able to renew a motion lease in between.
     const Theme before = m_theme.theme();
@@ -83,18 +85,23 @@ void Tour::picture(const QString &name)
         add(
             name, [this, theme] { m_theme.setTheme(theme); }, [] { return true; });
         add(
-            name, [this, name, dark] { save(name, dark); }, [] { return true; });
+            name, [this, name, dark, grey] { save(name, dark, grey); }, [] { return true; });
     }
     add(
         name, [this, before] { m_theme.setTheme(before); }, [] { return true; });
 }
 
-void Tour::save(const QString &name, bool dark)
+void Tour::save(const QString &name, bool dark, bool grey)
 {
     const QString number = QStringLiteral("%1").arg(m_pictures, 2, 10, QLatin1Char('0'));
     const QString file
         = QStringLiteral("%1-%2-%3.png").arg(number, name, dark ? QStringLiteral("dark") : QStringLiteral("light"));
-    if (!saveFile(m_folder.filePath(file).toStdString(), pngOf(m_window.grab().toImage()))) {
+    const QImage image = m_window.grab().toImage();
+    const QString colourless = QString(file).replace(QStringLiteral(".png"), QStringLiteral("-grey.png"));
+    if (!saveFile(m_folder.filePath(file).toStdString(), pngOf(image))
+        || (grey
+            && !saveFile(m_folder.filePath(colourless).toStdString(),
+                pngOf(image.convertToFormat(QImage::Format_Grayscale8))))) {
         std::fprintf(stderr, "motorbench: %s cannot be written\n", qPrintable(m_folder.filePath(file)));
         finish(1);
         return;
@@ -168,6 +175,7 @@ void Tour::planParameters()
     pause(std::chrono::milliseconds(500));
     picture(QStringLiteral("history"));
     add(QStringLiteral("values"), showHistory(false), [] { return true; });
+    m_service->planKeeping();
 }
 
 void Tour::planMotion()
@@ -235,6 +243,7 @@ void Tour::planFirmware()
         std::chrono::seconds(60));
     pause(std::chrono::milliseconds(500));
     picture(QStringLiteral("firmware"));
+    m_service->planQueue();
 }
 
 void Tour::planEnd()
@@ -248,6 +257,8 @@ void Tour::planEnd()
         [this] { return !qobject_cast<ReportsPage *>(m_window.page(PageId::Reports))->previewText().isEmpty(); });
     pause(std::chrono::milliseconds(200));
     picture(QStringLiteral("reports"));
+    m_service->planProduction();
+    m_service->planJournal();
 }
 
 void Tour::begin(std::size_t step)
@@ -269,7 +280,7 @@ void Tour::look()
         begin(m_current + 1);
     } else if (m_workbench.now() - m_begunAt > step.limit) {
         std::fprintf(stderr, "motorbench: the tour did not get past '%s'\n", qPrintable(step.name));
-        save(QStringLiteral("failed"), m_theme.theme().dark);
+        save(QStringLiteral("failed"), m_theme.theme().dark, false);
         finish(1);
     }
 }

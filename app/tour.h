@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/mainwindow.h"
+#include "app/tourscript.h"
 
 #include <QDir>
 #include <QTimer>
@@ -11,9 +12,11 @@
 
 namespace mb {
 
+class ServiceTour;
+
 /// Drives the demo through every page by itself, as a person would, and writes a picture of each; prints their names, and at last the samples
 /// that each device sent and lost. Ends the program: status 0 when every step was reached, 1 when one was not within its time.
-class Tour : public QObject {
+class Tour : public QObject, private TourScript {
     Q_OBJECT
 public:
     Tour(Workbench &workbench, MainWindow &window, ThemeSource &theme, const QString &folder);
@@ -27,6 +30,12 @@ private:
         std::chrono::milliseconds limit;
     };
 
+    using TourScript::add;
+    using TourScript::picture;
+    void add(const QString &name, std::function<void()> act, std::function<bool()> done,
+        std::chrono::milliseconds limit) override;
+    void pause(std::chrono::milliseconds time) override;
+    void picture(const QString &name, bool grey) override;
     void plan();
     void planOverview();
     void planParameters();
@@ -40,18 +49,11 @@ private:
     void stepAxes(double target);
     void planFirmware();
     void planEnd();
-    /// Waits until `done`.
-    void add(const QString &name, std::function<void()> act, std::function<bool()> done,
-        std::chrono::milliseconds limit = std::chrono::seconds(20));
-    /// Lets `time` pass, so that live pages have something to show.
-    void pause(std::chrono::milliseconds time);
-    /// A picture of the window in the present theme, and one in the other.
-    void picture(const QString &name);
     void look();
     void begin(std::size_t step);
     void finish(int status);
     void tellLosses() const;
-    void save(const QString &name, bool dark);
+    void save(const QString &name, bool dark, bool grey);
     void drive();
     [[nodiscard]] bool comesToSpeed();
     [[nodiscard]] const DeviceView *device(int DemoUnits::*unit) const;
@@ -67,6 +69,7 @@ private:
     Instant m_drivenAt{};
     QTimer m_poll;
     int m_pictures = 0;
+    ServiceTour *m_service = nullptr;
     double m_foundOvershoot = 0.0; ///< of the unit that has something to tune, share of its step
     double m_tunedOvershoot = 0.0;
 };

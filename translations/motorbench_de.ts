@@ -2182,6 +2182,18 @@
         <source>Close anyway</source>
         <translation>Trotzdem schließen</translation>
     </message>
+    <message>
+        <source>Units are being served. Cancel the queue?</source>
+        <translation>Einheiten werden gerade bearbeitet. Die Warteschlange abbrechen?</translation>
+    </message>
+    <message>
+        <source>The journal knows where it stood, and the queue can be gone on with.</source>
+        <translation>Das Journal weiß, wo sie stand, und die Warteschlange kann fortgesetzt werden.</translation>
+    </message>
+    <message>
+        <source>Cancel the queue and close</source>
+        <translation>Warteschlange abbrechen und schließen</translation>
+    </message>
 </context>
 <context>
     <name>mb::CommandPalette</name>
@@ -2896,6 +2908,33 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
 </context>
 <context>
+    <name>mb::EntryText</name>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>abgelehnt</translation>
+    </message>
+    <message>
+        <source>not ended</source>
+        <translation>nicht beendet</translation>
+    </message>
+    <message>
+        <source>as it is now</source>
+        <translation>wie es jetzt ist</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3</source>
+        <translation>%1 %2: %3</translation>
+    </message>
+</context>
+<context>
     <name>mb::EnvelopePanel</name>
     <message>
         <source>Travel ±</source>
@@ -3097,200 +3136,20 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>Firmware</translation>
     </message>
     <message>
-        <source>device</source>
-        <translation>Gerät</translation>
+        <source>starts the update</source>
+        <translation>beginnt die Aktualisierung</translation>
     </message>
     <message>
-        <source>firmware</source>
-        <translation>Firmware</translation>
+        <source>What is updated</source>
+        <translation>Was aktualisiert wird</translation>
     </message>
     <message>
-        <source>image</source>
-        <translation>Image</translation>
+        <source>Selected unit</source>
+        <translation>Gewählte Einheit</translation>
     </message>
     <message>
-        <source>Open image…</source>
-        <translation>Image öffnen…</translation>
-    </message>
-    <message>
-        <source>Before start</source>
-        <translation>Vor dem Start</translation>
-    </message>
-    <message>
-        <source>Step</source>
-        <translation>Schritt</translation>
-    </message>
-    <message>
-        <source>Progress of the update</source>
-        <translation>Fortschritt des Updates</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Update</source>
-        <translation>Aktualisieren</translation>
-    </message>
-    <message>
-        <source>Run the update again</source>
-        <translation>Update wiederholen</translation>
-    </message>
-    <message>
-        <source>Log</source>
-        <translation>Protokoll</translation>
-    </message>
-    <message>
-        <source>Save log…</source>
-        <translation>Protokoll speichern…</translation>
-    </message>
-    <message>
-        <source>Log of the update</source>
-        <translation>Protokoll des Updates</translation>
-    </message>
-    <message>
-        <source>Flash pages</source>
-        <translation>Flash-Seiten</translation>
-    </message>
-    <message>
-        <source>In the order they are written. Green: written. Amber edge: sent again. Dashed: not in the image. Red: must not be cut.</source>
-        <translation>In der Reihenfolge des Schreibens. Grün: geschrieben. Gelber Rand: erneut gesendet. Gestrichelt: nicht im Image. Rot: nicht unterbrechen.</translation>
-    </message>
-    <message>
-        <source>no image yet</source>
-        <translation>noch kein Image</translation>
-    </message>
-    <message>
-        <source>version %1 · pages: %2</source>
-        <translation>Version %1 · Seiten: %2</translation>
-    </message>
-    <message>
-        <source>Open an Intel HEX file, or drop it here</source>
-        <translation>Intel-HEX-Datei öffnen oder hier ablegen</translation>
-    </message>
-    <message>
-        <source>select a device to check it</source>
-        <translation>zum Prüfen ein Gerät wählen</translation>
-    </message>
-    <message>
-        <source>no device selected</source>
-        <translation>kein Gerät gewählt</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keine</translation>
-    </message>
-    <message>
-        <source>%1 → %2</source>
-        <translation>%1 → %2</translation>
-    </message>
-    <message>
-        <source>image fits this family</source>
-        <translation>Image passt zur Familie</translation>
-    </message>
-    <message>
-        <source>no usable image</source>
-        <translation>kein brauchbares Image</translation>
-    </message>
-    <message>
-        <source>motor is moving</source>
-        <translation>Motor bewegt sich</translation>
-    </message>
-    <message>
-        <source>motor stopped</source>
-        <translation>Motor steht</translation>
-    </message>
-    <message>
-        <source>no other master, number unique</source>
-        <translation>kein anderer Master, Nummer eindeutig</translation>
-    </message>
-    <message>
-        <source>another master, or a number taken twice</source>
-        <translation>anderer Master oder doppelte Nummer</translation>
-    </message>
-    <message>
-        <source>no device</source>
-        <translation>kein Gerät</translation>
-    </message>
-    <message>
-        <source>bus %1 V</source>
-        <translation>Bus %1 V</translation>
-    </message>
-    <message>
-        <source>bus voltage not known</source>
-        <translation>Busspannung unbekannt</translation>
-    </message>
-    <message>
-        <source>%1 s a page, about %2 s left</source>
-        <translation>%1 s je Seite, noch etwa %2 s</translation>
-    </message>
-    <message>
-        <source>Verified: %1</source>
-        <translation>Geprüft: %1</translation>
-    </message>
-    <message>
-        <source>Not needed: %1</source>
-        <translation>Nicht nötig: %1</translation>
-    </message>
-    <message>
-        <source>Refused: %1</source>
-        <translation>Abgelehnt: %1</translation>
-    </message>
-    <message>
-        <source>Failed: %1</source>
-        <translation>Fehlgeschlagen: %1</translation>
-    </message>
-    <message>
-        <source>Nothing running</source>
-        <translation>Nichts läuft</translation>
-    </message>
-    <message>
-        <source>%1, %2 of %3 written</source>
-        <translation>%1, %2 von %3 geschrieben</translation>
-    </message>
-    <message>
-        <source>%1 s, pages sent again: %2</source>
-        <translation>%1 s, erneut gesendete Seiten: %2</translation>
-    </message>
-    <message>
-        <source>Do not unplug</source>
-        <translation>Nicht trennen</translation>
-    </message>
-    <message>
-        <source>Safe to unplug</source>
-        <translation>Trennen erlaubt</translation>
-    </message>
-    <message>
-        <source>Nothing is written now</source>
-        <translation>Jetzt wird nichts geschrieben</translation>
-    </message>
-    <message>
-        <source>Open a firmware image</source>
-        <translation>Firmware-Image öffnen</translation>
-    </message>
-    <message>
-        <source>Intel HEX (*.hex *.ihex);;All files (*)</source>
-        <translation>Intel HEX (*.hex *.ihex);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Save the log of the update</source>
-        <translation>Protokoll des Updates speichern</translation>
-    </message>
-    <message>
-        <source>Text (*.log *.txt)</source>
-        <translation>Text (*.log *.txt)</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>unbekannt</translation>
-    </message>
-    <message>
-        <source>One update a bus: %1 is being written.</source>
-        <translation>Eine Aktualisierung je Bus: %1 wird gerade beschrieben.</translation>
-    </message>
-    <message>
-        <source>Cancelled. %1.</source>
-        <translation>Abgebrochen. %1.</translation>
+        <source>Queue of units</source>
+        <translation>Warteschlange</translation>
     </message>
 </context>
 <context>
@@ -3891,6 +3750,29 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>last 5 s</source>
         <translation>letzte 5 s</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ImageText</name>
+    <message>
+        <source>no image yet</source>
+        <translation>noch kein Image</translation>
+    </message>
+    <message>
+        <source>Open an Intel HEX file, or drop it here</source>
+        <translation>Intel-HEX-Datei öffnen oder hier ablegen</translation>
+    </message>
+    <message>
+        <source>select a device to check it</source>
+        <translation>zum Prüfen ein Gerät wählen</translation>
+    </message>
+    <message>
+        <source>version %1 · pages: %2</source>
+        <translation>Version %1 · Seiten: %2</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
     </message>
 </context>
 <context>
@@ -6161,6 +6043,356 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     </message>
 </context>
 <context>
+    <name>mb::QueueBar</name>
+    <message>
+        <source>State of the queue</source>
+        <translation>Stand der Warteschlange</translation>
+    </message>
+    <message>
+        <source>Progress of the queue</source>
+        <translation>Fortschritt der Warteschlange</translation>
+    </message>
+    <message>
+        <source>Pause after this unit</source>
+        <translation>Nach dieser Einheit anhalten</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Fortfahren</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Retry failed</source>
+        <translation>Fehlerhafte wiederholen</translation>
+    </message>
+    <message>
+        <source>Save CSV…</source>
+        <translation>CSV speichern…</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Ended before its time: %1</source>
+        <translation>Vorzeitig beendet: %1</translation>
+    </message>
+    <message>
+        <source>Pauses after this unit</source>
+        <translation>Hält nach dieser Einheit an</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>Unit %1 of %2</source>
+        <translation>Einheit %1 von %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>Ended with %n unit(s) to go</source>
+        <translation>
+            <numerusform>Beendet, %n Einheit steht noch aus</numerusform>
+            <numerusform>Beendet, %n Einheiten stehen noch aus</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Ended: %1 of %2 units</source>
+        <translation>Beendet: %1 von %2 Einheiten</translation>
+    </message>
+    <message>
+        <source>Nothing running</source>
+        <translation>Nichts läuft</translation>
+    </message>
+    <message>
+        <source>about %1 s left</source>
+        <translation>noch etwa %1 s</translation>
+    </message>
+    <message>
+        <source>%1 done · %2 waiting · %3 failed · %4 refused · mean %5</source>
+        <translation>%1 fertig · %2 warten · %3 mit Fehler · %4 abgelehnt · Mittel %5</translation>
+    </message>
+</context>
+<context>
+    <name>mb::QueueBoard</name>
+    <message>
+        <source>Go on with it</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>Units of the queue</source>
+        <translation>Einheiten der Warteschlange</translation>
+    </message>
+    <message>
+        <source>The self-test turns the motor: %1. Hold Arm in the header once the queue runs.</source>
+        <translation>Der Selbsttest dreht den Motor: %1. Die Scharf-Taste in der Kopfzeile halten, sobald die Warteschlange läuft.</translation>
+    </message>
+    <message>
+        <source>Every %1</source>
+        <translation>Jeder %1</translation>
+    </message>
+    <message>
+        <source>A queue runs already.</source>
+        <translation>Eine Warteschlange läuft schon.</translation>
+    </message>
+    <message>
+        <source>Open an image or a recipe first.</source>
+        <translation>Zuerst ein Abbild oder ein Rezept öffnen.</translation>
+    </message>
+    <message>
+        <source>Tick the units first.</source>
+        <translation>Zuerst die Einheiten ankreuzen.</translation>
+    </message>
+    <message>
+        <source>Save what was done</source>
+        <translation>Speichern, was getan wurde</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>the units are in %1</source>
+        <translation>die Einheiten sind in %1</translation>
+    </message>
+    <message>
+        <source>The last queue of this recipe was cut off: %1 done, %2 open</source>
+        <translation>Die letzte Warteschlange dieses Rezepts wurde unterbrochen: %1 fertig, %2 offen</translation>
+    </message>
+    <message>
+        <source>What has ended stays as it is; ticked units are taken along.</source>
+        <translation>Was beendet ist, bleibt so; angekreuzte Einheiten werden mitgenommen.</translation>
+    </message>
+    <message>
+        <source>One unit at a time on a bus, buses side by side. Real units keep this computer awake. The journal is on disk: after a crash the queue goes on.</source>
+        <translation>Auf einem Bus eine Einheit nach der anderen, Busse nebeneinander. Echte Einheiten halten diesen Rechner wach. Das Journal liegt auf der Platte: nach einem Absturz geht es weiter.</translation>
+    </message>
+    <message>
+        <source>Every unit is backed up before and compared afterwards; the journal has it.</source>
+        <translation>Jede Einheit wird vorher gesichert und danach verglichen; das Journal hält es fest.</translation>
+    </message>
+    <message>
+        <source>recipe checked</source>
+        <translation>Rezept geprüft</translation>
+    </message>
+    <message>
+        <source>no image, no recipe</source>
+        <translation>kein Abbild, kein Rezept</translation>
+    </message>
+    <message>
+        <source>all motors stopped</source>
+        <translation>alle Motoren stehen</translation>
+    </message>
+    <message>
+        <source>a motor is moving</source>
+        <translation>ein Motor dreht sich</translation>
+    </message>
+    <message>
+        <source>no other master</source>
+        <translation>kein anderer Master</translation>
+    </message>
+    <message>
+        <source>another master, or a number taken twice</source>
+        <translation>anderer Master oder doppelte Nummer</translation>
+    </message>
+    <message>
+        <source>bus %1 V</source>
+        <translation>Bus %1 V</translation>
+    </message>
+    <message>
+        <source>bus voltage not known</source>
+        <translation>Busspannung unbekannt</translation>
+    </message>
+</context>
+<context>
+    <name>mb::QueueHead</name>
+    <message>
+        <source>recipe</source>
+        <translation>Rezept</translation>
+    </message>
+    <message>
+        <source>image</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <source>parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>number rule</source>
+        <translation>Nummernregel</translation>
+    </message>
+    <message>
+        <source>Open image…</source>
+        <translation>Image öffnen…</translation>
+    </message>
+    <message>
+        <source>Open recipe…</source>
+        <translation>Rezept öffnen…</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>noch keines</translation>
+    </message>
+    <message>
+        <source>Open a firmware image</source>
+        <translation>Firmware-Image öffnen</translation>
+    </message>
+    <message>
+        <source>Intel HEX (*.hex *.ihex);;All files (*)</source>
+        <translation>Intel HEX (*.hex *.ihex);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Open recipe</source>
+        <translation>Rezept öffnen</translation>
+    </message>
+    <message>
+        <source>Recipes (*.json);;All files (*)</source>
+        <translation>Rezepte (*.json);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>mb::QueueModel</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Seriennummer</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Firmware</source>
+        <translation>Firmware</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+</context>
+<context>
+    <name>mb::QueueText</name>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>verified</source>
+        <translation>geprüft</translation>
+    </message>
+    <message>
+        <source>%1 parameters equal</source>
+        <translation>%1 Parameter gleich</translation>
+    </message>
+    <message>
+        <source>already %1</source>
+        <translation>schon %1</translation>
+    </message>
+    <message>
+        <source>read back after the restart</source>
+        <translation>nach dem Neustart zurückgelesen</translation>
+    </message>
+    <message>
+        <source>safe to unplug, resumes</source>
+        <translation>darf abgezogen werden, setzt fort</translation>
+    </message>
+    <message>
+        <source>do not unplug</source>
+        <translation>nicht abziehen</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>wartet</translation>
+    </message>
+    <message>
+        <source>cut off, goes on</source>
+        <translation>unterbrochen, geht weiter</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>ausgelassen</translation>
+    </message>
+    <message>
+        <source>cut off</source>
+        <translation>unterbrochen</translation>
+    </message>
+    <message>
+        <source>failed: %1</source>
+        <translation>Fehler: %1</translation>
+    </message>
+    <message>
+        <source>refused before start</source>
+        <translation>vor dem Start abgelehnt</translation>
+    </message>
+    <message>
+        <source>number taken twice</source>
+        <translation>Nummer doppelt vergeben</translation>
+    </message>
+    <message>
+        <source>in its bootloader</source>
+        <translation>im Bootloader</translation>
+    </message>
+    <message>
+        <source>motor is moving</source>
+        <translation>Motor dreht sich</translation>
+    </message>
+    <message>
+        <source>another master drives it</source>
+        <translation>ein anderer Master steuert sie</translation>
+    </message>
+    <message>
+        <source>Preflight</source>
+        <translation>Vorprüfung</translation>
+    </message>
+    <message>
+        <source>Backup</source>
+        <translation>Sicherung</translation>
+    </message>
+    <message>
+        <source>Firmware</source>
+        <translation>Firmware</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Self-test</source>
+        <translation>Selbsttest</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>Comparison and proof</source>
+        <translation>Vergleich und Nachweis</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+</context>
+<context>
     <name>mb::RamBlock</name>
     <message>
         <source>In RAM, not in flash</source>
@@ -6240,6 +6472,25 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     <message>
         <source>all %1 read in %2</source>
         <translation>alle %1 in %2 gelesen</translation>
+    </message>
+</context>
+<context>
+    <name>mb::RecipeText</name>
+    <message>
+        <source>%1 · sha %2</source>
+        <translation>%1 · sha %2</translation>
+    </message>
+    <message>
+        <source>%1 · version %2 · sha %3</source>
+        <translation>%1 · Version %2 · sha %3</translation>
+    </message>
+    <message>
+        <source>%1 · %2 values</source>
+        <translation>%1 · %2 Werte</translation>
+    </message>
+    <message>
+        <source>next free from %1</source>
+        <translation>nächste freie ab %1</translation>
     </message>
 </context>
 <context>
@@ -7060,8 +7311,64 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
         <translation>Versuch #%1 von %2</translation>
     </message>
     <message>
-        <source>as it is now</source>
-        <translation>wie es jetzt ist</translation>
+        <source>What is listed</source>
+        <translation>Was aufgeführt wird</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>Cards</source>
+        <translation>Karten</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Einstellung</translation>
+    </message>
+    <message>
+        <source>Journal</source>
+        <translation>Journal</translation>
+    </message>
+    <message>
+        <source>Note on this entry</source>
+        <translation>Notiz zu diesem Eintrag</translation>
+    </message>
+    <message>
+        <source>Note on this entry of the journal</source>
+        <translation>Notiz zu diesem Eintrag des Journals</translation>
+    </message>
+    <message>
+        <source>Size of the report</source>
+        <translation>Größe des Berichts</translation>
+    </message>
+    <message>
+        <source>Pages, A4</source>
+        <translation>Seiten, A4</translation>
+    </message>
+    <message>
+        <source>Label, 62 × 29 mm</source>
+        <translation>Etikett, 62 × 29 mm</translation>
+    </message>
+    <message>
+        <source>Save CSV…</source>
+        <translation>CSV speichern…</translation>
+    </message>
+    <message>
+        <source>The entries of the journal that are listed, as a table</source>
+        <translation>Die aufgeführten Einträge des Journals als Tabelle</translation>
+    </message>
+    <message>
+        <source>Save the journal</source>
+        <translation>Journal speichern</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>the journal is in %1</source>
+        <translation>das Journal ist in %1</translation>
     </message>
 </context>
 <context>
@@ -7860,6 +8167,29 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>recording</source>
         <translation>Aufnahme</translation>
+    </message>
+</context>
+<context>
+    <name>mb::StationLamp</name>
+    <message>
+        <source>%1 self-test</source>
+        <translation>%1 Selbsttest</translation>
+    </message>
+    <message>
+        <source>turns in a moment</source>
+        <translation>dreht sich gleich</translation>
+    </message>
+    <message>
+        <source>self-tests</source>
+        <translation>Selbsttests</translation>
+    </message>
+    <message>
+        <source>nothing turns here</source>
+        <translation>hier dreht sich nichts</translation>
+    </message>
+    <message>
+        <source>lamp</source>
+        <translation>Lampe</translation>
     </message>
 </context>
 <context>
@@ -9248,6 +9578,213 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>1  Identify: pushes with a part of the duty, both ways. No gain is changed.</source>
         <translation>1  Vermessen: Stöße mit einem Teil des Tastgrads in beide Richtungen. Kein Faktor wird geändert.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UnitSteps</name>
+    <message>
+        <source>Steps of this unit</source>
+        <translation>Schritte dieser Einheit</translation>
+    </message>
+    <message>
+        <source>Skip this unit</source>
+        <translation>Diese Einheit auslassen</translation>
+    </message>
+    <message>
+        <source>Do it again</source>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>No unit selected</source>
+        <translation>Keine Einheit gewählt</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UnitUpdate</name>
+    <message>
+        <source>Verified: %1</source>
+        <translation>Geprüft: %1</translation>
+    </message>
+    <message>
+        <source>Not needed: %1</source>
+        <translation>Nicht nötig: %1</translation>
+    </message>
+    <message>
+        <source>Refused: %1</source>
+        <translation>Abgelehnt: %1</translation>
+    </message>
+    <message>
+        <source>Failed: %1</source>
+        <translation>Fehlgeschlagen: %1</translation>
+    </message>
+    <message>
+        <source>Cancelled. %1.</source>
+        <translation>Abgebrochen. %1.</translation>
+    </message>
+    <message>
+        <source>device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>firmware</source>
+        <translation>Firmware</translation>
+    </message>
+    <message>
+        <source>image</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <source>Open image…</source>
+        <translation>Image öffnen…</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Progress of the update</source>
+        <translation>Fortschritt des Updates</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Update</source>
+        <translation>Aktualisieren</translation>
+    </message>
+    <message>
+        <source>Run the update again</source>
+        <translation>Update wiederholen</translation>
+    </message>
+    <message>
+        <source>One update a bus: %1 is being written.</source>
+        <translation>Eine Aktualisierung je Bus: %1 wird gerade beschrieben.</translation>
+    </message>
+    <message>
+        <source>no device selected</source>
+        <translation>kein Gerät gewählt</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>%1 → %2</source>
+        <translation>%1 → %2</translation>
+    </message>
+    <message>
+        <source>image fits this family</source>
+        <translation>Image passt zur Familie</translation>
+    </message>
+    <message>
+        <source>no usable image</source>
+        <translation>kein brauchbares Image</translation>
+    </message>
+    <message>
+        <source>motor is moving</source>
+        <translation>Motor dreht sich</translation>
+    </message>
+    <message>
+        <source>motor stopped</source>
+        <translation>Motor steht</translation>
+    </message>
+    <message>
+        <source>no other master, number unique</source>
+        <translation>kein anderer Master, Nummer eindeutig</translation>
+    </message>
+    <message>
+        <source>another master, or a number taken twice</source>
+        <translation>anderer Master oder doppelte Nummer</translation>
+    </message>
+    <message>
+        <source>no device</source>
+        <translation>kein Gerät</translation>
+    </message>
+    <message>
+        <source>bus %1 V</source>
+        <translation>Bus %1 V</translation>
+    </message>
+    <message>
+        <source>bus voltage not known</source>
+        <translation>Busspannung unbekannt</translation>
+    </message>
+    <message>
+        <source>%1 s a page, about %2 s left</source>
+        <translation>%1 s je Seite, noch etwa %2 s</translation>
+    </message>
+    <message>
+        <source>Nothing running</source>
+        <translation>Nichts läuft</translation>
+    </message>
+    <message>
+        <source>%1, %2 of %3 written</source>
+        <translation>%1, %2 von %3 geschrieben</translation>
+    </message>
+    <message>
+        <source>%1 s, pages sent again: %2</source>
+        <translation>%1 s, erneut gesendete Seiten: %2</translation>
+    </message>
+    <message>
+        <source>Open a firmware image</source>
+        <translation>Firmware-Image öffnen</translation>
+    </message>
+    <message>
+        <source>Intel HEX (*.hex *.ihex);;All files (*)</source>
+        <translation>Intel HEX (*.hex *.ihex);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UpdateChecks</name>
+    <message>
+        <source>Before start</source>
+        <translation>Vor dem Start</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UpdateLog</name>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Save log…</source>
+        <translation>Protokoll speichern…</translation>
+    </message>
+    <message>
+        <source>Log of the update</source>
+        <translation>Protokoll des Updates</translation>
+    </message>
+    <message>
+        <source>Save the log of the update</source>
+        <translation>Protokoll des Updates speichern</translation>
+    </message>
+    <message>
+        <source>Text (*.log *.txt)</source>
+        <translation>Text (*.log *.txt)</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UpdateSide</name>
+    <message>
+        <source>Flash pages</source>
+        <translation>Flash-Seiten</translation>
+    </message>
+    <message>
+        <source>In the order they are written. Green: written. Amber edge: sent again. Dashed: not in the image. Red: must not be cut.</source>
+        <translation>In der Reihenfolge des Schreibens. Grün: geschrieben. Gelber Rand: erneut gesendet. Gestrichelt: nicht im Image. Rot: nicht unterbrechen.</translation>
+    </message>
+    <message>
+        <source>Do not unplug</source>
+        <translation>Nicht trennen</translation>
+    </message>
+    <message>
+        <source>Safe to unplug</source>
+        <translation>Trennen erlaubt</translation>
+    </message>
+    <message>
+        <source>Nothing is written now</source>
+        <translation>Jetzt wird nichts geschrieben</translation>
     </message>
 </context>
 <context>
@@ -15586,10 +16123,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>%1 installieren</translation>
     </message>
     <message>
-        <source>open it first</source>
-        <translation>sie zuerst öffnen</translation>
-    </message>
-    <message>
         <source>see that the server runs; entries wait here until it does</source>
         <translation>nachsehen, ob der Server läuft; Einträge warten hier, bis er es tut</translation>
     </message>
@@ -15888,6 +16421,34 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>within its limits</source>
         <translation>in seinen Grenzen</translation>
+    </message>
+    <message>
+        <source>%1 is for no unit that is here and takes firmware over its own link</source>
+        <translation>%1 ist für keine Einheit, die hier ist und Firmware über ihren eigenen Anschluss nimmt</translation>
+    </message>
+    <message>
+        <source>%1 is not open, or something runs there</source>
+        <translation>%1 ist nicht offen, oder dort läuft etwas</translation>
+    </message>
+    <message>
+        <source>for the others write a recipe that names the way in</source>
+        <translation>für die anderen ein Rezept schreiben, das den Weg hinein nennt</translation>
+    </message>
+    <message>
+        <source>open it, or end what runs there first</source>
+        <translation>öffnen, oder erst beenden, was dort läuft</translation>
+    </message>
+    <message>
+        <source>this unit was never served, so there is nothing for a label</source>
+        <translation>diese Einheit war nie in Bearbeitung; für ein Etikett gibt es nichts</translation>
+    </message>
+    <message>
+        <source>units are served here; the link stays open</source>
+        <translation>hier werden Einheiten bearbeitet; der Anschluss bleibt offen</translation>
+    </message>
+    <message>
+        <source>write a page</source>
+        <translation>eine Seite schreiben</translation>
     </message>
 </context>
 </TS>

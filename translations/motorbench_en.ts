@@ -59,6 +59,16 @@
     </message>
 </context>
 <context>
+    <name>mb::QueueBar</name>
+    <message numerus="yes">
+        <source>Ended with %n unit(s) to go</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mb::ReportText</name>
     <message numerus="yes">
         <source>%n in the unit, read back</source>

@@ -2182,6 +2182,18 @@
         <source>Close anyway</source>
         <translation>Cerrar de todos modos</translation>
     </message>
+    <message>
+        <source>Units are being served. Cancel the queue?</source>
+        <translation>Se están atendiendo equipos. ¿Cancelar la cola?</translation>
+    </message>
+    <message>
+        <source>The journal knows where it stood, and the queue can be gone on with.</source>
+        <translation>El diario sabe dónde estaba, y la cola se puede continuar.</translation>
+    </message>
+    <message>
+        <source>Cancel the queue and close</source>
+        <translation>Cancelar la cola y cerrar</translation>
+    </message>
 </context>
 <context>
     <name>mb::CommandPalette</name>
@@ -2896,6 +2908,33 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     </message>
 </context>
 <context>
+    <name>mb::EntryText</name>
+    <message>
+        <source>passed</source>
+        <translation>superado</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>no superado</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>rechazado</translation>
+    </message>
+    <message>
+        <source>not ended</source>
+        <translation>sin terminar</translation>
+    </message>
+    <message>
+        <source>as it is now</source>
+        <translation>como está ahora</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3</source>
+        <translation>%1 %2: %3</translation>
+    </message>
+</context>
+<context>
     <name>mb::EnvelopePanel</name>
     <message>
         <source>Travel ±</source>
@@ -3097,200 +3136,20 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <translation>Firmware</translation>
     </message>
     <message>
-        <source>device</source>
-        <translation>dispositivo</translation>
+        <source>starts the update</source>
+        <translation>inicia la actualización</translation>
     </message>
     <message>
-        <source>firmware</source>
-        <translation>firmware</translation>
+        <source>What is updated</source>
+        <translation>Qué se actualiza</translation>
     </message>
     <message>
-        <source>image</source>
-        <translation>imagen</translation>
+        <source>Selected unit</source>
+        <translation>Equipo seleccionado</translation>
     </message>
     <message>
-        <source>Open image…</source>
-        <translation>Abrir imagen…</translation>
-    </message>
-    <message>
-        <source>Before start</source>
-        <translation>Antes de empezar</translation>
-    </message>
-    <message>
-        <source>Step</source>
-        <translation>Paso</translation>
-    </message>
-    <message>
-        <source>Progress of the update</source>
-        <translation>Progreso de la actualización</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Cancelar</translation>
-    </message>
-    <message>
-        <source>Update</source>
-        <translation>Actualizar</translation>
-    </message>
-    <message>
-        <source>Run the update again</source>
-        <translation>Repetir la actualización</translation>
-    </message>
-    <message>
-        <source>Log</source>
-        <translation>Registro</translation>
-    </message>
-    <message>
-        <source>Save log…</source>
-        <translation>Guardar registro…</translation>
-    </message>
-    <message>
-        <source>Log of the update</source>
-        <translation>Registro de la actualización</translation>
-    </message>
-    <message>
-        <source>Flash pages</source>
-        <translation>Páginas de flash</translation>
-    </message>
-    <message>
-        <source>In the order they are written. Green: written. Amber edge: sent again. Dashed: not in the image. Red: must not be cut.</source>
-        <translation>En el orden en que se escriben. Verde: escrita. Borde ámbar: reenviada. A trazos: no está en la imagen. Rojo: no interrumpir.</translation>
-    </message>
-    <message>
-        <source>no image yet</source>
-        <translation>aún sin imagen</translation>
-    </message>
-    <message>
-        <source>Open an Intel HEX file, or drop it here</source>
-        <translation>Abra un archivo Intel HEX o suéltelo aquí</translation>
-    </message>
-    <message>
-        <source>select a device to check it</source>
-        <translation>seleccione un dispositivo para comprobarla</translation>
-    </message>
-    <message>
-        <source>version %1 · pages: %2</source>
-        <translation>versión %1 · páginas: %2</translation>
-    </message>
-    <message>
-        <source>One update a bus: %1 is being written.</source>
-        <translation>Una actualización por bus: se está escribiendo %1.</translation>
-    </message>
-    <message>
-        <source>no device selected</source>
-        <translation>ningún dispositivo seleccionado</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>ninguna</translation>
-    </message>
-    <message>
-        <source>%1 → %2</source>
-        <translation>%1 → %2</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>desconocido</translation>
-    </message>
-    <message>
-        <source>image fits this family</source>
-        <translation>la imagen es de esta familia</translation>
-    </message>
-    <message>
-        <source>no usable image</source>
-        <translation>ninguna imagen utilizable</translation>
-    </message>
-    <message>
-        <source>motor is moving</source>
-        <translation>motor en movimiento</translation>
-    </message>
-    <message>
-        <source>motor stopped</source>
-        <translation>motor parado</translation>
-    </message>
-    <message>
-        <source>no other master, number unique</source>
-        <translation>sin otro maestro, número único</translation>
-    </message>
-    <message>
-        <source>another master, or a number taken twice</source>
-        <translation>otro maestro o número duplicado</translation>
-    </message>
-    <message>
-        <source>no device</source>
-        <translation>ningún dispositivo</translation>
-    </message>
-    <message>
-        <source>bus %1 V</source>
-        <translation>bus %1 V</translation>
-    </message>
-    <message>
-        <source>bus voltage not known</source>
-        <translation>tensión de bus desconocida</translation>
-    </message>
-    <message>
-        <source>%1 s a page, about %2 s left</source>
-        <translation>%1 s por página, quedan unos %2 s</translation>
-    </message>
-    <message>
-        <source>Verified: %1</source>
-        <translation>Verificado: %1</translation>
-    </message>
-    <message>
-        <source>Not needed: %1</source>
-        <translation>No es necesario: %1</translation>
-    </message>
-    <message>
-        <source>Refused: %1</source>
-        <translation>Rechazado: %1</translation>
-    </message>
-    <message>
-        <source>Failed: %1</source>
-        <translation>Error: %1</translation>
-    </message>
-    <message>
-        <source>Cancelled. %1.</source>
-        <translation>Cancelado. %1.</translation>
-    </message>
-    <message>
-        <source>Nothing running</source>
-        <translation>Nada en curso</translation>
-    </message>
-    <message>
-        <source>%1, %2 of %3 written</source>
-        <translation>%1, %2 de %3 escritas</translation>
-    </message>
-    <message>
-        <source>%1 s, pages sent again: %2</source>
-        <translation>%1 s, páginas reenviadas: %2</translation>
-    </message>
-    <message>
-        <source>Do not unplug</source>
-        <translation>No desconectar</translation>
-    </message>
-    <message>
-        <source>Safe to unplug</source>
-        <translation>Se puede desconectar</translation>
-    </message>
-    <message>
-        <source>Nothing is written now</source>
-        <translation>Ahora no se escribe nada</translation>
-    </message>
-    <message>
-        <source>Open a firmware image</source>
-        <translation>Abrir una imagen de firmware</translation>
-    </message>
-    <message>
-        <source>Intel HEX (*.hex *.ihex);;All files (*)</source>
-        <translation>Intel HEX (*.hex *.ihex);;Todos los archivos (*)</translation>
-    </message>
-    <message>
-        <source>Save the log of the update</source>
-        <translation>Guardar el registro de la actualización</translation>
-    </message>
-    <message>
-        <source>Text (*.log *.txt)</source>
-        <translation>Texto (*.log *.txt)</translation>
+        <source>Queue of units</source>
+        <translation>Cola de equipos</translation>
     </message>
 </context>
 <context>
@@ -3891,6 +3750,29 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     <message>
         <source>last 5 s</source>
         <translation>últimos 5 s</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ImageText</name>
+    <message>
+        <source>no image yet</source>
+        <translation>aún sin imagen</translation>
+    </message>
+    <message>
+        <source>Open an Intel HEX file, or drop it here</source>
+        <translation>Abra un archivo Intel HEX o suéltelo aquí</translation>
+    </message>
+    <message>
+        <source>select a device to check it</source>
+        <translation>seleccione un dispositivo para comprobarla</translation>
+    </message>
+    <message>
+        <source>version %1 · pages: %2</source>
+        <translation>versión %1 · páginas: %2</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>desconocido</translation>
     </message>
 </context>
 <context>
@@ -6161,6 +6043,356 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
     </message>
 </context>
 <context>
+    <name>mb::QueueBar</name>
+    <message>
+        <source>State of the queue</source>
+        <translation>Estado de la cola</translation>
+    </message>
+    <message>
+        <source>Progress of the queue</source>
+        <translation>Progreso de la cola</translation>
+    </message>
+    <message>
+        <source>Pause after this unit</source>
+        <translation>Pausar tras este equipo</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Continuar</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Retry failed</source>
+        <translation>Repetir los no superados</translation>
+    </message>
+    <message>
+        <source>Save CSV…</source>
+        <translation>Guardar CSV…</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Iniciar</translation>
+    </message>
+    <message>
+        <source>Ended before its time: %1</source>
+        <translation>Terminó antes de tiempo: %1</translation>
+    </message>
+    <message>
+        <source>Pauses after this unit</source>
+        <translation>Se detiene tras este equipo</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>En pausa</translation>
+    </message>
+    <message>
+        <source>Unit %1 of %2</source>
+        <translation>Equipo %1 de %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>Ended with %n unit(s) to go</source>
+        <translation>
+            <numerusform>Terminado, falta %n equipo</numerusform>
+            <numerusform>Terminado, faltan %n equipos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Ended: %1 of %2 units</source>
+        <translation>Terminado: %1 de %2 equipos</translation>
+    </message>
+    <message>
+        <source>Nothing running</source>
+        <translation>Nada en curso</translation>
+    </message>
+    <message>
+        <source>about %1 s left</source>
+        <translation>quedan unos %1 s</translation>
+    </message>
+    <message>
+        <source>%1 done · %2 waiting · %3 failed · %4 refused · mean %5</source>
+        <translation>%1 hechos · %2 en espera · %3 no superados · %4 rechazados · media %5</translation>
+    </message>
+</context>
+<context>
+    <name>mb::QueueBoard</name>
+    <message>
+        <source>Go on with it</source>
+        <translation>Continuar</translation>
+    </message>
+    <message>
+        <source>Units of the queue</source>
+        <translation>Equipos de la cola</translation>
+    </message>
+    <message>
+        <source>The self-test turns the motor: %1. Hold Arm in the header once the queue runs.</source>
+        <translation>La autoprueba hace girar el motor: %1. Mantenga Armar en la cabecera cuando la cola esté en marcha.</translation>
+    </message>
+    <message>
+        <source>Every %1</source>
+        <translation>Todos los %1</translation>
+    </message>
+    <message>
+        <source>A queue runs already.</source>
+        <translation>Ya hay una cola en marcha.</translation>
+    </message>
+    <message>
+        <source>Open an image or a recipe first.</source>
+        <translation>Abra primero una imagen o una receta.</translation>
+    </message>
+    <message>
+        <source>Tick the units first.</source>
+        <translation>Marque primero los equipos.</translation>
+    </message>
+    <message>
+        <source>Save what was done</source>
+        <translation>Guardar lo que se hizo</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabla (*.csv)</translation>
+    </message>
+    <message>
+        <source>the units are in %1</source>
+        <translation>los equipos están en %1</translation>
+    </message>
+    <message>
+        <source>The last queue of this recipe was cut off: %1 done, %2 open</source>
+        <translation>La última cola de esta receta se interrumpió: %1 hechos, %2 abiertos</translation>
+    </message>
+    <message>
+        <source>What has ended stays as it is; ticked units are taken along.</source>
+        <translation>Lo terminado queda como está; los equipos marcados se incluyen.</translation>
+    </message>
+    <message>
+        <source>One unit at a time on a bus, buses side by side. Real units keep this computer awake. The journal is on disk: after a crash the queue goes on.</source>
+        <translation>Un equipo a la vez por bus, los buses en paralelo. Los equipos reales mantienen despierto este ordenador. El diario está en disco: tras un fallo la cola continúa.</translation>
+    </message>
+    <message>
+        <source>Every unit is backed up before and compared afterwards; the journal has it.</source>
+        <translation>Cada equipo se guarda antes y se compara después; el diario lo recoge.</translation>
+    </message>
+    <message>
+        <source>recipe checked</source>
+        <translation>receta comprobada</translation>
+    </message>
+    <message>
+        <source>no image, no recipe</source>
+        <translation>sin imagen ni receta</translation>
+    </message>
+    <message>
+        <source>all motors stopped</source>
+        <translation>todos los motores parados</translation>
+    </message>
+    <message>
+        <source>a motor is moving</source>
+        <translation>un motor se mueve</translation>
+    </message>
+    <message>
+        <source>no other master</source>
+        <translation>ningún otro maestro</translation>
+    </message>
+    <message>
+        <source>another master, or a number taken twice</source>
+        <translation>otro maestro o número duplicado</translation>
+    </message>
+    <message>
+        <source>bus %1 V</source>
+        <translation>bus %1 V</translation>
+    </message>
+    <message>
+        <source>bus voltage not known</source>
+        <translation>tensión de bus desconocida</translation>
+    </message>
+</context>
+<context>
+    <name>mb::QueueHead</name>
+    <message>
+        <source>recipe</source>
+        <translation>receta</translation>
+    </message>
+    <message>
+        <source>image</source>
+        <translation>imagen</translation>
+    </message>
+    <message>
+        <source>parameters</source>
+        <translation>parámetros</translation>
+    </message>
+    <message>
+        <source>number rule</source>
+        <translation>regla de números</translation>
+    </message>
+    <message>
+        <source>Open image…</source>
+        <translation>Abrir imagen…</translation>
+    </message>
+    <message>
+        <source>Open recipe…</source>
+        <translation>Abrir receta…</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>ninguna aún</translation>
+    </message>
+    <message>
+        <source>Open a firmware image</source>
+        <translation>Abrir una imagen de firmware</translation>
+    </message>
+    <message>
+        <source>Intel HEX (*.hex *.ihex);;All files (*)</source>
+        <translation>Intel HEX (*.hex *.ihex);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Open recipe</source>
+        <translation>Abrir receta</translation>
+    </message>
+    <message>
+        <source>Recipes (*.json);;All files (*)</source>
+        <translation>Recetas (*.json);;Todos los archivos (*)</translation>
+    </message>
+</context>
+<context>
+    <name>mb::QueueModel</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Número de serie</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unidad</translation>
+    </message>
+    <message>
+        <source>Firmware</source>
+        <translation>Firmware</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Escalón</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progreso</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultado</translation>
+    </message>
+</context>
+<context>
+    <name>mb::QueueText</name>
+    <message>
+        <source>none</source>
+        <translation>ninguna</translation>
+    </message>
+    <message>
+        <source>verified</source>
+        <translation>verificado</translation>
+    </message>
+    <message>
+        <source>%1 parameters equal</source>
+        <translation>%1 parámetros iguales</translation>
+    </message>
+    <message>
+        <source>already %1</source>
+        <translation>ya en %1</translation>
+    </message>
+    <message>
+        <source>read back after the restart</source>
+        <translation>releído tras el reinicio</translation>
+    </message>
+    <message>
+        <source>safe to unplug, resumes</source>
+        <translation>se puede desenchufar, continúa</translation>
+    </message>
+    <message>
+        <source>do not unplug</source>
+        <translation>no desenchufar</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>en espera</translation>
+    </message>
+    <message>
+        <source>cut off, goes on</source>
+        <translation>interrumpido, continúa</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>omitido</translation>
+    </message>
+    <message>
+        <source>cut off</source>
+        <translation>cortado</translation>
+    </message>
+    <message>
+        <source>failed: %1</source>
+        <translation>no superado: %1</translation>
+    </message>
+    <message>
+        <source>refused before start</source>
+        <translation>rechazado antes de empezar</translation>
+    </message>
+    <message>
+        <source>number taken twice</source>
+        <translation>número repetido</translation>
+    </message>
+    <message>
+        <source>in its bootloader</source>
+        <translation>en su bootloader</translation>
+    </message>
+    <message>
+        <source>motor is moving</source>
+        <translation>motor en movimiento</translation>
+    </message>
+    <message>
+        <source>another master drives it</source>
+        <translation>lo maneja otro maestro</translation>
+    </message>
+    <message>
+        <source>Preflight</source>
+        <translation>Comprobación previa</translation>
+    </message>
+    <message>
+        <source>Backup</source>
+        <translation>Copia</translation>
+    </message>
+    <message>
+        <source>Firmware</source>
+        <translation>Firmware</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parámetros</translation>
+    </message>
+    <message>
+        <source>Self-test</source>
+        <translation>Autoprueba</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Número</translation>
+    </message>
+    <message>
+        <source>Comparison and proof</source>
+        <translation>Comparación y prueba</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Hecho</translation>
+    </message>
+</context>
+<context>
     <name>mb::RamBlock</name>
     <message>
         <source>In RAM, not in flash</source>
@@ -6240,6 +6472,25 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
     <message>
         <source>all %1 read in %2</source>
         <translation>leídos los %1 en %2</translation>
+    </message>
+</context>
+<context>
+    <name>mb::RecipeText</name>
+    <message>
+        <source>%1 · sha %2</source>
+        <translation>%1 · sha %2</translation>
+    </message>
+    <message>
+        <source>%1 · version %2 · sha %3</source>
+        <translation>%1 · versión %2 · sha %3</translation>
+    </message>
+    <message>
+        <source>%1 · %2 values</source>
+        <translation>%1 · %2 valores</translation>
+    </message>
+    <message>
+        <source>next free from %1</source>
+        <translation>siguiente libre desde %1</translation>
     </message>
 </context>
 <context>
@@ -7060,8 +7311,64 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
         <translation>Ensayo #%1 de %2</translation>
     </message>
     <message>
-        <source>as it is now</source>
-        <translation>como está ahora</translation>
+        <source>What is listed</source>
+        <translation>Qué se muestra</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Todas</translation>
+    </message>
+    <message>
+        <source>Cards</source>
+        <translation>Fichas</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Ajustando</translation>
+    </message>
+    <message>
+        <source>Journal</source>
+        <translation>Diario</translation>
+    </message>
+    <message>
+        <source>Note on this entry</source>
+        <translation>Nota sobre esta entrada</translation>
+    </message>
+    <message>
+        <source>Note on this entry of the journal</source>
+        <translation>Nota sobre esta entrada del diario</translation>
+    </message>
+    <message>
+        <source>Size of the report</source>
+        <translation>Tamaño del informe</translation>
+    </message>
+    <message>
+        <source>Pages, A4</source>
+        <translation>Páginas, A4</translation>
+    </message>
+    <message>
+        <source>Label, 62 × 29 mm</source>
+        <translation>Etiqueta, 62 × 29 mm</translation>
+    </message>
+    <message>
+        <source>Save CSV…</source>
+        <translation>Guardar CSV…</translation>
+    </message>
+    <message>
+        <source>The entries of the journal that are listed, as a table</source>
+        <translation>Las entradas del diario mostradas, como tabla</translation>
+    </message>
+    <message>
+        <source>Save the journal</source>
+        <translation>Guardar el diario</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabla (*.csv)</translation>
+    </message>
+    <message>
+        <source>the journal is in %1</source>
+        <translation>el diario está en %1</translation>
     </message>
 </context>
 <context>
@@ -7860,6 +8167,29 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>recording</source>
         <translation>grabando</translation>
+    </message>
+</context>
+<context>
+    <name>mb::StationLamp</name>
+    <message>
+        <source>%1 self-test</source>
+        <translation>autoprueba de %1</translation>
+    </message>
+    <message>
+        <source>turns in a moment</source>
+        <translation>gira en un momento</translation>
+    </message>
+    <message>
+        <source>self-tests</source>
+        <translation>autopruebas</translation>
+    </message>
+    <message>
+        <source>nothing turns here</source>
+        <translation>aquí no gira nada</translation>
+    </message>
+    <message>
+        <source>lamp</source>
+        <translation>lámpara</translation>
     </message>
 </context>
 <context>
@@ -9248,6 +9578,213 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>4  They stay if they do what was predicted; else everything is put back and the reason said.</source>
         <translation>4  Se quedan si hacen lo previsto; si no, se restituye todo y se indica el motivo.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UnitSteps</name>
+    <message>
+        <source>Steps of this unit</source>
+        <translation>Pasos de este equipo</translation>
+    </message>
+    <message>
+        <source>Skip this unit</source>
+        <translation>Omitir este equipo</translation>
+    </message>
+    <message>
+        <source>Do it again</source>
+        <translation>Hacerlo otra vez</translation>
+    </message>
+    <message>
+        <source>No unit selected</source>
+        <translation>Ningún equipo seleccionado</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UnitUpdate</name>
+    <message>
+        <source>Verified: %1</source>
+        <translation>Verificado: %1</translation>
+    </message>
+    <message>
+        <source>Not needed: %1</source>
+        <translation>No es necesario: %1</translation>
+    </message>
+    <message>
+        <source>Refused: %1</source>
+        <translation>Rechazado: %1</translation>
+    </message>
+    <message>
+        <source>Failed: %1</source>
+        <translation>Error: %1</translation>
+    </message>
+    <message>
+        <source>Cancelled. %1.</source>
+        <translation>Cancelado. %1.</translation>
+    </message>
+    <message>
+        <source>device</source>
+        <translation>dispositivo</translation>
+    </message>
+    <message>
+        <source>firmware</source>
+        <translation>firmware</translation>
+    </message>
+    <message>
+        <source>image</source>
+        <translation>imagen</translation>
+    </message>
+    <message>
+        <source>Open image…</source>
+        <translation>Abrir imagen…</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Escalón</translation>
+    </message>
+    <message>
+        <source>Progress of the update</source>
+        <translation>Progreso de la actualización</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Update</source>
+        <translation>Actualizar</translation>
+    </message>
+    <message>
+        <source>Run the update again</source>
+        <translation>Repetir la actualización</translation>
+    </message>
+    <message>
+        <source>One update a bus: %1 is being written.</source>
+        <translation>Una actualización por bus: se está escribiendo %1.</translation>
+    </message>
+    <message>
+        <source>no device selected</source>
+        <translation>ningún dispositivo seleccionado</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguna</translation>
+    </message>
+    <message>
+        <source>%1 → %2</source>
+        <translation>%1 → %2</translation>
+    </message>
+    <message>
+        <source>image fits this family</source>
+        <translation>la imagen es de esta familia</translation>
+    </message>
+    <message>
+        <source>no usable image</source>
+        <translation>ninguna imagen utilizable</translation>
+    </message>
+    <message>
+        <source>motor is moving</source>
+        <translation>motor en movimiento</translation>
+    </message>
+    <message>
+        <source>motor stopped</source>
+        <translation>motor parado</translation>
+    </message>
+    <message>
+        <source>no other master, number unique</source>
+        <translation>sin otro maestro, número único</translation>
+    </message>
+    <message>
+        <source>another master, or a number taken twice</source>
+        <translation>otro maestro o número duplicado</translation>
+    </message>
+    <message>
+        <source>no device</source>
+        <translation>ningún dispositivo</translation>
+    </message>
+    <message>
+        <source>bus %1 V</source>
+        <translation>bus %1 V</translation>
+    </message>
+    <message>
+        <source>bus voltage not known</source>
+        <translation>tensión de bus desconocida</translation>
+    </message>
+    <message>
+        <source>%1 s a page, about %2 s left</source>
+        <translation>%1 s por página, quedan unos %2 s</translation>
+    </message>
+    <message>
+        <source>Nothing running</source>
+        <translation>Nada en curso</translation>
+    </message>
+    <message>
+        <source>%1, %2 of %3 written</source>
+        <translation>%1, %2 de %3 escritas</translation>
+    </message>
+    <message>
+        <source>%1 s, pages sent again: %2</source>
+        <translation>%1 s, páginas reenviadas: %2</translation>
+    </message>
+    <message>
+        <source>Open a firmware image</source>
+        <translation>Abrir una imagen de firmware</translation>
+    </message>
+    <message>
+        <source>Intel HEX (*.hex *.ihex);;All files (*)</source>
+        <translation>Intel HEX (*.hex *.ihex);;Todos los archivos (*)</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UpdateChecks</name>
+    <message>
+        <source>Before start</source>
+        <translation>Antes de empezar</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UpdateLog</name>
+    <message>
+        <source>Log</source>
+        <translation>Registro</translation>
+    </message>
+    <message>
+        <source>Save log…</source>
+        <translation>Guardar registro…</translation>
+    </message>
+    <message>
+        <source>Log of the update</source>
+        <translation>Registro de la actualización</translation>
+    </message>
+    <message>
+        <source>Save the log of the update</source>
+        <translation>Guardar el registro de la actualización</translation>
+    </message>
+    <message>
+        <source>Text (*.log *.txt)</source>
+        <translation>Texto (*.log *.txt)</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UpdateSide</name>
+    <message>
+        <source>Flash pages</source>
+        <translation>Páginas de flash</translation>
+    </message>
+    <message>
+        <source>In the order they are written. Green: written. Amber edge: sent again. Dashed: not in the image. Red: must not be cut.</source>
+        <translation>En el orden en que se escriben. Verde: escrita. Borde ámbar: reenviada. A trazos: no está en la imagen. Rojo: no interrumpir.</translation>
+    </message>
+    <message>
+        <source>Do not unplug</source>
+        <translation>No desconectar</translation>
+    </message>
+    <message>
+        <source>Safe to unplug</source>
+        <translation>Se puede desconectar</translation>
+    </message>
+    <message>
+        <source>Nothing is written now</source>
+        <translation>Ahora no se escribe nada</translation>
     </message>
 </context>
 <context>
@@ -13742,10 +14279,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>ábralo de nuevo</translation>
     </message>
     <message>
-        <source>open it first</source>
-        <translation>ábralo primero</translation>
-    </message>
-    <message>
         <source>open that terminal as serial:%1</source>
         <translation>abra ese terminal como serial:%1</translation>
     </message>
@@ -15888,6 +16421,34 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>within its limits</source>
         <translation>dentro de sus límites</translation>
+    </message>
+    <message>
+        <source>%1 is for no unit that is here and takes firmware over its own link</source>
+        <translation>%1 no es para ningún equipo presente que reciba firmware por su propio enlace</translation>
+    </message>
+    <message>
+        <source>%1 is not open, or something runs there</source>
+        <translation>%1 no está abierto, o algo se ejecuta allí</translation>
+    </message>
+    <message>
+        <source>for the others write a recipe that names the way in</source>
+        <translation>para los demás escriba una receta que indique la vía de entrada</translation>
+    </message>
+    <message>
+        <source>open it, or end what runs there first</source>
+        <translation>ábralo, o termine antes lo que se ejecuta allí</translation>
+    </message>
+    <message>
+        <source>this unit was never served, so there is nothing for a label</source>
+        <translation>este equipo nunca fue atendido, así que no hay nada para una etiqueta</translation>
+    </message>
+    <message>
+        <source>units are served here; the link stays open</source>
+        <translation>aquí se atienden equipos; el enlace sigue abierto</translation>
+    </message>
+    <message>
+        <source>write a page</source>
+        <translation>escriba una página</translation>
     </message>
 </context>
 </TS>

@@ -2182,6 +2182,18 @@
         <source>Close anyway</source>
         <translation>Fermer quand même</translation>
     </message>
+    <message>
+        <source>Units are being served. Cancel the queue?</source>
+        <translation>Des appareils sont en cours de traitement. Annuler la file ?</translation>
+    </message>
+    <message>
+        <source>The journal knows where it stood, and the queue can be gone on with.</source>
+        <translation>Le journal sait où elle en était, et la file peut être reprise.</translation>
+    </message>
+    <message>
+        <source>Cancel the queue and close</source>
+        <translation>Annuler la file et fermer</translation>
+    </message>
 </context>
 <context>
     <name>mb::CommandPalette</name>
@@ -2896,6 +2908,33 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     </message>
 </context>
 <context>
+    <name>mb::EntryText</name>
+    <message>
+        <source>passed</source>
+        <translation>réussi</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>échec</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>refusé</translation>
+    </message>
+    <message>
+        <source>not ended</source>
+        <translation>pas terminé</translation>
+    </message>
+    <message>
+        <source>as it is now</source>
+        <translation>dans son état actuel</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3</source>
+        <translation>%1 %2 : %3</translation>
+    </message>
+</context>
+<context>
     <name>mb::EnvelopePanel</name>
     <message>
         <source>Travel ±</source>
@@ -3097,200 +3136,20 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <translation>Firmware</translation>
     </message>
     <message>
-        <source>device</source>
-        <translation>appareil</translation>
+        <source>starts the update</source>
+        <translation>lance la mise à jour</translation>
     </message>
     <message>
-        <source>firmware</source>
-        <translation>firmware</translation>
+        <source>What is updated</source>
+        <translation>Ce qui est mis à jour</translation>
     </message>
     <message>
-        <source>image</source>
-        <translation>image</translation>
+        <source>Selected unit</source>
+        <translation>Appareil sélectionné</translation>
     </message>
     <message>
-        <source>Open image…</source>
-        <translation>Ouvrir une image…</translation>
-    </message>
-    <message>
-        <source>Before start</source>
-        <translation>Avant de démarrer</translation>
-    </message>
-    <message>
-        <source>Step</source>
-        <translation>Étape</translation>
-    </message>
-    <message>
-        <source>Progress of the update</source>
-        <translation>Progression de la mise à jour</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
-        <source>Update</source>
-        <translation>Mettre à jour</translation>
-    </message>
-    <message>
-        <source>Run the update again</source>
-        <translation>Relancer la mise à jour</translation>
-    </message>
-    <message>
-        <source>Log</source>
-        <translation>Journal</translation>
-    </message>
-    <message>
-        <source>Save log…</source>
-        <translation>Enregistrer le journal…</translation>
-    </message>
-    <message>
-        <source>Log of the update</source>
-        <translation>Journal de la mise à jour</translation>
-    </message>
-    <message>
-        <source>Flash pages</source>
-        <translation>Pages de flash</translation>
-    </message>
-    <message>
-        <source>In the order they are written. Green: written. Amber edge: sent again. Dashed: not in the image. Red: must not be cut.</source>
-        <translation>Dans l’ordre d’écriture. Vert&#xa0;: écrite. Bord orange&#xa0;: renvoyée. Tirets&#xa0;: absente de l’image. Rouge&#xa0;: ne pas interrompre.</translation>
-    </message>
-    <message>
-        <source>no image yet</source>
-        <translation>pas encore d’image</translation>
-    </message>
-    <message>
-        <source>Open an Intel HEX file, or drop it here</source>
-        <translation>Ouvrez un fichier Intel HEX, ou déposez-le ici</translation>
-    </message>
-    <message>
-        <source>select a device to check it</source>
-        <translation>sélectionnez un appareil pour la vérifier</translation>
-    </message>
-    <message>
-        <source>version %1 · pages: %2</source>
-        <translation>version %1 · pages&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>One update a bus: %1 is being written.</source>
-        <translation>Une seule mise à jour par bus&#xa0;: écriture de %1 en cours.</translation>
-    </message>
-    <message>
-        <source>no device selected</source>
-        <translation>aucun appareil sélectionné</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>aucune</translation>
-    </message>
-    <message>
-        <source>%1 → %2</source>
-        <translation>%1 → %2</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>inconnu</translation>
-    </message>
-    <message>
-        <source>image fits this family</source>
-        <translation>image adaptée à cette famille</translation>
-    </message>
-    <message>
-        <source>no usable image</source>
-        <translation>aucune image utilisable</translation>
-    </message>
-    <message>
-        <source>motor is moving</source>
-        <translation>le moteur est en mouvement</translation>
-    </message>
-    <message>
-        <source>motor stopped</source>
-        <translation>moteur à l’arrêt</translation>
-    </message>
-    <message>
-        <source>no other master, number unique</source>
-        <translation>pas d’autre maître, numéro unique</translation>
-    </message>
-    <message>
-        <source>another master, or a number taken twice</source>
-        <translation>autre maître, ou numéro pris deux fois</translation>
-    </message>
-    <message>
-        <source>no device</source>
-        <translation>aucun appareil</translation>
-    </message>
-    <message>
-        <source>bus %1 V</source>
-        <translation>bus %1 V</translation>
-    </message>
-    <message>
-        <source>bus voltage not known</source>
-        <translation>tension du bus inconnue</translation>
-    </message>
-    <message>
-        <source>%1 s a page, about %2 s left</source>
-        <translation>%1 s par page, encore %2 s environ</translation>
-    </message>
-    <message>
-        <source>Verified: %1</source>
-        <translation>Vérifié&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>Not needed: %1</source>
-        <translation>Inutile&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>Refused: %1</source>
-        <translation>Refusé&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>Failed: %1</source>
-        <translation>Échec&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>Cancelled. %1.</source>
-        <translation>Annulé. %1.</translation>
-    </message>
-    <message>
-        <source>Nothing running</source>
-        <translation>Rien en cours</translation>
-    </message>
-    <message>
-        <source>%1, %2 of %3 written</source>
-        <translation>%1, %2 sur %3 écrites</translation>
-    </message>
-    <message>
-        <source>%1 s, pages sent again: %2</source>
-        <translation>%1 s, pages renvoyées&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>Do not unplug</source>
-        <translation>Ne pas débrancher</translation>
-    </message>
-    <message>
-        <source>Safe to unplug</source>
-        <translation>Débranchement autorisé</translation>
-    </message>
-    <message>
-        <source>Nothing is written now</source>
-        <translation>Aucune écriture en cours</translation>
-    </message>
-    <message>
-        <source>Open a firmware image</source>
-        <translation>Ouvrir une image de firmware</translation>
-    </message>
-    <message>
-        <source>Intel HEX (*.hex *.ihex);;All files (*)</source>
-        <translation>Intel HEX (*.hex *.ihex);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
-        <source>Save the log of the update</source>
-        <translation>Enregistrer le journal de la mise à jour</translation>
-    </message>
-    <message>
-        <source>Text (*.log *.txt)</source>
-        <translation>Texte (*.log *.txt)</translation>
+        <source>Queue of units</source>
+        <translation>File d’appareils</translation>
     </message>
 </context>
 <context>
@@ -3891,6 +3750,29 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     <message>
         <source>last 5 s</source>
         <translation>5 dernières s</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ImageText</name>
+    <message>
+        <source>no image yet</source>
+        <translation>pas encore d’image</translation>
+    </message>
+    <message>
+        <source>Open an Intel HEX file, or drop it here</source>
+        <translation>Ouvrez un fichier Intel HEX, ou déposez-le ici</translation>
+    </message>
+    <message>
+        <source>select a device to check it</source>
+        <translation>sélectionnez un appareil pour la vérifier</translation>
+    </message>
+    <message>
+        <source>version %1 · pages: %2</source>
+        <translation>version %1 · pages : %2</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>inconnu</translation>
     </message>
 </context>
 <context>
@@ -6161,6 +6043,356 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
 </context>
 <context>
+    <name>mb::QueueBar</name>
+    <message>
+        <source>State of the queue</source>
+        <translation>État de la file</translation>
+    </message>
+    <message>
+        <source>Progress of the queue</source>
+        <translation>Progression de la file</translation>
+    </message>
+    <message>
+        <source>Pause after this unit</source>
+        <translation>Pause après cet appareil</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Reprendre</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Retry failed</source>
+        <translation>Refaire les échecs</translation>
+    </message>
+    <message>
+        <source>Save CSV…</source>
+        <translation>Enregistrer en CSV…</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Démarrer</translation>
+    </message>
+    <message>
+        <source>Ended before its time: %1</source>
+        <translation>Terminée avant l’heure : %1</translation>
+    </message>
+    <message>
+        <source>Pauses after this unit</source>
+        <translation>S’arrête après cet appareil</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>En pause</translation>
+    </message>
+    <message>
+        <source>Unit %1 of %2</source>
+        <translation>Appareil %1 sur %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>Ended with %n unit(s) to go</source>
+        <translation>
+            <numerusform>Terminé, reste %n appareil</numerusform>
+            <numerusform>Terminé, restent %n appareils</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Ended: %1 of %2 units</source>
+        <translation>Terminé : %1 appareils sur %2</translation>
+    </message>
+    <message>
+        <source>Nothing running</source>
+        <translation>Rien en cours</translation>
+    </message>
+    <message>
+        <source>about %1 s left</source>
+        <translation>encore %1 s environ</translation>
+    </message>
+    <message>
+        <source>%1 done · %2 waiting · %3 failed · %4 refused · mean %5</source>
+        <translation>%1 faits · %2 en attente · %3 échecs · %4 refusés · moyenne %5</translation>
+    </message>
+</context>
+<context>
+    <name>mb::QueueBoard</name>
+    <message>
+        <source>Go on with it</source>
+        <translation>Reprendre</translation>
+    </message>
+    <message>
+        <source>Units of the queue</source>
+        <translation>Appareils de la file</translation>
+    </message>
+    <message>
+        <source>The self-test turns the motor: %1. Hold Arm in the header once the queue runs.</source>
+        <translation>L’autotest fait tourner le moteur : %1. Maintenez Armer dans l’en-tête une fois la file lancée.</translation>
+    </message>
+    <message>
+        <source>Every %1</source>
+        <translation>Tous les %1</translation>
+    </message>
+    <message>
+        <source>A queue runs already.</source>
+        <translation>Une file est déjà en cours.</translation>
+    </message>
+    <message>
+        <source>Open an image or a recipe first.</source>
+        <translation>Ouvrez d’abord une image ou une recette.</translation>
+    </message>
+    <message>
+        <source>Tick the units first.</source>
+        <translation>Cochez d’abord les appareils.</translation>
+    </message>
+    <message>
+        <source>Save what was done</source>
+        <translation>Enregistrer ce qui a été fait</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tableau (*.csv)</translation>
+    </message>
+    <message>
+        <source>the units are in %1</source>
+        <translation>les appareils sont dans %1</translation>
+    </message>
+    <message>
+        <source>The last queue of this recipe was cut off: %1 done, %2 open</source>
+        <translation>La dernière file de cette recette a été interrompue : %1 faits, %2 ouverts</translation>
+    </message>
+    <message>
+        <source>What has ended stays as it is; ticked units are taken along.</source>
+        <translation>Ce qui est terminé reste tel quel ; les appareils cochés sont ajoutés.</translation>
+    </message>
+    <message>
+        <source>One unit at a time on a bus, buses side by side. Real units keep this computer awake. The journal is on disk: after a crash the queue goes on.</source>
+        <translation>Un appareil à la fois par bus, les bus en parallèle. Les vrais appareils gardent cet ordinateur éveillé. Le journal est sur disque : après un plantage, la file reprend.</translation>
+    </message>
+    <message>
+        <source>Every unit is backed up before and compared afterwards; the journal has it.</source>
+        <translation>Chaque appareil est sauvegardé avant et comparé après ; le journal en garde trace.</translation>
+    </message>
+    <message>
+        <source>recipe checked</source>
+        <translation>recette vérifiée</translation>
+    </message>
+    <message>
+        <source>no image, no recipe</source>
+        <translation>ni image, ni recette</translation>
+    </message>
+    <message>
+        <source>all motors stopped</source>
+        <translation>tous les moteurs à l’arrêt</translation>
+    </message>
+    <message>
+        <source>a motor is moving</source>
+        <translation>un moteur tourne</translation>
+    </message>
+    <message>
+        <source>no other master</source>
+        <translation>aucun autre maître</translation>
+    </message>
+    <message>
+        <source>another master, or a number taken twice</source>
+        <translation>autre maître, ou numéro pris deux fois</translation>
+    </message>
+    <message>
+        <source>bus %1 V</source>
+        <translation>bus %1 V</translation>
+    </message>
+    <message>
+        <source>bus voltage not known</source>
+        <translation>tension du bus inconnue</translation>
+    </message>
+</context>
+<context>
+    <name>mb::QueueHead</name>
+    <message>
+        <source>recipe</source>
+        <translation>recette</translation>
+    </message>
+    <message>
+        <source>image</source>
+        <translation>image</translation>
+    </message>
+    <message>
+        <source>parameters</source>
+        <translation>paramètres</translation>
+    </message>
+    <message>
+        <source>number rule</source>
+        <translation>règle de numéros</translation>
+    </message>
+    <message>
+        <source>Open image…</source>
+        <translation>Ouvrir une image…</translation>
+    </message>
+    <message>
+        <source>Open recipe…</source>
+        <translation>Ouvrir une recette…</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>aucune pour l’instant</translation>
+    </message>
+    <message>
+        <source>Open a firmware image</source>
+        <translation>Ouvrir une image de firmware</translation>
+    </message>
+    <message>
+        <source>Intel HEX (*.hex *.ihex);;All files (*)</source>
+        <translation>Intel HEX (*.hex *.ihex);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Open recipe</source>
+        <translation>Ouvrir une recette</translation>
+    </message>
+    <message>
+        <source>Recipes (*.json);;All files (*)</source>
+        <translation>Recettes (*.json);;Tous les fichiers (*)</translation>
+    </message>
+</context>
+<context>
+    <name>mb::QueueModel</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Numéro de série</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>Firmware</source>
+        <translation>Firmware</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Échelon</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progression</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+</context>
+<context>
+    <name>mb::QueueText</name>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>verified</source>
+        <translation>vérifié</translation>
+    </message>
+    <message>
+        <source>%1 parameters equal</source>
+        <translation>%1 paramètres égaux</translation>
+    </message>
+    <message>
+        <source>already %1</source>
+        <translation>déjà %1</translation>
+    </message>
+    <message>
+        <source>read back after the restart</source>
+        <translation>relu après le redémarrage</translation>
+    </message>
+    <message>
+        <source>safe to unplug, resumes</source>
+        <translation>peut être débranché, reprend</translation>
+    </message>
+    <message>
+        <source>do not unplug</source>
+        <translation>ne pas débrancher</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>en attente</translation>
+    </message>
+    <message>
+        <source>cut off, goes on</source>
+        <translation>interrompu, reprend</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>omis</translation>
+    </message>
+    <message>
+        <source>cut off</source>
+        <translation>tronqué</translation>
+    </message>
+    <message>
+        <source>failed: %1</source>
+        <translation>échec : %1</translation>
+    </message>
+    <message>
+        <source>refused before start</source>
+        <translation>refusé avant le départ</translation>
+    </message>
+    <message>
+        <source>number taken twice</source>
+        <translation>numéro pris deux fois</translation>
+    </message>
+    <message>
+        <source>in its bootloader</source>
+        <translation>dans son bootloader</translation>
+    </message>
+    <message>
+        <source>motor is moving</source>
+        <translation>le moteur est en mouvement</translation>
+    </message>
+    <message>
+        <source>another master drives it</source>
+        <translation>un autre maître le commande</translation>
+    </message>
+    <message>
+        <source>Preflight</source>
+        <translation>Contrôle préalable</translation>
+    </message>
+    <message>
+        <source>Backup</source>
+        <translation>Sauvegarde</translation>
+    </message>
+    <message>
+        <source>Firmware</source>
+        <translation>Firmware</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Paramètres</translation>
+    </message>
+    <message>
+        <source>Self-test</source>
+        <translation>Autotest</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Numéro</translation>
+    </message>
+    <message>
+        <source>Comparison and proof</source>
+        <translation>Comparaison et preuve</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fait</translation>
+    </message>
+</context>
+<context>
     <name>mb::RamBlock</name>
     <message>
         <source>In RAM, not in flash</source>
@@ -6240,6 +6472,25 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     <message>
         <source>all %1 read in %2</source>
         <translation>les %1 lus en %2</translation>
+    </message>
+</context>
+<context>
+    <name>mb::RecipeText</name>
+    <message>
+        <source>%1 · sha %2</source>
+        <translation>%1 · sha %2</translation>
+    </message>
+    <message>
+        <source>%1 · version %2 · sha %3</source>
+        <translation>%1 · version %2 · sha %3</translation>
+    </message>
+    <message>
+        <source>%1 · %2 values</source>
+        <translation>%1 · %2 valeurs</translation>
+    </message>
+    <message>
+        <source>next free from %1</source>
+        <translation>premier libre à partir de %1</translation>
     </message>
 </context>
 <context>
@@ -7060,8 +7311,64 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
         <translation>Essai n° %1 de %2</translation>
     </message>
     <message>
-        <source>as it is now</source>
-        <translation>dans son état actuel</translation>
+        <source>What is listed</source>
+        <translation>Ce qui est listé</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Toutes</translation>
+    </message>
+    <message>
+        <source>Cards</source>
+        <translation>Fiches</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Réglage en cours</translation>
+    </message>
+    <message>
+        <source>Journal</source>
+        <translation>Journal</translation>
+    </message>
+    <message>
+        <source>Note on this entry</source>
+        <translation>Note sur cette entrée</translation>
+    </message>
+    <message>
+        <source>Note on this entry of the journal</source>
+        <translation>Note sur cette entrée du journal</translation>
+    </message>
+    <message>
+        <source>Size of the report</source>
+        <translation>Taille du rapport</translation>
+    </message>
+    <message>
+        <source>Pages, A4</source>
+        <translation>Pages, A4</translation>
+    </message>
+    <message>
+        <source>Label, 62 × 29 mm</source>
+        <translation>Étiquette, 62 × 29 mm</translation>
+    </message>
+    <message>
+        <source>Save CSV…</source>
+        <translation>Enregistrer en CSV…</translation>
+    </message>
+    <message>
+        <source>The entries of the journal that are listed, as a table</source>
+        <translation>Les entrées du journal listées, en tableau</translation>
+    </message>
+    <message>
+        <source>Save the journal</source>
+        <translation>Enregistrer le journal</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tableau (*.csv)</translation>
+    </message>
+    <message>
+        <source>the journal is in %1</source>
+        <translation>le journal est dans %1</translation>
     </message>
 </context>
 <context>
@@ -7860,6 +8167,29 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>recording</source>
         <translation>enregistrement</translation>
+    </message>
+</context>
+<context>
+    <name>mb::StationLamp</name>
+    <message>
+        <source>%1 self-test</source>
+        <translation>autotest de %1</translation>
+    </message>
+    <message>
+        <source>turns in a moment</source>
+        <translation>tourne dans un instant</translation>
+    </message>
+    <message>
+        <source>self-tests</source>
+        <translation>autotests</translation>
+    </message>
+    <message>
+        <source>nothing turns here</source>
+        <translation>rien ne tourne ici</translation>
+    </message>
+    <message>
+        <source>lamp</source>
+        <translation>voyant</translation>
     </message>
 </context>
 <context>
@@ -9248,6 +9578,213 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>4  They stay if they do what was predicted; else everything is put back and the reason said.</source>
         <translation>4  Ils restent s’ils font ce qui était prédit&#x202f;; sinon tout est rétabli et la raison indiquée.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UnitSteps</name>
+    <message>
+        <source>Steps of this unit</source>
+        <translation>Étapes de cet appareil</translation>
+    </message>
+    <message>
+        <source>Skip this unit</source>
+        <translation>Sauter cet appareil</translation>
+    </message>
+    <message>
+        <source>Do it again</source>
+        <translation>Refaire</translation>
+    </message>
+    <message>
+        <source>No unit selected</source>
+        <translation>Aucun appareil sélectionné</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UnitUpdate</name>
+    <message>
+        <source>Verified: %1</source>
+        <translation>Vérifié : %1</translation>
+    </message>
+    <message>
+        <source>Not needed: %1</source>
+        <translation>Inutile : %1</translation>
+    </message>
+    <message>
+        <source>Refused: %1</source>
+        <translation>Refusé : %1</translation>
+    </message>
+    <message>
+        <source>Failed: %1</source>
+        <translation>Échec : %1</translation>
+    </message>
+    <message>
+        <source>Cancelled. %1.</source>
+        <translation>Annulé. %1.</translation>
+    </message>
+    <message>
+        <source>device</source>
+        <translation>appareil</translation>
+    </message>
+    <message>
+        <source>firmware</source>
+        <translation>firmware</translation>
+    </message>
+    <message>
+        <source>image</source>
+        <translation>image</translation>
+    </message>
+    <message>
+        <source>Open image…</source>
+        <translation>Ouvrir une image…</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Échelon</translation>
+    </message>
+    <message>
+        <source>Progress of the update</source>
+        <translation>Progression de la mise à jour</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Update</source>
+        <translation>Mettre à jour</translation>
+    </message>
+    <message>
+        <source>Run the update again</source>
+        <translation>Relancer la mise à jour</translation>
+    </message>
+    <message>
+        <source>One update a bus: %1 is being written.</source>
+        <translation>Une seule mise à jour par bus : écriture de %1 en cours.</translation>
+    </message>
+    <message>
+        <source>no device selected</source>
+        <translation>aucun appareil sélectionné</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>%1 → %2</source>
+        <translation>%1 → %2</translation>
+    </message>
+    <message>
+        <source>image fits this family</source>
+        <translation>image adaptée à cette famille</translation>
+    </message>
+    <message>
+        <source>no usable image</source>
+        <translation>aucune image utilisable</translation>
+    </message>
+    <message>
+        <source>motor is moving</source>
+        <translation>le moteur est en mouvement</translation>
+    </message>
+    <message>
+        <source>motor stopped</source>
+        <translation>moteur à l’arrêt</translation>
+    </message>
+    <message>
+        <source>no other master, number unique</source>
+        <translation>pas d’autre maître, numéro unique</translation>
+    </message>
+    <message>
+        <source>another master, or a number taken twice</source>
+        <translation>autre maître, ou numéro pris deux fois</translation>
+    </message>
+    <message>
+        <source>no device</source>
+        <translation>aucun appareil</translation>
+    </message>
+    <message>
+        <source>bus %1 V</source>
+        <translation>bus %1 V</translation>
+    </message>
+    <message>
+        <source>bus voltage not known</source>
+        <translation>tension du bus inconnue</translation>
+    </message>
+    <message>
+        <source>%1 s a page, about %2 s left</source>
+        <translation>%1 s par page, encore %2 s environ</translation>
+    </message>
+    <message>
+        <source>Nothing running</source>
+        <translation>Rien en cours</translation>
+    </message>
+    <message>
+        <source>%1, %2 of %3 written</source>
+        <translation>%1, %2 sur %3 écrites</translation>
+    </message>
+    <message>
+        <source>%1 s, pages sent again: %2</source>
+        <translation>%1 s, pages renvoyées : %2</translation>
+    </message>
+    <message>
+        <source>Open a firmware image</source>
+        <translation>Ouvrir une image de firmware</translation>
+    </message>
+    <message>
+        <source>Intel HEX (*.hex *.ihex);;All files (*)</source>
+        <translation>Intel HEX (*.hex *.ihex);;Tous les fichiers (*)</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UpdateChecks</name>
+    <message>
+        <source>Before start</source>
+        <translation>Avant de démarrer</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UpdateLog</name>
+    <message>
+        <source>Log</source>
+        <translation>Journal</translation>
+    </message>
+    <message>
+        <source>Save log…</source>
+        <translation>Enregistrer le journal…</translation>
+    </message>
+    <message>
+        <source>Log of the update</source>
+        <translation>Journal de la mise à jour</translation>
+    </message>
+    <message>
+        <source>Save the log of the update</source>
+        <translation>Enregistrer le journal de la mise à jour</translation>
+    </message>
+    <message>
+        <source>Text (*.log *.txt)</source>
+        <translation>Texte (*.log *.txt)</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UpdateSide</name>
+    <message>
+        <source>Flash pages</source>
+        <translation>Pages de flash</translation>
+    </message>
+    <message>
+        <source>In the order they are written. Green: written. Amber edge: sent again. Dashed: not in the image. Red: must not be cut.</source>
+        <translation>Dans l’ordre d’écriture. Vert : écrite. Bord orange : renvoyée. Tirets : absente de l’image. Rouge : ne pas interrompre.</translation>
+    </message>
+    <message>
+        <source>Do not unplug</source>
+        <translation>Ne pas débrancher</translation>
+    </message>
+    <message>
+        <source>Safe to unplug</source>
+        <translation>Débranchement autorisé</translation>
+    </message>
+    <message>
+        <source>Nothing is written now</source>
+        <translation>Aucune écriture en cours</translation>
     </message>
 </context>
 <context>
@@ -13742,10 +14279,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>rouvrez-le</translation>
     </message>
     <message>
-        <source>open it first</source>
-        <translation>ouvrez-la d’abord</translation>
-    </message>
-    <message>
         <source>open that terminal as serial:%1</source>
         <translation>ouvrez ce terminal comme serial:%1</translation>
     </message>
@@ -15888,6 +16421,34 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>within its limits</source>
         <translation>dans ses limites</translation>
+    </message>
+    <message>
+        <source>%1 is for no unit that is here and takes firmware over its own link</source>
+        <translation>%1 n’est pour aucun appareil présent qui reçoit son firmware par sa propre liaison</translation>
+    </message>
+    <message>
+        <source>%1 is not open, or something runs there</source>
+        <translation>%1 n’est pas ouverte, ou quelque chose y tourne</translation>
+    </message>
+    <message>
+        <source>for the others write a recipe that names the way in</source>
+        <translation>pour les autres, écrivez une recette qui nomme le chemin</translation>
+    </message>
+    <message>
+        <source>open it, or end what runs there first</source>
+        <translation>ouvrez-la, ou terminez d’abord ce qui y tourne</translation>
+    </message>
+    <message>
+        <source>this unit was never served, so there is nothing for a label</source>
+        <translation>cet appareil n’a jamais été traité, il n’y a rien pour une étiquette</translation>
+    </message>
+    <message>
+        <source>units are served here; the link stays open</source>
+        <translation>des appareils sont traités ici ; la liaison reste ouverte</translation>
+    </message>
+    <message>
+        <source>write a page</source>
+        <translation>écrivez une page</translation>
     </message>
 </context>
 </TS>

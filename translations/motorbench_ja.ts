@@ -2180,6 +2180,18 @@
         <source>Close anyway</source>
         <translation>それでも閉じる</translation>
     </message>
+    <message>
+        <source>Units are being served. Cancel the queue?</source>
+        <translation>機器を処理しています。キューを中止しますか?</translation>
+    </message>
+    <message>
+        <source>The journal knows where it stood, and the queue can be gone on with.</source>
+        <translation>進み具合はジャーナルに残るので、キューは続きから再開できます。</translation>
+    </message>
+    <message>
+        <source>Cancel the queue and close</source>
+        <translation>キューを中止して閉じる</translation>
+    </message>
 </context>
 <context>
     <name>mb::CommandPalette</name>
@@ -2894,6 +2906,33 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
 </context>
 <context>
+    <name>mb::EntryText</name>
+    <message>
+        <source>passed</source>
+        <translation>合格</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>不合格</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>拒否</translation>
+    </message>
+    <message>
+        <source>not ended</source>
+        <translation>未完了</translation>
+    </message>
+    <message>
+        <source>as it is now</source>
+        <translation>現在の状態</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3</source>
+        <translation>%1 %2: %3</translation>
+    </message>
+</context>
+<context>
     <name>mb::EnvelopePanel</name>
     <message>
         <source>Travel ±</source>
@@ -3095,200 +3134,20 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>ファームウェア</translation>
     </message>
     <message>
-        <source>device</source>
-        <translation>機器</translation>
+        <source>starts the update</source>
+        <translation>更新を開始</translation>
     </message>
     <message>
-        <source>firmware</source>
-        <translation>ファームウェア</translation>
+        <source>What is updated</source>
+        <translation>更新の対象</translation>
     </message>
     <message>
-        <source>image</source>
-        <translation>イメージ</translation>
+        <source>Selected unit</source>
+        <translation>選択した機器</translation>
     </message>
     <message>
-        <source>Open image…</source>
-        <translation>イメージを開く…</translation>
-    </message>
-    <message>
-        <source>Before start</source>
-        <translation>開始前の確認</translation>
-    </message>
-    <message>
-        <source>Step</source>
-        <translation>手順</translation>
-    </message>
-    <message>
-        <source>Progress of the update</source>
-        <translation>更新の進捗</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>キャンセル</translation>
-    </message>
-    <message>
-        <source>Update</source>
-        <translation>更新</translation>
-    </message>
-    <message>
-        <source>Run the update again</source>
-        <translation>更新を再実行</translation>
-    </message>
-    <message>
-        <source>Log</source>
-        <translation>ログ</translation>
-    </message>
-    <message>
-        <source>Save log…</source>
-        <translation>ログを保存…</translation>
-    </message>
-    <message>
-        <source>Log of the update</source>
-        <translation>更新のログ</translation>
-    </message>
-    <message>
-        <source>Flash pages</source>
-        <translation>フラッシュページ</translation>
-    </message>
-    <message>
-        <source>In the order they are written. Green: written. Amber edge: sent again. Dashed: not in the image. Red: must not be cut.</source>
-        <translation>書込み順。緑: 書込み済み。黄枠: 再送。破線: イメージになし。赤: 中断禁止。</translation>
-    </message>
-    <message>
-        <source>no image yet</source>
-        <translation>イメージなし</translation>
-    </message>
-    <message>
-        <source>Open an Intel HEX file, or drop it here</source>
-        <translation>Intel HEX ファイルを開くか、ここにドロップします</translation>
-    </message>
-    <message>
-        <source>select a device to check it</source>
-        <translation>確認するには機器を選択してください</translation>
-    </message>
-    <message>
-        <source>version %1 · pages: %2</source>
-        <translation>バージョン %1 · ページ数: %2</translation>
-    </message>
-    <message>
-        <source>One update a bus: %1 is being written.</source>
-        <translation>更新は 1 バスにつき 1 件です: %1 に書込み中です。</translation>
-    </message>
-    <message>
-        <source>no device selected</source>
-        <translation>機器が選択されていません</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>なし</translation>
-    </message>
-    <message>
-        <source>%1 → %2</source>
-        <translation>%1 → %2</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>不明</translation>
-    </message>
-    <message>
-        <source>image fits this family</source>
-        <translation>イメージはこのファミリに適合</translation>
-    </message>
-    <message>
-        <source>no usable image</source>
-        <translation>使用できるイメージなし</translation>
-    </message>
-    <message>
-        <source>motor is moving</source>
-        <translation>モータ動作中</translation>
-    </message>
-    <message>
-        <source>motor stopped</source>
-        <translation>モータ停止</translation>
-    </message>
-    <message>
-        <source>no other master, number unique</source>
-        <translation>他のマスタなし、番号の重複なし</translation>
-    </message>
-    <message>
-        <source>another master, or a number taken twice</source>
-        <translation>他のマスタあり、または番号が重複</translation>
-    </message>
-    <message>
-        <source>no device</source>
-        <translation>機器なし</translation>
-    </message>
-    <message>
-        <source>bus %1 V</source>
-        <translation>バス %1 V</translation>
-    </message>
-    <message>
-        <source>bus voltage not known</source>
-        <translation>バス電圧不明</translation>
-    </message>
-    <message>
-        <source>%1 s a page, about %2 s left</source>
-        <translation>1 ページ %1 s、残り約 %2 s</translation>
-    </message>
-    <message>
-        <source>Verified: %1</source>
-        <translation>検証済み: %1</translation>
-    </message>
-    <message>
-        <source>Not needed: %1</source>
-        <translation>不要: %1</translation>
-    </message>
-    <message>
-        <source>Refused: %1</source>
-        <translation>拒否: %1</translation>
-    </message>
-    <message>
-        <source>Failed: %1</source>
-        <translation>失敗: %1</translation>
-    </message>
-    <message>
-        <source>Cancelled. %1.</source>
-        <translation>キャンセルしました。%1。</translation>
-    </message>
-    <message>
-        <source>Nothing running</source>
-        <translation>実行中の処理なし</translation>
-    </message>
-    <message>
-        <source>%1, %2 of %3 written</source>
-        <translation>%1、%2/%3 書込み済み</translation>
-    </message>
-    <message>
-        <source>%1 s, pages sent again: %2</source>
-        <translation>%1 s、再送ページ数: %2</translation>
-    </message>
-    <message>
-        <source>Do not unplug</source>
-        <translation>取り外さないでください</translation>
-    </message>
-    <message>
-        <source>Safe to unplug</source>
-        <translation>取り外し可</translation>
-    </message>
-    <message>
-        <source>Nothing is written now</source>
-        <translation>現在は何も書き込んでいません</translation>
-    </message>
-    <message>
-        <source>Open a firmware image</source>
-        <translation>ファームウェアイメージを開く</translation>
-    </message>
-    <message>
-        <source>Intel HEX (*.hex *.ihex);;All files (*)</source>
-        <translation>Intel HEX (*.hex *.ihex);;すべてのファイル (*)</translation>
-    </message>
-    <message>
-        <source>Save the log of the update</source>
-        <translation>更新のログを保存</translation>
-    </message>
-    <message>
-        <source>Text (*.log *.txt)</source>
-        <translation>テキスト (*.log *.txt)</translation>
+        <source>Queue of units</source>
+        <translation>機器のキュー</translation>
     </message>
 </context>
 <context>
@@ -3887,6 +3746,29 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>last 5 s</source>
         <translation>直近 5 s</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ImageText</name>
+    <message>
+        <source>no image yet</source>
+        <translation>イメージなし</translation>
+    </message>
+    <message>
+        <source>Open an Intel HEX file, or drop it here</source>
+        <translation>Intel HEX ファイルを開くか、ここにドロップします</translation>
+    </message>
+    <message>
+        <source>select a device to check it</source>
+        <translation>確認するには機器を選択してください</translation>
+    </message>
+    <message>
+        <source>version %1 · pages: %2</source>
+        <translation>バージョン %1 · ページ数: %2</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>不明</translation>
     </message>
 </context>
 <context>
@@ -6155,6 +6037,355 @@ double click or End returns to the present · right click for more</source>
     </message>
 </context>
 <context>
+    <name>mb::QueueBar</name>
+    <message>
+        <source>State of the queue</source>
+        <translation>キューの状態</translation>
+    </message>
+    <message>
+        <source>Progress of the queue</source>
+        <translation>キューの進捗</translation>
+    </message>
+    <message>
+        <source>Pause after this unit</source>
+        <translation>この機器の後で一時停止</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>再開</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Retry failed</source>
+        <translation>不合格をやり直す</translation>
+    </message>
+    <message>
+        <source>Save CSV…</source>
+        <translation>CSV を保存…</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>開始</translation>
+    </message>
+    <message>
+        <source>Ended before its time: %1</source>
+        <translation>途中で終了: %1</translation>
+    </message>
+    <message>
+        <source>Pauses after this unit</source>
+        <translation>この機器の後で停止します</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>一時停止中</translation>
+    </message>
+    <message>
+        <source>Unit %1 of %2</source>
+        <translation>%2 台中 %1 台目</translation>
+    </message>
+    <message numerus="yes">
+        <source>Ended with %n unit(s) to go</source>
+        <translation>
+            <numerusform>終了、残り %n 台</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Ended: %1 of %2 units</source>
+        <translation>終了: %2 台中 %1 台</translation>
+    </message>
+    <message>
+        <source>Nothing running</source>
+        <translation>実行中の処理なし</translation>
+    </message>
+    <message>
+        <source>about %1 s left</source>
+        <translation>残り約 %1 s</translation>
+    </message>
+    <message>
+        <source>%1 done · %2 waiting · %3 failed · %4 refused · mean %5</source>
+        <translation>完了 %1 · 待機 %2 · 不合格 %3 · 拒否 %4 · 平均 %5</translation>
+    </message>
+</context>
+<context>
+    <name>mb::QueueBoard</name>
+    <message>
+        <source>Go on with it</source>
+        <translation>続ける</translation>
+    </message>
+    <message>
+        <source>Units of the queue</source>
+        <translation>キューの機器</translation>
+    </message>
+    <message>
+        <source>The self-test turns the motor: %1. Hold Arm in the header once the queue runs.</source>
+        <translation>セルフテストはモータを回します: %1。キューの開始後、ヘッダの駆動許可ボタンを長押ししてください。</translation>
+    </message>
+    <message>
+        <source>Every %1</source>
+        <translation>すべての %1</translation>
+    </message>
+    <message>
+        <source>A queue runs already.</source>
+        <translation>キューはすでに実行中です。</translation>
+    </message>
+    <message>
+        <source>Open an image or a recipe first.</source>
+        <translation>先にイメージかレシピを開いてください。</translation>
+    </message>
+    <message>
+        <source>Tick the units first.</source>
+        <translation>先に機器にチェックを入れてください。</translation>
+    </message>
+    <message>
+        <source>Save what was done</source>
+        <translation>実施内容を保存</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>表 (*.csv)</translation>
+    </message>
+    <message>
+        <source>the units are in %1</source>
+        <translation>機器の一覧は %1 にあります</translation>
+    </message>
+    <message>
+        <source>The last queue of this recipe was cut off: %1 done, %2 open</source>
+        <translation>このレシピの前回のキューは中断されました: 完了 %1、未完了 %2</translation>
+    </message>
+    <message>
+        <source>What has ended stays as it is; ticked units are taken along.</source>
+        <translation>完了したものはそのまま残り、チェックした機器も処理します。</translation>
+    </message>
+    <message>
+        <source>One unit at a time on a bus, buses side by side. Real units keep this computer awake. The journal is on disk: after a crash the queue goes on.</source>
+        <translation>1 つのバスで 1 台ずつ、バスは並行に処理します。実機の処理中はコンピュータをスリープさせません。ジャーナルはディスクにあり、異常終了後も続きから再開します。</translation>
+    </message>
+    <message>
+        <source>Every unit is backed up before and compared afterwards; the journal has it.</source>
+        <translation>どの機器も事前にバックアップし、事後に比較します。結果はジャーナルに残ります。</translation>
+    </message>
+    <message>
+        <source>recipe checked</source>
+        <translation>レシピ確認済み</translation>
+    </message>
+    <message>
+        <source>no image, no recipe</source>
+        <translation>イメージもレシピもありません</translation>
+    </message>
+    <message>
+        <source>all motors stopped</source>
+        <translation>全モータ停止</translation>
+    </message>
+    <message>
+        <source>a motor is moving</source>
+        <translation>モータが動いています</translation>
+    </message>
+    <message>
+        <source>no other master</source>
+        <translation>ほかのマスタなし</translation>
+    </message>
+    <message>
+        <source>another master, or a number taken twice</source>
+        <translation>他のマスタあり、または番号が重複</translation>
+    </message>
+    <message>
+        <source>bus %1 V</source>
+        <translation>バス %1 V</translation>
+    </message>
+    <message>
+        <source>bus voltage not known</source>
+        <translation>バス電圧不明</translation>
+    </message>
+</context>
+<context>
+    <name>mb::QueueHead</name>
+    <message>
+        <source>recipe</source>
+        <translation>レシピ</translation>
+    </message>
+    <message>
+        <source>image</source>
+        <translation>イメージ</translation>
+    </message>
+    <message>
+        <source>parameters</source>
+        <translation>パラメータ</translation>
+    </message>
+    <message>
+        <source>number rule</source>
+        <translation>番号の規則</translation>
+    </message>
+    <message>
+        <source>Open image…</source>
+        <translation>イメージを開く…</translation>
+    </message>
+    <message>
+        <source>Open recipe…</source>
+        <translation>レシピを開く…</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>まだありません</translation>
+    </message>
+    <message>
+        <source>Open a firmware image</source>
+        <translation>ファームウェアイメージを開く</translation>
+    </message>
+    <message>
+        <source>Intel HEX (*.hex *.ihex);;All files (*)</source>
+        <translation>Intel HEX (*.hex *.ihex);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Open recipe</source>
+        <translation>レシピを開く</translation>
+    </message>
+    <message>
+        <source>Recipes (*.json);;All files (*)</source>
+        <translation>レシピ (*.json);;すべてのファイル (*)</translation>
+    </message>
+</context>
+<context>
+    <name>mb::QueueModel</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>シリアル番号</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>単位</translation>
+    </message>
+    <message>
+        <source>Firmware</source>
+        <translation>ファームウェア</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>ステップ</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>進捗</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>時間</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>結果</translation>
+    </message>
+</context>
+<context>
+    <name>mb::QueueText</name>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>verified</source>
+        <translation>確認済み</translation>
+    </message>
+    <message>
+        <source>%1 parameters equal</source>
+        <translation>パラメータ %1 個が一致</translation>
+    </message>
+    <message>
+        <source>already %1</source>
+        <translation>すでに %1</translation>
+    </message>
+    <message>
+        <source>read back after the restart</source>
+        <translation>再起動後に読み戻しました</translation>
+    </message>
+    <message>
+        <source>safe to unplug, resumes</source>
+        <translation>抜いても安全、再開可能</translation>
+    </message>
+    <message>
+        <source>do not unplug</source>
+        <translation>抜かないでください</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>待機中</translation>
+    </message>
+    <message>
+        <source>cut off, goes on</source>
+        <translation>中断、続きから</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>省略</translation>
+    </message>
+    <message>
+        <source>cut off</source>
+        <translation>打切り</translation>
+    </message>
+    <message>
+        <source>failed: %1</source>
+        <translation>不合格: %1</translation>
+    </message>
+    <message>
+        <source>refused before start</source>
+        <translation>開始前に拒否</translation>
+    </message>
+    <message>
+        <source>number taken twice</source>
+        <translation>番号が重複</translation>
+    </message>
+    <message>
+        <source>in its bootloader</source>
+        <translation>ブートローダ内</translation>
+    </message>
+    <message>
+        <source>motor is moving</source>
+        <translation>モータ動作中</translation>
+    </message>
+    <message>
+        <source>another master drives it</source>
+        <translation>別のマスタが駆動中</translation>
+    </message>
+    <message>
+        <source>Preflight</source>
+        <translation>事前確認</translation>
+    </message>
+    <message>
+        <source>Backup</source>
+        <translation>バックアップ</translation>
+    </message>
+    <message>
+        <source>Firmware</source>
+        <translation>ファームウェア</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>パラメータ</translation>
+    </message>
+    <message>
+        <source>Self-test</source>
+        <translation>セルフテスト</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>番号</translation>
+    </message>
+    <message>
+        <source>Comparison and proof</source>
+        <translation>比較と証明</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完了</translation>
+    </message>
+</context>
+<context>
     <name>mb::RamBlock</name>
     <message>
         <source>In RAM, not in flash</source>
@@ -6234,6 +6465,25 @@ double click or End returns to the present · right click for more</source>
     <message>
         <source>all %1 read in %2</source>
         <translation>全 %1 個を %2 で読出し済み</translation>
+    </message>
+</context>
+<context>
+    <name>mb::RecipeText</name>
+    <message>
+        <source>%1 · sha %2</source>
+        <translation>%1 · sha %2</translation>
+    </message>
+    <message>
+        <source>%1 · version %2 · sha %3</source>
+        <translation>%1 · バージョン %2 · sha %3</translation>
+    </message>
+    <message>
+        <source>%1 · %2 values</source>
+        <translation>%1 · 値 %2 個</translation>
+    </message>
+    <message>
+        <source>next free from %1</source>
+        <translation>%1 以降の空き番号</translation>
     </message>
 </context>
 <context>
@@ -7053,8 +7303,64 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <translation>%2 の試行 #%1</translation>
     </message>
     <message>
-        <source>as it is now</source>
-        <translation>現在の状態</translation>
+        <source>What is listed</source>
+        <translation>表示する内容</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>すべて</translation>
+    </message>
+    <message>
+        <source>Cards</source>
+        <translation>カード</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>調整中</translation>
+    </message>
+    <message>
+        <source>Journal</source>
+        <translation>ジャーナル</translation>
+    </message>
+    <message>
+        <source>Note on this entry</source>
+        <translation>この項目へのメモ</translation>
+    </message>
+    <message>
+        <source>Note on this entry of the journal</source>
+        <translation>ジャーナルのこの項目へのメモ</translation>
+    </message>
+    <message>
+        <source>Size of the report</source>
+        <translation>レポートのサイズ</translation>
+    </message>
+    <message>
+        <source>Pages, A4</source>
+        <translation>ページ (A4)</translation>
+    </message>
+    <message>
+        <source>Label, 62 × 29 mm</source>
+        <translation>ラベル (62 × 29 mm)</translation>
+    </message>
+    <message>
+        <source>Save CSV…</source>
+        <translation>CSV を保存…</translation>
+    </message>
+    <message>
+        <source>The entries of the journal that are listed, as a table</source>
+        <translation>表示中のジャーナル項目を表として保存</translation>
+    </message>
+    <message>
+        <source>Save the journal</source>
+        <translation>ジャーナルを保存</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>表 (*.csv)</translation>
+    </message>
+    <message>
+        <source>the journal is in %1</source>
+        <translation>ジャーナルは %1 にあります</translation>
     </message>
 </context>
 <context>
@@ -7852,6 +8158,29 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>recording</source>
         <translation>記録中</translation>
+    </message>
+</context>
+<context>
+    <name>mb::StationLamp</name>
+    <message>
+        <source>%1 self-test</source>
+        <translation>%1 セルフテスト</translation>
+    </message>
+    <message>
+        <source>turns in a moment</source>
+        <translation>まもなく回転</translation>
+    </message>
+    <message>
+        <source>self-tests</source>
+        <translation>セルフテスト</translation>
+    </message>
+    <message>
+        <source>nothing turns here</source>
+        <translation>ここでは何も回りません</translation>
+    </message>
+    <message>
+        <source>lamp</source>
+        <translation>ランプ</translation>
     </message>
 </context>
 <context>
@@ -9236,6 +9565,213 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>4  They stay if they do what was predicted; else everything is put back and the reason said.</source>
         <translation>4  予測どおりであればゲインを維持します。そうでなければすべて元に戻し、理由を示します。</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UnitSteps</name>
+    <message>
+        <source>Steps of this unit</source>
+        <translation>この機器の手順</translation>
+    </message>
+    <message>
+        <source>Skip this unit</source>
+        <translation>この機器を飛ばす</translation>
+    </message>
+    <message>
+        <source>Do it again</source>
+        <translation>もう一度</translation>
+    </message>
+    <message>
+        <source>No unit selected</source>
+        <translation>機器が選択されていません</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UnitUpdate</name>
+    <message>
+        <source>Verified: %1</source>
+        <translation>検証済み: %1</translation>
+    </message>
+    <message>
+        <source>Not needed: %1</source>
+        <translation>不要: %1</translation>
+    </message>
+    <message>
+        <source>Refused: %1</source>
+        <translation>拒否: %1</translation>
+    </message>
+    <message>
+        <source>Failed: %1</source>
+        <translation>失敗: %1</translation>
+    </message>
+    <message>
+        <source>Cancelled. %1.</source>
+        <translation>キャンセルしました。%1。</translation>
+    </message>
+    <message>
+        <source>device</source>
+        <translation>機器</translation>
+    </message>
+    <message>
+        <source>firmware</source>
+        <translation>ファームウェア</translation>
+    </message>
+    <message>
+        <source>image</source>
+        <translation>イメージ</translation>
+    </message>
+    <message>
+        <source>Open image…</source>
+        <translation>イメージを開く…</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>ステップ</translation>
+    </message>
+    <message>
+        <source>Progress of the update</source>
+        <translation>更新の進捗</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Update</source>
+        <translation>更新</translation>
+    </message>
+    <message>
+        <source>Run the update again</source>
+        <translation>更新を再実行</translation>
+    </message>
+    <message>
+        <source>One update a bus: %1 is being written.</source>
+        <translation>更新は 1 バスにつき 1 件です: %1 に書込み中です。</translation>
+    </message>
+    <message>
+        <source>no device selected</source>
+        <translation>機器が選択されていません</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>%1 → %2</source>
+        <translation>%1 → %2</translation>
+    </message>
+    <message>
+        <source>image fits this family</source>
+        <translation>イメージはこのファミリに適合</translation>
+    </message>
+    <message>
+        <source>no usable image</source>
+        <translation>使用できるイメージなし</translation>
+    </message>
+    <message>
+        <source>motor is moving</source>
+        <translation>モータ動作中</translation>
+    </message>
+    <message>
+        <source>motor stopped</source>
+        <translation>モータ停止</translation>
+    </message>
+    <message>
+        <source>no other master, number unique</source>
+        <translation>他のマスタなし、番号の重複なし</translation>
+    </message>
+    <message>
+        <source>another master, or a number taken twice</source>
+        <translation>他のマスタあり、または番号が重複</translation>
+    </message>
+    <message>
+        <source>no device</source>
+        <translation>機器なし</translation>
+    </message>
+    <message>
+        <source>bus %1 V</source>
+        <translation>バス %1 V</translation>
+    </message>
+    <message>
+        <source>bus voltage not known</source>
+        <translation>バス電圧不明</translation>
+    </message>
+    <message>
+        <source>%1 s a page, about %2 s left</source>
+        <translation>1 ページ %1 s、残り約 %2 s</translation>
+    </message>
+    <message>
+        <source>Nothing running</source>
+        <translation>実行中の処理なし</translation>
+    </message>
+    <message>
+        <source>%1, %2 of %3 written</source>
+        <translation>%1、%2/%3 書込み済み</translation>
+    </message>
+    <message>
+        <source>%1 s, pages sent again: %2</source>
+        <translation>%1 s、再送ページ数: %2</translation>
+    </message>
+    <message>
+        <source>Open a firmware image</source>
+        <translation>ファームウェアイメージを開く</translation>
+    </message>
+    <message>
+        <source>Intel HEX (*.hex *.ihex);;All files (*)</source>
+        <translation>Intel HEX (*.hex *.ihex);;すべてのファイル (*)</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UpdateChecks</name>
+    <message>
+        <source>Before start</source>
+        <translation>開始前の確認</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UpdateLog</name>
+    <message>
+        <source>Log</source>
+        <translation>ログ</translation>
+    </message>
+    <message>
+        <source>Save log…</source>
+        <translation>ログを保存…</translation>
+    </message>
+    <message>
+        <source>Log of the update</source>
+        <translation>更新のログ</translation>
+    </message>
+    <message>
+        <source>Save the log of the update</source>
+        <translation>更新のログを保存</translation>
+    </message>
+    <message>
+        <source>Text (*.log *.txt)</source>
+        <translation>テキスト (*.log *.txt)</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UpdateSide</name>
+    <message>
+        <source>Flash pages</source>
+        <translation>フラッシュページ</translation>
+    </message>
+    <message>
+        <source>In the order they are written. Green: written. Amber edge: sent again. Dashed: not in the image. Red: must not be cut.</source>
+        <translation>書込み順。緑: 書込み済み。黄枠: 再送。破線: イメージになし。赤: 中断禁止。</translation>
+    </message>
+    <message>
+        <source>Do not unplug</source>
+        <translation>取り外さないでください</translation>
+    </message>
+    <message>
+        <source>Safe to unplug</source>
+        <translation>取り外し可</translation>
+    </message>
+    <message>
+        <source>Nothing is written now</source>
+        <translation>現在は何も書き込んでいません</translation>
     </message>
 </context>
 <context>
@@ -13730,10 +14266,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>もう一度開いてください</translation>
     </message>
     <message>
-        <source>open it first</source>
-        <translation>先に開いてください</translation>
-    </message>
-    <message>
         <source>open that terminal as serial:%1</source>
         <translation>その端末を serial:%1 として開いてください</translation>
     </message>
@@ -15876,6 +16408,34 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>within its limits</source>
         <translation>限度内</translation>
+    </message>
+    <message>
+        <source>%1 is for no unit that is here and takes firmware over its own link</source>
+        <translation>%1 は、ここにあって自身のリンクで更新できる機器のものではありません</translation>
+    </message>
+    <message>
+        <source>%1 is not open, or something runs there</source>
+        <translation>%1 が開いていないか、そこで何かが動いています</translation>
+    </message>
+    <message>
+        <source>for the others write a recipe that names the way in</source>
+        <translation>ほかの機器には、経路を指定したレシピを書いてください</translation>
+    </message>
+    <message>
+        <source>open it, or end what runs there first</source>
+        <translation>開くか、先にそこで動いているものを終えてください</translation>
+    </message>
+    <message>
+        <source>this unit was never served, so there is nothing for a label</source>
+        <translation>この機器は処理されたことがないので、ラベルの内容がありません</translation>
+    </message>
+    <message>
+        <source>units are served here; the link stays open</source>
+        <translation>ここで機器を処理中のため、リンクは開いたままです</translation>
+    </message>
+    <message>
+        <source>write a page</source>
+        <translation>ページとして書き出してください</translation>
     </message>
 </context>
 </TS>

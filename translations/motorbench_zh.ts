@@ -2180,6 +2180,18 @@
         <source>Close anyway</source>
         <translation>仍然关闭</translation>
     </message>
+    <message>
+        <source>Units are being served. Cancel the queue?</source>
+        <translation>正在处理设备。取消队列？</translation>
+    </message>
+    <message>
+        <source>The journal knows where it stood, and the queue can be gone on with.</source>
+        <translation>日志记录了进度，队列可以继续。</translation>
+    </message>
+    <message>
+        <source>Cancel the queue and close</source>
+        <translation>取消队列并关闭</translation>
+    </message>
 </context>
 <context>
     <name>mb::CommandPalette</name>
@@ -2894,6 +2906,33 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
 </context>
 <context>
+    <name>mb::EntryText</name>
+    <message>
+        <source>passed</source>
+        <translation>合格</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>未通过</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>已拒绝</translation>
+    </message>
+    <message>
+        <source>not ended</source>
+        <translation>未结束</translation>
+    </message>
+    <message>
+        <source>as it is now</source>
+        <translation>当前状态</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3</source>
+        <translation>%1 %2：%3</translation>
+    </message>
+</context>
+<context>
     <name>mb::EnvelopePanel</name>
     <message>
         <source>Travel ±</source>
@@ -3095,200 +3134,20 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>固件</translation>
     </message>
     <message>
-        <source>device</source>
-        <translation>设备</translation>
+        <source>starts the update</source>
+        <translation>开始更新</translation>
     </message>
     <message>
-        <source>firmware</source>
-        <translation>固件</translation>
+        <source>What is updated</source>
+        <translation>更新对象</translation>
     </message>
     <message>
-        <source>image</source>
-        <translation>映像</translation>
+        <source>Selected unit</source>
+        <translation>所选设备</translation>
     </message>
     <message>
-        <source>Open image…</source>
-        <translation>打开映像…</translation>
-    </message>
-    <message>
-        <source>Before start</source>
-        <translation>开始之前</translation>
-    </message>
-    <message>
-        <source>Step</source>
-        <translation>步骤</translation>
-    </message>
-    <message>
-        <source>Progress of the update</source>
-        <translation>更新进度</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
-    <message>
-        <source>Update</source>
-        <translation>更新</translation>
-    </message>
-    <message>
-        <source>Run the update again</source>
-        <translation>再次运行更新</translation>
-    </message>
-    <message>
-        <source>Log</source>
-        <translation>日志</translation>
-    </message>
-    <message>
-        <source>Save log…</source>
-        <translation>保存日志…</translation>
-    </message>
-    <message>
-        <source>Log of the update</source>
-        <translation>更新日志</translation>
-    </message>
-    <message>
-        <source>Flash pages</source>
-        <translation>闪存页</translation>
-    </message>
-    <message>
-        <source>In the order they are written. Green: written. Amber edge: sent again. Dashed: not in the image. Red: must not be cut.</source>
-        <translation>按写入顺序排列。绿色：已写入。琥珀色边框：已重发。虚线：不在映像中。红色：不得中断。</translation>
-    </message>
-    <message>
-        <source>no image yet</source>
-        <translation>尚无映像</translation>
-    </message>
-    <message>
-        <source>Open an Intel HEX file, or drop it here</source>
-        <translation>打开 Intel HEX 文件，或将其拖放到此处</translation>
-    </message>
-    <message>
-        <source>select a device to check it</source>
-        <translation>选择设备以进行检查</translation>
-    </message>
-    <message>
-        <source>version %1 · pages: %2</source>
-        <translation>版本 %1 · 页：%2</translation>
-    </message>
-    <message>
-        <source>One update a bus: %1 is being written.</source>
-        <translation>每条总线一次只能更新一台：正在写入 %1。</translation>
-    </message>
-    <message>
-        <source>no device selected</source>
-        <translation>未选择设备</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>无</translation>
-    </message>
-    <message>
-        <source>%1 → %2</source>
-        <translation>%1 → %2</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>未知</translation>
-    </message>
-    <message>
-        <source>image fits this family</source>
-        <translation>映像适合此系列</translation>
-    </message>
-    <message>
-        <source>no usable image</source>
-        <translation>没有可用的映像</translation>
-    </message>
-    <message>
-        <source>motor is moving</source>
-        <translation>电机正在运动</translation>
-    </message>
-    <message>
-        <source>motor stopped</source>
-        <translation>电机已停止</translation>
-    </message>
-    <message>
-        <source>no other master, number unique</source>
-        <translation>无其他主站，编号唯一</translation>
-    </message>
-    <message>
-        <source>another master, or a number taken twice</source>
-        <translation>有其他主站，或编号重复</translation>
-    </message>
-    <message>
-        <source>no device</source>
-        <translation>无设备</translation>
-    </message>
-    <message>
-        <source>bus %1 V</source>
-        <translation>总线 %1 V</translation>
-    </message>
-    <message>
-        <source>bus voltage not known</source>
-        <translation>总线电压未知</translation>
-    </message>
-    <message>
-        <source>%1 s a page, about %2 s left</source>
-        <translation>每页 %1 s，剩余约 %2 s</translation>
-    </message>
-    <message>
-        <source>Verified: %1</source>
-        <translation>已校验：%1</translation>
-    </message>
-    <message>
-        <source>Not needed: %1</source>
-        <translation>无需更新：%1</translation>
-    </message>
-    <message>
-        <source>Refused: %1</source>
-        <translation>已拒绝：%1</translation>
-    </message>
-    <message>
-        <source>Failed: %1</source>
-        <translation>失败：%1</translation>
-    </message>
-    <message>
-        <source>Cancelled. %1.</source>
-        <translation>已取消。%1。</translation>
-    </message>
-    <message>
-        <source>Nothing running</source>
-        <translation>没有任务在运行</translation>
-    </message>
-    <message>
-        <source>%1, %2 of %3 written</source>
-        <translation>%1，已写入 %2 / %3</translation>
-    </message>
-    <message>
-        <source>%1 s, pages sent again: %2</source>
-        <translation>%1 s，重发的页：%2</translation>
-    </message>
-    <message>
-        <source>Do not unplug</source>
-        <translation>请勿拔出</translation>
-    </message>
-    <message>
-        <source>Safe to unplug</source>
-        <translation>可以拔出</translation>
-    </message>
-    <message>
-        <source>Nothing is written now</source>
-        <translation>当前没有写入</translation>
-    </message>
-    <message>
-        <source>Open a firmware image</source>
-        <translation>打开固件映像</translation>
-    </message>
-    <message>
-        <source>Intel HEX (*.hex *.ihex);;All files (*)</source>
-        <translation>Intel HEX (*.hex *.ihex);;所有文件 (*)</translation>
-    </message>
-    <message>
-        <source>Save the log of the update</source>
-        <translation>保存更新日志</translation>
-    </message>
-    <message>
-        <source>Text (*.log *.txt)</source>
-        <translation>文本 (*.log *.txt)</translation>
+        <source>Queue of units</source>
+        <translation>设备队列</translation>
     </message>
 </context>
 <context>
@@ -3887,6 +3746,29 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>last 5 s</source>
         <translation>最近 5 s</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ImageText</name>
+    <message>
+        <source>no image yet</source>
+        <translation>尚无映像</translation>
+    </message>
+    <message>
+        <source>Open an Intel HEX file, or drop it here</source>
+        <translation>打开 Intel HEX 文件，或将其拖放到此处</translation>
+    </message>
+    <message>
+        <source>select a device to check it</source>
+        <translation>选择设备以进行检查</translation>
+    </message>
+    <message>
+        <source>version %1 · pages: %2</source>
+        <translation>版本 %1 · 页：%2</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>未知</translation>
     </message>
 </context>
 <context>
@@ -6155,6 +6037,355 @@ double click or End returns to the present · right click for more</source>
     </message>
 </context>
 <context>
+    <name>mb::QueueBar</name>
+    <message>
+        <source>State of the queue</source>
+        <translation>队列状态</translation>
+    </message>
+    <message>
+        <source>Progress of the queue</source>
+        <translation>队列进度</translation>
+    </message>
+    <message>
+        <source>Pause after this unit</source>
+        <translation>此设备之后暂停</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Retry failed</source>
+        <translation>重试不合格</translation>
+    </message>
+    <message>
+        <source>Save CSV…</source>
+        <translation>保存 CSV…</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>启动</translation>
+    </message>
+    <message>
+        <source>Ended before its time: %1</source>
+        <translation>提前结束：%1</translation>
+    </message>
+    <message>
+        <source>Pauses after this unit</source>
+        <translation>此设备之后暂停</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>已暂停</translation>
+    </message>
+    <message>
+        <source>Unit %1 of %2</source>
+        <translation>第 %1 台，共 %2 台</translation>
+    </message>
+    <message numerus="yes">
+        <source>Ended with %n unit(s) to go</source>
+        <translation>
+            <numerusform>已结束，还剩 %n 台</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Ended: %1 of %2 units</source>
+        <translation>已结束：%1 / %2 台</translation>
+    </message>
+    <message>
+        <source>Nothing running</source>
+        <translation>没有任务在运行</translation>
+    </message>
+    <message>
+        <source>about %1 s left</source>
+        <translation>约剩 %1 s</translation>
+    </message>
+    <message>
+        <source>%1 done · %2 waiting · %3 failed · %4 refused · mean %5</source>
+        <translation>完成 %1 · 等待 %2 · 不合格 %3 · 拒绝 %4 · 平均 %5</translation>
+    </message>
+</context>
+<context>
+    <name>mb::QueueBoard</name>
+    <message>
+        <source>Go on with it</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>Units of the queue</source>
+        <translation>队列中的设备</translation>
+    </message>
+    <message>
+        <source>The self-test turns the motor: %1. Hold Arm in the header once the queue runs.</source>
+        <translation>自检会转动电机：%1。队列运行后按住顶栏的解锁按钮。</translation>
+    </message>
+    <message>
+        <source>Every %1</source>
+        <translation>所有 %1</translation>
+    </message>
+    <message>
+        <source>A queue runs already.</source>
+        <translation>已有队列在运行。</translation>
+    </message>
+    <message>
+        <source>Open an image or a recipe first.</source>
+        <translation>请先打开映像或配方。</translation>
+    </message>
+    <message>
+        <source>Tick the units first.</source>
+        <translation>请先勾选设备。</translation>
+    </message>
+    <message>
+        <source>Save what was done</source>
+        <translation>保存处理结果</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>the units are in %1</source>
+        <translation>设备列表在 %1</translation>
+    </message>
+    <message>
+        <source>The last queue of this recipe was cut off: %1 done, %2 open</source>
+        <translation>此配方的上一个队列被中断：完成 %1，未结束 %2</translation>
+    </message>
+    <message>
+        <source>What has ended stays as it is; ticked units are taken along.</source>
+        <translation>已结束的保持不变；勾选的设备一并处理。</translation>
+    </message>
+    <message>
+        <source>One unit at a time on a bus, buses side by side. Real units keep this computer awake. The journal is on disk: after a crash the queue goes on.</source>
+        <translation>每条总线一次一台，各总线并行。处理真实设备时计算机不休眠。日志在磁盘上：崩溃后队列可继续。</translation>
+    </message>
+    <message>
+        <source>Every unit is backed up before and compared afterwards; the journal has it.</source>
+        <translation>每台设备事先备份、事后比较；日志均有记录。</translation>
+    </message>
+    <message>
+        <source>recipe checked</source>
+        <translation>配方已检查</translation>
+    </message>
+    <message>
+        <source>no image, no recipe</source>
+        <translation>没有映像，没有配方</translation>
+    </message>
+    <message>
+        <source>all motors stopped</source>
+        <translation>所有电机已停止</translation>
+    </message>
+    <message>
+        <source>a motor is moving</source>
+        <translation>有电机在转动</translation>
+    </message>
+    <message>
+        <source>no other master</source>
+        <translation>没有其他主站</translation>
+    </message>
+    <message>
+        <source>another master, or a number taken twice</source>
+        <translation>有其他主站，或编号重复</translation>
+    </message>
+    <message>
+        <source>bus %1 V</source>
+        <translation>总线 %1 V</translation>
+    </message>
+    <message>
+        <source>bus voltage not known</source>
+        <translation>总线电压未知</translation>
+    </message>
+</context>
+<context>
+    <name>mb::QueueHead</name>
+    <message>
+        <source>recipe</source>
+        <translation>配方</translation>
+    </message>
+    <message>
+        <source>image</source>
+        <translation>映像</translation>
+    </message>
+    <message>
+        <source>parameters</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>number rule</source>
+        <translation>编号规则</translation>
+    </message>
+    <message>
+        <source>Open image…</source>
+        <translation>打开映像…</translation>
+    </message>
+    <message>
+        <source>Open recipe…</source>
+        <translation>打开配方…</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>尚无</translation>
+    </message>
+    <message>
+        <source>Open a firmware image</source>
+        <translation>打开固件映像</translation>
+    </message>
+    <message>
+        <source>Intel HEX (*.hex *.ihex);;All files (*)</source>
+        <translation>Intel HEX (*.hex *.ihex);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Open recipe</source>
+        <translation>打开配方</translation>
+    </message>
+    <message>
+        <source>Recipes (*.json);;All files (*)</source>
+        <translation>配方 (*.json);;所有文件 (*)</translation>
+    </message>
+</context>
+<context>
+    <name>mb::QueueModel</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>序列号</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>Firmware</source>
+        <translation>固件</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>阶跃</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>进度</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+</context>
+<context>
+    <name>mb::QueueText</name>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>verified</source>
+        <translation>已验证</translation>
+    </message>
+    <message>
+        <source>%1 parameters equal</source>
+        <translation>%1 个参数一致</translation>
+    </message>
+    <message>
+        <source>already %1</source>
+        <translation>已是 %1</translation>
+    </message>
+    <message>
+        <source>read back after the restart</source>
+        <translation>重启后已回读</translation>
+    </message>
+    <message>
+        <source>safe to unplug, resumes</source>
+        <translation>可以拔下，能续传</translation>
+    </message>
+    <message>
+        <source>do not unplug</source>
+        <translation>请勿拔下</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>等待中</translation>
+    </message>
+    <message>
+        <source>cut off, goes on</source>
+        <translation>已中断，将继续</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>已跳过</translation>
+    </message>
+    <message>
+        <source>cut off</source>
+        <translation>被截断</translation>
+    </message>
+    <message>
+        <source>failed: %1</source>
+        <translation>不合格：%1</translation>
+    </message>
+    <message>
+        <source>refused before start</source>
+        <translation>开始前被拒绝</translation>
+    </message>
+    <message>
+        <source>number taken twice</source>
+        <translation>编号重复</translation>
+    </message>
+    <message>
+        <source>in its bootloader</source>
+        <translation>在引导程序中</translation>
+    </message>
+    <message>
+        <source>motor is moving</source>
+        <translation>电机正在运动</translation>
+    </message>
+    <message>
+        <source>another master drives it</source>
+        <translation>由其他主站驱动</translation>
+    </message>
+    <message>
+        <source>Preflight</source>
+        <translation>预检</translation>
+    </message>
+    <message>
+        <source>Backup</source>
+        <translation>备份</translation>
+    </message>
+    <message>
+        <source>Firmware</source>
+        <translation>固件</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>Self-test</source>
+        <translation>自检</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>编号</translation>
+    </message>
+    <message>
+        <source>Comparison and proof</source>
+        <translation>比较与验证</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完成</translation>
+    </message>
+</context>
+<context>
     <name>mb::RamBlock</name>
     <message>
         <source>In RAM, not in flash</source>
@@ -6234,6 +6465,25 @@ double click or End returns to the present · right click for more</source>
     <message>
         <source>all %1 read in %2</source>
         <translation>已读取全部 %1 项，用时 %2</translation>
+    </message>
+</context>
+<context>
+    <name>mb::RecipeText</name>
+    <message>
+        <source>%1 · sha %2</source>
+        <translation>%1 · sha %2</translation>
+    </message>
+    <message>
+        <source>%1 · version %2 · sha %3</source>
+        <translation>%1 · 版本 %2 · sha %3</translation>
+    </message>
+    <message>
+        <source>%1 · %2 values</source>
+        <translation>%1 · %2 个值</translation>
+    </message>
+    <message>
+        <source>next free from %1</source>
+        <translation>从 %1 起的下一个空号</translation>
     </message>
 </context>
 <context>
@@ -7053,8 +7303,64 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <translation>%2 的试验 #%1</translation>
     </message>
     <message>
-        <source>as it is now</source>
-        <translation>当前状态</translation>
+        <source>What is listed</source>
+        <translation>列出的内容</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>Cards</source>
+        <translation>卡片</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>正在整定</translation>
+    </message>
+    <message>
+        <source>Journal</source>
+        <translation>日志</translation>
+    </message>
+    <message>
+        <source>Note on this entry</source>
+        <translation>此条目的备注</translation>
+    </message>
+    <message>
+        <source>Note on this entry of the journal</source>
+        <translation>此日志条目的备注</translation>
+    </message>
+    <message>
+        <source>Size of the report</source>
+        <translation>报告尺寸</translation>
+    </message>
+    <message>
+        <source>Pages, A4</source>
+        <translation>页面，A4</translation>
+    </message>
+    <message>
+        <source>Label, 62 × 29 mm</source>
+        <translation>标签，62 × 29 mm</translation>
+    </message>
+    <message>
+        <source>Save CSV…</source>
+        <translation>保存 CSV…</translation>
+    </message>
+    <message>
+        <source>The entries of the journal that are listed, as a table</source>
+        <translation>将列出的日志条目存为表格</translation>
+    </message>
+    <message>
+        <source>Save the journal</source>
+        <translation>保存日志</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>the journal is in %1</source>
+        <translation>日志在 %1</translation>
     </message>
 </context>
 <context>
@@ -7852,6 +8158,29 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>recording</source>
         <translation>记录中</translation>
+    </message>
+</context>
+<context>
+    <name>mb::StationLamp</name>
+    <message>
+        <source>%1 self-test</source>
+        <translation>%1 自检</translation>
+    </message>
+    <message>
+        <source>turns in a moment</source>
+        <translation>即将转动</translation>
+    </message>
+    <message>
+        <source>self-tests</source>
+        <translation>自检</translation>
+    </message>
+    <message>
+        <source>nothing turns here</source>
+        <translation>这里没有转动的电机</translation>
+    </message>
+    <message>
+        <source>lamp</source>
+        <translation>指示灯</translation>
     </message>
 </context>
 <context>
@@ -9236,6 +9565,213 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>4  They stay if they do what was predicted; else everything is put back and the reason said.</source>
         <translation>4  若效果与预测相符则保留；否则全部恢复并说明原因。</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UnitSteps</name>
+    <message>
+        <source>Steps of this unit</source>
+        <translation>此设备的步骤</translation>
+    </message>
+    <message>
+        <source>Skip this unit</source>
+        <translation>跳过此设备</translation>
+    </message>
+    <message>
+        <source>Do it again</source>
+        <translation>再做一次</translation>
+    </message>
+    <message>
+        <source>No unit selected</source>
+        <translation>未选择设备</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UnitUpdate</name>
+    <message>
+        <source>Verified: %1</source>
+        <translation>已校验：%1</translation>
+    </message>
+    <message>
+        <source>Not needed: %1</source>
+        <translation>无需更新：%1</translation>
+    </message>
+    <message>
+        <source>Refused: %1</source>
+        <translation>已拒绝：%1</translation>
+    </message>
+    <message>
+        <source>Failed: %1</source>
+        <translation>失败：%1</translation>
+    </message>
+    <message>
+        <source>Cancelled. %1.</source>
+        <translation>已取消。%1。</translation>
+    </message>
+    <message>
+        <source>device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>firmware</source>
+        <translation>固件</translation>
+    </message>
+    <message>
+        <source>image</source>
+        <translation>映像</translation>
+    </message>
+    <message>
+        <source>Open image…</source>
+        <translation>打开映像…</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>阶跃</translation>
+    </message>
+    <message>
+        <source>Progress of the update</source>
+        <translation>更新进度</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Update</source>
+        <translation>更新</translation>
+    </message>
+    <message>
+        <source>Run the update again</source>
+        <translation>再次运行更新</translation>
+    </message>
+    <message>
+        <source>One update a bus: %1 is being written.</source>
+        <translation>每条总线一次只能更新一台：正在写入 %1。</translation>
+    </message>
+    <message>
+        <source>no device selected</source>
+        <translation>未选择设备</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>%1 → %2</source>
+        <translation>%1 → %2</translation>
+    </message>
+    <message>
+        <source>image fits this family</source>
+        <translation>映像适合此系列</translation>
+    </message>
+    <message>
+        <source>no usable image</source>
+        <translation>没有可用的映像</translation>
+    </message>
+    <message>
+        <source>motor is moving</source>
+        <translation>电机正在运动</translation>
+    </message>
+    <message>
+        <source>motor stopped</source>
+        <translation>电机已停止</translation>
+    </message>
+    <message>
+        <source>no other master, number unique</source>
+        <translation>无其他主站，编号唯一</translation>
+    </message>
+    <message>
+        <source>another master, or a number taken twice</source>
+        <translation>有其他主站，或编号重复</translation>
+    </message>
+    <message>
+        <source>no device</source>
+        <translation>无设备</translation>
+    </message>
+    <message>
+        <source>bus %1 V</source>
+        <translation>总线 %1 V</translation>
+    </message>
+    <message>
+        <source>bus voltage not known</source>
+        <translation>总线电压未知</translation>
+    </message>
+    <message>
+        <source>%1 s a page, about %2 s left</source>
+        <translation>每页 %1 s，剩余约 %2 s</translation>
+    </message>
+    <message>
+        <source>Nothing running</source>
+        <translation>没有任务在运行</translation>
+    </message>
+    <message>
+        <source>%1, %2 of %3 written</source>
+        <translation>%1，已写入 %2 / %3</translation>
+    </message>
+    <message>
+        <source>%1 s, pages sent again: %2</source>
+        <translation>%1 s，重发的页：%2</translation>
+    </message>
+    <message>
+        <source>Open a firmware image</source>
+        <translation>打开固件映像</translation>
+    </message>
+    <message>
+        <source>Intel HEX (*.hex *.ihex);;All files (*)</source>
+        <translation>Intel HEX (*.hex *.ihex);;所有文件 (*)</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UpdateChecks</name>
+    <message>
+        <source>Before start</source>
+        <translation>开始之前</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UpdateLog</name>
+    <message>
+        <source>Log</source>
+        <translation>日志</translation>
+    </message>
+    <message>
+        <source>Save log…</source>
+        <translation>保存日志…</translation>
+    </message>
+    <message>
+        <source>Log of the update</source>
+        <translation>更新日志</translation>
+    </message>
+    <message>
+        <source>Save the log of the update</source>
+        <translation>保存更新日志</translation>
+    </message>
+    <message>
+        <source>Text (*.log *.txt)</source>
+        <translation>文本 (*.log *.txt)</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UpdateSide</name>
+    <message>
+        <source>Flash pages</source>
+        <translation>闪存页</translation>
+    </message>
+    <message>
+        <source>In the order they are written. Green: written. Amber edge: sent again. Dashed: not in the image. Red: must not be cut.</source>
+        <translation>按写入顺序排列。绿色：已写入。琥珀色边框：已重发。虚线：不在映像中。红色：不得中断。</translation>
+    </message>
+    <message>
+        <source>Do not unplug</source>
+        <translation>请勿拔出</translation>
+    </message>
+    <message>
+        <source>Safe to unplug</source>
+        <translation>可以拔出</translation>
+    </message>
+    <message>
+        <source>Nothing is written now</source>
+        <translation>当前没有写入</translation>
     </message>
 </context>
 <context>
@@ -13730,10 +14266,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>重新打开</translation>
     </message>
     <message>
-        <source>open it first</source>
-        <translation>先打开它</translation>
-    </message>
-    <message>
         <source>open that terminal as serial:%1</source>
         <translation>将该终端作为 serial:%1 打开</translation>
     </message>
@@ -15876,6 +16408,34 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>within its limits</source>
         <translation>在限值内</translation>
+    </message>
+    <message>
+        <source>%1 is for no unit that is here and takes firmware over its own link</source>
+        <translation>%1 不适用于此处任何通过自身链路更新固件的设备</translation>
+    </message>
+    <message>
+        <source>%1 is not open, or something runs there</source>
+        <translation>%1 未打开，或有任务在运行</translation>
+    </message>
+    <message>
+        <source>for the others write a recipe that names the way in</source>
+        <translation>其他设备请编写指明途径的配方</translation>
+    </message>
+    <message>
+        <source>open it, or end what runs there first</source>
+        <translation>请打开它，或先结束那里的任务</translation>
+    </message>
+    <message>
+        <source>this unit was never served, so there is nothing for a label</source>
+        <translation>此设备从未处理过，标签没有内容</translation>
+    </message>
+    <message>
+        <source>units are served here; the link stays open</source>
+        <translation>此处正在处理设备；链路保持打开</translation>
+    </message>
+    <message>
+        <source>write a page</source>
+        <translation>请写成页面</translation>
     </message>
 </context>
 </TS>

@@ -99,6 +99,11 @@ void Links::carryOut(const orders::CloseLink &order, const Finished &finished)
     end(order.link, fail(Fault::Cancelled, say("%1 was closed before it was open", order.link)));
     const auto parsed = LinkAddress::parse(order.link);
     if (Link *link = parsed ? m_context.session.findLink(*parsed) : nullptr) {
+        if (m_context.operations.isLent(*link)) {
+            const Error error{Fault::Unsafe, say("units are served here; the link stays open"), say("end that first")};
+            m_context.log.tell(Severity::Caution, link->address().shortName(), error.message());
+            return finished(fail(error));
+        }
         m_closedByHand.insert(order.link);
         remove(*link);
     }

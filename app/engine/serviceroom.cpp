@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/engine/serviceroom.h"
 
+#include <algorithm>
+
 namespace mb {
 
 ServiceRoom::ServiceRoom(EngineCore &core, Surroundings surroundings)
@@ -8,6 +10,7 @@ ServiceRoom::ServiceRoom(EngineCore &core, Surroundings surroundings)
     , m_around(std::move(surroundings))
     , m_armedUntil(core.session().clock())
 {
+    m_sessionChanged = core.session().changed().add([this] { followLinks(); });
 }
 
 ServiceRoom::~ServiceRoom()
@@ -17,33 +20,81 @@ ServiceRoom::~ServiceRoom()
 
 Result<void> ServiceRoom::begin(const ServiceDesk::Plan &plan)
 {
-    if (m_queue && m_queue->isRunning())
+    if (isRunning())
         return fail(Fault::Unsafe, say("units are served already"), say("end that first"));
-    Link *link = m_core.lend(plan.link);
-    if (!link)
-        return fail(Fault::Timeout, say("the link is not open"), say("open it first"));
-    if (m_link == plan.link)
-        m_link.clear(); // lent anew, and not to be given back
     leave();
-    m_link = plan.link;
+    m_last = {};
+    m_links = plan.links;
+    if (auto lent = lendAll(); !lent)
+        return lent;
     m_trouble.clear();
+    m_judged.clear();
+    m_chosen.reset();
+    if (plan.chosen)
+        m_chosen.emplace(plan.chosen->begin(), plan.chosen->end());
     service::QueueOptions options;
     options.station = m_around.station;
     options.units = plan.units;
+    options.run = plan.run;
+    options.onlyChosen = plan.chosen.has_value();
     m_queue = std::make_unique<service::ServiceQueue>(m_core.session().clock(), *plan.matter,
         service::QueueSurroundings{m_around.journal, m_around.settings, m_around.trials, this, {}}, options);
-    m_queue->addBus(m_core.session(), *link);
-    m_queueChanged = m_queue->changed().add([this] { m_changed.notify(); });
+    for (Link *const link : m_lent)
+        m_queue->addBus(m_core.session(), *link);
+    m_queueChanged = m_queue->changed().add([this] { queueChanged(); });
     m_visitEnded = m_queue->unitEnded().add([this](const service::Visit &visit) { ended(visit); });
     m_queueEnded = m_queue->ended().add([this] {
         if (m_queue->trouble())
             m_trouble = m_queue->trouble()->text();
         arm(false);
-        m_core.takeBack(m_link);
+        giveBack();
     });
     m_queue->start();
     m_changed.notify();
     return {};
+}
+
+/// All of them or none.
+Result<void> ServiceRoom::lendAll()
+{
+    std::vector<Link *> lent;
+    for (const std::string &address : m_links) {
+        Link *const link = m_core.lend(address);
+        if (link) {
+            lent.push_back(link);
+            continue;
+        }
+        for (const Link *const other : lent)
+            m_core.takeBack(other->address().text());
+        return fail(Fault::Timeout, say("%1 is not open, or something runs there", address),
+            say("open it, or end what runs there first"));
+    }
+    m_lent = std::move(lent);
+    return {};
+}
+
+void ServiceRoom::giveBack()
+{
+    for (const std::string &address : m_links)
+        m_core.takeBack(address);
+}
+
+/// A link that was closed takes its queue along: nothing can be done again there, and what is known stays in sight.
+void ServiceRoom::followLinks()
+{
+    if (!m_queue)
+        return;
+    const auto links = m_core.session().links();
+    const bool all = std::all_of(m_lent.begin(), m_lent.end(),
+        [&links](const Link *link) { return std::find(links.begin(), links.end(), link) != links.end(); });
+    if (all)
+        return;
+    ServiceView last = view();
+    leave();
+    last.running = false;
+    last.armed = false;
+    m_last = std::move(last);
+    m_changed.notify();
 }
 
 void ServiceRoom::leave()
@@ -52,9 +103,27 @@ void ServiceRoom::leave()
     m_announces = false;
     m_armedUntil.stop();
     m_queue.reset();
-    if (!m_link.empty())
-        m_core.takeBack(m_link);
-    m_link.clear();
+    giveBack();
+    m_links.clear();
+    m_lent.clear();
+}
+
+void ServiceRoom::queueChanged()
+{
+    choose();
+    m_changed.notify();
+}
+
+/// Of what is found the chosen are taken, the others stay left out.
+void ServiceRoom::choose()
+{
+    if (!m_chosen)
+        return;
+    for (const service::QueueRow &row : m_queue->rows()) {
+        if (m_judged.insert(row.id).second && row.state == service::RowState::Skipped
+            && m_chosen->count(row.device) > 0)
+            m_queue->retry(row.id);
+    }
 }
 
 void ServiceRoom::pause(bool on)
@@ -69,15 +138,41 @@ void ServiceRoom::skip(std::uint32_t row)
         m_queue->skip(row);
 }
 
-void ServiceRoom::retry(std::uint32_t row)
+/// A queue that has ended gets its links back for it, if anything comes of the order.
+void ServiceRoom::again(const std::function<void()> &order)
 {
     if (!m_queue)
         return;
-    const bool lent = !m_queue->isRunning() && m_core.lend(m_link);
-    if (lent || m_queue->isRunning())
-        m_queue->retry(row);
-    if (lent && !m_queue->isRunning())
-        m_core.takeBack(m_link); // nothing came of it
+    const bool idle = !isRunning();
+    if (idle && !lendAll())
+        return;
+    m_trouble.clear();
+    order();
+    if (idle && !isRunning())
+        giveBack();
+    m_changed.notify();
+}
+
+void ServiceRoom::retry(std::uint32_t row)
+{
+    again([this, row] { m_queue->retry(row); });
+}
+
+void ServiceRoom::retryFailed()
+{
+    again([this] { m_queue->retryFailed(); });
+}
+
+void ServiceRoom::cancel()
+{
+    arm(false);
+    if (!isRunning())
+        return;
+    m_queue->finish();
+    for (const service::QueueRow &row : m_queue->rows()) {
+        if (row.state == service::RowState::Running)
+            m_queue->skip(row.id);
+    }
 }
 
 void ServiceRoom::finish()
@@ -90,21 +185,22 @@ void ServiceRoom::finish()
 void ServiceRoom::stop()
 {
     arm(false);
-    if (m_queue && m_queue->isRunning())
+    if (isRunning())
         m_queue->stop();
 }
 
 void ServiceRoom::arm(bool on)
 {
-    m_armed = on && m_queue && m_queue->isRunning() && m_queue->matter().recipe.test;
+    m_armed = on && isRunning() && m_queue->matter().recipe.test;
     restartArmedTime();
     m_changed.notify();
 }
 
 void ServiceRoom::restartArmedTime()
 {
+    m_armedEnd = m_core.session().clock().now() + armedTime;
     if (m_armed)
-        m_armedUntil.startIn(armedTime, [this] { arm(false); });
+        m_armedUntil.start(m_armedEnd, [this] { arm(false); });
     else
         m_armedUntil.stop();
 }
@@ -146,14 +242,18 @@ Task<void> ServiceRoom::beforeMotion(const Device &, const service::SelfTest &)
 
 ServiceView ServiceRoom::view() const
 {
+    if (!m_queue)
+        return m_last;
     ServiceView view;
-    view.link = m_link;
+    view.links = m_links;
     view.armed = m_armed;
+    view.armedUntil = m_armedEnd;
     view.announces = m_announces;
     view.trouble = m_trouble;
-    if (!m_queue)
-        return view;
+    view.recipe = m_queue->matter().recipe.name;
+    view.run = m_queue->run();
     view.running = m_queue->isRunning();
+    view.moves = m_queue->matter().recipe.test.has_value();
     view.pausing = m_queue->isPausing();
     view.rows = m_queue->rows();
     view.counts = m_queue->counts();

@@ -5,9 +5,11 @@
 #include "async/sleep.h"
 #include "widgets/service/servicedesk.h"
 
+#include <set>
+
 namespace mb {
 
-/// Units that are served in the engine's session: the queue, and who may let their motors turn. The link is lent to it, so that
+/// Units that are served in the engine's session: the queue, and who may let their motors turn. The links are lent to it, so that
 /// the engine asks nothing there meanwhile. Knows no thread; thread of the session.
 class ServiceRoom final : private service::MotionPermit {
 public:
@@ -20,12 +22,14 @@ public:
     ServiceRoom(EngineCore &core, Surroundings surroundings);
     ~ServiceRoom() override;
 
-    /// As ServiceDesk::begin(). Timeout when the link is not there.
+    /// As ServiceDesk::begin(). Timeout when a link is not there, or busy.
     [[nodiscard]] Result<void> begin(const ServiceDesk::Plan &plan);
     void pause(bool on);
     void skip(std::uint32_t row);
     void retry(std::uint32_t row);
+    void retryFailed();
     void finish();
+    void cancel();
     void arm(bool on);
     void renew();
     /// Motors of units stop with all others; nothing is armed any more, and the queue ends.
@@ -43,16 +47,28 @@ public:
 
 private:
     [[nodiscard]] Task<void> beforeMotion(const Device &device, const service::SelfTest &test) override;
+    void queueChanged();
+    void choose();
     void ended(const service::Visit &visit);
     void restartArmedTime();
     void leave();
+    [[nodiscard]] Result<void> lendAll();
+    void giveBack();
+    void followLinks();
+    [[nodiscard]] bool isRunning() const { return m_queue && m_queue->isRunning(); }
+    void again(const std::function<void()> &order);
 
     EngineCore &m_core;
     Surroundings m_around;
-    std::string m_link;
+    std::vector<std::string> m_links;
+    std::vector<Link *> m_lent;                 ///< the same, while the queue is there
+    std::optional<std::set<DeviceId>> m_chosen; ///< as ServiceDesk::Plan::chosen
+    std::set<std::uint32_t> m_judged;           ///< rows that were taken or left
     bool m_armed = false;
+    Instant m_armedEnd{};
     bool m_announces = false;
     std::string m_trouble;
+    ServiceView m_last; ///< of a queue whose link is gone
     Listeners<> m_changed;
     Listeners<const service::Visit &> m_unitEnded;
     Timer m_armedUntil;
@@ -60,7 +76,7 @@ private:
     Subscription m_queueChanged;
     Subscription m_queueEnded;
     Subscription m_visitEnded;
-    Subscription m_stopped;
+    Subscription m_sessionChanged;
 };
 
 } // namespace mb

@@ -26,6 +26,15 @@ RowState stateOf(Outcome outcome)
     return RowState::Waiting;
 }
 
+/// Whoever has the list keeps it as it was.
+std::shared_ptr<const std::vector<LogLine>> extended(
+    const std::shared_ptr<const std::vector<LogLine>> &log, const LogLine &line)
+{
+    auto longer = log ? std::make_shared<std::vector<LogLine>>(*log) : std::make_shared<std::vector<LogLine>>();
+    longer->push_back(line);
+    return longer;
+}
+
 bool isEnded(RowState state)
 {
     return state == RowState::Passed || state == RowState::Failed || state == RowState::Refused;
@@ -55,7 +64,12 @@ public:
         m_bus.m_operation->part(number, state);
         m_bus.m_queue.m_changed.notify();
     }
-    void log(Severity severity, const Message &text) override { m_bus.m_operation->log(severity, text); }
+    void log(Severity severity, const Message &text) override
+    {
+        m_bus.m_operation->log(severity, text);
+        m_row.log = extended(m_row.log, {m_bus.m_queue.m_clock.now(), severity, text});
+        m_bus.m_queue.m_changed.notify();
+    }
     void mayInterrupt(bool may) override
     {
         m_row.mayInterrupt = may;

@@ -119,6 +119,19 @@ Result<void> readParameters(const std::string &path, RecipeMatter &matter)
     return {};
 }
 
+Result<RecipeMatter> readFiles(RecipeMatter matter, const std::string &path)
+{
+    if (matter.recipe.firmware) {
+        if (auto read = readImage(path, matter); !read)
+            return fail(read.error());
+    }
+    if (matter.recipe.parameters) {
+        if (auto read = readParameters(path, matter); !read)
+            return fail(read.error());
+    }
+    return matter;
+}
+
 } // namespace
 
 bool isFigure(std::string_view key)
@@ -152,6 +165,14 @@ QByteArray toText(const Recipe &recipe)
     return QJsonDocument(object).toJson(QJsonDocument::Indented);
 }
 
+Result<RecipeMatter> gatherMatter(Recipe recipe, const std::string &folder)
+{
+    RecipeMatter matter;
+    matter.hash = hashOf(toText(recipe));
+    matter.recipe = std::move(recipe);
+    return readFiles(std::move(matter), folder + "/recipe");
+}
+
 Result<RecipeMatter> loadRecipe(const std::string &path, std::span<const Family *const> families)
 {
     const auto bytes = loadFile(path, mostRecipeBytes);
@@ -163,15 +184,7 @@ Result<RecipeMatter> loadRecipe(const std::string &path, std::span<const Family 
     RecipeMatter matter;
     matter.recipe = std::move(*recipe);
     matter.hash = hashOf(*bytes);
-    if (matter.recipe.firmware) {
-        if (auto read = readImage(path, matter); !read)
-            return fail(read.error());
-    }
-    if (matter.recipe.parameters) {
-        if (auto read = readParameters(path, matter); !read)
-            return fail(read.error());
-    }
-    return matter;
+    return readFiles(std::move(matter), path);
 }
 
 } // namespace mb::service

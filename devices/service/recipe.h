@@ -83,6 +83,9 @@ struct RecipeMatter {
     std::vector<ParameterChange> parameters; ///< what is written to every unit, in table order
 };
 
+/// The files that a recipe names, relative to that folder; its hash is that of toText(). OutOfRange with the file and the cause.
+[[nodiscard]] Result<RecipeMatter> gatherMatter(Recipe recipe, const std::string &folder);
+
 /// Reads a recipe and the files that it names, relative to its own folder. OutOfRange with the file, its line and the cause.
 [[nodiscard]] Result<RecipeMatter> loadRecipe(const std::string &path, std::span<const Family *const> families);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "async/scope.h"
+#include "model/operation.h"
 #include "model/session.h"
 #include "service/unitservice.h"
 
@@ -28,6 +29,8 @@ struct QueueRow {
     std::map<int, PartState> parts; ///< of an update
     Instant startedAt{};            ///< of the queue's clock
     int tries = 0;                  ///< begun so often in this queue
+    /// What was said of it, oldest first, of all its tries; never changed, another one takes its place. nullptr: nothing.
+    std::shared_ptr<const std::vector<LogLine>> log;
 };
 
 struct QueueOptions {

@@ -8,6 +8,7 @@
 #include "storage/settingsbook.h"
 #include "storage/trialbook.h"
 #include "support/coreapplication.h"
+#include "support/sourcetree.h"
 
 #include <gtest/gtest.h>
 
@@ -85,7 +86,7 @@ protected:
 
 TEST_F(Served, EveryUnitOfALinkAndTheEngineLeavesItAloneMeanwhile)
 {
-    ASSERT_TRUE(room->begin({recipe(plain), "sim:can", std::nullopt}));
+    ASSERT_TRUE(room->begin({recipe(plain), {"sim:can"}, std::nullopt}));
     EXPECT_TRUE(room->view().running);
     test::Heard<> refused;
     core->send(orders::Identify{core->session().idOf(*device(7))}, refused.finished());
@@ -102,8 +103,8 @@ TEST_F(Served, EveryUnitOfALinkAndTheEngineLeavesItAloneMeanwhile)
 TEST_F(Served, TheSameLinkAgainAndARetryOfNothingGivesItBack)
 {
     for (int round = 0; round < 2; ++round) {
-        ASSERT_TRUE(room->begin({recipe(plain), "sim:can", std::nullopt}));
-        EXPECT_FALSE(room->begin({recipe(plain), "sim:can", std::nullopt})) << "it runs";
+        ASSERT_TRUE(room->begin({recipe(plain), {"sim:can"}, std::nullopt}));
+        EXPECT_FALSE(room->begin({recipe(plain), {"sim:can"}, std::nullopt})) << "it runs";
         EXPECT_EQ(core->lend("sim:can"), nullptr) << "it is lent";
         ASSERT_TRUE(clock.runUntil([this] { return !room->view().running; }, 10min));
         EXPECT_GE(room->view().counts.passed, 2);
@@ -118,7 +119,7 @@ TEST_F(Served, TheSameLinkAgainAndARetryOfNothingGivesItBack)
 
 TEST_F(Served, NothingTurnsUnlessItIsArmed)
 {
-    ASSERT_TRUE(room->begin({recipe(moving), "sim:can", std::nullopt}));
+    ASSERT_TRUE(room->begin({recipe(moving), {"sim:can"}, std::nullopt}));
     bool moved = false;
     ASSERT_TRUE(clock.runUntil(
         [&] {
@@ -135,7 +136,7 @@ TEST_F(Served, NothingTurnsUnlessItIsArmed)
 
 TEST_F(Served, ArmedItSaysSoThreeSecondsBeforeAMotorTurns)
 {
-    ASSERT_TRUE(room->begin({recipe(moving), "sim:can", std::nullopt}));
+    ASSERT_TRUE(room->begin({recipe(moving), {"sim:can"}, std::nullopt}));
     room->arm(true);
     EXPECT_TRUE(room->view().armed);
     ASSERT_TRUE(clock.runUntil([this] { return room->view().announces; }, 5min));
@@ -155,11 +156,184 @@ TEST_F(Served, ArmedItSaysSoThreeSecondsBeforeAMotorTurns)
 
 TEST_F(Served, WhoeverEndsItDisarms)
 {
-    ASSERT_TRUE(room->begin({recipe(moving), "sim:can", 0}));
+    ASSERT_TRUE(room->begin({recipe(moving), {"sim:can"}, 0}));
     room->arm(true);
     room->finish();
     EXPECT_FALSE(room->view().armed);
-    EXPECT_FALSE(room->begin({recipe(moving), "sim:nowhere", 0})) << "no such link";
+    EXPECT_FALSE(room->begin({recipe(moving), {"sim:nowhere"}, 0})) << "no such link";
+}
+
+TEST_F(Served, TickedUnitsOnlyAndTheOthersAreLeftOut)
+{
+    const DeviceId seven = core->session().idOf(*device(7));
+    ASSERT_TRUE(room->begin({recipe(plain), {"sim:can"}, std::nullopt, std::vector{seven}}));
+    ASSERT_TRUE(clock.runUntil([this] { return !room->view().running; }, 10min));
+    const ServiceView view = room->view();
+    EXPECT_EQ(view.counts.ended(), 1);
+    for (const service::QueueRow &row : view.rows)
+        EXPECT_EQ(row.state, row.device == seven ? service::RowState::Passed : service::RowState::Skipped);
+    EXPECT_GE(view.rows.size(), 2U);
+    EXPECT_FALSE(view.run.empty());
+    EXPECT_EQ(view.recipe, "look");
+}
+
+TEST_F(Served, AnotherLinkThatIsNotThereLendsNone)
+{
+    EXPECT_FALSE(room->begin({recipe(plain), {"sim:can", "sim:nowhere"}, std::nullopt}));
+    EXPECT_NE(core->lend("sim:can"), nullptr) << "it was given back";
+    core->takeBack("sim:can");
+}
+
+TEST_F(Served, ALinkOnWhichUnitsAreServedStaysOpen)
+{
+    ASSERT_TRUE(room->begin({recipe(plain), {"sim:can"}, std::nullopt}));
+    test::Heard<> closed;
+    core->send(orders::CloseLink{"sim:can"}, closed.finished());
+    ASSERT_TRUE(closed.has_value());
+    EXPECT_FALSE(*closed);
+    ASSERT_TRUE(clock.runUntil([this] { return !room->view().running; }, 10min));
+    const auto rows = room->view().rows.size();
+    core->send(orders::CloseLink{"sim:can"}, closed.finished());
+    EXPECT_TRUE(*closed);
+    EXPECT_EQ(room->view().rows.size(), rows) << "what came of it stays in sight";
+    room->retryFailed(); // of a queue that is gone: nothing
+    EXPECT_FALSE(room->view().running);
+}
+
+/// The firmware of the bench, over all three units that take it.
+class Updated : public Served {
+protected:
+    [[nodiscard]] std::shared_ptr<const service::RecipeMatter> update()
+    {
+        service::Recipe recipe;
+        recipe.name = "demo";
+        recipe.family = &device(7)->family();
+        recipe.firmware = service::FirmwareRule{inSourceTree("resources/firmware/dmc60c-demo.hex"), {}};
+        auto matter = service::gatherMatter(std::move(recipe), folder.path().toStdString());
+        EXPECT_TRUE(matter) << (matter ? "" : matter.error().text());
+        return matter ? std::make_shared<const service::RecipeMatter>(std::move(*matter)) : nullptr;
+    }
+    [[nodiscard]] std::vector<DeviceId> units()
+    {
+        return {core->session().idOf(*device(5)), core->session().idOf(*device(7)), core->session().idOf(*device(9))};
+    }
+    [[nodiscard]] service::QueueRow row(int address)
+    {
+        const Device *unit = device(address);
+        for (const service::QueueRow &row : room->view().rows) {
+            if (unit && row.device == core->session().idOf(*unit))
+                return row;
+        }
+        return {};
+    }
+    [[nodiscard]] Simulator *simulated(int address)
+    {
+        for (const Link *link : core->session().links()) {
+            for (Simulator *unit : core->session().bench(*link)->simulators()) {
+                if (unit->name() == "dmc60c:" + std::to_string(address))
+                    return unit;
+            }
+        }
+        return nullptr;
+    }
+    /// Pages of the unit of this number are being written.
+    [[nodiscard]] bool writes(int address)
+    {
+        return clock.runUntil(
+            [this, address] {
+                const service::QueueRow now = row(address);
+                return now.state == service::RowState::Running && now.mayInterrupt && now.done > 5 && now.total > 20;
+            },
+            5min);
+    }
+    void expectAllEnded()
+    {
+        ASSERT_TRUE(clock.runUntil([this] { return !room->view().running; }, 20min));
+    }
+};
+
+TEST_F(Updated, ACableThatComesOutInTheMiddleFailsItsRowAndTheRestGoesOn)
+{
+    ASSERT_TRUE(room->begin({update(), {"sim:can"}, std::nullopt, units()}));
+    ASSERT_TRUE(writes(5));
+    simulated(5)->setPowered(false);
+    expectAllEnded();
+    const service::QueueRow failed = row(5);
+    EXPECT_EQ(failed.state, service::RowState::Failed);
+    EXPECT_FALSE(failed.visit.cause.empty());
+    ASSERT_TRUE(failed.log);
+    EXPECT_FALSE(failed.log->empty());
+    EXPECT_EQ(row(7).state, service::RowState::Passed);
+    EXPECT_EQ(row(9).state, service::RowState::Passed) << row(9).visit.cause;
+    EXPECT_EQ(room->view().counts.failed, 1);
+    simulated(5)->setPowered(true);
+    clock.advance(2s);
+    room->retryFailed();
+    EXPECT_TRUE(room->view().running);
+    expectAllEnded();
+    EXPECT_EQ(room->view().counts.passed, 3) << row(5).visit.cause;
+    EXPECT_EQ(device(5)->identity().firmware, "1.25");
+}
+
+TEST_F(Updated, CancelEndsWhereNothingMustNotBeCutAndTheRunGoesOnFromTheJournal)
+{
+    ASSERT_TRUE(room->begin({update(), {"sim:can"}, std::nullopt, units()}));
+    ASSERT_TRUE(writes(5));
+    const std::string run = room->view().run;
+    room->cancel();
+    ASSERT_TRUE(clock.runUntil([this] { return !room->view().running; }, 1min));
+    EXPECT_EQ(room->view().counts.ended(), 0);
+    service::VisitFilter filter;
+    filter.run = run;
+    auto visits = journal->list(filter);
+    ASSERT_TRUE(visits);
+    ASSERT_EQ(visits->size(), 1U);
+    EXPECT_EQ(visits->front().outcome, service::Outcome::Open);
+    ASSERT_TRUE(room->begin({update(), {"sim:can"}, std::nullopt, std::vector<DeviceId>(), run}));
+    expectAllEnded();
+    EXPECT_EQ(room->view().counts.passed, 1) << "what was cut off only";
+    EXPECT_EQ(journal->list(filter)->size(), 1U) << "no visit twice";
+    ASSERT_TRUE(room->begin({update(), {"sim:can"}, std::nullopt, units(), run}));
+    expectAllEnded();
+    EXPECT_EQ(room->view().counts.passed, 3);
+    EXPECT_EQ(journal->list(filter)->size(), 3U);
+}
+
+TEST_F(Updated, AProgramThatDiesInTheMiddleGoesOnFromTheJournal)
+{
+    ASSERT_TRUE(room->begin({update(), {"sim:can"}, std::nullopt, units()}));
+    ASSERT_TRUE(clock.runUntil([this] { return room->view().counts.passed == 1; }, 5min));
+    clock.advance(2s);
+    const std::string run = room->view().run;
+    room.reset(); // nothing is said to anybody
+    clock.advance(5s);
+    room = std::make_unique<ServiceRoom>(
+        *core, ServiceRoom::Surroundings{*journal, settings.get(), trials.get(), "bench 1"});
+    ASSERT_TRUE(room->begin({update(), {"sim:can"}, std::nullopt, units(), run}));
+    expectAllEnded();
+    EXPECT_EQ(room->view().counts.passed, 3);
+    service::VisitFilter filter;
+    filter.run = run;
+    EXPECT_EQ(journal->list(filter)->size(), 3U);
+    for (const int address : {5, 7, 9})
+        EXPECT_EQ(device(address)->identity().firmware, "1.25") << address;
+}
+
+TEST_F(Updated, PausedAfterThisUnitNothingBeginsUntilItGoesOn)
+{
+    ASSERT_TRUE(room->begin({update(), {"sim:can"}, std::nullopt, units()}));
+    ASSERT_TRUE(writes(5));
+    room->pause(true);
+    ASSERT_TRUE(clock.runUntil([this] { return room->view().counts.ended() == 1; }, 5min));
+    clock.advance(1min);
+    EXPECT_EQ(room->view().counts.ended(), 1);
+    EXPECT_TRUE(room->view().running && room->view().pausing);
+    room->skip(row(7).id);
+    room->pause(false);
+    expectAllEnded();
+    EXPECT_EQ(row(7).state, service::RowState::Skipped);
+    EXPECT_EQ(room->view().counts.passed, 2);
+    EXPECT_FALSE(room->mustStayAwake()) << "simulated units end with the program";
 }
 
 } // namespace

@@ -4,8 +4,8 @@
 
 #include "support/windowtests.h"
 #include "widgets/common/banner.h"
+#include "widgets/common/holdbutton.h"
 #include "widgets/connection/experimentdialog.h"
-#include "widgets/monitor/holdbutton.h"
 
 #include <QComboBox>
 #include <QDir>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Closing the window cuts nothing: it asks about an update, waits out what must not be cut, and sees a motor stop first.
+#include "support/fakedesk.h"
 #include "support/fakeworkbench.h"
 #include "support/windowtests.h"
 #include "windowbench.h"
@@ -22,6 +23,7 @@ private Q_SLOTS:
     void cancellingTheUpdateClosesOnceItHasEnded();
     void whatMustNotBeCutIsWaitedOut();
     void anUpdateThatEndsTakesItsQuestionAway();
+    void aQueueIsNotAbandonedWithoutAQuestion();
     void aMotorIsSeenStoppedBeforeTheWindowGoes();
     void aMotorThatDoesNotStopIsAskedAbout();
     void theWindowStaysWhileTheBenchIsUpdated();
@@ -77,6 +79,7 @@ public:
     }
 
     FakeWorkbench workbench;
+    FakeDesk desk;
     DeviceView device;
     Arming arming{workbench};
     Closing closing{workbench, arming, *this};
@@ -147,6 +150,25 @@ void ClosingTest::anUpdateThatEndsTakesItsQuestionAway()
     QTRY_VERIFY(!window.question());
     QVERIFY(window.isVisible()); // nobody said that it should go
     QVERIFY(window.close());
+}
+
+void ClosingTest::aQueueIsNotAbandonedWithoutAQuestion()
+{
+    ClosingWindow window;
+    window.closing.setService(window.desk);
+    service::QueueRow row;
+    row.state = service::RowState::Running;
+    row.mayInterrupt = false;
+    window.desk.show({row});
+    QVERIFY(!window.close());
+    QVERIFY(window.question()->text().contains(QStringLiteral("Units are being served")));
+    QVERIFY(window.question()->informativeText().contains(QStringLiteral("must not be cut")));
+    window.answer(QStringLiteral("Cancel the queue and close"));
+    QCOMPARE(window.desk.cancelled, 1);
+    window.workbench.publish();
+    QVERIFY(window.isVisible()); // until the unit may be left
+    window.desk.show({row}, false);
+    QVERIFY(!window.isVisible());
 }
 
 void ClosingTest::aMotorIsSeenStoppedBeforeTheWindowGoes()

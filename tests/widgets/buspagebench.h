@@ -2,10 +2,10 @@
 #pragma once
 
 #include "busbench.h"
+#include "widgets/common/holdbutton.h"
 #include "widgets/common/segmented.h"
 #include "widgets/monitor/busbar.h"
 #include "widgets/monitor/buspage.h"
-#include "widgets/monitor/holdbutton.h"
 #include "widgets/monitor/idmodel.h"
 #include "widgets/monitor/sendpanel.h"
 #include "widgets/monitor/trafficview.h"

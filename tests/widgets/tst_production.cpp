@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Production: unit after unit without a click, PASS or FAIL with cause and remedy, arming, a scanner as keyboard.
 #include "model/registry.h"
+#include "support/fakedesk.h"
 #include "support/fakeworkbench.h"
 #include "support/windowtests.h"
-#include "widgets/monitor/holdbutton.h"
+#include "widgets/common/holdbutton.h"
 #include "widgets/service/productionpage.h"
 #include "widgets/service/verdictof.h"
 
@@ -24,25 +25,6 @@ QString s(const char *text)
 {
     return QString::fromUtf8(text);
 }
-
-class FakeDesk final : public ServiceDesk {
-public:
-    [[nodiscard]] const ServiceView &view() const override { return shown; }
-    void begin(const Plan &plan, Finished) override { begun.push_back(plan); }
-    void pause(bool) override { }
-    void skip(std::uint32_t) override { }
-    void retry(std::uint32_t row) override { retried.push_back(row); }
-    void finish() override { ++finished; }
-    void arm(bool on) override { armed.push_back(on); }
-    void renew() override { ++renewed; }
-
-    ServiceView shown;
-    std::vector<Plan> begun;
-    std::vector<std::uint32_t> retried;
-    std::vector<bool> armed;
-    int finished = 0;
-    int renewed = 0;
-};
 
 service::QueueRow rowOf(std::uint32_t id, service::RowState state, const char *serial)
 {
@@ -84,13 +66,7 @@ struct ProductionBench {
         return file.open(QIODevice::WriteOnly) && file.write(recipe) > 0 && (file.close(), true)
             && page->openRecipe(file.fileName());
     }
-    void show(std::vector<service::QueueRow> rows, bool running = true)
-    {
-        desk.shown.running = running;
-        desk.shown.link = "sim:can";
-        desk.shown.rows = std::move(rows);
-        Q_EMIT desk.changed();
-    }
+    void show(std::vector<service::QueueRow> rows, bool running = true) { desk.show(std::move(rows), running); }
 };
 
 const QByteArray plain = R"({"recipe":1,"name":"drive-base rev C","family":"dmc60c"})";
@@ -121,7 +97,7 @@ void TestProduction::oneClickServesUnitAfterUnit()
     QVERIFY(bench.open(plain));
     bench.page->start();
     QCOMPARE(bench.desk.begun.size(), 1U);
-    QCOMPARE(bench.desk.begun.front().link, std::string("sim:can"));
+    QCOMPARE(bench.desk.begun.front().links, std::vector<std::string>{"sim:can"});
     QCOMPARE(bench.desk.begun.front().units, std::optional(0)); // as they are put on, until it is ended
     QCOMPARE(bench.desk.begun.front().matter->recipe.name, std::string("drive-base rev C"));
 }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What can be handed out about the units that are here: listed, searched, looked at, written.
+#include "model/registry.h"
+#include "support/fakedesk.h"
 #include "support/windowtests.h"
 #include "tunebench.h"
 #include "tuning/verdict.h"
 #include "widgets/report/reportorder.h"
 #include "widgets/report/reportspage.h"
 
+#include <QComboBox>
 #include <QFile>
 #include <QLineEdit>
 #include <QListWidget>
@@ -20,6 +23,7 @@ namespace {
 
 struct ReportBench {
     FakeWorkbench workbench;
+    FakeDesk desk;
     ThemeSource theme{darkTheme()};
     std::unique_ptr<ReportsPage> page;
 
@@ -45,6 +49,37 @@ struct ReportBench {
         page->resize(1208, 700);
         page->show();
     }
+    /// Two units that were served; the second one passed, and is not here any more.
+    void serve()
+    {
+        service::Visit failed;
+        failed.id = "a";
+        failed.time = 1'718'200'000.0;
+        failed.unit = workbench.book.matter->front().unit;
+        failed.serial = "2103343A79F2";
+        failed.device = "sim:can/dmc60c:5";
+        failed.family = "dmc60c";
+        failed.recipe = "drive-base rev C";
+        failed.outcome = service::Outcome::Failed;
+        failed.cause = "friction 0.61 V, at most 0.4";
+        failed.station = "bench 2";
+        service::Visit passed = failed;
+        passed.id = "b";
+        passed.time += 600.0;
+        passed.unit = "dmc60c 2103343A7B2E";
+        passed.serial = "2103343A7B2E";
+        passed.number = 36;
+        passed.outcome = service::Outcome::Passed;
+        passed.cause.clear();
+        passed.from = "1.23";
+        passed.to = "1.25";
+        ReportUnit gone;
+        gone.unit = passed.unit;
+        gone.visits = {passed};
+        workbench.book.matter->push_back(gone);
+        desk.journal = {failed, passed};
+        page->setService(desk, families());
+    }
 };
 
 } // namespace
@@ -57,6 +92,11 @@ private Q_SLOTS:
     void whatIsChosenIsLookedAt();
     void itIsWrittenAsItIsLookedAt();
     void withoutUnitsItSaysSo();
+    void theJournalIsListedNewestFirst();
+    void aUnitThatIsNotHereHasItsCardFromTheJournal();
+    void aLabelIsAChoice();
+    void theJournalThatIsListedIsATable();
+    void aNoteIsKept();
 };
 
 void TestReportsPage::unitsAndTheirTrialsAreListed()
@@ -105,6 +145,96 @@ void TestReportsPage::withoutUnitsItSaysSo()
     page.show();
     QCOMPARE(page.list().count(), 0);
     QVERIFY(!page.list().isVisible());
+}
+
+void TestReportsPage::theJournalIsListedNewestFirst()
+{
+    ReportBench bench;
+    QTRY_COMPARE(bench.page->list().count(), 2);
+    bench.serve();
+    QTRY_COMPARE(bench.page->list().count(), 4);
+    bench.page->setFilter(ReportsPage::Journal);
+    QCOMPARE(bench.page->list().count(), 2);
+    QVERIFY(bench.page->list().item(0)->text().contains(QStringLiteral("2103343A7B2E #36 passed: drive-base rev C")));
+    QVERIFY(bench.page->list().item(1)->text().contains(QStringLiteral("friction 0.61 V")));
+    QVERIFY(!bench.page->list().item(1)->icon().isNull()); // a shape besides the word
+    bench.page->findChild<QLineEdit *>()->setText(QStringLiteral("bench 2"));
+    QCOMPARE(bench.page->list().count(), 2); // the station is searched, too
+    bench.page->findChild<QLineEdit *>()->setText(QStringLiteral("7B2E"));
+    QCOMPARE(bench.page->list().count(), 1);
+    bench.page->findChild<QLineEdit *>()->clear();
+    bench.page->setFilter(ReportsPage::Cards);
+    QCOMPARE(bench.page->list().count(), 1);
+    bench.page->setFilter(ReportsPage::Tunings);
+    QCOMPARE(bench.page->list().count(), 1);
+}
+
+void TestReportsPage::aUnitThatIsNotHereHasItsCardFromTheJournal()
+{
+    ReportBench bench;
+    bench.serve();
+    bench.page->setFilter(ReportsPage::Journal);
+    QTRY_VERIFY(bench.page->previewText().contains(QStringLiteral("2103343A7B2E")));
+    QVERIFY2(bench.page->previewText().contains(QStringLiteral("drive-base rev C")),
+        qPrintable(bench.page->previewText())); // what was done to it
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("card.pdf"));
+    QSignalSpy written(&bench.page->order(), &ReportOrder::written);
+    bench.page->write(path);
+    QTRY_COMPARE(written.size(), 1);
+    QVERIFY(written.front().at(1).toBool());
+}
+
+void TestReportsPage::aLabelIsAChoice()
+{
+    ReportBench bench;
+    bench.serve();
+    bench.page->setFilter(ReportsPage::Journal);
+    QTRY_VERIFY(bench.page->previewText().contains(QStringLiteral("2103343A7B2E")));
+    const auto whole = bench.page->previewText().size();
+    auto *size = bench.page->findChild<QComboBox *>();
+    QVERIFY(!size->accessibleName().isEmpty());
+    size->setCurrentIndex(1);
+    QTRY_VERIFY(bench.page->previewText().size() < whole / 2);
+    QVERIFY(bench.page->previewText().contains(QStringLiteral("2103343A7B2E")));
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("label.html"));
+    QSignalSpy written(&bench.page->order(), &ReportOrder::written);
+    bench.page->write(path);
+    QTRY_COMPARE(written.size(), 1);
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QVERIFY(file.readAll().contains("62mm 29mm"));
+    bench.page->setFilter(ReportsPage::Cards); // of a unit that was never served
+    QTRY_VERIFY(bench.page->list().count() == 1);
+    bench.page->write(folder.filePath(QStringLiteral("none.pdf")));
+    QTRY_COMPARE(written.size(), 2);
+    QVERIFY(!written.back().at(1).toBool());
+    QVERIFY(!QFile::exists(folder.filePath(QStringLiteral("none.pdf"))));
+}
+
+void TestReportsPage::theJournalThatIsListedIsATable()
+{
+    ReportBench bench;
+    bench.serve();
+    bench.page->findChild<QLineEdit *>()->setText(QStringLiteral("7B2E"));
+    bench.page->saveTable(QStringLiteral("journal.csv"));
+    QCOMPARE(bench.desk.exported.size(), 1U);
+    QCOMPARE(bench.desk.exported.front().id, std::string("b"));
+    QVERIFY(bench.workbench.lines.back().text.contains(QStringLiteral("journal.csv")));
+}
+
+void TestReportsPage::aNoteIsKept()
+{
+    ReportBench bench;
+    bench.serve();
+    bench.page->setFilter(ReportsPage::Journal);
+    auto *note = bench.page->findChildren<QLineEdit *>().back();
+    QVERIFY(note->isVisible());
+    note->setText(QStringLiteral("red box"));
+    Q_EMIT note->editingFinished();
+    QCOMPARE(bench.desk.journal.back().note, std::string("red box"));
+    QVERIFY(bench.page->list().item(0)->text().contains(QStringLiteral("red box")));
 }
 
 MB_WINDOW_TEST(TestReportsPage);

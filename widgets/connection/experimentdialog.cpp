@@ -2,9 +2,9 @@
 #include "widgets/connection/experimentdialog.h"
 
 #include "widgets/common/devicetext.h"
+#include "widgets/common/holdbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/stateglyph.h"
-#include "widgets/monitor/holdbutton.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>

@@ -2,11 +2,11 @@
 #include "widgets/monitor/sendpanel.h"
 
 #include "widgets/common/devicetext.h"
+#include "widgets/common/holdbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/segmented.h"
 #include "widgets/monitor/frametext.h"
-#include "widgets/monitor/holdbutton.h"
 #include "widgets/parameters/wraplayout.h"
 
 #include <QCheckBox>

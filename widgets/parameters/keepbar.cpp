@@ -47,7 +47,8 @@ KeepBar::KeepBar(Workbench &workbench, const ThemeSource &theme, QWidget *parent
     setProperty("banner", QStringLiteral("caution"));
     setTextRole(*m_question, TextRole::Emphasis);
     setTone(*m_values, Tone::Dim);
-    m_values->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    for (ElidedLabel *words : {m_question, m_values})
+        words->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_time->setTextVisible(false);
     m_time->setRange(0, static_cast<int>(settings::confirmTime / std::chrono::milliseconds(1)));
     m_time->setAccessibleName(tr("Time until the values go back"));
@@ -60,9 +61,9 @@ KeepBar::KeepBar(Workbench &workbench, const ThemeSource &theme, QWidget *parent
     grid->setHorizontalSpacing(edge);
     auto *glyph = new StateGlyph(theme, GlyphState::Waiting, this);
     grid->addWidget(glyph, 0, 0, 2, 1);
-    grid->addWidget(m_question, 0, 1);
+    grid->addWidget(m_question, 0, 1, 1, 2);
     grid->addWidget(m_time, 1, 1);
-    grid->addWidget(m_values, 0, 2, 2, 1);
+    grid->addWidget(m_values, 1, 2);
     grid->addWidget(m_keep, 0, 3, 2, 1);
     grid->addWidget(m_back, 0, 4, 2, 1);
     grid->setColumnStretch(1, 1);

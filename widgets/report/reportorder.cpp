@@ -12,10 +12,21 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
+#include <algorithm>
+
 namespace mb {
 namespace {
 
-ReportUnit unitOf(const DeviceView &view)
+QString proposedName(const ReportUnit &unit)
+{
+    const QString who
+        = unit.identity.serial.empty() ? QString::number(unit.identity.address) : qt(unit.identity.serial);
+    return QStringLiteral("%1-%2.pdf").arg(qt(unit.identity.family.empty() ? "unit" : unit.identity.family), who);
+}
+
+} // namespace
+
+ReportUnit reportUnitOf(const DeviceView &view)
 {
     ReportUnit unit;
     unit.family = view.family;
@@ -27,12 +38,10 @@ ReportUnit unitOf(const DeviceView &view)
     return unit;
 }
 
-QString proposedName(const DeviceView &view)
+QString htmlOf(const Report &report, ReportForm form)
 {
-    return QStringLiteral("%1-%2.pdf").arg(qt(view.family->key)).arg(view.identity.address);
+    return form == ReportForm::Label ? labelHtmlOf(report) : htmlOf(report);
 }
-
-} // namespace
 
 ReportOrder::ReportOrder(Workbench &workbench, QWidget &page)
     : QObject(&page)
@@ -41,9 +50,9 @@ ReportOrder::ReportOrder(Workbench &workbench, QWidget &page)
 {
 }
 
-void ReportOrder::ask(const DeviceView &view, const ReportWish &wish)
+void ReportOrder::ask(const ReportUnit &unit, const ReportWish &wish)
 {
-    auto *dialog = new QFileDialog(&m_page, tr("Write report"), proposedName(view),
+    auto *dialog = new QFileDialog(&m_page, tr("Write report"), proposedName(unit),
         tr("PDF (*.pdf)") + QStringLiteral(";;") + tr("HTML (*.html)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
@@ -53,25 +62,24 @@ void ReportOrder::ask(const DeviceView &view, const ReportWish &wish)
             filter.contains(QStringLiteral("*.html")) ? QStringLiteral("html") : QStringLiteral("pdf"));
     });
     connect(
-        dialog, &QFileDialog::fileSelected, this, [this, view, wish](const QString &path) { write(view, wish, path); });
+        dialog, &QFileDialog::fileSelected, this, [this, unit, wish](const QString &path) { write(unit, wish, path); });
     dialog->open();
 }
 
-void ReportOrder::write(const DeviceView &view, const ReportWish &wish, const QString &path)
+void ReportOrder::write(const ReportUnit &unit, const ReportWish &wish, const QString &path)
 {
     const QString suffix = QFileInfo(path).suffix().toLower();
     if (suffix != QLatin1String("pdf") && suffix != QLatin1String("html"))
         return finish(path,
             fail(Fault::OutOfRange, say("%1 has a name that ends in no kind of report", path.toStdString()),
                 say("end it in .pdf or .html")));
-    make(view, wish, [this, path](const Result<Report> &report) {
+    make(unit, wish, [this, path](const Result<Report> &report) {
         finish(path, report ? save(*report, path) : Result<void>(fail(report.error())));
     });
 }
 
-void ReportOrder::make(const DeviceView &view, const ReportWish &wish, std::function<void(Result<Report>)> made)
+void ReportOrder::make(const ReportUnit &subject, const ReportWish &wish, std::function<void(Result<Report>)> made)
 {
-    const ReportUnit subject = unitOf(view);
     ReportWish matter = wish;
     if (matter.trials.empty())
         matter.unit = subject.unit;
@@ -96,6 +104,7 @@ void ReportOrder::make(const DeviceView &view, const ReportWish &wish, std::func
                 report.units.back().tunings = std::move(found.tunings);
                 report.units.back().trials = std::move(found.trials);
                 report.units.back().history = std::move(found.history);
+                report.units.back().visits = std::move(found.visits);
             }
             made(std::move(report));
         });
@@ -103,7 +112,11 @@ void ReportOrder::make(const DeviceView &view, const ReportWish &wish, std::func
 
 Result<void> ReportOrder::save(const Report &report, const QString &path) const
 {
-    const QString html = htmlOf(report);
+    if (m_form == ReportForm::Label
+        && std::all_of(report.units.begin(), report.units.end(), [](const ReportUnit &u) { return u.visits.empty(); }))
+        return fail(
+            Fault::OutOfRange, say("this unit was never served, so there is nothing for a label"), say("write a page"));
+    const QString html = htmlOf(report, m_form);
     const QByteArray bytes = path.endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive) ? pdfOf(html) : html.toUtf8();
     return saveFile(path.toStdString(), bytes);
 }

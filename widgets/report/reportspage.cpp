@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/report/reportspage.h"
 
-#include "tuning/verdict.h"
+#include "model/family.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/emptystate.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/pagekeys.h"
 #include "widgets/common/searchfield.h"
+#include "widgets/common/segmented.h"
 #include "widgets/common/trialnotebook.h"
 #include "widgets/report/reportdrawings.h"
 #include "widgets/report/reportorder.h"
+#include "widgets/service/servicedesk.h"
 
 #include <QAbstractTextDocumentLayout>
-#include <QDateTime>
+#include <QComboBox>
+#include <QFileDialog>
 #include <QHBoxLayout>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPointer>
 #include <QStackedWidget>
@@ -26,16 +30,7 @@ namespace mb {
 namespace {
 
 constexpr int listWidth = 380;
-
-QString whenOf(double time)
-{
-    return QLocale().toString(QDateTime::fromMSecsSinceEpoch(static_cast<qint64>(time * 1000.0)), QLocale::ShortFormat);
-}
-
-std::string notebookUnit(const DeviceView &view)
-{
-    return tuning::unitOf(view.identity, view.selector, view.link.starts_with("sim:"));
-}
+constexpr int newestEntries = 2000; ///< of the journal, in the list
 
 } // namespace
 
@@ -63,6 +58,7 @@ ReportsPage::ReportsPage(Workbench &workbench, const ThemeSource &theme, QWidget
     column->addWidget(m_states);
     addKeys();
     connect(&workbench, &Workbench::changed, this, &ReportsPage::follow);
+    connect(&theme, &ThemeSource::changed, this, &ReportsPage::fill); // shapes have colours of their own
 }
 
 QWidget *ReportsPage::buildList()
@@ -79,12 +75,19 @@ QWidget *ReportsPage::buildList()
     m_search->setAccessibleName(tr("Search the reports"));
     head->addWidget(m_search);
     column->addLayout(head);
+    auto *kinds = new QHBoxLayout;
+    kinds->setContentsMargins(theme.u(12), 0, theme.u(12), theme.u(8));
+    m_filter = new Segmented(tr("What is listed"), {tr("All"), tr("Cards"), tr("Tuning"), tr("Journal")}, side);
+    m_filter->setEven(true);
+    kinds->addWidget(m_filter);
+    column->addLayout(kinds);
     m_list = new QListWidget(side);
     m_list->setAccessibleName(tr("Reports, newest first"));
     m_list->setFrameShape(QFrame::NoFrame);
     m_list->setWordWrap(true);
     column->addWidget(m_list, 1);
     connect(m_search, &QLineEdit::textChanged, this, &ReportsPage::fill);
+    connect(m_filter, &Segmented::currentChanged, this, &ReportsPage::fill);
     connect(m_list, &QListWidget::currentRowChanged, this, &ReportsPage::preview);
     return side;
 }
@@ -98,8 +101,22 @@ QWidget *ReportsPage::buildPreview()
     column->setSpacing(0);
     auto *row = new QHBoxLayout;
     row->setContentsMargins(theme.u(12), theme.u(8), theme.u(12), theme.u(8));
+    row->setSpacing(theme.u(8));
     row->addWidget(new SectionLabel(tr("Preview"), area));
-    row->addStretch(1);
+    m_note = new QLineEdit(area);
+    m_note->setPlaceholderText(tr("Note on this entry"));
+    m_note->setAccessibleName(tr("Note on this entry of the journal"));
+    m_note->hide();
+    row->addWidget(m_note, 1);
+    row->addStretch();
+    m_form = new QComboBox(area);
+    m_form->setAccessibleName(tr("Size of the report"));
+    m_form->addItem(tr("Pages, A4"));
+    m_form->addItem(tr("Label, 62 × 29 mm"));
+    row->addWidget(m_form);
+    m_table = new CommandButton(m_theme, Symbol::Export, tr("Save CSV…"), area);
+    m_table->setToolTip(tr("The entries of the journal that are listed, as a table"));
+    row->addWidget(m_table);
     m_export = new CommandButton(m_theme, Symbol::Export, tr("Write report…"), area);
     m_export->setKeyHint(QStringLiteral("Ctrl+P"));
     m_export->setEnabled(false);
@@ -117,6 +134,9 @@ QWidget *ReportsPage::buildPreview()
     m_text->setStyleSheet(QStringLiteral("QTextBrowser { background: white; color: black; }"));
     column->addWidget(m_text, 1);
     connect(m_export, &QPushButton::clicked, this, &ReportsPage::exportChosen);
+    connect(m_table, &QPushButton::clicked, this, &ReportsPage::askTable);
+    connect(m_form, qOverload<int>(&QComboBox::currentIndexChanged), this, &ReportsPage::setForm);
+    connect(m_note, &QLineEdit::editingFinished, this, &ReportsPage::keepNote);
     return area;
 }
 
@@ -127,11 +147,44 @@ void ReportsPage::addKeys()
     keys->add({QKeySequence::Find}, tr("goes to the search"), [this] { m_search->setFocus(Qt::ShortcutFocusReason); });
 }
 
+void ReportsPage::setService(ServiceDesk &desk, std::span<const Family *const> families)
+{
+    m_desk = &desk;
+    m_families = families;
+    connect(&desk, &ServiceDesk::unitEnded, this, &ReportsPage::askJournal);
+    askJournal();
+}
+
+void ReportsPage::setFilter(Filter filter)
+{
+    m_filter->setCurrent(filter);
+}
+
 void ReportsPage::showEvent(QShowEvent *event)
 {
     QWidget::showEvent(event);
     m_asked.clear(); // there may be new trials
+    askJournal();
     follow();
+}
+
+void ReportsPage::askJournal()
+{
+    if (!m_desk || !isVisible())
+        return;
+    m_desk->list({}, [self = QPointer<ReportsPage>(this)](const Result<std::vector<service::Visit>> &visits) {
+        if (!self || !visits)
+            return;
+        self->m_journal.clear();
+        for (auto visit = visits->rbegin(); visit != visits->rend(); ++visit) {
+            if (static_cast<int>(self->m_journal.size()) == newestEntries)
+                break;
+            const auto family = std::find_if(self->m_families.begin(), self->m_families.end(),
+                [visit](const Family *each) { return each->key == visit->family; });
+            self->m_journal.push_back(entryOf(*visit, family == self->m_families.end() ? nullptr : *family));
+        }
+        self->fill();
+    });
 }
 
 /// Once for the units that are here.
@@ -146,78 +199,122 @@ void ReportsPage::follow()
     m_asked = asked;
     m_entries.clear();
     for (const DeviceView &view : devices) {
-        m_entries.push_back({view.id, {}, 0.0, tr("Card of %1").arg(titleOf(view)), qt(view.identity.serial)});
+        ReportEntry card;
+        card.unit = reportUnitOf(view);
+        card.title = tr("Card of %1").arg(titleOf(view));
+        card.about = qt(view.identity.serial);
         ReportWish wish;
-        wish.unit = notebookUnit(view);
+        wish.unit = card.unit.unit;
+        m_entries.push_back(card);
         m_workbench.trials().gather(wish,
-            [self = QPointer<ReportsPage>(this), id = view.id, asked](const Result<std::vector<ReportUnit>> &units) {
+            [self = QPointer<ReportsPage>(this), here = card.unit, asked](
+                const Result<std::vector<ReportUnit>> &units) {
                 if (!self || !units || self->m_asked != asked)
                     return;
                 for (const ReportUnit &unit : *units)
-                    self->take(id, unit);
+                    self->take(here, unit);
                 self->fill();
             });
     }
     fill();
 }
 
-void ReportsPage::take(DeviceId device, const ReportUnit &unit)
+void ReportsPage::take(const ReportUnit &here, const ReportUnit &unit)
 {
-    const DeviceView *view = m_workbench.snapshot().device(device);
-    const QString name = view ? titleOf(*view) : qt(unit.selector);
-    for (const KeptTuning &tuning : unit.tunings)
-        m_entries.push_back({device, {tuning.report.trials, {}, true}, tuning.time, tr("Tuning of %1").arg(name),
-            tr("%1 trials").arg(tuning.report.trials.size())});
-    for (const KeptTrial &trial : unit.history)
-        m_entries.push_back({device, {{trial.number}, {}, false}, trial.time,
-            tr("Trial #%1 of %2").arg(trial.number).arg(name), qt(trial.note)});
+    const QString name = (here.family ? qt(here.family->title) : qt(here.identity.family)) + QStringLiteral(" #")
+        + QString::number(here.identity.address);
+    for (const KeptTuning &tuning : unit.tunings) {
+        ReportEntry entry;
+        entry.kind = ReportEntry::Kind::Tuning;
+        entry.unit = here;
+        entry.wish = {tuning.report.trials, {}, true};
+        entry.time = tuning.time;
+        entry.title = tr("Tuning of %1").arg(name);
+        entry.about = tr("%1 trials").arg(tuning.report.trials.size());
+        m_entries.push_back(std::move(entry));
+    }
+    for (const KeptTrial &trial : unit.history) {
+        ReportEntry entry;
+        entry.kind = ReportEntry::Kind::Trial;
+        entry.unit = here;
+        entry.wish = {{trial.number}, {}, false};
+        entry.time = trial.time;
+        entry.title = tr("Trial #%1 of %2").arg(trial.number).arg(name);
+        entry.about = qt(trial.note);
+        m_entries.push_back(std::move(entry));
+    }
 }
 
+bool ReportsPage::isShown(const ReportEntry &entry) const
+{
+    using Kind = ReportEntry::Kind;
+    const int filter = m_filter->current();
+    const bool kind = filter == All || (filter == Cards && entry.kind == Kind::Card)
+        || (filter == Tunings && (entry.kind == Kind::Tuning || entry.kind == Kind::Trial))
+        || (filter == Journal && entry.kind == Kind::Visit);
+    return kind && entry.contains(m_search->text().trimmed());
+}
+
+/// Cards first, then by time; what was chosen stays so.
 void ReportsPage::fill()
 {
-    std::stable_sort(m_entries.begin(), m_entries.end(), [](const Entry &a, const Entry &b) {
-        return (a.time == 0.0) != (b.time == 0.0) ? a.time == 0.0 : a.time > b.time;
+    std::vector<const ReportEntry *> all;
+    for (const auto *entries : {&m_entries, &m_journal}) {
+        for (const ReportEntry &entry : *entries)
+            all.push_back(&entry);
+    }
+    std::stable_sort(all.begin(), all.end(), [](const ReportEntry *a, const ReportEntry *b) {
+        return (a->time == 0.0) != (b->time == 0.0) ? a->time == 0.0 : a->time > b->time;
     });
     const int before = m_list->currentRow();
     const QSignalBlocker quiet(m_list);
     m_list->clear();
-    for (std::size_t i = 0; i < m_entries.size(); ++i) {
-        const Entry &entry = m_entries[i];
-        const QString when = entry.time > 0.0 ? whenOf(entry.time) : tr("as it is now");
-        const QString text = entry.title + QLatin1Char('\n') + when
-            + (entry.about.isEmpty() ? QString() : QStringLiteral(" · ") + entry.about);
-        if (!text.contains(m_search->text().trimmed(), Qt::CaseInsensitive))
+    int visits = 0;
+    for (const ReportEntry *entry : all) {
+        if (!isShown(*entry))
             continue;
-        auto *item = new QListWidgetItem(text, m_list);
-        item->setData(Qt::UserRole, static_cast<int>(i));
+        auto *item = new QListWidgetItem(entry->text(), m_list);
+        if (entry->glyph)
+            item->setIcon(glyphIcon(*entry->glyph, m_theme.theme()));
+        const bool visit = entry->kind == ReportEntry::Kind::Visit;
+        visits += visit;
+        item->setData(Qt::UserRole, static_cast<int>(entry - (visit ? m_journal : m_entries).data()));
+        item->setData(Qt::UserRole + 1, visit);
     }
-    m_states->setCurrentIndex(m_entries.empty() ? 0 : 1);
+    m_table->setEnabled(visits > 0);
+    m_states->setCurrentIndex(all.empty() ? 0 : 1);
     m_list->setCurrentRow(std::clamp(before, m_list->count() > 0 ? 0 : -1, m_list->count() - 1));
     preview();
 }
 
-const ReportsPage::Entry *ReportsPage::chosen() const
+const ReportEntry *ReportsPage::chosen() const
 {
     const QListWidgetItem *item = m_list->currentItem();
-    return item ? &m_entries.at(static_cast<std::size_t>(item->data(Qt::UserRole).toInt())) : nullptr;
+    if (!item)
+        return nullptr;
+    const auto &entries = item->data(Qt::UserRole + 1).toBool() ? m_journal : m_entries;
+    return &entries.at(static_cast<std::size_t>(item->data(Qt::UserRole).toInt()));
 }
 
 void ReportsPage::preview()
 {
-    const Entry *entry = chosen();
-    const DeviceView *view = entry ? m_workbench.snapshot().device(entry->device) : nullptr;
-    m_export->setEnabled(view != nullptr);
+    const ReportEntry *entry = chosen();
+    m_export->setEnabled(entry != nullptr);
+    const bool visit = entry && entry->kind == ReportEntry::Kind::Visit;
+    m_note->setVisible(visit);
+    if (!m_note->hasFocus())
+        m_note->setText(visit ? qt(entry->visit.note) : QString());
     const int asked = ++m_shown;
-    if (!view)
+    if (!entry)
         return m_text->clear();
-    m_order->make(*view, entry->wish, [self = QPointer<ReportsPage>(this), asked](const Result<Report> &report) {
+    m_order->make(entry->unit, entry->wish, [self = QPointer<ReportsPage>(this), asked](const Result<Report> &report) {
         if (!self || self->m_shown != asked)
             return;
         if (!report)
             return self->m_text->setPlainText(errorText(report.error()));
         auto *drawings = new ReportDrawings(self->m_text);
         self->m_text->document()->documentLayout()->registerHandler(QTextFormat::ImageObject, drawings);
-        self->m_text->setHtml(drawings->takeFrom(htmlOf(*report)));
+        self->m_text->setHtml(drawings->takeFrom(htmlOf(*report, self->m_order->form())));
         delete std::exchange(self->m_drawings, drawings);
     });
 }
@@ -227,18 +324,62 @@ QString ReportsPage::previewText() const
     return m_text->toPlainText();
 }
 
+void ReportsPage::setForm(int form)
+{
+    m_order->setForm(form == 1 ? ReportForm::Label : ReportForm::Pages);
+    preview();
+}
+
+void ReportsPage::keepNote()
+{
+    const ReportEntry *entry = chosen();
+    if (!m_desk || !entry || entry->kind != ReportEntry::Kind::Visit || qt(entry->visit.note) == m_note->text())
+        return;
+    m_desk->setNote(entry->visit.id, m_note->text(), [self = QPointer<ReportsPage>(this)](const Result<void> &result) {
+        if (!self)
+            return;
+        if (!result)
+            self->m_workbench.report(Severity::Danger, {}, errorText(result.error()));
+        self->askJournal();
+    });
+}
+
 void ReportsPage::exportChosen()
 {
-    const Entry *entry = chosen();
-    if (const DeviceView *view = entry ? m_workbench.snapshot().device(entry->device) : nullptr)
-        m_order->ask(*view, entry->wish);
+    if (const ReportEntry *entry = chosen())
+        m_order->ask(entry->unit, entry->wish);
 }
 
 void ReportsPage::write(const QString &path)
 {
-    const Entry *entry = chosen();
-    if (const DeviceView *view = entry ? m_workbench.snapshot().device(entry->device) : nullptr)
-        m_order->write(*view, entry->wish, path);
+    if (const ReportEntry *entry = chosen())
+        m_order->write(entry->unit, entry->wish, path);
+}
+
+void ReportsPage::askTable()
+{
+    auto *dialog = new QFileDialog(this, tr("Save the journal"), QStringLiteral("journal.csv"), tr("Table (*.csv)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(QStringLiteral("csv"));
+    connect(dialog, &QFileDialog::fileSelected, this, &ReportsPage::saveTable);
+    dialog->open();
+}
+
+void ReportsPage::saveTable(const QString &path)
+{
+    if (!m_desk)
+        return;
+    std::vector<service::Visit> visits;
+    for (auto entry = m_journal.rbegin(); entry != m_journal.rend(); ++entry) {
+        if (isShown(*entry))
+            visits.push_back(entry->visit);
+    }
+    m_desk->exportTo(path, std::move(visits), [self = QPointer<ReportsPage>(this), path](const Result<void> &result) {
+        if (self)
+            self->m_workbench.report(result ? Severity::Good : Severity::Danger, {},
+                result ? tr("the journal is in %1").arg(path) : errorText(result.error()));
+    });
 }
 
 } // namespace mb

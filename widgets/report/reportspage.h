@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "report/report.h"
 #include "widgets/common/workbench.h"
+#include "widgets/report/reportentry.h"
 
 #include <QWidget>
 
+#include <span>
+
+class QComboBox;
+class QLineEdit;
 class QListWidget;
 class QStackedWidget;
 class QTextBrowser;
@@ -16,53 +20,67 @@ class CommandButton;
 class ReportDrawings;
 class ReportOrder;
 class SearchField;
+class Segmented;
+class ServiceDesk;
 class ThemeSource;
 
-/// What can be handed out about the units that are here: a card of each, its tunings and its trials, newest first; searched,
-/// looked at beside the list, and written as PDF or HTML. GUI thread.
+/// What can be handed out or looked up: a card of each unit that is here, its tunings and its trials, and the journal of service, newest
+/// first; searched, looked at beside the list, written as PDF or HTML, as a page or as a label; the journal as a table. GUI thread.
 class ReportsPage : public QWidget {
     Q_OBJECT
 public:
+    enum Filter { All, Cards, Tunings, Journal };
+
     ReportsPage(Workbench &workbench, const ThemeSource &theme, QWidget *parent);
 
+    /// The journal is there with it. The desk outlives this.
+    void setService(ServiceDesk &desk, std::span<const Family *const> families);
+    void setFilter(Filter filter);
     [[nodiscard]] QListWidget &list() { return *m_list; }
     /// The report that is looked at, as text; empty while there is none.
     [[nodiscard]] QString previewText() const;
     /// Writes what is looked at into a file whose name ends in .pdf or .html.
     void write(const QString &path);
+    /// The entries of the journal that the list shows, into a table.
+    void saveTable(const QString &path);
     [[nodiscard]] ReportOrder &order() { return *m_order; }
 
 protected:
     void showEvent(QShowEvent *event) override;
 
 private:
-    struct Entry {
-        DeviceId device;
-        ReportWish wish;
-        double time = 0.0; ///< Unix, s; 0: the card of the unit
-        QString title;
-        QString about;
-    };
     QWidget *buildList();
     QWidget *buildPreview();
     void addKeys();
     void follow();
-    void take(DeviceId device, const ReportUnit &unit);
+    void askJournal();
+    void take(const ReportUnit &here, const ReportUnit &unit);
     void fill();
     void preview();
+    void setForm(int form);
+    void keepNote();
     void exportChosen();
-    [[nodiscard]] const Entry *chosen() const;
+    void askTable();
+    [[nodiscard]] bool isShown(const ReportEntry &entry) const;
+    [[nodiscard]] const ReportEntry *chosen() const;
 
     Workbench &m_workbench;
     const ThemeSource &m_theme;
+    ServiceDesk *m_desk = nullptr;
+    std::span<const Family *const> m_families;
     QString m_asked; ///< of whom it was asked, to ask once
-    std::vector<Entry> m_entries;
+    std::vector<ReportEntry> m_entries;
+    std::vector<ReportEntry> m_journal;
     QStackedWidget *m_states = nullptr;
     SearchField *m_search = nullptr;
+    Segmented *m_filter = nullptr;
     QListWidget *m_list = nullptr;
     QTextBrowser *m_text = nullptr;
+    QLineEdit *m_note = nullptr;
+    QComboBox *m_form = nullptr;
     ReportDrawings *m_drawings = nullptr;
     CommandButton *m_export = nullptr;
+    CommandButton *m_table = nullptr;
     ReportOrder *m_order = nullptr;
     int m_shown = 0; ///< which preview is the newest that was asked for
 };

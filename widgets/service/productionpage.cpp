@@ -3,13 +3,13 @@
 
 #include "model/family.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/holdbutton.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/pagekeys.h"
 #include "widgets/common/stateglyph.h"
 #include "widgets/common/workbench.h"
-#include "widgets/monitor/holdbutton.h"
 #include "widgets/service/verdictof.h"
 
 #include <QApplication>
@@ -76,6 +76,7 @@ ProductionPage::ProductionPage(ServiceDesk &desk, Workbench &workbench, std::spa
     connect(&desk, &ServiceDesk::changed, this, &ProductionPage::follow);
     connect(&desk, &ServiceDesk::unitEnded, this, &ProductionPage::ended);
     connect(&workbench, &Workbench::changed, this, &ProductionPage::followLinks);
+    connect(&theme, &ThemeSource::changed, this, &ProductionPage::follow); // shapes have colours of their own
     connect(qApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
         if (state != Qt::ApplicationActive && m_desk.view().armed)
             m_desk.arm(false);
@@ -214,7 +215,7 @@ void ProductionPage::start()
         return;
     }
     m_setAside.clear();
-    m_desk.begin({m_matter, link, 0}, [self = QPointer<ProductionPage>(this)](const Result<void> &result) {
+    m_desk.begin({m_matter, {link}, 0}, [self = QPointer<ProductionPage>(this)](const Result<void> &result) {
         if (self && !result)
             self->m_workbench.report(Severity::Danger, {}, errorText(result.error()));
     });

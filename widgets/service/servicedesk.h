@@ -9,14 +9,17 @@
 
 namespace mb {
 
-/// A queue of units that is served, as the window sees it at one moment.
+/// A queue of units that is served, as the window sees it at one moment. A value.
 struct ServiceView {
     bool running = false;   ///< units are served, or waited for
     bool pausing = false;   ///< after this unit
+    bool moves = false;     ///< the recipe has a self-test: it can be armed while it runs
     bool armed = false;     ///< self-tests may turn the motor
-    double armedLeft = 0.0; ///< s, without a unit
+    Instant armedUntil{};   ///< without a unit until then
     bool announces = false; ///< a motor turns within three seconds
-    std::string link;
+    std::vector<std::string> links;
+    std::string recipe;                  ///< its name
+    std::string run;                     ///< to be gone on with; empty: nothing has begun
     std::string trouble;                 ///< what ended it before its time
     std::vector<service::QueueRow> rows; ///< in the order in which units were found
     service::QueueCounts counts;
@@ -30,26 +33,49 @@ public:
     using Finished = std::function<void(Result<void>)>;
     struct Plan {
         std::shared_ptr<const service::RecipeMatter> matter;
-        std::string link;         ///< address; it is open
-        std::optional<int> units; ///< as QueueOptions::units
+        std::vector<std::string> links; ///< addresses; they are open
+        std::optional<int> units;       ///< as QueueOptions::units
+        /// Nothing: every unit of the family. Else these only, and those that the run has cut off; the others are left out.
+        std::optional<std::vector<DeviceId>> chosen{};
+        std::string run{}; ///< as QueueOptions::run
     };
+    /// A run that was cut off, as the journal has it.
+    struct CutRun {
+        std::string run; ///< empty: there is none
+        int ended = 0;   ///< units that have their verdict
+        int open = 0;    ///< units that were being served
+    };
+    using CutFound = std::function<void(Result<CutRun>)>;
+    using Listed = std::function<void(Result<std::vector<service::Visit>>)>;
     using QObject::QObject;
 
     [[nodiscard]] virtual const ServiceView &view() const = 0;
-    /// Serves the units of a link, which nobody else uses meanwhile. Refused while another queue runs.
+    /// Serves the units of these links, which nobody else uses meanwhile. Refused while another queue runs.
     virtual void begin(const Plan &plan, Finished finished) = 0;
+    /// The last run of this recipe, where units of it were cut off and nobody has gone on since.
+    virtual void findCut(const service::RecipeMatter &matter, CutFound found) = 0;
     /// After this unit; or goes on.
     virtual void pause(bool on) = 0;
     virtual void skip(std::uint32_t row) = 0;
     /// One that failed, was refused or was left out, once more.
     virtual void retry(std::uint32_t row) = 0;
+    virtual void retryFailed() = 0;
     /// No more units; ends when those that run have ended.
     virtual void finish() = 0;
+    /// No more units; those that run end as soon as nothing must not be cut, and stay open in the journal.
+    virtual void cancel() = 0;
     /// Self-tests may turn the motors of this recipe on this link, until it is stopped, fails, is left, has no unit for five
     /// minutes, or this takes it back.
     virtual void arm(bool on) = 0;
     /// The window is alive: ten times a second, while a motor may turn.
     virtual void renew() = 0;
+
+    /// What the journal has, oldest first.
+    virtual void list(const service::VisitFilter &filter, Listed listed) = 0;
+    /// A note of the operator on an entry.
+    virtual void setNote(const std::string &visit, const QString &note, Finished finished) = 0;
+    /// A table of them with everything the journal knows.
+    virtual void exportTo(const QString &path, std::vector<service::Visit> visits, Finished finished) = 0;
 
 Q_SIGNALS:
     void changed();

@@ -65,6 +65,14 @@ Verdict::Kind kindOf(RowState state)
     return Verdict::Kind::Waiting;
 }
 
+QString linksOf(const ServiceView &view)
+{
+    QStringList links;
+    for (const std::string &link : view.links)
+        links << qt(link);
+    return links.join(QStringLiteral(", "));
+}
+
 Verdict waiting(const ServiceView &view)
 {
     Verdict verdict;
@@ -73,7 +81,7 @@ Verdict waiting(const ServiceView &view)
         verdict.cause = tableText(view.trouble);
     } else if (view.running) {
         verdict.next = BenchText::tr("Connect a unit");
-        verdict.hint = BenchText::tr("It starts by itself when it answers on %1.").arg(qt(view.link));
+        verdict.hint = BenchText::tr("It starts by itself when it answers on %1.").arg(linksOf(view));
     } else {
         verdict.next = BenchText::tr("Open a recipe, then Start");
     }
@@ -132,7 +140,7 @@ Verdict verdictOf(const ServiceView &view, const std::vector<std::uint32_t> &set
     if (!view.running)
         return verdict;
     verdict.next = BenchText::tr("Unplug, connect next");
-    verdict.hint = BenchText::tr("It starts by itself when it answers on %1.").arg(qt(view.link));
+    verdict.hint = BenchText::tr("It starts by itself when it answers on %1.").arg(linksOf(view));
     return verdict;
 }
 

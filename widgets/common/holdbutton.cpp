@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/monitor/holdbutton.h"
+#include "widgets/common/holdbutton.h"
 
 #include <QMouseEvent>
 #include <QPainter>

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/stationlamp.h"
+
+#include "widgets/common/headerbar.h"
+#include "widgets/control/arming.h"
+#include "widgets/service/verdictof.h"
+
+#include <algorithm>
+
+namespace mb {
+
+StationLamp::StationLamp(Workbench &workbench, Arming &arming, Selection &selection, HeaderBar &header)
+    : QObject(&header)
+    , m_workbench(workbench)
+    , m_arming(arming)
+    , m_selection(selection)
+    , m_header(header)
+{
+    connect(&header.lamp(), &Lamp::armRequested, this, &StationLamp::arm);
+    connect(&header.lamp(), &Lamp::disarmRequested, this, &StationLamp::disarm);
+}
+
+void StationLamp::setService(ServiceDesk &desk)
+{
+    m_desk = &desk;
+    connect(&desk, &ServiceDesk::changed, this, &StationLamp::follow);
+}
+
+void StationLamp::follow()
+{
+    m_header.setLampStatus(over(m_arming.status(m_selection.device())));
+}
+
+/// The unit whose self-test runs now, its motor with it.
+const service::QueueRow *StationLamp::tested() const
+{
+    const ServiceView &view = m_desk->view();
+    const auto found = std::find_if(view.rows.begin(), view.rows.end(), [](const service::QueueRow &row) {
+        return row.state == service::RowState::Running && row.visit.step == service::Step::Test;
+    });
+    return view.armed && !view.announces && found != view.rows.end() ? &*found : nullptr;
+}
+
+/// What a queue says never makes less of a motor that moves, or may.
+LampStatus StationLamp::over(LampStatus status) const
+{
+    if (!m_desk || !m_desk->view().running || (status.state != LampState::Safe && status.state != LampState::Stopped))
+        return status;
+    const ServiceView &view = m_desk->view();
+    status.remaining.reset();
+    if (const service::QueueRow *row = tested()) {
+        status.state = LampState::Moving;
+        status.detail = tr("%1 self-test").arg(nameOf(*row));
+    } else if (view.armed) {
+        status.state = LampState::Armed;
+        status.detail = view.announces ? tr("turns in a moment") : tr("self-tests");
+        if (!view.announces)
+            status.remaining = std::chrono::duration_cast<std::chrono::seconds>(
+                std::max(view.armedUntil - m_workbench.now(), Duration::zero()));
+    } else {
+        status.armable = view.moves;
+        status.detail = view.moves ? QString() : tr("nothing turns here");
+    }
+    return status;
+}
+
+void StationLamp::arm()
+{
+    if (!m_desk || !m_desk->view().running)
+        m_arming.arm(m_selection.device());
+    else if (m_desk->view().moves)
+        m_desk->arm(true);
+}
+
+/// A motor that turns is stopped, too.
+void StationLamp::disarm()
+{
+    if (!m_desk || !m_desk->view().armed)
+        return m_arming.disarm();
+    if (tested())
+        m_arming.stopAll(tr("lamp"));
+    m_desk->arm(false);
+}
+
+} // namespace mb

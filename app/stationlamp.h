@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/common/lamp.h"
+#include "widgets/common/selection.h"
+#include "widgets/common/workbench.h"
+#include "widgets/service/servicedesk.h"
+
+namespace mb {
+
+class Arming;
+class HeaderBar;
+
+/// The lamp of the header: what it says, and what holding it arms. That is the selected device; while units are served, the
+/// self-tests of the queue: armed is armed, whoever lets a motor turn. GUI thread.
+class StationLamp : public QObject {
+    Q_OBJECT
+public:
+    StationLamp(Workbench &workbench, Arming &arming, Selection &selection, HeaderBar &header);
+    /// The desk outlives this.
+    void setService(ServiceDesk &desk);
+    void follow();
+
+private:
+    void arm();
+    void disarm();
+    [[nodiscard]] LampStatus over(LampStatus status) const;
+    [[nodiscard]] const service::QueueRow *tested() const;
+
+    Workbench &m_workbench;
+    Arming &m_arming;
+    Selection &m_selection;
+    HeaderBar &m_header;
+    ServiceDesk *m_desk = nullptr;
+};
+
+} // namespace mb

@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The queue on the page Firmware: units are ticked, one order serves them, each row tells how far it is and what came of it.
+#include "model/registry.h"
+#include "parameterbench.h"
+#include "support/fakedesk.h"
+#include "support/windowtests.h"
+#include "widgets/common/banner.h"
+#include "widgets/common/iconbutton.h"
+#include "widgets/firmware/firmwarepage.h"
+#include "widgets/firmware/queuebar.h"
+#include "widgets/firmware/queueboard.h"
+#include "widgets/firmware/queuemodel.h"
+#include "widgets/firmware/unitsteps.h"
+#include "widgets/firmware/updatelog.h"
+
+#include <QAbstractItemModelTester>
+#include <QAccessible>
+#include <QCheckBox>
+#include <QFile>
+#include <QLabel>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace mb;
+using namespace mb::test;
+using service::QueueRow;
+using service::RowState;
+
+namespace {
+
+const QString demoImage = QStringLiteral(":/firmware/dmc60c-demo.hex");
+
+struct QueueBench {
+    FakeWorkbench workbench;
+    FakeDesk desk;
+    Selection selection;
+    ThemeSource theme{darkTheme()};
+    QTemporaryDir folder;
+    std::unique_ptr<FirmwarePage> page;
+
+    QueueBench()
+    {
+        add(1, 5, "sim:can", "2103343A79F2");
+        add(2, 7, "sim:can", "2103343A7A44");
+        add(3, 9, "socketcan:can1", "2103343A79E0");
+        page = std::make_unique<FirmwarePage>(workbench, selection, theme);
+        page->setService(desk, families());
+        page->showQueue(true);
+        page->resize(1072, 640);
+        page->show();
+        QApplication::setActiveWindow(page.get());
+    }
+    [[nodiscard]] QueueBoard &board() const { return *page->queue(); }
+    [[nodiscard]] QueueModel &model() const { return board().model(); }
+    void add(std::uint32_t id, int address, const std::string &link, const std::string &serial)
+    {
+        DeviceView device = readDrive(id, address);
+        device.link = link;
+        device.identity.serial = serial;
+        device.telemetry = std::make_shared<Telemetry>(dmc60c().channels);
+        workbench.shot.devices.push_back(device);
+    }
+    [[nodiscard]] QueueRow row(std::uint32_t id, std::uint32_t device, RowState state) const
+    {
+        QueueRow row;
+        row.id = id;
+        row.device = {device};
+        row.state = state;
+        row.link = "sim:can";
+        row.visit.id = "visit " + std::to_string(id);
+        row.visit.serial = "SERIAL" + std::to_string(id);
+        row.visit.from = "1.23";
+        row.startedAt = workbench.time;
+        return row;
+    }
+    [[nodiscard]] QString cell(int row, QueueModel::Column column) const
+    {
+        return model().index(row, column).data().toString();
+    }
+    [[nodiscard]] bool says(const QString &part) const
+    {
+        const auto labels = page->findChildren<QLabel *>();
+        return std::any_of(labels.begin(), labels.end(),
+            [&](const QLabel *label) { return label->isVisible() && label->text().contains(part); });
+    }
+};
+
+} // namespace
+
+class QueueTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void tickedUnitsAreServedAndNoOthers();
+    void everyUnitOfTheFamilyByOneTick();
+    void withoutRecipeOrTickNothingStarts();
+    void anImageOfAnotherKindIsRefusedWithWords();
+    void aRecipeSaysWhatItDoes();
+    void eachRowTellsHowFarItIsAndWhatCameOfIt();
+    void whatMustNotBeCutIsShown();
+    void theLogTellsEveryUnit();
+    void pauseSkipRetryAndCancelAreOrders();
+    void aCutQueueIsOfferedAndGoneOnWith();
+    void whatEndedIsSavedAsATable();
+    void aRefusedStartIsSaid();
+    void ticksAreForKeyboardAndReader();
+};
+
+void QueueTest::tickedUnitsAreServedAndNoOthers()
+{
+    QueueBench bench;
+    const QAbstractItemModelTester tester(&bench.model());
+    QVERIFY(bench.board().openImage(demoImage));
+    QCOMPARE(bench.model().rowCount(), 3);
+    bench.model().tick({1}, true);
+    bench.model().tick({3}, true);
+    QTest::keyClick(bench.page.get(), Qt::Key_F5);
+    QCOMPARE(bench.desk.begun.size(), 1U);
+    const ServiceDesk::Plan &plan = bench.desk.begun.front();
+    QCOMPARE(plan.links, (std::vector<std::string>{"sim:can", "socketcan:can1"})); // buses side by side
+    QVERIFY(plan.chosen == std::vector<DeviceId>({DeviceId{1}, DeviceId{3}}));
+    QVERIFY(!plan.units);
+    QCOMPARE(plan.matter->imageVersion, std::string("1.25"));
+    QCOMPARE(plan.matter->recipe.family->key, std::string_view("dmc60c"));
+}
+
+void QueueTest::everyUnitOfTheFamilyByOneTick()
+{
+    QueueBench bench;
+    QVERIFY(bench.board().openImage(demoImage));
+    auto *every = bench.board().findChild<QCheckBox *>();
+    QCOMPARE(every->text(), QStringLiteral("Every DMC60C"));
+    every->click();
+    QCOMPARE(bench.model().ticked().size(), 3U);
+    QVERIFY(every->isChecked());
+    bench.model().tick({2}, false);
+    QVERIFY(!every->isChecked());
+    every->click();
+    every->click();
+    QVERIFY(bench.model().ticked().empty());
+}
+
+void QueueTest::withoutRecipeOrTickNothingStarts()
+{
+    QueueBench bench;
+    QVERIFY(!bench.board().canStart());
+    QVERIFY(!bench.board().bar().start().isEnabled());
+    QVERIFY(bench.board().openImage(demoImage));
+    QVERIFY(!bench.board().canStart()); // nothing is ticked
+    bench.board().start();
+    QVERIFY(bench.desk.begun.empty());
+    bench.model().tick({1}, true);
+    QVERIFY(bench.board().bar().start().isEnabled());
+    bench.desk.show({bench.row(1, 1, RowState::Running)});
+    QVERIFY(!bench.board().canStart()); // one runs
+    QVERIFY(!bench.board().bar().start().toolTip().isEmpty());
+}
+
+void QueueTest::anImageOfAnotherKindIsRefusedWithWords()
+{
+    QueueBench bench;
+    QFile file(bench.folder.filePath(QStringLiteral("other.hex")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(":00000001FF\n");
+    file.close();
+    QVERIFY(!bench.board().openImage(file.fileName()));
+    QVERIFY(!bench.workbench.lines.empty());
+    QVERIFY(!bench.board().openImage(QStringLiteral("/nowhere/at/all.hex")));
+    QVERIFY(!bench.board().canStart());
+}
+
+void QueueTest::aRecipeSaysWhatItDoes()
+{
+    QueueBench bench;
+    QFile file(bench.folder.filePath(QStringLiteral("recipe.json")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(R"({"recipe":1,"name":"drive-base rev C","family":"dmc60c","number":{"first":10},
+"test":{"loop":"velocity","to":1500,"limits":{"travel":5000,"speed":2000,"duty":0.3},"accept":{"overshoot":0.4}}})");
+    file.close();
+    QVERIFY(bench.board().openRecipe(file.fileName()));
+    QVERIFY(bench.says(QStringLiteral("drive-base rev C")));
+    QVERIFY(bench.says(QStringLiteral("next free from 10")));
+    QVERIFY(bench.says(QStringLiteral("turns the motor"))); // before anybody can arm it
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("{\"recipe\":1,\n\"name\":\"x\",\n\"colour\":3}");
+    file.close();
+    QVERIFY(!bench.board().openRecipe(file.fileName()));
+    QVERIFY(bench.workbench.lines.back().text.contains(QStringLiteral("3"))); // the line of the mistake
+    QVERIFY(bench.says(QStringLiteral("drive-base rev C")));                  // what was there stays
+}
+
+void QueueTest::eachRowTellsHowFarItIsAndWhatCameOfIt()
+{
+    QueueBench bench;
+    QVERIFY(bench.board().openImage(demoImage));
+    QueueRow passed = bench.row(1, 1, RowState::Passed);
+    passed.visit.to = "1.25";
+    passed.visit.parameters = 55;
+    passed.visit.seconds = 9.8;
+    QueueRow running = bench.row(2, 2, RowState::Running);
+    running.what = say("writing page");
+    running.done = 17;
+    running.total = 28;
+    QueueRow refused = bench.row(3, 3, RowState::Refused);
+    refused.visit.cause = "several units answer as number 9";
+    QueueRow failed = bench.row(4, 77, RowState::Failed); // whose device is gone
+    failed.visit.step = service::Step::Firmware;
+    failed.visit.cause = "no answer";
+    failed.visit.device = "sim:can/dmc60c:12";
+    bench.workbench.time += std::chrono::seconds(5);
+    bench.desk.show({passed, running, refused, failed});
+    QCOMPARE(bench.model().rowCount(), 4);
+    QCOMPARE(bench.cell(0, QueueModel::Versions), QStringLiteral("1.23 → 1.25"));
+    QVERIFY(bench.cell(0, QueueModel::Outcome).contains(QStringLiteral("55")));
+    QCOMPARE(bench.model().index(0, QueueModel::Share).data(QueueModel::ShareRole).toInt(), 100);
+    QCOMPARE(bench.model().index(1, QueueModel::Share).data(QueueModel::ShareRole).toInt(), 60);
+    QVERIFY(bench.cell(1, QueueModel::Time).startsWith(QStringLiteral("5.0")));
+    QVERIFY(bench.cell(2, QueueModel::Outcome).contains(QStringLiteral("number 9")));
+    QVERIFY(bench.cell(3, QueueModel::StepNow).contains(QStringLiteral("Firmware")));
+    QCOMPARE(bench.cell(3, QueueModel::Unit), QStringLiteral("#12"));
+    QCOMPARE(bench.board().bar().headline(), QStringLiteral("Unit 4 of 4"));
+    QVERIFY(bench.says(QStringLiteral("1 done · 0 waiting · 1 failed · 1 refused")));
+    QVERIFY(bench.says(QStringLiteral("about 5 s left"))); // 9.8 s on average, 5 of them are over
+}
+
+void QueueTest::whatMustNotBeCutIsShown()
+{
+    QueueBench bench;
+    QVERIFY(bench.board().openImage(demoImage));
+    QueueRow running = bench.row(1, 1, RowState::Running);
+    bench.desk.show({running});
+    QVERIFY(bench.says(QStringLiteral("Safe to unplug: DMC60C #5")));
+    running.mayInterrupt = false;
+    bench.desk.show({running});
+    QVERIFY(bench.says(QStringLiteral("Do not unplug: DMC60C #5")));
+    QCOMPARE(bench.cell(0, QueueModel::Outcome), QStringLiteral("do not unplug"));
+}
+
+void QueueTest::theLogTellsEveryUnit()
+{
+    QueueBench bench;
+    QVERIFY(bench.board().openImage(demoImage));
+    QueueRow one = bench.row(1, 1, RowState::Running);
+    QueueRow two = bench.row(2, 3, RowState::Running);
+    const auto line = [](int second, const char *text) {
+        return LogLine{Instant(std::chrono::seconds(second)), Severity::Info, Message::verbatim(text)};
+    };
+    one.log = std::make_shared<std::vector<LogLine>>(std::vector{line(1, "first"), line(3, "third")});
+    two.log = std::make_shared<std::vector<LogLine>>(std::vector{line(2, "second")});
+    bench.desk.show({one, two});
+    QCOMPARE(bench.board().log().count(), 3);
+    const QStringList lines = bench.board().log().text().split(QLatin1Char('\n'));
+    QVERIFY(lines[0].contains(QStringLiteral("SERIAL1  first")));
+    QVERIFY(lines[1].contains(QStringLiteral("SERIAL2  second")));
+    QVERIFY(lines[2].contains(QStringLiteral("third")));
+    bench.desk.show({one, two});
+    QCOMPARE(bench.board().log().count(), 3); // nothing twice
+}
+
+void QueueTest::pauseSkipRetryAndCancelAreOrders()
+{
+    QueueBench bench;
+    QVERIFY(bench.board().openImage(demoImage));
+    QVERIFY(!bench.board().bar().cancel().isEnabled());
+    QueueRow failed = bench.row(4, 2, RowState::Failed);
+    bench.desk.show({bench.row(3, 1, RowState::Running), failed});
+    bench.board().bar().pause().click();
+    bench.desk.shown.pausing = true;
+    Q_EMIT bench.desk.changed();
+    QCOMPARE(bench.board().bar().headline(), QStringLiteral("Pauses after this unit"));
+    bench.board().bar().pause().click();
+    QCOMPARE(bench.desk.paused, (std::vector<bool>{true, false}));
+    bench.board().steps().skip().click(); // of the one that runs
+    QCOMPARE(bench.desk.skipped, std::vector<std::uint32_t>{3});
+    bench.board().table().selectRow(1);
+    QVERIFY(!bench.board().steps().skip().isEnabled());
+    bench.board().steps().again().click();
+    QCOMPARE(bench.desk.retried, std::vector<std::uint32_t>{4});
+    bench.board().bar().retry().click();
+    QCOMPARE(bench.desk.failedRetried, 1);
+    bench.board().bar().cancel().click();
+    QCOMPARE(bench.desk.cancelled, 1);
+}
+
+void QueueTest::aCutQueueIsOfferedAndGoneOnWith()
+{
+    QueueBench bench;
+    auto *banner = bench.board().findChild<Banner *>();
+    bench.desk.cut = {"run 7", 3, 1};
+    QVERIFY(bench.board().openImage(demoImage));
+    QVERIFY(banner->isVisible());
+    QVERIFY(banner->cause().contains(QStringLiteral("3 done, 1 open")));
+    bench.board().goOn();
+    QCOMPARE(bench.desk.begun.size(), 1U);
+    QCOMPARE(bench.desk.begun.front().run, std::string("run 7"));
+    QVERIFY(bench.desk.begun.front().chosen && bench.desk.begun.front().chosen->empty()); // what was cut off only
+    QCOMPARE(bench.desk.begun.front().links.size(), 2U);                                  // wherever it hangs now
+    bench.desk.show({bench.row(1, 1, RowState::Running)});
+    QVERIFY(!banner->isVisible());
+}
+
+void QueueTest::whatEndedIsSavedAsATable()
+{
+    QueueBench bench;
+    QVERIFY(bench.board().openImage(demoImage));
+    QueueRow waiting = bench.row(2, 2, RowState::Waiting);
+    waiting.visit.id.clear();
+    bench.desk.show({bench.row(1, 1, RowState::Passed), waiting}, false);
+    bench.board().save(QStringLiteral("queue.csv"));
+    QCOMPARE(bench.desk.exported.size(), 1U);
+    QVERIFY(bench.workbench.lines.back().text.contains(QStringLiteral("queue.csv")));
+}
+
+void QueueTest::aRefusedStartIsSaid()
+{
+    QueueBench bench;
+    QVERIFY(bench.board().openImage(demoImage));
+    bench.model().tick({1}, true);
+    bench.desk.beginning = fail(Fault::Unsafe, say("units are served already"), say("end that first"));
+    bench.board().start();
+    QVERIFY(bench.workbench.lines.back().text.contains(QStringLiteral("served already")));
+}
+
+void QueueTest::ticksAreForKeyboardAndReader()
+{
+    QueueBench bench;
+    QVERIFY(bench.board().openImage(demoImage));
+    bench.board().table().setCurrentIndex(bench.model().index(0, 0));
+    QTest::keyClick(&bench.board().table(), Qt::Key_Space);
+    QCOMPARE(bench.model().ticked().size(), 1U);
+    QVERIFY(!bench.model().index(0, 0).data(Qt::AccessibleTextRole).toString().startsWith(QLatin1Char(',')));
+    for (QWidget *widget : bench.board().findChildren<QWidget *>()) {
+        const bool control = widget->inherits("QAbstractButton") || widget->inherits("QAbstractItemView");
+        if (!control || !widget->isVisible() || widget->inherits("QTableCornerButton")
+            || widget->inherits("QHeaderView"))
+            continue;
+        QVERIFY2(!QAccessible::queryAccessibleInterface(widget)->text(QAccessible::Name).isEmpty(),
+            widget->metaObject()->className());
+    }
+}
+
+MB_WINDOW_TEST(QueueTest);
+#include "tst_queue.moc"

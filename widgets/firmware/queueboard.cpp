@@ -1,0 +1,401 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/firmware/queueboard.h"
+
+#include "model/family.h"
+#include "widgets/common/banner.h"
+#include "widgets/common/devicetext.h"
+#include "widgets/common/iconbutton.h"
+#include "widgets/common/numberformat.h"
+#include "widgets/firmware/pagemap.h"
+#include "widgets/firmware/queuebar.h"
+#include "widgets/firmware/queuehead.h"
+#include "widgets/firmware/queuemodel.h"
+#include "widgets/firmware/unitsteps.h"
+#include "widgets/firmware/updatechecks.h"
+#include "widgets/firmware/updatelog.h"
+#include "widgets/firmware/updateside.h"
+#include "widgets/service/verdictof.h"
+
+#include <QCheckBox>
+#include <QFileDialog>
+#include <QHeaderView>
+#include <QPointer>
+#include <QSplitter>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace mb {
+namespace {
+
+enum QueueCheck { RecipeFits, AllStand, AllAlone, AllSupplied, QueueChecks };
+
+} // namespace
+
+QueueBoard::QueueBoard(ServiceDesk &desk, Workbench &workbench, Selection &selection,
+    std::span<const Family *const> families, const ThemeSource &theme, QWidget *parent)
+    : QWidget(parent)
+    , m_desk(desk)
+    , m_workbench(workbench)
+    , m_selection(selection)
+    , m_families(families)
+    , m_theme(theme)
+{
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_head = new QueueHead(theme, this));
+    column->addWidget(separatorLine(Qt::Horizontal, this));
+    column->addWidget(m_checks = new UpdateChecks(theme, QueueChecks, this));
+    column->addWidget(separatorLine(Qt::Horizontal, this));
+    column->addWidget(m_banner = new Banner(theme, BannerKind::Caution, {}, {}, this));
+    column->addWidget(m_bar = new QueueBar(theme, this));
+    column->addWidget(separatorLine(Qt::Horizontal, this));
+    buildBody();
+    buildFoot();
+    connectAll();
+    m_banner->setAction(tr("Go on with it"));
+    m_banner->hide();
+    m_head->show(m_recipe);
+}
+
+void QueueBoard::buildBody()
+{
+    auto *split = new QSplitter(Qt::Horizontal, this);
+    auto *left = new QSplitter(Qt::Vertical, split);
+    left->addWidget(buildTable(left));
+    left->addWidget(m_log = new UpdateLog(m_workbench, m_theme, left));
+    left->setStretchFactor(0, 3);
+    left->setStretchFactor(1, 1);
+    split->addWidget(left);
+    split->addWidget(m_side = new UpdateSide(m_theme, split));
+    m_side->add(m_steps = new UnitSteps(m_theme, m_side));
+    split->setStretchFactor(0, 1);
+    split->setSizes({m_theme.theme().u(800), m_theme.theme().u(290)});
+    static_cast<QVBoxLayout *>(layout())->addWidget(split, 1);
+}
+
+QWidget *QueueBoard::buildTable(QWidget *parent)
+{
+    const Theme &theme = m_theme.theme();
+    auto *area = new QWidget(parent);
+    auto *column = new QVBoxLayout(area);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    m_every = new QCheckBox(area);
+    m_every->setContentsMargins(theme.u(16), 0, 0, 0);
+    auto *head = new QHBoxLayout;
+    head->setContentsMargins(theme.u(6), theme.u(6), theme.u(16), theme.u(6));
+    head->addWidget(m_every);
+    head->addStretch(1);
+    column->addLayout(head);
+    m_model = new QueueModel(m_theme, this);
+    m_table = new QTableView(area);
+    m_table->setAccessibleName(tr("Units of the queue"));
+    m_table->setModel(m_model);
+    m_table->setItemDelegateForColumn(QueueModel::Share, new ShareDelegate(m_theme, m_table));
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setShowGrid(false);
+    m_table->setWordWrap(false);
+    m_table->setFrameShape(QFrame::NoFrame);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setDefaultSectionSize(theme.u(30));
+    auto *titles = m_table->horizontalHeader();
+    titles->setHighlightSections(false);
+    titles->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    titles->setStretchLastSection(true);
+    constexpr std::array<int, QueueModel::Columns> widths{160, 72, 92, 104, 96, 52, 100};
+    for (int i = 0; i < QueueModel::Columns; ++i)
+        m_table->setColumnWidth(i, theme.u(widths.at(static_cast<std::size_t>(i))));
+    column->addWidget(m_table, 1);
+    return area;
+}
+
+void QueueBoard::buildFoot()
+{
+    const Theme &theme = m_theme.theme();
+    m_foot = new ElidedLabel({}, this);
+    setTextRole(*m_foot, TextRole::Caption);
+    setTone(*m_foot, Tone::Dim);
+    auto *row = new QHBoxLayout;
+    row->setContentsMargins(theme.u(16), theme.u(4), theme.u(16), theme.u(4));
+    row->addWidget(m_foot);
+    static_cast<QVBoxLayout *>(layout())->addLayout(row);
+}
+
+void QueueBoard::connectAll()
+{
+    connect(m_head, &QueueHead::imageChosen, this, &QueueBoard::openImage);
+    connect(m_head, &QueueHead::recipeChosen, this, &QueueBoard::openRecipe);
+    connect(m_banner, &Banner::actionTriggered, this, &QueueBoard::goOn);
+    connect(m_banner, &Banner::dismissed, m_banner, &QWidget::hide);
+    connect(m_bar, &QueueBar::startWanted, this, &QueueBoard::start);
+    connect(m_bar, &QueueBar::pauseWanted, this, [this](bool on) { m_desk.pause(on); });
+    connect(m_bar, &QueueBar::cancelWanted, this, [this] { m_desk.cancel(); });
+    connect(m_bar, &QueueBar::retryWanted, this, [this] { m_desk.retryFailed(); });
+    connect(m_bar, &QueueBar::exportWanted, this, &QueueBoard::askSave);
+    connect(m_steps, &UnitSteps::skipWanted, this, [this](std::uint32_t row) { m_desk.skip(row); });
+    connect(m_steps, &UnitSteps::againWanted, this, [this](std::uint32_t row) { m_desk.retry(row); });
+    connect(m_every, &QCheckBox::clicked, this, [this](bool on) { m_model->tickAll(on); });
+    connect(m_model, &QueueModel::tickedChanged, this, &QueueBoard::follow);
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &QueueBoard::followUnit);
+    connect(&m_workbench, &Workbench::changed, this, &QueueBoard::follow);
+    connect(&m_selection, &Selection::changed, this, &QueueBoard::follow);
+    connect(&m_desk, &ServiceDesk::changed, this, [this] {
+        if (!m_desk.view().running)
+            lookForCut();
+        follow();
+    });
+    connect(&m_theme, &ThemeSource::changed, this, [this] {
+        m_told.clear(); // the lines of the log have colours of their own
+        m_log->clear();
+        follow();
+    });
+}
+
+bool QueueBoard::openImage(const QString &path)
+{
+    std::vector<const Family *> families;
+    const auto add = [&families](const Family *family) {
+        if (std::find(families.begin(), families.end(), family) == families.end())
+            families.push_back(family);
+    };
+    if (const DeviceView *device = m_workbench.snapshot().device(m_selection.device()))
+        add(device->family);
+    for (const DeviceView &device : m_workbench.snapshot().devices)
+        add(device.family);
+    return opened(m_recipe.openImage(path, families));
+}
+
+bool QueueBoard::openRecipe(const QString &path)
+{
+    return opened(m_recipe.openRecipe(path, m_families));
+}
+
+bool QueueBoard::opened(const Result<void> &result)
+{
+    if (!result) {
+        m_workbench.report(Severity::Danger, {}, errorText(result.error()));
+        return false;
+    }
+    m_head->show(m_recipe);
+    const auto image = m_recipe.image();
+    m_side->map().setParts(image ? image->parts : std::vector<int>{}, image ? image->criticalPart : std::nullopt);
+    const auto &test = m_recipe.matter()->recipe.test;
+    m_side->setNotes(test
+            ? tr("The self-test turns the motor: %1. Hold Arm in the header once the queue runs.").arg(motionOf(*test))
+            : QString());
+    m_every->setText(tr("Every %1").arg(tableText(m_recipe.family()->title)));
+    lookForCut();
+    follow();
+    return true;
+}
+
+/// Whether the journal has a run of this recipe that nobody has brought to its end.
+void QueueBoard::lookForCut()
+{
+    if (!m_recipe.matter())
+        return;
+    m_desk.findCut(*m_recipe.matter(), [self = QPointer<QueueBoard>(this)](const Result<ServiceDesk::CutRun> &cut) {
+        if (!self)
+            return;
+        const std::string before = std::exchange(self->m_cut, cut ? *cut : ServiceDesk::CutRun{}).run;
+        if (self->m_cut.run != before)
+            self->m_banner->setVisible(!self->m_cut.run.empty());
+        self->follow();
+    });
+}
+
+/// Why nothing can be started, in words; empty when it can.
+QString QueueBoard::hindrance() const
+{
+    if (m_desk.view().running)
+        return tr("A queue runs already.");
+    if (!m_recipe.matter())
+        return tr("Open an image or a recipe first.");
+    if (m_model->ticked().empty())
+        return tr("Tick the units first.");
+    return {};
+}
+
+void QueueBoard::start()
+{
+    if (canStart())
+        begin(m_model->ticked(), {});
+}
+
+void QueueBoard::goOn()
+{
+    if (!m_cut.run.empty() && !m_desk.view().running)
+        begin(m_model->ticked(), m_cut.run);
+}
+
+/// Of these units; of none every open one that the family may hang on.
+std::vector<std::string> QueueBoard::linksOf(const std::vector<DeviceId> &chosen) const
+{
+    std::vector<std::string> links;
+    for (const DeviceView &device : m_workbench.snapshot().devices) {
+        const bool wanted = device.family == m_recipe.family()
+            && (chosen.empty() || std::find(chosen.begin(), chosen.end(), device.id) != chosen.end());
+        if (wanted && std::find(links.begin(), links.end(), device.link) == links.end())
+            links.push_back(device.link);
+    }
+    return links;
+}
+
+void QueueBoard::begin(std::vector<DeviceId> chosen, const std::string &run)
+{
+    m_told.clear();
+    m_log->clear();
+    m_banner->hide();
+    std::vector<std::string> links = linksOf(run.empty() ? chosen : std::vector<DeviceId>());
+    m_desk.begin({m_recipe.matter(), std::move(links), std::nullopt, std::move(chosen), run},
+        [self = QPointer<QueueBoard>(this)](const Result<void> &result) {
+            if (self && !result)
+                self->m_workbench.report(Severity::Danger, {}, errorText(result.error()));
+        });
+}
+
+void QueueBoard::askSave()
+{
+    auto *dialog = new QFileDialog(this, tr("Save what was done"), QStringLiteral("queue.csv"), tr("Table (*.csv)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(QStringLiteral("csv"));
+    connect(dialog, &QFileDialog::fileSelected, this, &QueueBoard::save);
+    dialog->open();
+}
+
+void QueueBoard::save(const QString &path)
+{
+    std::vector<service::Visit> visits;
+    for (const service::QueueRow &row : m_desk.view().rows) {
+        if (!row.visit.id.empty())
+            visits.push_back(row.visit);
+    }
+    m_desk.exportTo(path, std::move(visits), [self = QPointer<QueueBoard>(this), path](const Result<void> &result) {
+        if (self)
+            self->m_workbench.report(result ? Severity::Good : Severity::Danger, {},
+                result ? tr("the units are in %1").arg(path) : errorText(result.error()));
+    });
+}
+
+void QueueBoard::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    follow();
+}
+
+void QueueBoard::follow()
+{
+    if (!isVisible())
+        return;
+    const ServiceView &view = m_desk.view();
+    const Instant now = m_workbench.now();
+    const std::string version = m_recipe.matter() ? m_recipe.matter()->imageVersion : std::string();
+    m_model->setChoosing(!view.running);
+    const QSignalBlocker quiet(m_every);
+    m_model->setLines(queueLines(view, m_workbench.snapshot(), m_recipe.family(), version, now));
+    const auto count = static_cast<int>(m_model->ticked().size());
+    m_every->setVisible(m_recipe.family() != nullptr);
+    m_every->setEnabled(!view.running && m_model->rowCount() > 0);
+    m_every->setTristate(false);
+    m_every->setChecked(count > 0 && count == m_model->rowCount());
+    m_head->setChoosing(!view.running);
+    m_bar->follow(view, totalsOf(view, now), hindrance());
+    if (!m_cut.run.empty())
+        m_banner->setText(
+            tr("The last queue of this recipe was cut off: %1 done, %2 open").arg(m_cut.ended).arg(m_cut.open),
+            tr("What has ended stays as it is; ticked units are taken along."));
+    if (m_cut.run.empty() || view.running)
+        m_banner->hide();
+    m_foot->setText(
+        view.running ? tr(
+            "One unit at a time on a bus, buses side by side. Real units keep this computer awake. The journal is on "
+            "disk: after a crash the queue goes on.")
+                     : tr("Every unit is backed up before and compared afterwards; the journal has it."));
+    followChecks();
+    followLog();
+    followUnit();
+}
+
+/// Of the ticked units, before a queue; each is looked at again by its own preflight.
+void QueueBoard::followChecks()
+{
+    bool stands = true;
+    bool alone = true;
+    std::optional<double> lowest;
+    bool strong = true;
+    for (const DeviceId id : m_model->ticked()) {
+        const DeviceView *device = m_workbench.snapshot().device(id);
+        if (!device)
+            continue;
+        stands = stands && !device->liveness.moving;
+        alone = alone && !device->liveness.foreignMaster && device->identity.state != DeviceState::Duplicate;
+        const auto supply = liveValue(*device, "bus_voltage", m_workbench.now());
+        if (supply) {
+            lowest = std::min(lowest.value_or(*supply), *supply);
+            strong = strong && *supply >= device->family->capabilities.lowestSupply;
+        }
+    }
+    const bool any = m_recipe.matter() != nullptr;
+    m_checks->set(RecipeFits, any, any ? tr("recipe checked") : tr("no image, no recipe"));
+    m_checks->set(AllStand, stands, stands ? tr("all motors stopped") : tr("a motor is moving"));
+    m_checks->set(AllAlone, alone ? GlyphState::Done : GlyphState::Warning,
+        alone ? tr("no other master") : tr("another master, or a number taken twice"));
+    m_checks->set(AllSupplied,
+        !lowest      ? GlyphState::Assumed
+            : strong ? GlyphState::Done
+                     : GlyphState::Warning,
+        lowest ? tr("bus %1 V").arg(formatNumber(*lowest, 1)) : tr("bus voltage not known"));
+}
+
+/// What was said since, of all units in the order of time.
+void QueueBoard::followLog()
+{
+    struct Said {
+        LogLine line;
+        QString who;
+    };
+    std::vector<Said> news;
+    for (const service::QueueRow &row : m_desk.view().rows) {
+        std::size_t &told = m_told[row.id];
+        const std::size_t count = row.log ? row.log->size() : 0;
+        for (; told < count; ++told)
+            news.push_back({(*row.log)[told], nameOf(row)});
+    }
+    std::stable_sort(news.begin(), news.end(), [](const Said &a, const Said &b) { return a.line.time < b.line.time; });
+    for (const Said &said : news)
+        m_log->add(said.line, said.who);
+}
+
+/// The one that is selected, else the one that runs.
+const service::QueueRow *QueueBoard::shownRow() const
+{
+    const auto &rows = m_desk.view().rows;
+    const QModelIndex current = m_table->currentIndex();
+    const std::uint32_t wanted
+        = current.isValid() ? m_model->lines().at(static_cast<std::size_t>(current.row())).row : 0;
+    const auto found = std::find_if(rows.begin(), rows.end(), [wanted](const service::QueueRow &row) {
+        return wanted != 0 ? row.id == wanted : row.state == service::RowState::Running;
+    });
+    return found == rows.end() ? nullptr : &*found;
+}
+
+void QueueBoard::followUnit()
+{
+    using Safety = UpdateSide::Safety;
+    const service::QueueRow *row = shownRow();
+    const int place = row ? m_model->rowOf(row->id) : -1;
+    const QString title = place < 0 ? QString() : m_model->lines().at(static_cast<std::size_t>(place)).title;
+    m_steps->show(row, title, m_recipe.matter() ? &m_recipe.matter()->recipe : nullptr);
+    m_side->map().setStates(row ? row->parts : std::map<int, PartState>());
+    const bool running = row && row->state == service::RowState::Running;
+    const Safety safety = !running ? Safety::Nothing : row->mayInterrupt ? Safety::MayCut : Safety::MustNotCut;
+    m_side->showSafety(safety, title, m_recipe.family() ? updateWords(*m_recipe.family()) : UpdateWords());
+}
+
+} // namespace mb

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/common/selection.h"
+#include "widgets/common/workbench.h"
+#include "widgets/firmware/queuelines.h"
+#include "widgets/firmware/queuerecipe.h"
+
+#include <QWidget>
+
+#include <map>
+
+class QCheckBox;
+class QLabel;
+class QTableView;
+
+namespace mb {
+
+class Banner;
+class QueueBar;
+class QueueHead;
+class QueueModel;
+class UnitSteps;
+class UpdateChecks;
+class UpdateLog;
+class UpdateSide;
+
+/// Many units by one order: what is done to each, which are ticked, how far each is, what was said, and what can be ordered
+/// of the whole and of one. GUI thread.
+class QueueBoard : public QWidget {
+    Q_OBJECT
+public:
+    /// The desk outlives this.
+    QueueBoard(ServiceDesk &desk, Workbench &workbench, Selection &selection, std::span<const Family *const> families,
+        const ThemeSource &theme, QWidget *parent);
+
+    /// False, with a notice of what is wrong, where it is none.
+    bool openImage(const QString &path);
+    bool openRecipe(const QString &path);
+    /// The ticked units; nothing while canStart() is false.
+    void start();
+    [[nodiscard]] bool canStart() const { return hindrance().isEmpty(); }
+    /// Goes on with what was cut off, if there is any.
+    void goOn();
+    [[nodiscard]] QueueModel &model() const { return *m_model; }
+    [[nodiscard]] QTableView &table() const { return *m_table; }
+    [[nodiscard]] QueueBar &bar() const { return *m_bar; }
+    [[nodiscard]] UnitSteps &steps() const { return *m_steps; }
+    [[nodiscard]] UpdateLog &log() const { return *m_log; }
+    /// Writes what has ended into a table.
+    void save(const QString &path);
+
+protected:
+    void showEvent(QShowEvent *event) override;
+
+private:
+    [[nodiscard]] QWidget *buildTable(QWidget *parent);
+    void buildBody();
+    void buildFoot();
+    void connectAll();
+    bool opened(const Result<void> &result);
+    void begin(std::vector<DeviceId> chosen, const std::string &run);
+    void lookForCut();
+    void askSave();
+    void follow();
+    void followChecks();
+    void followLog();
+    void followUnit();
+    [[nodiscard]] std::vector<std::string> linksOf(const std::vector<DeviceId> &chosen) const;
+    [[nodiscard]] const service::QueueRow *shownRow() const;
+    [[nodiscard]] QString hindrance() const;
+
+    ServiceDesk &m_desk;
+    Workbench &m_workbench;
+    Selection &m_selection;
+    std::span<const Family *const> m_families;
+    const ThemeSource &m_theme;
+    QueueRecipe m_recipe;
+    ServiceDesk::CutRun m_cut;
+    QueueHead *m_head = nullptr;
+    UpdateChecks *m_checks = nullptr;
+    Banner *m_banner = nullptr;
+    QueueBar *m_bar = nullptr;
+    QCheckBox *m_every = nullptr;
+    QueueModel *m_model = nullptr;
+    QTableView *m_table = nullptr;
+    UpdateLog *m_log = nullptr;
+    UpdateSide *m_side = nullptr;
+    UnitSteps *m_steps = nullptr;
+    QLabel *m_foot = nullptr;
+    std::map<std::uint32_t, std::size_t> m_told; ///< lines of the log, by row of the queue
+};
+
+} // namespace mb

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/family.h"
+#include "service/recipe.h"
+
+#include <QString>
+
+#include <memory>
+#include <vector>
+
+namespace mb {
+
+/// What a queue does to every unit: a recipe's file, or an image by itself. GUI thread.
+class QueueRecipe {
+public:
+    /// With line and mistake where it is none; what was there stays.
+    [[nodiscard]] Result<void> openRecipe(const QString &path, std::span<const Family *const> families);
+    /// Of the first of these families that it is for, and that takes it over its own link.
+    [[nodiscard]] Result<void> openImage(const QString &path, const std::vector<const Family *> &families);
+
+    /// nullptr: nothing was opened yet.
+    [[nodiscard]] const std::shared_ptr<const service::RecipeMatter> &matter() const { return m_matter; }
+    /// nullptr without a matter.
+    [[nodiscard]] const Family *family() const { return m_matter ? m_matter->recipe.family : nullptr; }
+    /// Of its image; nothing: it has none.
+    [[nodiscard]] std::optional<ImageSummary> image() const;
+
+    // For people, a dash where there is nothing.
+    [[nodiscard]] QString name() const;
+    [[nodiscard]] QString imageText() const;
+    [[nodiscard]] QString parameterText() const;
+    [[nodiscard]] QString numberText() const;
+
+private:
+    std::shared_ptr<const service::RecipeMatter> m_matter;
+};
+
+} // namespace mb

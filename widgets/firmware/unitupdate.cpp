@@ -1,0 +1,391 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/firmware/unitupdate.h"
+
+#include "widgets/common/devicetext.h"
+#include "widgets/common/iconbutton.h"
+#include "widgets/common/labels.h"
+#include "widgets/common/numberformat.h"
+#include "widgets/common/updates.h"
+#include "widgets/firmware/pagemap.h"
+#include "widgets/firmware/routepanel.h"
+#include "widgets/firmware/stepspanel.h"
+#include "widgets/firmware/updatechecks.h"
+#include "widgets/firmware/updatelog.h"
+#include "widgets/firmware/updateside.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QProgressBar>
+#include <QSplitter>
+
+namespace mb {
+namespace {
+
+enum Check { ImageCheck, StandCheck, AloneCheck, SupplyCheck, Checks };
+
+/// nullptr where it is updated over its own link.
+const UpdateRoute *routeOf(const DeviceView *device)
+{
+    return device && !device->family->routes.empty() ? &device->family->routes.front() : nullptr;
+}
+
+const OperationView *updateOf(const Snapshot &shot, const DeviceView *device)
+{
+    if (!device)
+        return nullptr;
+    for (auto operation = shot.operations.rbegin(); operation != shot.operations.rend(); ++operation) {
+        if (operation->device == device->id && (operation->update || !operation->status.parts.empty()))
+            return &*operation;
+    }
+    return nullptr;
+}
+
+QString resultOf(const UpdateReport &report, const UpdateWords &words)
+{
+    switch (report.outcome) {
+    case UpdateOutcome::Done: return UnitUpdate::tr("Verified: %1").arg(messageText(report.summary()));
+    case UpdateOutcome::UpToDate: return UnitUpdate::tr("Not needed: %1").arg(messageText(report.summary()));
+    case UpdateOutcome::Refused: return UnitUpdate::tr("Refused: %1").arg(messageText(report.summary()));
+    case UpdateOutcome::Failed: return UnitUpdate::tr("Failed: %1").arg(messageText(report.summary()));
+    case UpdateOutcome::Cancelled: return UnitUpdate::tr("Cancelled. %1.").arg(tableText(words.cancel));
+    }
+    return {};
+}
+
+bool isRunning(const OperationView *operation)
+{
+    return operation && operation->status.state == OperationStatus::State::Running;
+}
+
+} // namespace
+
+UnitUpdate::UnitUpdate(Workbench &workbench, Selection &selection, const ThemeSource &theme, QWidget *parent)
+    : QWidget(parent)
+    , m_workbench(workbench)
+    , m_selection(selection)
+    , m_theme(theme)
+{
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    buildImage(*column);
+    column->addWidget(m_route = new RoutePanel(theme, this));
+    column->addWidget(m_checks = new UpdateChecks(theme, Checks, this));
+    column->addWidget(separatorLine(Qt::Horizontal, this));
+    buildProgress(*column);
+    buildBody(*column);
+    connect(m_route, &RoutePanel::changed, this, &UnitUpdate::follow);
+    connect(&workbench, &Workbench::changed, this, &UnitUpdate::follow);
+    connect(&theme, &ThemeSource::changed, this, [this] {
+        m_shownOperation = {}; // the lines of the log have colours of their own
+        follow();
+    });
+    connect(&selection, &Selection::changed, this, &UnitUpdate::follow);
+    inspectImage();
+}
+
+void UnitUpdate::buildImage(QVBoxLayout &column)
+{
+    const Theme &theme = m_theme.theme();
+    auto *row = new QHBoxLayout;
+    row->setContentsMargins(theme.u(16), theme.u(10), theme.u(16), theme.u(10));
+    row->setSpacing(theme.u(24));
+    const auto pair = [&](const QString &caption, QLabel *&value) {
+        auto *box = new QVBoxLayout;
+        box->setSpacing(0);
+        box->addWidget(textLabel(caption, TextRole::Caption, Tone::Dim, this));
+        value = textLabel({}, TextRole::Emphasis, Tone::Text, this);
+        box->addWidget(value);
+        row->addLayout(box);
+    };
+    pair(tr("device"), m_deviceName);
+    pair(tr("firmware"), m_versions);
+    pair(tr("image"), m_imageName);
+    m_imageDetail = new ElidedLabel({}, this);
+    row->addWidget(m_imageDetail, 1, Qt::AlignBottom);
+    auto *open = new CommandButton(m_theme, Symbol::Folder, tr("Open image…"), this);
+    row->addWidget(open);
+    column.addLayout(row);
+    column.addWidget(separatorLine(Qt::Horizontal, this));
+    connect(open, &QPushButton::clicked, this, &UnitUpdate::askImage);
+}
+
+void UnitUpdate::buildProgress(QVBoxLayout &column)
+{
+    const Theme &theme = m_theme.theme();
+    auto *row = new QHBoxLayout;
+    row->setContentsMargins(theme.u(16), theme.u(10), theme.u(16), theme.u(10));
+    row->setSpacing(theme.u(12));
+    auto *box = new QVBoxLayout;
+    auto *words = new QHBoxLayout;
+    m_step = new ElidedLabel({}, this);
+    m_step->setAccessibleName(tr("Step"));
+    m_rate = textLabel({}, TextRole::Body, Tone::Dim, this);
+    words->addWidget(m_step, 1);
+    words->addWidget(m_rate);
+    m_progress = new QProgressBar(this);
+    m_progress->setAccessibleName(tr("Progress of the update"));
+    m_progress->setTextVisible(false);
+    m_progress->setFixedHeight(theme.u(8));
+    box->addLayout(words);
+    box->addWidget(m_progress);
+    row->addLayout(box, 1);
+    m_cancel = new CommandButton(m_theme, Symbol::Close, tr("Cancel"), this);
+    m_start = new CommandButton(m_theme, Symbol::Play, tr("Update"), this);
+    m_start->setTextVariants({tr("Update"), tr("Run the update again")});
+    m_start->setPrimary(true);
+    row->addWidget(m_cancel);
+    row->addWidget(m_start);
+    column.addLayout(row);
+    column.addWidget(separatorLine(Qt::Horizontal, this));
+    connect(m_start, &QPushButton::clicked, this, &UnitUpdate::start);
+    connect(
+        m_cancel, &QPushButton::clicked, this, [this] { m_workbench.send(orders::CancelOperation{m_shownOperation}); });
+}
+
+void UnitUpdate::buildBody(QVBoxLayout &column)
+{
+    auto *split = new QSplitter(Qt::Horizontal, this);
+    split->addWidget(m_log = new UpdateLog(m_workbench, m_theme, split));
+    split->addWidget(m_side = new UpdateSide(m_theme, split));
+    split->setStretchFactor(0, 1);
+    split->setSizes({m_theme.theme().u(800), m_theme.theme().u(340)});
+    column.addWidget(split, 1);
+}
+
+void UnitUpdate::loadImage(const QString &path)
+{
+    m_image.load(path);
+    inspectImage();
+}
+
+void UnitUpdate::inspectImage()
+{
+    const DeviceView *device = m_workbench.snapshot().device(m_selection.device());
+    m_inspectedFor = m_selection.device();
+    m_image.check(device ? device->family : nullptr);
+    m_imageName->setText(m_image.name());
+    m_imageDetail->setText(m_image.detail());
+    setTone(*m_imageDetail, m_image.isBad() ? Tone::Danger : Tone::Dim);
+    const auto &summary = m_image.summary();
+    m_side->map().setParts(
+        summary ? summary->parts : std::vector<int>{}, summary ? summary->criticalPart : std::nullopt);
+    m_side->setNotes(m_image.notes());
+    follow();
+}
+
+/// Of the device that is being written, or would be.
+UpdateWords UnitUpdate::wordsFor(const OperationView *operation) const
+{
+    const DeviceView *device = m_workbench.snapshot().device(operation ? operation->device : m_selection.device());
+    return device ? updateWords(*device->family) : UpdateWords();
+}
+
+void UnitUpdate::followRoute(const DeviceView *device, const OperationView *operation)
+{
+    m_route->show(device ? device->family : nullptr, m_workbench.listings(), device ? device->link : std::string());
+    const UpdateRoute *const route = routeOf(device);
+    const bool guided = route && !route->steps.empty();
+    m_side->setGuided(guided);
+    m_side->steps().setSteps(guided ? route->steps : std::span<const GuidedStep>());
+    if (guided)
+        m_side->steps().follow(operation ? &operation->status : nullptr);
+}
+
+/// What is being written is shown until it is over, whatever is selected meanwhile: on the link of the selected device first.
+const OperationView *UnitUpdate::shownOperation(const DeviceView *device) const
+{
+    const Snapshot &shot = m_workbench.snapshot();
+    const auto running = runningUpdates(shot);
+    const auto own = std::find_if(running.begin(), running.end(),
+        [device](const OperationView *operation) { return device && operation->device == device->id; });
+    if (own != running.end())
+        return *own;
+    if (const OperationView *beside = device ? updateOn(shot, device->link) : nullptr)
+        return beside;
+    return running.empty() ? updateOf(shot, device) : running.front();
+}
+
+/// Why nothing can be started, in words; empty when it can.
+QString UnitUpdate::hindrance() const
+{
+    const Snapshot &shot = m_workbench.snapshot();
+    const DeviceView *device = shot.device(m_selection.device());
+    if (const OperationView *other = device ? updateOn(shot, device->link) : nullptr)
+        return tr("One update a bus: %1 is being written.").arg(placeOf(shot, *other));
+    return m_route->missing();
+}
+
+bool UnitUpdate::canStart() const
+{
+    const DeviceView *device = m_workbench.snapshot().device(m_selection.device());
+    return device && device->family->update && m_image.image() && m_image.summary() && device->busy.empty()
+        && !device->liveness.moving && !device->liveness.foreignMaster
+        && device->identity.state != DeviceState::Duplicate && hindrance().isEmpty();
+}
+
+void UnitUpdate::start()
+{
+    if (m_inspectedFor != m_selection.device())
+        inspectImage();
+    if (!canStart())
+        return;
+    m_workbench.send(orders::UpdateFirmware{m_selection.device(), m_image.image(), m_route->options()});
+}
+
+void UnitUpdate::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    follow();
+}
+
+void UnitUpdate::follow()
+{
+    if (!isVisible())
+        return;
+    if (m_inspectedFor != m_selection.device()) {
+        inspectImage();
+        return;
+    }
+    const DeviceView *device = m_workbench.snapshot().device(m_selection.device());
+    const OperationView *operation = shownOperation(device);
+    followDevice(device);
+    followRoute(device, operation);
+    followChecks(device, operation);
+    followOrders(device, operation);
+    followProgress(operation);
+    followLog(operation);
+    followSafety(operation);
+}
+
+void UnitUpdate::followDevice(const DeviceView *device)
+{
+    m_deviceName->setText(device ? titleOf(*device) + QLatin1Char(' ') + QString::fromStdString(device->identity.name)
+                                 : tr("no device selected"));
+    if (!device)
+        return m_versions->clear();
+    const QString now
+        = device->identity.firmware.empty() ? tr("none") : QString::fromStdString(device->identity.firmware);
+    m_versions->setText(m_image.summary() ? tr("%1 → %2").arg(now, m_image.version()) : now);
+}
+
+void UnitUpdate::followChecks(const DeviceView *device, const OperationView *)
+{
+    const bool image = m_image.summary().has_value();
+    m_checks->set(ImageCheck, image, image ? tr("image fits this family") : tr("no usable image"));
+    m_checks->set(StandCheck, device && !device->liveness.moving,
+        device && device->liveness.moving ? tr("motor is moving") : tr("motor stopped"));
+    const bool alone = device && !device->liveness.foreignMaster && device->identity.state != DeviceState::Duplicate;
+    m_checks->set(AloneCheck, alone,
+        alone        ? tr("no other master, number unique")
+            : device ? tr("another master, or a number taken twice")
+                     : tr("no device"));
+    const auto supply = device ? liveValue(*device, "bus_voltage", m_workbench.now()) : std::nullopt;
+    const bool strong = !supply || *supply >= device->family->capabilities.lowestSupply;
+    m_checks->set(SupplyCheck,
+        !supply      ? GlyphState::Assumed
+            : strong ? GlyphState::Done
+                     : GlyphState::Warning,
+        supply ? tr("bus %1 V").arg(formatNumber(*supply, 1)) : tr("bus voltage not known"));
+}
+
+void UnitUpdate::followOrders(const DeviceView *device, const OperationView *operation)
+{
+    const bool running = isRunning(operation);
+    m_start->setEnabled(canStart() && !running);
+    m_start->setToolTip(hindrance());
+    m_start->setAccessibleDescription(m_start->toolTip());
+    const bool boot = device && device->identity.state == DeviceState::Bootloader;
+    m_start->setText(boot ? tr("Run the update again") : tr("Update"));
+    m_cancel->setEnabled(running && operation->status.mayInterrupt);
+    const UpdateWords words = wordsFor(operation);
+    m_cancel->setToolTip(tableText(running && !operation->status.mayInterrupt ? words.critical : words.cancel));
+}
+
+QString UnitUpdate::remaining(const OperationStatus &status) const
+{
+    const double elapsed = std::chrono::duration<double>(m_workbench.now() - status.startedAt).count();
+    if (status.done < 2 || status.total == 0)
+        return {};
+    const double perPage = elapsed / status.done;
+    return tr("%1 s a page, about %2 s left")
+        .arg(formatNumber(perPage, 2), formatNumber(perPage * (status.total - status.done), 0));
+}
+
+void UnitUpdate::followProgress(const OperationView *operation)
+{
+    if (!operation) {
+        m_step->setText(tr("Nothing running"));
+        m_rate->clear();
+        m_progress->setRange(0, 1);
+        m_progress->setValue(0);
+        setTone(*m_step, Tone::Dim);
+        return;
+    }
+    const OperationStatus &status = operation->status;
+    const bool running = isRunning(operation);
+    const bool waiting = running && status.total == 0; // for hands, or for an answer
+    m_progress->setRange(0, waiting ? 0 : std::max(status.total, 1));
+    m_progress->setValue(status.done);
+    const bool own = operation->device == m_selection.device();
+    m_side->map().setStates(own ? status.parts : std::map<int, PartState>());
+    if (!running)
+        return showEnd(*operation);
+    const QString where = placeOf(m_workbench.snapshot(), *operation) + QStringLiteral(": ");
+    m_step->setText(where
+        + (waiting ? messageText(status.step)
+                   : tr("%1, %2 of %3 written").arg(messageText(status.step)).arg(status.done).arg(status.total)));
+    m_rate->setText(remaining(status));
+    setTone(*m_step, Tone::Text);
+}
+
+void UnitUpdate::showEnd(const OperationView &operation)
+{
+    const OperationStatus &status = operation.status;
+    const double seconds = std::chrono::duration<double>(status.endedAt - status.startedAt).count();
+    const UpdateReport report = operation.update.value_or(UpdateReport{});
+    m_step->setText(resultOf(report, wordsFor(&operation)));
+    m_rate->setText(tr("%1 s, pages sent again: %2").arg(formatNumber(seconds, 1)).arg(report.retries));
+    const bool good = report.outcome == UpdateOutcome::Done || report.outcome == UpdateOutcome::UpToDate;
+    setTone(*m_step, good ? Tone::Ok : Tone::Danger);
+    if (report.outcome == UpdateOutcome::Done)
+        m_progress->setValue(m_progress->maximum());
+}
+
+void UnitUpdate::followLog(const OperationView *operation)
+{
+    const OperationId id = operation ? operation->id : OperationId{};
+    if (id != m_shownOperation) {
+        m_shownOperation = id;
+        m_shownLines = 0;
+        m_log->clear();
+    }
+    if (!operation)
+        return;
+    const auto &lines = operation->status.log;
+    for (; m_shownLines < lines.size(); ++m_shownLines)
+        m_log->add(lines[m_shownLines]);
+}
+
+void UnitUpdate::followSafety(const OperationView *operation)
+{
+    using Safety = UpdateSide::Safety;
+    const bool running = isRunning(operation);
+    const Safety safety = !running       ? Safety::Nothing
+        : operation->status.mayInterrupt ? Safety::MayCut
+                                         : Safety::MustNotCut;
+    m_side->showSafety(safety, running ? placeOf(m_workbench.snapshot(), *operation) : QString(), wordsFor(operation));
+}
+
+void UnitUpdate::askImage()
+{
+    auto *dialog = new QFileDialog(this, tr("Open a firmware image"), QFileInfo(m_image.path()).path(),
+        tr("Intel HEX (*.hex *.ihex);;All files (*)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, &UnitUpdate::loadImage);
+    dialog->open();
+}
+
+} // namespace mb

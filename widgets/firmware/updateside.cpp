@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/firmware/updateside.h"
+
+#include "widgets/common/devicetext.h"
+#include "widgets/common/labels.h"
+#include "widgets/firmware/pagemap.h"
+#include "widgets/firmware/stepspanel.h"
+
+#include <QVBoxLayout>
+
+namespace mb {
+
+UpdateSide::UpdateSide(const ThemeSource &theme, QWidget *parent)
+    : QScrollArea(parent)
+    , m_theme(theme)
+{
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto *panel = new QWidget(this);
+    setWidget(panel);
+    auto *column = new QVBoxLayout(panel);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(theme.theme().u(8));
+    column->addWidget(buildSafety(panel));
+    m_column = new QVBoxLayout;
+    m_column->setContentsMargins(theme.theme().u(16), 0, theme.theme().u(16), theme.theme().u(12));
+    m_column->setSpacing(theme.theme().u(8));
+    m_steps = new StepsPanel(m_theme, panel);
+    m_column->addWidget(m_steps);
+    m_column->addWidget(m_pages = buildPages(panel));
+    m_notes = textLabel({}, TextRole::Caption, Tone::Dim, panel);
+    m_notes->setWordWrap(true);
+    m_column->addWidget(m_notes);
+    m_column->addStretch();
+    column->addLayout(m_column, 1);
+}
+
+QFrame *UpdateSide::buildSafety(QWidget *parent)
+{
+    const Theme &theme = m_theme.theme();
+    m_safety = new QFrame(parent);
+    auto *words = new QVBoxLayout(m_safety);
+    words->setContentsMargins(theme.u(16), theme.u(12), theme.u(16), theme.u(12));
+    words->setSpacing(theme.u(2));
+    m_title = textLabel({}, TextRole::Emphasis, Tone::Ok, m_safety);
+    m_title->setWordWrap(true);
+    m_text = textLabel({}, TextRole::Caption, Tone::Dim, m_safety);
+    m_text->setWordWrap(true);
+    words->addWidget(m_title);
+    words->addWidget(m_text);
+    return m_safety;
+}
+
+QWidget *UpdateSide::buildPages(QWidget *parent)
+{
+    auto *area = new QWidget(parent);
+    auto *column = new QVBoxLayout(area);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(m_theme.theme().u(8));
+    column->addWidget(new SectionLabel(tr("Flash pages"), area));
+    m_map = new PageMap(m_theme, area);
+    column->addWidget(m_map);
+    auto *legend = textLabel(tr("In the order they are written. Green: written. Amber edge: sent again. Dashed: not in "
+                                "the image. Red: must not be cut."),
+        TextRole::Caption, Tone::Dim, area);
+    legend->setWordWrap(true);
+    column->addWidget(legend);
+    return area;
+}
+
+void UpdateSide::showSafety(Safety safety, const QString &place, const UpdateWords &words)
+{
+    const bool critical = safety == Safety::MustNotCut;
+    setStyleProperty(*m_safety, "banner", critical ? QStringLiteral("danger") : QStringLiteral("ok"));
+    QString title = critical       ? tr("Do not unplug")
+        : safety == Safety::MayCut ? tr("Safe to unplug")
+                                   : tr("Nothing is written now");
+    if (safety != Safety::Nothing)
+        title += QStringLiteral(": ") + place;
+    m_title->setText(title);
+    setTone(*m_title, critical ? Tone::Danger : Tone::Ok);
+    m_text->setText(tableText(critical && !words.fatalCut.empty() ? words.fatalCut : words.cut));
+}
+
+void UpdateSide::setGuided(bool guided)
+{
+    m_pages->setVisible(!guided);
+}
+
+void UpdateSide::setNotes(const QString &notes)
+{
+    m_notes->setText(notes);
+}
+
+void UpdateSide::add(QWidget *part)
+{
+    m_column->insertWidget(0, part);
+}
+
+} // namespace mb

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "firmware/updateroute.h"
+#include "widgets/common/theme.h"
+
+#include <QScrollArea>
+
+class QFrame;
+class QLabel;
+class QVBoxLayout;
+
+namespace mb {
+
+class PageMap;
+class StepsPanel;
+
+/// Beside an update: whether power may be cut now, the steps of hands or the pages of the flash, and notes. GUI thread.
+class UpdateSide : public QScrollArea {
+    Q_OBJECT
+public:
+    enum class Safety { Nothing, MayCut, MustNotCut };
+
+    UpdateSide(const ThemeSource &theme, QWidget *parent);
+
+    /// `place`: which unit it is about.
+    void showSafety(Safety safety, const QString &place, const UpdateWords &words);
+    /// The steps of hands in the place of the pages.
+    void setGuided(bool guided);
+    void setNotes(const QString &notes);
+    /// Between the safety and the pages.
+    void add(QWidget *part);
+    [[nodiscard]] PageMap &map() { return *m_map; }
+    [[nodiscard]] StepsPanel &steps() { return *m_steps; }
+
+private:
+    [[nodiscard]] QFrame *buildSafety(QWidget *parent);
+    [[nodiscard]] QWidget *buildPages(QWidget *parent);
+
+    const ThemeSource &m_theme;
+    QFrame *m_safety = nullptr;
+    QLabel *m_title = nullptr;
+    QLabel *m_text = nullptr;
+    QVBoxLayout *m_column = nullptr;
+    StepsPanel *m_steps = nullptr;
+    QWidget *m_pages = nullptr;
+    PageMap *m_map = nullptr;
+    QLabel *m_notes = nullptr;
+};
+
+} // namespace mb

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/report/reportentry.h"
+
+#include "widgets/common/devicetext.h"
+#include "widgets/common/numberformat.h"
+#include "widgets/service/verdictof.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QLocale>
+
+namespace mb {
+namespace {
+
+using service::Outcome;
+
+struct EntryText {
+    Q_DECLARE_TR_FUNCTIONS(mb::EntryText)
+};
+
+QString whenOf(double time)
+{
+    return QLocale().toString(QDateTime::fromMSecsSinceEpoch(static_cast<qint64>(time * 1000.0)), QLocale::ShortFormat);
+}
+
+GlyphState glyphOf(Outcome outcome)
+{
+    switch (outcome) {
+    case Outcome::Passed: return GlyphState::Done;
+    case Outcome::Failed: return GlyphState::Fault;
+    case Outcome::Refused: return GlyphState::Warning;
+    case Outcome::Open: break;
+    }
+    return GlyphState::Waiting;
+}
+
+QString wordOf(Outcome outcome)
+{
+    switch (outcome) {
+    case Outcome::Passed: return EntryText::tr("passed");
+    case Outcome::Failed: return EntryText::tr("failed");
+    case Outcome::Refused: return EntryText::tr("refused");
+    case Outcome::Open: break;
+    }
+    return EntryText::tr("not ended");
+}
+
+} // namespace
+
+QString ReportEntry::text() const
+{
+    const QString when = time > 0.0 ? whenOf(time) : EntryText::tr("as it is now");
+    return title + QLatin1Char('\n') + when + (about.isEmpty() ? QString() : QStringLiteral(" · ") + about);
+}
+
+bool ReportEntry::contains(const QString &search) const
+{
+    return (text() + QLatin1Char(' ') + words).contains(search, Qt::CaseInsensitive);
+}
+
+ReportEntry entryOf(const service::Visit &visit, const Family *family)
+{
+    ReportEntry entry;
+    entry.kind = ReportEntry::Kind::Visit;
+    entry.visit = visit;
+    entry.glyph = glyphOf(visit.outcome);
+    entry.time = visit.time;
+    entry.unit.family = family;
+    entry.unit.unit = visit.unit;
+    entry.unit.selector = visit.device;
+    entry.unit.simulated = visit.simulated;
+    entry.unit.identity.family = visit.family;
+    entry.unit.identity.serial = visit.serial;
+    entry.unit.identity.firmware = visit.to.empty() ? visit.from : visit.to;
+    entry.unit.identity.address = visit.number.value_or(qt(visit.device).section(QLatin1Char(':'), -1).toInt());
+    entry.wish.unit = visit.unit;
+    service::QueueRow row;
+    row.visit = visit;
+    const QString number = visit.number ? QStringLiteral(" #%1").arg(*visit.number) : QString();
+    entry.title = EntryText::tr("%1 %2: %3").arg(nameOf(row) + number, wordOf(visit.outcome), qt(visit.recipe));
+    QStringList about;
+    if (!visit.to.empty() && visit.to != visit.from)
+        about << qt(visit.from) + QStringLiteral(" → ") + qt(visit.to);
+    if (!visit.cause.empty())
+        about << tableText(visit.cause);
+    about << formatNumber(visit.seconds, 1) + QStringLiteral("\u00A0s");
+    if (!visit.note.empty())
+        about << qt(visit.note);
+    entry.about = about.join(QStringLiteral(" · "));
+    entry.words = QStringList{qt(visit.serial), qt(visit.device), qt(visit.station), qt(visit.person), qt(visit.remedy),
+        qt(visit.evidence)}
+                      .join(QLatin1Char(' '));
+    return entry;
+}
+
+} // namespace mb
