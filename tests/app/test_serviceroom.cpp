@@ -264,14 +264,14 @@ TEST_F(Updated, ACableThatComesOutInTheMiddleFailsItsRowAndTheRestGoesOn)
     ASSERT_TRUE(failed.log);
     EXPECT_FALSE(failed.log->empty());
     EXPECT_EQ(row(7).state, service::RowState::Passed);
-    EXPECT_EQ(row(9).state, service::RowState::Passed) << row(9).visit.cause;
+    EXPECT_EQ(row(9).state, service::RowState::Passed) << row(9).visit.cause.english();
     EXPECT_EQ(room->view().counts.failed, 1);
     simulated(5)->setPowered(true);
     clock.advance(2s);
     room->retryFailed();
     EXPECT_TRUE(room->view().running);
     expectAllEnded();
-    EXPECT_EQ(room->view().counts.passed, 3) << row(5).visit.cause;
+    EXPECT_EQ(room->view().counts.passed, 3) << row(5).visit.cause.english();
     EXPECT_EQ(device(5)->identity().firmware, "1.25");
 }
 

@@ -127,7 +127,7 @@ TEST_F(ServiceQueues, PauseSkipAndRetry)
     run.queue.resume();
     ASSERT_TRUE(rack.clock.runUntil([&] { return run.isEnded; }, 2min));
     EXPECT_EQ(run.queue.rows()[1].state, RowState::Skipped);
-    EXPECT_EQ(run.queue.rows()[2].state, RowState::Failed) << run.queue.rows()[2].visit.cause;
+    EXPECT_EQ(run.queue.rows()[2].state, RowState::Failed) << run.queue.rows()[2].visit.cause.english();
     EXPECT_FALSE(run.queue.rows()[2].visit.number); // a failed unit uses up no number
     run.isEnded = false;
     run.queue.retry(run.queue.rows()[1].id);

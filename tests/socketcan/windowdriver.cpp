@@ -12,7 +12,7 @@
 #include "app/productionface.h"
 #include "app/servicedoor.h"
 #include "model/registry.h"
-#include "widgets/monitor/holdbutton.h"
+#include "widgets/common/holdbutton.h"
 #include "widgets/service/productionpage.h"
 
 #include <QApplication>

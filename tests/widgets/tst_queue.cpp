@@ -202,10 +202,10 @@ void QueueTest::eachRowTellsHowFarItIsAndWhatCameOfIt()
     running.done = 17;
     running.total = 28;
     QueueRow refused = bench.row(3, 3, RowState::Refused);
-    refused.visit.cause = "several units answer as number 9";
+    refused.visit.cause = Message::verbatim("several units answer as number 9");
     QueueRow failed = bench.row(4, 77, RowState::Failed); // whose device is gone
     failed.visit.step = service::Step::Firmware;
-    failed.visit.cause = "no answer";
+    failed.visit.cause = Message::verbatim("no answer");
     failed.visit.device = "sim:can/dmc60c:12";
     bench.workbench.time += std::chrono::seconds(5);
     bench.desk.show({passed, running, refused, failed});

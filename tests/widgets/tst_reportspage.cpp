@@ -61,7 +61,7 @@ struct ReportBench {
         failed.family = "dmc60c";
         failed.recipe = "drive-base rev C";
         failed.outcome = service::Outcome::Failed;
-        failed.cause = "friction 0.61 V, at most 0.4";
+        failed.cause = Message::verbatim("friction 0.61 V, at most 0.4");
         failed.station = "bench 2";
         service::Visit passed = failed;
         passed.id = "b";
@@ -70,7 +70,7 @@ struct ReportBench {
         passed.serial = "2103343A7B2E";
         passed.number = 36;
         passed.outcome = service::Outcome::Passed;
-        passed.cause.clear();
+        passed.cause = {};
         passed.from = "1.23";
         passed.to = "1.25";
         ReportUnit gone;

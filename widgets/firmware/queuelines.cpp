@@ -89,7 +89,7 @@ void describeOpen(QueueLine &line, const QueueRow &row, Instant now)
     default:
         line.glyph = GlyphState::Volatile;
         line.step = row.visit.id.empty() ? QueueText::tr("left out") : QueueText::tr("cut off");
-        line.result = tableText(row.visit.cause);
+        line.result = messageText(row.visit.cause);
         line.tone = Tone::Dim;
         break;
     }
@@ -104,13 +104,13 @@ void describe(QueueLine &line, const QueueRow &row, Instant now)
         line.glyph = GlyphState::Fault;
         line.step = QueueText::tr("failed: %1").arg(stepText(visit.step));
         line.done = static_cast<int>(shareOf(row) * 100.0);
-        line.result = tableText(visit.cause);
+        line.result = messageText(visit.cause);
         line.tone = Tone::Danger;
         break;
     case RowState::Refused:
         line.glyph = GlyphState::Fault;
         line.step = QueueText::tr("refused before start");
-        line.result = tableText(visit.cause);
+        line.result = messageText(visit.cause);
         line.tone = Tone::Danger;
         return;
     case RowState::Running:

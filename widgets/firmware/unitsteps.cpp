@@ -131,7 +131,7 @@ void UnitSteps::showStep(Step step, const service::QueueRow &row, bool wanted)
     const bool timed = found.begun && found.ended && found.begun->time > 0.0;
     line.time->setText(
         timed ? formatNumber(found.ended->time - found.begun->time, 1) + QStringLiteral("\u00A0s") : QString());
-    line.detail->setText(found.ended && wanted ? tableText(found.ended->detail) : QString());
+    line.detail->setText(found.ended && wanted ? messageText(found.ended->detail) : QString());
     setTone(*line.detail, broken ? Tone::Danger : Tone::Dim);
     for (QWidget *part : std::initializer_list<QWidget *>{line.glyph, line.name, line.time})
         part->setVisible(wanted);

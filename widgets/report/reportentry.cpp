@@ -82,13 +82,13 @@ ReportEntry entryOf(const service::Visit &visit, const Family *family)
     if (!visit.to.empty() && visit.to != visit.from)
         about << qt(visit.from) + QStringLiteral(" → ") + qt(visit.to);
     if (!visit.cause.empty())
-        about << tableText(visit.cause);
+        about << messageText(visit.cause);
     about << formatNumber(visit.seconds, 1) + QStringLiteral("\u00A0s");
     if (!visit.note.empty())
         about << qt(visit.note);
     entry.about = about.join(QStringLiteral(" · "));
-    entry.words = QStringList{qt(visit.serial), qt(visit.device), qt(visit.station), qt(visit.person), qt(visit.remedy),
-        qt(visit.evidence)}
+    entry.words = QStringList{qt(visit.serial), qt(visit.device), qt(visit.station), qt(visit.person),
+        messageText(visit.remedy), messageText(visit.evidence)}
                       .join(QLatin1Char(' '));
     return entry;
 }
