@@ -62,9 +62,9 @@
     <name>mb::QueueBar</name>
     <message numerus="yes">
         <source>Ended with %n unit(s) to go</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Ended with %n unit to go</numerusform>
+            <numerusform>Ended with %n units to go</numerusform>
         </translation>
     </message>
 </context>
