@@ -17,7 +17,7 @@ KNOWN_UNITS = [
     {"widgets/control/tunekeys", "widgets/control/tunepage"},
     {"widgets/monitor/framefilter", "widgets/monitor/framefilterparser"},
 ]
-KNOWN_FOLDERS = [{"app", "app/engine"}, {"widgets/connection", "widgets/start"}]
+KNOWN_FOLDERS = []
 
 
 def includes(path, text, paths):

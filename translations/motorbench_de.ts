@@ -6206,6 +6206,10 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
         <source>bus voltage not known</source>
         <translation>Busspannung unbekannt</translation>
     </message>
+    <message>
+        <source>Every unit of this family</source>
+        <translation>Jedes Gerät dieser Familie</translation>
+    </message>
 </context>
 <context>
     <name>mb::QueueHead</name>

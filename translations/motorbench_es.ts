@@ -6206,6 +6206,10 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
         <source>bus voltage not known</source>
         <translation>tensión de bus desconocida</translation>
     </message>
+    <message>
+        <source>Every unit of this family</source>
+        <translation>Todos los equipos de esta familia</translation>
+    </message>
 </context>
 <context>
     <name>mb::QueueHead</name>

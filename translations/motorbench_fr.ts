@@ -2184,7 +2184,7 @@
     </message>
     <message>
         <source>Units are being served. Cancel the queue?</source>
-        <translation>Des appareils sont en cours de traitement. Annuler la file ?</translation>
+        <translation>Des appareils sont en cours de traitement. Annuler la file&#xa0;?</translation>
     </message>
     <message>
         <source>The journal knows where it stood, and the queue can be gone on with.</source>
@@ -2931,7 +2931,7 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     </message>
     <message>
         <source>%1 %2: %3</source>
-        <translation>%1 %2 : %3</translation>
+        <translation>%1 %2&#xa0;: %3</translation>
     </message>
 </context>
 <context>
@@ -3768,7 +3768,7 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     </message>
     <message>
         <source>version %1 · pages: %2</source>
-        <translation>version %1 · pages : %2</translation>
+        <translation>version %1 · pages&#xa0;: %2</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -6078,7 +6078,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>Ended before its time: %1</source>
-        <translation>Terminée avant l’heure : %1</translation>
+        <translation>Terminée avant l’heure&#xa0;: %1</translation>
     </message>
     <message>
         <source>Pauses after this unit</source>
@@ -6101,7 +6101,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>Ended: %1 of %2 units</source>
-        <translation>Terminé : %1 appareils sur %2</translation>
+        <translation>Terminé&#xa0;: %1 appareils sur %2</translation>
     </message>
     <message>
         <source>Nothing running</source>
@@ -6128,7 +6128,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>The self-test turns the motor: %1. Hold Arm in the header once the queue runs.</source>
-        <translation>L’autotest fait tourner le moteur : %1. Maintenez Armer dans l’en-tête une fois la file lancée.</translation>
+        <translation>L’autotest fait tourner le moteur&#xa0;: %1. Maintenez Armer dans l’en-tête une fois la file lancée.</translation>
     </message>
     <message>
         <source>Every %1</source>
@@ -6160,19 +6160,19 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>The last queue of this recipe was cut off: %1 done, %2 open</source>
-        <translation>La dernière file de cette recette a été interrompue : %1 faits, %2 ouverts</translation>
+        <translation>La dernière file de cette recette a été interrompue&#xa0;: %1 faits, %2 ouverts</translation>
     </message>
     <message>
         <source>What has ended stays as it is; ticked units are taken along.</source>
-        <translation>Ce qui est terminé reste tel quel ; les appareils cochés sont ajoutés.</translation>
+        <translation>Ce qui est terminé reste tel quel&#xa0;; les appareils cochés sont ajoutés.</translation>
     </message>
     <message>
         <source>One unit at a time on a bus, buses side by side. Real units keep this computer awake. The journal is on disk: after a crash the queue goes on.</source>
-        <translation>Un appareil à la fois par bus, les bus en parallèle. Les vrais appareils gardent cet ordinateur éveillé. Le journal est sur disque : après un plantage, la file reprend.</translation>
+        <translation>Un appareil à la fois par bus, les bus en parallèle. Les vrais appareils gardent cet ordinateur éveillé. Le journal est sur disque&#xa0;: après un plantage, la file reprend.</translation>
     </message>
     <message>
         <source>Every unit is backed up before and compared afterwards; the journal has it.</source>
-        <translation>Chaque appareil est sauvegardé avant et comparé après ; le journal en garde trace.</translation>
+        <translation>Chaque appareil est sauvegardé avant et comparé après&#xa0;; le journal en garde trace.</translation>
     </message>
     <message>
         <source>recipe checked</source>
@@ -6205,6 +6205,10 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     <message>
         <source>bus voltage not known</source>
         <translation>tension du bus inconnue</translation>
+    </message>
+    <message>
+        <source>Every unit of this family</source>
+        <translation>Chaque appareil de cette famille</translation>
     </message>
 </context>
 <context>
@@ -6337,7 +6341,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>failed: %1</source>
-        <translation>échec : %1</translation>
+        <translation>échec&#xa0;: %1</translation>
     </message>
     <message>
         <source>refused before start</source>
@@ -9603,19 +9607,19 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <name>mb::UnitUpdate</name>
     <message>
         <source>Verified: %1</source>
-        <translation>Vérifié : %1</translation>
+        <translation>Vérifié&#xa0;: %1</translation>
     </message>
     <message>
         <source>Not needed: %1</source>
-        <translation>Inutile : %1</translation>
+        <translation>Inutile&#xa0;: %1</translation>
     </message>
     <message>
         <source>Refused: %1</source>
-        <translation>Refusé : %1</translation>
+        <translation>Refusé&#xa0;: %1</translation>
     </message>
     <message>
         <source>Failed: %1</source>
-        <translation>Échec : %1</translation>
+        <translation>Échec&#xa0;: %1</translation>
     </message>
     <message>
         <source>Cancelled. %1.</source>
@@ -9659,7 +9663,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>One update a bus: %1 is being written.</source>
-        <translation>Une seule mise à jour par bus : écriture de %1 en cours.</translation>
+        <translation>Une seule mise à jour par bus&#xa0;: écriture de %1 en cours.</translation>
     </message>
     <message>
         <source>no device selected</source>
@@ -9723,7 +9727,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>%1 s, pages sent again: %2</source>
-        <translation>%1 s, pages renvoyées : %2</translation>
+        <translation>%1 s, pages renvoyées&#xa0;: %2</translation>
     </message>
     <message>
         <source>Open a firmware image</source>
@@ -9772,7 +9776,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>In the order they are written. Green: written. Amber edge: sent again. Dashed: not in the image. Red: must not be cut.</source>
-        <translation>Dans l’ordre d’écriture. Vert : écrite. Bord orange : renvoyée. Tirets : absente de l’image. Rouge : ne pas interrompre.</translation>
+        <translation>Dans l’ordre d’écriture. Vert&#xa0;: écrite. Bord orange&#xa0;: renvoyée. Tirets&#xa0;: absente de l’image. Rouge&#xa0;: ne pas interrompre.</translation>
     </message>
     <message>
         <source>Do not unplug</source>
@@ -16444,7 +16448,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>units are served here; the link stays open</source>
-        <translation>des appareils sont traités ici ; la liaison reste ouverte</translation>
+        <translation>des appareils sont traités ici&#xa0;; la liaison reste ouverte</translation>
     </message>
     <message>
         <source>write a page</source>

@@ -6199,6 +6199,10 @@ double click or End returns to the present · right click for more</source>
         <source>bus voltage not known</source>
         <translation>バス電圧不明</translation>
     </message>
+    <message>
+        <source>Every unit of this family</source>
+        <translation>このファミリのすべての機器</translation>
+    </message>
 </context>
 <context>
     <name>mb::QueueHead</name>

@@ -6199,6 +6199,10 @@ double click or End returns to the present · right click for more</source>
         <source>bus voltage not known</source>
         <translation>总线电压未知</translation>
     </message>
+    <message>
+        <source>Every unit of this family</source>
+        <translation>该系列的所有设备</translation>
+    </message>
 </context>
 <context>
     <name>mb::QueueHead</name>

@@ -17,7 +17,9 @@
 #include "widgets/service/verdictview.h"
 
 #include <QFile>
+#include <QLabel>
 #include <QListWidget>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 
 using namespace mb;
@@ -61,6 +63,16 @@ struct QueueWindow : WindowBench {
                 }
             }
         });
+    }
+    /// Units of the queue that are done with, one way or another.
+    [[nodiscard]] int ended()
+    {
+        static const QRegularExpression counts(QStringLiteral("(\\d+) passed +(\\d+) failed +(\\d+) refused"));
+        for (const auto *label : part<ProductionPage>().findChildren<QLabel *>()) {
+            if (const auto found = counts.match(label->text()); found.hasMatch())
+                return found.captured(1).toInt() + found.captured(2).toInt() + found.captured(3).toInt();
+        }
+        return 0;
     }
     [[nodiscard]] QString write(const QByteArray &recipe)
     {
@@ -127,9 +139,13 @@ void QueueWindowTest::theHeaderSaysThatAStationIsArmed()
     QCOMPARE(lamp.status().state, LampState::Safe);
     page.start();
     QTRY_VERIFY_WITH_TIMEOUT(lamp.status().armable && lamp.status().detail.isEmpty(), patience);
+    // What is there before the station is armed fails for that, and is tested again by its serial number.
+    const QString serial = QString::fromStdString(bench.device(5)->identity.serial);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.ended() >= 2, longPatience);
     Q_EMIT lamp.armRequested(); // held
     QTRY_COMPARE_WITH_TIMEOUT(lamp.status().state, LampState::Armed, patience);
-    QTRY_VERIFY_WITH_TIMEOUT(bench.isOutputOn(), longPatience);
+    page.take(serial);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isOutputOn(), 20000);
     QTRY_COMPARE_WITH_TIMEOUT(lamp.status().state, LampState::Moving, patience);
     Q_EMIT lamp.disarmRequested();
     QTRY_VERIFY_WITH_TIMEOUT(!bench.isOutputOn(), patience);

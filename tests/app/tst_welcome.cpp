@@ -171,8 +171,12 @@ void WelcomeTest::firmwareOnDiskIsCheckedAndOpened()
     bad.close();
     FirmwareShelf shelf(folder.path());
     shelf.look(folder.path());
-    QTRY_VERIFY(std::all_of(shelf.rows().begin(), shelf.rows().end(),
-        [](const ListCard::Row &row) { return !row.words.contains(QStringLiteral("not read yet")); }));
+    const auto isRead = [&shelf] {
+        const auto rows = shelf.rows();
+        return std::all_of(rows.begin(), rows.end(),
+            [](const ListCard::Row &row) { return !row.words.contains(QStringLiteral("not read yet")); });
+    };
+    QTRY_VERIFY(isRead());
     for (const ListCard::Row &row : shelf.rows())
         QCOMPARE(row.words.contains(QStringLiteral("checked")), row.name == QStringLiteral("good.hex"));
 }

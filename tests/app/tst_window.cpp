@@ -7,6 +7,7 @@
 #include "widgets/connection/devicetree.h"
 #include "widgets/connection/overviewpage.h"
 #include "widgets/firmware/firmwarepage.h"
+#include "widgets/firmware/unitupdate.h"
 #include "widgets/monitor/logpage.h"
 #include "widgets/parameters/parameterspage.h"
 #include "widgets/plots/plotspage.h"
@@ -149,7 +150,7 @@ void WindowTest::anUpdateEndsVerified()
         return std::any_of(labels.begin(), labels.end(), [&](const QLabel *l) { return l->text().startsWith(start); });
     };
     QTRY_VERIFY_WITH_TIMEOUT(says(QStringLiteral("Verified: ")), patience);
-    const auto *progress = page.findChild<QProgressBar *>();
+    const auto *progress = page.findChild<UnitUpdate *>()->findChild<QProgressBar *>();
     QCOMPARE(progress->value(), progress->maximum());
     QCOMPARE(progress->maximum(), 31);
     const auto now = [&bench] { return bench.device(WindowBench::inBootloader)->identity; };

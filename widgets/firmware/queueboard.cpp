@@ -84,6 +84,7 @@ QWidget *QueueBoard::buildTable(QWidget *parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     m_every = new QCheckBox(area);
+    m_every->setAccessibleName(tr("Every unit of this family"));
     m_every->setContentsMargins(theme.u(16), 0, 0, 0);
     auto *head = new QHBoxLayout;
     head->setContentsMargins(theme.u(6), theme.u(6), theme.u(16), theme.u(6));
