@@ -62,8 +62,8 @@ Identity PassiveDiscovery::merged(Sighting &sighting, Identity seen)
         }
     }
     for (auto &[key, text] : seen.descriptors) {
-        const auto same = std::find_if(
-            out.descriptors.begin(), out.descriptors.end(), [&](const auto &entry) { return entry.first == key; });
+        const auto same = std::find_if(out.descriptors.begin(), out.descriptors.end(),
+            [&name = key](const auto &entry) { return entry.first == name; });
         if (same == out.descriptors.end())
             out.descriptors.emplace_back(key, text);
         else

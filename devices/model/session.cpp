@@ -39,10 +39,10 @@ public:
         {
             round.m_session.adopt(round.m_link, family, identity, round.seen);
         }
-        void progress(const Message &what, int done, int total) override
+        void progress(const Message &what, int passed, int total) override
         {
             if (round.m_options.progress)
-                round.m_options.progress(what, done, total);
+                round.m_options.progress(what, passed, total);
         }
         [[nodiscard]] std::vector<Identity> remembered() const override
         {

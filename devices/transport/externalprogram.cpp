@@ -21,8 +21,7 @@ std::string clean(const std::string &bytes)
 } // namespace
 
 ExternalProgram::ExternalProgram(Clock &clock)
-    : m_clock(clock)
-    , m_process(std::make_unique<QProcess>())
+    : m_process(std::make_unique<QProcess>())
     , m_timeout(clock)
     , m_wake(clock)
 {

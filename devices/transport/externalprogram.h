@@ -97,7 +97,6 @@ private:
     void forget();
     void resume();
 
-    Clock &m_clock;
     std::unique_ptr<QProcess> m_process;
     std::string m_name;
     std::deque<std::string> m_pieces; ///< complete lines

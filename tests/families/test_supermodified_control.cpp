@@ -249,6 +249,44 @@ TEST_F(SupermodifiedNode, ANodeThatLostItsSupplyWhileDrivenEndsTheStream)
     EXPECT_FALSE(node.isOutputOn());
 }
 
+TEST_F(SupermodifiedNode, CountsThatAreGoneAfterASilenceAreNoRestartWhereTheNodeWasToldToGoThere)
+{
+    bench.clock.advance(200ms);
+    SetPointStream stream(*device, bench.clock);
+    ASSERT_TRUE(stream.start(setPoint(Mode::Position, 0.0), 600s));
+    int gone = 0;
+    for (double target = 20.0; target <= 200.0; target += 10.0) {
+        ASSERT_TRUE(stream.update(setPoint(Mode::Position, target)));
+        bench.clock.advance(800ms);
+        const double before = position();
+        ASSERT_TRUE(stream.update(setPoint(Mode::Position, 0.0)));
+        bench.clock.advance(8ms);
+        bench.line.setLoss(1.0); // nobody sees it on its way
+        bench.clock.advance(60ms);
+        bench.line.setLoss(0.0);
+        bench.clock.advance(400ms);
+        gone += before != 0.0 && position() == 0.0 ? 1 : 0;
+        ASSERT_TRUE(stream.isRunning()) << target << ": " << stream.reason();
+        EXPECT_FALSE(device->liveness().restarted) << target;
+    }
+    EXPECT_GT(gone, 0);
+}
+
+TEST_F(SupermodifiedNode, ANodeThatLostItsSupplySaysThatItIsNotStartedWhereItsCountsDoNotTell)
+{
+    bench.clock.advance(200ms);
+    SetPointStream stream(*device, bench.clock);
+    ASSERT_TRUE(stream.start(setPoint(Mode::Position, 200.0), 60s));
+    bench.clock.advance(1s);
+    ASSERT_GT(node.position(), 100.0);
+    node.setPowered(false);
+    bench.clock.advance(60ms);
+    node.setPowered(true);
+    bench.clock.advance(500ms);
+    EXPECT_FALSE(stream.isRunning());
+    EXPECT_NE(stream.reason().english().find("not started"), std::string::npos) << stream.reason();
+}
+
 TEST_F(SupermodifiedNode, RefusesWhatTheNodeCannotDoWithoutSendingAnything)
 {
     bench.clock.advance(100ms);

@@ -22,13 +22,13 @@ consteval Table channelRows(std::string_view current, std::string_view temperatu
     }};
 }
 
-constexpr Table raw = channelRows("counts", "counts");
+constexpr Table inCounts = channelRows("counts", "counts");
 constexpr Table amperes = channelRows("A", "counts");
 constexpr Table degrees = channelRows("counts", "°C");
 constexpr Table both = channelRows("A", "°C");
 
-static_assert(checkChannels(raw) && checkChannels(both));
-static_assert(raw[channel::duty.value].key == "duty" && raw[channel::temperature.value].key == "temperature");
+static_assert(checkChannels(inCounts) && checkChannels(both));
+static_assert(inCounts[channel::duty.value].key == "duty" && inCounts[channel::temperature.value].key == "temperature");
 
 } // namespace
 
@@ -36,7 +36,7 @@ std::span<const Channel> channelTable(bool currentKnown, bool temperatureKnown)
 {
     if (currentKnown)
         return temperatureKnown ? both : amperes;
-    return temperatureKnown ? degrees : raw;
+    return temperatureKnown ? degrees : inCounts;
 }
 
 } // namespace mb::abstractdc

@@ -20,21 +20,35 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration repeatPeriod = 250ms; ///< of a set-point that did not change; the drive holds it by itself
-constexpr int proofAttempts = 3;         ///< of its question
-constexpr int stopRepeats = 3;           ///< of the stop script
+constexpr Duration foreignMemory = 2s;
+constexpr int proofAttempts = 3; ///< of its question
+constexpr int stopRepeats = 3;   ///< of the stop script
+
+/// A stop has no answer. A question after it has one, and CAN keeps the order: whoever answers has had the stop before.
+StopStep proofStep(const Dialect &dialect, int offset, const CanLink &link)
+{
+    StopStep step;
+    step.frame = encodeLogRequest(dialect, offset, Log::Position);
+    CanFrame answer;
+    answer.id = static_cast<std::uint32_t>(dialect.reply.at(static_cast<std::size_t>(Log::Position)))
+        + static_cast<std::uint32_t>(offset);
+    answer.size = sizeof(std::int32_t);
+    step.replyFrame = answer;
+    step.wait = std::clamp(std::chrono::ceil<std::chrono::milliseconds>(answerTime(link)), std::chrono::milliseconds(1),
+        std::chrono::milliseconds(500));
+    step.attempts = proofAttempts;
+    return step;
+}
 
 } // namespace
 
 Controller::Controller(const Family &family, CanLink &link, Clock &clock, Identity identity)
     : Device(family, link, clock, std::move(identity))
     , m_can(link)
-    , m_poller(link, clock,
-          {[this](Log log, std::int32_t value, Instant time) { onLog(log, value, time); }, [this] { onSilence(); },
-              [this](Log log) {
-                  if (log == Log::Position)
-                      telemetry()->lost(channel::position, 1);
-              }})
-    , m_look(clock)
+    , m_logs(link, clock, telemetry(), profile(), owner())
+    , m_debt(profile(), [this](std::int64_t owed) { setCounter(std::string(counter::powerCycle), owed); })
+    , m_desk(
+          *this, link, m_logs, m_debt, [this](const std::string &key, std::int64_t value) { setCounter(key, value); })
     , m_received(link.received().add([this](const CanFrame &frame) { onFrame(frame, false); }))
     , m_identityChanged(changed().add([this] { speak(); }))
 {
@@ -44,18 +58,31 @@ Controller::Controller(const Family &family, CanLink &link, Clock &clock, Identi
                 onFrame(*traffic.can, true);
         });
     speak();
-    planPolling();
+    m_logs.plan();
+}
+
+LogSense::Owner Controller::owner()
+{
+    return {
+        .located = [this](std::int32_t position) { m_debt.heard(position); },
+        .wrapped =
+            [this] {
+                if (m_ours)
+                    sendStop();
+            },
+        .silent = [this] { onSilence(); },
+        .heard = [this] { updateLiveness(); },
+    };
 }
 
 void Controller::speak()
 {
     const Dialect *const dialect = dialectByKey(identity().dialect);
-    if (dialect == m_dialect && m_poller.isHeard())
+    if (dialect == m_logs.dialect() && m_logs.isHeard())
         return;
-    if (dialect != m_dialect)
+    if (dialect != m_logs.dialect())
         enter(std::nullopt);
-    m_dialect = dialect;
-    m_poller.speak(dialect, identity().address);
+    m_logs.speak(dialect, identity().address);
 }
 
 void Controller::doProfileChanged()
@@ -64,24 +91,17 @@ void Controller::doProfileChanged()
         profile().calibrated(calibration::amperes) > 0.0, profile().calibrated(calibration::degrees) > 0.0));
 }
 
-/// Kept with its profile: another run of this program must know it, too.
-bool Controller::needsPowerCycle() const
-{
-    const auto owed = profile().counters.find(std::string(counter::powerCycle));
-    return owed != profile().counters.end() && owed->second != 0;
-}
-
 // Control
 
 Result<void> Controller::doMayMove() const
 {
-    if (!m_dialect)
+    if (!m_logs.dialect())
         return fail(Fault::Unsafe,
             say("it is not proven which codes this drive speaks, and the wrong ones start it at full power"),
             say("scan again, or choose its dialect by hand"));
-    if (!m_dialect->canStop())
+    if (!m_logs.dialect()->canStop())
         return fail(Fault::Unsafe, say("a drive of dialect LL has no code for stop"), say("only its power stops it"));
-    if (needsPowerCycle())
+    if (m_debt.isOwed())
         return fail(Fault::Unsafe,
             say("its averaging was lowered, as far as can be known, and until it has lost its power once it may "
                 "overwrite its own memory"),
@@ -97,25 +117,13 @@ Result<void> Controller::doCheck(const SetPoint &setPoint) const
     return {};
 }
 
-std::optional<double> Controller::feedback(Loop loop) const
-{
-    switch (loop) {
-    case Loop::Velocity: return m_velocity ? m_velocity : m_sense.velocity(clock().now());
-    case Loop::Position: {
-        const auto position = m_sense.position();
-        return position ? std::optional<double>(*position) : std::nullopt;
-    }
-    default: return std::nullopt;
-    }
-}
-
 Message Controller::doCaution(const SetPoint &setPoint) const
 {
     const auto command = commandOf(setPoint, profile());
     if (!command || knowsGains(parameters(), command->loop))
         return {};
     const double lead = greatestError(parameters(), command->loop);
-    if (std::abs(command->target - feedback(command->loop).value_or(0.0)) <= lead)
+    if (std::abs(command->target - m_logs.feedback(command->loop).value_or(0.0)) <= lead)
         return {};
     return say("the gains of this loop are not known here, so its target stays within %1 of where it is: a weak loop "
                "may not move it; write its p and divisor once",
@@ -127,23 +135,23 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
     const auto command = commandOf(setPoint, profile());
     if (!command)
         return fail(command.error());
-    if (m_wrapped)
+    if (m_logs.output().hasWrapped())
         return fail(Fault::Unsafe, say("the output of its loop passed 32767, where it turns to full reverse"),
             say("lower the gains or the steps"));
-    if (command->loop == Loop::Position && !m_sense.position())
+    if (command->loop == Loop::Position && !m_logs.motion().position())
         return fail(Fault::Unsafe, say("its position is not known yet"),
             say("a step from the wrong place could be far too large"));
     const Instant now = clock().now();
-    if (m_loop != command->loop || !m_ours)
+    if (m_logs.loop() != command->loop || !m_ours)
         m_lead.reset();
     const std::int32_t target = m_lead.next(
-        *command, setPoint.ramp, feedback(command->loop), greatestError(parameters(), command->loop), now);
-    const bool news = m_loop != command->loop || !m_ours || target != m_sentTarget;
+        *command, setPoint.ramp, m_logs.feedback(command->loop), greatestError(parameters(), command->loop), now);
+    const bool news = m_logs.loop() != command->loop || !m_ours || target != m_sentTarget;
     // At low bit rates set-points would fill the wire: then a newer one waits for the next call.
     const Duration spacing = news ? 2 * roundTrip(m_can) : std::max<Duration>(repeatPeriod, 10 * roundTrip(m_can));
-    if (m_ours && m_loop == command->loop && now - m_sentAt < spacing)
+    if (m_ours && m_logs.loop() == command->loop && now - m_sentAt < spacing)
         return {};
-    if (auto sent = m_can.send(encodeSetPoint(*m_dialect, identity().address, command->loop, target)); !sent)
+    if (auto sent = m_can.send(encodeSetPoint(*m_logs.dialect(), identity().address, command->loop, target)); !sent)
         return sent;
     m_sentTarget = target;
     m_sentAt = now;
@@ -157,8 +165,14 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
 
 void Controller::doStop()
 {
+    m_logs.output().release();
+    sendStop();
+}
+
+void Controller::sendStop()
+{
     const auto frames = stopFrames(identity().address);
-    const std::size_t own = m_dialect && m_dialect->wide && m_dialect->canStop() ? 1 : 0;
+    const std::size_t own = m_logs.dialect() && m_logs.dialect()->wide && m_logs.dialect()->canStop() ? 1 : 0;
     // Its own length first. The drive ignores the other one, which is for a dialect that was mistaken. Twice (README.md#no-watchdog): the
     // first overtakes what waits, the last comes behind a set-point that the kernel may still hold.
     // A drive of dialect LL takes the long one for a set-point; the short one it ignores.
@@ -166,7 +180,6 @@ void Controller::doStop()
     if (doMayStop())
         (void)m_can.send(frames.at(1 - own), Priority::Urgent);
     (void)m_can.send(frames.at(own));
-    m_wrapped = false;
     m_lead.reset();
     telemetry()->breakLine(channel::setPoint);
     enter(Loop::None);
@@ -175,9 +188,9 @@ void Controller::doStop()
 
 Result<void> Controller::doMayStop() const
 {
-    if (!m_dialect)
+    if (!m_logs.dialect())
         return fail(Fault::Unsafe, say("it is not proven which codes it speaks, and a stop of others may start it"));
-    if (!m_dialect->canStop())
+    if (!m_logs.dialect()->canStop())
         return fail(Fault::Unsafe, say("dialect LL has no code for stop"));
     return {};
 }
@@ -194,29 +207,127 @@ StopScript Controller::doStopScript() const
         script.steps.push_back(std::move(step));
     }
     if (doMayStop())
-        script.steps.push_back(proofStep());
+        script.steps.push_back(proofStep(*m_logs.dialect(), identity().address, m_can));
     return script;
-}
-
-/// A stop has no answer. A question after it has one, and CAN keeps the order: whoever answers has had the stop before.
-StopStep Controller::proofStep() const
-{
-    StopStep step;
-    step.frame = encodeLogRequest(*m_dialect, identity().address, Log::Position);
-    CanFrame answer;
-    answer.id = static_cast<std::uint32_t>(m_dialect->reply.at(static_cast<std::size_t>(Log::Position)))
-        + static_cast<std::uint32_t>(identity().address);
-    answer.size = sizeof(std::int32_t);
-    step.replyFrame = answer;
-    step.wait = std::clamp(std::chrono::ceil<std::chrono::milliseconds>(answerTime(m_can)),
-        std::chrono::milliseconds(1), std::chrono::milliseconds(500));
-    step.attempts = proofAttempts;
-    return step;
 }
 
 bool Controller::doIsSeenStopped() const
 {
-    return m_poller.isHeard() && m_sense.standsSince(std::max(stoppedAt(), m_sentAt));
+    return m_logs.isHeard() && m_logs.motion().standsSince(std::max(stoppedAt(), m_sentAt));
+}
+
+// What the bus tells
+
+void Controller::enter(std::optional<Loop> loop)
+{
+    if (m_logs.enter(loop))
+        updateLiveness();
+}
+
+/// Set-points and settings of other masters; `ours`: of a recording, those of its recorder.
+void Controller::onFrame(const CanFrame &frame, bool ours)
+{
+    if (!m_logs.dialect() || frame.extended)
+        return;
+    if (const auto loop = decodeSetPoint(*m_logs.dialect(), identity().address, frame)) {
+        const bool driven = *loop != Loop::None;
+        m_ours = ours && driven;
+        m_foreignAt = driven && !ours ? std::optional<Instant>(frame.time) : std::nullopt;
+        if (ours && !driven)
+            m_logs.output().release();
+        enter(*loop);
+        updateLiveness();
+    } else if (const auto settings = decodeSettings(*m_logs.dialect(), identity().address, frame)) {
+        if (const auto index = parameterOf(settings->loop, settings->field))
+            assume(*index, settings->value);
+    }
+}
+
+void Controller::onSilence()
+{
+    m_debt.silent(m_can.state() == LinkState::Open, m_logs.motion().position());
+    m_logs.forget();
+    enter(std::nullopt);
+    for (std::uint16_t i = 0; i < telemetry()->channels().size(); ++i)
+        telemetry()->breakLine({i});
+    updateLiveness();
+}
+
+void Controller::updateLiveness()
+{
+    if (m_foreignAt && clock().now() - *m_foreignAt > foreignMemory && !m_logs.isMoving())
+        m_foreignAt.reset();
+    Liveness now;
+    now.heard = m_logs.isHeard();
+    now.moving = m_logs.isMoving() || (m_logs.isDriven() && m_ours);
+    if (const auto loop = m_logs.loop())
+        now.mode = modeOf(*loop);
+    now.foreignMaster = m_foreignAt.has_value();
+    now.faults = m_logs.output().faults();
+    setLiveness(now);
+}
+
+// What asks and waits
+
+Task<void> Controller::doRefresh()
+{
+    auto asking = m_desk.expectAnswer();
+    co_await std::move(asking);
+    Identity known = identity();
+    known.descriptors = {{"position_glitches", std::to_string(m_logs.motion().glitches())}};
+    for (auto &&saves : m_desk.saves())
+        known.descriptors.emplace_back(std::move(saves));
+    setIdentity(std::move(known));
+    co_return {};
+}
+
+Task<std::int64_t> Controller::doRead(ParameterIndex)
+{
+    co_return fail(Fault::Unsupported, say("an Abstract DC Drive cannot be asked for its settings"));
+}
+
+Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
+{
+    return m_desk.write(parameters().parameter(index), raw);
+}
+
+void Controller::settingsErased()
+{
+    m_desk.erased();
+    for (std::uint16_t i = 0; i < parameterTable().size(); ++i)
+        assume({i}, fieldOf(parameterTable()[i]) == Field::Averaging ? 1 : 0);
+}
+
+Task<std::vector<FaultRecord>> Controller::doReadFaults()
+{
+    co_return m_logs.output().records();
+}
+
+Task<std::vector<FaultRecord>> Controller::doClearFaults()
+{
+    auto records = m_logs.output().records();
+    m_logs.output().clearCounts();
+    co_return records;
+}
+
+Task<void> Controller::doIdentify()
+{
+    co_return fail(Fault::Unsupported, say("an Abstract DC Drive has no lamp to blink"));
+}
+
+Task<void> Controller::doRename(std::string)
+{
+    co_return fail(Fault::Unsupported, say("an Abstract DC Drive has no name"));
+}
+
+Task<void> Controller::doRenumber(int)
+{
+    co_return fail(Fault::Unsupported, say("the offset of an Abstract DC Drive is compiled into its firmware"));
+}
+
+Task<void> Controller::doSetRate(ChannelIndex channel, double hertz)
+{
+    co_return m_logs.wish(channel, hertz);
 }
 
 std::unique_ptr<Device> open(Link &link, Clock &clock, const Identity &identity)

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "families/abstractdc/logpoller.h"
-#include "families/abstractdc/motionsense.h"
+#include "families/abstractdc/logsense.h"
+#include "families/abstractdc/powercycledebt.h"
 #include "families/abstractdc/setpoints.h"
-#include "model/device.h"
-
-#include <map>
-#include <set>
+#include "families/abstractdc/settingsdesk.h"
 
 namespace mb::abstractdc {
 
@@ -22,24 +19,17 @@ public:
     void settingsErased();
 
 private:
-    // Device, in controllertasks.cpp
+    // Device, what asks and waits
     Task<void> doRefresh() override;
     Task<std::int64_t> doRead(ParameterIndex index) override;
     Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) override;
-    Task<bool> doStore(Progress &progress) override;
+    Task<bool> doStore(Progress &progress) override { return m_desk.store(progress); }
     Task<std::vector<FaultRecord>> doReadFaults() override;
     Task<std::vector<FaultRecord>> doClearFaults() override;
     Task<void> doIdentify() override;
     Task<void> doRename(std::string name) override;
     Task<void> doRenumber(int address) override;
     Task<void> doSetRate(ChannelIndex channel, double hertz) override;
-
-    [[nodiscard]] Task<void> expectAnswer();
-    [[nodiscard]] Result<void> mayWrite(const Parameter &parameter, std::int64_t raw) const;
-    [[nodiscard]] bool mayLowerAveraging(std::int64_t raw) const;
-    [[nodiscard]] bool needsPowerCycle() const;
-    void judgeSilence(std::int32_t position);
-    [[nodiscard]] Task<void> save(Loop loop, Progress &progress);
 
     // Device, at once
     [[nodiscard]] Result<void> doMayMove() const override;
@@ -50,45 +40,26 @@ private:
     void doStop() override;
     [[nodiscard]] Result<void> doMayStop() const override;
     [[nodiscard]] StopScript doStopScript() const override;
-    [[nodiscard]] StopStep proofStep() const;
     [[nodiscard]] bool doIsSeenStopped() const override;
 
+    // What the bus tells, and what follows from it
+    [[nodiscard]] LogSense::Owner owner();
     void speak();
     void enter(std::optional<Loop> loop);
-    void planPolling();
-    [[nodiscard]] double rateOf(Log log) const;
-    [[nodiscard]] bool isFresh(Log log) const;
-    [[nodiscard]] std::optional<double> feedback(Loop loop) const;
-    [[nodiscard]] bool isDriven() const { return m_loop && *m_loop != Loop::None; }
-
+    void sendStop();
     void onFrame(const CanFrame &frame, bool ours);
-    void onLog(Log log, std::int32_t value, Instant time);
-    void onPosition(std::int32_t value, Instant time);
-    void onVoltage(std::int32_t value, Instant time);
     void onSilence();
     void updateLiveness();
 
     CanLink &m_can;
-    const Dialect *m_dialect = nullptr; ///< nullptr: not proven
-    LogPoller m_poller;
-    MotionSense m_sense;
+    LogSense m_logs;
+    PowerCycleDebt m_debt;
+    SettingsDesk m_desk;
     TargetLead m_lead;
-    std::map<Log, double> m_wishes; ///< of setRate()
-
-    std::optional<Loop> m_loop; ///< last commanded, by us or by somebody we heard; nothing: not known
-    bool m_ours = false;        ///< by us
+    bool m_ours = false; ///< the loop was commanded by us
     std::int32_t m_sentTarget = 0;
     Instant m_sentAt{};
-    std::optional<double> m_velocity; ///< in force, counts/s
-    std::optional<Instant> m_foreignAt;
-    bool m_saturated = false;
-    bool m_wrapped = false; ///< since the motor was stopped last
-    std::int64_t m_saturations = 0;
-    std::int64_t m_wraps = 0;
-    bool m_wasSilent = false;                     ///< since it was heard last, while its link was open
-    std::optional<std::int64_t> m_positionBefore; ///< the silence
-    std::set<Loop> m_unsaved;
-    Timer m_look;
+    std::optional<Instant> m_foreignAt; ///< somebody else's set-point
     Subscription m_received;
     Subscription m_sent; ///< of a recording: what its recorder had sent
     Subscription m_identityChanged;

@@ -11,7 +11,7 @@ namespace {
 
 using Option = SimulatorOption<UnitOptions>;
 
-constexpr std::array<std::pair<std::string_view, StoredGains>, 3> gains{
+constexpr std::array<std::pair<std::string_view, StoredGains>, 3> gainWords{
     {{"default", StoredGains::Default}, {"tuned", StoredGains::Tuned}, {"overshoot", StoredGains::Overshoot}}};
 
 constexpr std::array optionTable{
@@ -28,7 +28,7 @@ constexpr std::array optionTable{
     Option{"load", [](UnitOptions &o, std::string_view text) { return takeLoad(text, o.load); }},
     Option{
         "glitches", [](UnitOptions &o, std::string_view text) { return takeWithin(text, 1, 1'000'000, o.glitches); }},
-    Option{"gains", [](UnitOptions &o, std::string_view text) { return takeWord(text, gains, o.gains); }},
+    Option{"gains", [](UnitOptions &o, std::string_view text) { return takeWord(text, gainWords, o.gains); }},
     Option{"serial", [](UnitOptions &, std::string_view) { return true; }},
 };
 

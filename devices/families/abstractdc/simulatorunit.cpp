@@ -1,78 +1,70 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Power, faults, and the motor.
 #include "families/abstractdc/simulatorunit.h"
 
+#include "wire/bytes.h"
+
 #include <algorithm>
-#include <cmath>
 
 namespace mb::abstractdc::simulation {
 namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Duration physicsStep = 100us;
 constexpr Duration powerBack = 200ms;
 constexpr double brownoutVolts = 5.0;
 constexpr double brownoutSeconds = 6.0;
-constexpr double leastCurrent = 1e-3;
-constexpr int awakeSteps = 50;
+constexpr double glitchWindow = 20e-6; ///< how long after a wrap a reading may be wrong
 
 Duration fromSeconds(double seconds)
 {
     return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(seconds));
 }
 
+template <std::size_t N> int placeOf(const std::array<int, N> &codes, int code)
+{
+    const auto found = std::find(codes.begin(), codes.end(), code);
+    return found == codes.end() ? absent : static_cast<int>(found - codes.begin());
+}
+
+std::int32_t valueAt(const CanFrame &frame, std::size_t place)
+{
+    return signExtend(readU32le(frame.data, place), 32);
+}
+
 } // namespace
 
 Unit::Unit(CanLink &link, Clock &clock, const UnitOptions &options, Notify notify)
-    : m_link(link)
-    , m_clock(clock)
+    : m_clock(clock)
     , m_options(options)
     , m_notify(std::move(notify))
     , m_dialect(*options.dialect)
-    , m_motor(*options.motor, options.load)
-    , m_motorAt(clock.now())
-    , m_cycle(clock)
+    , m_shaft(clock, options, m_notify)
+    , m_loops(clock, m_shaft, m_notify)
+    , m_outbox(link, clock, m_options)
     , m_restart(clock)
     , m_received(link.received().add([this](const CanFrame &frame) { hear(frame); }))
 {
     const auto stored = storedGains(options);
     for (int page = 0; options.gains != StoredGains::Default && page < 3; ++page)
         m_flash.save(page, stored.at(static_cast<std::size_t>(page)));
-    m_motor.setEncoderReversed(options.find("encoder-reversed") != nullptr);
     start();
     scheduleFaults();
 }
 
 void Unit::start()
 {
-    advance();
     m_powered = true;
-    m_startedAt = m_clock.now();
-    m_origin = m_motor.counts();
-    m_mode = Loop::None;
-    m_target = 0;
-    for (std::size_t page = 0; page < m_gains.size(); ++page)
-        m_gains.at(page) = m_flash.load(static_cast<int>(page));
-    m_pids = {};
-    m_output = 0;
-    m_velocity = 0;
-    m_velocityFrom = 0;
-    m_velocityTime = 0;
-    m_current = {};
-    m_overrunTold = false;
-    m_cycle.startIn(loopPeriod, [this] { cycle(); });
-    m_notify(m_startedAt, "power-on", 0.0);
+    m_shaft.zero();
+    m_loops.start({m_flash.load(0), m_flash.load(1), m_flash.load(2)});
+    m_notify(m_clock.now(), "power-on", 0.0);
 }
 
 void Unit::stop()
 {
-    advance();
+    m_shaft.advance();
     m_powered = false;
-    m_cycle.stop();
-    m_replies.clear();
-    m_pending = 0;
-    drive(0);
+    m_outbox.clear();
+    m_loops.stop();
 }
 
 void Unit::setPowered(bool powered)
@@ -109,7 +101,7 @@ void Unit::scheduleFaults()
                 start();
             });
         else if (fault.kind == "encoder-dead")
-            at(fault.at, [this] { m_motor.setEncoderDead(true); });
+            at(fault.at, [this] { m_shaft.motor().setEncoderDead(true); });
         else if (fault.kind == "stall")
             at(fault.at, [this] { (void)disturb("stall", 1.0); });
         else if (fault.kind == "brownout") {
@@ -121,66 +113,126 @@ void Unit::scheduleFaults()
 
 double Unit::speed()
 {
-    advance();
-    return m_motor.countSpeed();
+    m_shaft.advance();
+    return m_shaft.motor().countSpeed();
 }
 
 double Unit::position()
 {
-    advance();
-    return m_motor.countPosition();
+    m_shaft.advance();
+    return m_shaft.motor().countPosition();
 }
 
 bool Unit::disturb(std::string_view what, double value)
 {
-    advance();
-    m_awakeSteps = awakeSteps;
     if (what != "glitch")
-        return m_motor.disturb(what, value);
+        return m_shaft.disturb(what, value);
     m_glitchNext = true;
     return true;
 }
 
-/// The motor turns up to now with what the bridge has been set to. A standing one is left alone.
-void Unit::advance()
+// What it hears
+
+void Unit::hear(const CanFrame &frame)
 {
-    const Instant now = m_clock.now();
-    while (m_motorAt < now) {
-        const bool rests
-            = m_pwm == 0 && m_awakeSteps == 0 && m_motor.isStuck() && std::abs(m_motor.current()) < leastCurrent;
-        if (rests) {
-            m_motorAt = now;
+    if (!m_powered || frame.extended || frame.remote || frame.error)
+        return;
+    ++m_heard;
+    for (const SimulatedFault &fault : m_options.faults) {
+        if (fault.kind == "power" && static_cast<double>(m_heard) == fault.at) {
+            losePower();
             return;
         }
-        m_awakeSteps = std::max(0, m_awakeSteps - 1);
-        const Duration step = std::min<Duration>(physicsStep, now - m_motorAt);
-        const double duty = static_cast<double>(m_pwm) / fullPwm;
-        m_motor.step(duty, m_pwm == 0 ? Bridge::Brake : Bridge::Drive, std::chrono::duration<double>(step).count());
-        m_motorAt += step;
+    }
+    m_shaft.advance();
+    dispatch(frame);
+}
+
+/// In this order: settings, set-point, log (README.md#voltage-log).
+void Unit::dispatch(const CanFrame &frame)
+{
+    const auto own = [&](std::uint32_t base) {
+        return frame.id == base || frame.id == base + static_cast<std::uint32_t>(m_options.offset);
+    };
+    if (own(id::settings))
+        onSettings(frame);
+    else if (own(id::setPoint))
+        onSetPoint(frame);
+    else if (m_dialect.request == id::logRequest
+            ? own(id::logRequest)
+            : frame.id == id::logRequestOld + static_cast<std::uint32_t>(m_options.offset))
+        onLogRequest(frame);
+}
+
+void Unit::onSettings(const CanFrame &frame)
+{
+    const bool save = frame.size == 1;
+    if (!save && frame.size != (m_dialect.wide ? 8 : 6))
+        return;
+    const int type = m_dialect.wide && !save ? frame.data[0] & 0xF : frame.data[0];
+    const int loop = placeOf(m_dialect.type, type);
+    if (loop < static_cast<int>(Loop::Velocity) || loop > static_cast<int>(Loop::Position))
+        return;
+    Record &gains = m_loops.gainsOf(static_cast<Loop>(loop));
+    if (save) {
+        m_flash.save(loop - 1, gains);
+        m_notify(m_clock.now(), "settings-saved", loop);
+        return;
+    }
+    const std::int32_t value = valueAt(frame, m_dialect.wide ? 4 : 2);
+    switch (placeOf(m_dialect.field, m_dialect.wide ? frame.data[0] >> 4 : frame.data[1])) {
+    case 0: gains.p = value; break;
+    case 1: gains.i = value; break;
+    case 2: gains.d = value; break;
+    case 3: gains.divisor = value; break;
+    case 4:
+        if (loop == static_cast<int>(Loop::Current))
+            gains.averaging = value & 0xFFFF;
+        break;
+    default: break;
     }
 }
 
-void Unit::drive(int pwm)
+void Unit::onSetPoint(const CanFrame &frame)
 {
-    const bool was = isOutputOn();
-    m_pwm = pwm;
-    if (pwm != 0)
-        m_awakeSteps = awakeSteps;
-    if (was != isOutputOn())
-        m_notify(m_clock.now(), isOutputOn() ? "output-on" : "output-off", static_cast<double>(pwm));
+    if (frame.size != (m_dialect.wide ? 8 : 5))
+        return;
+    const int loop = placeOf(m_dialect.type, frame.data[0]);
+    if (loop != absent)
+        m_loops.enter(static_cast<Loop>(loop), valueAt(frame, m_dialect.wide ? 4 : 1));
 }
 
-/// README.md#position: a wrap of the 16-bit timer is counted as 65 535.
-std::int32_t Unit::encoder() const
+void Unit::onLogRequest(const CanFrame &frame)
 {
-    const std::int64_t counts = m_motor.counts() - m_origin;
-    const std::int64_t wraps = (counts >= 0 ? counts : counts - 65535) / 65536;
-    return static_cast<std::int32_t>(counts - wraps);
+    if (frame.size != 1)
+        return;
+    const int log = placeOf(m_dialect.log, frame.data[0]);
+    if (log == absent)
+        return;
+    switch (static_cast<Log>(log)) {
+    case Log::Position: m_outbox.reply(Log::Position, positionLog()); break;
+    case Log::Velocity: m_outbox.reply(Log::Velocity, m_loops.velocity()); break;
+    case Log::Current: m_outbox.reply(Log::Current, m_loops.current()); break;
+    case Log::Temperature: m_outbox.reply(Log::Temperature, m_loops.temperature()); break;
+    case Log::Voltage: m_outbox.reply(Log::Voltage, static_cast<std::int32_t>(m_loops.output())); break;
+    }
 }
 
-std::int64_t Unit::milliseconds() const
+/// README.md#position: the reading is not atomic with the interrupt of a wrap.
+std::int32_t Unit::positionLog()
 {
-    return (m_clock.now() - m_startedAt) / 1ms;
+    ++m_positionLogs;
+    const std::int64_t counts = m_shaft.counts();
+    const double speed = m_shaft.motor().countSpeed();
+    const auto low = static_cast<double>(counts & 0xFFFF);
+    const double passed = speed * glitchWindow;
+    const bool justWrapped
+        = (passed > 0.0 && low < passed && counts > 65535) || (passed < 0.0 && 65536.0 - low < -passed);
+    const bool wanted = m_glitchNext || (m_options.glitches > 0 && m_positionLogs % m_options.glitches == 0);
+    m_glitchNext = false;
+    if (!justWrapped && !wanted)
+        return m_shaft.encoder();
+    return m_shaft.encoder() + (speed >= 0.0 ? -wrapLoss : wrapLoss);
 }
 
 } // namespace mb::abstractdc::simulation

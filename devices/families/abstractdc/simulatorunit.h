@@ -1,24 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "families/abstractdc/simulatoroptions.h"
-#include "families/abstractdc/simulatorregulator.h"
-#include "transport/canlink.h"
-
-#include <functional>
-#include <list>
-#include <memory>
+#include "families/abstractdc/simulatorloops.h"
+#include "families/abstractdc/simulatoroutbox.h"
 
 namespace mb::abstractdc::simulation {
 
-/// One drive: what it hears, its loop of 20.04 ms, its flash, and the motor.
+/// One drive: its power and its flash, what it hears, and the faults that come at their time.
 class Unit {
 public:
-    using Notify = std::function<void(Instant, std::string_view, double)>;
+    using Notify = Shaft::Notify;
 
     Unit(CanLink &link, Clock &clock, const UnitOptions &options, Notify notify);
 
-    [[nodiscard]] bool isOutputOn() const { return m_pwm != 0; }
+    [[nodiscard]] bool isOutputOn() const { return m_shaft.isOutputOn(); }
     [[nodiscard]] double speed();
     [[nodiscard]] double position();
     void setPowered(bool powered);
@@ -38,56 +33,22 @@ private:
     void onSettings(const CanFrame &frame);
     void onSetPoint(const CanFrame &frame);
     void onLogRequest(const CanFrame &frame);
-    void enter(Loop mode, std::int32_t value);
-    void reply(Log log, std::int32_t value);
-    void transmit(CanFrame frame);
-    [[nodiscard]] const SimulatedFault *strikes(std::string_view kind) const;
-
-    // Its work
-    void cycle();
-    void regulate(std::int64_t milliseconds);
-    void drive(int pwm);
-    void advance();
-    [[nodiscard]] std::int32_t encoder() const;
     [[nodiscard]] std::int32_t positionLog();
-    [[nodiscard]] std::int64_t milliseconds() const;
-    [[nodiscard]] Record &gainsOf(Loop loop) { return m_gains.at(static_cast<std::size_t>(loop) - 1); }
 
-    CanLink &m_link;
     Clock &m_clock;
     UnitOptions m_options;
     Notify m_notify;
     const Dialect &m_dialect;
     SettingsFlash m_flash;
-    MotorModel m_motor;
-    Instant m_motorAt{};
-    int m_awakeSteps = 0; ///< a standing motor is left alone once these are over
-
+    Shaft m_shaft;
+    Loops m_loops;
+    Outbox m_outbox;
     bool m_powered = false;
-    Instant m_startedAt{};
-    std::int64_t m_origin = 0; ///< the encoder starts at 0 with the power
-    Loop m_mode = Loop::None;
-    std::int32_t m_target = 0;
-    std::array<Record, 3> m_gains{};
-    std::array<Pid, 3> m_pids{};
-    std::int64_t m_output = 0; ///< "voltage": not cleared by mode none
-    int m_pwm = 0;
-    std::int32_t m_velocity = 0;
-    std::int32_t m_velocityFrom = 0;
-    std::int64_t m_velocityTime = 0;
-    int m_temperature = 0;
-    Averager m_current;
-    bool m_overrunTold = false;
-
     std::uint64_t m_heard = 0;
-    std::uint64_t m_sent = 0;
     int m_positionLogs = 0;
     bool m_glitchNext = false;
-    Timer m_cycle;
     Timer m_restart;
     std::list<Timer> m_timers;
-    std::list<Timer> m_replies;
-    std::size_t m_pending = 0;
     Subscription m_received;
 };
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/dmc60c/simulatorcontrol.h"
 
-#include "wire/bytes.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -22,45 +20,14 @@ std::int32_t clampDuty(std::int64_t duty)
     return static_cast<std::int32_t>(std::clamp<std::int64_t>(duty, fullReverse, fullDuty));
 }
 
-ControlMode modeOf(std::uint8_t code)
-{
-    return code <= static_cast<std::uint8_t>(ControlMode::Follower) ? static_cast<ControlMode>(code)
-                                                                    : ControlMode::NoDrive;
-}
-
 } // namespace
 
-ControlWord ControlWord::decode(std::span<const std::uint8_t> bytes)
-{
-    ControlWord word;
-    word.mode = modeOf(bytes[0] & 0x0FU);
-    word.overrideNeutral = (bytes[0] & 0x10U) != 0U;
-    word.brake = (bytes[0] & 0x20U) != 0U;
-    word.slot = (bytes[0] & 0x40U) != 0U ? 1 : 0;
-    word.reverseSensor = (bytes[0] & 0x80U) != 0U;
-    word.reverseMotor = (bytes[1] & 0x01U) != 0U;
-    word.forwardLimitOff = (bytes[1] & 0x02U) != 0U;
-    word.reverseLimitOff = (bytes[1] & 0x04U) != 0U;
-    word.overrideLimits = (bytes[1] & 0x08U) != 0U;
-    const std::uint32_t high = bytes[3];
-    const std::uint32_t low = bytes[4];
-    const std::uint32_t middle = bytes[5];
-    if (word.mode == ControlMode::Follower)
-        word.target = static_cast<std::int32_t>(low & id::deviceMask);
-    else if (word.mode == ControlMode::Voltage)
-        word.target = signExtend((middle << 8U) | low, 16);
-    else if (word.mode != ControlMode::NoDrive)
-        word.target = signExtend((high << 16U) | (middle << 8U) | low, 24);
-    word.ramp = readU16le(bytes, 6);
-    return word;
-}
-
-Drive::Drive(Rig &rig, ParameterBank &bank, VelocityWindow window, Notify notify)
-    : m_rig(rig)
+Drive::Drive(Rig rig, ParameterBank &bank, VelocityWindow window, Notify notify)
+    : m_rig(std::move(rig))
     , m_bank(bank)
-    , m_window(window)
     , m_notify(std::move(notify))
-    , m_history(passesPerWindow)
+    , m_sensing(m_rig, bank, window)
+    , m_faults(bank, m_notify)
 {
 }
 
@@ -70,19 +37,10 @@ void Drive::start(Instant now, bool brakeButton)
     m_running = true;
     m_brakeButton = brakeButton;
     m_nextPass = now + loopPeriod;
-    m_lastCounts = m_rig.counts();
-    m_position = 0;
-    m_counter = 0;
-    std::fill(m_history.begin(), m_history.end(), 0);
-    m_velocity = 0;
-    m_outsideFaults &= faultbit::gateDriver;
-    m_faults = 0;
-    m_faulted = false;
-    m_faultUntil = now;
-    m_lowPasses = 0;
-    m_overCurrentPasses = 0;
+    m_sensing.start();
+    m_faults.start(now);
     wake();
-    readLimits();
+    m_limits.read(m_rig, m_bank, m_command, position());
 }
 
 void Drive::end(Instant now)
@@ -132,8 +90,7 @@ void Drive::halt(Instant now, bool busLost)
 void Drive::masterHeard(std::int32_t duty, Instant now)
 {
     advance(now);
-    m_masterDuty = duty;
-    m_masterAt = now;
+    m_master = {duty, now};
     wake();
 }
 
@@ -168,7 +125,7 @@ void Drive::advance(Instant now)
 void Drive::physics(Instant until)
 {
     const Rig::Neutral neutral
-        = m_running && !m_faulted && (m_command.overrideNeutral ? m_command.brake : m_brakeButton)
+        = m_running && !m_faults.holdsBridge() && (m_command.overrideNeutral ? m_command.brake : m_brakeButton)
         ? Rig::Neutral::Brake
         : Rig::Neutral::Coast;
     while (m_physicsAt < until) {
@@ -185,7 +142,7 @@ void Drive::physics(Instant until)
 
 bool Drive::isIdle() const
 {
-    if (m_outputOn || m_quietPasses <= passesPerWindow || m_faults != 0 || !m_rig.isAtRest() || m_lowPasses != 0)
+    if (m_outputOn || m_quietPasses <= passesPerWindow || m_faults.any() || !m_rig.isAtRest() || m_faults.isSupplyLow())
         return false;
     if (m_halted)
         return true;
@@ -194,9 +151,9 @@ bool Drive::isIdle() const
 
 void Drive::pass(Instant at)
 {
-    sense();
-    readLimits();
-    checkFaults(at);
+    m_sensing.pass(m_command.reverseSensor && !isFollowing(), m_limits.forward.hit, m_limits.reverse.hit);
+    m_limits.read(m_rig, m_bank, m_command, position());
+    m_faults.pass(m_rig, at);
     std::int32_t duty = 0;
     if (isDisabled()) {
         m_pid.reset();
@@ -204,7 +161,7 @@ void Drive::pass(Instant at)
         m_error = 0;
     } else {
         duty = demand(at);
-        duty = m_limiter.step(m_bank, duty, present(), m_current);
+        duty = m_limiter.step(m_bank, duty, present(), m_sensing.current());
     }
     m_quietPasses = duty == 0 && m_rig.isAtRest() ? m_quietPasses + 1 : 0;
     apply(m_command.reverseMotor ? clampDuty(-std::int64_t{duty}) : duty, at);
@@ -224,7 +181,7 @@ std::int32_t Drive::demand(Instant at)
         return duty;
     }
     case ControlMode::VoltageCompensated: return compensated();
-    case ControlMode::Follower: m_error = 0; return at - m_masterAt < heartbeat ? m_masterDuty : 0;
+    case ControlMode::Follower: m_error = 0; return at - m_master.at < heartbeat ? m_master.duty : 0;
     case ControlMode::Velocity:
     case ControlMode::Position:
     case ControlMode::Current: return closedLoop();
@@ -249,9 +206,9 @@ std::int32_t Drive::closedLoop()
     const bool current = m_command.mode == ControlMode::Current;
     std::int64_t feedback = position();
     if (m_command.mode == ControlMode::Velocity)
-        feedback = m_velocity;
+        feedback = m_sensing.velocity();
     else if (current)
-        feedback = m_command.reverseMotor ? -m_current : m_current;
+        feedback = m_command.reverseMotor ? -m_sensing.current() : m_sensing.current();
     m_error = m_command.target - feedback;
     const std::int64_t throttle
         = m_pid.step(slot.gains, m_command.target, feedback, slot.allowableError, current ? 16 : 0);
@@ -261,18 +218,49 @@ std::int32_t Drive::closedLoop()
 
 void Drive::apply(std::int32_t duty, Instant at)
 {
-    const auto isBlocked = [](const LimitPin &pin, bool overridden) {
-        return (pin.hit && !(overridden ? pin.disabledByFrame : pin.disabled)) || pin.softHit;
-    };
-    if (duty > 0 && isBlocked(m_forward, m_command.overrideLimits))
-        duty = 0;
-    if (duty < 0 && isBlocked(m_reverse, m_command.overrideLimits))
+    if (m_limits.block(duty, m_command.overrideLimits))
         duty = 0;
     m_duty = duty;
     const bool on = !isDisabled() && (duty != 0 || isClosedLoop());
     if (on != m_outputOn)
         m_notify(at, on ? "output-on" : "output-off", 0.0);
     m_outputOn = on;
+}
+
+void Drive::setOutsideFault(std::uint32_t bit, bool present, Instant now)
+{
+    advance(now);
+    m_faults.setOutside(bit, present);
+    wake();
+    if (!m_running)
+        return;
+    m_faults.raiseOutside(bit, present, now);
+    if (m_faults.holdsBridge()) {
+        physics(now);
+        apply(0, now);
+    }
+}
+
+GeneralState Drive::general() const
+{
+    GeneralState state;
+    state.duty = m_duty;
+    state.forward = m_limits.forward;
+    state.reverse = m_limits.reverse;
+    state.limitOverride = m_command.overrideLimits;
+    state.currentLimitActive = m_limiter.isActive();
+    state.overTemperature = m_faults.has(faultbit::overTemperature);
+    state.underVoltage = m_faults.has(faultbit::underVoltage);
+    state.gateDriver = m_faults.has(faultbit::gateDriver);
+    state.mode = static_cast<int>(isDisabled() ? ControlMode::NoDrive : m_command.mode);
+    state.error = m_error;
+    return state;
+}
+
+AnalogState Drive::analog()
+{
+    const double perLsb = m_bank.value(number::adcMultiplier) / 65536.0;
+    return {m_rig.analogInput(), m_rig.adcCurrent() * perLsb, m_rig.measuredTemperature(), m_rig.measuredBus()};
 }
 
 } // namespace mb::dmc60c::simulation

@@ -2,43 +2,24 @@
 #pragma once
 
 #include "async/clock.h"
+#include "families/dmc60c/simulatorfaults.h"
+#include "families/dmc60c/simulatorlimits.h"
 #include "families/dmc60c/simulatorloop.h"
-#include "families/dmc60c/simulatorrig.h"
-#include "families/dmc60c/simulatorstatus.h"
+#include "families/dmc60c/simulatorsensing.h"
 
 #include <functional>
-#include <span>
 #include <string_view>
-#include <vector>
 
 namespace mb::dmc60c::simulation {
 
-/// CANCTRL0, 2.11.
-struct ControlWord {
-    ControlMode mode = ControlMode::NoDrive;
-    int slot = 0;
-    bool overrideNeutral = false;
-    bool brake = false;
-    bool reverseSensor = false;
-    bool reverseMotor = false;
-    bool overrideLimits = false;
-    bool forwardLimitOff = false;
-    bool reverseLimitOff = false;
-    std::int32_t target = 0; ///< 24 bits; duty has its 16, follower the master's number
-    std::int32_t ramp = 0;
-
-    [[nodiscard]] static ControlWord decode(std::span<const std::uint8_t> bytes);
-};
-
-enum class VelocityWindow { Rolling, Block };
-
-/// The application's motor side: measures, decides and drives every 500 µs (README.md#stopping). It computes nothing until
+/// The application's motor side: decides and drives every 500 µs (README.md#stopping), by what it measures. It computes nothing until
 /// somebody asks: advance() catches up, and skips the time in which nothing could happen.
 class Drive {
 public:
     using Notify = std::function<void(Instant, std::string_view, double)>;
 
-    Drive(Rig &rig, ParameterBank &bank, VelocityWindow window, Notify notify);
+    /// The bank outlives it.
+    Drive(Rig rig, ParameterBank &bank, VelocityWindow window, Notify notify);
 
     /// All passes up to `now`.
     void advance(Instant now);
@@ -58,24 +39,20 @@ public:
     [[nodiscard]] bool isHalted() const { return m_halted; }
     /// Running: closed loops even at 0, open loops when they drive.
     [[nodiscard]] bool isOutputOn() const { return m_outputOn; }
-    [[nodiscard]] bool isDisabled() const { return !m_running || m_halted || m_faulted; }
+    [[nodiscard]] bool isDisabled() const { return !m_running || m_halted || m_faults.holdsBridge(); }
     [[nodiscard]] int master() const;
-    [[nodiscard]] std::int32_t position() const { return static_cast<std::int32_t>(m_position); }
-    void setPosition(std::int32_t counts) { m_position = static_cast<std::uint32_t>(counts); }
+    [[nodiscard]] std::int32_t position() const { return m_sensing.position(); }
+    void setPosition(std::int32_t counts) { m_sensing.setPosition(counts); }
 
     [[nodiscard]] GeneralState general() const;
-    [[nodiscard]] EncoderState encoder() const;
+    [[nodiscard]] EncoderState encoder() const { return m_sensing.encoder(); }
     [[nodiscard]] AnalogState analog();
+    [[nodiscard]] Rig &rig() { return m_rig; }
 
 private:
     void physics(Instant until);
     void pass(Instant at);
     [[nodiscard]] bool isIdle() const;
-    void sense();
-    void clearPosition(std::int64_t before, std::int64_t after);
-    void readLimits();
-    void checkFaults(Instant at);
-    void raise(std::uint32_t bits, Instant at);
     [[nodiscard]] std::int32_t demand(Instant at);
     [[nodiscard]] std::int32_t closedLoop();
     [[nodiscard]] std::int32_t compensated();
@@ -83,19 +60,24 @@ private:
     [[nodiscard]] bool isFollowing() const { return m_command.mode == ControlMode::Follower; }
     [[nodiscard]] std::int32_t present() const;
     void apply(std::int32_t duty, Instant at);
-    [[nodiscard]] std::int64_t velocityNow();
 
-    Rig &m_rig;
+    /// What the unit that this one follows has said last.
+    struct Master {
+        std::int32_t duty = 0;
+        Instant at{};
+    };
+
+    Rig m_rig;
     ParameterBank &m_bank;
-    VelocityWindow m_window;
     Notify m_notify;
-
+    Sensing m_sensing;
+    Limits m_limits;
+    FaultMonitor m_faults;
     Instant m_nextPass{};
     Instant m_physicsAt{};
     bool m_advancing = false;
     bool m_running = false;
     bool m_halted = true;
-    bool m_faulted = false;
     bool m_outputOn = false;
     bool m_brakeButton = true;
     ControlWord m_command;
@@ -103,24 +85,7 @@ private:
     std::int64_t m_error = 0;
     Pid m_pid;
     CurrentLimiter m_limiter;
-    LimitPin m_forward;
-    LimitPin m_reverse;
-
-    std::int64_t m_lastCounts = 0;
-    std::uint32_t m_position = 0;
-    std::int64_t m_counter = 0;          ///< like the position, but never written
-    std::vector<std::int64_t> m_history; ///< of m_counter, 100 ms
-    std::size_t m_historyAt = 0;
-    std::int32_t m_velocity = 0;
-    std::int64_t m_current = 0; ///< 16.16 A
-    std::int32_t m_masterDuty = 0;
-    Instant m_masterAt{};
-
-    std::uint32_t m_faults = 0;
-    std::uint32_t m_outsideFaults = 0;
-    Instant m_faultUntil{};
-    int m_lowPasses = 0;
-    int m_overCurrentPasses = 0;
+    Master m_master;
     int m_quietPasses = 0;
 };
 

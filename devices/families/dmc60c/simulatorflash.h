@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -70,5 +71,10 @@ private:
     bool m_versionFromNowhere = false;
     int m_spoiled = -1;
 };
+
+/// Flash of the microcontroller, 7.5: the processor waits for it.
+constexpr auto eraseTime = std::chrono::microseconds(23100);
+constexpr auto writeTime = std::chrono::milliseconds(54);
+constexpr auto versionWriteTime = std::chrono::microseconds(100);
 
 } // namespace mb::dmc60c::simulation

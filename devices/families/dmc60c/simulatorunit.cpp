@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Supply, resets, and what a running unit does by itself.
 #include "families/dmc60c/simulatorunit.h"
 
 #include "families/dmc60c/simulatorgains.h"
+#include "wire/bytes.h"
 
 #include <algorithm>
 
@@ -12,10 +12,8 @@ namespace {
 constexpr auto bootTime = std::chrono::milliseconds(15);        ///< from reset to the bootloader's decision
 constexpr auto applicationTime = std::chrono::milliseconds(25); ///< from there to the application's first action
 constexpr auto supplyGap = std::chrono::milliseconds(200);
-constexpr auto busOffTime = std::chrono::milliseconds(100);
-constexpr double brownoutVolts = 5.0;
-constexpr double brownoutSeconds = 6.0;
-constexpr double nominalVolts = 12.0;
+
+constexpr std::uint32_t edition = 0x00103U; ///< pdid bits 19…0
 
 std::uint64_t mix(const UnitOptions &options)
 {
@@ -34,35 +32,50 @@ ConfigImage factoryConfig(const UnitOptions &options)
     return image;
 }
 
+std::uint32_t messageOf(const CanFrame &frame)
+{
+    return frame.id & id::messageMask;
+}
+
+/// The filter of the controller: the standard part of the identifier.
+bool passesFilter(const CanFrame &frame)
+{
+    const std::uint32_t standardPart = frame.id >> 18U;
+    return frame.extended && (standardPart == (id::control >> 18U) || messageOf(frame) == id::enumerate);
+}
+
+bool isAddressed(const CanFrame &frame, int number)
+{
+    return messageOf(frame) == id::enumerate || static_cast<int>(frame.id & id::deviceMask) == number;
+}
+
 } // namespace
 
 Unit::Unit(CanLink &link, Clock &clock, const UnitOptions &options, Notify notify)
-    : m_link(link)
-    , m_clock(clock)
+    : m_clock(clock)
     , m_options(options)
     , m_notify(std::move(notify))
     , m_random(mix(options))
     , m_application(options.inBootloader ? noApplication : options.firmware)
-    , m_flash(factoryConfig(options))
-    , m_ram(m_flash)
-    , m_rig(*motorByName(options.motor), options.load, mix(options))
-    , m_drive(m_rig, m_ram.parameters, options.velocity,
+    , m_processor(clock, {[this](const CanFrame &frame) { handle(frame); }, [this] { m_heartbeat.freed(); }})
+    , m_memory(clock, m_processor, factoryConfig(options),
+          [this](std::string_view what, double value) { note(what, value); })
+    , m_drive(Rig(*motorByName(options.motor), options.load, mix(options)), m_memory.ram().parameters, options.velocity,
           [this](Instant time, std::string_view what, double value) { this->notify(time, what, value); })
-    , m_vendor(*this)
+    , m_vendor(*this, m_processor, m_memory, m_application, options.crc)
     , m_outbox(link, clock, options.faults)
-    , m_nextSession(options.session)
+    , m_status(clock, m_drive, m_memory, m_outbox, m_random,
+          [this] { return m_stage == Stage::Application && m_enumeration.session() != 0; })
+    , m_parameters(clock, m_drive, m_memory, m_status,
+          [this](std::span<const std::uint8_t> bytes) { sendReply(id::paramResponse, bytes); })
+    , m_enumeration(clock, m_random, options.session, [this] { return sendEnumeration(); })
+    , m_heartbeat(clock, m_processor, m_drive)
+    , m_faults(clock, options.faults, faultActions())
     , m_startTimer(clock)
-    , m_enumTimer(clock)
-    , m_heartbeat(clock)
-    , m_stallTimer(clock)
-    , m_configTimer(clock)
-    , m_busTimer(clock)
-    , m_general(clock)
-    , m_encoder(clock)
-    , m_analog(clock)
 {
-    listen();
-    scheduleFaults();
+    listen(link);
+    if (m_options.has("encoder-reversed"))
+        m_drive.rig().reverseEncoder();
     startBootloader(); // it has been powered long enough
     if (m_application.isRunnable())
         startApplication();
@@ -70,55 +83,31 @@ Unit::Unit(CanLink &link, Clock &clock, const UnitOptions &options, Notify notif
 
 Unit::~Unit() = default;
 
-void Unit::listen()
+void Unit::listen(CanLink &link)
 {
-    m_received = m_link.received().add([this](const CanFrame &frame) { receive(frame); });
-    m_traffic = m_link.traffic().add([this](const Traffic &traffic) {
+    m_heard[0] = link.received().add([this](const CanFrame &frame) { receive(frame); });
+    m_heard[1] = link.traffic().add([this](const Traffic &traffic) {
         if (traffic.direction == Direction::Sent && traffic.can != nullptr)
             overhear(*traffic.can);
     });
-    m_stateChanged = m_link.stateChanged().add([this](LinkState state) {
+    m_heard[2] = link.stateChanged().add([this](LinkState state) {
         if (state != LinkState::Open)
             loseBus();
     });
 }
 
-void Unit::scheduleFaults()
+FaultPlan::Actions Unit::faultActions()
 {
-    if (m_options.has("encoder-reversed"))
-        m_rig.reverseEncoder();
-    for (const SimulatedFault &fault : m_options.faults)
-        scheduleFault(fault);
-}
-
-void Unit::scheduleFault(const SimulatedFault &fault)
-{
-    if (fault.kind == "reset") {
-        at(fault.at, [this] { resetBySelf(); });
-    } else if (fault.kind == "busoff") {
-        at(fault.at, [this] {
-            loseBus();
-            m_busOff = true;
-            m_busTimer.startIn(busOffTime, [this] { m_busOff = false; });
-        });
-    } else if (fault.kind == "encoder-dead") {
-        at(fault.at, [this] {
-            m_drive.advance(m_clock.now());
-            m_rig.killEncoder();
-        });
-    } else if (fault.kind == "brownout") {
-        at(fault.at, [this] { disturb("bus-voltage", brownoutVolts); });
-        at(fault.at + brownoutSeconds, [this] { disturb("bus-voltage", nominalVolts); });
-    } else if (fault.kind == "stall") {
-        at(fault.at, [this] { disturb("stall", 1.0); });
-    }
-}
-
-void Unit::at(double seconds, std::function<void()> work)
-{
-    const auto delay = std::chrono::duration_cast<Duration>(std::chrono::duration<double>(seconds));
-    m_faultTimers.push_back(std::make_unique<Timer>(m_clock));
-    m_faultTimers.back()->startIn(delay, std::move(work));
+    return {
+        .reset = [this] { resetBySelf(); },
+        .loseBus = [this] { loseBus(); },
+        .killEncoder =
+            [this] {
+                m_drive.advance(m_clock.now());
+                m_drive.rig().killEncoder();
+            },
+        .disturb = [this](std::string_view what, double value) { disturb(what, value); },
+    };
 }
 
 void Unit::setPowered(bool powered)
@@ -137,10 +126,9 @@ void Unit::setPowered(bool powered)
 void Unit::losePower(bool returns)
 {
     leave(Stage::Off);
-    m_session = 0;
-    m_stay = false;
-    m_announce.reset();
-    m_configChanged.reset();
+    m_enumeration.end();
+    m_order = {};
+    m_memory.forgetChange();
     note("power-lost", 0.0);
     if (returns)
         m_startTimer.startIn(supplyGap, [this] { setPowered(true); });
@@ -149,14 +137,14 @@ void Unit::losePower(bool returns)
 void Unit::leave(Stage next)
 {
     m_drive.end(m_clock.now());
-    stopStatus();
-    for (Timer *timer : {&m_startTimer, &m_enumTimer, &m_heartbeat, &m_stallTimer, &m_configTimer})
-        timer->stop();
+    m_status.stop();
+    m_startTimer.stop();
+    m_enumeration.stop();
+    m_heartbeat.clear();
+    m_memory.stop();
     m_outbox.clear();
     m_vendor.reset();
-    m_stalls.clear();
-    m_fifo.clear();
-    m_heartbeatMissed = false;
+    m_processor.clear();
     m_application.forgetRam();
     m_stage = next;
 }
@@ -165,7 +153,7 @@ void Unit::start()
 {
     leave(Stage::Starting);
     m_startTimer.startIn(bootTime, [this] {
-        const bool stay = std::exchange(m_stay, false);
+        const bool stay = std::exchange(m_order.stay, false);
         if (!m_application.isBootable()) {
             m_stage = Stage::Dead;
             return note("bricked", 0.0);
@@ -183,33 +171,32 @@ void Unit::start()
 
 void Unit::startBootloader()
 {
-    m_ram = m_flash;
+    m_memory.load();
     m_stage = Stage::Bootloader;
     note("bootloader", 0.0);
-    if (m_announce == CommandStatus::InBootloader)
+    if (m_order.announce == CommandStatus::InBootloader)
         sendStatus(CommandStatus::InBootloader, 0, 0);
-    m_announce.reset();
+    m_order.announce.reset();
 }
 
 void Unit::startApplication()
 {
-    m_ram = m_flash;
-    m_ram.parameters.forgetVolatile();
+    m_memory.load();
+    m_memory.ram().parameters.forgetVolatile();
     m_stage = Stage::Application;
-    m_drive.start(m_clock.now(), m_ram.brake);
-    m_configChanged.reset();
+    m_drive.start(m_clock.now(), m_memory.ram().brake);
+    m_memory.forgetChange();
     note("application", 0.0);
-    if (m_announce == CommandStatus::AckReset)
+    if (m_order.announce == CommandStatus::AckReset)
         sendStatus(CommandStatus::AckReset, 0, 0);
-    m_announce.reset();
-    if (m_session != 0)
-        startStatus();
+    m_order.announce.reset();
+    if (m_enumeration.session() != 0)
+        m_status.start();
 }
 
 void Unit::restart(bool stay)
 {
-    m_stay = stay;
-    m_announce = stay ? CommandStatus::InBootloader : CommandStatus::AckReset;
+    m_order = {stay, stay ? CommandStatus::InBootloader : CommandStatus::AckReset};
     note("reset", 0.0);
     start();
 }
@@ -218,24 +205,23 @@ void Unit::resetBySelf()
 {
     if (m_stage == Stage::Off || m_stage == Stage::Dead)
         return;
-    m_session = 0;
-    m_stay = false;
-    m_announce.reset();
+    m_enumeration.end();
+    m_order = {};
     note("reset", 0.0);
     start();
 }
 
 void Unit::loseBus()
 {
-    if (m_session == 0)
+    if (m_enumeration.session() == 0)
         return;
     const Instant now = m_clock.now();
-    m_session = 0;
-    m_enumTimer.stop();
+    m_enumeration.end();
+    m_enumeration.stop();
     m_heartbeat.stop();
     m_vendor.reset();
     m_outbox.clear();
-    stopStatus();
+    m_status.stop();
     if (m_stage == Stage::Application) {
         m_drive.halt(now, true);
         m_drive.setOutsideFault(faultbit::communication, true, now);
@@ -251,13 +237,13 @@ bool Unit::isOutputOn()
 double Unit::speed()
 {
     m_drive.advance(m_clock.now());
-    return m_rig.speed();
+    return m_drive.rig().speed();
 }
 
 double Unit::position()
 {
     m_drive.advance(m_clock.now());
-    return m_rig.position();
+    return m_drive.rig().position();
 }
 
 bool Unit::disturb(std::string_view what, double value)
@@ -273,17 +259,13 @@ bool Unit::disturb(std::string_view what, double value)
         m_application.spoil(static_cast<int>(value));
         return true;
     }
-    return m_rig.disturb(what, value);
+    return m_drive.rig().disturb(what, value);
 }
 
 bool Unit::failsDuring(int page)
 {
-    const auto &faults = m_options.faults;
-    const auto fault = std::find_if(faults.begin(), faults.end(),
-        [page](const SimulatedFault &f) { return f.kind == "power-page" && static_cast<int>(f.at) == page; });
-    if (fault == faults.end())
+    if (!m_faults.powerFailsWithPage(page))
         return false;
-    m_options.faults.erase(fault); // once
     losePower(true);
     return true;
 }
@@ -291,8 +273,123 @@ bool Unit::failsDuring(int page)
 void Unit::notify(Instant time, std::string_view what, double value)
 {
     if (what == "fault")
-        configChanged({});
+        m_memory.changed({});
     m_notify(time, what, value);
+}
+
+// What it hears
+
+void Unit::receive(const CanFrame &frame)
+{
+    const bool deaf
+        = m_stage == Stage::Off || m_stage == Stage::Starting || m_stage == Stage::Dead || m_faults.isBusOff();
+    if (deaf || frame.error || frame.remote)
+        return;
+    if (m_enumeration.session() == 0)
+        hear();
+    if (!passesFilter(frame))
+        return;
+    if (isAddressed(frame, m_memory.ram().number) && m_faults.powerFailsWithFrame())
+        return losePower(true);
+    m_processor.take(frame);
+}
+
+void Unit::hear()
+{
+    m_enumeration.begin();
+    if (m_stage != Stage::Application)
+        return;
+    m_drive.setOutsideFault(faultbit::communication, false, m_clock.now());
+    m_status.start();
+}
+
+void Unit::overhear(const CanFrame &frame)
+{
+    const int device = static_cast<int>(frame.id & id::deviceMask);
+    if (m_stage != Stage::Application || messageOf(frame) != id::statusGeneral || frame.size != 8
+        || device == m_memory.ram().number)
+        return;
+    const Instant now = m_clock.now();
+    m_drive.advance(now);
+    if (device == m_drive.master())
+        m_drive.masterHeard(signExtend(readU16le(frame.bytes(), 0), 16), now);
+}
+
+void Unit::handle(const CanFrame &frame)
+{
+    const std::uint32_t message = messageOf(frame);
+    if (message == id::enumerate) {
+        if (frame.size == 0)
+            m_enumeration.ask(m_memory.ram().number, isInBootloader());
+    } else if (message == id::statusGeneral) {
+        overhear(frame);
+    } else if (isAddressed(frame, m_memory.ram().number)) {
+        handleForNumber(message, frame);
+    }
+}
+
+void Unit::handleForNumber(std::uint32_t message, const CanFrame &frame)
+{
+    const bool application = m_stage == Stage::Application;
+    const auto bytes = frame.bytes();
+    if (message == id::vendorDout && frame.size > 0)
+        return m_vendor.data(bytes);
+    if (message == id::control && frame.size == 8 && application) {
+        m_drive.command(ControlWord::decode(bytes), m_clock.now());
+        return m_heartbeat.beat(frame.time);
+    }
+    if (frame.size < 2 || readU16le(bytes, 0) != m_enumeration.session())
+        return;
+    if (message == id::vendorCommand && frame.size == 8)
+        m_vendor.command(bytes);
+    else if (message == id::paramRequest && frame.size == 3 && application)
+        m_parameters.read(bytes[2]);
+    else if (message == id::paramSet && frame.size == 7 && application)
+        m_parameters.write(bytes[2], readU32le(bytes, 3));
+}
+
+// What it answers
+
+bool Unit::sendEnumeration()
+{
+    if (m_processor.isBusy())
+        return false;
+    std::array<std::uint8_t, 6> first{};
+    writeU16le(first, 0, m_enumeration.session());
+    writeU32le(first, 2, (m_options.product << 20U) | edition);
+    std::array<std::uint8_t, 8> second{};
+    writeU16le(second, 0, m_enumeration.session());
+    writeU16le(
+        second, 2, static_cast<std::uint16_t>(isInBootloader() ? ImageType::Bootloader : ImageType::Application));
+    writeU16le(second, 4, m_application.version());
+    writeU16le(second, 6, bootloaderVersion);
+    const auto identifier = id::enumResponse | static_cast<std::uint32_t>(m_memory.ram().number);
+    m_outbox.send(extendedFrame(identifier, first));
+    m_outbox.send(extendedFrame(identifier, second));
+    return true;
+}
+
+void Unit::sendReply(std::uint32_t message, std::span<const std::uint8_t> bytes)
+{
+    const auto delay = std::chrono::microseconds(120 + m_random() % 180);
+    m_outbox.post(extendedFrame(message | static_cast<std::uint32_t>(m_memory.ram().number), bytes), delay);
+}
+
+void Unit::sendStatus(CommandStatus status, std::uint8_t terminal, std::size_t bytes)
+{
+    std::array<std::uint8_t, 4> payload{};
+    payload[0] = static_cast<std::uint8_t>(status);
+    payload[1] = terminal;
+    writeU16le(payload, 2, static_cast<std::uint16_t>(bytes));
+    sendReply(id::vendorStatus, payload);
+}
+
+void Unit::sendData(std::span<const std::uint8_t> bytes)
+{
+    const auto identifier = id::vendorDin | static_cast<std::uint32_t>(m_memory.ram().number);
+    for (std::size_t at = 0; at < bytes.size(); at += 8)
+        m_outbox.post(extendedFrame(identifier, bytes.subspan(at, std::min<std::size_t>(8, bytes.size() - at))),
+            Duration::zero());
 }
 
 } // namespace mb::dmc60c::simulation

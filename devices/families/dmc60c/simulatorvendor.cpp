@@ -48,11 +48,11 @@ void VendorPort::command(std::span<const std::uint8_t> bytes)
     case Command::SetManDate:
     case Command::SetHardwareVer:
     case Command::SetSN: return beginText(code, static_cast<std::size_t>(first));
-    case Command::GetDescriptors: return sendBlock(m_board.config().descriptors());
+    case Command::GetDescriptors: return sendBlock(m_memory.ram().descriptors());
     case Command::GetFwver: {
         std::array<std::uint8_t, 6> version{};
         writeU16le(version, 0, static_cast<std::uint16_t>(boot ? ImageType::Bootloader : ImageType::Application));
-        writeU16le(version, 2, m_board.application().version());
+        writeU16le(version, 2, m_application.version());
         writeU16le(version, 4, bootloaderVersion);
         return sendBlock(version);
     }
@@ -75,12 +75,13 @@ void VendorPort::applicationCommand(Command code)
     case Command::FlashLEDs: m_board.note("leds", 5.0); return reply(CommandStatus::NoError);
     case Command::GetFlashSeqnum: {
         std::array<std::uint8_t, 4> number{};
-        writeU32le(number, 0, m_board.config().sequence);
+        writeU32le(number, 0, m_memory.ram().sequence);
         return sendBlock(number);
     }
-    case Command::J1ShortTest: return m_board.stall(pinTestTime, [this] { reply(CommandStatus::TestPassed); });
+    case Command::J1ShortTest: return m_processor.stall(pinTestTime, [this] { reply(CommandStatus::TestPassed); });
     case Command::J1OpenTest:
-        return m_board.stall(pinTestTime, [this] { m_board.sendStatus(CommandStatus::TestFailed, terminalQea, 0); });
+        return m_processor.stall(
+            pinTestTime, [this] { m_board.sendStatus(CommandStatus::TestFailed, terminalQea, 0); });
     default: return reply(CommandStatus::NotSupported);
     }
 }
@@ -95,9 +96,9 @@ void VendorPort::setNumber(int number)
 {
     if (number < 1 || number > maxDeviceNumber)
         return reply(CommandStatus::BadParameter);
-    m_board.stall(writeTime, [this, number] {
-        m_board.config().number = number;
-        m_board.commitConfig();
+    m_processor.stall(writeTime, [this, number] {
+        m_memory.ram().number = number;
+        m_memory.commit();
         reply(CommandStatus::NoError);
     });
 }
@@ -149,18 +150,18 @@ void VendorPort::endText()
 {
     const auto end = std::find(m_bytes.begin(), m_bytes.end(), std::uint8_t{0});
     std::string text(m_bytes.begin(), end == m_bytes.end() ? end - 1 : end);
-    m_board.stall(writeTime, [this, text = std::move(text), which = descriptorOf(m_command)] {
-        m_board.config().text(which) = text;
-        m_board.commitConfig();
+    m_processor.stall(writeTime, [this, text = std::move(text), which = descriptorOf(m_command)] {
+        m_memory.ram().text(which) = text;
+        m_memory.commit();
         reply(CommandStatus::NoError);
     });
 }
 
 void VendorPort::endPage()
 {
-    m_board.stall(crcTime, [this] {
+    m_processor.stall(crcTime, [this] {
         const std::span<const std::uint8_t> bytes = m_bytes;
-        if (pageCrc(m_board.crcVariant(), bytes.first(pageSize)) != readU32le(bytes, pageSize))
+        if (pageCrc(m_crc, bytes.first(pageSize)) != readU32le(bytes, pageSize))
             reply(CommandStatus::CrcMismatch);
         else
             erasePage();
@@ -169,8 +170,8 @@ void VendorPort::endPage()
 
 void VendorPort::erasePage()
 {
-    m_board.application().erase(m_page);
-    m_board.stall(eraseTime + writeTime / 2, [this] { writePage(); });
+    m_application.erase(m_page);
+    m_processor.stall(eraseTime + writeTime / 2, [this] { writePage(); });
 }
 
 void VendorPort::writePage()
@@ -178,17 +179,17 @@ void VendorPort::writePage()
     if (m_board.failsDuring(m_page))
         return;
     const Duration rest = writeTime / 2;
-    m_board.stall(m_page == firstPage ? rest + versionWriteTime : rest, [this] { finishPage(); });
+    m_processor.stall(m_page == firstPage ? rest + versionWriteTime : rest, [this] { finishPage(); });
 }
 
 void VendorPort::finishPage()
 {
-    if (!m_board.application().program(m_page, m_bytes)) {
+    if (!m_application.program(m_page, m_bytes)) {
         m_board.note("page-failed", m_page);
         return reply(CommandStatus::FlashWriteFailed);
     }
     if (m_page == firstPage)
-        m_board.application().writeVersion();
+        m_application.writeVersion();
     m_board.note("page-written", m_page);
     reply(CommandStatus::NoError);
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "async/clock.h"
-#include "families/dmc60c/simulatorflash.h"
+#include "families/dmc60c/simulatormemory.h"
 
 #include <functional>
 #include <span>
@@ -22,15 +22,8 @@ public:
     [[nodiscard]] virtual bool isInBootloader() const = 0;
     virtual void sendStatus(CommandStatus status, std::uint8_t terminal, std::size_t bytes) = 0;
     virtual void sendData(std::span<const std::uint8_t> bytes) = 0;
-    /// The processor does nothing for `time`, then `then`; what arrives meanwhile waits in the receive FIFO.
-    virtual void stall(Duration time, std::function<void()> then) = 0;
     /// A reset on command; `stay` in the bootloader.
     virtual void restart(bool stay) = 0;
-    [[nodiscard]] virtual ConfigImage &config() = 0;
-    /// The configuration in RAM is now in flash.
-    virtual void commitConfig() = 0;
-    [[nodiscard]] virtual ApplicationFlash &application() = 0;
-    [[nodiscard]] virtual CrcVariant crcVariant() const = 0;
     /// Half of `page` is written; true when the supply was lost at this very moment.
     [[nodiscard]] virtual bool failsDuring(int page) = 0;
     virtual void note(std::string_view what, double value) = 0;
@@ -39,8 +32,13 @@ public:
 /// Section 3: the vendor commands and their transfers.
 class VendorPort {
 public:
-    explicit VendorPort(Board &board)
+    /// `crc`: how the bootloader checks a page. All outlive it.
+    VendorPort(Board &board, Processor &processor, ConfigMemory &memory, ApplicationFlash &application, CrcVariant crc)
         : m_board(board)
+        , m_processor(processor)
+        , m_memory(memory)
+        , m_application(application)
+        , m_crc(crc)
     {
     }
     /// A VENDORCMD of 8 bytes with the right session and number.
@@ -64,17 +62,16 @@ private:
     void applicationCommand(Command code);
 
     Board &m_board;
+    Processor &m_processor;
+    ConfigMemory &m_memory;
+    ApplicationFlash &m_application;
+    CrcVariant m_crc;
     bool m_open = false;
     Command m_command{};
     std::size_t m_expected = 0;
     int m_page = 0;
     std::vector<std::uint8_t> m_bytes;
 };
-
-/// Flash of the microcontroller, 7.5: the processor waits for it.
-constexpr auto eraseTime = std::chrono::microseconds(23100);
-constexpr auto writeTime = std::chrono::milliseconds(54);
-constexpr auto versionWriteTime = std::chrono::microseconds(100);
 
 constexpr std::uint16_t bootloaderVersion = 0x0109;
 

@@ -14,8 +14,6 @@ constexpr int mostRestarts = 3;
 constexpr Duration findLimit = 5s;
 constexpr auto linkPatience = 30s;
 constexpr int mostLosses = 3;
-constexpr Duration lateness = 500ms; ///< of an answer after its time-out
-constexpr int mostLate = 100;        ///< frames of late answers
 
 Message insteadOf(std::uint16_t wanted, const Message &answer, bool bootloader)
 {
@@ -23,44 +21,29 @@ Message insteadOf(std::uint16_t wanted, const Message &answer, bool bootloader)
                       : say("%1 instead of %2", answer, versionText(wanted));
 }
 
-/// Asked again, it changes nothing, and its answer is told from those to orders.
-bool isQuestion(Command command)
-{
-    return command == Command::GetFwver || command == Command::GetDescriptors || command == Command::GetFlashSeqnum;
-}
-
 } // namespace
 
 Updater::Updater(Device &device, const Application &application, Progress &progress)
     : m_device(device)
-    , m_link(static_cast<CanLink &>(device.link()))
-    , m_clock(device.clock())
     , m_application(application)
     , m_progress(progress)
-    , m_session(static_cast<std::uint16_t>(device.identity().session.value_or(0)))
+    , m_contact(device)
+    , m_pages(m_contact, application, progress)
 {
-}
-
-void Updater::takeSession(std::uint16_t session)
-{
-    if (session == m_session)
-        return;
-    m_session = session;
-    Identity identity = m_device.identity();
-    identity.session = session;
-    m_device.setIdentity(std::move(identity));
 }
 
 UpdateReport Updater::failed(const Error &error) const
 {
     UpdateReport report = m_report;
+    report.pages = m_pages.pages();
+    report.retries = m_pages.retries();
     report.fault = error.fault;
-    report.outcome = m_touched         ? UpdateOutcome::Failed
-        : error.fault == Fault::Unsafe ? UpdateOutcome::Refused
-                                       : UpdateOutcome::Failed;
+    report.outcome = m_pages.hasTouched() ? UpdateOutcome::Failed
+        : error.fault == Fault::Unsafe    ? UpdateOutcome::Refused
+                                          : UpdateOutcome::Failed;
     report.evidence = error.detail;
     report.remedy = error.help();
-    if (m_touched)
+    if (m_pages.hasTouched())
         report.remedy = joined(report.remedy, say("the unit waits in its bootloader, run the update again"));
     return report;
 }
@@ -93,105 +76,13 @@ Task<UpdateReport> Updater::run(UpdateOptions options)
     const Result<void> installed = co_await std::move(installing).attempt();
     if (!installed)
         co_return failed(installed.error());
+    m_report.pages = m_pages.pages();
+    m_report.retries = m_pages.retries();
     m_report.outcome = UpdateOutcome::Done;
     m_report.verified = true;
     m_report.evidence = say("the device answers with version %1", m_report.to);
     m_progress.log(Severity::Good, m_report.evidence);
     co_return m_report;
-}
-
-Task<VendorReply> Updater::send(VendorCommand command, std::vector<std::uint8_t> data, Attempts attempts, Duration gap)
-{
-    if (m_answerOwed && !isQuestion(command.command)) {
-        auto settling = settle();
-        co_await std::move(settling);
-    }
-    m_sentAt = m_clock.now();
-    VendorRequest request;
-    request.device = m_device.identity().address;
-    request.session = m_session;
-    request.command = command;
-    request.data = std::move(data);
-    request.gap = gap;
-    auto exchange = vendorExchange(m_link, m_clock, std::move(request), attempts);
-    Result<VendorReply> reply = co_await std::move(exchange).attempt();
-    m_answerOwed = m_answerOwed || !reply || reply->unanswered > 0;
-    co_return reply;
-}
-
-Task<void> Updater::settle()
-{
-    CanInbox inbox(m_link, m_clock, [number = m_device.identity().address](const CanFrame &frame) {
-        return (decodeVendorStatus(frame) || decodeVendorData(frame)) && deviceOf(frame) == number;
-    });
-    for (int i = 0; i < mostLate; ++i) {
-        const Result<CanFrame> late = co_await inbox.next(lateness);
-        if (late)
-            continue;
-        if (late.error().fault != Fault::Timeout)
-            co_return fail(late.error());
-        break;
-    }
-    m_answerOwed = false;
-    co_return {};
-}
-
-Task<FirmwareVersions> Updater::versions()
-{
-    auto asking = send({Command::GetFwver}, {}, attemptsOf(Command::GetFwver), {});
-    const VendorReply reply = co_await std::move(asking);
-    if (const auto good = check(Command::GetFwver, reply); !good)
-        co_return fail(good.error());
-    const auto decoded = decodeFirmwareVersions(reply.data);
-    if (!decoded)
-        co_return fail(Fault::BadReply, say("GetFwver answered with %1 bytes", reply.data.size()));
-    co_return *decoded;
-}
-
-Task<std::vector<Updater::Unit>> Updater::enumerate(Duration window)
-{
-    const int number = m_device.identity().address;
-    CanInbox inbox(m_link, m_clock, [number](const CanFrame &frame) {
-        return (frame.id & id::messageMask) == id::enumResponse && deviceOf(frame) == number;
-    });
-    if (const auto sent = m_link.send(encodeEnumerate()); !sent)
-        co_return fail(sent.error());
-    std::vector<Unit> units;
-    const auto unitOf = [&units](std::uint16_t session) -> Unit & {
-        const auto known
-            = std::find_if(units.begin(), units.end(), [session](const Unit &u) { return u.session == session; });
-        return known != units.end() ? *known : units.emplace_back(Unit{session, {}, {}});
-    };
-    const Instant end = m_clock.now() + window;
-    while (m_clock.now() < end) {
-        const Result<CanFrame> frame = co_await inbox.next(end - m_clock.now());
-        if (!frame && frame.error().fault == Fault::LinkLost)
-            co_return fail(frame.error());
-        if (!frame)
-            break;
-        if (const auto first = decodeEnumResponse0(*frame))
-            unitOf(first->session).productId = first->productId;
-        else if (const auto second = decodeEnumResponse1(*frame))
-            unitOf(second->session).versions = FirmwareVersions{second->image, second->application, second->bootloader};
-    }
-    std::erase_if(units, [](const Unit &u) { return !u.versions; });
-    co_return units;
-}
-
-Task<Updater::Unit> Updater::findAgain(Duration limit)
-{
-    const Instant end = m_clock.now() + limit;
-    while (m_clock.now() < end) {
-        auto round = enumerate(enumWindow);
-        const std::vector<Unit> units = co_await std::move(round);
-        if (units.size() > 1)
-            co_return fail(Fault::Unsafe, say("several units answer as number %1", m_device.identity().address));
-        if (units.size() == 1) {
-            takeSession(units.front().session);
-            co_return units.front();
-        }
-    }
-    co_return fail(Fault::Timeout, say("the unit does not answer an enumeration"));
 }
 
 Task<void> Updater::preflight(bool force)
@@ -200,14 +91,14 @@ Task<void> Updater::preflight(bool force)
         m_progress.log(Severity::Info, note);
     m_progress.step(say("Preflight"), 0, 0);
     m_device.stop();
-    auto finding = findAgain(1s);
-    const Unit unit = co_await std::move(finding);
+    auto finding = m_contact.findAgain(1s);
+    const UpdateContact::Unit unit = co_await std::move(finding);
     if (unit.productId && (*unit.productId >> 20U) != productDmc60c)
         co_return fail(Fault::Unsafe,
             say("the image is for product 602, this unit is product %1%2%3", *unit.productId >> 28U,
                 (*unit.productId >> 24U) & 0xFU, (*unit.productId >> 20U) & 0xFU),
             say("nothing was written"));
-    auto asking = versions();
+    auto asking = m_contact.versions();
     const FirmwareVersions now = co_await std::move(asking);
     m_report.from = versionText(now.application);
     const std::string version = versionText(m_application.version);
@@ -245,11 +136,11 @@ Task<void> Updater::keepParameters()
 Task<void> Updater::enterBootloader()
 {
     m_progress.step(say("Enter bootloader"), 0, static_cast<int>(m_application.pages.size()));
-    auto entering = send({Command::EnterBootloader}, {}, attemptsOf(Command::EnterBootloader), {});
+    auto entering = m_contact.order(Command::EnterBootloader);
     const VendorReply reply = co_await std::move(entering);
     if (const auto good = check(Command::EnterBootloader, reply); !good)
         co_return fail(good.error());
-    auto asking = versions();
+    auto asking = m_contact.versions();
     const FirmwareVersions now = co_await std::move(asking);
     if (!isInBootloader(now))
         co_return fail(Fault::BadReply, say("the unit said it is in its bootloader, but its application answers"));
@@ -292,12 +183,12 @@ Task<void> Updater::installOnce()
 
 Task<void> Updater::awaitLink(Error lost)
 {
-    const std::string name = m_link.address().shortName();
+    const std::string name = m_contact.link().address().shortName();
     const std::string limit = std::to_string(linkPatience.count()) + " s";
     m_progress.log(
         Severity::Caution, say("%1 is lost: %2; waiting up to %3 for it to come back", name, lost.message(), limit));
-    m_progress.step(say("Wait for %1", name), m_report.pages, static_cast<int>(m_application.pages.size()));
-    auto waiting = linkReturn(m_link, m_clock, linkPatience);
+    m_progress.step(say("Wait for %1", name), m_pages.pages(), static_cast<int>(m_application.pages.size()));
+    auto waiting = linkReturn(m_contact.link(), m_contact.clock(), linkPatience);
     const Result<void> back = co_await std::move(waiting).attempt();
     if (!back)
         co_return fail(back.error().about(say("%1 did not come back within %2", name, limit)));
@@ -308,11 +199,11 @@ Task<void> Updater::awaitLink(Error lost)
 /// Page 30 erased the version and page 0 brings it, so that a unit that has it has all pages.
 Task<void> Updater::lookAgain()
 {
-    auto finding = findAgain(findLimit);
+    auto finding = m_contact.findAgain(findLimit);
     co_await std::move(finding);
-    auto asking = versions();
+    auto asking = m_contact.versions();
     const FirmwareVersions now = co_await std::move(asking);
-    m_isWritten = m_lastSent && now.application == m_application.version;
+    m_isWritten = m_pages.hasSentLast() && now.application == m_application.version;
     m_isLeft = m_isWritten && !isInBootloader(now);
     if (m_isWritten) {
         m_progress.log(Severity::Info, say("all pages are in the unit"));
@@ -329,14 +220,14 @@ Task<void> Updater::writeAll()
     for (;;) {
         auto entering = enterBootloader();
         co_await std::move(entering);
-        auto writing = writePages();
-        const PageEnd end = co_await std::move(writing);
-        if (end == PageEnd::Written)
+        auto writing = m_pages.writeAll();
+        const PageWriter::End end = co_await std::move(writing);
+        if (end == PageWriter::End::Written)
             co_return {};
         if (++m_restarts > mostRestarts)
             co_return fail(Fault::Refused, say("the device restarted %1 times during the update", m_restarts));
         m_progress.log(Severity::Caution, say("the device may have restarted: once more from page %1", lastPage));
-        auto finding = findAgain(findLimit);
+        auto finding = m_contact.findAgain(findLimit);
         co_await std::move(finding);
     }
 }
@@ -345,7 +236,7 @@ Task<void> Updater::leaveBootloader()
 {
     const int total = static_cast<int>(m_application.pages.size());
     m_progress.step(say("Restart"), total, total);
-    auto resetting = send({Command::SoftReset}, {}, Attempts{1, 3s}, {});
+    auto resetting = m_contact.send({Command::SoftReset}, {}, Attempts{1, 3s}, {});
     const Result<VendorReply> reply = co_await std::move(resetting).attempt();
     if (reply) {
         if (const auto good = check(Command::SoftReset, *reply); !good)
@@ -355,7 +246,7 @@ Task<void> Updater::leaveBootloader()
     }
     if (reply.error().fault != Fault::Timeout)
         co_return fail(reply.error());
-    auto finding = findAgain(findLimit);
+    auto finding = m_contact.findAgain(findLimit);
     co_await std::move(finding);
     m_progress.log(Severity::Caution, say("the answer to the reset was lost; found again by enumeration"));
     co_return {};
@@ -363,12 +254,12 @@ Task<void> Updater::leaveBootloader()
 
 Task<void> Updater::verify()
 {
-    auto asking = versions();
+    auto asking = m_contact.versions();
     FirmwareVersions now = co_await std::move(asking);
     if (isInBootloader(now) && now.application == m_application.version) {
         auto leaving = leaveBootloader(); // the reset itself was lost
         co_await std::move(leaving);
-        auto again = versions();
+        auto again = m_contact.versions();
         now = co_await std::move(again);
     }
     if (isInBootloader(now) || now.application != m_application.version)

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Controller: telemetry, silence and resets.
 #include "families/quadquad2drv/controller.h"
 
+#include "async/sleep.h"
 #include "families/quadquad2drv/channels.h"
-#include "families/quadquad2drv/states.h"
+#include "families/quadquad2drv/scan.h"
 #include "model/family.h"
-
-#include <algorithm>
-#include <string>
 
 namespace mb::quadquad2drv {
 namespace {
@@ -17,11 +14,23 @@ using namespace std::chrono_literals;
 constexpr Duration pollPeriod = 10ms;
 constexpr Duration silence = 300ms;
 constexpr Duration lookPeriod = 100ms;
-constexpr int lookForReset = 10; ///< every so many looks
-constexpr double standing = 8.0; ///< counts/s, twice the resolution (README.md#times-4096)
-constexpr std::array<int, 4> positionBits{0, 8, 16, 32};
+constexpr Duration startTime = 100ms; ///< after a reset (README.md#waiting-packets)
 
-constexpr std::uint8_t faultBits = status::glitch | status::overspeed;
+Task<void> ask(PacketPort &port)
+{
+    auto asking = port.request(getRequest(PacketId::GetMotion), 1);
+    co_await std::move(asking);
+    co_return {};
+}
+
+Task<void> sendAll(PacketPort &port, std::vector<Bytes> requests)
+{
+    for (const Bytes &request : requests) {
+        auto asking = port.request(request);
+        co_await std::move(asking);
+    }
+    co_return {};
+}
 
 } // namespace
 
@@ -31,6 +40,12 @@ Controller::Controller(const Family &known, SpiLink &link, Clock &clock, Identit
     : Device(known, link, clock, std::move(identity))
     , m_spi(link)
     , m_port(link, clock)
+    , m_layout(link, m_port, {[this] { return holdsSettings(); }, [this] { onReset(); }, [this] { schedulePoll(); }})
+    , m_settings(parameters(), profile())
+    , m_sense(telemetry())
+    , m_orders(clock, m_port, m_layout, [this] { stop(); })
+    , m_drives(clock, *telemetry(), m_sense, m_settings, m_orders)
+    , m_stopProof(clock, m_port, [this] { resetAsLastResort(); })
     , m_received(m_port.received().add([this](const Packet &packet, Instant time) { onPacket(packet, time); }))
     , m_state(link.stateChanged().add([this](LinkState) { look(); }))
     , m_poll(clock)
@@ -38,7 +53,7 @@ Controller::Controller(const Family &known, SpiLink &link, Clock &clock, Identit
     , m_scope(clock)
 {
     m_readyRaised = link.readyRaised().add([this] {
-        if (m_streamPeriod > 0 && m_spi.turns().isFree())
+        if (m_layout.streamPeriod() > 0 && m_spi.turns().isFree())
             m_scope.spawn(m_port.fetch());
     });
     schedulePoll();
@@ -55,7 +70,7 @@ void Controller::onPacket(const Packet &packet, Instant time)
             onMotion(*motion, time);
         } else if (!m_learning && busy().empty()) { // another program has changed what the board sends
             m_learning = true;
-            m_scope.spawn<void>(takeLayout(), [this](const Result<void> &) { m_learning = false; });
+            m_scope.spawn<void>(m_layout.read(), [this](const Result<void> &) { m_learning = false; });
         }
     }
 }
@@ -65,72 +80,25 @@ void Controller::onMotion(const Motion &motion, Instant time)
     m_motionAt = time;
     m_heard = true;
     LiveStates told = states();
-    for (int axis = 0; axis < axes; ++axis) {
-        const auto lost = motion.elapsed.value_or(0);
-        for (std::uint16_t i = 0; lost > 0 && i < measuredPerAxis; ++i)
-            telemetry()->lost(channelOf(axis, static_cast<AxisChannel>(i)), lost);
-        onAxis(axis, motion.channels[static_cast<std::size_t>(axis)], time);
-        if (const auto &status = motion.channels[static_cast<std::size_t>(axis)].status)
-            takeStates(told, axis, *status);
-    }
+    m_sense.take(motion, m_port.masks(), time, told);
     setStates(told, time);
     telemetry()->commit();
     updateLiveness();
 }
 
-std::int64_t Controller::unwrapped(int axis, std::int32_t position) const
-{
-    const std::uint8_t mask = m_port.masks()[static_cast<std::size_t>(axis)];
-    const auto &before = m_tracked[static_cast<std::size_t>(axis)].position;
-    if ((mask & datamask::relative) != 0)
-        return before.value_or(0) + position;
-    const int bits = positionBits[mask & datamask::positionSize];
-    if (!before || bits == 32)
-        return position;
-    const std::int64_t span = std::int64_t{1} << bits;
-    std::int64_t moved = (position - *before) % span;
-    if (moved >= span / 2)
-        moved -= span;
-    if (moved < -span / 2)
-        moved += span;
-    return *before + moved;
-}
-
-void Controller::onAxis(int axis, const AxisMotion &motion, Instant time)
-{
-    Tracked &tracked = m_tracked[static_cast<std::size_t>(axis)];
-    if (motion.position) {
-        tracked.position = unwrapped(axis, *motion.position);
-        telemetry()->append({channelOf(axis, AxisChannel::Position), time, static_cast<double>(*tracked.position)});
-    }
-    if (motion.velocity)
-        telemetry()->append({channelOf(axis, AxisChannel::Velocity), time, static_cast<double>(*motion.velocity)});
-    if (motion.status) {
-        tracked.status = *motion.status;
-        telemetry()->append({channelOf(axis, AxisChannel::Status), time, static_cast<double>(*motion.status)});
-    }
-}
-
 void Controller::schedulePoll()
 {
-    if (m_streamPeriod > 0 || m_spi.state() != LinkState::Open) {
+    if (m_layout.streamPeriod() > 0 || m_spi.state() != LinkState::Open) {
         m_poll.stop();
         return;
     }
     m_poll.startIn(pollPeriod, [this] {
         if (!m_polling && busy().empty()) {
             m_polling = true;
-            m_scope.spawn<void>(poll(), [this](const Result<void> &) { m_polling = false; });
+            m_scope.spawn<void>(ask(m_port), [this](const Result<void> &) { m_polling = false; });
         }
         schedulePoll();
     });
-}
-
-Task<void> Controller::poll()
-{
-    auto asking = m_port.request(getRequest(PacketId::GetMotion), 1);
-    co_await std::move(asking);
-    co_return {};
 }
 
 void Controller::look()
@@ -142,11 +110,11 @@ void Controller::look()
         m_heard = false;
     if (!m_heard)
         setStates({}, now);
-    const bool streamGone = m_streamPeriod > 0 && (!m_streamAt || now - *m_streamAt > silence);
-    if ((streamGone || m_changed || (m_heard && !m_resetKnown)) && !m_checking && busy().empty()
+    const bool streamGone = m_layout.streamPeriod() > 0 && (!m_streamAt || now - *m_streamAt > silence);
+    if ((streamGone || m_layout.isInDoubt(m_heard)) && !m_checking && busy().empty()
         && m_spi.state() == LinkState::Open) {
         m_checking = true;
-        m_scope.spawn<void>(checkReset(), [this](const Result<void> &) { m_checking = false; });
+        m_scope.spawn<void>(m_layout.check(), [this](const Result<void> &) { m_checking = false; });
     }
     if (!m_poll.isActive())
         schedulePoll();
@@ -154,82 +122,229 @@ void Controller::look()
     m_look.startIn(lookPeriod, [this] { look(); });
 }
 
-/// Section 4: a board that was reset has its start-up data masks again. At the first look that tells of a reset since the
-/// settings in its profile were written, by this run of the program or another one: all that write set other masks first.
-Task<void> Controller::checkReset()
+void Controller::onReset()
 {
-    auto asking = m_port.request(getRequest(PacketId::GetDataMask), 1);
-    const Packet reply = co_await std::move(asking);
-    const auto masks = parseDataMasks(reply);
-    if (!masks)
-        co_return fail(Fault::BadReply, say("the data masks have an unexpected length"));
-    detectReset(*masks);
-    if (*masks != m_port.masks()) // another program has changed what the board sends
-        m_port.setLayout(*masks, m_port.streamConfig());
-    co_return {};
-}
-
-/// Wherever the masks are seen: what is understood with the new ones must not hide what they mean.
-void Controller::detectReset(const DataMasks &masks)
-{
-    const bool startUp
-        = std::all_of(masks.begin(), masks.end(), [](std::uint8_t mask) { return mask == datamask::startUp; });
-    const bool told = m_changed && masks != m_port.masks();
-    const bool before = !m_resetKnown && holdsSettings();
-    m_resetKnown = true;
-    if (startUp && (told || before))
-        forgetBoard();
-}
-
-void Controller::forgetBoard()
-{
-    m_changed = false;
-    m_restarted = true;
-    m_streamPeriod = 0;
-    m_drives = {};
+    m_drives.forget();
     m_orders.clear();
-    m_port.setLayout({datamask::startUp, datamask::startUp, datamask::startUp, datamask::startUp}, 0);
-    for (Tracked &tracked : m_tracked)
-        tracked.position.reset();
+    m_sense.forget();
     settingsLost();
     schedulePoll();
     updateLiveness();
-}
-
-/// What it was told: the board does not say.
-std::optional<Mode> Controller::modeOf(int axis) const
-{
-    const Drive &drive = m_drives[static_cast<std::size_t>(axis)];
-    if (!m_heard)
-        return std::nullopt;
-    switch (drive.mode) {
-    case ControlMode::Off: return Mode::Off;
-    case ControlMode::Power: return Mode::Duty;
-    case ControlMode::Position: return drive.profile ? Mode::RampPosition : Mode::Position;
-    case ControlMode::Velocity: return drive.profile ? Mode::RampVelocity : Mode::Velocity;
-    }
-    return std::nullopt;
 }
 
 void Controller::updateLiveness()
 {
     Liveness now;
     now.heard = m_heard;
-    now.restarted = m_restarted;
+    now.restarted = m_layout.hasRestarted();
     for (int axis = 0; axis < axes; ++axis) {
-        const auto velocity = telemetry()->latest(channelOf(axis, AxisChannel::Velocity));
-        const bool driven = m_drives[static_cast<std::size_t>(axis)].mode != ControlMode::Off;
-        const bool moving = driven || (m_heard && velocity && std::abs(velocity->value) > standing);
+        const bool moving = m_drives.isDriven(axis) || (m_heard && m_sense.isTurning(axis));
         now.moving = now.moving || moving;
-        now.axes.push_back({modeOf(axis), moving});
-        const std::uint8_t status = m_tracked[static_cast<std::size_t>(axis)].status & faultBits;
-        const std::string prefix = "ch" + std::to_string(axis + 1) + '.';
-        if ((status & status::glitch) != 0)
-            now.faults.push_back(prefix + "glitch");
-        if ((status & status::overspeed) != 0)
-            now.faults.push_back(prefix + "overspeed");
+        now.axes.push_back({m_heard ? std::optional(m_drives.mode(axis)) : std::nullopt, moving});
     }
+    now.faults = m_sense.faults();
     setLiveness(now);
+}
+
+// Set-points and the stop
+
+Result<void> Controller::doCommand(const SetPoint &setPoint)
+{
+    auto taken = m_drives.command(setPoint);
+    if (taken)
+        updateLiveness();
+    return taken;
+}
+
+void Controller::doStop()
+{
+    m_orders.stop();
+    m_drives.stop();
+    m_stopProof.begin();
+    updateLiveness();
+}
+
+/// A reset takes the modes of all axes, and the settings too. Not while its firmware is written: the bootloader would begin anew.
+void Controller::resetAsLastResort()
+{
+    if (busy().empty() && m_spi.pulseReset())
+        m_layout.forget();
+}
+
+/// README.md#stopping: the board has no watchdog. A transfer may come in the middle of another one, so it is sent three times.
+StopScript Controller::doStopScript() const
+{
+    StopStep off;
+    off.bytes = setControlMode(allAxes, ControlMode::Off);
+    off.wait = 10ms;
+    off.attempts = 3;
+    return {{off}};
+}
+
+bool Controller::doIsSeenStopped() const
+{
+    return m_stopProof.isConfirmed() && m_heard && m_motionAt && *m_motionAt > stoppedAt();
+}
+
+// What asks and waits
+
+Task<void> Controller::doRefresh()
+{
+    auto asking = m_port.request(getRequest(PacketId::GetVersion));
+    const Packet reply = co_await std::move(asking);
+    const auto version = parseVersion(reply);
+    if (!version)
+        co_return fail(Fault::BadReply, say("the version has an unexpected length"));
+    auto checking = m_layout.check();
+    co_await std::move(checking);
+    auto layout = m_layout.read();
+    co_await std::move(layout);
+    Identity known = identity();
+    setVersion(known, version->major, version->minor, version->protocol);
+    m_layout.refreshed();
+    setIdentity(std::move(known));
+    updateLiveness();
+    co_return {};
+}
+
+Task<std::int64_t> Controller::doRead(ParameterIndex index)
+{
+    return readParameter(m_port, index);
+}
+
+Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
+{
+    const Parameter &row = parameters().parameter(index);
+    const bool ofAxis = !isBoard(index);
+    const int axis = index.value / parametersPerAxis;
+    const auto which = static_cast<AxisParameter>(index.value % parametersPerAxis);
+    if (!ofAxis) { // its two halves travel together
+        for (const BoardParameter other : {BoardParameter::HistoryLength, BoardParameter::HistoryTimeBits}) {
+            auto reading = readParameter(m_port, indexOf(other));
+            parameters().setRead(indexOf(other), co_await std::move(reading));
+        }
+    }
+    if (m_port.masks()[0] == datamask::startUp) {
+        auto telling = m_layout.tellEverything();
+        co_await std::move(telling);
+    }
+    if (ofAxis && which == AxisParameter::Counter && m_drives.controlMode(axis) == ControlMode::Position)
+        co_return fail(
+            Fault::Unsafe, say("in position mode a new counter would make the motor jump"), say("stop it first"));
+    Bytes request = m_settings.write(index, raw);
+    m_layout.noteChange();
+    auto writing = m_port.request(std::move(request));
+    const Result<Packet> reply = co_await std::move(writing).attempt();
+    if (!reply)
+        co_return fail(reply.error().about(row.key));
+    if (ofAxis && which == AxisParameter::DataMask) {
+        DataMasks masks = m_port.masks(); // told, and so no sign of a reset
+        masks[static_cast<std::size_t>(axis)] = static_cast<std::uint8_t>(raw);
+        m_port.setLayout(masks, m_port.streamConfig());
+    }
+    auto layout = m_layout.read();
+    co_await std::move(layout);
+    if (row.access == Access::WriteOnly)
+        co_return raw;
+    auto reading = readParameter(m_port, index);
+    const std::int64_t inForce = co_await std::move(reading);
+    co_return inForce;
+}
+
+Task<bool> Controller::doStore(Progress &)
+{
+    co_return fail(Fault::Unsupported, say("the board keeps nothing without power"),
+        say("the values stay with this program and are written again after a reset"));
+}
+
+Task<std::vector<FaultRecord>> Controller::doReadFaults()
+{
+    co_return m_sense.records();
+}
+
+Task<void> Controller::doIdentify()
+{
+    co_return fail(Fault::Unsupported, say("the board cannot blink"));
+}
+
+Task<void> Controller::doRestart()
+{
+    if (auto pulsed = m_spi.pulseReset(); !pulsed)
+        co_return pulsed;
+    m_layout.forget();
+    co_await Sleep(clock(), startTime);
+    auto refreshing = doRefresh();
+    co_await std::move(refreshing);
+    co_return {};
+}
+
+Task<void> Controller::doRename(std::string)
+{
+    co_return fail(Fault::Unsupported, say("the board has no name"));
+}
+
+Task<void> Controller::doRenumber(int)
+{
+    co_return fail(Fault::Unsupported, say("the board has no number: chip select tells boards apart"));
+}
+
+Task<void> Controller::doSetRate(ChannelIndex channel, double hertz)
+{
+    auto setting = m_layout.setRate(channel, hertz);
+    if (const bool another = co_await std::move(setting); !another)
+        co_return {};
+    for (int axis = 0; axis < axes; ++axis) {
+        for (std::uint16_t i = 0; i < measuredPerAxis; ++i)
+            telemetry()->breakLine(channelOf(axis, static_cast<AxisChannel>(i)));
+    }
+    co_return {};
+}
+
+/// Inputs that were written with the other reading are written again, so that they are what the parameters say.
+void Controller::doProfileChanged()
+{
+    const bool changed = m_settings.takeReadingChange();
+    if (changed && m_layout.isResetKnown() && m_spi.state() == LinkState::Open)
+        m_scope.spawn<void>(sendAll(m_port, m_settings.writtenInputs()));
+}
+
+// For experiments
+
+Task<void> Controller::tell(Bytes request)
+{
+    if (!m_layout.tellsEverything()) {
+        auto telling = m_layout.tellEverything();
+        co_await std::move(telling);
+    }
+    m_layout.noteChange();
+    auto asking = m_port.request(std::move(request));
+    co_await std::move(asking);
+    co_return {};
+}
+
+Task<std::uint8_t> Controller::askStatus(int axis)
+{
+    auto asking = m_port.request(getRequest(PacketId::GetMotion));
+    const Packet reply = co_await std::move(asking);
+    const auto motion = parseMotion(reply, m_port.masks(), m_port.streamConfig());
+    if (!motion || !motion->channels[static_cast<std::size_t>(axis)].status)
+        co_return fail(Fault::BadReply, say("the board did not tell its status"));
+    co_return *motion->channels[static_cast<std::size_t>(axis)].status;
+}
+
+Task<History> Controller::askHistory()
+{
+    auto asking = m_port.request(getRequest(PacketId::GetHistory));
+    const Packet reply = co_await std::move(asking);
+    const auto history = parseHistory(reply);
+    if (!history)
+        co_return fail(Fault::BadReply, say("the history has an unexpected length"));
+    co_return *history;
+}
+
+void Controller::putBack(std::vector<Bytes> requests)
+{
+    m_scope.spawn<void>(sendAll(m_port, std::move(requests)));
 }
 
 std::unique_ptr<Device> open(Link &link, Clock &clock, const Identity &identity)

@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "async/scope.h"
-#include "families/quadquad2drv/packetport.h"
-#include "families/quadquad2drv/parameters.h"
-#include "model/device.h"
-#include "telemetry/ratewishes.h"
-
-#include <array>
-#include <optional>
+#include "families/quadquad2drv/axisdrives.h"
+#include "families/quadquad2drv/stopproof.h"
 
 namespace mb::quadquad2drv {
 
@@ -28,29 +22,14 @@ public:
     [[nodiscard]] Task<std::uint8_t> askStatus(int axis);
     /// How fast the velocity estimate is at present: packet 13.
     [[nodiscard]] Task<History> askHistory();
-    /// Requests that make gains, limits and input of an axis what they are known or assumed to be.
-    [[nodiscard]] std::vector<Bytes> settingsOf(int axis);
-    /// The one of the input alone.
-    [[nodiscard]] Bytes inputOf(int axis);
+    /// Those that make the settings of an axis what they are known or assumed to be.
+    [[nodiscard]] SettingRequests &settings() { return m_settings; }
     /// Sends them whoever waits for it or not, once the axis is stopped.
     void putBack(std::vector<Bytes> requests);
     /// @}
 
-    /// Until somebody gives the axis another one: a quarter, since wrong polarity means full speed away (README.md#polarity).
-    static constexpr std::int64_t firstPowerLimit = 2048;
-
 private:
-    struct Drive {
-        ControlMode mode = ControlMode::Off;
-        bool shifted = false; ///< Readings::velocityTargetShifted when the mode was taken: never changed in motion
-        std::optional<SetPoint> profile; ///< of a ramp under way, which is sent once
-    };
-    struct Tracked {
-        std::optional<std::int64_t> position; ///< unwrapped
-        std::uint8_t status = 0;
-    };
-
-    // Device: controllertasks.cpp
+    // Device, what asks and waits
     Task<void> doRefresh() override;
     Task<std::int64_t> doRead(ParameterIndex index) override;
     Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) override;
@@ -62,73 +41,38 @@ private:
     Task<void> doRename(std::string name) override;
     Task<void> doRenumber(int address) override;
     Task<void> doSetRate(ChannelIndex channel, double hertz) override;
-    [[nodiscard]] Task<std::int64_t> readBoard(BoardParameter which);
-    [[nodiscard]] Task<void> takeLayout();
-    [[nodiscard]] Task<void> tellEverything();
-    [[nodiscard]] Bytes groupRequest(int axis, AxisParameter which, std::int64_t raw);
-    [[nodiscard]] Result<Bytes> writeRequest(ParameterIndex index, std::int64_t raw);
-    [[nodiscard]] std::int64_t known(int axis, AxisParameter which);
-    [[nodiscard]] Task<void> sendAll(std::vector<Bytes> requests);
-    [[nodiscard]] Readings readings() const;
     void doProfileChanged() override;
 
-    // Device, at once: controllermotion.cpp
-    [[nodiscard]] Result<void> doCheck(const SetPoint &setPoint) const override;
+    // Device, at once
+    [[nodiscard]] Result<void> doCheck(const SetPoint &setPoint) const override { return checkSetPoint(setPoint); }
     Result<void> doCommand(const SetPoint &setPoint) override;
     void doStop() override;
     [[nodiscard]] bool doIsSeenStopped() const override;
     [[nodiscard]] StopScript doStopScript() const override;
-    void enter(int axis, ControlMode mode);
-    void limitFirstMotion(int axis);
-    void sendTarget(int axis, const SetPoint &setPoint);
-    void noteSetPoint(int axis, std::optional<double> target);
-    void post(Bytes request);
-    void workOff();
-    [[nodiscard]] Task<void> work();
-    [[nodiscard]] Task<void> obey(Bytes order);
-    [[nodiscard]] Task<void> confirmStop();
-    void resetAsLastResort();
 
-    // What the board tells, and what follows from silence: controller.cpp
+    // What the board tells, and what follows from silence
     void onPacket(const Packet &packet, Instant time);
     void onMotion(const Motion &motion, Instant time);
-    void onAxis(int axis, const AxisMotion &motion, Instant time);
-    [[nodiscard]] std::int64_t unwrapped(int axis, std::int32_t position) const;
-    [[nodiscard]] Task<void> poll();
     void schedulePoll();
     void look();
-    [[nodiscard]] Task<void> checkReset();
-    void detectReset(const DataMasks &masks);
-    void forgetBoard();
+    void onReset();
+    void resetAsLastResort();
     void updateLiveness();
-    [[nodiscard]] std::optional<Mode> modeOf(int axis) const;
 
     SpiLink &m_spi;
     PacketPort m_port;
-    std::array<Tracked, axes> m_tracked;
-    std::array<Drive, axes> m_drives;
-    std::uint16_t m_streamPeriod = 0;
-    RateWishes m_wishes;
-    bool m_told = false;           ///< a stream of ours runs, unless the board was reset
-    bool m_changed = false;        ///< we told the board something that a reset undoes
-    bool m_libraryPolarity = true; ///< as inputs were written last
-    bool m_resetKnown = false;     ///< whether the board was reset before we came is known
+    BoardLayout m_layout;
+    SettingRequests m_settings;
+    AxisSense m_sense;
+    OrderQueue m_orders;
+    AxisDrives m_drives;
+    StopProof m_stopProof;
     bool m_heard = false;
-    bool m_restarted = false;
     bool m_polling = false;
     bool m_checking = false;
     bool m_learning = false;
-    struct LastResort {
-        int unanswered = 0; ///< stops in a row, since one was confirmed
-        bool tried = false; ///< the reset line was pulsed
-    } m_lastResort;
-    bool m_stopConfirmed = false;
     std::optional<Instant> m_motionAt;
     std::optional<Instant> m_streamAt;
-    std::deque<Bytes> m_orders; ///< of set-points, waiting for the board
-    bool m_working = false;
-    std::uint64_t m_stops = 0;           ///< what was ordered before the last one is not sent any more
-    std::optional<Error> m_orderFailure; ///< ended the motion; the next command tells
     Subscription m_received;
     Subscription m_readyRaised;
     Subscription m_state;

@@ -68,7 +68,7 @@ public:
     }
     BorrowedInput(const BorrowedInput &) = delete;
     BorrowedInput &operator=(const BorrowedInput &) = delete;
-    ~BorrowedInput() { m_board.putBack({m_board.inputOf(m_axis)}); }
+    ~BorrowedInput() { m_board.putBack({m_board.settings().input(m_axis)}); }
 
 private:
     Controller &m_board;

@@ -34,7 +34,7 @@ constexpr Capabilities capabilities{
     .keepsSettings = false,
     .outputOptions = false,
     .commandsProfile = true,
-    .firstPower = 0.25, // Controller::firstPowerLimit
+    .firstPower = 0.25, // SettingRequests::firstPowerLimit
     .fastestProfile = fastest,
     .steepestProfile = steepest,
     .axes = axes,

@@ -21,7 +21,7 @@ Error noWay()
         say("name its serial port, for example --via serial:/dev/ttyUSB0")};
 }
 
-constexpr std::array<GuidedStep, 6> steps{{
+constexpr std::array<GuidedStep, 6> guidedSteps{{
     {QT_TRANSLATE_NOOP("table", "Close the jumper"),
         QT_TRANSLATE_NOOP("table",
             "Put a jumper on AUX1 and AUX2. The serial adapter has 3.3 V levels, its TX goes to RX and its RX to TX; "
@@ -53,7 +53,7 @@ constexpr UpdateWords updateWords{
 };
 const std::array routeTable{UpdateRoute{.scheme = "serial",
     .example = "serial:/dev/ttyUSB0",
-    .steps = steps,
+    .steps = guidedSteps,
     .settings = bootUnknowns(),
     .words = updateWords}};
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ScaleSearch: how it moves the motor and watches over it. What it looks for is in scalefinds.cpp.
 #include "families/quadquad2drv/scalesearch.h"
 
-#include "async/sleep.h"
-#include "families/quadquad2drv/channels.h"
+#include "families/quadquad2drv/calibrations.h"
+#include "families/quadquad2drv/experiments.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,19 +10,24 @@
 namespace mb::quadquad2drv {
 namespace {
 
-using namespace std::chrono_literals;
+constexpr int greatestGain = 65535;
+constexpr int phases = 6;
+constexpr std::array<double, 4> limitLevels{0.4, 0.6, 0.8, 1.0}; ///< of the power limit
+constexpr double sameBothWays = 0.2;
+constexpr double proportional = 0.05; ///< spread of a P scale (README.md#gain-scale)
+constexpr double integral = 0.1;
+constexpr double coarsest = 0.03; ///< of the set-point: with less of it left as error nothing can be measured
 
-constexpr Duration lease = 1s; ///< of a running trial (docs/architecture.md#threads)
-constexpr Duration tick = 10ms;
-constexpr double runaway = 1.6;          ///< times the speed that the power limit gives
-constexpr double wrongWay = 0.05;        ///< s of that speed
-constexpr double standingSpeed = 12.0;   ///< counts/s
-constexpr std::uint8_t shortHistory = 8; ///< edges, for a fast velocity estimate (README.md#gain-scale)
-constexpr std::uint8_t shortTime = 16;   ///< bits, 42 ms: nor does it begin slowly
-
-double secondsOf(Duration time)
+int times(int gain, double factor)
 {
-    return std::chrono::duration<double>(time).count();
+    return std::clamp(static_cast<int>(std::lround(gain * factor)), 1, greatestGain);
+}
+
+/// Four digits.
+double rounded(double value)
+{
+    const double inverse = std::pow(10.0, 3.0 - std::floor(std::log10(value)));
+    return std::round(value * inverse) / inverse;
 }
 
 } // namespace
@@ -31,39 +35,18 @@ double secondsOf(Duration time)
 ScaleSearch::ScaleSearch(
     Controller &board, SetPointStream &stream, const ExperimentOptions &options, Progress &progress)
     : m_board(board)
-    , m_clock(board.clock())
-    , m_stream(stream)
-    , m_options(options)
     , m_progress(progress)
-    , m_axis(options.axis - 1)
-    , m_mask(static_cast<std::uint8_t>(1U << static_cast<unsigned>(m_axis)))
-    , m_most(options.power * fullPower)
-    , m_samples(board.telemetry()->samples().add([this](const Sample &sample) {
-        if (sample.channel != channelOf(m_axis, AxisChannel::Position))
-            return;
-        if (!m_from)
-            m_from = sample.value;
-        m_track.seconds.push_back(secondsOf(sample.time - m_begun));
-        m_track.counts.push_back(m_direction * (sample.value - *m_from));
-    }))
+    , m_trial(board, stream, options, progress)
 {
-}
-
-ScaleSearch::~ScaleSearch()
-{
-    if (m_started)
-        m_stream.stop();
-    if (!m_before.empty())
-        m_board.putBack(m_before);
 }
 
 Task<ExperimentReport> ScaleSearch::run()
 {
-    auto preparing = prepare();
+    auto preparing = m_trial.prepare();
     co_await std::move(preparing);
     auto measuring = measureAll();
     co_await std::move(measuring);
-    auto finishing = finish();
+    auto finishing = m_trial.finish();
     co_await std::move(finishing);
     for (const auto &[key, scale] : m_report.found) {
         if (auto kept = m_board.calibrate(key, scale); !kept)
@@ -72,142 +55,251 @@ Task<ExperimentReport> ScaleSearch::run()
     co_return m_report;
 }
 
-/// No limit but that of the power, and a velocity estimate that is fast. All of it can be put back.
-Task<void> ScaleSearch::prepare()
+Task<void> ScaleSearch::measureAll()
 {
-    auto asking = m_board.askHistory();
-    const History history = co_await std::move(asking);
-    std::vector<Bytes> before = m_board.settingsOf(m_axis);
-    before.push_back(
-        setHistory(static_cast<std::uint8_t>(history.length), static_cast<std::uint8_t>(history.timeBits)));
-    const auto limit = m_board.parameters().entry(indexOf(m_axis, AxisParameter::LimitPower)).raw;
-    if (limit && static_cast<double>(*limit) < m_most) {
-        m_most = static_cast<double>(*limit);
-        tell(say("the axis has a power limit of %1 %, which is kept", std::round(100.0 * m_most / fullPower)));
-    }
-    m_before = std::move(before);
-    const std::vector<Bytes> requests{
-        setPowerLimit(m_mask, static_cast<std::uint16_t>(m_most)),
-        setVelocityLimit(m_mask, static_cast<std::uint32_t>(fastest * limitOne)),
-        setAccelerationLimit(m_mask, 0),
-        setHistory(shortHistory, shortTime),
-    };
-    for (const Bytes &request : requests) {
-        auto telling = m_board.tell(request);
-        co_await std::move(telling);
-    }
-    auto standing = move(Mode::Duty, 0.0); // nothing is measured before the guardian stands by
-    co_await std::move(standing);
-    do {
-        auto waiting = wait(tick);
-        co_await std::move(waiting);
-    } while (!m_board.guard().stands());
+    int phase = 0;
+    const auto step = [&](const Message &what) { m_progress.step(what, phase++, phases); };
+    step(say("turning the motor with several powers"));
+    auto plant = measurePlant();
+    co_await std::move(plant);
+    step(say("looking for velocity P"));
+    auto velocityPs = findVelocityP();
+    m_velocityP = co_await std::move(velocityPs);
+    found(calibration::velocityP, m_velocityP);
+    step(say("looking for velocity I"));
+    auto velocityIs = findVelocityI();
+    found(calibration::velocityI, co_await std::move(velocityIs));
+    step(say("looking for position P"));
+    auto positionPs = findPositionP();
+    m_positionP = co_await std::move(positionPs);
+    found(calibration::positionP, m_positionP);
+    step(say("looking for position I"));
+    auto positionIs = findPositionI();
+    found(calibration::positionI, co_await std::move(positionIs));
+    step(say("looking for position D"));
+    auto positionDs = findPositionD();
+    if (const std::optional<double> scale = co_await std::move(positionDs))
+        found(calibration::positionD, *scale);
+    else
+        m_progress.log(
+            Severity::Caution, say("position D has no effect that could be measured; its scale stays unknown"));
+    m_progress.step(say("putting the settings back"), phases, phases);
     co_return {};
 }
 
-Task<void> ScaleSearch::finish()
+void ScaleSearch::found(std::string_view key, double scale)
 {
-    m_stream.stop();
-    m_started = false;
-    for (int i = 0; i < 100 && !m_board.isSeenStopped(); ++i)
-        co_await Sleep(m_clock, tick);
-    if (!m_board.isSeenStopped())
-        co_return fail(Fault::Unsafe, say("the motors were told to stop, and are not seen to stand"));
-    const std::vector<Bytes> requests = m_before;
-    for (const Bytes &request : requests) {
-        auto telling = m_board.tell(request);
-        co_await std::move(telling);
+    const double value = rounded(scale);
+    m_report.found.emplace_back(key, value);
+    const Message one = say("%1 %2", key, value);
+    m_report.sentence = m_report.sentence.empty() ? one : say("%1, %2", m_report.sentence, one);
+    m_progress.log(Severity::Good, say("%1 is %2", key, value));
+}
+
+Task<void> ScaleSearch::measurePlant()
+{
+    std::vector<PowerStep> steps;
+    for (const double level : limitLevels) {
+        auto one = m_trial.powerStep(level * m_trial.mostPower());
+        const PowerStep there = co_await std::move(one);
+        auto other = m_trial.powerStep(level * m_trial.mostPower());
+        const PowerStep back = co_await std::move(other);
+        const double speed = (there.speed + back.speed) / 2.0;
+        tell(say("power %1: %2 and %3 counts/s", std::round(level * m_trial.mostPower()), std::round(there.speed),
+            std::round(back.speed)));
+        if (std::abs(there.speed - back.speed) > sameBothWays * speed)
+            co_return fail(Fault::Refused, say("the motor turns differently in both directions"),
+                say("the shaft must be free, without load on one side"));
+        steps.push_back({level * m_trial.mostPower(), speed, (there.lag + back.lag) / 2.0});
     }
-    m_before.clear();
+    const auto plant = fitPlant(steps);
+    if (!plant)
+        co_return fail(plant.error());
+    m_trial.setPlant(*plant);
+    tell(say("the motor gives %1 counts/s per power unit, friction takes %2 units, it follows within %3 ms",
+        rounded(m_trial.plant().gain), std::round(m_trial.plant().friction), std::round(m_trial.plant().lag * 1000.0)));
     co_return {};
 }
 
-void ScaleSearch::begin()
+Task<int> ScaleSearch::firstGain(Run run, std::size_t which, double way)
 {
-    m_track = {};
-    m_begun = m_clock.now();
-    const auto here = m_board.telemetry()->latest(channelOf(m_axis, AxisChannel::Position));
-    m_from = here ? std::optional(here->value) : std::nullopt;
-}
-
-Task<void> ScaleSearch::move(Mode mode, double target)
-{
-    SetPoint setPoint;
-    setPoint.axis = m_options.axis;
-    setPoint.mode = mode;
-    setPoint.target = target;
-    const Result<void> sent = m_started ? m_stream.update(setPoint) : m_stream.start(setPoint, lease);
-    if (!sent)
-        co_return fail(sent.error());
-    m_started = true;
-    co_return {};
-}
-
-/// docs/safety.md#what-ends-an-experiment, as far as the board tells: the stream is the user's consent and the guard's, the rest is physics.
-Result<void> ScaleSearch::look() const
-{
-    if (!m_stream.isRunning())
-        return fail(Fault::Unsafe, say("the motor was stopped: %1", m_stream.reason()));
-    if (m_plant.gain <= 0.0)
-        return {};
-    const double fast = m_plant.speedAt(m_most);
-    const double now = m_track.speed(m_track.end() - 0.06, m_track.end());
-    if (std::abs(now) > runaway * fast)
-        return fail(Fault::Unsafe, say("the motor ran faster than the power limit allows"), say("it was stopped"));
-    if (m_track.way() < -std::max(50.0, wrongWay * fast) && now < 0.0)
-        return fail(Fault::Unsafe, say("the loop drives the motor the wrong way"),
-            say("exchange the wires of the motor or the phases of the encoder"));
-    return {};
-}
-
-Task<void> ScaleSearch::wait(Duration time, double way)
-{
-    const Instant end = m_clock.now() + time;
-    while (m_clock.now() < end) {
-        co_await Sleep(m_clock, tick);
-        if (auto safe = look(); !safe)
-            co_return fail(safe.error());
-        if (way > 0.0 && m_track.way() >= way)
+    for (int gain = 1;; gain = std::min(2 * gain, greatestGain)) {
+        run.gains[which] = gain;
+        auto driving = m_trial.drive(run);
+        const Track track = co_await std::move(driving);
+        if (track.way() >= way)
+            co_return gain;
+        if (gain == greatestGain)
             break;
     }
-    co_return {};
+    if (run.loop != Loop::Velocity)
+        co_return fail(Fault::Refused, say("no gain of the position loop turns the motor"));
+    co_return fail(Fault::Refused, say("no gain of the velocity loop turns the motor"),
+        say("the board may want velocity targets times 4096: choose that setting, and try again"));
 }
 
-/// Without power until it stands.
-Task<void> ScaleSearch::rest()
+Task<double> ScaleSearch::velocityP(int gain, double aim)
 {
-    auto stopping = move(Mode::Duty, 0.0);
-    co_await std::move(stopping);
-    for (int i = 0; i < 20; ++i) {
-        begin();
-        auto waiting = wait(100ms);
-        co_await std::move(waiting);
-        if (std::abs(m_track.speed(0.0, m_track.end())) < standingSpeed)
-            break;
+    auto driving = m_trial.drive({Loop::Velocity, {gain, 0, 0}, aim, 1.8, 0.0});
+    const Track track = co_await std::move(driving);
+    const double speed = track.speed(track.end() - 0.6, track.end());
+    const double error = aim - speed;
+    if (error < coarsest * aim)
+        co_return fail(Fault::Refused, say("the gain scale is too coarse to be measured with so little power"));
+    co_return (speed / m_trial.plant().gain + m_trial.plant().friction) / (gain * error);
+}
+
+/// P alone, at rest in speed: the power is what the friction and the speed take.
+Task<double> ScaleSearch::findVelocityP()
+{
+    const double aim = 0.8 * m_trial.plant().speedAt(m_trial.mostPower());
+    auto first = firstGain({Loop::Velocity, {}, aim, 0.8, 0.0}, 0, 0.15 * aim);
+    const int gain = co_await std::move(first);
+    auto rough = velocityP(gain, aim);
+    const double scale = co_await std::move(rough);
+    const double middle = (0.5 * aim / m_trial.plant().gain + m_trial.plant().friction) / (scale * 0.5 * aim);
+    std::vector<double> scales;
+    int last = 0;
+    for (const double factor : {0.7, 1.0, 1.4, 2.0}) {
+        const int next = times(1, middle * factor);
+        for (const double part : {1.0, 0.7}) {
+            if (next == last)
+                continue;
+            auto measuring = velocityP(next, part * aim);
+            scales.push_back(co_await std::move(measuring));
+        }
+        last = next;
     }
-    co_return {};
+    co_return agreed(scales, proportional);
 }
 
-Task<Track> ScaleSearch::drive(Run run)
+std::vector<double> ScaleSearch::termsOf(const Run &run, const Track &track, std::size_t which) const
 {
-    const auto gain = [&run](std::size_t which) { return static_cast<std::uint16_t>(run.gains[which]); };
-    auto telling = m_board.tell(run.loop == Loop::Velocity
-            ? setVelocityGains(m_mask, {gain(0), gain(1), gain(2)})
-            : setPositionGains(m_mask, {gain(0), gain(1), gain(2), static_cast<std::uint16_t>(m_most)}));
-    co_await std::move(telling);
-    m_direction = -m_direction;
-    begin();
-    if (!m_from)
-        co_return fail(Fault::Timeout, say("the board does not tell its position"));
-    const bool velocity = run.loop == Loop::Velocity;
-    auto moving = move(velocity ? Mode::Velocity : Mode::Position, (velocity ? 0.0 : *m_from) + m_direction * run.aim);
-    co_await std::move(moving);
-    auto waiting = wait(std::chrono::duration_cast<Duration>(std::chrono::duration<double>(run.seconds)), run.way);
-    co_await std::move(waiting);
-    Track track = m_track;
-    auto resting = rest();
-    co_await std::move(resting);
-    co_return track;
+    std::vector<double> terms;
+    const double gain = run.gains[which];
+    double sum = 0.0;
+    for (std::size_t i = 0; i < track.size(); ++i) {
+        const double before = i == 0 ? 0.0 : track.seconds[i - 1];
+        const double position = track.counts[i];
+        const double mean = i == 0 ? position / 2.0 : (position + track.counts[i - 1]) / 2.0;
+        sum += (run.aim - mean) * (track.seconds[i] - before);
+        double term = 0.0;
+        if (run.loop == Loop::Velocity)
+            term = (run.aim * track.seconds[i] - position) / loopTime;
+        else if (which == 0)
+            term = run.aim - position;
+        else if (which == 1)
+            term = sum / loopTime;
+        else
+            term = -loopTime * track.speed(track.seconds[i] - 0.04, track.seconds[i] + 0.04);
+        terms.push_back(gain * term);
+    }
+    return terms;
+}
+
+Task<double> ScaleSearch::scaleAt(Run run, std::size_t which)
+{
+    auto driving = m_trial.drive(run);
+    const Track track = co_await std::move(driving);
+    Drive power{termsOf(run, track, which), {}, m_trial.mostPower()};
+    if (which == 2) {
+        power.others = termsOf(run, track, 0);
+        for (double &other : power.others)
+            other *= m_positionP;
+    }
+    const auto fit = fitScale(m_trial.plant(), track, power);
+    if (!fit)
+        co_return fail(fit.error());
+    co_return fit->scale;
+}
+
+/// The I of a loop alone, at the first gain that goes the way, and at more.
+Task<double> ScaleSearch::findIntegral(Run run, double way)
+{
+    auto first = firstGain(run, 1, way);
+    const int gain = co_await std::move(first);
+    std::vector<double> scales;
+    for (const double factor : {1.0, 1.5, 2.0}) {
+        run.gains = {0, times(gain, factor), 0};
+        auto measuring = scaleAt(run, 1);
+        scales.push_back(co_await std::move(measuring));
+    }
+    co_return agreed(scales, integral);
+}
+
+Task<double> ScaleSearch::findVelocityI()
+{
+    const double aim = 0.8 * m_trial.plant().speedAt(m_trial.mostPower());
+    return findIntegral({Loop::Velocity, {}, aim, 1.6, 0.0}, 0.25 * aim);
+}
+
+Task<double> ScaleSearch::findPositionP()
+{
+    const double aim = 0.8 * m_trial.plant().speedAt(m_trial.mostPower());
+    Run run{Loop::Position, {}, aim, 1.5, 0.85 * aim};
+    auto first = firstGain(run, 0, 0.15 * aim);
+    run.gains[0] = co_await std::move(first);
+    auto rough = scaleAt(run, 0);
+    const double one = co_await std::move(rough);
+    std::vector<double> scales;
+    for (const double part : {0.6, 0.8}) { // of the power at the start
+        run.gains[0] = times(1, part * m_trial.mostPower() / (one * aim));
+        for (int way = 0; way < 2; ++way) {
+            auto measuring = scaleAt(run, 0);
+            scales.push_back(co_await std::move(measuring));
+        }
+    }
+    co_return agreed(scales, integral);
+}
+
+Task<double> ScaleSearch::findPositionI()
+{
+    const double aim = 1.5 * m_trial.plant().speedAt(m_trial.mostPower());
+    return findIntegral({Loop::Position, {}, aim, 2.0, 0.6 * aim}, 0.15 * aim);
+}
+
+/// Beside a P that is known: D brakes.
+Task<std::optional<double>> ScaleSearch::findPositionD()
+{
+    const double aim = m_trial.plant().speedAt(m_trial.mostPower());
+    const int p = times(1, 0.7 * m_trial.mostPower() / (m_positionP * aim));
+    Run run{Loop::Position, {p, 0, 0}, aim, 0.8, 0.0};
+    auto freely = m_trial.drive(run);
+    const Track free = co_await std::move(freely);
+    for (int gain = 1;; gain = std::min(2 * gain, greatestGain)) {
+        run.gains[2] = gain;
+        auto driving = m_trial.drive(run);
+        const Track braked = co_await std::move(driving);
+        if (braked.way() <= 0.65 * free.way())
+            break;
+        if (gain == greatestGain)
+            co_return std::optional<double>();
+    }
+    std::vector<double> scales;
+    run.seconds = 1.5;
+    const int gain = run.gains[2];
+    for (const double factor : {1.0, 0.75}) {
+        run.gains[2] = times(gain, factor);
+        for (int way = 0; way < 2; ++way) {
+            auto measuring = scaleAt(run, 2);
+            scales.push_back(co_await std::move(measuring));
+        }
+    }
+    const auto mean = agreed(scales, 2.0 * integral);
+    if (!mean)
+        co_return fail(mean.error());
+    co_return std::optional<double>(*mean);
+}
+
+Task<ExperimentReport> findGainScales(
+    Device &device, SetPointStream &stream, ExperimentOptions options, Progress &progress)
+{
+    if (options.axis < 1 || options.axis > axes || !(options.power > 0.0) || options.power > 1.0)
+        co_return fail(Fault::OutOfRange, say("an axis from 1 to 4 and a power limit above 0 are needed"));
+    ScaleSearch search(static_cast<Controller &>(device), stream, options, progress);
+    auto running = search.run();
+    const ExperimentReport report = co_await std::move(running);
+    co_return report;
 }
 
 } // namespace mb::quadquad2drv

@@ -1,23 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/quadquad2drv/simulatorboard.h"
 
-#include "wire/bytes.h"
-
 #include <algorithm>
-#include <numeric>
 
 namespace mb::quadquad2drv::simulation {
 namespace {
 
 constexpr Duration loopPeriod = std::chrono::milliseconds(2);
-constexpr Duration thinking
-    = std::chrono::microseconds(20); ///< from a request to its answer; the real time is not known
-constexpr std::size_t mostWaiting = 8;
-
-std::uint8_t sumOf(const std::vector<std::uint8_t> &bytes)
-{
-    return static_cast<std::uint8_t>(std::accumulate(bytes.begin(), bytes.end(), 0U));
-}
 
 } // namespace
 
@@ -26,11 +15,17 @@ Board::Board(SpiSlaveLink &link, Clock &clock, const BoardOptions &options, Noti
     , m_clock(clock)
     , m_options(options)
     , m_notify(std::move(notify))
+    , m_commands(m_axes, options.shiftedTarget,
+          [this] {
+              m_elapsed = 0;
+              armStream();
+          })
+    , m_reader(clock, [this](const std::vector<std::uint8_t> &packet) { execute(packet); })
     , m_begun(clock.now())
     , m_loop(clock)
     , m_stream(clock)
-    , m_answer(clock)
 {
+    m_commands.version = options.version;
     for (std::size_t i = 0; i < axes; ++i) {
         m_axes[i] = std::make_unique<Axis>(*motorByName(options.motors[i]), options.loads[i]);
         m_axes[i]->setNature(options.gainScale, options.libraryPolarity);
@@ -108,17 +103,10 @@ void Board::restart()
 {
     for (const auto &axis : m_axes)
         axis->reset();
-    m_in.clear();
+    m_reader.clear();
     m_out.clear();
-    m_pending.clear();
-    m_outAt = 0;
-    m_streamWaits = false;
-    m_streamPeriod = 0;
-    m_streamConfig = 0;
-    m_historyLength = 31;
-    m_historyBits = 20;
+    m_commands.restart();
     m_stream.stop();
-    m_answer.stop();
     m_notify("reset", 0.0);
     noteOutput();
     m_link.readyChanged();
@@ -150,60 +138,22 @@ void Board::transfer(std::span<const std::uint8_t> mosi, std::span<std::uint8_t>
         miso[i] = 0;
         if (!m_powered || !m_running)
             continue;
-        if (!m_out.empty()) {
-            miso[i] = m_out.front()[m_outAt++];
-            if (m_outAt == m_out.front().size()) {
-                m_streamWaits = m_streamWaits && m_out.front()[2] != static_cast<std::uint8_t>(PacketId::Stream);
-                m_out.pop_front();
-                m_outAt = 0;
-            }
-        }
-        listen(mosi[i]);
+        miso[i] = m_out.next();
+        m_reader.take(mosi[i]);
     }
     m_link.readyChanged();
-}
-
-void Board::listen(std::uint8_t byte)
-{
-    if (m_in.empty() && byte != stx)
-        return;
-    m_in.push_back(byte);
-    understand();
-}
-
-void Board::understand()
-{
-    if (m_in.size() < 2 || (m_in[1] >= overhead && m_in.size() < m_in[1]))
-        return;
-    if (m_in[1] >= overhead && sumOf(m_in) == 0) {
-        m_pending.push_back(std::exchange(m_in, {}));
-        if (!m_answer.isActive())
-            m_answer.startIn(thinking, [this] {
-                while (!m_pending.empty()) {
-                    const Bytes packet = std::move(m_pending.front());
-                    m_pending.pop_front();
-                    execute(packet);
-                }
-            });
-        return;
-    }
-    // No packet: drop this start and look for one in what followed.
-    const Bytes rest(m_in.begin() + 1, m_in.end());
-    m_in.clear();
-    for (const std::uint8_t byte : rest)
-        listen(byte);
 }
 
 void Board::execute(const Bytes &packet)
 {
     const std::uint8_t id = packet[2];
     const std::span<const std::uint8_t> payload(packet.data() + 3, packet.size() - overhead);
-    if (auto reply = answerGet(id, payload)) {
+    if (auto reply = m_commands.answer(id, payload)) {
         reply->insert(reply->begin(), 0);
         send(id, *reply);
         return;
     }
-    const ReturnCode code = set(id, payload);
+    const ReturnCode code = m_commands.set(id, payload);
     noteOutput();
     send(id, {static_cast<std::uint8_t>(code)});
 }
@@ -225,37 +175,36 @@ void Board::send(std::uint8_t id, const Bytes &payload)
         if (fault.kind == "corrupt" && now)
             packet.back() ^= 0x10U;
     }
-    if (m_out.size() < mostWaiting)
-        m_out.push_back(std::move(packet));
+    m_out.push(std::move(packet));
     m_link.readyChanged();
 }
 
 void Board::armStream()
 {
-    if (m_streamPeriod == 0) {
+    if (m_commands.streamPeriod() == 0) {
         m_stream.stop();
         return;
     }
-    const Duration asked = streamUnit * m_streamPeriod;
+    const Duration asked = streamUnit * m_commands.streamPeriod();
     m_stream.start(m_clock.now() + std::max<Duration>(asked, loopPeriod), [this] { stream(); });
 }
 
 void Board::stream()
 {
     armStream();
-    if (m_streamWaits) {
+    if (m_out.hasStream()) {
         m_elapsed = static_cast<std::uint8_t>(std::min(255, m_elapsed + 1));
         return;
     }
     Bytes payload;
-    if ((m_streamConfig & streamconfig::timing) != 0) {
-        payload.push_back(static_cast<std::uint8_t>(m_streamPeriod & 0xFFU));
-        payload.push_back(static_cast<std::uint8_t>(m_streamPeriod >> 8U));
+    if ((m_commands.streamConfig() & streamconfig::timing) != 0) {
+        payload.push_back(static_cast<std::uint8_t>(m_commands.streamPeriod() & 0xFFU));
+        payload.push_back(static_cast<std::uint8_t>(m_commands.streamPeriod() >> 8U));
     }
-    if ((m_streamConfig & streamconfig::elapsed) != 0)
+    if ((m_commands.streamConfig() & streamconfig::elapsed) != 0)
         payload.push_back(std::exchange(m_elapsed, std::uint8_t{0}));
-    appendMotion(payload);
-    m_streamWaits = true;
+    m_commands.appendMotion(payload);
+    m_out.noteStream();
     send(static_cast<std::uint8_t>(PacketId::Stream), payload);
 }
 

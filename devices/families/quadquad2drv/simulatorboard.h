@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "families/quadquad2drv/simulatoraxis.h"
+#include "families/quadquad2drv/simulatorcommands.h"
+#include "families/quadquad2drv/simulatoroutbox.h"
+#include "families/quadquad2drv/simulatorreader.h"
 #include "simulation/simulator.h"
 #include "transport/spilink.h"
 
-#include <deque>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -28,7 +29,7 @@ struct BoardOptions {
     [[nodiscard]] static Result<BoardOptions> parse(const SimulatedUnit &unit);
 };
 
-/// The board: decodes requests, runs the loop, encodes replies and stream packets, raises its ready line.
+/// The board: runs the loop, sends replies and stream packets, raises its ready line, and the faults that come at their time.
 class Board final : public SpiSlave {
 public:
     using Notify = std::function<void(std::string_view what, double value)>;
@@ -37,7 +38,7 @@ public:
     ~Board() override;
 
     void transfer(std::span<const std::uint8_t> mosi, std::span<std::uint8_t> miso) override;
-    [[nodiscard]] bool isReady() const override { return m_powered && m_running && !m_out.empty(); }
+    [[nodiscard]] bool isReady() const override { return m_powered && m_running && !m_out.isEmpty(); }
     /// A pulse on the reset line.
     void reset() override;
 
@@ -46,8 +47,8 @@ public:
     void setPowered(bool powered);
     /// No application answers while the bootloader runs.
     void setRunning(bool running);
-    void setVersion(std::array<std::uint8_t, 3> version) { m_options.version = version; }
-    [[nodiscard]] std::array<std::uint8_t, 3> version() const { return m_options.version; }
+    void setVersion(std::array<std::uint8_t, 3> version) { m_commands.version = version; }
+    [[nodiscard]] std::array<std::uint8_t, 3> version() const { return m_commands.version; }
     [[nodiscard]] Axis &axis(int index) { return *m_axes[static_cast<std::size_t>(index)]; }
     [[nodiscard]] const Axis &axis(int index) const { return *m_axes[static_cast<std::size_t>(index)]; }
 
@@ -57,19 +58,7 @@ private:
     [[nodiscard]] Instant next(Instant due, Duration period) const;
     void loop();
     void restart();
-    void listen(std::uint8_t byte);
-    void understand();
     void execute(const Bytes &packet);
-    [[nodiscard]] std::optional<Bytes> answerGet(std::uint8_t id, std::span<const std::uint8_t> payload);
-    [[nodiscard]] ReturnCode set(std::uint8_t id, std::span<const std::uint8_t> payload);
-    [[nodiscard]] ReturnCode setWhole(std::uint8_t id, std::span<const std::uint8_t> payload);
-    [[nodiscard]] ReturnCode setTuples(std::uint8_t id, std::span<const std::uint8_t> payload);
-    [[nodiscard]] ReturnCode setTuple(std::uint8_t id, Axis &axis, std::span<const std::uint8_t> values);
-    [[nodiscard]] ReturnCode setGains(std::uint8_t id, Axis &axis, std::span<const std::uint8_t> values);
-    [[nodiscard]] ReturnCode setMotion(std::uint8_t id, Axis &axis, std::span<const std::uint8_t> values);
-    [[nodiscard]] ReturnCode setRamp(std::uint8_t id, Axis &axis, std::span<const std::uint8_t> values);
-    [[nodiscard]] Bytes positions(std::span<const std::uint8_t> payload);
-    void appendMotion(Bytes &out);
     void send(std::uint8_t id, const Bytes &payload);
     void stream();
     void armStream();
@@ -82,16 +71,11 @@ private:
     BoardOptions m_options;
     Notify m_notify;
     std::function<void()> m_pulsed;
-    std::array<std::unique_ptr<Axis>, axes> m_axes;
-    Bytes m_in;
-    std::deque<Bytes> m_out;
-    std::size_t m_outAt = 0; ///< of the packet that is being clocked out
-    bool m_streamWaits = false;
+    Axes m_axes;
+    Commands m_commands;
+    RequestReader m_reader;
+    Outbox m_out;
     std::uint8_t m_elapsed = 0;
-    std::uint16_t m_streamPeriod = 0;
-    std::uint8_t m_streamConfig = 0;
-    std::uint8_t m_historyLength = 31;
-    std::uint8_t m_historyBits = 20;
     int m_sent = 0;
     bool m_powered = true;
     bool m_running = true;
@@ -102,8 +86,6 @@ private:
     std::size_t m_nextFault = 0;
     Timer m_loop;
     Timer m_stream;
-    Timer m_answer;
-    std::deque<Bytes> m_pending; ///< requests understood, being worked on
 };
 
 } // namespace mb::quadquad2drv::simulation

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "families/quadquad2drv/simulatorboard.h"
+#include "families/quadquad2drv/simulatorcommands.h"
 
 #include "wire/bytes.h"
 
@@ -7,8 +7,6 @@
 
 namespace mb::quadquad2drv::simulation {
 namespace {
-
-using Values = std::span<const std::uint8_t>;
 
 constexpr std::uint32_t fastestRaw = 100'000U * 4096U;
 constexpr std::uint32_t steepestRaw = 1'000'000U * 4096U;
@@ -20,7 +18,7 @@ constexpr std::size_t sizeOfPosition(std::uint8_t code)
 }
 
 /// Bytes of the tuple that begins here, mask included; 0 for a packet without tuples (2).
-std::size_t tupleSize(std::uint8_t id, Values from)
+std::size_t tupleSize(std::uint8_t id, Commands::Values from)
 {
     switch (static_cast<PacketId>(id)) {
     case PacketId::SetDataMask:
@@ -41,7 +39,7 @@ std::size_t tupleSize(std::uint8_t id, Values from)
     }
 }
 
-std::int32_t i32(Values v, std::size_t at)
+std::int32_t i32(Commands::Values v, std::size_t at)
 {
     return static_cast<std::int32_t>(readU32le(v, at));
 }
@@ -52,15 +50,88 @@ void put(std::vector<std::uint8_t> &out, std::int32_t value, std::size_t size)
         out.push_back(static_cast<std::uint8_t>(static_cast<std::uint32_t>(value) >> (8U * i)));
 }
 
+ReturnCode setRamp(std::uint8_t id, Axis &axis, Commands::Values v)
+{
+    AxisSettings &s = axis.settings;
+    const bool position = static_cast<PacketId>(id) == PacketId::RampPosition;
+    if (s.mode != (position ? ControlMode::Position : ControlMode::Velocity))
+        return ReturnCode::InvalidCommand;
+    const std::uint32_t acceleration = readU32le(v, position ? 8 : 4);
+    if (acceleration > steepestRaw)
+        return ReturnCode::InvalidParameter;
+    if (position) {
+        if (readU32le(v, 4) > fastestRaw)
+            return ReturnCode::InvalidParameter;
+        s.positionTarget = i32(v, 0);
+        s.rampVelocity = readU32le(v, 4) / limitOne;
+    } else {
+        const std::int32_t velocity = i32(v, 0);
+        if (velocity < -fastest || velocity > fastest)
+            return ReturnCode::InvalidParameter;
+        s.velocityTarget = velocity;
+        s.rampVelocity = 0.0;
+    }
+    s.rampAcceleration = acceleration / limitOne;
+    return ReturnCode::Ok;
+}
+
+ReturnCode setGains(std::uint8_t id, Axis &axis, Commands::Values v)
+{
+    AxisSettings &s = axis.settings;
+    switch (static_cast<PacketId>(id)) {
+    case PacketId::SetPowerLimit:
+        if (readU16le(v, 0) > fullPower)
+            return ReturnCode::InvalidParameter;
+        s.powerLimit = readU16le(v, 0);
+        return ReturnCode::Ok;
+    case PacketId::SetVelocityLimit:
+        if (readU32le(v, 0) > fastestRaw)
+            return ReturnCode::InvalidParameter;
+        s.velocityLimit = readU32le(v, 0);
+        return ReturnCode::Ok;
+    case PacketId::SetAccelerationLimit:
+        if (readU32le(v, 0) > steepestRaw)
+            return ReturnCode::InvalidParameter;
+        s.accelerationLimit = readU32le(v, 0);
+        return ReturnCode::Ok;
+    case PacketId::SetPositionGains:
+        if (readU16le(v, 6) > fullPower)
+            return ReturnCode::InvalidParameter;
+        for (std::size_t i = 0; i < s.positionGains.size(); ++i)
+            s.positionGains[i] = readU16le(v, 2 * i);
+        return ReturnCode::Ok;
+    case PacketId::SetVelocityGains:
+        for (std::size_t i = 0; i < s.velocityGains.size(); ++i)
+            s.velocityGains[i] = readU16le(v, 2 * i);
+        return ReturnCode::Ok;
+    default: return setRamp(id, axis, v);
+    }
+}
+
 } // namespace
 
-std::optional<Board::Bytes> Board::answerGet(std::uint8_t id, Values payload)
+Commands::Commands(Axes &axes, bool shiftedTarget, std::function<void()> streamChanged)
+    : m_axes(axes)
+    , m_shiftedTarget(shiftedTarget)
+    , m_streamChanged(std::move(streamChanged))
+{
+}
+
+void Commands::restart()
+{
+    m_streamPeriod = 0;
+    m_streamConfig = 0;
+    m_historyLength = 31;
+    m_historyBits = 20;
+}
+
+std::optional<Commands::Bytes> Commands::answer(std::uint8_t id, Values payload)
 {
     const bool bare = payload.empty();
     switch (static_cast<PacketId>(id)) {
     case PacketId::GetVersion:
         if (bare)
-            return Bytes(m_options.version.begin(), m_options.version.end());
+            return Bytes(version.begin(), version.end());
         break;
     case PacketId::GetMotion:
         if (bare) {
@@ -99,7 +170,7 @@ std::optional<Board::Bytes> Board::answerGet(std::uint8_t id, Values payload)
     return std::nullopt;
 }
 
-Board::Bytes Board::positions(Values payload)
+Commands::Bytes Commands::positions(Values payload)
 {
     Bytes out;
     for (std::size_t i = 0; i < axes; ++i) {
@@ -113,7 +184,7 @@ Board::Bytes Board::positions(Values payload)
     return out;
 }
 
-void Board::appendMotion(Bytes &out)
+void Commands::appendMotion(Bytes &out)
 {
     for (const auto &axis : m_axes) {
         const std::uint8_t mask = axis->settings.dataMask;
@@ -126,7 +197,7 @@ void Board::appendMotion(Bytes &out)
     }
 }
 
-ReturnCode Board::set(std::uint8_t id, Values payload)
+ReturnCode Commands::set(std::uint8_t id, Values payload)
 {
     if (id % 2 == 1 || id < 4 || id > 36)
         return id >= 1 && id <= 13 ? ReturnCode::InvalidData : ReturnCode::InvalidCommand;
@@ -135,15 +206,14 @@ ReturnCode Board::set(std::uint8_t id, Values payload)
     return tupleSize(id, payload) == 0 ? setWhole(id, payload) : setTuples(id, payload);
 }
 
-ReturnCode Board::setWhole(std::uint8_t id, Values payload)
+ReturnCode Commands::setWhole(std::uint8_t id, Values payload)
 {
     switch (static_cast<PacketId>(id)) {
     case PacketId::SetStreamPeriod:
         if (payload.size() != 2)
             return ReturnCode::InvalidData;
         m_streamPeriod = readU16le(payload, 0);
-        m_elapsed = 0;
-        armStream();
+        m_streamChanged();
         return ReturnCode::Ok;
     case PacketId::SetStreamConfig:
         if (payload.size() != 1)
@@ -166,7 +236,7 @@ ReturnCode Board::setWhole(std::uint8_t id, Values payload)
     }
 }
 
-ReturnCode Board::setTuples(std::uint8_t id, Values payload)
+ReturnCode Commands::setTuples(std::uint8_t id, Values payload)
 {
     while (!payload.empty()) {
         const std::size_t size = tupleSize(id, payload);
@@ -186,7 +256,7 @@ ReturnCode Board::setTuples(std::uint8_t id, Values payload)
     return ReturnCode::Ok;
 }
 
-ReturnCode Board::setTuple(std::uint8_t id, Axis &axis, Values v)
+ReturnCode Commands::setTuple(std::uint8_t id, Axis &axis, Values v)
 {
     AxisSettings &s = axis.settings;
     switch (static_cast<PacketId>(id)) {
@@ -217,7 +287,7 @@ ReturnCode Board::setTuple(std::uint8_t id, Axis &axis, Values v)
     }
 }
 
-ReturnCode Board::setMotion(std::uint8_t id, Axis &axis, Values v)
+ReturnCode Commands::setMotion(std::uint8_t id, Axis &axis, Values v)
 {
     AxisSettings &s = axis.settings;
     switch (static_cast<PacketId>(id)) {
@@ -233,70 +303,12 @@ ReturnCode Board::setMotion(std::uint8_t id, Axis &axis, Values v)
         s.rampVelocity = s.rampAcceleration = 0.0;
         return ReturnCode::Ok;
     case PacketId::SetVelocityTarget:
-        s.velocityTarget = m_options.shiftedTarget ? i32(v, 0) / limitOne : i32(v, 0);
+        s.velocityTarget = m_shiftedTarget ? i32(v, 0) / limitOne : i32(v, 0);
         s.rampVelocity = s.rampAcceleration = 0.0;
         return s.velocityTarget >= -fastest && s.velocityTarget <= fastest ? ReturnCode::Ok
                                                                            : ReturnCode::InvalidParameter;
     default: return setGains(id, axis, v);
     }
-}
-
-ReturnCode Board::setGains(std::uint8_t id, Axis &axis, Values v)
-{
-    AxisSettings &s = axis.settings;
-    switch (static_cast<PacketId>(id)) {
-    case PacketId::SetPowerLimit:
-        if (readU16le(v, 0) > fullPower)
-            return ReturnCode::InvalidParameter;
-        s.powerLimit = readU16le(v, 0);
-        return ReturnCode::Ok;
-    case PacketId::SetVelocityLimit:
-        if (readU32le(v, 0) > fastestRaw)
-            return ReturnCode::InvalidParameter;
-        s.velocityLimit = readU32le(v, 0);
-        return ReturnCode::Ok;
-    case PacketId::SetAccelerationLimit:
-        if (readU32le(v, 0) > steepestRaw)
-            return ReturnCode::InvalidParameter;
-        s.accelerationLimit = readU32le(v, 0);
-        return ReturnCode::Ok;
-    case PacketId::SetPositionGains:
-        if (readU16le(v, 6) > fullPower)
-            return ReturnCode::InvalidParameter;
-        for (std::size_t i = 0; i < s.positionGains.size(); ++i)
-            s.positionGains[i] = readU16le(v, 2 * i);
-        return ReturnCode::Ok;
-    case PacketId::SetVelocityGains:
-        for (std::size_t i = 0; i < s.velocityGains.size(); ++i)
-            s.velocityGains[i] = readU16le(v, 2 * i);
-        return ReturnCode::Ok;
-    default: return setRamp(id, axis, v);
-    }
-}
-
-ReturnCode Board::setRamp(std::uint8_t id, Axis &axis, Values v)
-{
-    AxisSettings &s = axis.settings;
-    const bool position = static_cast<PacketId>(id) == PacketId::RampPosition;
-    if (s.mode != (position ? ControlMode::Position : ControlMode::Velocity))
-        return ReturnCode::InvalidCommand;
-    const std::uint32_t acceleration = readU32le(v, position ? 8 : 4);
-    if (acceleration > steepestRaw)
-        return ReturnCode::InvalidParameter;
-    if (position) {
-        if (readU32le(v, 4) > fastestRaw)
-            return ReturnCode::InvalidParameter;
-        s.positionTarget = i32(v, 0);
-        s.rampVelocity = readU32le(v, 4) / limitOne;
-    } else {
-        const std::int32_t velocity = i32(v, 0);
-        if (velocity < -fastest || velocity > fastest)
-            return ReturnCode::InvalidParameter;
-        s.velocityTarget = velocity;
-        s.rampVelocity = 0.0;
-    }
-    s.rampAcceleration = acceleration / limitOne;
-    return ReturnCode::Ok;
 }
 
 } // namespace mb::quadquad2drv::simulation

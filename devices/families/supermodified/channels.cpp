@@ -27,18 +27,18 @@ consteval Table channelRows(std::string_view current)
     }};
 }
 
-constexpr Table raw = channelRows("counts");
+constexpr Table inCounts = channelRows("counts");
 constexpr Table amperes = channelRows("A");
 
-static_assert(checkChannels(raw) && checkChannels(amperes));
-static_assert(raw[channel::analog1.value].key == "analog1" && raw[channel::digital.value].key == "digital");
-static_assert(raw[channel::reportedVelocity.value].key == "velocity.reported");
+static_assert(checkChannels(inCounts) && checkChannels(amperes));
+static_assert(inCounts[channel::analog1.value].key == "analog1" && inCounts[channel::digital.value].key == "digital");
+static_assert(inCounts[channel::reportedVelocity.value].key == "velocity.reported");
 
 } // namespace
 
 std::span<const Channel> channelTable(bool currentKnown)
 {
-    return currentKnown ? amperes : raw;
+    return currentKnown ? amperes : inCounts;
 }
 
 } // namespace mb::supermodified

@@ -18,7 +18,7 @@ constexpr std::array<F, 3> u16{F::U16, F::U16, F::U16};
 constexpr std::array<F, 3> u32{F::U32, F::U32, F::U32};
 constexpr std::array<F, 3> i16{F::I16, F::I16, F::I16};
 constexpr std::array<F, 3> profile{F::U16, F::U32, F::U32};
-constexpr std::array<F, 3> speed{F::I16, F::I32, F::I32};
+constexpr std::array<F, 3> speedForms{F::I16, F::I32, F::I32};
 constexpr std::array<F, 3> placeFormats{F::I32, F::I32, F::I64};
 constexpr std::array<F, 3> analogFormats{F::Analog, F::Analog, F::Analog};
 constexpr std::array<F, 3> onlyThird{F::Absent, F::Absent, F::U32};
@@ -36,16 +36,16 @@ constexpr std::array messageTable{
     CommandForm{Command::ProfileVelocity, "profile velocity", "velocity", "ticks/s", profile, false, stored},
     CommandForm{Command::CurrentLimit, "current limit", "current", "mA", u16, false, stored},
     CommandForm{Command::CurrentLimitDuration, "current-limit duration", "duration", "ms", u16, false, stored},
-    CommandForm{Command::MoveVelocity, "velocity move", "velocity", "ticks/s", speed, control},
+    CommandForm{Command::MoveVelocity, "velocity move", "velocity", "ticks/s", speedForms, control},
     CommandForm{Command::MoveAbsolute, "absolute move", "position", "ticks", placeFormats, control},
     CommandForm{Command::MoveRelative, "relative move", "distance", "ticks", placeFormats, control},
-    CommandForm{Command::MoveProfiledVelocity, "profiled velocity", "velocity", "ticks/s", speed, control},
+    CommandForm{Command::MoveProfiledVelocity, "profiled velocity", "velocity", "ticks/s", speedForms, control},
     CommandForm{Command::MoveProfiledAbsolute, "profiled absolute", "position", "ticks", placeFormats, control},
     CommandForm{Command::MoveProfiledRelative, "profiled relative", "distance", "ticks", placeFormats, control},
-    CommandForm{Command::BufferVelocity, "buffer velocity", "velocity", "ticks/s", speed},
+    CommandForm{Command::BufferVelocity, "buffer velocity", "velocity", "ticks/s", speedForms},
     CommandForm{Command::BufferAbsolute, "buffer absolute", "position", "ticks", placeFormats},
     CommandForm{Command::BufferRelative, "buffer relative", "distance", "ticks", placeFormats},
-    CommandForm{Command::BufferProfiledVelocity, "buffer profiled velocity", "velocity", "ticks/s", speed},
+    CommandForm{Command::BufferProfiledVelocity, "buffer profiled velocity", "velocity", "ticks/s", speedForms},
     CommandForm{Command::BufferProfiledAbsolute, "buffer profiled absolute", "position", "ticks", placeFormats},
     CommandForm{Command::BufferProfiledRelative, "buffer profiled relative", "distance", "ticks", placeFormats},
     CommandForm{Command::IoDirection, "DIO direction", "direction", "", u8, false, stored},
@@ -73,7 +73,7 @@ constexpr std::array messageTable{
     CommandForm{Command::GetAnalog, "get analog inputs", "", "1/1024 of 5 V", analogFormats},
     CommandForm{Command::GetPosition, "get position", "position", "ticks", placeFormats},
     CommandForm{Command::GetAbsolutePosition, "get absolute position", "position", "ticks", u16},
-    CommandForm{Command::GetVelocity, "get velocity", "velocity", "ticks/s", speed},
+    CommandForm{Command::GetVelocity, "get velocity", "velocity", "ticks/s", speedForms},
     CommandForm{Command::GetCurrent, "get current", "current", "", i16},
     CommandForm{Command::GetWarnings, "get warnings", "", "", {F::Codes, F::Codes, F::Reactions}},
     CommandForm{Command::GetAntiWindup, "get anti-windup", "limit", "", onlyThird},

@@ -1,32 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/supermodified/controller.h"
 
+#include "async/sleep.h"
 #include "families/supermodified/channels.h"
 #include "families/supermodified/parameters.h"
 #include "families/supermodified/states.h"
 #include "model/family.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mb::supermodified {
 namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int missesOfSilence = 3;
-constexpr Duration foreignMemory = 500ms;
 constexpr std::size_t stopExchange = 2 * frameOverhead; ///< bytes
 constexpr std::size_t longestExchange = 2 * frameOverhead + sizeof(std::int64_t);
 constexpr std::chrono::milliseconds turnaround{2};
 constexpr std::chrono::milliseconds longestPause{100};
 constexpr std::size_t fillerSize = mostDataD1D2 + 2; ///< of a frame whose count or rest is missing
 constexpr int stopAttempts = 20;
-
-/// Codes that say that the bridge is off.
-bool endsMotion(std::uint8_t code)
-{
-    return code >= code::motorStalled && code <= code::encoderUnderflow;
-}
+constexpr Duration stopLimit = 2s;
+constexpr Duration lookAgain = 5ms;
 
 } // namespace
 
@@ -38,33 +34,38 @@ Controller::Controller(const Family &family, SerialLink &link, Clock &clock, Ide
     , m_motion(*m_line, m_node,
           {[this] { onMotion(); }, [this](std::span<const std::uint8_t> codes) { onCodes(codes); },
               [this](const Frame &reply) { m_polls.takePosition(reply); },
-              [this](Command command, std::int64_t raw) { onStored(command, raw); }})
+              [this](Command command, std::int64_t raw) {
+                  if (const auto index = parameterWithId(static_cast<std::uint16_t>(command)))
+                      parameters().setRead(*index, raw);
+              }})
     , m_polls(*m_line, m_node, *telemetry(),
-          {[this](const Result<Frame> &reply) { onAnswer(reply); }, [this](std::int64_t raw) { onPosition(raw); },
+          {[this](const Result<Frame> &reply) { onAnswer(reply); },
+              [this](std::int64_t raw) {
+                  m_presence.located(raw, m_motion.isBusy()); // reassert() has asked it
+                  m_motion.setPosition(raw);
+              },
               [this](std::uint8_t levels) { setStates(statesOf(levels), this->clock().now()); }})
-    , m_foreignTimer(clock)
-    , m_followerStop(clock)
-    , m_followersTold(m_line->followersTold().add([this] { stopAsFollower(); }))
-    , m_overheard(m_line->overheard().add([this](const Frame &frame) { onOverheard(frame); }))
-    , m_linkState(link.stateChanged().add([this](LinkState state) { onLinkState(state); }))
+    , m_settings(*m_line, m_node, parameters(), [this](std::span<const std::uint8_t> codes) { onCodes(codes); })
+    , m_presence(*m_line, m_node, {[this] { m_motion.doubt(); }, [this] { updateLiveness(); }})
+    , m_followerStop(*m_line, m_node, [this] { stopping().inherit(); })
+    , m_linkState(link.stateChanged().add([this](LinkState state) {
+        if (state != LinkState::Open) {
+            setHeard(false);
+            return;
+        }
+        m_polls.nodeChanged();
+        m_motion.resume();
+    }))
     , m_identityChanged(changed().add([this] { identityChanged(); }))
 {
     doProfileChanged();
     m_line->roster().note(m_node.id, m_node.baudrate);
-    m_followerStop.startIn(Duration::zero(), [this] { stopAsFollower(); }); // once somebody follows its stops up
-}
-
-/// Another node was driven, and this one has done the same.
-void Controller::stopAsFollower()
-{
-    if (m_line->takeFollowerStop(m_node.id))
-        stopping().inherit();
 }
 
 /// Whoever destroys it while the motor may turn cannot wait for an acknowledgement; on real links the guardian sees to it.
 Controller::~Controller()
 {
-    m_line->setDriving(m_node.id, false);
+    m_line->driven().set(m_node.id, false);
     if ((m_motion.isEnergized() || m_motion.isStopping()) && m_serial.state() == LinkState::Open) {
         Frame stop = request(m_node.id, m_line->roster().hostId(), Command::Stop);
         (void)m_serial.send(uartBytes(stop), Priority::Urgent);
@@ -75,7 +76,7 @@ Controller::~Controller()
 
 bool Controller::doOffers(ParameterIndex index) const
 {
-    return isOffered(parameters().parameter(index), m_node.dialect);
+    return m_settings.offers(index);
 }
 
 Result<void> Controller::doCheck(const SetPoint &setPoint) const
@@ -114,7 +115,7 @@ Result<void> Controller::doReleaseMoves()
 void Controller::doStop()
 {
     if (stopping().hasMoved())
-        m_line->leaderStopped(m_node.id);
+        m_line->driven().leaderStopped(m_node.id);
     m_motion.stop();
     telemetry()->breakLine(channel::setPoint);
     updateLiveness();
@@ -158,17 +159,17 @@ StopScript Controller::doStopScript() const
 void Controller::onAnswer(const Result<Frame> &reply)
 {
     if (!reply) {
-        if (reply.error().fault == Fault::LinkLost || ++m_misses >= missesOfSilence)
+        if (reply.error().fault == Fault::LinkLost || m_presence.missed())
             setHeard(false);
         return;
     }
-    m_missed = std::exchange(m_misses, 0) > 0;
+    const bool wasMissed = m_presence.answered();
     if (const auto codes = codesOf(*reply)) {
         const std::vector<std::uint8_t> kept(codes->begin(), codes->end());
         onCodes(kept);
     }
     setHeard(true);
-    if (m_missed)
+    if (wasMissed)
         m_motion.reassert(); // it may have lost its supply meanwhile
     updateLiveness();
 }
@@ -176,69 +177,28 @@ void Controller::onAnswer(const Result<Frame> &reply)
 void Controller::onCodes(std::span<const std::uint8_t> codes)
 {
     for (const std::uint8_t code : codes) {
-        Reported &reported = m_codes[code];
-        ++reported.count;
-        if (!endsMotion(code))
-            continue;
-        reported.active = true;
-        if (m_motion.isEnergized())
+        if (code == code::invalidForState)
+            m_presence.notStarted();
+        if (m_codes.take(code) && m_motion.isEnergized())
             m_motion.tripped(say("%1, and the device switched its output off", codeText(code)));
     }
     updateLiveness();
-}
-
-void Controller::onPosition(std::int64_t raw)
-{
-    if (m_missed && m_position.value_or(0) != 0 && raw == 0)
-        m_restarted = true; // counts are gone after a silence: it lost its supply
-    m_position = raw;
-    m_motion.setPosition(raw);
-}
-
-void Controller::onOverheard(const Frame &frame)
-{
-    const CommandForm *const message = messageOf(frame.command);
-    const bool forUs = frame.to == m_node.id || frame.to == broadcastId;
-    if (!forUs || frame.from == m_line->roster().hostId() || message == nullptr || !message->control)
-        return;
-    m_motion.doubt();
-    m_foreignAt = clock().now();
-    m_foreignTimer.startIn(foreignMemory, [this] {
-        m_foreignAt.reset();
-        updateLiveness();
-    });
-    updateLiveness();
-}
-
-void Controller::onLinkState(LinkState state)
-{
-    if (state != LinkState::Open) {
-        setHeard(false);
-        return;
-    }
-    m_polls.nodeChanged();
-    m_motion.resume();
 }
 
 void Controller::onMotion()
 {
     const bool energized = m_motion.isEnergized();
     if (energized && !std::exchange(m_energized, energized)) {
-        m_position = 0; // by Start
-        for (auto &[code, reported] : m_codes)
-            reported.active = false;
+        m_presence.zeroed(); // by Start
+        m_codes.started();
     }
     m_energized = energized;
-    m_polls.setOrigin(m_motion.origin());
+    if (energized && !m_motion.isBusy())
+        m_presence.moved();
+    m_polls.setOrigin(m_motion.count().origin());
     m_polls.setDriven(energized);
     m_polls.setKnownOff(m_motion.isKnownOff());
     updateLiveness();
-}
-
-void Controller::onStored(Command command, std::int64_t raw)
-{
-    if (const auto index = parameterWithId(static_cast<std::uint16_t>(command)))
-        parameters().setRead(*index, raw);
 }
 
 void Controller::identityChanged()
@@ -261,7 +221,7 @@ void Controller::doProfileChanged()
 
 void Controller::setHeard(bool heard)
 {
-    if (std::exchange(m_heard, heard) && !heard)
+    if (m_presence.setHeard(heard) && !heard)
         m_motion.doubt(); // whatever happens to it now is not seen
     m_polls.setHeard(heard);
     if (!heard)
@@ -272,18 +232,116 @@ void Controller::setHeard(bool heard)
 void Controller::updateLiveness()
 {
     Liveness now;
-    now.heard = m_heard;
-    now.moving = m_motion.isEnergized() || (m_heard && m_polls.isTurning());
-    now.foreignMaster = m_foreignAt.has_value();
-    now.restarted = m_restarted;
+    now.heard = m_presence.isHeard();
+    now.moving = m_motion.isEnergized() || (m_presence.isHeard() && m_polls.isTurning());
+    now.foreignMaster = m_presence.hasForeignMaster();
+    now.restarted = m_presence.hasRestarted();
     if (const auto &applied = m_motion.applied(); applied && m_motion.isEnergized())
         now.mode = applied->mode;
-    for (const CodeName &name : codeNames()) {
-        const auto reported = m_codes.find(name.code);
-        if (reported != m_codes.end() && reported->second.active)
-            now.faults.emplace_back(name.key);
-    }
+    now.faults = m_codes.active();
     setLiveness(now);
+}
+
+// What asks and waits
+
+Task<void> Controller::doRefresh()
+{
+    auto asking = interview(*m_line, m_node);
+    const Interview said = co_await std::move(asking);
+    m_presence.refreshed();
+    m_settings.refreshed();
+    Identity known = identityOf(m_line->roster(), m_node, said);
+    known.name = identity().name;
+    setIdentity(std::move(known));
+    updateLiveness();
+    co_return {};
+}
+
+/// A set is answered after its EEPROM was written (README.md#time-outs), so there is nothing left to prove.
+Task<bool> Controller::doStore(Progress &)
+{
+    parameters().setAllStored();
+    co_return true;
+}
+
+/// Errors come by themselves, in place of answers; a reading makes sure that none waits.
+Task<std::vector<FaultRecord>> Controller::doReadFaults()
+{
+    auto task = m_settings.talk(asking(m_node, Command::GetPosition));
+    (void)co_await std::move(task);
+    co_return m_codes.records();
+}
+
+Task<std::vector<FaultRecord>> Controller::doClearFaults()
+{
+    if (m_node.dialect == Dialect::D3) {
+        auto resetting = m_settings.talk(asking(m_node, Command::ResetErrors));
+        (void)co_await std::move(resetting);
+    } else {
+        auto task = m_settings.talk(asking(m_node, Command::GetPosition));
+        (void)co_await std::move(task);
+    }
+    const std::vector<FaultRecord> were = m_codes.records();
+    m_codes.clear();
+    updateLiveness();
+    co_return were;
+}
+
+// Position
+
+/// README.md#start: a motor that runs would jump to where its old set-point is now. One that stands does not, and Start takes 0 for its
+/// set-point afterwards.
+Task<void> Controller::doZeroPosition()
+{
+    stop();
+    const Instant limit = clock().now() + stopLimit;
+    while (!doIsSeenStopped()) {
+        if (clock().now() >= limit || m_serial.state() != LinkState::Open)
+            co_return fail(Fault::Unsafe,
+                say("the stop was not acknowledged, so the position was not reset: a motor that runs would jump"));
+        Sleep nap(clock(), lookAgain);
+        co_await nap;
+    }
+    if (const Message lock = m_line->roster().lockOf(m_node.id); !lock.empty())
+        co_return fail(Fault::Unsafe, say("the position was not reset: %1", lock));
+    if (!m_motion.isKnownOff()) // README.md#hang
+        co_return fail(Fault::Unsafe, say("somebody may have started it again, so the position was not reset"));
+    auto resetting = m_settings.talk(asking(m_node, Command::ResetPosition));
+    (void)co_await std::move(resetting);
+    m_presence.zeroed();
+    m_motion.count().zeroed();
+    m_polls.zeroed();
+    co_return {};
+}
+
+// Identity and rates
+
+Task<void> Controller::doIdentify()
+{
+    co_return fail(Fault::Unsupported, say("a Supermodified cannot blink"));
+}
+
+Task<void> Controller::doRename(std::string)
+{
+    co_return fail(Fault::Unsupported, say("a Supermodified has no name"));
+}
+
+Task<void> Controller::doRenumber(int address)
+{
+    if (address < lowestNode || address > highestNode)
+        co_return fail(Fault::OutOfRange, say("a node id is 1 … 127"));
+    auto writing = write(*parameterWithId(id::nodeId), address);
+    (void)co_await std::move(writing);
+    co_return {};
+}
+
+Task<void> Controller::doSetRate(ChannelIndex channel, double hertz)
+{
+    if (!std::isfinite(hertz) || hertz < 0.0)
+        co_return fail(Fault::OutOfRange, say("a rate is a positive number, or 0 for the usual one"));
+    if (!m_polls.setRate(channel, hertz))
+        co_return fail(Fault::Unsupported, say("the set-point comes from here, not from the device"));
+    co_return {};
 }
 
 std::unique_ptr<Device> open(Link &link, Clock &clock, const Identity &identity)

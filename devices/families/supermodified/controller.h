@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "families/supermodified/codereports.h"
+#include "families/supermodified/followerstop.h"
 #include "families/supermodified/interview.h"
 #include "families/supermodified/motion.h"
+#include "families/supermodified/nodepresence.h"
+#include "families/supermodified/nodesettings.h"
 #include "families/supermodified/telemetrypolls.h"
 #include "model/device.h"
 
-#include <map>
 #include <memory>
-#include <optional>
 
 namespace mb::supermodified {
 
@@ -22,13 +24,13 @@ public:
     /// Asks nothing: somebody else talks to the node.
     void setAsleep(bool asleep) { m_polls.setPaused(asleep); }
     /// A motor of this or of another node of the line is driven.
-    [[nodiscard]] bool isLineDriving() const { return m_line->isDriving(); }
+    [[nodiscard]] bool isLineDriving() const { return m_line->driven().any(); }
 
 private:
-    // Device, in controllertasks.cpp
+    // Device, what asks and waits
     Task<void> doRefresh() override;
-    Task<std::int64_t> doRead(ParameterIndex index) override;
-    Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) override;
+    Task<std::int64_t> doRead(ParameterIndex index) override { return m_settings.read(index); }
+    Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) override { return m_settings.write(index, raw); }
     Task<bool> doStore(Progress &progress) override;
     Task<std::vector<FaultRecord>> doReadFaults() override;
     Task<std::vector<FaultRecord>> doClearFaults() override;
@@ -37,15 +39,6 @@ private:
     Task<void> doRenumber(int address) override;
     Task<void> doSetRate(ChannelIndex channel, double hertz) override;
     Task<void> doZeroPosition() override;
-
-    [[nodiscard]] Task<Frame> talk(Line::Request request);
-    [[nodiscard]] Task<std::int64_t> readNumber(Command command);
-    [[nodiscard]] Task<void> writeNumber(Command command, std::int64_t raw);
-    [[nodiscard]] Task<void> writeDuration(std::int64_t raw);
-    void noteWritten(const Parameter &row, std::int64_t raw);
-    void noteRead(const Parameter &row, std::int64_t raw);
-    [[nodiscard]] std::vector<FaultRecord> faultRecords() const;
-    [[nodiscard]] Error about(const Parameter &parameter, const Error &error) const;
 
     // Device, at once
     [[nodiscard]] Result<void> doMayMove() const override;
@@ -62,14 +55,9 @@ private:
     // What the node says, and what follows
     void onAnswer(const Result<Frame> &reply);
     void onCodes(std::span<const std::uint8_t> codes);
-    void onPosition(std::int64_t raw);
-    void onOverheard(const Frame &frame);
-    void onLinkState(LinkState state);
     void onMotion();
-    void onStored(Command command, std::int64_t raw);
     void identityChanged();
     void doProfileChanged() override;
-    void stopAsFollower();
     void setHeard(bool heard);
     void updateLiveness();
 
@@ -78,23 +66,11 @@ private:
     Node m_node;
     Motion m_motion;
     TelemetryPolls m_polls;
-    struct Reported {
-        std::int64_t count = 0;
-        bool active = false;
-    };
-    std::map<std::uint8_t, Reported> m_codes; ///< since it was opened
-    bool m_heard = false;
-    bool m_restarted = false;
-    bool m_energized = false;                ///< as onMotion() saw it last
-    std::optional<std::int64_t> m_owedLimit; ///< the stored current limit, while the node takes a duration for it
-    int m_misses = 0;
-    bool m_missed = false;                  ///< the answer before the last one did not come
-    std::optional<std::int64_t> m_position; ///< of the node
-    std::optional<Instant> m_foreignAt;
-    Timer m_foreignTimer;
-    Timer m_followerStop;
-    Subscription m_followersTold;
-    Subscription m_overheard;
+    NodeSettings m_settings;
+    NodePresence m_presence;
+    CodeReports m_codes;
+    FollowerStop m_followerStop;
+    bool m_energized = false; ///< as onMotion() saw it last
     Subscription m_linkState;
     Subscription m_identityChanged;
 };

@@ -44,7 +44,7 @@ constexpr std::array programmers{
     Programmer{"stk500v2", "STK500", Programmer::Port::Serial},
     Programmer{"avrisp", "AVR ISP", Programmer::Port::Serial},
 };
-constexpr UpdateWords programmed{
+constexpr UpdateWords programmedWords{
     .cancel = QT_TRANSLATE_NOOP("table", "Nothing is written yet; the update can be run again"),
     .critical = QT_TRANSLATE_NOOP("table", "The flash is being written: it must not be cut"),
     .cut = QT_TRANSLATE_NOOP("table",
@@ -54,7 +54,7 @@ constexpr std::array routes{
     UpdateRoute{.scheme = avrdude::scheme,
         .example = "avrdude:arduino:/dev/ttyUSB0",
         .programmers = programmers,
-        .words = programmed},
+        .words = programmedWords},
 };
 
 constexpr std::array<ChannelRate, 3> watched{{{"velocity", 100.0}, {"position", 100.0}, {"current", 50.0}}};

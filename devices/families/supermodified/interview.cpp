@@ -88,7 +88,7 @@ Task<Interview> interview(Line &line, Node node)
     co_return said;
 }
 
-Identity identityOf(const Line &line, const Node &node, const Interview &interview)
+Identity identityOf(const Roster &roster, const Node &node, const Interview &interview)
 {
     Identity identity;
     identity.family = "supermodified";
@@ -103,7 +103,7 @@ Identity identityOf(const Line &line, const Node &node, const Interview &intervi
         identity.detail = say("Its error level is 1, so every reading fails. Set error.level to 0.");
     else if (!interview.dialect)
         identity.detail = say("Its answers fit no known dialect.");
-    else if (const auto lock = line.roster().lockOf(node.id); !lock.empty())
+    else if (const auto lock = roster.lockOf(node.id); !lock.empty())
         identity.detail = say("It is not driven: %1.", lock);
     return identity;
 }

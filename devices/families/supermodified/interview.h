@@ -21,7 +21,7 @@ struct Interview {
 [[nodiscard]] Task<Interview> interview(Line &line, Node node);
 
 /// The row of a scan.
-[[nodiscard]] Identity identityOf(const Line &line, const Node &node, const Interview &interview);
+[[nodiscard]] Identity identityOf(const Roster &roster, const Node &node, const Interview &interview);
 /// Mask of a node as identityOf() told it.
 [[nodiscard]] std::uint8_t maskOf(const Identity &identity);
 /// The other way round: what a row says about how to reach the node.

@@ -10,8 +10,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A node needs this long for a broadcast before it listens again.
-constexpr Duration broadcastPause = 1ms;
 /// What a stop leaves a node that does not answer.
 constexpr Duration hurriedPatience = 3ms;
 /// After the port was opened: an answer to whoever had it before has begun by then.
@@ -19,14 +17,8 @@ constexpr Duration openingSilence = answerTime + 5ms;
 /// Between the bytes of one piece, as adapters hand them out, and at least so many byte times.
 constexpr Duration pieceGap = 3ms;
 constexpr int pieceGapBytes = 3;
-/// An answer this late belongs to no question any more.
-constexpr Duration forgottenAfter = 1s;
 /// A deadline that is served later than this says that the machine was busy: what came meanwhile is still to be read.
 constexpr Duration punctual = 1ms;
-/// After a known node missed a question the next ones wait twice as long each, so often.
-constexpr int doublings = 2;
-/// After that it is silent: one question in so many waits as long as any node may take.
-constexpr int patientEvery = 8;
 
 Duration timeOf(const SerialLink &link, std::size_t bytes)
 {
@@ -57,11 +49,13 @@ Line::Line(SerialLink &link, Clock &clock)
     : m_link(link)
     , m_clock(clock)
     , m_reader([this](const Frame &frame) { onFrame(frame); })
+    , m_polls(clock, [this] { pump(); })
+    , m_timing(link, clock)
     , m_rateChange(clock)
     , m_roster(link.kept<Roster>())
+    , m_driven(m_roster)
     , m_timeout(clock)
     , m_silence(clock, [this] { pump(); })
-    , m_pollTimer(clock)
     , m_kick(clock)
     , m_received(link.received().add([this](std::span<const std::uint8_t> bytes) { onBytes(bytes); }))
     , m_state(link.stateChanged().add([this](LinkState) { onLinkState(); }))
@@ -101,21 +95,6 @@ void Line::shortenTimeout()
         armTimeout(std::min(m_inFlight->entry.request.patience, hurriedPatience));
 }
 
-Duration Line::patienceFor(const Request &request) const
-{
-    if (!request.answered)
-        return broadcastPause;
-    if (const Patience &wanted = m_link.patience(); wanted.timeout && request.rank == Rank::Task)
-        return request.patience > answerTime ? wanted.work(request.patience) : wanted.answer(request.patience);
-    const Duration usual = m_answerTimes.patience(request.patience);
-    const Duration longest = std::max(usual, AnswerTime::ceiling);
-    const auto missed = m_misses.find(request.frame.to);
-    const int misses = missed == m_misses.end() ? 0 : missed->second;
-    if (misses <= doublings)
-        return std::min(usual * (1 << misses), longest);
-    return request.rank == Rank::Poll && misses % patientEvery == 0 ? longest : usual;
-}
-
 void Line::armTimeout(Duration patience)
 {
     armTimeoutAt(m_inFlight->sentEnd + m_inFlight->replyTime + patience);
@@ -132,7 +111,7 @@ void Line::expired(Instant deadline)
 {
     const Instant now = m_clock.now();
     const Duration late = now - deadline;
-    m_answerTimes.addLateness(late);
+    m_timing.addLateness(late);
     InFlight &question = *m_inFlight;
     if (!question.entry.request.answered) {
         finish(question.entry.request.frame);
@@ -149,9 +128,7 @@ void Line::expired(Instant deadline)
 void Line::giveUp()
 {
     const Frame frame = m_inFlight->entry.request.frame;
-    m_missed = Missed{frame, m_inFlight->sentEnd};
-    if (m_roster.nodes().contains(frame.to))
-        ++m_misses[frame.to];
+    m_timing.gaveUp(frame, m_inFlight->sentEnd, m_roster.nodes().contains(frame.to));
     m_reader.forget();
     finish(fail(Fault::Timeout, say("node %1 does not answer", frame.to)));
 }
@@ -202,25 +179,20 @@ void Line::pump()
         begin(std::move(*entry));
     m_pumping = false;
     if (!m_inFlight)
-        pollTurn();
+        m_polls.arm();
 }
 
 std::optional<Line::Entry> Line::next()
 {
-    const auto due = m_schedule.nextDue();
-    const bool pollDue = due && *due <= m_clock.now();
-    const bool onlyTasks = m_waiting.empty() || m_waiting.front().request.rank == Rank::Task;
-    if (pollDue && onlyTasks && (m_waiting.empty() || m_taskWasLast)) {
-        m_taskWasLast = false;
-        const PollKey key = m_schedule.take(m_clock.now());
-        const Poll &poll = m_polls.at(key);
-        return Entry{++m_lastId, poll.request, poll.done, key};
+    if (m_waiting.empty() || m_waiting.front().request.rank == Rank::Task) {
+        if (auto poll = m_polls.next(!m_waiting.empty()))
+            return Entry{++m_lastId, std::move(poll->request), std::move(poll->done), poll->key};
     }
     if (m_waiting.empty())
         return std::nullopt;
     Entry entry = std::move(m_waiting.front());
     m_waiting.pop_front();
-    m_taskWasLast = true;
+    m_polls.passTurn();
     return entry;
 }
 
@@ -250,7 +222,7 @@ void Line::transmit(const Result<void> &rate)
     m_inFlight->isSent = true;
     if (sent)
         sent = m_link.send(bytes, request.rank == Rank::Stop ? Priority::Urgent : Priority::Normal);
-    const Duration patience = patienceFor(request);
+    const Duration patience = m_timing.patienceFor(request);
     if (m_silence.isAwaited() && request.rank == Rank::Stop)
         keepEarly(request);
     m_inFlight->sentEnd = m_clock.now() + timeOf(m_link, bytes.size());
@@ -264,7 +236,7 @@ void Line::transmit(const Result<void> &rate)
 /// The stop of a driven motor, a guardian's too, goes out at the rate that the line has.
 Result<void> Line::mayHaveItsRate(const Request &request) const
 {
-    if (isDriving() && request.rank != Rank::Stop && request.baudrate != m_link.baudrate())
+    if (m_driven.any() && request.rank != Rank::Stop && request.baudrate != m_link.baudrate())
         return fail(Fault::Unsafe,
             say("a motor is driven on this line at %1 bit/s, and this node has another rate", m_link.baudrate()),
             say("stop it first"));
@@ -276,60 +248,36 @@ void Line::onFrame(const Frame &frame)
     if (m_inFlight && m_inFlight->isSent && m_inFlight->entry.request.answered) {
         const Frame &sent = m_inFlight->entry.request.frame;
         if (answers(frame, sent.to, sent.from, static_cast<Command>(sent.command))) {
-            const bool again = m_missed && m_missed->frame.to == sent.to && m_missed->frame.command == sent.command;
-            if (!again) // else which of the two it answers cannot be told
-                measure(frame, m_inFlight->sentEnd);
-            m_missed.reset();
-            m_misses.erase(sent.to);
+            m_timing.answered(sent, m_inFlight->sentEnd, frame);
             finish(frame);
             return;
         }
     }
-    takeLate(frame);
+    m_timing.late(frame);
     m_overheard.notify(frame);
-}
-
-/// The answer to a question that was given up says how long answers take now.
-void Line::takeLate(const Frame &frame)
-{
-    if (!m_missed || m_clock.now() - m_missed->sentEnd > forgottenAfter)
-        return;
-    const Frame &asked = m_missed->frame;
-    if (answers(frame, asked.to, asked.from, static_cast<Command>(asked.command)))
-        measure(frame, std::exchange(m_missed, std::nullopt)->sentEnd);
-}
-
-void Line::measure(const Frame &reply, Instant sentEnd)
-{
-    const Duration took = m_clock.now() - sentEnd - timeOf(m_link, frameOverhead + reply.size);
-    m_answerTimes.add(std::max(took, Duration::zero()));
-    m_link.noteRoundTrip(std::max(took, Duration::zero()));
 }
 
 void Line::finish(Result<Frame> result)
 {
     const auto self = weak_from_this().lock();
     m_timeout.stop();
-    const Done done = std::move(m_inFlight->entry.done);
+    const Entry entry = std::move(m_inFlight->entry);
     m_inFlight.reset();
-    if (done)
-        done(std::move(result));
+    tell(entry, std::move(result));
     pump();
 }
 
-void Line::pollTurn()
+/// A poll may have been removed meanwhile.
+void Line::tell(const Entry &entry, Result<Frame> result)
 {
-    const auto due = m_schedule.nextDue();
-    if (!due)
-        m_pollTimer.stop();
-    else
-        m_pollTimer.start(std::max(*due, m_clock.now()), [this] { pump(); });
+    if (entry.done && (entry.poll == 0 || m_polls.has(entry.poll)))
+        entry.done(std::move(result));
 }
 
 void Line::onLinkState()
 {
     if (m_link.state() != LinkState::Open) {
-        m_pollTimer.stop();
+        m_polls.stop();
         m_timeout.stop();
         m_reader.forget();
         m_failUpTo = m_lastId;
@@ -351,11 +299,10 @@ void Line::failUpTo(std::uint64_t id)
     const Error error = m_link.state() == LinkState::Open ? Error{Fault::LinkLost, say("the link was opened anew")}
                                                           : m_link.notOpen();
     if (m_inFlight && m_inFlight->entry.id <= id) {
-        const Done done = std::move(m_inFlight->entry.done);
+        const Entry entry = std::move(m_inFlight->entry);
         m_inFlight.reset();
         m_rateChange.clear();
-        if (done)
-            done(fail(error));
+        tell(entry, fail(error));
     }
     for (;;) {
         const auto old
@@ -367,56 +314,6 @@ void Line::failUpTo(std::uint64_t id)
         if (done)
             done(fail(error));
     }
-}
-
-// Polls
-
-Line::PollKey Line::addPoll(Request request, Duration period, Done done)
-{
-    request.rank = Rank::Poll;
-    const PollKey key = m_schedule.add(period, m_clock.now());
-    m_polls[key] = Poll{std::move(request), std::move(done)};
-    m_pollTimer.startIn(Duration::zero(), [this] { pump(); });
-    return key;
-}
-
-void Line::setPollPeriod(PollKey key, Duration period)
-{
-    m_schedule.setPeriod(key, period, m_clock.now());
-    if (!m_inFlight && m_link.state() == LinkState::Open)
-        pollTurn();
-}
-
-void Line::setPollRequest(PollKey key, Request request)
-{
-    request.rank = Rank::Poll;
-    m_polls.at(key).request = std::move(request);
-}
-
-void Line::removePoll(PollKey key)
-{
-    m_schedule.remove(key);
-    m_polls.erase(key);
-    if (m_inFlight && m_inFlight->entry.poll == key)
-        m_inFlight->entry.done = {};
-}
-
-// What is known
-
-void Line::setDriving(int node, bool driving)
-{
-    if (driving)
-        m_driving.insert(node);
-    else
-        m_driving.erase(node);
-}
-
-void Line::leaderStopped(int node)
-{
-    for (const int follower : m_roster.followersOf(node))
-        m_followerStops.insert(follower);
-    if (!m_followerStops.empty())
-        m_followersTold.notify();
 }
 
 // As a task

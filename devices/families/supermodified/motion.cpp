@@ -1,64 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/supermodified/motion.h"
 
+#include "families/supermodified/movecommand.h"
 #include "model/parameter.h"
 
 #include <cmath>
 
 namespace mb::supermodified {
-namespace {
-
-using namespace std::chrono_literals;
-
-constexpr int hurriedStops = 20;        ///< without a pause
-constexpr Duration stopPeriod = 100ms;  ///< after that
-constexpr Duration stopPatience = 10ms; ///< shorter than usual: a stop may be repeated at any time
-
-} // namespace
 
 Motion::Motion(Line &line, const Node &node, Events events)
     : m_line(line)
     , m_node(node)
     , m_events(std::move(events))
-    , m_stopTimer(line.clock())
+    , m_stop(line, node, {[this] { stopped(); }, m_events.codes})
 {
 }
 
 // What can be done
-
-Result<Command> Motion::commandFor(const SetPoint &setPoint) const
-{
-    struct Row {
-        Mode mode;
-        bool relative;
-        Command now;
-        Command buffered;
-    };
-    constexpr std::array rows{
-        Row{Mode::Velocity, false, Command::MoveVelocity, Command::BufferVelocity},
-        Row{Mode::RampVelocity, false, Command::MoveProfiledVelocity, Command::BufferProfiledVelocity},
-        Row{Mode::Position, false, Command::MoveAbsolute, Command::BufferAbsolute},
-        Row{Mode::Position, true, Command::MoveRelative, Command::BufferRelative},
-        Row{Mode::RampPosition, false, Command::MoveProfiledAbsolute, Command::BufferProfiledAbsolute},
-        Row{Mode::RampPosition, true, Command::MoveProfiledRelative, Command::BufferProfiledRelative},
-    };
-    for (const Row &row : rows) {
-        if (row.mode == setPoint.mode && (row.relative == setPoint.relative || !isPosition(row.mode)))
-            return setPoint.buffered ? row.buffered : row.now;
-    }
-    return mb::fail(Fault::Unsupported, say("a Supermodified has no mode '%1'", toString(setPoint.mode)));
-}
-
-bool Motion::isHold(const SetPoint &setPoint) const
-{
-    return setPoint.relative && !setPoint.buffered && isPosition(setPoint.mode) && setPoint.target == 0.0;
-}
-
-std::int64_t Motion::valueFor(const SetPoint &setPoint) const
-{
-    const auto target = static_cast<std::int64_t>(std::llround(setPoint.target));
-    return isPosition(setPoint.mode) && !setPoint.relative ? target - m_origin : target;
-}
 
 Result<void> Motion::check(const SetPoint &setPoint) const
 {
@@ -71,11 +29,13 @@ Result<void> Motion::check(const SetPoint &setPoint) const
         return mb::fail(command.error());
     if (auto good = checkNumber(say("the target"), setPoint.target, -9e15, 9e15, unitOf(setPoint.mode)); !good)
         return good;
-    if (auto fits = request(m_node.id, usualHostId, *command, dialect(), valueFor(setPoint)); !fits)
+    if (auto fits
+        = request(m_node.id, usualHostId, *command, m_node.dialect.value_or(Dialect::D3), m_count.targetOf(setPoint));
+        !fits)
         return mb::fail(fits.error());
     if (auto good = bounds().checkProfile(setPoint); !good)
         return good;
-    const auto where = position();
+    const auto where = m_count.position();
     return where || setPoint.relative ? bounds().checkReach(setPoint, where)
                                       : Result<void>(); // a move looks before it goes
 }
@@ -86,7 +46,7 @@ Result<void> Motion::command(const SetPoint &setPoint)
 {
     if (m_failure)
         return mb::fail(Fault::Unsafe, *m_failure);
-    if (m_stopping)
+    if (m_stop.isPending())
         return mb::fail(Fault::Unsafe, say("the stop before it is not acknowledged yet"));
     if (m_wanted == setPoint)
         return {};
@@ -103,7 +63,7 @@ Result<void> Motion::command(const SetPoint &setPoint)
 
 void Motion::pump()
 {
-    if (m_step || m_orders.empty() || m_stopping)
+    if (m_step || m_orders.empty() || m_stop.isPending())
         return;
     m_tries = 0;
     send(nextStep());
@@ -112,6 +72,7 @@ void Motion::pump()
 Motion::Step Motion::nextStep() const
 {
     const SetPoint &order = m_orders.front();
+    const Roster::Entry &known = m_line.roster().entry(m_node.id);
     if (!m_energized && !m_knownOff)
         return Step::Stop;
     // A relative move is sent once, so nothing older may still be answered or reported.
@@ -120,10 +81,10 @@ Motion::Step Motion::nextStep() const
     if (!m_energized)
         return Step::Start;
     // every write costs a cycle of the EEPROM
-    if (isProfiled(order.mode) && order.velocity > 0.0 && known().profileVelocity != std::llround(order.velocity))
+    if (isProfiled(order.mode) && order.velocity > 0.0 && known.profileVelocity != std::llround(order.velocity))
         return Step::Velocity;
     if (isProfiled(order.mode) && order.acceleration > 0.0
-        && known().profileAcceleration != std::llround(order.acceleration))
+        && known.profileAcceleration != std::llround(order.acceleration))
         return Step::Acceleration;
     return Step::Move;
 }
@@ -132,7 +93,7 @@ Result<Line::Request> Motion::requestFor(Step step) const
 {
     const SetPoint &order = m_orders.front();
     if (step == Step::Start || step == Step::Move) { // the position is known now
-        if (auto reachable = bounds().checkReach(order, position()); !reachable)
+        if (auto reachable = bounds().checkReach(order, m_count.position()); !reachable)
             return mb::fail(reachable.error());
     }
     switch (step) {
@@ -146,7 +107,7 @@ Result<Line::Request> Motion::requestFor(Step step) const
     if (isHold(order))
         return asking(m_node, Command::Halt);
     const auto command = commandFor(order);
-    return command ? setting(m_node, *command, valueFor(order)) : mb::fail(command.error());
+    return command ? setting(m_node, *command, m_count.targetOf(order)) : mb::fail(command.error());
 }
 
 void Motion::send(Step step)
@@ -194,7 +155,7 @@ void Motion::refused(Step step, std::span<const std::uint8_t> codes)
 {
     const std::vector<std::uint8_t> kept(codes.begin(), codes.end());
     m_events.codes(kept);
-    if (m_failure || m_stopping) // the listener heard of a stall, or stopped
+    if (m_failure || m_stop.isPending()) // the listener heard of a stall, or stopped
         return;
     if (step == Step::Move && kept.back() == code::invalidForState) {
         setEnergized(false);
@@ -219,8 +180,7 @@ void Motion::done(Step step, const Frame &reply)
         m_events.positioned(reply);
         break;
     case Step::Start:
-        m_origin += m_position.value_or(0); // the node counts from 0 again
-        m_position = 0;
+        m_count.started();
         m_starts = 0;
         setEnergized(true);
         break;
@@ -234,7 +194,7 @@ void Motion::done(Step step, const Frame &reply)
         m_events.changed();
         break;
     }
-    if (!m_stopping)
+    if (!m_stop.isPending())
         pump();
 }
 
@@ -256,39 +216,23 @@ void Motion::stored(Step step)
 void Motion::beginRun(const SetPoint &setPoint)
 {
     m_run.reset();
-    if (!m_position)
+    if (!m_count.ofNode())
         return;
-    const auto from = static_cast<double>(*m_position);
-    const double target = static_cast<double>(valueFor(setPoint)) + (setPoint.relative ? from : 0.0);
+    const auto from = static_cast<double>(*m_count.ofNode());
+    const double target = static_cast<double>(m_count.targetOf(setPoint)) + (setPoint.relative ? from : 0.0);
     if (const auto overrun = bounds().overrun(setPoint, target - from))
-        m_run = Run{target, target < from ? -1.0 : 1.0, *overrun};
-}
-
-void Motion::watchRun()
-{
-    if (!m_run || !m_energized || m_stopping)
-        return;
-    if ((static_cast<double>(*m_position) - m_run->target) * m_run->direction > m_run->overrun)
-        abort(say("the profiled move passed its target by more than its stopping distance, as this firmware may above "
-                  "2500 counts/s; use a lower profile.velocity"));
+        m_run = ProfiledRun(from, target, *overrun);
 }
 
 void Motion::setPosition(std::int64_t raw)
 {
-    m_position = raw;
-    watchRun();
-}
-
-void Motion::zeroed()
-{
-    m_origin = 0;
-    m_position = 0;
-}
-
-void Motion::abort(Message why)
-{
+    m_count.told(raw);
+    if (!m_run || !m_energized || m_stop.isPending() || !m_run->hasPassed(static_cast<double>(raw)))
+        return;
     stop();
-    m_failure = std::move(why);
+    m_failure
+        = say("the profiled move passed its target by more than its stopping distance, as this firmware may above "
+              "2500 counts/s; use a lower profile.velocity");
     m_events.changed();
 }
 
@@ -304,7 +248,7 @@ Result<void> Motion::release()
 
 void Motion::reassert()
 {
-    if (!m_energized || isBusy() || m_stopping || !m_applied || m_applied->relative || m_applied->buffered)
+    if (!m_energized || isBusy() || m_stop.isPending() || !m_applied || m_applied->relative || m_applied->buffered)
         return;
     m_orders.push_back(*m_applied);
     pump();
@@ -323,7 +267,7 @@ void Motion::fail(Message why)
 void Motion::tripped(Message why)
 {
     m_energized = false;
-    m_line.setDriving(m_node.id, false);
+    m_line.driven().set(m_node.id, false);
     fail(std::move(why));
 }
 
@@ -338,7 +282,7 @@ void Motion::setEnergized(bool energized)
     m_energized = energized;
     if (!energized)
         m_run.reset();
-    m_line.setDriving(m_node.id, energized);
+    m_line.driven().set(m_node.id, energized);
     m_events.changed();
 }
 
@@ -356,49 +300,14 @@ void Motion::stop()
     m_run.reset();
     m_looked = false;
     m_starts = 0;
-    m_stopTries = 0;
-    if (std::exchange(m_stopping, true) && m_stopTimer.isActive())
-        m_stopTimer.stop();
-    sendStop(Duration::zero());
+    m_stop.begin();
 }
 
-void Motion::sendStop(Duration delay)
+void Motion::stopped()
 {
-    if (delay > Duration::zero()) {
-        m_stopTimer.startIn(delay, [this] { sendStop(Duration::zero()); });
-        return;
-    }
-    if (m_line.link().state() != LinkState::Open)
-        return; // resume() goes on
-    Line::Request request = asking(m_node, Command::Stop);
-    request.rank = Line::Rank::Stop;
-    request.patience = stopPatience;
-    m_stopTicket = m_line.submit(std::move(request), [this](const Result<Frame> &reply) { stopAnswered(reply); });
-}
-
-void Motion::stopAnswered(const Result<Frame> &reply)
-{
-    if (reply && reply->is(Command::Stop)) {
-        m_stopping = false;
-        m_stoppedAt = m_line.clock().now();
-        m_looked = false;
-        m_knownOff = true;
-        setEnergized(false);
-        return;
-    }
-    if (const auto codes = reply ? codesOf(*reply) : std::nullopt) {
-        const std::vector<std::uint8_t> kept(codes->begin(), codes->end());
-        m_events.codes(kept);
-    }
-    if (!reply && reply.error().fault == Fault::LinkLost)
-        return;
-    sendStop(++m_stopTries < hurriedStops ? Duration::zero() : stopPeriod);
-}
-
-void Motion::resume()
-{
-    if (m_stopping)
-        sendStop(Duration::zero());
+    m_looked = false;
+    m_knownOff = true;
+    setEnergized(false);
 }
 
 } // namespace mb::supermodified

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "families/supermodified/motioncount.h"
+#include "families/supermodified/motionstop.h"
 #include "families/supermodified/movebounds.h"
-#include "model/setpoint.h"
+#include "families/supermodified/profiledrun.h"
 
 #include <deque>
 #include <functional>
 
 namespace mb::supermodified {
 
-/// What moves one node: turns set-points into starts and moves, each acknowledged before the next, and repeats a stop until
-/// it is acknowledged, because a node with an error in its queue refuses the first one (README.md#refused-stop).
+/// What moves one node: turns set-points into starts and moves, each acknowledged before the next, and stops it.
 ///
 /// A node has no set-point that must be kept alive, so an equal set-point sends nothing. Start zeroes the node's position
-/// (README.md#start); positions stay continuous here: origin() is what to add to the node's count. Start resets the encoder, which
+/// (README.md#start); positions stay continuous here (count()). Start resets the encoder, which
 /// can hang a node that is started already (README.md#hang): where it is not known to be off, a stop goes first.
 class Motion {
 public:
@@ -45,7 +46,7 @@ public:
     /// The node switched its bridge off by itself.
     void tripped(Message why);
     /// The link is open again.
-    void resume();
+    void resume() { m_stop.resume(); }
     /// Somebody else may have started it, or its supply was gone.
     void doubt();
 
@@ -53,41 +54,20 @@ public:
     [[nodiscard]] bool isEnergized() const { return m_energized; }
     /// A stop was acknowledged, and nothing since can have started it.
     [[nodiscard]] bool isKnownOff() const { return m_knownOff; }
-    [[nodiscard]] bool isStopping() const { return m_stopping; }
+    [[nodiscard]] bool isStopping() const { return m_stop.isPending(); }
     /// A move was commanded and its acknowledgement is not there.
     [[nodiscard]] bool isBusy() const { return m_step.has_value() || !m_orders.empty(); }
     /// When the last stop was acknowledged.
-    [[nodiscard]] std::optional<Instant> stoppedAt() const { return m_stoppedAt; }
+    [[nodiscard]] std::optional<Instant> stoppedAt() const { return m_stop.acknowledgedAt(); }
     [[nodiscard]] const std::optional<SetPoint> &applied() const { return m_applied; }
-    [[nodiscard]] std::int64_t origin() const { return m_origin; }
+    [[nodiscard]] MotionCount &count() { return m_count; }
     /// The last position that the node told, without origin.
     void setPosition(std::int64_t raw);
-    /// The node was stopped and counts from 0.
-    void zeroed();
 
 private:
     enum class Step { Stop, Look, Start, Velocity, Acceleration, Move };
-    /// A profiled move that may pass its target (README.md#passed-target).
-    struct Run {
-        double target = 0.0; ///< as the node counts
-        double direction = 1.0;
-        double overrun = 0.0; ///< ticks behind the target from which it is stopped
-    };
-
-    [[nodiscard]] Result<Command> commandFor(const SetPoint &setPoint) const;
-    [[nodiscard]] std::int64_t valueFor(const SetPoint &setPoint) const;
-    [[nodiscard]] const Roster::Entry &known() const { return m_line.roster().entry(m_node.id); }
-    [[nodiscard]] MoveBounds bounds() const { return {m_node, known()}; }
-    /// As set-points count.
-    [[nodiscard]] std::optional<std::int64_t> position() const
-    {
-        return m_position ? std::optional(*m_position + m_origin) : std::nullopt;
-    }
+    [[nodiscard]] MoveBounds bounds() const { return {m_node, m_line.roster().entry(m_node.id)}; }
     void beginRun(const SetPoint &setPoint);
-    void watchRun();
-    void abort(Message why);
-    [[nodiscard]] bool isHold(const SetPoint &setPoint) const;
-    [[nodiscard]] Dialect dialect() const { return m_node.dialect.value_or(Dialect::D3); }
     void pump();
     [[nodiscard]] Step nextStep() const;
     [[nodiscard]] Result<Line::Request> requestFor(Step step) const;
@@ -97,8 +77,7 @@ private:
     void stored(Step step);
     void refused(Step step, std::span<const std::uint8_t> codes);
     void fail(Message why);
-    void sendStop(Duration delay);
-    void stopAnswered(const Result<Frame> &reply);
+    void stopped();
     void setEnergized(bool energized);
 
     Line &m_line;
@@ -111,19 +90,14 @@ private:
     int m_tries = 0;
     bool m_looked = false;
     int m_starts = 0; ///< without an answer, in a row
-    std::optional<Run> m_run;
+    std::optional<ProfiledRun> m_run;
     bool m_energized = false;
     bool m_knownOff = false;
-    bool m_stopping = false;
-    int m_stopTries = 0;
-    std::optional<Instant> m_stoppedAt;
     std::optional<Message> m_failure;
-    std::int64_t m_origin = 0;
-    std::optional<std::int64_t> m_position;
+    MotionCount m_count;
     Line::Ticket m_ticket;
-    Line::Ticket m_stopTicket;
     Line::Ticket m_releaseTicket;
-    Timer m_stopTimer;
+    MotionStop m_stop;
 };
 
 } // namespace mb::supermodified

@@ -64,7 +64,7 @@ std::vector<int> Search::rates() const
     const SerialLink &link = m_line->link();
     if (const auto fixed = link.fixedBaudrate())
         return {*fixed};
-    if (m_line->isDriving())
+    if (m_line->driven().any())
         return {link.baudrate()};
     return {searchRates.begin(), searchRates.end()};
 }
@@ -102,7 +102,7 @@ void Search::forgetSilent()
 std::vector<Search::Place> Search::knownAt(const std::vector<int> &rates) const
 {
     std::vector<Place> known;
-    const bool anyRate = !m_line->link().fixedBaudrate() && !m_line->isDriving();
+    const bool anyRate = !m_line->link().fixedBaudrate() && !m_line->driven().any();
     for (const auto &[id, node] : m_line->roster().nodes()) {
         if (anyRate || std::find(rates.begin(), rates.end(), node.baudrate) != rates.end())
             known.emplace_back(node.baudrate, id);
@@ -148,7 +148,7 @@ Task<bool> Search::look(Place place, Duration patience)
     if (!said && said.error().fault == Fault::LinkLost)
         co_return fail(said.error());
     m_found.push_back(node.id);
-    m_sink.found(identityOf(*m_line, node, said.value_or(Interview{})));
+    m_sink.found(identityOf(m_line->roster(), node, said.value_or(Interview{})));
     co_return true;
 }
 
@@ -245,7 +245,7 @@ Task<void> Search::lookAtRest(std::vector<int> rates)
 Task<void> Search::lookEverywhere()
 {
     std::vector<int> all = rates();
-    if (!m_line->link().fixedBaudrate() && !m_line->isDriving())
+    if (!m_line->link().fixedBaudrate() && !m_line->driven().any())
         all.insert(all.end(), rareRates.begin(), rareRates.end());
     for (const int rate : all) {
         auto looking = lookAtRest({rate});

@@ -26,12 +26,6 @@ std::int64_t signedOf(std::span<const std::uint8_t> data)
     return static_cast<std::int64_t>(value << shift) >> shift;
 }
 
-void put(std::vector<std::uint8_t> &out, std::int64_t value, std::size_t size)
-{
-    for (std::size_t i = 0; i < size; ++i)
-        out.push_back(static_cast<std::uint8_t>((value >> (8 * i)) & 0xFF));
-}
-
 constexpr std::uint8_t firstMove = 0x07;
 constexpr std::uint8_t firstBuffered = 0x0D;
 constexpr std::uint8_t lastBuffered = 0x12;
@@ -46,27 +40,22 @@ bool isMove(std::uint8_t command)
 Firmware::Firmware(Dialect dialect, Drive &drive, const Eeprom &eeprom)
     : m_dialect(dialect)
     , m_drive(drive)
-    , m_eeprom(eeprom)
+    , m_settings(dialect, eeprom)
 {
 }
 
 void Firmware::restart(Instant now)
 {
-    m_ram = m_eeprom;
-    m_node = m_ram.node;
-    m_baudrate = static_cast<int>(m_ram.baudrate);
+    m_settings.restart();
+    m_node = m_settings.inForce().node;
+    m_baudrate = static_cast<int>(m_settings.inForce().baudrate);
     m_outputs = 0;
     m_received.clear();
     m_errors.clear();
     m_warnings.clear();
     m_buffered.reset();
     m_dead = false;
-    m_drive.restart({m_ram.p, m_ram.i, m_ram.d, m_ram.acceleration, m_ram.velocity}, now);
-}
-
-void Firmware::apply()
-{
-    m_drive.setSettings({m_ram.p, m_ram.i, m_ram.d, m_ram.acceleration, m_ram.velocity});
+    m_drive.restart(m_settings.loop(), now);
 }
 
 // Receiving
@@ -97,7 +86,7 @@ void Firmware::dropHalf()
 
 bool Firmware::accepts(std::uint8_t to) const
 {
-    return to == broadcastId || (to & m_ram.mask) == (m_node & m_ram.mask);
+    return to == broadcastId || (to & m_settings.inForce().mask) == (m_node & m_settings.inForce().mask);
 }
 
 std::optional<Firmware::Answer> Firmware::takeFrame()
@@ -138,7 +127,7 @@ std::optional<Firmware::Answer> Firmware::takeFrame()
 
 void Firmware::report(std::uint8_t code)
 {
-    const bool warning = code == code::invalidGetCount && m_ram.level == 0;
+    const bool warning = code == code::invalidGetCount && m_settings.inForce().level == 0;
     auto &queue = warning ? m_warnings : m_errors;
     if (queue.size() < mostCodes)
         queue.push_back(code);
@@ -223,67 +212,21 @@ void Firmware::set(std::uint8_t command, Data data)
     else if (command == 0x1E)
         m_errors.clear();
     else if (command == 0x1C && isThird())
-        takeReactions(data);
+        checkStored(m_settings.storeReactions(data));
+    else if (command == 0x14)
+        m_outputs = static_cast<std::uint8_t>(data[0] & m_settings.inForce().direction);
     else
-        storeNumber(command, unsignedOf(data));
+        checkStored(m_settings.store(command, unsignedOf(data)));
     if (data.size() > 1 && !isMove(command))
         m_busy += eepromByte * static_cast<int>(data.size() - 1);
 }
 
-void Firmware::takeReactions(Data data)
+void Firmware::checkStored(bool good)
 {
-    if (std::any_of(data.begin(), data.end(), [](std::uint8_t r) { return r > mostReaction; }))
-        report(code::invalidArgument);
+    if (good)
+        m_drive.setSettings(m_settings.loop());
     else
-        std::copy(data.begin(), data.end(), m_ram.reactions.begin());
-    m_eeprom.reactions = m_ram.reactions;
-}
-
-void Firmware::storeNumber(std::uint8_t command, std::uint64_t value)
-{
-    const auto u16 = static_cast<std::uint16_t>(value);
-    const auto u32 = static_cast<std::uint32_t>(value);
-    if (value == 0 && command >= 0x03 && command <= 0x05) {
         report(code::invalidArgument);
-        return;
-    }
-    switch (command) {
-    case 0x00: m_ram.p = m_eeprom.p = u16; break;
-    case 0x01: m_ram.i = m_eeprom.i = u16; break;
-    case 0x02: m_ram.d = m_eeprom.d = u16; break;
-    case 0x03: m_ram.acceleration = m_eeprom.acceleration = u32; break;
-    case 0x04: m_ram.velocity = m_eeprom.velocity = u32; break;
-    case 0x05: m_ram.currentLimit = m_eeprom.currentLimit = u16; break;
-    case 0x06:
-        m_eeprom.duration = u16;
-        (isThird() ? m_ram.duration : m_ram.currentLimit) = u16; // README.md#settings
-        break;
-    case 0x13: m_ram.direction = m_eeprom.direction = static_cast<std::uint8_t>(value & 0x0FU); break;
-    case 0x14: m_outputs = static_cast<std::uint8_t>(value & m_ram.direction); break;
-    case 0x1D: m_ram.antiWindup = m_eeprom.antiWindup = u32; break;
-    default: storeIdentity(command, value); break;
-    }
-    apply();
-}
-
-/// In force after a restart, but for the error level.
-void Firmware::storeIdentity(std::uint8_t command, std::uint64_t value)
-{
-    const bool good = command == 0x15 ? value >= lowestNode && value <= highestNode
-        : command == 0x1C             ? value <= 1
-                                      : value >= 1 && value <= fastestRate;
-    if (!good) {
-        report(code::invalidArgument);
-        return;
-    }
-    const auto byte = static_cast<std::uint8_t>(value & 0xFFU);
-    switch (command) {
-    case 0x15: m_eeprom.node = byte; break;
-    case 0x16: m_eeprom.mask = byte; break;
-    case 0x17: m_eeprom.baudrate = static_cast<std::uint32_t>(value); break;
-    case 0x1C: m_ram.level = m_eeprom.level = byte; break;
-    default: break;
-    }
 }
 
 bool Firmware::isStarted()
@@ -349,48 +292,30 @@ void Firmware::doMove()
 
 void Firmware::get(std::uint8_t command, std::vector<std::uint8_t> &reply)
 {
-    const std::size_t profile = m_dialect == Dialect::D1 ? 2 : 4;
     switch (command) {
-    case 0x67: put(reply, m_ram.acceleration, profile); break;
-    case 0x68: put(reply, m_ram.velocity, profile); break;
-    case 0x6D: put(reply, (inputs & ~m_ram.direction) | m_outputs, 1); break;
+    case 0x6D: put(reply, (inputs & ~m_settings.inForce().direction) | m_outputs, 1); break;
     case 0x6E:
         for (const std::uint16_t raw : analog)
             put(reply, raw, 2);
         break;
     case 0x6F: put(reply, m_drive.position(), placeSize()); break;
-    case 0x70: put(reply, m_drive.absolutePosition(), 2); break;
+    case 0x70: put(reply, m_drive.encoder().absolutePosition(), 2); break;
     case 0x71: put(reply, m_drive.reportedVelocity(), speedSize()); break;
     case 0x72: {
         constexpr double countsPerAmpere = 100.0;
-        const double current = m_drive.current();
+        const double current = m_drive.motor().current();
         const double raw = isThird() ? current * 1000.0 : std::min(std::abs(current) * countsPerAmpere, 1023.0);
         put(reply, static_cast<std::int64_t>(raw), 2);
         break;
     }
     case 0x73:
         if (isThird())
-            reply.assign(m_ram.reactions.begin(), m_ram.reactions.end());
+            reply.assign(m_settings.inForce().reactions.begin(), m_settings.inForce().reactions.end());
         else
             reply.assign(m_warnings.begin(), m_warnings.end());
         m_warnings.clear();
         break;
-    default: getSetting(command, reply); break;
-    }
-}
-
-void Firmware::getSetting(std::uint8_t command, std::vector<std::uint8_t> &reply)
-{
-    switch (command) {
-    case 0x64: put(reply, m_ram.p, 2); break;
-    case 0x65: put(reply, m_ram.i, 2); break;
-    case 0x66: put(reply, m_ram.d, 2); break;
-    case 0x69: put(reply, m_ram.currentLimit, 2); break;
-    case 0x6A: put(reply, m_ram.duration, 2); break;
-    case 0x6B: put(reply, m_ram.direction, 1); break;
-    case 0x6C: put(reply, m_ram.mask, 1); break;
-    case 0x74: put(reply, m_ram.antiWindup, 4); break;
-    default: break;
+    default: m_settings.get(command, reply); break;
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include "families/supermodified/frame.h"
 #include "families/supermodified/simulatordrive.h"
+#include "families/supermodified/simulatorsettings.h"
 
 #include <deque>
 #include <functional>
@@ -11,24 +12,6 @@
 #include <vector>
 
 namespace mb::supermodified::simulation {
-
-/// What survives a power cycle; factory values of README.md#settings.
-struct Eeprom {
-    std::uint16_t p = 4000;
-    std::uint16_t i = 100;
-    std::uint16_t d = 1000;
-    std::uint32_t acceleration = 800;
-    std::uint32_t velocity = 800;
-    std::uint16_t currentLimit = 5000;
-    std::uint16_t duration = 5000;
-    std::uint8_t direction = 0;
-    std::uint8_t node = factoryNode;
-    std::uint8_t mask = exactMask;
-    std::uint32_t baudrate = 115200;
-    std::uint8_t level = 0;
-    std::array<std::uint8_t, reactionCount> reactions{};
-    std::uint32_t antiWindup = 0;
-};
 
 /// The firmware without time and wire: bytes in, the bytes of one answer out. Receives as the device does: no resynchronisation,
 /// errors in a queue that replaces the next answer and keeps the command from being executed (README.md#one-request).
@@ -58,7 +41,7 @@ public:
     std::function<void(std::string_view what, double value)> died; ///< crashed (byte count), hung (command)
     /// Whether asking the encoder while the motor is started can hang it (README.md#hang).
     void setHangs(bool hangs) { m_hangs = hangs; }
-    [[nodiscard]] const Eeprom &eeprom() const { return m_eeprom; }
+    [[nodiscard]] const Eeprom &eeprom() const { return m_settings.stored(); }
     [[nodiscard]] Drive &drive() { return m_drive; }
     /// Counts of the analog inputs, 10 bits.
     std::array<std::uint16_t, analogInputs> analog{512, 512, 512, 512};
@@ -74,19 +57,15 @@ private:
     void execute(std::uint8_t command, Data data, std::vector<std::uint8_t> &reply);
     void set(std::uint8_t command, Data data);
     void move(std::uint8_t command, Data data, bool buffered);
-    void storeNumber(std::uint8_t command, std::uint64_t value);
-    void storeIdentity(std::uint8_t command, std::uint64_t value);
     void act(std::uint8_t command);
     [[nodiscard]] bool hangsIn(std::uint8_t command) const;
     void die(std::string_view what, double value);
     void get(std::uint8_t command, std::vector<std::uint8_t> &reply);
-    void getSetting(std::uint8_t command, std::vector<std::uint8_t> &reply);
     void doMove();
     [[nodiscard]] bool isKnown(std::uint8_t command) const;
     [[nodiscard]] std::size_t expected(std::uint8_t command) const;
-    void takeReactions(Data data);
+    void checkStored(bool good);
     [[nodiscard]] bool isStarted();
-    void apply();
     [[nodiscard]] bool isThird() const { return m_dialect == Dialect::D3; }
     [[nodiscard]] std::size_t speedSize() const { return m_dialect == Dialect::D1 ? 2 : 4; }
     [[nodiscard]] std::size_t placeSize() const { return isThird() ? 8 : 4; }
@@ -98,8 +77,7 @@ private:
 
     Dialect m_dialect;
     Drive &m_drive;
-    Eeprom m_eeprom;
-    Eeprom m_ram;
+    Settings m_settings;
     int m_node = factoryNode;
     int m_baudrate = 115200;
     std::uint8_t m_outputs = 0;

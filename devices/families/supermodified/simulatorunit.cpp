@@ -162,13 +162,13 @@ bool Unit::isOutputOn()
 double Unit::speed()
 {
     m_drive.advance(m_clock.now());
-    return m_drive.shaftSpeed();
+    return m_drive.encoder().shaftSpeed();
 }
 
 double Unit::position()
 {
     m_drive.advance(m_clock.now());
-    return m_drive.shaftPosition();
+    return m_drive.encoder().shaftPosition();
 }
 
 // Supply and faults
@@ -216,7 +216,7 @@ void Unit::scheduleFaults()
 {
     for (const SimulatedFault &fault : m_options.faults) {
         if (fault.kind == "encoder-reversed") {
-            m_drive.setEncoderReversed();
+            m_drive.encoder().setReversed();
             continue;
         }
         std::function<void()> work;
@@ -225,7 +225,7 @@ void Unit::scheduleFaults()
         else if (fault.kind == "brownout")
             work = [this] { loseSupply(brownout); };
         else if (fault.kind == "encoder-dead")
-            work = [this] { m_drive.setEncoderDead(); };
+            work = [this] { m_drive.encoder().setDead(); };
         else if (fault.kind == "stall")
             work = [this] { m_drive.motor().setLocked(true); };
         else
@@ -250,9 +250,9 @@ bool Unit::disturb(std::string_view what, double value)
         m_firmware.analog.at(static_cast<std::size_t>(what[6] - '1'))
             = static_cast<std::uint16_t>(std::clamp(value / adcVolts, 0.0, 1023.0));
     else if (what == "encoder-dead" && value != 0.0)
-        m_drive.setEncoderDead(); // it sits on the output shaft, not on the motor
+        m_drive.encoder().setDead(); // it sits on the output shaft, not on the motor
     else if (what == "encoder-reversed" && value != 0.0)
-        m_drive.setEncoderReversed();
+        m_drive.encoder().setReversed();
     else if (!m_drive.motor().disturb(what, value))
         return false;
     lookAfter();

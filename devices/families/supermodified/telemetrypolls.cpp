@@ -29,14 +29,14 @@ TelemetryPolls::TelemetryPolls(Line &line, const Node &node, Telemetry &telemetr
       }
 {
     for (std::size_t i = 0; i < m_polls.size(); ++i)
-        m_polls[i].key = m_line.addPoll(asking(m_node, m_polls[i].command), periodOf(m_polls[i]),
+        m_polls[i].key = m_line.polls().add(asking(m_node, m_polls[i].command), periodOf(m_polls[i]),
             [this, i](const Result<Frame> &reply) { answered(i, reply); });
 }
 
 TelemetryPolls::~TelemetryPolls()
 {
     for (const Poll &poll : m_polls)
-        m_line.removePoll(poll.key);
+        m_line.polls().remove(poll.key);
 }
 
 // Rates
@@ -59,7 +59,7 @@ Duration TelemetryPolls::periodOf(const Poll &poll) const
 void TelemetryPolls::apply()
 {
     for (const Poll &poll : m_polls)
-        m_line.setPollPeriod(poll.key, periodOf(poll));
+        m_line.polls().setPeriod(poll.key, periodOf(poll));
 }
 
 bool TelemetryPolls::setRate(ChannelIndex channel, double hertz)
@@ -113,7 +113,7 @@ void TelemetryPolls::setPaused(bool paused)
 void TelemetryPolls::nodeChanged()
 {
     for (const Poll &poll : m_polls)
-        m_line.setPollRequest(poll.key, asking(m_node, poll.command));
+        m_line.polls().setRequest(poll.key, asking(m_node, poll.command));
     apply();
 }
 
@@ -140,7 +140,7 @@ void TelemetryPolls::answered(std::size_t index, const Result<Frame> &reply)
     if (good)
         take(poll, *reply);
     else if (reply && !poll.refused) // once: a node of error level 1 refuses every time
-        m_line.repeatPoll(poll.key);
+        m_line.polls().repeat(poll.key);
     poll.refused = reply && !good;
 }
 

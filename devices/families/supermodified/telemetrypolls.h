@@ -55,7 +55,7 @@ private:
         double idle = 0.0;   ///< Hz
         double driven = 0.0; ///< Hz, while the motor is driven
         RateWishes wishes{};
-        Line::PollKey key = 0;
+        LinePolls::Key key = 0;
         bool refused = false; ///< the last answer was an error
     };
     void answered(std::size_t index, const Result<Frame> &reply);

@@ -16,6 +16,8 @@
 namespace mb {
 namespace {
 
+using namespace std::chrono_literals;
+
 constexpr qint64 framesInPlugin = 4; // few, so that an urgent frame does not wait behind many
 
 CanFrame frameOf(const QCanBusFrame &raw, Instant time)
@@ -65,6 +67,8 @@ private:
     int m_bitrate;
     std::unique_ptr<QCanBusDevice> m_device;
     HardwareTime m_stamps;
+    bool m_isFine
+        = false; ///< the adapter stamps finer than in milliseconds, in which a frame of 1 kHz looks lost and another one twice there
     Instant m_latest{};
     std::deque<CanFrame> m_urgent;
     std::deque<CanFrame> m_normal;
@@ -91,6 +95,7 @@ Result<void> QtCanLink::doOpen()
     }
     m_bitrate = m_device->configurationParameter(QCanBusDevice::BitRateKey).toInt();
     m_stamps.reset();
+    m_isFine = false;
     m_latest = {};
     watch();
     return {};
@@ -158,7 +163,8 @@ void QtCanLink::receive()
             countError();
             continue;
         }
-        const Instant time = stamp.count() != 0 ? m_stamps.align(stamp, now) : now;
+        m_isFine = m_isFine || stamp % 1ms != 0us;
+        const Instant time = m_isFine ? m_stamps.align(stamp, now) : now;
         m_latest = std::max(m_latest, time);
         const CanFrame frame = frameOf(raw, m_latest);
         deliver(frame);

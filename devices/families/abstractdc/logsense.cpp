@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/abstractdc/logsense.h"
+
+#include "families/abstractdc/channels.h"
+#include "families/abstractdc/setpoints.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mb::abstractdc {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr double positionRate = 20.0; ///< samples per second nobody asked for
+constexpr double loopRate = 20.0;
+constexpr double slowRate = 5.0;
+constexpr double temperatureRate = 1.0;
+constexpr double drivenRate = 50.0; ///< the loop of the drive is no faster
+
+std::optional<Log> logOf(ChannelIndex channel)
+{
+    if (channel == channel::position)
+        return Log::Position;
+    if (channel == channel::velocity)
+        return Log::Velocity;
+    if (channel == channel::current)
+        return Log::Current;
+    if (channel == channel::duty)
+        return Log::Voltage;
+    if (channel == channel::temperature)
+        return Log::Temperature;
+    return std::nullopt;
+}
+
+} // namespace
+
+LogSense::LogSense(
+    CanLink &link, Clock &clock, std::shared_ptr<Telemetry> telemetry, const DeviceProfile &profile, Owner owner)
+    : m_clock(clock)
+    , m_telemetry(std::move(telemetry))
+    , m_profile(profile)
+    , m_owner(std::move(owner))
+    , m_poller(link, clock,
+          {[this](Log log, std::int32_t value, Instant time) { take(log, value, time); }, [this] { m_owner.silent(); },
+              [this](Log log) {
+                  if (log == Log::Position)
+                      m_telemetry->lost(channel::position, 1);
+              }})
+    , m_look(clock)
+{
+}
+
+void LogSense::speak(const Dialect *dialect, int offset)
+{
+    m_dialect = dialect;
+    m_poller.speak(dialect, offset);
+}
+
+bool LogSense::enter(std::optional<Loop> loop)
+{
+    if (loop == Loop::None) // look closely until it is seen to stand
+        m_look.startIn(2s, [this] { plan(); });
+    else
+        m_look.stop();
+    const bool isOther = loop != m_loop;
+    m_loop = loop;
+    if (isOther) {
+        m_velocity.reset();
+        m_output.enterLoop();
+        for (const ChannelIndex stale : {channel::velocity, channel::duty})
+            m_telemetry->breakLine(stale);
+    }
+    plan();
+    return isOther;
+}
+
+// How often
+
+Result<void> LogSense::wish(ChannelIndex channel, double hertz)
+{
+    const auto log = logOf(channel);
+    if (!log)
+        return fail(Fault::Unsupported, say("the set-point comes from here, not from the device"));
+    if (!std::isfinite(hertz) || hertz < 0.0)
+        return fail(Fault::OutOfRange, say("a rate is a positive number, or 0 for the usual one"));
+    if (hertz > 0.0)
+        m_wishes[*log] = hertz;
+    else
+        m_wishes.erase(*log);
+    if (*log == Log::Velocity && hertz > 0.0) // outside its mode velocity is computed from positions
+        m_wishes[Log::Position] = std::max(m_wishes[Log::Position], hertz);
+    plan();
+    return {};
+}
+
+bool LogSense::isFresh(Log log) const
+{
+    if (log == Log::Velocity)
+        return m_loop == Loop::Velocity;
+    if (log == Log::Voltage)
+        return isDriven();
+    return true;
+}
+
+double LogSense::rateOf(Log log) const
+{
+    if (!isFresh(log))
+        return 0.0;
+    const auto wished = m_wishes.find(log);
+    const double wish = wished == m_wishes.end() ? 0.0 : wished->second;
+    switch (log) {
+    case Log::Position: return std::max(wish, isDriven() || m_look.isActive() ? drivenRate : positionRate);
+    case Log::Velocity: return std::max(wish, drivenRate);
+    case Log::Voltage: return std::max(wish, loopRate);
+    case Log::Current: return wish > 0.0 ? wish : slowRate;
+    case Log::Temperature: return wish > 0.0 ? wish : temperatureRate;
+    }
+    return 0.0;
+}
+
+void LogSense::plan()
+{
+    for (std::size_t i = 0; i < logCount; ++i)
+        m_poller.wish(static_cast<Log>(i), rateOf(static_cast<Log>(i)));
+}
+
+// What they say
+
+void LogSense::take(Log log, std::int32_t value, Instant time)
+{
+    switch (log) {
+    case Log::Position: takePosition(value, time); break;
+    case Log::Velocity:
+        if (!isFresh(log))
+            break;
+        m_velocity = value;
+        m_telemetry->append({channel::velocity, time, static_cast<double>(value)});
+        break;
+    case Log::Current:
+        m_telemetry->append({channel::current, time, value * m_profile.calibrated(calibration::amperes, 1.0)});
+        break;
+    case Log::Temperature:
+        m_telemetry->append({channel::temperature, time, value * m_profile.calibrated(calibration::degrees, 1.0)});
+        break;
+    case Log::Voltage: takeVoltage(value, time); break;
+    }
+    m_owner.heard();
+}
+
+void LogSense::takePosition(std::int32_t value, Instant time)
+{
+    m_owner.located(value);
+    const MotionSense::Verdict verdict = m_motion.add(value, time);
+    if (verdict.glitch) {
+        m_telemetry->lost(channel::position, 1);
+        return;
+    }
+    if (verdict.mended)
+        m_telemetry->breakLine(channel::position);
+    m_telemetry->append({channel::position, time, static_cast<double>(value)});
+    if (isFresh(Log::Velocity))
+        return; // the drive measures it itself
+    if (const auto velocity = m_motion.velocity(time))
+        m_telemetry->append({channel::velocity, time, *velocity});
+}
+
+void LogSense::takeVoltage(std::int32_t value, Instant time)
+{
+    if (!isFresh(Log::Voltage))
+        return;
+    if (m_output.take(value)) {
+        m_owner.wrapped();
+        return;
+    }
+    m_telemetry->append({channel::duty, time, std::clamp(value / double{fullPwm}, -1.0, 1.0)});
+}
+
+std::optional<double> LogSense::feedback(Loop loop) const
+{
+    switch (loop) {
+    case Loop::Velocity: return m_velocity ? m_velocity : m_motion.velocity(m_clock.now());
+    case Loop::Position: {
+        const auto position = m_motion.position();
+        return position ? std::optional<double>(*position) : std::nullopt;
+    }
+    default: return std::nullopt;
+    }
+}
+
+void LogSense::forget()
+{
+    m_motion.forget();
+    m_velocity.reset();
+}
+
+} // namespace mb::abstractdc

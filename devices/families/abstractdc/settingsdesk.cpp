@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/abstractdc/settingsdesk.h"
+
+#include "families/abstractdc/answertime.h"
+#include "families/abstractdc/parameters.h"
+#include "families/abstractdc/setpoints.h"
+#include "transport/exchange.h"
+
+#include <algorithm>
+#include <array>
+
+namespace mb::abstractdc {
+namespace {
+
+constexpr int tries = 3;
+constexpr std::array loops{Loop::Velocity, Loop::Current, Loop::Position};
+
+std::string nameOf(Loop loop)
+{
+    return std::string(toString(modeOf(loop)));
+}
+
+std::string counterOf(Loop loop)
+{
+    return "saves." + nameOf(loop);
+}
+
+} // namespace
+
+SettingsDesk::SettingsDesk(Device &device, CanLink &link, const LogSense &logs, PowerCycleDebt &debt,
+    std::function<void(const std::string &, std::int64_t)> count)
+    : m_device(device)
+    , m_can(link)
+    , m_logs(logs)
+    , m_debt(debt)
+    , m_count(std::move(count))
+{
+}
+
+Task<void> SettingsDesk::expectAnswer()
+{
+    const Dialect &dialect = m_logs.dialect() ? *m_logs.dialect() : dialectF;
+    const Log log = Log::Velocity; // the one code that is the same in F, L and D, should the dialect be mistaken
+    const int offset = m_device.identity().address;
+    const std::array answers{replyId(dialectF, offset, log), replyId(dialectL, offset, log)};
+    const Question question{offset, dialect.request, static_cast<std::uint8_t>(dialect.codeOf(log))};
+    CanInbox::Match match = [this, answers, question](const CanFrame &frame) {
+        return !frame.extended && frame.size == 4
+            && std::find(answers.begin(), answers.end(), frame.id) != answers.end()
+            && m_logs.questions().isAnswerTo(question);
+    };
+    auto asking = exchange(
+        m_can, m_device.clock(), encodeLogRequest(dialect, offset, log), std::move(match), {tries, answerTime(m_can)});
+    const Result<CanFrame> answer = co_await std::move(asking).attempt();
+    if (!answer && answer.error().fault == Fault::Timeout)
+        co_return fail(Fault::Timeout, say("%1 does not answer", m_device.selector()));
+    if (!answer)
+        co_return fail(answer.error());
+    co_return {};
+}
+
+Result<void> SettingsDesk::mayWrite(const Parameter &parameter, std::int64_t raw) const
+{
+    if (!m_logs.dialect())
+        return fail(Fault::Unsafe, say("it is not proven which codes this drive speaks"), say("nothing was written"));
+    const Field field = fieldOf(parameter);
+    if (field == Field::Divisor && raw == 0)
+        return fail(Fault::OutOfRange, say("0 is no divisor"), say("the loop would be undefined"));
+    if (field == Field::Divisor && m_logs.loop() == loopOf(parameter))
+        return fail(Fault::Unsafe, say("a divisor changes all gains at once"), say("stop the motor first"));
+    if (field != Field::Averaging)
+        return {};
+    if (raw < 1 || raw > averagingMost)
+        return fail(Fault::OutOfRange, say("legal is 1 … 500"),
+            say("the drive does not check it and would overwrite its memory"));
+    if (mayLowerAveraging(raw) && (m_logs.isDriven() || m_logs.isMoving()))
+        return fail(Fault::Unsafe, say("lowering it needs a stopped motor"));
+    return {};
+}
+
+/// What is in force is known only where this program wrote it: otherwise any value but the greatest may be a lower one.
+bool SettingsDesk::mayLowerAveraging(std::int64_t raw) const
+{
+    const auto before = m_device.parameters().entry(*parameterOf(Loop::Current, Field::Averaging)).raw;
+    return raw < before.value_or(averagingMost);
+}
+
+Task<std::int64_t> SettingsDesk::write(const Parameter &parameter, std::int64_t raw)
+{
+    if (auto allowed = mayWrite(parameter, raw); !allowed)
+        co_return fail(allowed.error());
+    const Loop loop = loopOf(parameter);
+    const auto value = static_cast<std::int32_t>(raw);
+    const bool lowered = fieldOf(parameter) == Field::Averaging && mayLowerAveraging(raw);
+    if (lowered)
+        m_debt.incur(); // README.md#averaging: from now on its sample index may run out of the buffer
+    const int offset = m_device.identity().address;
+    if (auto sent = m_can.send(encodeSettings(*m_logs.dialect(), offset, loop, fieldOf(parameter), value)); !sent)
+        co_return fail(sent.error());
+    auto asking = expectAnswer();
+    co_await std::move(asking);
+    m_unsaved.insert(loop);
+    if (lowered) {
+        NoProgress unheard;
+        auto saving = save(loop, unheard);
+        co_await std::move(saving);
+        Identity known = m_device.identity();
+        known.detail = say("Its averaging was lowered, as far as can be known, and saved. Switch it off and on now: "
+                           "until then it may overwrite its memory.");
+        m_device.setIdentity(std::move(known));
+    }
+    co_return raw;
+}
+
+Task<void> SettingsDesk::save(Loop loop, Progress &progress)
+{
+    const auto &counters = m_device.profile().counters;
+    const auto counted = counters.find(counterOf(loop));
+    const std::int64_t saves = counted == counters.end() ? 0 : counted->second;
+    if (saves >= savesPerPage)
+        co_return fail(Fault::Unsafe, say("the settings of the %1 loop were saved %2 times", nameOf(loop), saves),
+            say("one more would make the drive load something else. Erase its settings pages with a firmware update "
+                "(erase settings), then save again"));
+    if (saves + 1 >= savesUntilWarning)
+        progress.log(Severity::Caution,
+            say("the %1 loop was saved %2 times; after %3 its settings pages must be erased", nameOf(loop), saves + 1,
+                savesPerPage));
+    if (auto sent = m_can.send(encodeSave(*m_logs.dialect(), m_device.identity().address, loop)); !sent)
+        co_return fail(sent.error());
+    m_count(counterOf(loop), saves + 1);
+    m_unsaved.erase(loop);
+    auto asking = expectAnswer();
+    co_await std::move(asking);
+    co_return {};
+}
+
+Task<bool> SettingsDesk::store(Progress &progress)
+{
+    if (!m_logs.dialect())
+        co_return fail(Fault::Unsafe, say("it is not proven which codes this drive speaks"), say("nothing was saved"));
+    if (m_logs.isDriven())
+        co_return fail(Fault::Unsafe, say("stop the motor first: the drive stands still while it writes its flash"));
+    const std::set<Loop> all = m_unsaved;
+    int done = 0;
+    for (const Loop loop : all) {
+        progress.step(say("Saving the %1 loop", nameOf(loop)), done++, static_cast<int>(all.size()));
+        auto saving = save(loop, progress);
+        co_await std::move(saving);
+    }
+    progress.step(say("Saved"), static_cast<int>(all.size()), static_cast<int>(all.size()));
+    co_return false;
+}
+
+void SettingsDesk::erased()
+{
+    for (const Loop loop : loops)
+        m_count(counterOf(loop), 0);
+    m_unsaved.clear();
+}
+
+std::vector<std::pair<std::string, std::string>> SettingsDesk::saves() const
+{
+    std::vector<std::pair<std::string, std::string>> told;
+    const auto &counters = m_device.profile().counters;
+    for (const Loop loop : loops) {
+        const auto counted = counters.find(counterOf(loop));
+        if (counted != counters.end())
+            told.emplace_back(counterOf(loop), std::to_string(counted->second));
+    }
+    return told;
+}
+
+} // namespace mb::abstractdc

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "families/abstractdc/logsense.h"
+#include "families/abstractdc/powercycledebt.h"
+
+#include <set>
+#include <string>
+
+namespace mb::abstractdc {
+
+/// Writes the settings of one drive and saves them, a loop at a time. The drive can be asked for none and acknowledges nothing;
+/// each save uses up a part of a page, and is counted (README.md#saves). Engine thread; outlives its tasks.
+class SettingsDesk {
+public:
+    /// `count` writes DeviceProfile::counters. All outlive this.
+    SettingsDesk(Device &device, CanLink &link, const LogSense &logs, PowerCycleDebt &debt,
+        std::function<void(const std::string &key, std::int64_t value)> count);
+
+    /// Ends when the drive answers a question that was sent behind the order, which is all that can be known; or Timeout.
+    [[nodiscard]] Task<void> expectAnswer();
+    /// Yields what was sent. Unsafe, OutOfRange: nothing was.
+    [[nodiscard]] Task<std::int64_t> write(const Parameter &parameter, std::int64_t raw);
+    /// Saves the loops that were written since their last save; Device::store().
+    [[nodiscard]] Task<bool> store(Progress &progress);
+    /// The settings pages are blank.
+    void erased();
+    /// How often each loop was saved since its page was erased, for Identity::descriptors.
+    [[nodiscard]] std::vector<std::pair<std::string, std::string>> saves() const;
+
+private:
+    [[nodiscard]] Result<void> mayWrite(const Parameter &parameter, std::int64_t raw) const;
+    [[nodiscard]] bool mayLowerAveraging(std::int64_t raw) const;
+    [[nodiscard]] Task<void> save(Loop loop, Progress &progress);
+
+    Device &m_device;
+    CanLink &m_can;
+    const LogSense &m_logs;
+    PowerCycleDebt &m_debt;
+    std::function<void(const std::string &, std::int64_t)> m_count;
+    std::set<Loop> m_unsaved;
+};
+
+} // namespace mb::abstractdc

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "families/abstractdc/simulatoroptions.h"
+#include "transport/canlink.h"
+
+#include <list>
+
+namespace mb::abstractdc::simulation {
+
+/// The replies of one simulated drive: three mailboxes, sent from the receive interrupt, spoilt by the faults that count them.
+class Outbox {
+public:
+    /// Link, clock and options outlive it.
+    Outbox(CanLink &link, Clock &clock, const UnitOptions &options);
+
+    void reply(Log log, std::int32_t value);
+    /// The power has gone: what waits is lost.
+    void clear();
+
+private:
+    void transmit(CanFrame frame);
+    [[nodiscard]] const SimulatedFault *strikes(std::string_view kind) const;
+
+    CanLink &m_link;
+    Clock &m_clock;
+    const UnitOptions &m_options;
+    std::uint64_t m_sent = 0;
+    std::list<Timer> m_replies;
+    std::list<Timer> m_late; ///< frames that a fault delays
+    std::size_t m_pending = 0;
+};
+
+} // namespace mb::abstractdc::simulation

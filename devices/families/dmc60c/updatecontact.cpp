@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/dmc60c/updatecontact.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace mb::dmc60c {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Duration lateness = 500ms; ///< of an answer after its time-out
+constexpr int mostLate = 100;        ///< frames of late answers
+
+/// Asked again, it changes nothing, and its answer is told from those to orders.
+bool isQuestion(Command command)
+{
+    return command == Command::GetFwver || command == Command::GetDescriptors || command == Command::GetFlashSeqnum;
+}
+
+} // namespace
+
+UpdateContact::UpdateContact(Device &device)
+    : m_device(device)
+    , m_link(static_cast<CanLink &>(device.link()))
+    , m_clock(device.clock())
+    , m_session(static_cast<std::uint16_t>(device.identity().session.value_or(0)))
+{
+}
+
+void UpdateContact::takeSession(std::uint16_t session)
+{
+    if (session == m_session)
+        return;
+    m_session = session;
+    Identity identity = m_device.identity();
+    identity.session = session;
+    m_device.setIdentity(std::move(identity));
+}
+
+Task<VendorReply> UpdateContact::send(
+    VendorCommand command, std::vector<std::uint8_t> data, Attempts attempts, Duration gap)
+{
+    if (m_answerOwed && !isQuestion(command.command)) {
+        auto settling = settle();
+        co_await std::move(settling);
+    }
+    m_sentAt = m_clock.now();
+    VendorRequest request;
+    request.device = m_device.identity().address;
+    request.session = m_session;
+    request.command = command;
+    request.data = std::move(data);
+    request.gap = gap;
+    auto exchange = vendorExchange(m_link, m_clock, std::move(request), attempts);
+    Result<VendorReply> reply = co_await std::move(exchange).attempt();
+    m_answerOwed = m_answerOwed || !reply || reply->unanswered > 0;
+    co_return reply;
+}
+
+Task<void> UpdateContact::settle()
+{
+    CanInbox inbox(m_link, m_clock, [number = m_device.identity().address](const CanFrame &frame) {
+        return (decodeVendorStatus(frame) || decodeVendorData(frame)) && deviceOf(frame) == number;
+    });
+    for (int i = 0; i < mostLate; ++i) {
+        const Result<CanFrame> late = co_await inbox.next(lateness);
+        if (late)
+            continue;
+        if (late.error().fault != Fault::Timeout)
+            co_return fail(late.error());
+        break;
+    }
+    m_answerOwed = false;
+    co_return {};
+}
+
+Task<FirmwareVersions> UpdateContact::versions()
+{
+    auto asking = order(Command::GetFwver);
+    const VendorReply reply = co_await std::move(asking);
+    if (const auto good = check(Command::GetFwver, reply); !good)
+        co_return fail(good.error());
+    const auto decoded = decodeFirmwareVersions(reply.data);
+    if (!decoded)
+        co_return fail(Fault::BadReply, say("GetFwver answered with %1 bytes", reply.data.size()));
+    co_return *decoded;
+}
+
+Task<std::vector<UpdateContact::Unit>> UpdateContact::enumerate(Duration window)
+{
+    const int number = m_device.identity().address;
+    CanInbox inbox(m_link, m_clock, [number](const CanFrame &frame) {
+        return (frame.id & id::messageMask) == id::enumResponse && deviceOf(frame) == number;
+    });
+    if (const auto sent = m_link.send(encodeEnumerate()); !sent)
+        co_return fail(sent.error());
+    std::vector<Unit> units;
+    const auto unitOf = [&units](std::uint16_t session) -> Unit & {
+        const auto known
+            = std::find_if(units.begin(), units.end(), [session](const Unit &u) { return u.session == session; });
+        return known != units.end() ? *known : units.emplace_back(Unit{session, {}, {}});
+    };
+    const Instant end = m_clock.now() + window;
+    while (m_clock.now() < end) {
+        const Result<CanFrame> frame = co_await inbox.next(end - m_clock.now());
+        if (!frame && frame.error().fault == Fault::LinkLost)
+            co_return fail(frame.error());
+        if (!frame)
+            break;
+        if (const auto first = decodeEnumResponse0(*frame))
+            unitOf(first->session).productId = first->productId;
+        else if (const auto second = decodeEnumResponse1(*frame))
+            unitOf(second->session).versions = FirmwareVersions{second->image, second->application, second->bootloader};
+    }
+    std::erase_if(units, [](const Unit &u) { return !u.versions; });
+    co_return units;
+}
+
+Task<UpdateContact::Unit> UpdateContact::findAgain(Duration limit)
+{
+    const Instant end = m_clock.now() + limit;
+    while (m_clock.now() < end) {
+        auto round = enumerate(enumWindow);
+        const std::vector<Unit> units = co_await std::move(round);
+        if (units.size() > 1)
+            co_return fail(Fault::Unsafe, say("several units answer as number %1", m_device.identity().address));
+        if (units.size() == 1) {
+            takeSession(units.front().session);
+            co_return units.front();
+        }
+    }
+    co_return fail(Fault::Timeout, say("the unit does not answer an enumeration"));
+}
+
+Task<VendorReply> UpdateContact::order(Command command)
+{
+    return send({command}, {}, attemptsOf(command), {});
+}
+
+} // namespace mb::dmc60c

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/quadquad2drv/axisdrives.h"
+
+#include "families/quadquad2drv/channels.h"
+
+#include <cmath>
+
+namespace mb::quadquad2drv {
+namespace {
+
+constexpr double lowestCounts = -2147483648.0;
+constexpr double highestCounts = 2147483647.0;
+
+ControlMode modeFor(Mode mode)
+{
+    switch (mode) {
+    case Mode::Duty: return ControlMode::Power;
+    case Mode::Velocity:
+    case Mode::RampVelocity: return ControlMode::Velocity;
+    case Mode::Position:
+    case Mode::RampPosition: return ControlMode::Position;
+    default: return ControlMode::Off;
+    }
+}
+
+bool isWithin(double value, double low, double high)
+{
+    return std::isfinite(value) && value >= low && value <= high;
+}
+
+} // namespace
+
+Result<void> checkSetPoint(const SetPoint &setPoint)
+{
+    if (setPoint.axis < 1 || setPoint.axis > axes)
+        return fail(Fault::OutOfRange, say("the board has axes 1 to 4"));
+    if (setPoint.slot != 0)
+        return fail(Fault::Unsupported, say("the board has one set of gains per axis"));
+    const double target = setPoint.target;
+    switch (setPoint.mode) {
+    case Mode::Off: return {};
+    case Mode::Duty:
+        if (!isWithin(target, -1.0, 1.0))
+            return fail(Fault::OutOfRange, say("duty is a fraction from −1 to 1"));
+        return {};
+    case Mode::Velocity:
+    case Mode::RampVelocity:
+        if (!isWithin(target, -1.0 * fastest, fastest))
+            return fail(Fault::OutOfRange, say("velocity is −100000 to 100000 counts/s"));
+        break;
+    case Mode::Position:
+    case Mode::RampPosition:
+        if (!isWithin(target, lowestCounts, highestCounts))
+            return fail(Fault::OutOfRange, say("position has 32 bits"));
+        break;
+    default: return fail(Fault::Unsupported, say("the board has no such mode"));
+    }
+    if (!isWithin(setPoint.velocity, 0.0, fastest) || !isWithin(setPoint.acceleration, 0.0, steepest))
+        return fail(Fault::OutOfRange, say("a profile has up to 100000 counts/s and 1000000 counts/s²"));
+    return {};
+}
+
+Result<void> AxisDrives::command(const SetPoint &setPoint)
+{
+    const int axis = setPoint.axis - 1;
+    if (setPoint.mode == Mode::Off) {
+        m_drives[static_cast<std::size_t>(axis)] = {};
+        record(axis, std::nullopt);
+        m_orders.post(setControlMode(maskOf(axis), ControlMode::Off));
+        return {};
+    }
+    if (const auto failure = m_orders.takeFailure())
+        return fail(*failure);
+    const ControlMode mode = modeFor(setPoint.mode);
+    if (mode == ControlMode::Position && !m_sense.position(axis))
+        return fail(Fault::Unsafe, say("the position is not known yet, so nothing would keep the motor from jumping"));
+    if (controlMode(axis) != mode)
+        enter(axis, mode);
+    sendTarget(axis, setPoint);
+    record(axis, setPoint.target);
+    return {};
+}
+
+/// Committed with the motion data that come all the time.
+void AxisDrives::record(int axis, std::optional<double> target)
+{
+    const ChannelIndex channel = channelOf(axis, AxisChannel::SetPoint);
+    if (target)
+        m_telemetry.append({channel, m_clock.now(), *target});
+    else if (m_telemetry.latest(channel))
+        m_telemetry.breakLine(channel);
+}
+
+/// README.md#position-mode: the target is where the motor is, before and after the mode is taken.
+void AxisDrives::enter(int axis, ControlMode mode)
+{
+    if (auto limit = m_settings.firstLimit(axis))
+        m_orders.post(std::move(*limit));
+    Bytes rest = setPower(maskOf(axis), 0);
+    if (mode == ControlMode::Velocity)
+        rest = setVelocityTarget(maskOf(axis), 0.0, m_settings.readings());
+    else if (mode == ControlMode::Position)
+        rest = setPositionTarget(maskOf(axis), static_cast<std::int32_t>(*m_sense.position(axis)));
+    m_orders.post(rest);
+    m_orders.post(setControlMode(maskOf(axis), mode));
+    m_orders.post(rest);
+    m_drives[static_cast<std::size_t>(axis)] = {mode, m_settings.readings().velocityTargetShifted, std::nullopt};
+}
+
+void AxisDrives::sendTarget(int axis, const SetPoint &setPoint)
+{
+    Drive &drive = m_drives[static_cast<std::size_t>(axis)];
+    const auto whole = [&setPoint] { return static_cast<std::int32_t>(std::lround(setPoint.target)); };
+    const bool profiled = setPoint.mode == Mode::RampPosition || setPoint.mode == Mode::RampVelocity;
+    if (profiled && drive.profile == setPoint)
+        return; // sending it again would begin it again
+    drive.profile = profiled ? std::optional(setPoint) : std::nullopt;
+    const std::uint8_t mask = maskOf(axis);
+    switch (setPoint.mode) {
+    case Mode::Duty:
+        m_orders.post(setPower(mask, static_cast<std::int16_t>(std::lround(setPoint.target * fullPower))));
+        break;
+    case Mode::Velocity:
+        m_orders.post(setVelocityTarget(mask, setPoint.target, {.velocityTargetShifted = drive.shifted}));
+        break;
+    case Mode::Position: m_orders.post(setPositionTarget(mask, whole())); break;
+    case Mode::RampPosition:
+        m_orders.post(rampPosition(mask, whole(), setPoint.velocity, setPoint.acceleration));
+        break;
+    case Mode::RampVelocity: m_orders.post(rampVelocity(mask, whole(), setPoint.acceleration)); break;
+    default: break;
+    }
+}
+
+void AxisDrives::stop()
+{
+    for (int axis = 0; axis < axes; ++axis) {
+        if (isDriven(axis))
+            record(axis, std::nullopt);
+    }
+    m_drives = {};
+}
+
+Mode AxisDrives::mode(int axis) const
+{
+    const Drive &drive = m_drives[static_cast<std::size_t>(axis)];
+    switch (drive.mode) {
+    case ControlMode::Off: break;
+    case ControlMode::Power: return Mode::Duty;
+    case ControlMode::Position: return drive.profile ? Mode::RampPosition : Mode::Position;
+    case ControlMode::Velocity: return drive.profile ? Mode::RampVelocity : Mode::Velocity;
+    }
+    return Mode::Off;
+}
+
+} // namespace mb::quadquad2drv

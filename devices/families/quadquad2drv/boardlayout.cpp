@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/quadquad2drv/boardlayout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mb::quadquad2drv {
+
+BoardLayout::BoardLayout(SpiLink &link, PacketPort &port, Owner owner)
+    : m_link(link)
+    , m_port(port)
+    , m_owner(std::move(owner))
+{
+}
+
+Task<void> BoardLayout::read()
+{
+    auto masksTask = m_port.request(getRequest(PacketId::GetDataMask));
+    const Packet masksReply = co_await std::move(masksTask);
+    auto configTask = m_port.request(getRequest(PacketId::GetStreamConfig));
+    const Packet configReply = co_await std::move(configTask);
+    auto periodTask = m_port.request(getRequest(PacketId::GetStreamPeriod));
+    const Packet periodReply = co_await std::move(periodTask);
+    const auto masks = parseDataMasks(masksReply);
+    const auto config = parseStreamConfig(configReply);
+    const auto period = parseStreamPeriod(periodReply);
+    if (!masks || !config || !period)
+        co_return fail(Fault::BadReply, say("the stream settings have an unexpected length"));
+    detectReset(*masks);
+    m_port.setLayout(*masks, *config);
+    m_streamPeriod = *period;
+    m_owner.streamChanged();
+    co_return {};
+}
+
+Task<void> BoardLayout::tellEverything()
+{
+    if (!m_resetKnown) {
+        auto checking = check();
+        co_await std::move(checking);
+        if (m_restarted)
+            co_return fail(
+                Fault::Unsafe, say("the board was reset since its settings were written"), say("look at it again"));
+    }
+    auto masks = m_port.request(setDataMask(allAxes, datamask::everything));
+    co_await std::move(masks);
+    m_changed = true;
+    auto layout = read();
+    co_await std::move(layout);
+    co_return {};
+}
+
+/// A board that was reset has its start-up data masks again. At the first look that tells of a reset since the settings in its
+/// profile were written, by this run of the program or another one: all that write set other masks first.
+Task<void> BoardLayout::check()
+{
+    auto asking = m_port.request(getRequest(PacketId::GetDataMask), 1);
+    const Packet reply = co_await std::move(asking);
+    const auto masks = parseDataMasks(reply);
+    if (!masks)
+        co_return fail(Fault::BadReply, say("the data masks have an unexpected length"));
+    detectReset(*masks);
+    if (*masks != m_port.masks()) // another program has changed what the board sends
+        m_port.setLayout(*masks, m_port.streamConfig());
+    co_return {};
+}
+
+/// Wherever the masks are seen: what is understood with the new ones must not hide what they mean.
+void BoardLayout::detectReset(const DataMasks &masks)
+{
+    const bool startUp
+        = std::all_of(masks.begin(), masks.end(), [](std::uint8_t mask) { return mask == datamask::startUp; });
+    const bool told = m_changed && masks != m_port.masks();
+    const bool before = !m_resetKnown && m_owner.holdsSettings();
+    m_resetKnown = true;
+    if (startUp && (told || before))
+        forget();
+}
+
+void BoardLayout::forget()
+{
+    m_changed = false;
+    m_restarted = true;
+    m_streamPeriod = 0;
+    m_port.setLayout({datamask::startUp, datamask::startUp, datamask::startUp, datamask::startUp}, 0);
+    m_owner.reset();
+}
+
+Task<bool> BoardLayout::setRate(ChannelIndex channel, double hertz)
+{
+    m_wishes.set(channel, hertz);
+    const double wished = m_wishes.highest();
+    std::uint16_t period = 0;
+    if (wished > 0.0) {
+        const double units = 1e9 / wished / static_cast<double>(streamUnit.count());
+        period = static_cast<std::uint16_t>(std::clamp(std::round(units), 1.0 * fastestStream, 65535.0));
+    }
+    if (period == m_streamPeriod && (period == 0 || m_told)) // another channel wishes the same, or more
+        co_return false;
+    if (period > 0) {
+        auto telling = tellEverything();
+        co_await std::move(telling);
+        auto config = m_port.request(setStreamConfig(streamconfig::elapsed));
+        co_await std::move(config);
+    }
+    if (!m_link.ready().has_value())
+        co_return fail(
+            Fault::Unsupported, say("without a ready line the board is asked 100 times a second, and cannot stream"));
+    auto setting = m_port.request(setStreamPeriod(period));
+    co_await std::move(setting);
+    auto layout = read();
+    co_await std::move(layout);
+    m_told = period > 0;
+    m_link.watchReady(streamUnit * period / 4);
+    co_return true;
+}
+
+} // namespace mb::quadquad2drv

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "families/quadquad2drv/packetport.h"
+#include "telemetry/ratewishes.h"
+
+#include <functional>
+
+namespace mb::quadquad2drv {
+
+/// What a board is told to tell: the data masks of its axes, the stream and its period. Finding the start-up masks again means
+/// that it was reset, with all that it had been told (README.md#reset). Engine thread; outlives its tasks.
+class BoardLayout {
+public:
+    struct Owner {
+        std::function<bool()> holdsSettings; ///< the profile says that something was written
+        std::function<void()> reset;         ///< the board was: forget() has been called
+        std::function<void()> streamChanged; ///< another period
+    };
+
+    BoardLayout(SpiLink &link, PacketPort &port, Owner owner);
+
+    /// Replies must fit the masks exactly, so these are read before anything is understood.
+    [[nodiscard]] Task<void> read();
+    /// Whole positions, velocity and status of every axis. Unsafe when the board was reset before: afterwards that could not be
+    /// seen any more.
+    [[nodiscard]] Task<void> tellEverything();
+    /// Looks for a reset.
+    [[nodiscard]] Task<void> check();
+    /// One rate for the whole board; the period is a multiple of 40.96 µs, at least one pass of the loop (README.md#ready-line). Yields
+    /// whether the stream is another. Unsupported without a ready line.
+    [[nodiscard]] Task<bool> setRate(ChannelIndex channel, double hertz);
+
+    [[nodiscard]] bool tellsEverything() const { return m_port.masks()[0] == datamask::everything; }
+    /// Units of 40.96 µs; 0: it does not stream.
+    [[nodiscard]] std::uint16_t streamPeriod() const { return m_streamPeriod; }
+    /// The board is told something that a reset undoes.
+    void noteChange() { m_changed = true; }
+    /// A reset may have come, or whether one came before this program did is not known.
+    [[nodiscard]] bool isInDoubt(bool heard) const { return m_changed || (heard && !m_resetKnown); }
+    [[nodiscard]] bool isResetKnown() const { return m_resetKnown; }
+    [[nodiscard]] bool hasRestarted() const { return m_restarted; }
+    /// What a reset took was read again.
+    void refreshed() { m_restarted = false; }
+    /// The board is as it starts up.
+    void forget();
+
+private:
+    void detectReset(const DataMasks &masks);
+
+    SpiLink &m_link;
+    PacketPort &m_port;
+    Owner m_owner;
+    RateWishes m_wishes;
+    std::uint16_t m_streamPeriod = 0;
+    bool m_told = false;       ///< a stream of ours runs, unless the board was reset
+    bool m_changed = false;    ///< we told the board something that a reset undoes
+    bool m_resetKnown = false; ///< whether the board was reset before we came is known
+    bool m_restarted = false;
+};
+
+} // namespace mb::quadquad2drv

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/quadquad2drv/settingrequests.h"
+
+#include "families/quadquad2drv/calibrations.h"
+
+#include <cmath>
+#include <utility>
+
+namespace mb::quadquad2drv {
+
+Readings SettingRequests::readings() const
+{
+    Readings now;
+    now.velocityTargetShifted = m_profile.calibrated(calibration::targetShift) == calibration::shiftedTarget;
+    now.libraryPolarity = m_profile.calibrated(calibration::inputReading) == calibration::asLibrary;
+    return now;
+}
+
+std::int64_t SettingRequests::known(int axis, AxisParameter which)
+{
+    const ParameterIndex index = indexOf(axis, which);
+    if (const auto raw = m_known.entry(index).raw)
+        return *raw;
+    const Parameter &row = m_known.parameter(index);
+    const auto raw = static_cast<std::int64_t>(std::llround(row.fallback * row.one));
+    m_known.setWritten(index, raw);
+    return raw;
+}
+
+Bytes SettingRequests::group(int axis, AxisParameter which, std::int64_t raw)
+{
+    const auto value = [&](AxisParameter other) { return other == which ? raw : known(axis, other); };
+    const auto gain = [&](AxisParameter other) { return static_cast<std::uint16_t>(value(other)); };
+    using enum AxisParameter;
+    if (which <= PositionWindup)
+        return setPositionGains(
+            maskOf(axis), {gain(PositionP), gain(PositionI), gain(PositionD), gain(PositionWindup)});
+    if (which <= VelocityD)
+        return setVelocityGains(maskOf(axis), {gain(VelocityP), gain(VelocityI), gain(VelocityD)});
+    InputSettings input;
+    input.configuration = inputConfiguration(static_cast<int>(value(InputMode)), static_cast<int>(value(InputPolarity)),
+        static_cast<int>(value(InputEdge)), readings());
+    input.spacing = gain(InputSpacing);
+    input.position = static_cast<std::int32_t>(value(InputPosition));
+    return setInputMode(maskOf(axis), input);
+}
+
+Bytes SettingRequests::writeBoard(BoardParameter which, std::uint32_t bits)
+{
+    const auto length = m_known.entry(indexOf(BoardParameter::HistoryLength)).raw;
+    const auto timeBits = m_known.entry(indexOf(BoardParameter::HistoryTimeBits)).raw;
+    switch (which) {
+    case BoardParameter::StreamPeriod: return setStreamPeriod(static_cast<std::uint16_t>(bits));
+    case BoardParameter::StreamConfig: return setStreamConfig(static_cast<std::uint8_t>(bits));
+    case BoardParameter::HistoryLength:
+        return setHistory(static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(timeBits.value_or(20)));
+    case BoardParameter::HistoryTimeBits: break;
+    }
+    return setHistory(static_cast<std::uint8_t>(length.value_or(31)), static_cast<std::uint8_t>(bits));
+}
+
+Bytes SettingRequests::write(ParameterIndex index, std::int64_t raw)
+{
+    const auto bits = static_cast<std::uint32_t>(raw);
+    if (isBoard(index))
+        return writeBoard(static_cast<BoardParameter>(index.value - axes * parametersPerAxis), bits);
+    const int axis = index.value / parametersPerAxis;
+    const auto which = static_cast<AxisParameter>(index.value % parametersPerAxis);
+    switch (which) {
+    case AxisParameter::LimitPower: return setPowerLimit(maskOf(axis), static_cast<std::uint16_t>(bits));
+    case AxisParameter::LimitVelocity: return setVelocityLimit(maskOf(axis), bits);
+    case AxisParameter::LimitAcceleration: return setAccelerationLimit(maskOf(axis), bits);
+    case AxisParameter::DataMask: return setDataMask(maskOf(axis), static_cast<std::uint8_t>(bits));
+    case AxisParameter::Counter: return setPosition(maskOf(axis), 3, static_cast<std::int32_t>(raw));
+    default: return group(axis, which, raw);
+    }
+}
+
+std::vector<Bytes> SettingRequests::ofAxis(int axis)
+{
+    using enum AxisParameter;
+    (void)firstLimit(axis);
+    const auto bits = [&](AxisParameter which) { return static_cast<std::uint32_t>(known(axis, which)); };
+    return {
+        setPowerLimit(maskOf(axis), static_cast<std::uint16_t>(bits(LimitPower))),
+        setVelocityLimit(maskOf(axis), bits(LimitVelocity)),
+        setAccelerationLimit(maskOf(axis), bits(LimitAcceleration)),
+        group(axis, PositionP, known(axis, PositionP)),
+        group(axis, VelocityP, known(axis, VelocityP)),
+        input(axis),
+    };
+}
+
+Bytes SettingRequests::input(int axis)
+{
+    return group(axis, AxisParameter::InputMode, known(axis, AxisParameter::InputMode));
+}
+
+bool SettingRequests::takeReadingChange()
+{
+    const bool library = readings().libraryPolarity;
+    return library != std::exchange(m_libraryPolarity, library);
+}
+
+std::vector<Bytes> SettingRequests::writtenInputs()
+{
+    std::vector<Bytes> inputs;
+    for (int axis = 0; axis < axes; ++axis) {
+        if (m_known.entry(indexOf(axis, AxisParameter::InputMode)).raw)
+            inputs.push_back(input(axis));
+    }
+    return inputs;
+}
+
+std::optional<Bytes> SettingRequests::firstLimit(int axis)
+{
+    const ParameterIndex index = indexOf(axis, AxisParameter::LimitPower);
+    if (m_known.entry(index).raw)
+        return std::nullopt;
+    m_known.setWritten(index, firstPowerLimit);
+    return setPowerLimit(maskOf(axis), static_cast<std::uint16_t>(firstPowerLimit));
+}
+
+namespace {
+
+Task<std::int64_t> readBoard(PacketPort &port, BoardParameter which)
+{
+    constexpr std::array<PacketId, 4> requests{
+        PacketId::GetStreamPeriod, PacketId::GetStreamConfig, PacketId::GetHistory, PacketId::GetHistory};
+    auto asking = port.request(getRequest(requests[static_cast<std::size_t>(which)]));
+    const Packet reply = co_await std::move(asking);
+    std::optional<std::int64_t> value;
+    if (which == BoardParameter::StreamPeriod)
+        value = parseStreamPeriod(reply);
+    else if (which == BoardParameter::StreamConfig)
+        value = parseStreamConfig(reply);
+    else if (const auto history = parseHistory(reply))
+        value = which == BoardParameter::HistoryLength ? history->length : history->timeBits;
+    if (!value)
+        co_return fail(Fault::BadReply, say("the reply has an unexpected length"));
+    co_return *value;
+}
+
+} // namespace
+
+Task<std::int64_t> readParameter(PacketPort &port, ParameterIndex index)
+{
+    if (isBoard(index)) {
+        auto reading = readBoard(port, static_cast<BoardParameter>(index.value - axes * parametersPerAxis));
+        const std::int64_t value = co_await std::move(reading);
+        co_return value;
+    }
+    const auto axis = static_cast<std::size_t>(index.value / parametersPerAxis);
+    if (static_cast<AxisParameter>(index.value % parametersPerAxis) == AxisParameter::DataMask) {
+        auto asking = port.request(getRequest(PacketId::GetDataMask));
+        const Packet reply = co_await std::move(asking);
+        const auto masks = parseDataMasks(reply);
+        if (!masks)
+            co_return fail(Fault::BadReply, say("the data masks have an unexpected length"));
+        co_return (*masks)[axis];
+    }
+    std::array<std::uint8_t, axes> sizes{};
+    sizes[axis] = datamask::positionSize;
+    auto asking = port.request(getPositions(sizes));
+    const Packet reply = co_await std::move(asking);
+    const auto positions = parsePositions(reply, sizes);
+    if (!positions)
+        co_return fail(Fault::BadReply, say("the positions have an unexpected length"));
+    co_return *(*positions)[axis];
+}
+
+} // namespace mb::quadquad2drv

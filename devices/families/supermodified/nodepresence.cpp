@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/supermodified/nodepresence.h"
+
+#include <utility>
+
+namespace mb::supermodified {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Duration foreignMemory = 500ms;
+
+} // namespace
+
+NodePresence::NodePresence(Line &line, const Node &node, Owner owner)
+    : m_line(line)
+    , m_node(node)
+    , m_owner(std::move(owner))
+    , m_foreign(line.clock())
+    , m_overheard(line.overheard().add([this](const Frame &frame) { overhear(frame); }))
+{
+}
+
+bool NodePresence::setHeard(bool heard)
+{
+    return std::exchange(m_heard, heard);
+}
+
+bool NodePresence::answered()
+{
+    m_missed = std::exchange(m_misses, 0) > 0;
+    return m_missed;
+}
+
+void NodePresence::located(std::int64_t raw, bool isAsked)
+{
+    if (m_missed && m_position.value_or(0) != 0 && raw == 0)
+        m_supply = isAsked ? Supply::Doubted : Supply::Lost;
+    m_position = raw;
+}
+
+void NodePresence::notStarted()
+{
+    if (m_supply == Supply::Doubted)
+        m_supply = Supply::Lost;
+}
+
+void NodePresence::moved()
+{
+    if (m_supply == Supply::Doubted)
+        m_supply = Supply::Kept;
+}
+
+void NodePresence::overhear(const Frame &frame)
+{
+    const CommandForm *const message = messageOf(frame.command);
+    const bool forUs = frame.to == m_node.id || frame.to == broadcastId;
+    if (!forUs || frame.from == m_line.roster().hostId() || message == nullptr || !message->control)
+        return;
+    m_owner.commanded();
+    m_foreign.startIn(foreignMemory, [this] { m_owner.changed(); });
+    m_owner.changed();
+}
+
+} // namespace mb::supermodified

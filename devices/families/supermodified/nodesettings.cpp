@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/supermodified/nodesettings.h"
+
+#include "families/supermodified/parameters.h"
+
+namespace mb::supermodified {
+
+NodeSettings::NodeSettings(Line &line, const Node &node, const ParameterStore &known, CodeSink codes)
+    : m_line(line)
+    , m_node(node)
+    , m_known(known)
+    , m_codes(std::move(codes))
+{
+}
+
+bool NodeSettings::offers(ParameterIndex index) const
+{
+    return isOffered(m_known.parameter(index), m_node.dialect);
+}
+
+Task<Frame> NodeSettings::talk(Line::Request request)
+{
+    return converse(m_line, std::move(request), m_codes);
+}
+
+Task<std::int64_t> NodeSettings::readNumber(Command command)
+{
+    if (!m_node.dialect)
+        co_return fail(Fault::Unsupported, say("its dialect is not known"));
+    const Format format = formatOf(command, *m_node.dialect);
+    auto task = talk(asking(m_node, command));
+    const Frame reply = co_await std::move(task);
+    const auto value = valueOf(reply.payload(), format);
+    if (!value)
+        co_return fail(Fault::BadReply, say("an answer of %1 bytes", reply.size));
+    co_return *value;
+}
+
+Task<std::int64_t> NodeSettings::read(ParameterIndex index)
+{
+    const Parameter &row = m_known.parameter(index);
+    if (row.id == id::nodeId)
+        co_return m_node.id;
+    if (row.id == id::baudrate)
+        co_return m_node.baudrate;
+    const auto getter = getterOf(row);
+    if (!getter || !offers(index))
+        co_return fail(Fault::Unsupported, say("%1 does not exist in this device's dialect", row.key));
+    auto reading = readNumber(*getter);
+    const Result<std::int64_t> raw = co_await std::move(reading).attempt();
+    if (!raw)
+        co_return fail(raw.error().about(row.key));
+    noteRead(row, *raw);
+    co_return *raw;
+}
+
+Task<void> NodeSettings::writeNumber(Command command, std::int64_t raw)
+{
+    Node node = m_node;
+    if (!node.dialect && command == Command::ErrorLevel)
+        node.dialect = Dialect::D1; // the way out of level 1; D3 refuses the short form
+    auto request = setting(node, command, raw);
+    if (!request)
+        co_return fail(request.error());
+    auto task = talk(std::move(*request));
+    (void)co_await std::move(task);
+    co_return {};
+}
+
+/// D1 and D2 take the duration for the limit until they restart (README.md#settings), so the limit is put back.
+Task<void> NodeSettings::writeDuration(std::int64_t raw)
+{
+    if (m_node.dialect == Dialect::D3) {
+        auto writing = writeNumber(Command::CurrentLimitDuration, raw);
+        co_await std::move(writing);
+        co_return {};
+    }
+    if (!m_owedLimit) { // else what it reports is the last duration
+        auto reading = readNumber(Command::GetCurrentLimit);
+        m_owedLimit = co_await std::move(reading);
+    }
+    const std::int64_t limit = *m_owedLimit;
+    auto writing = writeNumber(Command::CurrentLimitDuration, raw);
+    co_await std::move(writing);
+    auto again = writeNumber(Command::CurrentLimit, limit);
+    const Result<void> restored = co_await std::move(again).attempt();
+    if (restored)
+        m_owedLimit.reset();
+    else
+        co_return fail(restored.error().fault,
+            say("written, but the current limit, which this firmware overwrites with it, could not be put back to %1 "
+                "mA: %2",
+                limit, restored.error().message()));
+    co_return {};
+}
+
+Task<std::int64_t> NodeSettings::write(ParameterIndex index, std::int64_t raw)
+{
+    const Parameter &row = m_known.parameter(index);
+    if (!offers(index))
+        co_return fail(Fault::Unsupported, say("%1 does not exist in this device's dialect", row.key));
+    if (row.id == id::nodeId && raw != m_node.id && m_line.roster().nodes().contains(static_cast<int>(raw)))
+        co_return fail(Fault::Refused, say("node id %1 is used by another node of this line", raw));
+    auto writing = row.id == id::currentLimitDuration ? writeDuration(raw) : writeNumber(setterOf(row), raw);
+    const Result<void> written = co_await std::move(writing).attempt();
+    if (!written)
+        co_return fail(written.error().about(row.key));
+    noteWritten(row, raw);
+    co_return raw;
+}
+
+void NodeSettings::noteRead(const Parameter &row, std::int64_t raw)
+{
+    Roster &roster = m_line.roster();
+    switch (row.id) {
+    case id::gainP: roster.noteGain(m_node.id, raw); break;
+    case id::profileVelocity: roster.noteProfileVelocity(m_node.id, raw); break;
+    case id::profileAcceleration: roster.noteProfileAcceleration(m_node.id, raw); break;
+    case id::nodeMask: roster.noteMask(m_node.id, static_cast<std::uint8_t>(raw)); break;
+    default: break;
+    }
+}
+
+/// What is in force after a restart only counts from now on, because nobody says when that comes.
+void NodeSettings::noteWritten(const Parameter &row, std::int64_t raw)
+{
+    switch (row.id) {
+    case id::nodeMask: m_line.roster().noteNextMask(m_node.id, static_cast<std::uint8_t>(raw)); break;
+    case id::nodeId: m_line.roster().noteNextId(m_node.id, static_cast<int>(raw)); break;
+    case id::currentLimit: m_owedLimit.reset(); break;
+    default: noteRead(row, raw); break;
+    }
+}
+
+} // namespace mb::supermodified
