@@ -7,6 +7,8 @@ set_package_properties(Threads PROPERTIES TYPE REQUIRED PURPOSE "The engine thre
 find_package(PkgConfig REQUIRED)
 set_package_properties(PkgConfig PROPERTIES TYPE REQUIRED PURPOSE "Finds what has no CMake files of its own")
 pkg_check_modules(GPIOD REQUIRED IMPORTED_TARGET libgpiod<2) # 1.6: ready and reset line of SPI boards
+pkg_check_modules(ZSTD REQUIRED IMPORTED_TARGET libzstd) # chunks of recordings that other programs made
+pkg_check_modules(LZ4 REQUIRED IMPORTED_TARGET liblz4)
 pkg_check_modules(MOSQUITTO REQUIRED IMPORTED_TARGET libmosquitto) # `watch --to mqtt://`: samples to a broker
 
 find_package(Qt5 5.15 REQUIRED COMPONENTS Core Gui Widgets PrintSupport Svg Sql SerialPort SerialBus DBus LinguistTools)

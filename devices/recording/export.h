@@ -55,18 +55,7 @@ using ExportProgress = std::function<bool(double)>;
 [[nodiscard]] std::vector<ExportChannel> channelsOf(const DeviceView &device, bool simulated);
 /// Identity and parameters of a device, as they are now: "device SELECTOR", "parameters SELECTOR".
 [[nodiscard]] std::vector<std::pair<std::string, mcap::Map>> describe(const DeviceView &device);
-/// What an MCAP file says of a channel.
-[[nodiscard]] mcap::Map aboutChannel(const ExportChannel &channel);
 /// "loss SELECTOR" with each channel's samples known missing in the stretch: "84 of 1700".
 [[nodiscard]] std::map<std::string, mcap::Map> lossOf(const ExportPlan &plan);
-
-/// A table with one row a time and one column a channel, in order of time; lines with # before it say what the columns
-/// are. Numbers with a dot; `nan` where the line is broken. The file appears under its name only when it is complete. LinkLost when it cannot be written,
-/// Cancelled. Any thread: the recordings are locked a block at a time.
-[[nodiscard]] Result<ExportReport> exportCsv(
-    const ExportPlan &plan, const std::string &path, const ExportProgress &progress);
-/// The same as MCAP: see McapWriter.
-[[nodiscard]] Result<ExportReport> exportMcap(
-    const ExportPlan &plan, const std::string &path, const ExportProgress &progress);
 
 } // namespace mb

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "recording/export.h"
+#include "recording/exportcsv.h"
 
 #include "async/outputfile.h"
 #include "recording/merge.h"

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "recording/joinrecordings.h"
+
 #include "async/outputfile.h"
 #include "recording/mcapreader.h"
-#include "recording/rollingrecorder.h"
+#include "recording/mcapwriter.h"
 
 #include <algorithm>
 #include <fcntl.h>

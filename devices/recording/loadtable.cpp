@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t longestLine = 1U << 20U;
 constexpr std::size_t mostColumns = 1000;
 
-std::vector<std::string> fieldsOf(const std::string &line)
+std::vector<std::string> fieldsOf(const std::string &line, char separator = ',')
 {
     std::vector<std::string> fields(1);
     bool quoted = false;
@@ -26,12 +26,24 @@ std::vector<std::string> fieldsOf(const std::string &line)
             fields.back() += line[++i];
         else if (c == '"')
             quoted = !quoted;
-        else if (c == ',' && !quoted)
+        else if (c == separator && !quoted)
             fields.emplace_back();
         else
             fields.back() += c;
     }
     return fields;
+}
+
+/// Of the first line: what parts most columns of comma, semicolon and tab.
+char separatorOf(const std::string &line)
+{
+    const auto count = [&line](char c) { return std::count(line.begin(), line.end(), c); };
+    char best = ',';
+    for (const char c : {';', '\t'}) {
+        if (count(c) > count(best))
+            best = c;
+    }
+    return best;
 }
 
 /// Where a program wrote that there is no number, it is NaN.
@@ -43,9 +55,11 @@ std::optional<double> numberOf(const std::string &text)
     return numberFrom(text);
 }
 
-std::optional<Instant> timeOf(const std::string &text, double offset)
+std::optional<Instant> timeOf(const std::string &text, double offset, double unit = 1.0)
 {
-    const auto seconds = numberOf(text);
+    auto seconds = numberOf(text);
+    if (seconds)
+        *seconds *= unit;
     constexpr double farthest = 9e9; // nanoseconds in 63 bits
     if (!seconds || !(std::abs(*seconds + offset) < farthest))
         return std::nullopt;
@@ -82,17 +96,19 @@ public:
             takeComment(line);
         if (line == "t,channel,value,unit")
             return readLong();
-        const std::vector<std::string> heads = fieldsOf(line);
+        m_separator = separatorOf(line);
+        const std::vector<std::string> heads = fieldsOf(line, m_separator);
         if (heads.size() < 2 || heads.size() > mostColumns || numberOf(heads[1])
             || line.find('\0') != std::string::npos)
             return wrong(say("there is no table here: expected time_s,name (unit),… or t,channel,value,unit"));
+        m_millis = titleAndUnit(heads.front()).second == "ms";
         for (std::size_t i = 1; i < heads.size(); ++i) {
             const auto [title, unit] = titleAndUnit(heads[i]);
             addLoadedChannel(*m_loaded, title, unit);
         }
         m_loaded->telemetry = std::make_shared<Telemetry>(m_loaded->table);
         while (next(line)) {
-            if (auto taken = takeRow(fieldsOf(line)); !taken)
+            if (auto taken = takeRow(fieldsOf(line, m_separator)); !taken)
                 return fail(taken.error());
         }
         return m_loaded;
@@ -130,7 +146,7 @@ private:
 
     Result<void> takeRow(const std::vector<std::string> &fields)
     {
-        const auto time = timeOf(fields.front(), m_offset);
+        const auto time = timeOf(written(fields.front()), m_offset, m_millis ? 1e-3 : 1.0);
         if (!time)
             return wrong(say("'%1' is no time in seconds", fields.front()));
         if (fields.size() > m_loaded->table.size() + 1)
@@ -138,7 +154,7 @@ private:
         for (std::uint16_t i = 1; i < fields.size(); ++i) {
             if (fields[i].empty())
                 continue;
-            const auto value = numberOf(fields[i]);
+            const auto value = numberOf(written(fields[i]));
             if (!value)
                 return wrong(say("'%1' is no number", fields[i]));
             const ChannelIndex channel{static_cast<std::uint16_t>(i - 1)};
@@ -184,9 +200,19 @@ private:
         return m_loaded;
     }
 
+    /// Spreadsheets of half the world write 1,5 and part columns by semicolons.
+    [[nodiscard]] std::string written(std::string number) const
+    {
+        if (m_separator != ',')
+            std::replace(number.begin(), number.end(), ',', '.');
+        return number;
+    }
+
     const std::string &m_path;
     std::ifstream m_file;
     std::size_t m_line = 0;
+    char m_separator = ',';
+    bool m_millis = false; ///< its times are milliseconds
     double m_offset = 0.0;
     std::shared_ptr<LoadedRecording> m_loaded = std::make_shared<LoadedRecording>();
 };

@@ -138,6 +138,7 @@ public:
         m_bytes = m_bytes.subspan(count);
         return taken;
     }
+    [[nodiscard]] std::span<const std::uint8_t> rest() const { return m_bytes; }
     [[nodiscard]] bool isEmpty() const { return m_bytes.empty(); }
     [[nodiscard]] bool ok() const { return m_ok; }
 

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "recording/mcapreader.h"
 
+#include "recording/jsonsignals.h"
+#include "recording/mcapchunk.h"
+
 #include <cerrno>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <set>
 #include <vector>
@@ -14,6 +18,7 @@ using mcap::Kind;
 using mcap::View;
 
 constexpr std::uint64_t longestRecord = 64U << 20U;
+constexpr std::size_t mostSignals = 4000;
 
 struct Close {
     void operator()(std::FILE *file) const { std::fclose(file); }
@@ -39,13 +44,14 @@ public:
         bool complete = false;
         while (!complete && next()) {
             complete = m_kind == Kind::DataEnd;
-            if (!complete && !take())
+            if (!complete && !take(m_kind, View(m_content)))
                 break;
         }
         if (!m_wrong.empty())
             return fail(Fault::OutOfRange, m_wrong);
-        if (m_samples.empty())
-            return fail(Fault::OutOfRange, say("%1 has no channel of samples", m_path));
+        if (m_signals.empty())
+            return fail(Fault::OutOfRange, say("%1 has no channel of samples", m_path),
+                say("messages in JSON can be read, and what this program wrote"));
         return complete;
     }
 
@@ -65,10 +71,9 @@ private:
         return std::fread(m_content.data(), 1, length, m_file.get()) == length;
     }
 
-    bool take()
+    bool take(Kind kind, View view)
     {
-        View view(m_content);
-        switch (m_kind) {
+        switch (kind) {
         case Kind::Schema: takeSchema(view); break;
         case Kind::Channel: takeChannel(view); break;
         case Kind::Message: takeMessage(view); break;
@@ -79,9 +84,7 @@ private:
                 m_reader.metadata(name, facts);
             break;
         }
-        case Kind::Chunk:
-            m_wrong = say("%1 has chunks; only files that this program wrote can be read", m_path);
-            return false;
+        case Kind::Chunk: return takeChunk(view);
         default: break;
         }
         return view.ok();
@@ -94,27 +97,75 @@ private:
             m_schemas.insert(id);
     }
 
+    /// Records inside a record, as most other programs write them.
+    bool takeChunk(View view)
+    {
+        const auto unpacked = mcap::recordsOf(view);
+        if (!unpacked) {
+            m_wrong = say("%1 cannot be read: %2", m_path, unpacked.error().message());
+            return false;
+        }
+        View records(*unpacked);
+        while (!records.isEmpty()) {
+            const auto kind = static_cast<Kind>(records.get<std::uint8_t>());
+            const View inside(records.take(static_cast<std::size_t>(records.get<std::uint64_t>())));
+            if (!records.ok() || kind == Kind::Chunk || !take(kind, inside))
+                return false;
+        }
+        return true;
+    }
+
     void takeChannel(View &view)
     {
         const auto id = view.get<std::uint16_t>();
         const bool ours = m_schemas.count(view.get<std::uint16_t>()) > 0;
         const std::string topic = view.text();
-        (void)view.text();
+        const std::string encoding = view.text();
         const mcap::Map about = view.map();
-        if (!view.ok() || !ours || !m_samples.insert(id).second)
+        if (!view.ok() || m_ours.count(id) > 0)
             return;
-        if (m_reader.channel)
-            m_reader.channel(id, topic, about);
+        if (ours)
+            m_ours[id] = signalOf(topic + '\0' + std::to_string(id), topic, about);
+        else if (encoding == "json")
+            m_topics.emplace(id, topic);
+    }
+
+    /// Numbered in the order in which the file names them.
+    std::uint16_t signalOf(const std::string &key, const std::string &name, const mcap::Map &about)
+    {
+        const auto number = static_cast<std::uint16_t>(m_signals.size());
+        const auto [signal, isNew] = m_signals.try_emplace(key, number);
+        if (isNew && m_reader.channel)
+            m_reader.channel(number, name, about);
+        return signal->second;
     }
 
     void takeMessage(View &view)
     {
         const auto channel = view.get<std::uint16_t>();
         (void)view.get<std::uint32_t>();
-        const auto time = view.get<std::uint64_t>();
+        const auto time = static_cast<std::int64_t>(view.get<std::uint64_t>());
         (void)view.get<std::uint64_t>();
-        if (m_samples.count(channel) == 0)
-            return;
+        if (const auto topic = m_topics.find(channel); topic != m_topics.end())
+            takeNumbers(topic->second, time, view);
+        else if (const auto ours = m_ours.find(channel); ours != m_ours.end())
+            takeSample(ours->second, time, view);
+    }
+
+    void takeNumbers(const std::string &topic, std::int64_t time, View &view)
+    {
+        eachNumber(view.rest(), [&](const std::string &way, double value) {
+            const std::string name = topic + way;
+            if (m_signals.size() >= mostSignals && m_signals.count(name) == 0)
+                return;
+            const std::uint16_t signal = signalOf(name, name, {});
+            if (m_reader.sample)
+                m_reader.sample(signal, time, value, 0, false);
+        });
+    }
+
+    void takeSample(std::uint16_t signal, std::int64_t time, View &view)
+    {
         double value = 0.0;
         std::uint64_t lost = 0;
         bool gap = false;
@@ -130,7 +181,7 @@ private:
                 return;
         }
         if (view.ok() && m_reader.sample)
-            m_reader.sample(channel, static_cast<std::int64_t>(time), value, lost, gap);
+            m_reader.sample(signal, time, value, lost, gap);
     }
 
     const McapReader &m_reader;
@@ -139,7 +190,9 @@ private:
     Kind m_kind = Kind::Header;
     std::vector<std::uint8_t> m_content;
     std::set<std::uint16_t> m_schemas;
-    std::set<std::uint16_t> m_samples; ///< channels of samples
+    std::map<std::uint16_t, std::uint16_t> m_ours; ///< channels of our samples, and their signals
+    std::map<std::uint16_t, std::string> m_topics; ///< channels of messages in JSON
+    std::map<std::string, std::uint16_t> m_signals;
     Message m_wrong;
 };
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "recording/rollingrecorder.h"
 
+#include "recording/exportmcap.h"
+#include "recording/joinrecordings.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "recording/export.h"
+#include "recording/exportcsv.h"
+#include "recording/exportmcap.h"
 #include "recording/loadrecording.h"
 #include "recording/mcapwriter.h"
 #include "recordingfolder.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "recording/joinrecordings.h"
 #include "recording/loadrecording.h"
 #include "recording/rollingrecorder.h"
 #include "recordingfolder.h"
