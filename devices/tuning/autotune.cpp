@@ -8,6 +8,8 @@
 #include "tuning/identificationchoice.h"
 #include "tuning/scalecalibration.h"
 #include "tuning/seconds.h"
+#include "tuning/tunedesign.h"
+#include "tuning/tuneproof.h"
 #include "tuning/verdict.h"
 
 namespace mb::tuning {
@@ -29,12 +31,45 @@ Task<void> model(AutotuneRun &run, const TunePlan &plan)
     co_return {};
 }
 
+/// The proposal that was asked for; where it does not hold, what it is reconsidered to.
+Task<void> proveAny(AutotuneRun &run, TuneDesign &design, TuneProof &proof)
+{
+    for (bool again = true; again;) {
+        auto proving = proof.prove();
+        co_await std::move(proving);
+        again = !run.isOver() && run.report().result == TuneResult::RolledBack;
+        if (again) {
+            auto reconsidering = design.reconsider();
+            again = co_await std::move(reconsidering);
+        }
+    }
+    co_return {};
+}
+
+/// What was proven tells enough for something better, where there is time.
+Task<void> sharpen(AutotuneRun &run, TuneDesign &design, TuneProof &proof)
+{
+    auto sharpening = design.sharpen(proof.seconds());
+    if (!co_await std::move(sharpening))
+        co_return {};
+    auto proving = proof.prove();
+    co_await std::move(proving);
+    if (run.report().stopReason == toString(Guard::Oscillation)) {
+        run.forgive(); // what was proven before did not swing
+        run.report().result = TuneResult::RolledBack;
+    }
+    if (!run.isOver())
+        design.takeTheBetter();
+    co_return {};
+}
+
 /// Ends with what the report says; an error is why the motor was refused.
 Task<void> perform(AutotuneRun &run, const TunePlan &plan)
 {
     if (!checkScales(run.device(), plan.loop)) {
         auto finding = findScales(run);
         co_await std::move(finding);
+        run.beginClock();
     }
     if (run.isOver())
         co_return {};
@@ -42,24 +77,23 @@ Task<void> perform(AutotuneRun &run, const TunePlan &plan)
     co_await std::move(modelling);
     if (run.isOver())
         co_return {};
-    auto proposing = run.propose();
+    TuneDesign design(run);
+    auto proposing = design.propose();
     co_await std::move(proposing);
     if (plan.propose) {
         run.report().result = TuneResult::Proposed;
         co_return {};
     }
-    for (bool again = true; again;) {
-        auto proving = run.prove();
-        co_await std::move(proving);
-        again = !run.isOver() && run.report().result == TuneResult::RolledBack;
-        if (again) {
-            auto reconsidering = run.reconsider();
-            again = co_await std::move(reconsidering);
-        }
-    }
+    TuneProof proof(run, design);
+    auto proving = proveAny(run, design, proof);
+    co_await std::move(proving);
     if (run.isOver() || run.report().result == TuneResult::RolledBack)
         co_return {};
-    auto keeping = run.keep();
+    auto sharpening = sharpen(run, design, proof);
+    co_await std::move(sharpening);
+    if (run.isOver())
+        co_return {};
+    auto keeping = proof.keep();
     co_await std::move(keeping);
     co_return {};
 }

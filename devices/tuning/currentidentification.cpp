@@ -27,7 +27,6 @@ constexpr std::size_t fewestCurrents = 8; ///< samples of a push
 constexpr double mostUnlike = 0.15;
 constexpr double mostDoubt = 0.1;
 constexpr double restAhead = 0.2; ///< s before a push, in which nothing flows
-constexpr double mostNoise = 0.1; ///< of the step of a proof
 
 using Squares = LeastSquares<2>;
 
@@ -204,11 +203,12 @@ Result<void> CurrentIdentification::conclude(AutotuneRun &run) const
     const double step = currentStep(ohm->gain, run.envelope());
     const double noise = currentNoise(m_pushes);
     gates.push_back({"resolution",
-        say("a step of %1 stands in noise of %2, at most %3 of it", amperes(step), amperes(noise),
-            percentText(mostNoise)),
-        noise <= mostNoise * step, say("this unit is for motors of more current")});
+        say("a step of %1 stands in noise of %2, at most %3; the mean of %4 tells it", amperes(step), amperes(noise),
+            amperes(mostNoise(step)), currentRepeats(noise, step)),
+        noise <= mostNoise(step), say("this unit is for motors of more current")});
     PlantModel plant{ohm->gain, electricalTime, currentDelays * run.device().family().loop->cycle, 0.0};
     plant.backDuty = std::max(ohm->back, 0.0);
+    plant.noise = noise;
     return run.take({std::move(found), plant, std::move(gates), std::nullopt});
 }
 

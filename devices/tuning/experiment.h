@@ -26,7 +26,8 @@ struct ExperimentPlan {
     /// Counts: a push that changes its sign whenever the motor has passed its start by so much the way it is pushed, until it has swung
     /// nine times; duty mode only.
     std::optional<double> relay;
-    std::optional<double> rate;         ///< samples per second asked for; nothing: the family's usual
+    std::optional<double> rate; ///< samples per second asked for; nothing: the family's usual
+    double noise = 0.0;         ///< σ of what a loop measures, where it is known: no swing of it is taken for one
     std::vector<ParameterChange> gains; ///< in force while it runs
     Keep keep = Keep::Never;            ///< and afterwards
     Envelope limits;                    ///< what the caller allows

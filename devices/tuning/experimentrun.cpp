@@ -229,6 +229,7 @@ GuardPlan ExperimentRun::guardPlan() const
     plan.envelope = m_trial.envelope;
     plan.origin = m_origin;
     plan.swing = std::abs(stimulus.to - stimulus.from);
+    plan.noise = m_plan.noise;
     plan.dutyKnown = m_plan.mode == Mode::Duty || axisChannel(m_device, "duty", m_plan.axis).has_value();
     plan.isVelocity = m_plan.mode == Mode::Velocity;
     plan.breakaway = m_breakaway;

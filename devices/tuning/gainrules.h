@@ -19,6 +19,7 @@ struct PlantModel {
     double braking = 1.0;      ///< times as strongly as it drives, that a current brakes (rollout.h)
     double stallCurrent = 0.0; ///< A per duty at standstill; 0: not known
     double backDuty = 0.0;     ///< duty that a count/s takes off it
+    double noise = 0.0;        ///< σ of what a current loop measures, A
 
     friend bool operator==(const PlantModel &, const PlantModel &) = default;
 };

@@ -35,6 +35,12 @@ constexpr std::array<Doubt, 3> doubts{{
     {1.0, 1.08, 1.15, 0.02, 0.25}, // hot, with a supply that sags, or with grease that is cold
     {1.02, 0.96, 0.87, 0.02, 0.25},
 }};
+/// Of a model that its own steps have corrected.
+constexpr std::array<Doubt, 3> smallDoubts{{
+    {1.0, 1.0, 1.0, 0.0, 0.6},
+    {1.0, 1.03, 1.05, 0.01, 0.2},
+    {1.01, 0.98, 0.95, 0.01, 0.2},
+}};
 /// Where a loop of whole steps comes to rest is a matter of luck: what is good on the average is wanted.
 constexpr std::array<Doubt, 8> wholeDoubts{{
     {1.0, 1.0, 1.0, 0.0, 0.16},
@@ -50,8 +56,8 @@ constexpr double overshootPrice = 40.0; ///< of the integral, for each unit beyo
 constexpr double near = 4.0;            ///< counts beside a target that nobody asks to be mended
 constexpr double never = std::numeric_limits<double>::infinity();
 
-constexpr std::array<double, 6> responses{0.6, 0.8, 1.0, 1.3, 1.9, 3.0};      ///< delays
-constexpr std::array<double, 6> integralTimes{0.35, 0.5, 0.7, 1.0, 1.4, 2.0}; ///< lags of the motor
+constexpr std::array<double, 9> responses{0.6, 0.8, 1.0, 1.3, 1.9, 3.0, 4.5, 7.0, 11.0}; ///< delays
+constexpr std::array<double, 6> integralTimes{0.35, 0.5, 0.7, 1.0, 1.4, 2.0};            ///< lags of the motor
 constexpr std::array<double, 4> dampings{0.6, 0.8, 1.0, 1.4};
 constexpr std::array<double, 3> integralWeights{0.03, 0.08, 0.2};
 constexpr int frequencies = 7;
@@ -63,6 +69,20 @@ struct Found {
     double price = never;
 };
 
+std::span<const Doubt> doubtsOf(const SearchTask &task)
+{
+    return task.shape.integralStep > 0.0 ? std::span<const Doubt>(wholeDoubts)
+        : task.isProven                  ? std::span<const Doubt>(smallDoubts)
+                                         : std::span<const Doubt>(doubts);
+}
+
+/// Of each step.
+double secondsOf(const PlantModel &plant, double response, const SearchTask &task)
+{
+    const double longer = task.shape.integralStep > 0.0 ? longerSteps : 1.0;
+    return std::clamp((6.0 * (plant.delay + response) + 3.0 * plant.tau) * longer, 0.8, 4.0);
+}
+
 class Search {
 public:
     Search(Mode loop, const PlantModel &plant, const Design &start, const SearchTask &task)
@@ -70,14 +90,19 @@ public:
         , m_plant(plant)
         , m_task(task)
         , m_start(start)
-        , m_seconds(std::clamp((6.0 * (plant.delay + start.response) + 3.0 * plant.tau)
-                  * (task.shape.integralStep > 0.0 ? longerSteps : 1.0),
-              0.8, 4.0))
-        , m_doubts(task.shape.integralStep > 0.0 ? std::span<const Doubt>(wholeDoubts) : std::span<const Doubt>(doubts))
+        , m_seconds(secondsOf(plant, start.response, task))
+        , m_doubts(doubtsOf(task))
         , m_near(loop == Mode::Position ? near / std::abs(task.step) : 0.0)
     {
         if (task.shape.integralStep == 0.0)
             m_task.shape.period = std::max({task.shape.period, plant.delay / passesOfDelay, m_seconds / mostPasses});
+    }
+
+    /// Of one motor alone.
+    [[nodiscard]] double errorOf(const ContinuousGains &gains) const
+    {
+        double overshoot = 0.0;
+        return steps(m_plant, gains, never, overshoot);
     }
 
     [[nodiscard]] Found best() const
@@ -283,6 +308,13 @@ Design searched(Mode loop, const PlantModel &plant, const Design &start, const S
     Design design = start;
     design.gains = best.gains;
     return design;
+}
+
+double errorOfSteps(Mode loop, const PlantModel &plant, const ContinuousGains &gains, const SearchTask &task)
+{
+    Design start;
+    start.response = responseOf(loop, Aim::Normal, plant);
+    return Search(loop, plant, start, task).errorOf(gains);
 }
 
 } // namespace mb::tuning

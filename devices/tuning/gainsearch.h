@@ -17,6 +17,7 @@ struct SearchTask {
         = 0.0; ///< s between set-points of a profile, which a position loop must not answer one by one; 0: none
     ContinuousGains least; ///< that the device can have, of each gain that is not 0
     LoopShape shape;
+    bool isProven = false; ///< a loop on this model was seen to do what it predicts
 };
 
 /// Gains around those of a rule that make the integral of time times error of this step smallest, on the model: what friction,
@@ -24,5 +25,10 @@ struct SearchTask {
 /// loop, natural frequency of a position loop), within the same bounds, and hardly without overshoot, also of a motor
 /// that is 15 % slower than thought, or whose friction the integral carries already. `start` itself where nothing is better.
 [[nodiscard]] Design searched(Mode loop, const PlantModel &plant, const Design &start, const SearchTask &task);
+
+/// s², integral of time times error over the step, of the steps of `task` on the model alone; the search makes the mean over its doubts
+/// smallest.
+[[nodiscard]] double errorOfSteps(
+    Mode loop, const PlantModel &plant, const ContinuousGains &gains, const SearchTask &task);
 
 } // namespace mb::tuning

@@ -26,6 +26,7 @@ constexpr double planMargin = 1.5;
 constexpr Duration silence = 100ms;
 constexpr int silentPeriods = 5;
 constexpr double mostLost = 0.05;
+constexpr double surelyReal = 5.0;     ///< σ of the noise
 constexpr double fullPush = 1.0 / 3.0; ///< breakaway for which a push of 1 surely moves it
 
 double rounded(double value)
@@ -185,7 +186,7 @@ std::optional<Trip> Guards::busVoltage(Instant time, double volts)
 
 std::optional<Trip> Guards::error(Instant time, double error)
 {
-    m_oscillation.error(error, m_plan.swing);
+    m_oscillation.error(error, m_plan.swing, surelyReal * m_plan.noise);
     if (!m_plan.dutyKnown && !m_plan.isVelocity)
         m_motion.duty(time, pushOf(error), fullPush);
     if (m_oscillation.growing() < growingPeaks)

@@ -41,6 +41,7 @@ struct GuardPlan {
     Envelope envelope;       ///< what is missing is not watched
     double origin = 0.0;     ///< counts, where the motor was at the start
     double swing = 0.0;      ///< |Y − X| in the unit of the mode
+    double noise = 0.0;      ///< σ of what is measured, in the same unit
     bool dutyKnown = true;   ///< else a large error on end stands for a duty that pushes
     bool isVelocity = false; ///< the loop's: there a large target does
     double lag = 0.15;       ///< s, in which a braked motor stops, at most

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 
 namespace mb::tuning {
 namespace {
@@ -17,6 +19,9 @@ constexpr double mostAsymmetry = 0.10;
 constexpr double leastCounts = 50.0;
 constexpr double mostFrictionShare = 0.7; ///< of the smallest push
 constexpr double nearLimit = 0.98;
+constexpr double brokenGrowth = 1.5; ///< times what is usual
+constexpr double leastPause = 0.04;  ///< s
+constexpr double sameSize = 0.15;
 
 /// While the duty still grows, nothing is fitted.
 Trace without(const Trace &trace, double from, double to)
@@ -47,6 +52,29 @@ double restVoltage(const Trial &trial)
     return bus ? meanOver(bus->trace, -1.0, 0.0, bus->trace.isEmpty() ? 0.0 : bus->trace.y.front()) : 0.0;
 }
 
+/// A device that is led to its duty in steps waits on its way where the order of one of them is lost: such a push is none of one duty.
+/// It goes where the others are enough without it: of both sizes and both ways.
+void leaveOutBroken(std::vector<PushRecord> &records)
+{
+    std::vector<double> growths;
+    for (const PushRecord &record : records)
+        growths.push_back(record.growth / std::abs(record.duty));
+    const double usual = median(growths);
+    const auto isBroken = [&](const PushRecord &record) {
+        return record.growth > brokenGrowth * usual * std::abs(record.duty) + leastPause;
+    };
+    const auto isAlike = [](const PushRecord &one, const PushRecord &other) {
+        return std::abs(one.duty - other.duty) < sameSize * std::abs(one.duty);
+    };
+    std::vector<PushRecord> whole;
+    std::copy_if(records.begin(), records.end(), std::back_inserter(whole), std::not_fn(isBroken));
+    const bool enough = std::all_of(records.begin(), records.end(), [&](const PushRecord &one) {
+        return std::any_of(whole.begin(), whole.end(), [&](const PushRecord &other) { return isAlike(one, other); });
+    });
+    if (enough)
+        records = std::move(whole);
+}
+
 bool growsSlowly(const std::vector<Trial> &pushes)
 {
     return std::any_of(pushes.begin(), pushes.end(), [](const Trial &trial) {
@@ -75,6 +103,7 @@ std::vector<PushRecord> pushesOf(const Trial &trial, double friction)
         PushRecord record;
         record.position = without(position->trace.part(std::min(edge, hold.from) - beforePush, hold.to, edge),
             hold.from - edge, whole - edge);
+        record.growth = whole - edge;
         record.duty = duty ? meanOver(duty->trace, whole + 0.01, hold.to, target) : target;
         if (bus && rest > 0.0)
             record.duty *= meanOver(bus->trace, 0.5 * (edge + hold.to), hold.to, rest) / rest;
@@ -98,13 +127,14 @@ Result<MotorFound> identify(const std::vector<Trial> &pushes)
     }
     for (int pass = 0; pass < 2; ++pass) {
         std::vector<PushRecord> records;
-        std::vector<double> duties;
         for (const Trial &trial : pushes) {
-            for (PushRecord &record : pushesOf(trial, found.line.friction)) {
-                duties.push_back(record.duty);
+            for (PushRecord &record : pushesOf(trial, found.line.friction))
                 records.push_back(std::move(record));
-            }
         }
+        leaveOutBroken(records);
+        std::vector<double> duties;
+        for (const PushRecord &record : records)
+            duties.push_back(record.duty);
         const auto fit = fitPushes(records);
         if (!fit)
             return fail(fit.error());

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 
 namespace mb::tuning {
 namespace {
@@ -12,10 +14,14 @@ namespace {
 constexpr double band = 0.02;
 constexpr double quiet = 1e-3;       ///< σ of the step below which nothing is smoothed
 constexpr double unreadable = 0.015; ///< σ above which one run tells no settling time …
-constexpr int enoughRepeats = 4;     ///< … but as many do
-constexpr double fewSamples = 1.6;   ///< periods either side: where it is steep, or without noise
-constexpr double manySamples = 4.2;  ///< where it is flat
-constexpr double slowTime = 1.0;     ///< times the rise to a half
+constexpr double muchNoise = 0.05;   ///< σ with which one sample says little
+constexpr int manyRepeats = 6;
+constexpr int enoughRepeats = 4;    ///< … but as many do
+constexpr double fewSamples = 1.6;  ///< periods either side: where it is steep, or without noise
+constexpr double manySamples = 4.2; ///< where it is flat
+constexpr double riseTime = 0.35;   ///< of the rise to a half, over which noise is taken out of it
+constexpr double slowTime = 1.0;    ///< times the rise to a half
+constexpr double wideMean = 3.0;    ///< times the rise to a half
 constexpr double leastEnd = 0.05;
 constexpr double madToSigma = 1.4826;
 constexpr double quadraticGain = 2.25; ///< noise that a local quadratic leaves, in its middle
@@ -28,6 +34,7 @@ struct Normal {
     double period = 0.0;
     double end = 0.0;
     double sigma = 0.0;       ///< of one sample
+    bool isMean = false;      ///< only the mean of its many repeats says anything
     double half = 0.0;        ///< width of the smoothing, s; 0: none
     double smoothSigma = 0.0; ///< what is left of it
     double rising = 0.0;
@@ -55,31 +62,56 @@ std::vector<double> tailOf(const Trace &trace, std::vector<double> *times = null
     return values;
 }
 
-double noiseOf(const Trace &trace)
+double meanOf(const std::vector<double> &values)
+{
+    return std::accumulate(values.begin(), values.end(), 0.0)
+        / static_cast<double>(std::max<std::size_t>(values.size(), 1));
+}
+
+double noiseOf(const Trace &trace, int repeats)
 {
     std::vector<double> times;
     std::vector<double> values = tailOf(trace, &times);
     const Line line = fitLine(times, values);
-    for (std::size_t i = 0; i < values.size(); ++i)
+    double squares = 0.0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
         values[i] = std::abs(values[i] - line.at(times[i]));
+        squares += values[i] * values[i] / static_cast<double>(values.size());
+    }
     // the median of the differences from their middle, which the line has taken to 0
-    return madToSigma * median(std::move(values));
+    const double sigma = madToSigma * median(std::move(values));
+    return repeats < manyRepeats || sigma < muchNoise
+        ? sigma
+        : std::sqrt(squares); // of a few steps of a coarse reading, a median is one of them
+}
+
+/// When it has come half of its way. In much noise the first sample beyond it says nothing: there it is where those before are below
+/// it and those after above it, all together.
+double risingOf(const Normal &normal)
+{
+    const auto &[t, y] = normal.z;
+    double below = 0.0;
+    double most = 0.0;
+    double risen = t.back();
+    for (std::size_t i = normal.begin; i < t.size(); ++i) {
+        if (!normal.isMean && y[i] >= 0.5 * normal.end)
+            return t[i];
+        below += 0.5 - y[i] / normal.end;
+        if (below > most) {
+            most = below;
+            risen = t[i];
+        }
+    }
+    return risen;
 }
 
 void smooth(Normal &normal)
 {
-    const auto risen = [&normal] {
-        for (std::size_t i = normal.begin; i < normal.z.size(); ++i) {
-            if (normal.z.y[i] >= 0.5 * normal.end)
-                return normal.z.t[i];
-        }
-        return normal.z.t.back();
-    };
-    normal.rising = risen();
+    normal.rising = risingOf(normal);
     normal.smoothSigma = normal.sigma;
     if (normal.sigma < quiet)
         return;
-    normal.half = std::max(2.5 * normal.period, 0.35 * normal.rising);
+    normal.half = std::max(2.5 * normal.period, (normal.isMean ? slowTime : riseTime) * normal.rising);
     normal.smoothSigma = normal.sigma / std::sqrt(std::max(1.0, 2.0 * normal.half / normal.period / quadraticGain));
     normal.z.y = smoothed(normal.z, normal.begin, normal.half);
 }
@@ -112,8 +144,35 @@ std::optional<double> crossing(const Normal &normal, double level, double width)
     return std::nullopt;
 }
 
+/// In much noise: the largest mean over three times its rise, where it is more than the largest of so many means would be by noise alone.
+double overshootOfMeans(const Normal &normal)
+{
+    const auto &[t, y] = normal.raw;
+    const double width = wideMean * normal.rising;
+    double sum = 0.0;
+    double most = 0.0;
+    double fewest = 1.0;
+    std::size_t from = normal.begin;
+    for (std::size_t i = normal.begin; i < t.size(); ++i) {
+        sum += y[i];
+        for (; t[i] - t[from] > width; ++from)
+            sum -= y[from];
+        const auto count = static_cast<double>(i + 1 - from);
+        if (t[i] - t[normal.begin] < width)
+            continue;
+        most = std::max(most, sum / count);
+        fewest = std::max(fewest, count);
+    }
+    const double means = std::max((t.back() - t[normal.begin]) / width, 1.0);
+    const double sure = std::max(2.0, std::sqrt(2.0 * std::log(means)));
+    const double over = most / normal.end - 1.0;
+    return over > sure * normal.sigma / std::sqrt(fewest) / std::abs(normal.end) ? over : 0.0;
+}
+
 double overshootOf(const Normal &normal)
 {
+    if (normal.isMean)
+        return overshootOfMeans(normal);
     const auto first = normal.z.y.begin() + static_cast<std::ptrdiff_t>(normal.begin);
     const auto at = static_cast<std::size_t>(std::max_element(first, normal.z.y.end()) - normal.z.y.begin());
     const double reach = std::max((normal.half > 0.0 ? 2.5 : 1.1) * normal.period, normal.half);
@@ -176,7 +235,7 @@ void integrate(Metrics &metrics, const Normal &normal)
     metrics.itae = itae;
 }
 
-Normal normalized(const Trace &measured, std::size_t begin, double start, double step)
+Normal normalized(const Trace &measured, std::size_t begin, double start, double step, int repeats)
 {
     Normal normal;
     normal.begin = begin;
@@ -184,8 +243,9 @@ Normal normalized(const Trace &measured, std::size_t begin, double start, double
     for (const double value : measured.y)
         normal.z.y.push_back((value - start) / step);
     normal.raw = normal.z;
-    normal.end = median(tailOf(normal.z));
-    normal.sigma = noiseOf(normal.z);
+    normal.sigma = noiseOf(normal.z, repeats);
+    normal.isMean = repeats >= manyRepeats && normal.sigma >= muchNoise; // a loop that swings looks noisy, too
+    normal.end = !normal.isMean ? median(tailOf(normal.z)) : meanOf(tailOf(normal.z));
     return normal;
 }
 
@@ -220,7 +280,7 @@ Response readResponse(const Trace &measured, std::optional<double> target, doubl
     const double step = target.value_or(median(tailOf(measured))) - start;
     if (step == 0.0)
         return response;
-    Normal normal = normalized(measured, begin, start, step);
+    Normal normal = normalized(measured, begin, start, step, repeats);
     normal.period = (measured.t.back() - measured.t.front()) / static_cast<double>(measured.size() - 1);
     smooth(normal);
     response.end = normal.end;

@@ -14,6 +14,7 @@ namespace mb::tuning {
 struct PushRecord {
     Trace position;    ///< counts as received, t = 0 when the duty was applied or ordered
     double duty = 0.0; ///< applied, sign included; over the mean bus voltage if that sags: duty × volts / volts at rest
+    double growth = 0.0; ///< s until all of its duty was there
 };
 
 /// What pushes have in common: position = A·(t' − τ(1 − e^(−t'/τ))) with t' = t − delay.

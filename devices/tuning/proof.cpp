@@ -17,6 +17,9 @@ constexpr double stepOfFreeSpeed = 0.3;
 constexpr double stepOfLimit = 0.6;
 constexpr double stepDuty = 0.5;   ///< that P alone makes of a position step, at its start
 constexpr double deadbands = 10.0; ///< that a position step is clear of friction by
+constexpr int fewCurrents = 6;
+constexpr int manyCurrents = 30;
+constexpr double noiseOfOne = 0.06; ///< of a step of a current, σ with which one would be enough
 constexpr double helpOfFriction = 1.25;
 constexpr double stillSeconds = 0.5; ///< share of a proof in which friction holds the motor before its target
 constexpr double windupOverFriction = 1.5;
@@ -31,7 +34,7 @@ constexpr double blurOfNoise = 2.0;      ///< σ, by which a peak of many sample
 constexpr double mostBlur = 0.05;        ///< of the step
 constexpr double moreSettle = 2.0;       ///< times
 constexpr double laterSettle = 0.15;     ///< s
-constexpr double mostNoise = 0.005;      ///< of the step, with which settling can still be measured
+constexpr double quietNoise = 0.005;     ///< of the step, with which settling can still be measured
 constexpr double leastError = 0.02;      ///< of the step
 
 void addNumber(const Family &family, const std::string &key, double number, ScaledGains &into)
@@ -70,6 +73,17 @@ double proofStep(Mode loop, const PlantModel &plant, const ContinuousGains &gain
     const double free = plant.gain * std::max(duty - plant.friction, 0.0);
     const double step = stepOfFreeSpeed * free;
     return std::round(std::min(step, stepOfLimit * envelope.speed.value_or(step)));
+}
+
+int currentRepeats(double noise, double step)
+{
+    const double over = noise / (noiseOfOne * std::abs(step)); // the noise of a mean goes with the root of their number
+    return static_cast<int>(std::clamp(std::ceil(over * over), 1.0 * fewCurrents, 1.0 * manyCurrents));
+}
+
+double mostNoise(double step)
+{
+    return noiseOfOne * std::abs(step) * std::sqrt(1.0 * manyCurrents);
 }
 
 bool hasFrictionHelp(const Family &family)
@@ -198,7 +212,7 @@ Message judgeProof(const Metrics &measured, const Metrics &predicted, double ste
         return say("it overshot by %1, predicted were %2", percentText(*measured.overshoot),
             percentText(predicted.overshoot.value_or(0.0)));
     const double settle = moreSettle * predicted.settle.value_or(*measured.rise * 4.0) + laterSettle;
-    const bool blurred = !measured.settle && measured.noise.value_or(0.0) > mostNoise; // noise alone leaves the band
+    const bool blurred = !measured.settle && measured.noise.value_or(0.0) > quietNoise; // noise alone leaves the band
     if (!blurred && (!measured.settle || *measured.settle > settle))
         return measured.settle ? say("it took %1 to settle, predicted were %2", millisecondsText(*measured.settle),
                    millisecondsText(predicted.settle.value_or(0.0)))

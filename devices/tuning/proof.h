@@ -15,6 +15,11 @@ namespace mb::tuning {
 [[nodiscard]] double proofStep(
     Mode loop, const PlantModel &plant, const ContinuousGains &gains, const Envelope &envelope);
 
+/// Steps each way that prove a current loop, in noise of σ A: their mean tells what one alone does not. At least 6, at most 30.
+[[nodiscard]] int currentRepeats(double noise, double step);
+/// A, the largest noise in which that many steps are enough.
+[[nodiscard]] double mostNoise(double step);
+
 /// The device has a least output that overcomes friction, and an error that is good enough.
 [[nodiscard]] bool hasFrictionHelp(const Family &family);
 /// Adds the least output that overcomes friction, and the error that is good enough, or the bound of the integral, where the slot

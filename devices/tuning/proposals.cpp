@@ -48,9 +48,10 @@ LoopBounds boundsOf(const ProposalBasis &basis)
 }
 
 /// Of the step, that an aim allows itself.
-double overshootOf(Aim aim)
+double overshootOf(const ProposalWish &wish)
 {
-    return std::array<double, 3>{0.005, 0.025, 0.03}[static_cast<std::size_t>(aim)];
+    const auto aim = static_cast<std::size_t>(wish.aim);
+    return (wish.isProven ? std::array<double, 3>{0.005, 0.04, 0.045} : std::array<double, 3>{0.005, 0.03, 0.035})[aim];
 }
 
 LoopShape shapeOf(const ProposalBasis &basis)
@@ -112,6 +113,36 @@ double predictionPeriod(const ProposalBasis &basis)
     return std::clamp(cycleOf(basis), 1e-4, 0.025);
 }
 
+namespace {
+
+/// Parameters, margins and prediction of designed gains; a step that would draw more than its limit is made smaller. `step` 0: the
+/// usual one.
+Result<void> finish(const ProposalBasis &basis, double step, Proposal &proposal)
+{
+    const PlantModel &plant = basis.plant;
+    auto parameters = parametersOf(basis, proposal.design);
+    if (!parameters)
+        return fail(parameters.error());
+    proposal.gains = std::move(*parameters);
+    const ContinuousGains &gains = proposal.gains.made;
+    const LoopShape shape = shapeOf(basis);
+    proposal.margins = marginsOf(basis.loop, plant, gains);
+    proposal.step = basis.loop == Mode::Current ? currentStep(plant.gain, basis.envelope)
+        : step > 0.0                            ? step
+                                                : proofStep(basis.loop, plant, gains, basis.envelope);
+    const double seconds = basis.loop == Mode::Current ? currentPrediction
+                                                       : std::min(1.0 + 10.0 * (plant.tau + plant.delay), longestShown);
+    proposal.predicted = predictStep(basis.loop, plant, gains, 0.0, proposal.step, seconds, shape);
+    const double most = basis.envelope.current.value_or(std::numeric_limits<double>::infinity());
+    for (int i = 0; i < smallerSteps && proposal.predicted.metrics.peakCurrent.value_or(0.0) > most; ++i) {
+        proposal.step = std::round(0.98 * proposal.step * most / *proposal.predicted.metrics.peakCurrent);
+        proposal.predicted = predictStep(basis.loop, plant, gains, 0.0, proposal.step, seconds, shape);
+    }
+    return {};
+}
+
+} // namespace
+
 Result<Proposal> proposalFor(const ProposalBasis &basis, const ProposalWish &wish)
 {
     const Family &family = basis.family;
@@ -120,7 +151,7 @@ Result<Proposal> proposalFor(const ProposalBasis &basis, const ProposalWish &wis
     const double response = wish.response.value_or(responseOf(basis.loop, wish.aim, plant));
     Proposal proposal;
     proposal.aim = wish.aim;
-    SearchTask task{boundsOf(basis), ms.model, ms.off, 0.0, overshootOf(wish.aim), wish.aim == Aim::Calm,
+    SearchTask task{boundsOf(basis), ms.model, ms.off, 0.0, overshootOf(wish), wish.aim == Aim::Calm,
         inSeconds(family.capabilities.commandPeriod), {}, shapeOf(basis)};
     proposal.design = design(basis.loop, plant, std::max(response, basis.scale ? basis.scale->quickest : 0.0),
         task.bounds, ms.model, ms.off);
@@ -128,26 +159,20 @@ Result<Proposal> proposalFor(const ProposalBasis &basis, const ProposalWish &wis
         task.step = proofStep(basis.loop, plant, proposal.design.gains, basis.envelope);
         task.bounds.largestError = task.step;
         task.least = leastOf(basis, proposal.design.gains);
+        task.isProven = wish.isProven;
         proposal.design = searched(basis.loop, plant, proposal.design, task);
     }
-    auto parameters = parametersOf(basis, proposal.design);
-    if (!parameters)
-        return fail(parameters.error());
-    proposal.gains = std::move(*parameters);
-    const ContinuousGains &gains = proposal.gains.made;
-    proposal.margins = marginsOf(basis.loop, plant, gains);
-    proposal.step = basis.loop == Mode::Current ? currentStep(plant.gain, basis.envelope)
-        : task.step > 0.0                       ? task.step
-                                                : proofStep(basis.loop, plant, gains, basis.envelope);
-    const double seconds = basis.loop == Mode::Current ? currentPrediction
-                                                       : std::min(1.0 + 10.0 * (plant.tau + plant.delay), longestShown);
-    proposal.predicted = predictStep(basis.loop, plant, gains, 0.0, proposal.step, seconds, task.shape);
-    const double most = basis.envelope.current.value_or(std::numeric_limits<double>::infinity());
-    for (int i = 0; i < smallerSteps && proposal.predicted.metrics.peakCurrent.value_or(0.0) > most; ++i) {
-        proposal.step = std::round(0.98 * proposal.step * most / *proposal.predicted.metrics.peakCurrent);
-        proposal.predicted = predictStep(basis.loop, plant, gains, 0.0, proposal.step, seconds, task.shape);
-    }
+    if (auto made = finish(basis, task.step, proposal); !made)
+        return fail(made.error());
     return proposal;
+}
+
+double promisedError(const ProposalBasis &basis, const ContinuousGains &gains, double step)
+{
+    SearchTask task;
+    task.step = step;
+    task.shape = shapeOf(basis);
+    return errorOfSteps(basis.loop, basis.plant, gains, task);
 }
 
 Result<Proposal> movedTo(const ProposalBasis &basis, Proposal proposal)

@@ -29,6 +29,7 @@ struct ProposalWish {
     Aim aim = Aim::Normal;
     std::optional<double> response; ///< s
     std::optional<double> ms;       ///< largest sensitivity on the model
+    bool isProven = false;          ///< a loop was seen to do what the model predicts: less caution is needed
 };
 
 /// Largest sensitivity that is allowed: on the model, and where its gain is 20 % and its delay 30 % more than thought.
@@ -48,6 +49,9 @@ struct MsBounds {
 /// For an aim they are those of the rule, bettered by a search on the model (gainsearch.h): a tenth of a second. OutOfRange or
 /// Unsupported where the device cannot have such gains.
 [[nodiscard]] Result<Proposal> proposalFor(const ProposalBasis &basis, const ProposalWish &wish);
+
+/// s², integral of time times error over the step, of the steps that would prove these gains, on the model alone.
+[[nodiscard]] double promisedError(const ProposalBasis &basis, const ContinuousGains &gains, double step);
 
 /// The same gains as parameters of the basis' axis and slot, with the help against friction and the bounds that go with them. Nothing
 /// is designed anew: microseconds.

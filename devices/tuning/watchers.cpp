@@ -124,7 +124,7 @@ void OscillationWatch::target(double target)
     m_target = target;
 }
 
-void OscillationWatch::error(double error, double swing)
+void OscillationWatch::error(double error, double swing, double noise)
 {
     const bool positive = error > 0.0;
     if (error == 0.0 || positive == m_isPositive) {
@@ -132,7 +132,7 @@ void OscillationWatch::error(double error, double swing)
         return;
     }
     m_isPositive = positive;
-    const double least = m_turned ? swing : realPeak * swing;
+    const double least = std::max(m_turned ? swing : realPeak * swing, noise);
     double &last = positive ? m_lastNegative : m_lastPositive; // of the sign that ends here
     const bool counts = m_peak > least && m_peak > (m_atLimit || m_wasAtLimit ? asLarge : growth) * last;
     m_growing = counts ? m_growing + 1 : 0;

@@ -77,7 +77,7 @@ private:
 class OscillationWatch {
 public:
     void target(double target);
-    void error(double error, double swing);
+    void error(double error, double swing, double noise);
     void duty(Instant time, double fraction, double limit);
     /// Zero crossings of the error on end whose half waves count.
     [[nodiscard]] int growing() const { return m_growing; }

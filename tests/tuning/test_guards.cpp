@@ -169,6 +169,10 @@ TEST(Guards, OscillationTripsWhenALoopSwingsItselfUpOrHitsBothEnds)
     EXPECT_EQ(grown->guard, Guard::Oscillation);
     EXPECT_FALSE(run(plan(), 200, swing(0.9)));
     EXPECT_FALSE(run(plan(), 200, swing(1.0)));
+    GuardPlan noisy = plan();
+    noisy.noise = 40.0; // swings of 60 and more: six of them may be noise as long as they are less than 200
+    EXPECT_FALSE(run(noisy, 70, swing(1.2)));
+    EXPECT_TRUE(run(noisy, 200, swing(1.2)));
     GuardPlan wide = plan();
     const auto flipping = run(wide, 200, [](Guards &g, Instant t, int i) { return g.duty(t, i % 4 < 2 ? 0.4 : -0.4); });
     ASSERT_TRUE(flipping);

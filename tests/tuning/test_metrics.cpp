@@ -162,6 +162,43 @@ TEST(StepMetrics, SettlingInTwoPercentOfNoiseIsNotGuessedFromOneRunButReadFromFo
     EXPECT_NEAR(*four.metrics.settle, Truth({0.7, 15.0}).settle(four.band), 0.1);
 }
 
+/// A step of seven levels of its reading, in noise of two of them, held for 80 ms and seen every millisecond.
+Trace coarseStep(System system, double delay, std::mt19937_64 &random)
+{
+    constexpr double level = 1.0 / 7.0;
+    std::normal_distribution<double> error(0.0, 2.0 * level);
+    Trace trace;
+    for (int i = -250; i < 80; ++i) {
+        const double t = 1e-3 * i + delay;
+        const double y = test::secondOrder(system.damping, system.frequency, t) + error(random);
+        trace.add(t, level * std::round(y / level));
+    }
+    return trace;
+}
+
+TEST(StepMetrics, TheMeanOfManyStepsTellsOvershootInNoiseOfAQuarterOfAStep)
+{
+    std::mt19937_64 random(11);
+    const auto overshoots = [&random](System system, int repeats) {
+        std::vector<double> seen;
+        for (int trial = 0; trial < 40; ++trial) {
+            std::vector<Trace> runs;
+            for (int i = 0; i < repeats; ++i)
+                runs.push_back(coarseStep(system, ditherOf(i, repeats, 1e-3), random));
+            seen.push_back(readResponse(merged(runs), 1.0, 0.0, repeats).metrics.overshoot.value_or(1.0));
+        }
+        std::sort(seen.begin(), seen.end());
+        return seen;
+    };
+    const auto damped = overshoots({1.0, 500.0}, 24);
+    const auto swinging = overshoots({0.2, 400.0}, 24);
+    std::printf("  none: %.3f median, %.3f in 38 of 40; of 53 %%: %.3f median, %.3f in 38 of 40\n", damped[20],
+        damped[37], swinging[20], swinging[2]);
+    EXPECT_LE(damped[20], 0.05);
+    EXPECT_LE(damped[37], 0.10);
+    EXPECT_GE(swinging[2], 0.10);
+}
+
 TEST(StepMetrics, ALoopThatStopsShortSettlesThereAndItsErrorIsToldOfTheSetPoint)
 {
     std::mt19937_64 random(1);

@@ -47,20 +47,36 @@ TEST(TuningMatrix, ThreeMotorsOnThreeDrivesAreTunedOrRefusedWithAReason)
                 kept += row.result == "kept" ? 1 : 0;
                 for (const auto &[stage, seconds] : row.stages)
                     stages[stage] += seconds;
-                if (row.truth.tau <= 0.25 && row.seconds > longest.seconds)
+                if (row.seconds > longest.seconds)
                     longest = row;
                 if (row.result != "kept")
                     std::printf("  %s\n", textOf(row).c_str());
             }
         }
     }
-    std::printf("%d of %d kept, at most %.1f s of the device (lags up to 0.25 s), %.1f s of processor time\n", kept,
-        all, longest.seconds, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+    std::printf("%d of %d kept, at most %.1f s of the device, %.1f s of processor time\n", kept, all, longest.seconds,
+        static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
     for (const auto &[stage, seconds] : stages)
         std::printf("  %-8s %5.1f s of each on the average, %5.1f s of the longest\n", stage.c_str(), seconds / all,
             longest.stages[stage]);
     EXPECT_GE(100 * kept, 97 * all);
     EXPECT_LE(longest.seconds, 60.0) << textOf(longest); // A13
+}
+
+TEST(TuningMatrix, APushWhoseOrderWasLostOnItsWayIsLeftOut)
+{
+    const MatrixRow row = tuneCell(cellOf("abstractdc", "rs775", Mode::Velocity, 4, 50.0), Compare::Nothing);
+    EXPECT_EQ(row.result, "kept") << textOf(row);
+}
+
+TEST(TuningMatrix, WhatProvedToBeWrongAboutAMotorMakesItsGainsBetter)
+{
+    const MatrixRow row = tuneCell(cellOf("dmc60c", "cim", Mode::Velocity, 3, 0.0), Compare::All);
+    ASSERT_EQ(row.result, "kept") << textOf(row);
+    EXPECT_NE(row.reason.find("left more error"), std::string::npos) << row.reason;
+    ASSERT_TRUE(row.kept && row.best);
+    std::printf("  %.2f times the best of a brute force; %s\n", row.kept->itae / row.best->itae, row.reason.c_str());
+    EXPECT_LE(row.kept->itae, 1.1 * row.best->itae);
 }
 
 TEST(TuningMatrix, AMotorThatNoModelFitsIsRefusedOrStaysWithinTheBounds)

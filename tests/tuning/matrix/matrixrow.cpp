@@ -18,6 +18,7 @@ using tuning::TuneResult;
 constexpr double holdSettles = 4.0;
 constexpr double shortestHold = 0.6;
 constexpr double longestHold = 6.0;
+constexpr int runsOfMean = 4;
 
 const tuning::Proposal *normalOf(const TuneReport &report)
 {
@@ -39,6 +40,27 @@ std::vector<ParameterChange> frictionHelp(const Device &device, const tuning::Sc
     return rest;
 }
 
+/// The mean of a few runs. Where a loop comes to rest may be luck, which the best of many runs has had once.
+std::optional<ShaftResponse> meanOf(StepProbe &probe, const std::vector<ParameterChange> &changes)
+{
+    std::optional<ShaftResponse> mean;
+    for (int i = 0; i < runsOfMean; ++i) {
+        const auto response = probe.run(changes);
+        if (!response)
+            return std::nullopt;
+        if (!mean) {
+            mean = response;
+            mean->itae /= runsOfMean;
+            continue;
+        }
+        mean->itae += response->itae / runsOfMean;
+        mean->overshoot = std::max(mean->overshoot, response->overshoot);
+        mean->settle = std::max(mean->settle, response->settle);
+        mean->isStable = mean->isStable && response->isStable;
+    }
+    return mean;
+}
+
 std::optional<ShaftResponse> tryRule(
     StepProbe &probe, const Cell &cell, const tuning::ContinuousGains &gains, const std::vector<ParameterChange> &also)
 {
@@ -47,7 +69,7 @@ std::optional<ShaftResponse> tryRule(
         return std::nullopt;
     std::vector<ParameterChange> changes = scaled->changes;
     changes.insert(changes.end(), also.begin(), also.end());
-    return probe.run(changes);
+    return meanOf(probe, changes);
 }
 
 void compareWithOthers(MatrixRow &row, const TuneReport &report, const std::vector<tuning::Trial> &trials, bool all)
@@ -57,12 +79,12 @@ void compareWithOthers(MatrixRow &row, const TuneReport &report, const std::vect
     const double seconds = std::clamp(holdSettles * settle, shortestHold, longestHold);
     StepProbe probe(cell, row.step, seconds);
     row.before = probe.run();
-    row.kept = probe.run(report.proposed.changes);
+    row.kept = meanOf(probe, report.proposed.changes);
     if (!all)
         return;
     const auto help = frictionHelp(probe.device(), report.proposed);
     if (const auto best = bruteForce(probe, cell, row.truth, help)) {
-        row.best = best->response;
+        row.best = tryRule(probe, cell, best->gains, help);
         row.bestGains = best->gains;
     }
     const Ultimate ultimate = ultimateOf(cell.loop, row.truth);
@@ -145,6 +167,9 @@ MatrixRow tuneCell(const Cell &cell, Compare compare)
     row.result = toString(report->result);
     row.seconds = report->seconds;
     row.stages = stagesOf(unit.notes(), report->seconds);
+    row.notes = unit.notes();
+    for (const tuning::Gate &gate : report->gates)
+        row.notes.emplace_back(report->seconds, gate.name + ": " + gate.detail.english());
     row.stopped = report->stopped;
     row.found = report->plant;
     row.measuredOvershoot = report->measured.overshoot.value_or(0.0);

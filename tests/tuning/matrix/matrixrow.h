@@ -15,11 +15,12 @@ struct MatrixRow {
     tuning::PlantModel truth;
     tuning::PlantModel found;
     double predictedOvershoot = 0.0;
-    double measuredOvershoot = 0.0;       ///< as the proof saw it
-    double measuredNoise = 0.0;           ///< σ, of the step
-    double seconds = 0.0;                 ///< of the device
-    std::map<std::string, double> stages; ///< of them, by what was done: "pushing", "proving" …
-    bool gainsAsBefore = true;            ///< of those that were not kept, where they can be read
+    double measuredOvershoot = 0.0;                    ///< as the proof saw it
+    double measuredNoise = 0.0;                        ///< σ, of the step
+    double seconds = 0.0;                              ///< of the device
+    std::map<std::string, double> stages;              ///< of them, by what was done: "pushing", "proving" …
+    std::vector<std::pair<double, std::string>> notes; ///< what it said, and when, s; its gates last
+    bool gainsAsBefore = true;                         ///< of those that were not kept, where they can be read
     bool stopped = true;
     bool isWithin = false; ///< the kept gains hold the bounds of bruteForce() on the true model
     double step = 0.0;

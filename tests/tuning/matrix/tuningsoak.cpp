@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tunes every motor on every family by itself and compares what is kept with the best there is (scripts/soak tuning):
-//   tuningsoak [part=K/N] [seeds=4] [compare=0|1] [families=A,B] [motors=A,B] [loops=A,B] [rates=0,50]
+//   tuningsoak [part=K/N] [seeds=4|seed=2] [compare=0|1] [families=A,B] [motors=A,B] [loops=A,B] [rates=0,50] [notes=1]
 // One line a tuning as soon as it is done, parted by tabs; scripts/tuning-table makes the table of docs/tuning.md of them.
 #include "tests/tuning/matrix/matrixrow.h"
 
@@ -12,6 +12,8 @@ namespace {
 
 using namespace mb;
 using namespace mb::test;
+
+using Notes = std::vector<std::pair<double, std::string>>;
 
 struct LoopOfFamily {
     const char *family;
@@ -79,6 +81,8 @@ std::vector<Planned> cellsOf(const Options &options)
     std::vector<Planned> cells;
     const std::uint64_t seeds = std::stoul(options.text("seeds", "4"));
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        if (!options.has("seed", std::to_string(seed)))
+            continue;
         for (const LoopOfFamily &row : loops()) {
             if (!options.has("families", row.family) || !options.has("loops", std::string(toString(row.loop))))
                 continue;
@@ -110,8 +114,11 @@ int main(int count, char **arguments)
         if (at++ % parts != part - 1)
             continue;
         const bool all = compare && planned.isCompared;
-        std::printf("%s\n", textOf(tuneCell(planned.cell, all ? Compare::All : Compare::Nothing)).c_str());
+        const MatrixRow row = tuneCell(planned.cell, all ? Compare::All : Compare::Nothing);
+        std::printf("%s\n", textOf(row).c_str());
         std::fflush(stdout);
+        for (const auto &[seconds, text] : options.text("notes", "0") == "1" ? row.notes : Notes())
+            std::fprintf(stderr, "  %6.2f %s\n", seconds, text.c_str());
     }
     return 0;
 }

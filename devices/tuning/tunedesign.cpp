@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tuning/tunedesign.h"
+
+#include "tuning/aside.h"
+#include "tuning/autotunerun.h"
+#include "tuning/envelope.h"
+#include "tuning/figures.h"
+#include "tuning/leastsquares.h"
+#include "tuning/proof.h"
+#include "tuning/refinement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mb::tuning {
+namespace {
+
+constexpr double clearlyLess = 0.97; ///< of the error, that is worth another proof
+constexpr double restFrom = 0.75;    ///< of a step
+constexpr double wholeHold = 10.0;   ///< s
+
+/// The shortest hold of all steps, s.
+double shortestHold(const std::vector<Trial> &proof, double shortest)
+{
+    for (const Trial &trial : proof) {
+        for (const Span &hold : trial.holds)
+            shortest = std::min(shortest, hold.to - hold.from);
+    }
+    return shortest;
+}
+
+/// s², integral of time times error over the step, of what was measured in the first `seconds` of each step; with the error that it rests
+/// with, for as long again. Noise adds to it, the same to all steps of a loop.
+double errorOf(const std::vector<Trial> &proof, double seconds)
+{
+    double sum = 0.0;
+    std::size_t steps = 0;
+    for (const Trial &trial : proof) {
+        const Signal *const measured = trial.signal(measuredOf(trial.mode));
+        for (std::size_t i = 0; measured && i < trial.holds.size(); ++i, ++steps) {
+            const double from = trial.holds[i].from;
+            const Trace step = measured->trace.part(from, from + seconds, from);
+            const double way = std::abs(trial.stimulus.to - trial.stimulus.from);
+            LeastSquares<1> rest;
+            for (std::size_t k = 1; k < step.size(); ++k) {
+                const double error = (trial.stimulus.to - step.y[k]) / way;
+                sum += step.t[k] * std::abs(error) * (step.t[k] - step.t[k - 1]);
+                if (step.t[k] > restFrom * seconds)
+                    rest.add({1.0}, error);
+            }
+            if (const auto mean = rest.solve())
+                sum += std::abs(mean->values[0]) * 1.5 * seconds * seconds;
+        }
+    }
+    return steps > 0 ? sum / static_cast<double>(steps) : std::numeric_limits<double>::infinity();
+}
+
+} // namespace
+
+TuneDesign::TuneDesign(AutotuneRun &run)
+    : m_run(run)
+    , m_plan(run.plan())
+{
+}
+
+ProposalBasis TuneDesign::basis() const
+{
+    const Device &device = m_run.device();
+    const TuneReport &report = m_run.report();
+    return {device.family(), device.profile(), m_plan.loop, m_plan.axis, m_plan.slot, report.plant, m_run.envelope(),
+        report.scale, report.taking};
+}
+
+/// The plan's own response and damping take the place of its aim's.
+ProposalWish TuneDesign::wishFor(Aim aim) const
+{
+    const bool asked = aim == m_plan.aim;
+    return {aim, asked ? m_plan.response : std::nullopt, asked ? m_plan.ms : std::nullopt, m_isProven};
+}
+
+VelocityTaking TuneDesign::taking() const
+{
+    const TuneReport &report = m_run.report();
+    if (m_plan.loop != Mode::Velocity || report.scale)
+        return {};
+    if (m_plan.known && m_plan.taking != VelocityTaking())
+        return m_plan.taking;
+    const double speed = proofStep(Mode::Velocity, report.plant, {}, m_run.envelope());
+    return velocityTaking(m_run.device(), speed, report.motor ? report.motor->filter : std::nullopt);
+}
+
+Task<void> TuneDesign::propose()
+{
+    TuneReport &report = m_run.report();
+    report.taking = taking();
+    std::vector<ProposalWish> wishes;
+    for (const Aim aim : {Aim::Calm, Aim::Normal, Aim::Brisk})
+        wishes.push_back(wishFor(aim));
+    auto designing = designed(m_run.device(), basis(), wishes);
+    std::vector<Result<Proposal>> proposals = co_await std::move(designing);
+    for (std::size_t i = 0; i < wishes.size(); ++i) {
+        auto &proposal = proposals.at(i);
+        const bool asked = wishes[i].aim == m_plan.aim;
+        if (!proposal && asked)
+            co_return fail(proposal.error());
+        if (!proposal)
+            continue;
+        if (asked)
+            choose(*proposal);
+        report.proposals.push_back(std::move(*proposal));
+    }
+    co_return {};
+}
+
+void TuneDesign::choose(const Proposal &proposal)
+{
+    TuneReport &report = m_run.report();
+    report.design = proposal.design;
+    report.proposed = proposal.gains;
+    report.margins = proposal.margins;
+    report.predicted = proposal.predicted;
+    m_step = proposal.step;
+}
+
+bool TuneDesign::mayChange() const
+{
+    return !m_plan.response && !m_plan.ms;
+}
+
+Task<bool> TuneDesign::reconsider()
+{
+    if (!mayChange())
+        co_return false;
+    const Message why = m_run.report().evidence;
+    const std::string_view aim = toString(m_plan.aim);
+    if (!std::exchange(m_refined, true)) {
+        auto correcting = corrected();
+        const std::optional<PlantModel> plant = co_await std::move(correcting);
+        bool proposed = false;
+        if (plant) {
+            auto proposing = proposeOn(*plant);
+            proposed = co_await std::move(proposing);
+        }
+        if (proposed) {
+            m_before = say("the %1 gains of the first model did not: %2", Message::label(aim), why);
+            m_run.note(joined(m_before, say("now those of the model as that step has corrected it")));
+            beginAnew();
+            co_return true;
+        }
+    }
+    const auto &proposals = m_run.report().proposals;
+    const auto calm = std::find_if(
+        proposals.begin(), proposals.end(), [](const Proposal &proposal) { return proposal.aim == Aim::Calm; });
+    if (m_plan.aim == Aim::Calm || calm == proposals.end())
+        co_return false;
+    m_before = say("the %1 gains did not: %2", Message::label(aim), why);
+    m_run.note(joined(m_before, say("now the calm ones")));
+    m_plan.aim = Aim::Calm;
+    m_isCalmed = true;
+    choose(*calm);
+    beginAnew();
+    co_return true;
+}
+
+Task<bool> TuneDesign::sharpen(double seconds)
+{
+    TuneReport &report = m_run.report();
+    if (!mayChange() || report.scale || m_plan.loop == Mode::Current || m_plan.aim == Aim::Calm
+        || m_run.left() < seconds)
+        co_return false;
+    if (report.predicted->shape.windowCounts
+        > 0.0) // counted over so few edges, it does not show what play and steps do to the shaft
+        co_return false;
+    m_held = report;
+    auto improving = improved();
+    if (!co_await std::move(improving)) {
+        takeTheBetter();
+        co_return false;
+    }
+    beginAnew();
+    co_return true;
+}
+
+/// On the model as the steps have corrected it; once.
+Task<bool> TuneDesign::improved()
+{
+    if (std::exchange(m_isProven, true))
+        co_return false;
+    auto correcting = corrected();
+    const std::optional<PlantModel> plant = co_await std::move(correcting);
+    auto proposing = proposeOn(plant.value_or(m_held->plant));
+    if (!co_await std::move(proposing))
+        co_return false;
+    const double promised = promisedError(basis(), m_held->proposed.made, m_step);
+    const double better = promisedError(basis(), m_run.report().proposed.made, m_step);
+    if (!(better < clearlyLess * promised))
+        co_return false;
+    m_run.note(say("on the model as these steps have corrected it, other gains leave less error; now those"));
+    co_return true;
+}
+
+bool TuneDesign::isPromising() const
+{
+    const auto &proof = m_run.report().proof;
+    if (!m_held || proof.empty() || proof.size() > m_held->proof.size())
+        return true;
+    const std::vector<Trial> same{m_held->proof[proof.size() - 1]};
+    const std::vector<Trial> last{proof.back()};
+    const double seconds = shortestHold(last, shortestHold(same, wholeHold));
+    return errorOf(last, seconds) < errorOf(same, seconds);
+}
+
+void TuneDesign::takeTheBetter()
+{
+    if (!m_held)
+        return;
+    TuneReport &report = m_run.report();
+    const bool held = report.result != TuneResult::RolledBack && report.proof.size() == m_held->proof.size();
+    const double seconds = shortestHold(report.proof, shortestHold(m_held->proof, wholeHold));
+    const double less = held ? errorOf(report.proof, seconds) / errorOf(m_held->proof, seconds) : 1.0;
+    if (less < 1.0) {
+        m_less = (m_less > 0.0 ? m_less : 1.0) * less;
+    } else {
+        std::vector<std::int64_t> trials = std::move(report.trials);
+        report = std::move(*m_held);
+        report.trials = std::move(trials);
+    }
+    m_held.reset();
+}
+
+Message TuneDesign::story() const
+{
+    Message told;
+    if (!m_before.empty())
+        told = m_isCalmed ? say("these are the calm gains, %1", m_before)
+                          : say("their model was corrected by a step, %1", m_before);
+    if (m_less > 0.0) {
+        const Message less
+            = say("those that were proven first left more error, these leave %1 of it", percentText(m_less));
+        told = told.empty() ? less : joined(told, less);
+    }
+    return told;
+}
+
+void TuneDesign::beginAnew()
+{
+    TuneReport &report = m_run.report();
+    report.result = TuneResult::Refused;
+    report.evidence = {};
+    report.proof.clear();
+}
+
+/// A model that explains the steps that were just seen; nothing where they do not tell one.
+Task<std::optional<PlantModel>> TuneDesign::corrected()
+{
+    const TuneReport &report = m_run.report();
+    if (report.scale || m_plan.loop == Mode::Current)
+        co_return std::optional<PlantModel>();
+    const SteppedLoop stepped{report.proposed.made, report.predicted->shape, report.proof};
+    auto working = aside<std::optional<PlantModel>>(m_run.device(),
+        [stepped, plant = report.plant]() -> Result<std::optional<PlantModel>> { return refinedBy(stepped, plant); });
+    co_return co_await std::move(working);
+}
+
+/// New gains on it; false, and everything as it was, where the device cannot have them.
+Task<bool> TuneDesign::proposeOn(PlantModel plant)
+{
+    TuneReport &report = m_run.report();
+    const PlantModel first = std::exchange(report.plant, plant);
+    std::vector<Proposal> proposals = std::exchange(report.proposals, {});
+    auto proposing = propose();
+    const Result<void> proposed = co_await std::move(proposing).attempt();
+    if (!proposed) {
+        report.plant = first;
+        report.proposals = std::move(proposals);
+    }
+    co_return proposed ? true : false;
+}
+
+} // namespace mb::tuning

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tuning/proposals.h"
+#include "tuning/tunereport.h"
+
+namespace mb::tuning {
+
+class AutotuneRun;
+
+/// What one tuning proposes: at first, and after its proofs have told more of the motor. Writes design, proposals and model of its
+/// report; moves nothing.
+class TuneDesign {
+public:
+    explicit TuneDesign(AutotuneRun &run);
+
+    /// Gains, rounded to the device's, and what they will do.
+    [[nodiscard]] Task<void> propose();
+    /// What to prove after a proposal did not do what was predicted: the same on the model as those steps correct it, then the calm one.
+    /// False where there is none, or numbers were asked for.
+    [[nodiscard]] Task<bool> reconsider();
+    /// Once, after a proof that held: the same aim on the model as its steps correct it, which needs less caution. False where that
+    /// promises no clearly smaller error, where `seconds` of another proof are too many, or where numbers were asked for.
+    [[nodiscard]] Task<bool> sharpen(double seconds);
+    /// The step that was just seen of what sharpen() proposed left less error than the same step of what was proven before.
+    [[nodiscard]] bool isPromising() const;
+    /// After the proof of what sharpen() proposed: goes back to what was proven before unless the new one held and its steps left less
+    /// error.
+    void takeTheBetter();
+
+    [[nodiscard]] double step() const { return m_step; } ///< of the proof, in the unit of the loop
+    /// What gains did that were proven before these; empty: none were, or they held.
+    [[nodiscard]] const Message &before() const { return m_before; }
+    /// How these came to be, where they are not the first proposal; empty: they are.
+    [[nodiscard]] Message story() const;
+
+private:
+    [[nodiscard]] ProposalBasis basis() const;
+    [[nodiscard]] ProposalWish wishFor(Aim aim) const;
+    [[nodiscard]] VelocityTaking taking() const;
+    [[nodiscard]] bool mayChange() const;
+    [[nodiscard]] Task<bool> improved();
+    [[nodiscard]] Task<std::optional<PlantModel>> corrected();
+    [[nodiscard]] Task<bool> proposeOn(PlantModel plant);
+    void choose(const Proposal &proposal);
+    void beginAnew();
+
+    AutotuneRun &m_run;
+    TunePlan m_plan; ///< its aim as it has become
+    double m_step = 0.0;
+    bool m_refined = false;  ///< the model was corrected after a failure, or could not be
+    bool m_isCalmed = false; ///< the calm proposal took the place of the one that was asked for
+    bool m_isProven = false; ///< a loop on this model was seen to do what was predicted
+    double m_less = 0.0;     ///< error of the steps over that of those before, where sharpen() was the better one
+    Message m_before;
+    std::optional<TuneReport> m_held; ///< what was proven, while something better is tried
+};
+
+} // namespace mb::tuning

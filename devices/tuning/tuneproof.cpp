@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tuning/tuneproof.h"
+
+#include "model/family.h"
+#include "tuning/autotunerun.h"
+#include "tuning/envelope.h"
+#include "tuning/gains.h"
+#include "tuning/proof.h"
+#include "tuning/tunedesign.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mb::tuning {
+namespace {
+
+constexpr int usualRepeats = 2;
+constexpr double proofSettles
+    = 2.5; ///< predicted times to settle that a proof holds its step: twice may pass until it has settled
+constexpr double proofCreeps = 2.0;    ///< times of the integral, in which it creeps to its target, at least
+constexpr double slowProof = 1.2;      ///< s, that a slow one waits at most beyond what was predicted
+constexpr double proofRest = 0.3;      ///< s longer
+constexpr double leastProof = 0.7;     ///< s
+constexpr double longestProof = 5.0;   ///< s
+constexpr double unknownSettle = 1.5;  ///< s, where none was predicted
+constexpr double currentSettles = 4.0; ///< of a current loop
+constexpr double leastCurrent = 0.08;  ///< s that it is held
+constexpr double longestCurrent = 0.2; ///< s
+constexpr double notableRest = 0.02;   ///< of the step
+constexpr double aroundTrial = 1.5;    ///< s, to set it up and to come to rest
+constexpr double aroundStep = 0.3;     ///< s before each step
+
+/// s of an experiment in one direction, at most.
+double secondsOf(double hold, int repeats)
+{
+    return aroundTrial + repeats * (aroundStep + 2.0 * hold);
+}
+
+} // namespace
+
+TuneProof::TuneProof(AutotuneRun &run, const TuneDesign &design)
+    : m_run(run)
+    , m_design(design)
+    , m_slot(run.device().family().capabilities.gainSlots > 1 ? 1 - run.plan().slot : run.plan().slot)
+{
+}
+
+/// The error that it may end with, in the unit of the loop.
+double TuneProof::resting() const
+{
+    const TuneReport &report = m_run.report();
+    const Mode loop = m_run.plan().loop;
+    if (loop == Mode::Current)
+        return droopOf(report.proof, report.plant, report.proposed.made);
+    if (report.scale)
+        return deadband(report.plant, report.proposed.made);
+    return restingError(m_run.device().family(), loop, report.plant, report.proposed.made, hold());
+}
+
+double TuneProof::hold() const
+{
+    const TuneReport &report = m_run.report();
+    const double settle = report.predicted->metrics.settle.value_or(unknownSettle);
+    if (m_run.plan().loop == Mode::Current)
+        return std::clamp(currentSettles * settle, leastCurrent, longestCurrent);
+    const ContinuousGains &gains = report.proposed.made;
+    const double creeps = m_run.plan().loop == Mode::Velocity && gains.i > 0.0 ? gains.p / gains.i : 0.0;
+    return std::clamp(std::max(std::min(proofSettles * settle, settle + slowProof), proofCreeps * creeps) + proofRest,
+        leastProof, longestProof);
+}
+
+/// As many as take the noise out of a current; of other loops two, or one where the time is short.
+int TuneProof::repeats() const
+{
+    const TuneReport &report = m_run.report();
+    if (m_run.plan().loop == Mode::Current)
+        return currentRepeats(report.plant.noise, m_design.step());
+    return m_run.left() >= 2.0 * secondsOf(hold(), usualRepeats) ? usualRepeats : 1;
+}
+
+double TuneProof::seconds() const
+{
+    return 2.0 * secondsOf(hold(), 1);
+}
+
+/// The proposal as changes of the slot that it is proven in, with everything else of the slot that it is for.
+std::vector<ParameterChange> TuneProof::inProvingSlot() const
+{
+    const TunePlan &plan = m_run.plan();
+    const auto &proposed = m_run.report().proposed.changes;
+    if (m_slot == plan.slot)
+        return proposed;
+    const Family &family = m_run.device().family();
+    const LoopGains &loop = *loopOf(family, plan.loop);
+    std::vector<ParameterChange> changes;
+    for (const std::string_view name : loop.names) {
+        const std::string pattern = std::string(loop.prefix) + std::string(name);
+        const auto from = findParameter(family.parameters, gainKey(family, pattern, plan.axis, plan.slot));
+        const auto into = findParameter(family.parameters, gainKey(family, pattern, plan.axis, m_slot));
+        if (!from || !into)
+            continue;
+        const auto found = std::find_if(
+            proposed.begin(), proposed.end(), [&from](const ParameterChange &change) { return change.index == *from; });
+        if (found != proposed.end())
+            changes.push_back({*into, found->raw});
+        else if (const auto &entry = m_run.device().parameters().entry(*from); entry.raw)
+            changes.push_back({*into, *entry.raw});
+    }
+    return changes;
+}
+
+double TuneProof::target(double sign) const
+{
+    const bool counted = m_run.device().family().capabilities.zeroPosition; // each experiment from its own start
+    return sign * m_design.step() + (m_run.plan().loop == Mode::Position && !counted ? m_run.place() : 0.0);
+}
+
+ExperimentPlan TuneProof::planOf(double sign) const
+{
+    const Mode loop = m_run.plan().loop;
+    ExperimentPlan plan;
+    plan.mode = loop;
+    plan.slot = m_slot;
+    plan.repeat = repeats();
+    plan.seconds = hold();
+    plan.noise = m_run.report().plant.noise;
+    plan.gains = inProvingSlot();
+    plan.keep = m_mayStay ? Keep::Always : Keep::Never;
+    plan.from = loop == Mode::Position ? std::optional<double>() : 0.0;
+    plan.to = target(sign);
+    const double step = sign * m_design.step();
+    m_run.note(loop == Mode::Current ? say("proving: a step of %1 A", std::round(step * 100.0) / 100.0)
+            : loop == Mode::Position ? say("proving: a step of %1 counts", std::round(step))
+                                     : say("proving: a step of %1 counts/s", std::round(step)));
+    return plan;
+}
+
+Task<void> TuneProof::prove()
+{
+    TuneReport &report = m_run.report();
+    if (!std::exchange(m_isRead, true)) { // later those of a proposal may be in force
+        const TunePlan &plan = m_run.plan();
+        auto reading = readGains(m_run.device(), plan.loop, plan.axis, plan.slot);
+        report.before = co_await std::move(reading);
+        const bool unknown = std::any_of(
+            report.before.begin(), report.before.end(), [](const auto &gain) { return !gain.second.has_value(); });
+        m_mayStay = plan.keep && unknown && m_slot == plan.slot; // else they are put back
+    }
+    for (const double sign : {1.0, -1.0}) {
+        auto running = m_run.run(planOf(sign));
+        report.proof.push_back(co_await std::move(running));
+        if (m_run.isOver())
+            co_return {};
+        report.measured = worseOf(report.proof);
+        const Message wrong = judgeProof(report.measured, report.predicted->metrics, m_design.step(), resting());
+        if (!wrong.empty()) { // what fails one way needs no proof the other way
+            report.result = TuneResult::RolledBack;
+            report.evidence = joined(wrong, m_design.before());
+            co_return {};
+        }
+        if (!m_design.isPromising()) { // what was proven before is better, and is kept
+            report.result = TuneResult::RolledBack;
+            co_return {};
+        }
+    }
+    co_return {};
+}
+
+Task<void> TuneProof::keep()
+{
+    TuneReport &report = m_run.report();
+    auto writing = writeGains(m_run.device(), report.proposed.changes);
+    co_await std::move(writing);
+    report.result = TuneResult::Kept;
+    const Capabilities &can = m_run.device().family().capabilities;
+    report.evidence = can.readback
+        ? say("the steps in both directions did what was predicted; the gains were written and read back")
+        : say("the steps in both directions did what was predicted; the gains were written, which this family cannot "
+              "read "
+              "back");
+    if (const Message story = m_design.story(); !story.empty())
+        report.evidence = joined(report.evidence, story);
+    if (const double rests = resting(); rests > notableRest * m_design.step())
+        report.evidence = joined(report.evidence,
+            report.scale ? say("it may rest %1 short of its target, less does not move its motor", std::round(rests))
+                : m_run.plan().loop == Mode::Current
+                ? say("its current stays %1 A behind while the motor speeds up", std::round(rests * 100.0) / 100.0)
+                : say("it may rest %1 short of its target, less does not move its integral", std::round(rests)));
+    if (std::any_of(report.proof.begin(), report.proof.end(),
+            [](const Trial &trial) { return trial.has(flag::restartNeeded); }))
+        report.evidence = joined(report.evidence, say("a part of them is in force after a restart only"));
+    if (can.storesAfter > std::chrono::seconds(0))
+        report.evidence
+            = joined(report.evidence, say("the unit stores them by itself within %1 s", can.storesAfter.count()));
+    co_return {};
+}
+
+} // namespace mb::tuning

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tuning/experiment.h"
+
+#include <vector>
+
+namespace mb::tuning {
+
+class AutotuneRun;
+class TuneDesign;
+
+/// Puts the proposal of a tuning to the proof on its motor, and keeps what was proven.
+class TuneProof {
+public:
+    TuneProof(AutotuneRun &run, const TuneDesign &design);
+
+    /// Steps both ways with the proposal in force: on a device with two slots in the one that does not hold the result. What it
+    /// replaces is in force again afterwards. RolledBack in the report where a step did not do what was predicted.
+    [[nodiscard]] Task<void> prove();
+    /// Writes what was proven.
+    [[nodiscard]] Task<void> keep();
+    /// s that another proof takes, at most.
+    [[nodiscard]] double seconds() const;
+
+private:
+    [[nodiscard]] double hold() const;
+    [[nodiscard]] int repeats() const;
+    [[nodiscard]] double target(double sign) const;
+    [[nodiscard]] double resting() const;
+    [[nodiscard]] std::vector<ParameterChange> inProvingSlot() const;
+    [[nodiscard]] ExperimentPlan planOf(double sign) const;
+
+    AutotuneRun &m_run;
+    const TuneDesign &m_design;
+    int m_slot;             ///< that it is proven in
+    bool m_isRead = false;  ///< the gains that it replaces are known
+    bool m_mayStay = false; ///< nobody knows them, and nobody minds
+};
+
+} // namespace mb::tuning
