@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/publisher.h"
 
-#include "app/console/mqttpublisher.h"
-#include "app/console/udppublisher.h"
 #include "wire/number.h"
 
 namespace mb::console {
@@ -71,13 +69,6 @@ Result<PublishAddress> PublishAddress::parse(const std::string &text)
     if (address.port == 0)
         address.port = usualMqttPort;
     return address;
-}
-
-Result<std::unique_ptr<Publisher>> Publisher::open(const PublishAddress &address)
-{
-    if (address.scheme == "udp")
-        return UdpPublisher::open(address);
-    return MqttPublisher::open(address);
 }
 
 void Publisher::publish(

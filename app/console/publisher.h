@@ -6,7 +6,6 @@
 #include <QByteArray>
 
 #include <cstdint>
-#include <memory>
 #include <string>
 
 namespace mb::console {
@@ -26,9 +25,6 @@ struct PublishAddress {
 class Publisher {
 public:
     virtual ~Publisher() = default;
-
-    /// Resolves the host and, with mqtt, waits up to 5 s for the broker to take us. LinkLost with cause and remedy otherwise.
-    [[nodiscard]] static Result<std::unique_ptr<Publisher>> open(const PublishAddress &address);
 
     /// One sample: `device` is FAMILY:ADDRESS, `seconds` as in the lines of `watch`.
     void publish(

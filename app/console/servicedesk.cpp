@@ -84,7 +84,7 @@ Task<void> ServiceDesk::handOver()
     co_return {};
 }
 
-Task<void> SpokenPermit::beforeMotion(const Device &device, const service::SelfTest &test)
+Task<void> SpokenPermit::beforeMotion(const Device &device, const service::SelfTest &test, Progress &)
 {
     m_console.note(device.selector() + ": the motor turns" + (device.link().address().isSimulated() ? "" : " in 3 s")
         + ": " + std::string(toString(test.loop)) + " to " + numberText(test.to) + ' ' + std::string(unitOf(test.loop))

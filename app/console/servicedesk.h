@@ -54,7 +54,8 @@ public:
         : m_console(console)
     {
     }
-    [[nodiscard]] Task<void> beforeMotion(const Device &device, const service::SelfTest &test) override;
+    [[nodiscard]] Task<void> beforeMotion(
+        const Device &device, const service::SelfTest &test, Progress &progress) override;
 
 private:
     Console &m_console;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/ending.h"
-#include "app/console/publisher.h"
+#include "app/console/openpublisher.h"
 #include "app/console/reopening.h"
 #include "app/console/samplestream.h"
 #include "app/console/target.h"
@@ -138,7 +138,7 @@ Task<int> watch(Console &console, Arguments arguments)
         co_return fail(plan.error());
     std::unique_ptr<Publisher> publisher;
     if (plan->to) {
-        auto opened = Publisher::open(*plan->to);
+        auto opened = openPublisher(*plan->to);
         if (!opened)
             co_return fail(opened.error());
         publisher = std::move(*opened);

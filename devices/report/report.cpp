@@ -40,14 +40,17 @@ QString demoBanner()
         + QStringLiteral("</td></tr></table>\n");
 }
 
-QString unitHtml(const ReportUnit &unit, const Report &report, bool first)
+QString headHtml(const ReportUnit &unit, const Report &report, const QString &title, bool first)
 {
     QString html = QStringLiteral("<h1%1>%2</h1>\n")
-                       .arg(first ? QString() : QStringLiteral(" style=\"page-break-before: always\""),
-                           escaped(ReportText::tr("Report on %1").arg(nameOf(unit))));
+                       .arg(first ? QString() : QStringLiteral(" style=\"page-break-before: always\""), escaped(title));
     html += paragraph(ReportText::tr("Made on %1 with %2").arg(timeText(report.time), escaped(report.program)), "dim");
-    if (unit.simulated)
-        html += demoBanner();
+    return unit.simulated ? html + demoBanner() : html;
+}
+
+QString unitHtml(const ReportUnit &unit, const Report &report, bool first)
+{
+    QString html = headHtml(unit, report, ReportText::tr("Report on %1").arg(nameOf(unit)), first);
     html += identityHtml(unit, report);
     html += lastVisitHtml(unit, report);
     bool onFirstPage = true;
@@ -102,12 +105,7 @@ const KeptTrial *stepOf(const ReportUnit &unit)
 
 QString cardOf(const ReportUnit &unit, const Report &report, bool first)
 {
-    QString html = QStringLiteral("<h1%1>%2</h1>\n")
-                       .arg(first ? QString() : QStringLiteral(" style=\"page-break-before: always\""),
-                           escaped(ReportText::tr("Service card of %1").arg(nameOf(unit))));
-    html += paragraph(ReportText::tr("Made on %1 with %2").arg(timeText(report.time), escaped(report.program)), "dim");
-    if (unit.simulated)
-        html += demoBanner();
+    QString html = headHtml(unit, report, ReportText::tr("Service card of %1").arg(nameOf(unit)), first);
     html += identityHtml(unit, report) + lastVisitHtml(unit, report);
     if (const KeptTrial *step = stepOf(unit))
         html += stepHtml(*step);

@@ -3,7 +3,6 @@
 
 #include "async/sleep.h"
 #include "model/family.h"
-#include "settings/unit.h"
 
 #include <algorithm>
 
@@ -13,18 +12,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration lookAgain = 300ms;
-constexpr Duration goneAfter = 2s;
-
-RowState stateOf(Outcome outcome)
-{
-    switch (outcome) {
-    case Outcome::Passed: return RowState::Passed;
-    case Outcome::Failed: return RowState::Failed;
-    case Outcome::Refused: return RowState::Refused;
-    case Outcome::Open: break;
-    }
-    return RowState::Waiting;
-}
+constexpr Duration missedAfter = 10s; ///< a unit that starts again, or a hand that puts it back
 
 /// Whoever has the list keeps it as it was.
 std::shared_ptr<const std::vector<LogLine>> extended(
@@ -93,6 +81,9 @@ ServiceQueue::Bus::Bus(ServiceQueue &queue, Session &session, Link &link)
     : m_queue(queue)
     , m_session(session)
     , m_link(link)
+    , m_rows(session, link,
+          {queue.m_matter.recipe.family, queue.m_earlier, !queue.m_options.units, queue.m_options.onlyChosen},
+          queue.m_lastRow)
 {
 }
 
@@ -109,113 +100,61 @@ Task<void> ServiceQueue::Bus::run()
     while (!m_queue.m_isFinishing && !m_queue.isComplete()) {
         if (m_link.state() != LinkState::Open)
             co_return fail(Fault::LinkLost, say("%1: %2", m_link.address().shortName(), m_link.reason()));
-        Row *const row = m_queue.mayBegin() ? next() : nullptr;
+        Row *const row = m_queue.mayBegin() ? m_rows.next() : nullptr;
         if (row) {
             auto serving = serve(*row);
             co_await std::move(serving);
             continue;
         }
-        if (isOnce() && !hasWaiting())
+        if (isOnce() && !m_rows.hasWaiting())
             break;
         Sleep waiting(m_session.clockOf(m_link), lookAgain);
         co_await waiting;
-        if (isOnce())
+        if (isOnce() && !m_rows.isAnyMissing())
             continue;
         auto again = look();
         co_await std::move(again);
+        auto ending = giveUpMissing();
+        co_await std::move(ending);
     }
     co_return {};
 }
 
 Task<void> ServiceQueue::Bus::look()
 {
-    for (Row &row : m_rows)
-        row.seen = false;
     auto scanning = m_session.scan(m_link);
     const std::vector<Device *> found = co_await std::move(scanning);
-    for (const Device *const device : found) {
-        if (device->family().key == m_queue.m_matter.recipe.family->key)
-            notice(*device);
-    }
-    markAbsent();
-    m_isFirstLook = false;
+    m_rows.take(found, m_serving);
     m_queue.m_changed.notify();
     co_return {};
 }
 
-void ServiceQueue::Bus::notice(const Device &device)
-{
-    const std::string unit = settings::unitOf(device).key;
-    Row *known = nullptr;
-    for (Row &row : m_rows) {
-        if (row.shown.visit.unit == unit && !row.gone)
-            known = &row;
-    }
-    if (!known) {
-        addRow(device, unit);
-        return;
-    }
-    known->seen = true;
-    known->absentAt.reset();
-    known->shown.device = m_session.idOf(device);
-}
-
-void ServiceQueue::Bus::addRow(const Device &device, const std::string &unit)
-{
-    Row &row = m_rows.emplace_back();
-    row.seen = true;
-    row.shown.id = ++m_queue.m_lastRow;
-    row.shown.device = m_session.idOf(device);
-    row.shown.link = m_link.address().text();
-    row.shown.visit.unit = unit;
-    row.shown.visit.serial = device.identity().serial;
-    row.shown.visit.device = device.selector();
-    row.shown.visit.family = device.identity().family;
-    row.shown.visit.from = device.identity().firmware;
-    row.shown.state = m_queue.m_options.onlyChosen ? RowState::Skipped : RowState::Waiting;
-    if (m_isFirstLook)
-        recallInto(row, device);
-}
-
-/// What the run that is resumed knows of this unit: done, or cut off. One that was given its number may be told by that only.
-void ServiceQueue::Bus::recallInto(Row &row, const Device &device)
-{
-    const bool byPlace = settings::byOf(row.shown.visit.unit) != settings::Unit::By::Serial;
-    const auto isThis = [&](const Visit &visit) {
-        const bool atItsNumber = byPlace && visit.number == device.identity().address
-            && settings::byOf(visit.unit) != settings::Unit::By::Serial
-            && visit.device.substr(0, visit.device.rfind('/')) == row.shown.link;
-        return visit.unit == row.shown.visit.unit || atItsNumber;
-    };
-    for (const Visit &visit : m_queue.m_earlier) {
-        if (!isThis(visit))
-            continue;
-        row.shown.visit = visit;
-        row.shown.state = stateOf(visit.outcome);
-    }
-}
-
-/// Where units come and go: who waits and is gone leaves the list, who has ended may begin again when it was gone for long enough.
-void ServiceQueue::Bus::markAbsent()
+/// Nobody waits for ever for a unit that the cut has left dead: it has failed, and says where.
+Task<void> ServiceQueue::Bus::giveUpMissing()
 {
     const Instant now = m_session.clockOf(m_link).now();
-    for (Row &row : m_rows) {
-        if (row.seen)
+    for (Row &row : m_rows.all()) {
+        if (!row.isMissed() || row.seen || now - row.absentAt.value_or(now) < missedAfter)
             continue;
-        if (!row.absentAt)
-            row.absentAt = now;
-        row.gone = row.gone || now - *row.absentAt >= goneAfter;
+        Visit visit = row.shown.visit;
+        visit.outcome = Outcome::Failed;
+        visit.cause = say("it was cut off at '%1' and does not answer any more", Message::label(toString(visit.step)));
+        visit.remedy = say("look at cable and supply; when it answers again it is served from the beginning");
+        visit.evidence = visit.cause;
+        visit.steps.push_back({visit.step, 0.0, true, visit.cause});
+        auto writing = m_queue.m_around.journal.write(std::move(visit));
+        const Visit written = co_await std::move(writing);
+        row.missing = false;
+        row.gone = true;
+        ended(row, written);
     }
-    if (!isOnce())
-        m_rows.remove_if([this](const Row &row) {
-            return &row != m_serving && row.gone && row.shown.state == RowState::Waiting && row.shown.visit.id.empty();
-        });
+    co_return {};
 }
 
 /// All of them are looked at before the first is touched.
 Task<void> ServiceQueue::Bus::checkAll()
 {
-    for (Row &row : m_rows) {
+    for (Row &row : m_rows.all()) {
         if (row.shown.state != RowState::Waiting || !row.shown.visit.id.empty())
             continue;
         auto checking = check(row);
@@ -332,11 +271,7 @@ ServiceSurroundings ServiceQueue::Bus::surroundings(Row &row, Telling &telling)
     out.experiments.interruption = m_interruption.get();
     out.experiments.note = [&telling](const Message &text) { telling.log(Severity::Info, text); };
     out.written = [&telling](const Visit &visit) { telling.written(visit); };
-    for (const Row &other : m_rows) {
-        const Device *const device = m_session.find(other.shown.device);
-        if (&other != &row && device && !other.gone)
-            out.taken.insert(device->identity().address);
-    }
+    out.taken = m_rows.numbersBeside(row);
     return out;
 }
 
@@ -384,34 +319,15 @@ bool ServiceQueue::Bus::isReal() const
     return !m_link.address().isSimulated() && !m_link.address().isRecording();
 }
 
-bool ServiceQueue::Bus::hasWaiting() const
-{
-    return std::any_of(
-        m_rows.begin(), m_rows.end(), [](const Row &row) { return row.shown.state == RowState::Waiting; });
-}
-
-ServiceQueue::Bus::Row *ServiceQueue::Bus::next()
-{
-    const auto found = std::find_if(m_rows.begin(), m_rows.end(),
-        [this](const Row &row) { return row.shown.state == RowState::Waiting && (row.seen || isOnce()); });
-    return found == m_rows.end() ? nullptr : &*found;
-}
-
-ServiceQueue::Bus::Row *ServiceQueue::Bus::find(std::uint32_t id)
-{
-    const auto found = std::find_if(m_rows.begin(), m_rows.end(), [id](const Row &row) { return row.shown.id == id; });
-    return found == m_rows.end() ? nullptr : &*found;
-}
-
 void ServiceQueue::Bus::addRows(std::vector<QueueRow> &rows) const
 {
-    for (const Row &row : m_rows)
+    for (const Row &row : m_rows.all())
         rows.push_back(row.shown);
 }
 
 bool ServiceQueue::Bus::skip(std::uint32_t id)
 {
-    Row *const row = find(id);
+    Row *const row = m_rows.find(id);
     if (!row)
         return false;
     if (row == m_serving && m_operation) {
@@ -425,7 +341,7 @@ bool ServiceQueue::Bus::skip(std::uint32_t id)
 
 bool ServiceQueue::Bus::retry(std::uint32_t id)
 {
-    Row *const row = find(id);
+    Row *const row = m_rows.find(id);
     if (!row || row == m_serving || row->shown.state == RowState::Waiting || row->shown.state == RowState::Passed)
         return false;
     if (isEnded(row->shown.state)) {
@@ -438,13 +354,14 @@ bool ServiceQueue::Bus::retry(std::uint32_t id)
         row->shown.visit = std::move(again);
     }
     row->shown.state = RowState::Waiting;
+    row->shown.what = {};
     return true;
 }
 
 bool ServiceQueue::Bus::retryFailed()
 {
     bool any = false;
-    for (const Row &row : m_rows) {
+    for (const Row &row : m_rows.all()) {
         if (row.shown.state == RowState::Failed)
             any = retry(row.shown.id) || any;
     }

@@ -3,6 +3,7 @@
 
 #include "async/event.h"
 #include "model/operation.h"
+#include "service/busrows.h"
 #include "service/servicequeue.h"
 
 namespace mb::service {
@@ -22,7 +23,6 @@ public:
     [[nodiscard]] bool isServing() const { return m_serving != nullptr; }
     /// Neither simulated nor a recording.
     [[nodiscard]] bool isReal() const;
-    [[nodiscard]] bool hasWaiting() const;
     void addRows(std::vector<QueueRow> &rows) const;
 
     bool skip(std::uint32_t row);
@@ -33,12 +33,7 @@ public:
     void renewLease();
 
 private:
-    struct Row {
-        QueueRow shown;
-        bool seen = false;               ///< in the last scan
-        std::optional<Instant> absentAt; ///< since when nobody saw it
-        bool gone = false;               ///< long enough to begin again
-    };
+    using Row = BusRows::Row;
     class Telling;
     [[nodiscard]] Task<void> look();
     [[nodiscard]] Task<void> checkAll();
@@ -47,26 +42,20 @@ private:
     [[nodiscard]] Task<Visit> openVisit(Row &row, const Device &device);
     [[nodiscard]] Task<Visit> perform(Row &row, Device &device, Visit visit);
     [[nodiscard]] Task<void> refuse(Row &row, Error error);
-    void notice(const Device &device);
-    void addRow(const Device &device, const std::string &unit);
-    void recallInto(Row &row, const Device &device);
-    void markAbsent();
+    [[nodiscard]] Task<void> giveUpMissing();
     void ended(Row &row, const Visit &visit);
-    [[nodiscard]] Row *next();
-    [[nodiscard]] Row *find(std::uint32_t id);
     [[nodiscard]] ServiceSurroundings surroundings(Row &row, Telling &telling);
     [[nodiscard]] bool isOnce() const { return !m_queue.m_options.units; }
 
     ServiceQueue &m_queue;
     Session &m_session;
     Link &m_link;
-    std::list<Row> m_rows;
+    BusRows m_rows;
     Row *m_serving = nullptr;
     SetPointStream *m_stream = nullptr; ///< of the unit that is being served
     std::unique_ptr<Operation> m_operation;
     std::unique_ptr<tuning::Interruption> m_interruption;
     bool m_isInLane = false;
-    bool m_isFirstLook = true;
     bool m_wantsSkip = false;
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "firmware/firmwareimage.h"
 #include "model/parameter.h"
 #include "model/setpoint.h"
 #include "model/trialtraits.h"
@@ -15,6 +14,9 @@
 
 namespace mb {
 struct Family;
+}
+namespace mb::tuning {
+struct ExperimentPlan;
 }
 
 namespace mb::service {
@@ -58,6 +60,9 @@ struct SelfTest {
     std::vector<Acceptance> accept;
 };
 
+/// The experiment that it is, without its limits.
+[[nodiscard]] tuning::ExperimentPlan planOf(const SelfTest &test);
+
 /// What is done to every unit, as its file says (docs/recipes.md). A value.
 struct Recipe {
     std::string name;
@@ -68,25 +73,7 @@ struct Recipe {
     std::optional<SelfTest> test;
 };
 
-/// OutOfRange with line, cause and remedy: "line 7: unknown key 'limit'". Paths stay as they are in the text.
-[[nodiscard]] Result<Recipe> parseRecipe(const QByteArray &text, std::span<const Family *const> families);
 /// The text of a file that says so.
 [[nodiscard]] QByteArray toText(const Recipe &recipe);
-
-/// A recipe with what its files hold.
-struct RecipeMatter {
-    Recipe recipe;
-    std::string hash; ///< SHA-256 of the recipe's text, hexadecimal
-    FirmwareImage image;
-    std::string imageHash;                   ///< SHA-256 of the firmware file; empty: it has none
-    std::string imageVersion;                ///< empty where the image tells none
-    std::vector<ParameterChange> parameters; ///< what is written to every unit, in table order
-};
-
-/// The files that a recipe names, relative to that folder; its hash is that of toText(). OutOfRange with the file and the cause.
-[[nodiscard]] Result<RecipeMatter> gatherMatter(Recipe recipe, const std::string &folder);
-
-/// Reads a recipe and the files that it names, relative to its own folder. OutOfRange with the file, its line and the cause.
-[[nodiscard]] Result<RecipeMatter> loadRecipe(const std::string &path, std::span<const Family *const> families);
 
 } // namespace mb::service

@@ -244,15 +244,7 @@ private:
     {
         if (m_error)
             return;
-        tuning::ExperimentPlan plan;
-        plan.mode = test.loop;
-        plan.axis = test.axis;
-        plan.slot = test.slot;
-        plan.from = test.from;
-        plan.to = test.to;
-        plan.seconds = test.seconds;
-        plan.repeat = test.repeat;
-        if (auto possible = tuning::checkPlan(*m_recipe.family, plan); !possible)
+        if (auto possible = tuning::checkPlan(*m_recipe.family, planOf(test)); !possible)
             wrong("test", possible.error().detail, possible.error().remedy);
     }
 
@@ -264,7 +256,7 @@ private:
 
 } // namespace
 
-Result<Recipe> readRecipe(const QByteArray &text, std::span<const Family *const> families)
+Result<Recipe> parseRecipe(const QByteArray &text, std::span<const Family *const> families)
 {
     QJsonParseError mistake;
     const QJsonDocument document = QJsonDocument::fromJson(text, &mistake);

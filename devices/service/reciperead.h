@@ -5,7 +5,7 @@
 
 namespace mb::service {
 
-/// parseRecipe().
-[[nodiscard]] Result<Recipe> readRecipe(const QByteArray &text, std::span<const Family *const> families);
+/// OutOfRange with line, cause and remedy: "line 7: unknown key 'limit'". Paths stay as they are in the text.
+[[nodiscard]] Result<Recipe> parseRecipe(const QByteArray &text, std::span<const Family *const> families);
 
 } // namespace mb::service

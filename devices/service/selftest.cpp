@@ -88,14 +88,7 @@ void judge(TestFinding &finding, const SelfTest &test, const Trial &trial, const
 Task<Trial> step(
     Device &device, SetPointStream &stream, const SelfTest &test, tuning::ExperimentSurroundings surroundings)
 {
-    tuning::ExperimentPlan plan;
-    plan.mode = test.loop;
-    plan.axis = test.axis;
-    plan.slot = test.slot;
-    plan.from = test.from;
-    plan.to = test.to;
-    plan.seconds = test.seconds;
-    plan.repeat = test.repeat;
+    tuning::ExperimentPlan plan = planOf(test);
     plan.limits = test.limits;
     auto running = tuning::runExperiment(device, stream, std::move(plan), std::move(surroundings));
     co_return co_await std::move(running).attempt();

@@ -6,15 +6,8 @@
 #include <QUuid>
 
 #include <algorithm>
-#include <array>
 
 namespace mb::service {
-
-std::string_view toString(RowState state)
-{
-    constexpr std::array<std::string_view, 6> words{"waiting", "running", "skipped", "passed", "failed", "refused"};
-    return words[static_cast<std::size_t>(state)];
-}
 
 ServiceQueue::ServiceQueue(Clock &clock, RecipeMatter matter, QueueSurroundings surroundings, QueueOptions options)
     : m_clock(clock)
@@ -108,12 +101,14 @@ bool ServiceQueue::isComplete() const
     return m_options.units && *m_options.units > 0 && m_counts.ended() >= *m_options.units;
 }
 
-/// Units that are being served will count too.
+/// Units that are being served will count too. There is one programmer, one cable to a bootloader and one pair of hands: where the
+/// firmware takes another way in, one unit is served after the other, whatever their buses.
 bool ServiceQueue::mayBegin() const
 {
     const auto serving
         = std::count_if(m_buses.begin(), m_buses.end(), [](const auto &bus) { return bus->isServing(); });
-    return !m_isPausing && !m_isFinishing
+    const bool sharesWayIn = m_matter.recipe.firmware && !m_matter.recipe.firmware->via.empty();
+    return !m_isPausing && !m_isFinishing && !(sharesWayIn && serving > 0)
         && (!m_options.units || *m_options.units == 0
             || m_counts.ended() + static_cast<int>(serving) < *m_options.units);
 }

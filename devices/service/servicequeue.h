@@ -4,34 +4,12 @@
 #include "async/scope.h"
 #include "model/operation.h"
 #include "model/session.h"
+#include "service/queuerow.h"
 #include "service/unitservice.h"
 
 #include <list>
-#include <map>
 
 namespace mb::service {
-
-/// Where a row of the queue stands. The last three are the words of Outcome.
-enum class RowState { Waiting, Running, Skipped, Passed, Failed, Refused };
-[[nodiscard]] std::string_view toString(RowState state); ///< waiting running skipped passed failed refused
-
-/// One unit of the queue, by value for a window. What is empty is not known.
-struct QueueRow {
-    std::uint32_t id = 0; ///< stable while the queue lives
-    DeviceId device;      ///< in the session of its bus
-    std::string link;     ///< address
-    RowState state = RowState::Waiting;
-    Visit visit;  ///< as the journal has it; before its turn unit, serial and device only
-    Message what; ///< what is being done now
-    int done = 0;
-    int total = 0;                  ///< 0: unknown length
-    bool mayInterrupt = true;       ///< false: power must stay on
-    std::map<int, PartState> parts; ///< of an update
-    Instant startedAt{};            ///< of the queue's clock
-    int tries = 0;                  ///< begun so often in this queue
-    /// What was said of it, oldest first, of all its tries; never changed, another one takes its place. nullptr: nothing.
-    std::shared_ptr<const std::vector<LogLine>> log;
-};
 
 struct QueueOptions {
     std::string station;
@@ -58,7 +36,8 @@ struct QueueSurroundings {
     std::function<void(const std::string &)> note; ///< a line for people
 };
 
-/// A recipe over many units: one at a time on a bus, several buses side by side. Units that may not be touched (two with one
+/// A recipe over many units: one at a time on a bus, several buses side by side (one after the other where the firmware takes
+/// another way in, of which there is one). Units that may not be touched (two with one
 /// number, wrong hardware) are refused in their row, the others go on. One that has just ended does not start again until it
 /// was gone for 2 s. Thread of the session. Everything can be called at any time, but not from inside finished().
 class ServiceQueue {

@@ -3,6 +3,7 @@
 
 #include "async/sleep.h"
 #include "service/goldenband.h"
+#include "service/preflight.h"
 #include "service/selftest.h"
 #include "settings/snapshots.h"
 #include "settings/writing.h"
@@ -277,7 +278,7 @@ Task<Message> UnitRun::test()
             Fault::Unsafe, say("nobody watches over this self-test, and it moves the motor"), say("arm it first"));
     const SelfTest &wanted = *m_around.matter.recipe.test;
     const tuning::Interruption *const stop = m_around.experiments.interruption;
-    auto asking = m_around.permit->beforeMotion(m_device, wanted);
+    auto asking = m_around.permit->beforeMotion(m_device, wanted, m_progress);
     co_await std::move(asking);
     if (stop && stop->isRequested())
         co_return fail(Fault::Unsafe, say("the self-test was stopped by hand"), say("test again when it is safe"));

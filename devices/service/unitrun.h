@@ -3,11 +3,10 @@
 
 #include "model/family.h"
 #include "model/parametertransfer.h"
-#include "service/unitservice.h"
+#include "model/setpointstream.h"
+#include "service/servicesurroundings.h"
 
 namespace mb::service {
-
-[[nodiscard]] UpdateOptions updateOptionsOf(const FirmwareRule &rule);
 
 /// One unit under one recipe: its steps, and what they share. Lives in the frame of serveUnit().
 class UnitRun {

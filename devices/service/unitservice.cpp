@@ -3,87 +3,15 @@
 
 #include "service/unitrun.h"
 
-#include "async/sleep.h"
-#include "model/family.h"
-
 namespace mb::service {
 namespace {
-
-using namespace std::chrono_literals;
-
-constexpr Duration masterListen = 150ms; // another master sends at least this often
 
 bool isSilence(Fault fault)
 {
     return fault == Fault::Timeout || fault == Fault::LinkLost || fault == Fault::BadReply;
 }
 
-/// Names of the states in which nothing may be done to a unit.
-Result<void> checkState(const Device &device, const Recipe &recipe)
-{
-    const std::string number = std::to_string(device.identity().address);
-    switch (device.identity().state) {
-    case DeviceState::Duplicate:
-        return fail(Fault::Unsafe, say("several units answer as number %1", number),
-            say("take the other one off, or give one of them another number"));
-    case DeviceState::Unassigned:
-        if (recipe.test)
-            return fail(Fault::Unsafe, say("this unit has no number yet, and without one its motor may not be driven"),
-                say("give it a number first, or take the self-test out of the recipe"));
-        return {};
-    case DeviceState::Bootloader:
-        if (!recipe.firmware)
-            return fail(Fault::Unsafe, say("this unit waits in its bootloader, and the recipe has no firmware for it"),
-                say("name a firmware in the recipe"));
-        return {};
-    case DeviceState::Online: return {};
-    }
-    return {};
-}
-
-Result<void> checkStill(const Device &device)
-{
-    if (device.liveness().foreignMaster)
-        return fail(Fault::Unsafe, say("another program or controller drives this unit"), say("stop it there first"));
-    if (device.liveness().moving)
-        return fail(Fault::Unsafe, say("its motor is turning or driven already"), say("bring it to rest first"));
-    return {};
-}
-
 } // namespace
-
-Task<void> preflight(Device &device, const RecipeMatter &matter, Progress &progress)
-{
-    if (auto state = checkState(device, matter.recipe); !state)
-        co_return fail(state.error());
-    if (device.identity().state != DeviceState::Bootloader) {
-        Sleep listening(device.clock(), masterListen);
-        co_await listening;
-        if (auto still = checkStill(device); !still)
-            co_return fail(still.error());
-    }
-    if (!matter.recipe.firmware)
-        co_return {};
-    UpdateOptions options = updateOptionsOf(*matter.recipe.firmware);
-    options.dryRun = true;
-    auto looking = device.family().update(device, matter.image, options, progress);
-    const UpdateReport report = co_await std::move(looking);
-    if (report.outcome == UpdateOutcome::Done || report.outcome == UpdateOutcome::UpToDate)
-        co_return {};
-    const Fault fault = report.outcome == UpdateOutcome::Refused ? Fault::Unsafe : Fault::Refused;
-    co_return fail(report.fault.value_or(fault), report.evidence, report.remedy);
-}
-
-UpdateOptions updateOptionsOf(const FirmwareRule &rule)
-{
-    constexpr std::string_view mark = "?target=";
-    UpdateOptions options;
-    const auto at = rule.via.find(mark);
-    options.via = rule.via.substr(0, at);
-    if (at != std::string::npos)
-        options.target = rule.via.substr(at + mark.size());
-    return options;
-}
 
 Task<Visit> serveUnit(
     Device &device, SetPointStream &stream, Visit visit, ServiceSurroundings surroundings, Progress &progress)

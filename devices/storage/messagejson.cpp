@@ -12,12 +12,12 @@
 namespace mb {
 namespace {
 
-constexpr QLatin1String literalKey("say");
-constexpr QLatin1String argumentsKey("of");
-constexpr QLatin1String wholeKey("whole"); ///< QJsonValue knows no integers
-constexpr QLatin1String numberKey("number");
-constexpr QLatin1String decimalsKey("decimals");
-constexpr QLatin1String unitKey("unit");
+const QLatin1String literalKey("say");
+const QLatin1String argumentsKey("of");
+const QLatin1String wholeKey("whole"); ///< QJsonValue knows no integers
+const QLatin1String numberKey("number");
+const QLatin1String decimalsKey("decimals");
+const QLatin1String unitKey("unit");
 
 QJsonValue argumentToJson(const MessageArgument &argument)
 {

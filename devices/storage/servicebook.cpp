@@ -2,6 +2,7 @@
 #include "storage/servicebook.h"
 
 #include "files/qttext.h"
+#include "storage/sqltext.h"
 
 #include <QSqlQuery>
 #include <QUuid>
@@ -101,7 +102,7 @@ Result<std::string> ServiceBook::lastRun(const std::string &recipe)
     std::string run;
     auto read = m_database.run(
         "SELECT run FROM service_visit WHERE recipe = ? AND station = ? ORDER BY time DESC, id LIMIT 1",
-        {qt(recipe), qt(m_station)}, [&run](const QSqlQuery &row) { run = row.value(0).toString().toStdString(); });
+        {qt(recipe), qt(m_station)}, [&run](const QSqlQuery &row) { run = textAt(row, 0); });
     if (!read)
         return fail(read.error());
     return run;

@@ -3,6 +3,7 @@
 
 #include "files/qttext.h"
 #include "settings/unit.h"
+#include "storage/sqltext.h"
 
 #include <QSqlQuery>
 #include <QVariant>
@@ -18,11 +19,6 @@ using settings::ValueChange;
 
 const std::string listed = "SELECT id, time, unit, device, family, serial, firmware, name, occasion, count";
 const std::string whole = listed + ", file";
-
-std::string textAt(const QSqlQuery &row, int column)
-{
-    return row.value(column).toString().toStdString();
-}
 
 ParameterSnapshot snapshotOf(const QSqlQuery &row, bool isWhole)
 {

@@ -2,6 +2,7 @@
 #include "storage/sharedjournal.h"
 
 #include "files/qttext.h"
+#include "storage/sqltext.h"
 
 #include <QSqlQuery>
 #include <QUuid>
@@ -111,7 +112,7 @@ Result<std::string> SharedJournal::tokenFor(const std::string &scope)
     SqlConnection &sql = m_book.database();
     std::string token;
     auto read = sql.run("SELECT token FROM service_block WHERE scope = ? AND last < first", {qt(scope)},
-        [&token](const QSqlQuery &row) { token = row.value(0).toString().toStdString(); });
+        [&token](const QSqlQuery &row) { token = textAt(row, 0); });
     if (!read)
         return fail(read.error());
     if (!token.empty())

@@ -25,6 +25,8 @@ public:
     /// Everything that waits, now; fails when the server does not take it. Also by itself after every write, and every 5 s
     /// while something waits.
     [[nodiscard]] Task<void> deliver();
+    /// The same without waiting for it: changed() tells what became of it.
+    void deliverSoon();
     /// Entries that the server has not got as they are.
     [[nodiscard]] int waiting() const;
     /// Why the server did not take them last; empty detail: it did.
@@ -33,7 +35,6 @@ public:
     [[nodiscard]] Listeners<> &changed() { return m_changed; }
 
 private:
-    void deliverSoon();
     [[nodiscard]] Task<void> deliverBatch(std::vector<KeptVisit> batch);
     [[nodiscard]] Task<NumberBlock> take(std::string token, service::NumberWish wish);
     [[nodiscard]] Result<std::string> tokenFor(const std::string &scope);

@@ -3,6 +3,7 @@
 
 #include "files/qttext.h"
 #include "storage/messagejson.h"
+#include "storage/sqltext.h"
 #include "storage/trialjson.h"
 #include "storage/tuningjson.h"
 
@@ -35,11 +36,6 @@ QJsonDocument parsed(const QVariant &text)
     return QJsonDocument::fromJson(text.toString().toUtf8());
 }
 
-std::string text(const QSqlQuery &row, int column)
-{
-    return row.value(column).toString().toStdString();
-}
-
 KeptTrial trialOf(const QSqlQuery &row)
 {
     KeptTrial kept;
@@ -47,11 +43,11 @@ KeptTrial trialOf(const QSqlQuery &row)
     kept.time = row.value(1).toDouble();
     tuning::Trial &trial = kept.trial;
     trial.number = kept.number;
-    trial.device = text(row, 2);
-    trial.unit = text(row, 3);
-    trial.firmware = text(row, 4);
+    trial.device = textAt(row, 2);
+    trial.unit = textAt(row, 3);
+    trial.firmware = textAt(row, 4);
     trial.simulated = row.value(5).toBool();
-    trial.mode = modeFromString(text(row, 6)).value_or(Mode::Off);
+    trial.mode = modeFromString(textAt(row, 6)).value_or(Mode::Off);
     trial.axis = row.value(7).toInt();
     trial.slot = row.value(8).toInt();
     readStimulus(parsed(row.value(9)).object(), trial);
@@ -59,13 +55,13 @@ KeptTrial trialOf(const QSqlQuery &row)
     readGains(parsed(row.value(11)).object(), trial);
     readMetrics(parsed(row.value(12)).object(), trial);
     readFlags(parsed(row.value(13)).array(), trial);
-    trial.reason = text(row, 14);
-    trial.detail = messageFrom(text(row, 15));
+    trial.reason = textAt(row, 14);
+    trial.detail = messageFrom(textAt(row, 15));
     trial.stopped = row.value(16).toBool();
     trial.samples = row.value(17).toULongLong();
     trial.lost = row.value(18).toULongLong();
     kept.star = row.value(19).toBool();
-    kept.note = text(row, 20);
+    kept.note = textAt(row, 20);
     return kept;
 }
 
@@ -75,19 +71,19 @@ KeptTuning tuningOf(const QSqlQuery &row)
     kept.number = row.value(0).toLongLong();
     kept.time = row.value(1).toDouble();
     tuning::TuneReport &report = kept.report;
-    report.device = text(row, 2);
-    report.unit = text(row, 3);
-    report.firmware = text(row, 4);
+    report.device = textAt(row, 2);
+    report.unit = textAt(row, 3);
+    report.firmware = textAt(row, 4);
     report.simulated = row.value(5).toBool();
-    report.loop = modeFromString(text(row, 6)).value_or(Mode::Off);
+    report.loop = modeFromString(textAt(row, 6)).value_or(Mode::Off);
     report.axis = row.value(7).toInt();
     report.slot = row.value(8).toInt();
     for (const auto result : {tuning::TuneResult::Kept, tuning::TuneResult::Proposed, tuning::TuneResult::RolledBack,
              tuning::TuneResult::Refused, tuning::TuneResult::Stopped}) {
-        if (toString(result) == text(row, 9))
+        if (toString(result) == textAt(row, 9))
             report.result = result;
     }
-    report.evidence = messageFrom(text(row, 10));
+    report.evidence = messageFrom(textAt(row, 10));
     readTuning(parsed(row.value(11)).object(), report);
     return kept;
 }
@@ -276,7 +272,7 @@ Result<std::vector<tuning::Signal>> TrialBook::signals(std::int64_t number)
     const auto read = m_database.run("SELECT channel, unit, samples, data FROM signal WHERE trial = ? ORDER BY channel",
         {static_cast<qint64>(number)}, [&signals](const QSqlQuery &row) {
             signals.push_back(
-                {text(row, 0), text(row, 1), unpacked(row.value(3).toByteArray(), row.value(2).toULongLong())});
+                {textAt(row, 0), textAt(row, 1), unpacked(row.value(3).toByteArray(), row.value(2).toULongLong())});
         });
     if (!read)
         return fail(read.error());
@@ -306,7 +302,7 @@ Task<std::vector<tuning::OwedGains>> TrialBook::owedTo(std::string unit)
             const std::int64_t trial = row.value(0).toLongLong();
             if (owed.empty() || owed.back().trial != trial)
                 owed.push_back({trial, row.value(3).toDouble(), {}});
-            owed.back().values.push_back({text(row, 1), row.value(2).toLongLong()});
+            owed.back().values.push_back({textAt(row, 1), row.value(2).toLongLong()});
         });
     if (!done)
         co_return fail(done.error());

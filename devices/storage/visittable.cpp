@@ -3,6 +3,7 @@
 
 #include "files/qttext.h"
 #include "storage/messagejson.h"
+#include "storage/sqltext.h"
 #include "storage/visitjson.h"
 
 #include <QJsonDocument>
@@ -49,43 +50,38 @@ QVariantList visitValues(const KeptVisit &kept)
         v.seconds, savedText(v.cause), savedText(v.remedy), savedText(v.evidence), qt(v.note)};
 }
 
-std::string wordAt(const QSqlQuery &row, int column)
-{
-    return row.value(column).toString().toStdString();
-}
-
 KeptVisit visitFrom(const QSqlQuery &row)
 {
     KeptVisit kept;
     Visit &v = kept.visit;
     kept.revision = row.value(1).toLongLong();
-    v.id = wordAt(row, 0);
-    v.run = wordAt(row, 2);
+    v.id = textAt(row, 0);
+    v.run = textAt(row, 2);
     v.time = row.value(3).toDouble();
-    v.station = wordAt(row, 4);
-    v.person = wordAt(row, 5);
-    v.recipe = wordAt(row, 6);
-    v.recipeHash = wordAt(row, 7);
-    v.imageHash = wordAt(row, 8);
-    v.unit = wordAt(row, 9);
-    v.serial = wordAt(row, 10);
-    v.device = wordAt(row, 11);
-    v.family = wordAt(row, 12);
+    v.station = textAt(row, 4);
+    v.person = textAt(row, 5);
+    v.recipe = textAt(row, 6);
+    v.recipeHash = textAt(row, 7);
+    v.imageHash = textAt(row, 8);
+    v.unit = textAt(row, 9);
+    v.serial = textAt(row, 10);
+    v.device = textAt(row, 11);
+    v.family = textAt(row, 12);
     v.simulated = row.value(13).toInt() != 0;
-    v.step = service::stepFromString(wordAt(row, 14));
-    v.outcome = service::outcomeFromString(wordAt(row, 15));
-    v.from = wordAt(row, 16);
-    v.to = wordAt(row, 17);
+    v.step = service::stepFromString(textAt(row, 14));
+    v.outcome = service::outcomeFromString(textAt(row, 15));
+    v.from = textAt(row, 16);
+    v.to = textAt(row, 17);
     v.parameters = countAt<int>(row, 18);
     v.test = testFromJson(QJsonDocument::fromJson(row.value(19).toString().toUtf8()).array());
     v.number = countAt<int>(row, 20);
     v.snapshot = countAt<std::int64_t>(row, 21);
     v.trial = countAt<std::int64_t>(row, 22);
     v.seconds = row.value(23).toDouble();
-    v.cause = messageFrom(wordAt(row, 24));
-    v.remedy = messageFrom(wordAt(row, 25));
-    v.evidence = messageFrom(wordAt(row, 26));
-    v.note = wordAt(row, 27);
+    v.cause = messageFrom(textAt(row, 24));
+    v.remedy = messageFrom(textAt(row, 25));
+    v.evidence = messageFrom(textAt(row, 26));
+    v.note = textAt(row, 27);
     return kept;
 }
 
@@ -136,8 +132,8 @@ Result<std::vector<KeptVisit>> select(SqlConnection &sql, const std::string &res
             break;
         read = sql.run("SELECT step, time, ended, detail FROM service_step WHERE visit = ? ORDER BY place",
             {qt(kept.visit.id)}, [&kept](const QSqlQuery &row) {
-                kept.visit.steps.push_back({service::stepFromString(wordAt(row, 0)), row.value(1).toDouble(),
-                    row.value(2).toInt() != 0, messageFrom(wordAt(row, 3))});
+                kept.visit.steps.push_back({service::stepFromString(textAt(row, 0)), row.value(1).toDouble(),
+                    row.value(2).toInt() != 0, messageFrom(textAt(row, 3))});
             });
     }
     if (!read)

@@ -18,8 +18,12 @@ namespace mb::test {
 /// Simulated units of one family on one bus, in virtual time; each has its own supply, and is put on and off by its place.
 class UnitRack {
 public:
-    explicit UnitRack(std::vector<std::string> units, const std::string &address = "sim:can")
-        : m_texts(std::move(units))
+    /// With a clock of its own, or with that of another rack, which outlives it.
+    explicit UnitRack(
+        std::vector<std::string> units, const std::string &address = "sim:can", VirtualClock *shared = nullptr)
+        : m_own(shared ? nullptr : std::make_unique<VirtualClock>())
+        , clock(shared ? *shared : *m_own)
+        , m_texts(std::move(units))
         , m_families(families().begin(), families().end())
     {
         for (const std::string &text : m_texts)
@@ -46,7 +50,11 @@ public:
     }
     [[nodiscard]] std::span<const Family *const> list() const { return m_families; }
 
-    VirtualClock clock;
+private:
+    std::unique_ptr<VirtualClock> m_own;
+
+public:
+    VirtualClock &clock;
     std::unique_ptr<Session> session;
     Link *link = nullptr;
     const Family *family = nullptr;
@@ -61,7 +69,7 @@ private:
 /// Lets motors turn, and counts how often.
 class CountingPermit final : public service::MotionPermit {
 public:
-    [[nodiscard]] Task<void> beforeMotion(const Device &, const service::SelfTest &) override
+    [[nodiscard]] Task<void> beforeMotion(const Device &, const service::SelfTest &, Progress &) override
     {
         ++count;
         co_return {};

@@ -350,6 +350,73 @@ protected:
     }
 };
 
+/// A unit that was cut off, and is silent or back when the queue goes on.
+class CutUnits : public ServiceQueues {
+protected:
+    /// Served until its firmware is being written; the name of the run.
+    std::string cut(UnitRack &rack, const RecipeMatter &matter)
+    {
+        QueueRun run(rack, *books, matter, options({}));
+        run.queue.start();
+        EXPECT_TRUE(rack.clock.runUntil(
+            [&] {
+                const auto rows = run.queue.rows();
+                return !rows.empty() && rows[0].visit.step == Step::Firmware && rows[0].done > 5;
+            },
+            1min));
+        return run.queue.run();
+    }
+    [[nodiscard]] static QueueOptions options(const std::string &run, std::optional<int> units = 1)
+    {
+        QueueOptions options;
+        options.units = units;
+        options.run = run;
+        return options;
+    }
+};
+
+TEST_F(CutUnits, WhichStaySilentHaveFailedAndNobodyWaitsForEver)
+{
+    for (const std::optional<int> units : {std::optional<int>(1), std::optional<int>()}) {
+        UnitRack rack({"dmc60c:5,serial=210334000001,firmware=1.23"});
+        const RecipeMatter matter = load(rack, shortText);
+        const std::string name = cut(rack, matter);
+        rack.putOn(std::nullopt);
+        rack.clock.advance(1s);
+        QueueRun again(rack, *books, matter, options(name, units));
+        again.queue.start();
+        ASSERT_TRUE(rack.clock.runUntil([&] { return !again.queue.rows().empty(); }, 5s));
+        EXPECT_EQ(again.queue.rows()[0].state, RowState::Waiting);
+        EXPECT_EQ(again.queue.rows()[0].what.english(), "does not answer") << "its row says so meanwhile";
+        ASSERT_TRUE(rack.clock.runUntil([&] { return again.isEnded; }, 30s));
+        const auto visits = books->visits();
+        ASSERT_EQ(visits.size(), 1U);
+        EXPECT_EQ(visits[0].outcome, Outcome::Failed);
+        EXPECT_EQ(visits[0].step, Step::Firmware);
+        EXPECT_EQ(visits[0].cause.english(), "it was cut off at 'firmware' and does not answer any more");
+        EXPECT_TRUE(visits[0].steps.back().ended);
+        EXPECT_EQ(again.queue.counts().failed, 1);
+    }
+}
+
+TEST_F(CutUnits, WhichComeBackSomeSecondsLaterGoOnInTheirOwnRow)
+{
+    UnitRack rack({"dmc60c:5,serial=210334000001,firmware=1.23"});
+    const RecipeMatter matter = load(rack, shortText);
+    const std::string name = cut(rack, matter);
+    rack.putOn(std::nullopt);
+    rack.clock.advance(1s);
+    QueueRun again(rack, *books, matter, options(name));
+    again.queue.start();
+    rack.clock.advance(6s);
+    rack.putOn(0);
+    ASSERT_TRUE(rack.clock.runUntil([&] { return again.isEnded; }, 2min));
+    const auto visits = books->visits();
+    ASSERT_EQ(visits.size(), 1U) << "no visit twice";
+    EXPECT_EQ(visits[0].outcome, Outcome::Passed) << visits[0].cause.english();
+    EXPECT_EQ(again.queue.rows().size(), 1U);
+}
+
 TEST_F(Cuts, AtEveryWriteOfTheJournalTheQueueGoesOnAndNothingIsDoneTwice)
 {
     int cuts = 0;

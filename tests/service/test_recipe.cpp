@@ -2,7 +2,8 @@
 #include "model/family.h"
 #include "model/registry.h"
 #include "service/goldenband.h"
-#include "service/recipe.h"
+#include "service/recipematter.h"
+#include "service/reciperead.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tables of the journal in a file and on a real server; stations that share one, and lose it.
-#include "postgresserver.h"
 #include "servicebench.h"
 #include "storage/serverconnection.h"
 #include "storage/sharedjournal.h"
+#include "support/postgresserver.h"
 
 #include <cstdio>
 #include <map>

@@ -16,4 +16,10 @@ inline void needCoreApplication()
     static QCoreApplication application(count, arguments);
 }
 
+/// What descriptors have to tell by now, between two steps of a virtual clock.
+inline void serveDescriptors()
+{
+    QCoreApplication::processEvents();
+}
+
 } // namespace mb::test

@@ -23,10 +23,20 @@ public:
     void cancel() override { ++cancelled; }
     void arm(bool on) override { armed.push_back(on); }
     void renew() override { ++renewed; }
-    void list(const service::VisitFilter &, Listed listed) override { listed(journal); }
+    [[nodiscard]] const JournalState &journal() const override { return journalState; }
+    void keepJournal(const std::string &server, const std::string &station, Finished finished) override
+    {
+        if (keeping) {
+            journalState.server = server;
+            journalState.station = station;
+            Q_EMIT changed();
+        }
+        finished(keeping);
+    }
+    void list(const service::VisitFilter &, Listed listed) override { listed(entries); }
     void setNote(const std::string &visit, const QString &note, Finished finished) override
     {
-        for (service::Visit &entry : journal) {
+        for (service::Visit &entry : entries) {
             if (entry.id == visit)
                 entry.note = note.toStdString();
         }
@@ -49,7 +59,9 @@ public:
     ServiceView shown;
     Result<void> beginning;
     CutRun cut;
-    std::vector<service::Visit> journal;
+    JournalState journalState;
+    Result<void> keeping;
+    std::vector<service::Visit> entries;
     std::vector<Plan> begun;
     std::vector<bool> paused;
     std::vector<std::uint32_t> skipped;

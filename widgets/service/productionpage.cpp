@@ -4,23 +4,23 @@
 #include "model/family.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/holdbutton.h"
-#include "widgets/common/iconbutton.h"
+#include "widgets/common/keystrip.h"
 #include "widgets/common/labels.h"
-#include "widgets/common/numberformat.h"
 #include "widgets/common/pagekeys.h"
-#include "widgets/common/stateglyph.h"
 #include "widgets/common/workbench.h"
+#include "widgets/service/counttiles.h"
+#include "widgets/service/journalcard.h"
+#include "widgets/service/productionhead.h"
+#include "widgets/service/unitlist.h"
 #include "widgets/service/verdictof.h"
 
 #include <QApplication>
 #include <QCheckBox>
-#include <QComboBox>
 #include <QFile>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLineEdit>
-#include <QListWidget>
 #include <QPointer>
 
 namespace mb {
@@ -28,21 +28,9 @@ namespace {
 
 constexpr std::chrono::milliseconds renewEvery{100};
 constexpr std::chrono::milliseconds betweenBeeps{250};
-constexpr int shownUnits = 10;
-constexpr int unitsWidth = 420;
-
-GlyphState glyphOf(service::RowState state)
-{
-    switch (state) {
-    case service::RowState::Passed: return GlyphState::Done;
-    case service::RowState::Failed: return GlyphState::Fault;
-    case service::RowState::Refused: return GlyphState::Warning;
-    case service::RowState::Running: return GlyphState::Busy;
-    case service::RowState::Skipped: return GlyphState::Volatile;
-    case service::RowState::Waiting: break;
-    }
-    return GlyphState::Waiting;
-}
+constexpr int unitsWidth = 400;
+constexpr int widthForUnits = 960; ///< of the page, so that the verdict keeps its room beside them
+constexpr int heightForTiles = 560;
 
 } // namespace
 
@@ -60,7 +48,8 @@ ProductionPage::ProductionPage(ServiceDesk &desk, Workbench &workbench, std::spa
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(buildHead());
+    column->setSizeConstraint(QLayout::SetNoConstraint); // minimumSizeHint() knows what may be left out
+    column->addWidget(m_head = new ProductionHead(theme, this));
     column->addWidget(separatorLine(Qt::Horizontal, this));
     auto *row = new QHBoxLayout;
     const int edge = theme.theme().u(16);
@@ -70,47 +59,34 @@ ProductionPage::ProductionPage(ServiceDesk &desk, Workbench &workbench, std::spa
     row->addWidget(buildUnits());
     column->addLayout(row, 1);
     column->addWidget(separatorLine(Qt::Horizontal, this));
-    column->addWidget(buildFoot());
+    column->addWidget(m_foot = buildFoot());
     m_renewal.setInterval(renewEvery);
     connect(&m_renewal, &QTimer::timeout, this, [this] { m_desk.renew(); });
     connect(&desk, &ServiceDesk::changed, this, &ProductionPage::follow);
     connect(&desk, &ServiceDesk::unitEnded, this, &ProductionPage::ended);
-    connect(&workbench, &Workbench::changed, this, &ProductionPage::followLinks);
+    connect(&workbench, &Workbench::changed, this, [this] { m_head->follow(m_workbench.snapshot()); });
     connect(&theme, &ThemeSource::changed, this, &ProductionPage::follow); // shapes have colours of their own
     connect(qApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
         if (state != Qt::ApplicationActive && m_desk.view().armed)
             m_desk.arm(false);
     });
-    followLinks();
+    connectHead();
     follow();
 }
 
-QWidget *ProductionPage::buildHead()
+void ProductionPage::connectHead()
 {
-    const Theme &theme = m_theme.theme();
-    auto *head = new QWidget(this);
-    auto *row = new QHBoxLayout(head);
-    row->setContentsMargins(theme.u(16), theme.u(10), theme.u(16), theme.u(10));
-    row->setSpacing(theme.u(12));
-    m_recipe = textLabel(tr("No recipe yet"), TextRole::Title, Tone::Text, head);
-    m_link = new QComboBox(head);
-    m_link->setAccessibleName(tr("Link that units are put on"));
-    auto *open = new CommandButton(m_theme, Symbol::Open, tr("Open recipe…"), head);
-    m_start = new CommandButton(m_theme, Symbol::Play, tr("Start"), head);
-    m_start->setPrimary(true);
-    m_start->setTextVariants({tr("Start"), tr("End")});
-    m_arm = new HoldButton(m_theme, Symbol::Arm, tr("Hold to arm self-tests"), head);
-    m_arm->setHoldNeeded(true);
-    auto *leave = new CommandButton(m_theme, tr("Leave"), head);
-    leave->setKeyHint(QStringLiteral("F11"));
-    row->addWidget(m_recipe, 1);
-    for (QWidget *part : std::initializer_list<QWidget *>{m_link, open, m_start, m_arm, leave})
-        row->addWidget(part);
-    connect(open, &QPushButton::clicked, this, &ProductionPage::askRecipe);
-    connect(m_start, &QPushButton::clicked, this, [this] { m_desk.view().running ? m_desk.finish() : start(); });
-    connect(m_arm, &HoldButton::activated, this, [this] { m_desk.arm(!m_desk.view().armed); });
-    connect(leave, &QPushButton::clicked, this, &ProductionPage::leaveRequested);
-    return head;
+    connect(m_head, &ProductionHead::recipeWanted, this, &ProductionPage::askRecipe);
+    connect(m_head, &ProductionHead::startWanted, this, [this] { m_desk.view().running ? m_desk.finish() : start(); });
+    connect(m_head, &ProductionHead::armWanted, this, [this] { m_desk.arm(!m_desk.view().armed); });
+    connect(m_head, &ProductionHead::leaveWanted, this, &ProductionPage::leaveRequested);
+    connect(m_head, &ProductionHead::serialTaken, this, &ProductionPage::take);
+    m_head->follow(m_workbench.snapshot());
+}
+
+HoldButton &ProductionPage::armButton()
+{
+    return m_head->armButton();
 }
 
 QWidget *ProductionPage::buildBench()
@@ -121,37 +97,27 @@ QWidget *ProductionPage::buildBench()
     column->setSpacing(m_theme.theme().u(12));
     m_motion = textLabel({}, TextRole::Emphasis, Tone::Dim, bench);
     m_motion->setWordWrap(true);
+    m_motion->hide(); // until a recipe has a self-test
     m_verdict = new VerdictView(m_theme, bench);
-    m_counts = textLabel({}, TextRole::Large, Tone::Text, bench);
-    m_counts->setWordWrap(true);
+    m_tiles = new CountTiles(m_theme, bench);
     column->addWidget(m_motion);
     column->addWidget(m_verdict, 1);
-    column->addWidget(m_counts);
+    column->addWidget(m_tiles);
     return bench;
 }
 
 QWidget *ProductionPage::buildUnits()
 {
     const Theme &theme = m_theme.theme();
-    auto *side = new QWidget(this);
-    side->setFixedWidth(theme.u(unitsWidth));
-    auto *column = new QVBoxLayout(side);
+    m_side = new QWidget(this);
+    m_side->setFixedWidth(theme.u(unitsWidth));
+    auto *column = new QVBoxLayout(m_side);
     column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(new SectionLabel(tr("Last ten units"), side));
-    m_units = new QListWidget(side);
-    m_units->setAccessibleName(tr("Last ten units, newest first"));
-    m_units->setFocusPolicy(Qt::NoFocus);
-    m_units->setWordWrap(true);
-    column->addWidget(m_units, 1);
-    m_serial = new QLineEdit(side);
-    m_serial->setAccessibleName(tr("Serial number, scanned or typed"));
-    m_serial->setPlaceholderText(tr("Scan or type a serial number"));
-    column->addWidget(m_serial);
-    connect(m_serial, &QLineEdit::returnPressed, this, [this] {
-        take(m_serial->text().trimmed());
-        m_serial->clear();
-    });
-    return side;
+    column->addWidget(new SectionLabel(tr("Last ten units"), m_side));
+    column->addWidget(m_units = new UnitList(m_theme, m_side), 1);
+    column->addSpacing(theme.u(8));
+    column->addWidget(new JournalCard(m_desk, m_theme, m_side));
+    return m_side;
 }
 
 QWidget *ProductionPage::buildFoot()
@@ -160,19 +126,23 @@ QWidget *ProductionPage::buildFoot()
     auto *foot = new QWidget(this);
     auto *row = new QHBoxLayout(foot);
     row->setContentsMargins(theme.u(16), theme.u(6), theme.u(16), theme.u(6));
-    row->addWidget(textLabel(tr("F5 test again · F8 set aside · F2 serial number · F11 leave · Esc stops every motor"),
-        TextRole::Caption, Tone::Dim, foot));
-    row->addStretch(1);
-    auto *sound = new QCheckBox(tr("Sound"), foot);
-    sound->setChecked(m_sound);
-    sound->setAccessibleName(tr("Sound with every verdict"));
-    sound->setFocusPolicy(Qt::NoFocus);
-    row->addWidget(sound);
-    connect(sound, &QCheckBox::toggled, this, &ProductionPage::setSound);
+    row->addWidget(new KeyStrip(m_theme,
+                       {{QStringLiteral("F5"), tr("test again")}, {QStringLiteral("F8"), tr("set aside")},
+                           {QStringLiteral("F2"), tr("serial number")}, {QStringLiteral("F11"), tr("leave")},
+                           {QStringLiteral("Esc"), tr("stops every motor")}},
+                       foot),
+        1, Qt::AlignVCenter);
+    m_sound = new QCheckBox(tr("Sound"), foot);
+    m_sound->setObjectName(QStringLiteral("sound"));
+    m_sound->setChecked(true);
+    m_sound->setAccessibleName(tr("Sound with every verdict"));
+    m_sound->setFocusPolicy(Qt::NoFocus);
+    row->addWidget(m_sound);
     auto *keys = new PageKeys(*this);
     keys->add({Qt::Key_F5}, tr("tests the last unit again"), [this] { testAgain(); });
     keys->add({Qt::Key_F8}, tr("sets it aside, ready for the next"), [this] { setAside(); });
-    keys->add({Qt::Key_F2}, tr("goes to the serial number"), [this] { m_serial->setFocus(Qt::ShortcutFocusReason); });
+    keys->add(
+        {Qt::Key_F2}, tr("goes to the serial number"), [this] { m_head->serial().setFocus(Qt::ShortcutFocusReason); });
     return foot;
 }
 
@@ -192,23 +162,17 @@ bool ProductionPage::openRecipe(const QString &path)
         return false;
     }
     m_matter = std::make_shared<const service::RecipeMatter>(std::move(*loaded));
-    const service::Recipe &recipe = m_matter->recipe;
-    QStringList parts{qt(recipe.name)};
-    if (recipe.firmware)
-        parts << tr("firmware %1").arg(qt(m_matter->imageVersion));
-    if (!m_matter->parameters.empty())
-        parts << tr("%1 parameters").arg(m_matter->parameters.size());
-    if (recipe.number)
-        parts << tr("next free number from %1").arg(recipe.number->first);
-    m_recipe->setText(parts.join(QStringLiteral(" · ")));
-    m_motion->setText(recipe.test ? tr("The self-test turns the motor: %1").arg(motionOf(*recipe.test)) : QString());
+    const auto &test = m_matter->recipe.test;
+    m_head->show(m_matter.get());
+    m_motion->setText(test ? tr("The self-test turns the motor: %1").arg(motionOf(*test)) : QString());
+    m_motion->setVisible(test.has_value());
     follow();
     return true;
 }
 
 void ProductionPage::start()
 {
-    const std::string link = m_link->currentData().toString().toStdString();
+    const std::string link = m_head->link().toStdString();
     if (!m_matter || link.empty()) {
         m_workbench.report(Severity::Caution, {},
             m_matter ? tr("not started: open a link first") : tr("not started: open a recipe first"));
@@ -249,8 +213,8 @@ void ProductionPage::keyPressEvent(QKeyEvent *event)
 {
     const QString text = event->text();
     if (text.size() == 1 && text.at(0).isLetterOrNumber() && event->modifiers() <= Qt::ShiftModifier) {
-        m_serial->setFocus(Qt::OtherFocusReason);
-        m_serial->insert(text);
+        m_head->serial().setFocus(Qt::OtherFocusReason);
+        m_head->serial().insert(text);
         return;
     }
     QWidget::keyPressEvent(event);
@@ -262,53 +226,31 @@ void ProductionPage::hideEvent(QHideEvent *event)
     QWidget::hideEvent(event);
 }
 
-void ProductionPage::followLinks()
+QSize ProductionPage::minimumSizeHint() const
 {
-    const auto &links = m_workbench.snapshot().links;
-    QStringList addresses;
-    for (const LinkView &link : links) {
-        if (link.state == LinkState::Open)
-            addresses << qt(link.address);
-    }
-    QStringList known;
-    for (int i = 0; i < m_link->count(); ++i)
-        known << m_link->itemData(i).toString();
-    if (addresses == known)
-        return;
-    const QString before = m_link->currentData().toString();
-    m_link->clear();
-    for (const QString &address : addresses)
-        m_link->addItem(address, address);
-    m_link->setCurrentIndex(std::max(0, m_link->findData(before)));
+    return {m_theme.theme().u(560), m_theme.theme().u(360)};
+}
+
+void ProductionPage::resizeEvent(QResizeEvent *event)
+{
+    m_side->setVisible(width() >= m_theme.theme().u(widthForUnits));
+    const bool tall = height() >= m_theme.theme().u(heightForTiles);
+    m_tiles->setVisible(tall);
+    m_foot->setVisible(tall);
+    QWidget::resizeEvent(event);
 }
 
 void ProductionPage::follow()
 {
     const ServiceView &view = m_desk.view();
     m_verdict->setVerdict(verdictOf(view, m_setAside));
-    const auto mean = meanSeconds(view);
-    m_counts->setText(tr("%1 passed   %2 failed   %3 refused   mean %4")
-                          .arg(view.counts.passed)
-                          .arg(view.counts.failed)
-                          .arg(view.counts.refused)
-                          .arg(mean ? formatNumber(*mean, 1) + QStringLiteral("\u00A0s") : QString(UnknownMark)));
-    m_start->setText(view.running ? tr("End") : tr("Start"));
-    m_start->setSymbol(view.running ? Symbol::Pause : Symbol::Play);
-    m_link->setEnabled(!view.running);
-    const bool moves = m_matter && m_matter->recipe.test;
-    m_arm->setVisible(moves);
-    m_arm->setEnabled(view.running);
-    m_arm->setText(view.armed ? tr("ARMED, hold to disarm") : tr("Hold to arm self-tests"));
+    m_tiles->follow(view);
+    m_head->follow(view);
+    m_units->follow(view);
+    if (!std::exchange(m_announced, view.announces) && view.announces)
+        sound(2);
     if (const bool turns = view.running && view.armed; turns != m_renewal.isActive())
         turns ? m_renewal.start() : m_renewal.stop();
-    m_units->clear();
-    const int count = static_cast<int>(view.rows.size());
-    for (int i = count - 1; i >= std::max(0, count - shownUnits); --i) {
-        const service::QueueRow &row = view.rows[static_cast<std::size_t>(i)];
-        const QString number = row.visit.number ? QStringLiteral("  #%1").arg(*row.visit.number) : QString();
-        m_units->addItem(new QListWidgetItem(
-            glyphIcon(glyphOf(row.state), m_theme.theme()), nameOf(row) + number + QLatin1Char('\n') + lineOf(row)));
-    }
 }
 
 void ProductionPage::ended(const service::Visit &visit)
@@ -318,8 +260,20 @@ void ProductionPage::ended(const service::Visit &visit)
         return std::any_of(rows.begin(), rows.end(),
             [&](const service::QueueRow &row) { return row.id == id && row.visit.unit == visit.unit; });
     });
-    if (m_sound)
-        beep(visit.outcome == service::Outcome::Passed ? 1 : 3);
+    sound(visit.outcome == service::Outcome::Passed ? 1 : 3);
+}
+
+void ProductionPage::setSound(bool on)
+{
+    m_sound->setChecked(on);
+}
+
+void ProductionPage::sound(int times)
+{
+    if (!m_sound->isChecked())
+        return;
+    Q_EMIT sounded(times);
+    beep(times);
 }
 
 void ProductionPage::beep(int times)

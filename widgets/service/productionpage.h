@@ -6,16 +6,16 @@
 #include <QTimer>
 #include <QWidget>
 
-class QComboBox;
+class QCheckBox;
 class QLabel;
-class QLineEdit;
-class QListWidget;
 
 namespace mb {
 
-class CommandButton;
+class CountTiles;
 class HoldButton;
+class ProductionHead;
 class ThemeSource;
+class UnitList;
 class VerdictView;
 class Workbench;
 
@@ -37,26 +37,31 @@ public:
     void setAside();
     /// A serial number that was scanned or typed: that unit is served.
     void take(const QString &serial);
-    void setSound(bool on) { m_sound = on; }
+    void setSound(bool on);
     [[nodiscard]] VerdictView &verdict() { return *m_verdict; }
-    [[nodiscard]] HoldButton &armButton() { return *m_arm; }
+    [[nodiscard]] HoldButton &armButton();
+    /// What a small window or large letters leave no room for is left out, so it is always this small.
+    [[nodiscard]] QSize minimumSizeHint() const override;
 
 Q_SIGNALS:
     void leaveRequested();
+    /// So many tones: one for PASS, three for any other verdict, two before a motor turns.
+    void sounded(int times);
 
 protected:
     void keyPressEvent(QKeyEvent *event) override;
     void hideEvent(QHideEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
-    QWidget *buildHead();
+    void connectHead();
     QWidget *buildBench();
     QWidget *buildUnits();
     QWidget *buildFoot();
     void askRecipe();
     void follow();
-    void followLinks();
     void ended(const service::Visit &visit);
+    void sound(int times);
     void beep(int times);
 
     ServiceDesk &m_desk;
@@ -65,17 +70,16 @@ private:
     const ThemeSource &m_theme;
     std::shared_ptr<const service::RecipeMatter> m_matter;
     std::vector<std::uint32_t> m_setAside;
-    bool m_sound = true;
+    bool m_announced = false; ///< that a motor turns in a moment
     QTimer m_renewal;
-    QLabel *m_recipe = nullptr;
+    QCheckBox *m_sound = nullptr;
+    ProductionHead *m_head = nullptr;
     QLabel *m_motion = nullptr;
-    QLabel *m_counts = nullptr;
-    QComboBox *m_link = nullptr;
-    CommandButton *m_start = nullptr;
-    HoldButton *m_arm = nullptr;
     VerdictView *m_verdict = nullptr;
-    QListWidget *m_units = nullptr;
-    QLineEdit *m_serial = nullptr;
+    CountTiles *m_tiles = nullptr;
+    QWidget *m_side = nullptr;
+    QWidget *m_foot = nullptr;
+    UnitList *m_units = nullptr;
 };
 
 } // namespace mb

@@ -9,6 +9,16 @@
 
 namespace mb {
 
+/// Where the journal is kept, and how far that has got. A value.
+struct JournalState {
+    std::string server;  ///< address that stations share; empty: this computer's file alone
+    std::string station; ///< name of this one in it
+    int waiting = 0;     ///< entries that the server has not got
+    Message trouble;     ///< why it did not take them; empty: it did
+
+    friend bool operator==(const JournalState &, const JournalState &) = default;
+};
+
 /// A queue of units that is served, as the window sees it at one moment. A value.
 struct ServiceView {
     bool running = false;   ///< units are served, or waited for
@@ -17,6 +27,7 @@ struct ServiceView {
     bool armed = false;     ///< self-tests may turn the motor
     Instant armedUntil{};   ///< without a unit until then
     bool announces = false; ///< a motor turns within three seconds
+    bool waits = false;     ///< a unit waits for its self-test until the station is armed
     std::vector<std::string> links;
     std::string recipe;                  ///< its name
     std::string run;                     ///< to be gone on with; empty: nothing has begun
@@ -49,6 +60,10 @@ public:
     using Listed = std::function<void(Result<std::vector<service::Visit>>)>;
     using QObject::QObject;
 
+    /// Where recipes are kept: the folder of the project, empty without one.
+    [[nodiscard]] const QString &recipeFolder() const { return m_recipeFolder; }
+    void setRecipeFolder(const QString &folder) { m_recipeFolder = folder; }
+
     [[nodiscard]] virtual const ServiceView &view() const = 0;
     /// Serves the units of these links, which nobody else uses meanwhile. Refused while another queue runs.
     virtual void begin(const Plan &plan, Finished finished) = 0;
@@ -70,6 +85,11 @@ public:
     /// The window is alive: ten times a second, while a motor may turn.
     virtual void renew() = 0;
 
+    [[nodiscard]] virtual const JournalState &journal() const = 0;
+    /// From now on under the name of `station`, and shared on `server` (`postgresql://USER@HOST/DB`; empty: not shared). Empty
+    /// `station`: the computer's name. Usage for another address; Unsafe while units are served.
+    virtual void keepJournal(const std::string &server, const std::string &station, Finished finished) = 0;
+
     /// What the journal has, oldest first.
     virtual void list(const service::VisitFilter &filter, Listed listed) = 0;
     /// A note of the operator on an entry.
@@ -79,8 +99,13 @@ public:
 
 Q_SIGNALS:
     void changed();
+    /// keepJournal() was done, to be remembered for the next start.
+    void journalKept(const QString &server, const QString &station);
     /// Its row is in the journal.
     void unitEnded(const mb::service::Visit &visit);
+
+private:
+    QString m_recipeFolder;
 };
 
 } // namespace mb

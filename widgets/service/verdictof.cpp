@@ -8,6 +8,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <limits>
 
 namespace mb {
 namespace {
@@ -34,14 +35,17 @@ QString boundsOf(const service::TestValue &value)
                      : BenchText::tr("at most %1").arg(formatSignificant(*value.high, 3));
 }
 
+QString versionsOf(const service::Visit &visit)
+{
+    return visit.from == visit.to || visit.to.empty() ? qt(visit.from)
+                                                      : qt(visit.from) + QStringLiteral(" → ") + qt(visit.to);
+}
+
 std::vector<Verdict::Fact> factsOf(const service::Visit &visit)
 {
     std::vector<Verdict::Fact> facts;
     if (!visit.from.empty() || !visit.to.empty())
-        facts.push_back({BenchText::tr("firmware"),
-            visit.from == visit.to || visit.to.empty() ? qt(visit.from)
-                                                       : qt(visit.from) + QStringLiteral(" → ") + qt(visit.to),
-            {}});
+        facts.push_back({BenchText::tr("firmware"), versionsOf(visit), {}});
     if (visit.parameters)
         facts.push_back({BenchText::tr("parameters"), BenchText::tr("%1 equal").arg(*visit.parameters), {}});
     for (const service::TestValue &value : visit.test)
@@ -132,7 +136,9 @@ Verdict verdictOf(const ServiceView &view, const std::vector<std::uint32_t> &set
     if (verdict.kind == Verdict::Kind::Working) {
         verdict.step = view.announces ? BenchText::tr("The motor turns in a moment") : messageText(row->what);
         verdict.share = row->total > 0 ? static_cast<double>(row->done) / row->total : 0.0;
-        verdict.next = row->mayInterrupt ? BenchText::tr("Safe to unplug") : BenchText::tr("Do not unplug");
+        verdict.next = isWaitingForArm(view, *row) ? BenchText::tr("Hold Arm to go on")
+            : row->mayInterrupt                    ? BenchText::tr("Safe to unplug")
+                                                   : BenchText::tr("Do not unplug");
         return verdict;
     }
     verdict.cause = messageText(row->visit.cause);
@@ -144,23 +150,52 @@ Verdict verdictOf(const ServiceView &view, const std::vector<std::uint32_t> &set
     return verdict;
 }
 
-QString lineOf(const QueueRow &row)
+bool isWaitingForArm(const ServiceView &view, const QueueRow &row)
 {
-    const service::Visit &visit = row.visit;
+    return view.waits && row.state == RowState::Running && row.visit.step == service::Step::Test;
+}
+
+QString wordOf(const QueueRow &row)
+{
     switch (row.state) {
-    case RowState::Passed: {
-        const QString versions = visit.from == visit.to || visit.to.empty()
-            ? qt(visit.from)
-            : qt(visit.from) + QStringLiteral(" → ") + qt(visit.to);
-        return BenchText::tr("passed") + (versions.isEmpty() ? QString() : QStringLiteral(" · ") + versions);
-    }
-    case RowState::Failed: return BenchText::tr("failed · %1").arg(messageText(visit.cause));
-    case RowState::Refused: return BenchText::tr("refused · %1").arg(messageText(visit.cause));
-    case RowState::Running: return messageText(row.what);
+    case RowState::Passed: return BenchText::tr("passed");
+    case RowState::Failed: return BenchText::tr("failed");
+    case RowState::Refused: return BenchText::tr("refused");
+    case RowState::Running: return BenchText::tr("running");
     case RowState::Skipped: return BenchText::tr("left out");
     case RowState::Waiting: return BenchText::tr("waiting");
     }
     return {};
+}
+
+QString lineOf(const QueueRow &row)
+{
+    const service::Visit &visit = row.visit;
+    switch (row.state) {
+    case RowState::Passed: return versionsOf(visit);
+    case RowState::Failed:
+    case RowState::Refused: return messageText(visit.cause);
+    case RowState::Running: return messageText(row.what);
+    case RowState::Skipped:
+    case RowState::Waiting: break;
+    }
+    return {};
+}
+
+std::optional<double> unitsAnHour(const ServiceView &view)
+{
+    constexpr double hour = 3600.0;
+    double first = std::numeric_limits<double>::infinity();
+    double last = 0.0;
+    int ended = 0;
+    for (const QueueRow &row : view.rows) {
+        if (!hasEnded(row.state) || row.visit.time <= 0.0)
+            continue;
+        first = std::min(first, row.visit.time);
+        last = std::max(last, row.visit.time + row.visit.seconds);
+        ++ended;
+    }
+    return ended > 1 && last > first ? std::optional(ended * hour / (last - first)) : std::nullopt;
 }
 
 std::optional<double> meanSeconds(const ServiceView &view)

@@ -11,12 +11,18 @@ namespace mb {
 [[nodiscard]] Verdict verdictOf(const ServiceView &view, const std::vector<std::uint32_t> &setAside);
 /// The row that ended last and nobody has set aside; nullptr without one, and while another unit is being served.
 [[nodiscard]] const service::QueueRow *lastEnded(const ServiceView &view, const std::vector<std::uint32_t> &setAside);
-/// One line of the list of units: "passed · 1.23 → 1.25", or why not.
+/// It has all but its self-test, which waits until the station is armed.
+[[nodiscard]] bool isWaitingForArm(const ServiceView &view, const service::QueueRow &row);
+/// "passed", "failed", "refused", … of a row.
+[[nodiscard]] QString wordOf(const service::QueueRow &row);
+/// What stands beside that word: "1.23 → 1.25", or why not.
 [[nodiscard]] QString lineOf(const service::QueueRow &row);
 /// Serial number, or where it stands.
 [[nodiscard]] QString nameOf(const service::QueueRow &row);
 /// Mean seconds of the units that passed; nothing without one.
 [[nodiscard]] std::optional<double> meanSeconds(const ServiceView &view);
+/// From the first that began to the last that ended; nothing before the second has ended.
+[[nodiscard]] std::optional<double> unitsAnHour(const ServiceView &view);
 /// "velocity 0 → 1500 counts/s, at most 0.3 duty, 2000 counts/s, 500 counts": what a self-test makes a motor do.
 [[nodiscard]] QString motionOf(const service::SelfTest &test);
 

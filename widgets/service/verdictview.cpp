@@ -15,12 +15,16 @@ namespace {
 
 using Kind = Verdict::Kind;
 
-/// As large as asked, smaller where the width needs it.
+constexpr double leastZoom = 0.4;
+constexpr double mostZoom = 1.8;
+
+/// As large as asked, smaller where the width needs it; letters grow in steps, so it is tried until they fit.
 QFont fitted(QFont font, const QString &text, int width)
 {
-    const int wanted = QFontMetrics(font).horizontalAdvance(text);
-    if (wanted > width && wanted > 0)
-        font.setPointSizeF(std::max(font.pointSizeF() * width / wanted, 8.0));
+    constexpr double step = 0.96;
+    constexpr double least = 8.0;
+    while (font.pointSizeF() > least && QFontMetricsF(font).boundingRect(text).width() > width)
+        font.setPointSizeF(font.pointSizeF() * step);
     return font;
 }
 
@@ -60,7 +64,8 @@ QString VerdictView::wordOf(Kind kind)
 
 void VerdictView::setVerdict(const Verdict &verdict)
 {
-    const bool spoken = verdict.kind != m_verdict.kind || verdict.unit != m_verdict.unit;
+    const bool spoken
+        = verdict.kind != m_verdict.kind || verdict.unit != m_verdict.unit || verdict.next != m_verdict.next;
     m_verdict = verdict;
     update();
     if (spoken)
@@ -70,15 +75,16 @@ void VerdictView::setVerdict(const Verdict &verdict)
 void VerdictView::announce()
 {
     setAccessibleName(wordOf(m_verdict.kind) + QLatin1Char(' ') + m_verdict.unit);
-    setAccessibleDescription(
-        QStringList{m_verdict.cause, m_verdict.remedy, m_verdict.next}.join(QLatin1Char(' ')).trimmed());
+    setAccessibleDescription(QStringList{m_verdict.step, m_verdict.cause, m_verdict.remedy, m_verdict.next}
+                                 .join(QLatin1Char(' '))
+                                 .trimmed());
     QAccessibleEvent event(this, QAccessible::NameChanged);
     QAccessible::updateAccessibility(&event);
 }
 
 QSize VerdictView::minimumSizeHint() const
 {
-    return {m_theme.theme().u(520), m_theme.theme().u(300)};
+    return {m_theme.theme().u(336), m_theme.theme().u(144)};
 }
 
 QSize VerdictView::sizeHint() const
@@ -258,13 +264,17 @@ void VerdictView::paintEvent(QPaintEvent *)
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const Theme &theme = m_theme.theme();
+    const double zoom = std::clamp(
+        std::min(width() / double(sizeHint().width()), height() / double(sizeHint().height())), leastZoom, mostZoom);
+    painter.scale(zoom, zoom); // what has more room is read from farther away
+    const QRect whole(0, 0, static_cast<int>(width() / zoom), static_cast<int>(height() / zoom));
     const int frame = theme.u(3);
     painter.setBrush(ground());
     painter.setPen(QPen(hasFocus() ? theme.accent : colour(), frame, Qt::SolidLine));
-    painter.drawRoundedRect(rect().adjusted(frame, frame, -frame, -frame), theme.u(4), theme.u(4));
+    painter.drawRoundedRect(whole.adjusted(frame, frame, -frame, -frame), theme.u(4), theme.u(4));
     const int edge = theme.u(36);
     const int foot = m_verdict.next.isEmpty() ? 0 : theme.u(88);
-    const QRect inner = rect().adjusted(edge, theme.u(16), -edge, -foot - frame);
+    const QRect inner = whole.adjusted(edge, theme.u(16), -edge, -foot - frame);
     int y = paintHead(painter, inner) + theme.u(12);
     const QRect rest = inner.adjusted(0, y, 0, 0);
     if (m_verdict.kind == Kind::Working)
@@ -273,7 +283,7 @@ void VerdictView::paintEvent(QPaintEvent *)
         paintCause(painter, rest);
     else
         paintFacts(painter, rest);
-    paintFoot(painter, QRect(frame, height() - foot, width() - 2 * frame, foot));
+    paintFoot(painter, QRect(frame, whole.height() - foot, whole.width() - 2 * frame, foot));
 }
 
 } // namespace mb

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/session.h"
+#include "service/queuerow.h"
+
+#include <list>
+#include <set>
+
+namespace mb::service {
+
+/// Who is on one bus of a queue, as one look after the other tells it: units that come and go, those that the journal knows of an
+/// earlier run, and those that were cut off then and do not answer now. Thread of the queue.
+class BusRows {
+public:
+    struct Row {
+        QueueRow shown;
+        bool seen = false;               ///< in the last look
+        std::optional<Instant> absentAt; ///< since when nobody saw it
+        bool gone = false;               ///< long enough to begin again
+        bool missing = false;            ///< cut off in the run that is resumed, and not seen since
+        [[nodiscard]] bool isMissed() const { return missing && shown.state == RowState::Waiting; }
+    };
+    /// All of it outlives the rows.
+    struct Wanted {
+        const Family *family;
+        const std::vector<Visit> &earlier; ///< of the run that is resumed
+        bool once;                         ///< what the first look finds; else units as they are put on
+        bool onlyChosen;                   ///< what is found waits as Skipped
+    };
+    /// `lastRow`: of the whole queue, counted up.
+    BusRows(Session &session, Link &link, Wanted wanted, std::uint32_t &lastRow);
+
+    /// What a scan of the link has found; `serving` stays whatever it was.
+    void take(const std::vector<Device *> &found, const Row *serving);
+    [[nodiscard]] std::list<Row> &all() { return m_rows; }
+    [[nodiscard]] const std::list<Row> &all() const { return m_rows; }
+    [[nodiscard]] bool hasWaiting() const;
+    [[nodiscard]] bool isAnyMissing() const;
+    /// nullptr: nobody is there whose turn it is.
+    [[nodiscard]] Row *next();
+    [[nodiscard]] Row *find(std::uint32_t id);
+    /// Of the other units that are there.
+    [[nodiscard]] std::set<int> numbersBeside(const Row &row) const;
+
+private:
+    void notice(const Device &device);
+    void addRow(const Device &device, const std::string &unit);
+    void recallInto(Row &row, const Device &device);
+    [[nodiscard]] bool isThis(const Visit &visit, const std::string &unit, const Device &device) const;
+    void addMissing();
+    [[nodiscard]] Row *missingOf(const Device &device);
+    void markAbsent(const Row *serving);
+
+    Session &m_session;
+    Link &m_link;
+    Wanted m_wanted;
+    std::uint32_t &m_lastRow;
+    std::list<Row> m_rows;
+    bool m_isFirstLook = true;
+};
+
+} // namespace mb::service

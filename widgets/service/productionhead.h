@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "service/recipematter.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QHBoxLayout;
+class QLabel;
+class QLineEdit;
+
+namespace mb {
+
+class CommandButton;
+class HoldButton;
+class ThemeSource;
+struct ServiceView;
+struct Snapshot;
+
+/// What production does to every unit, on which link, and its orders. GUI thread.
+class ProductionHead : public QWidget {
+    Q_OBJECT
+public:
+    ProductionHead(const ThemeSource &theme, QWidget *parent);
+
+    /// nullptr: no recipe yet.
+    void show(const service::RecipeMatter *matter);
+    void follow(const ServiceView &view);
+    /// Offers the links that are open.
+    void follow(const Snapshot &shot);
+    /// Address of the chosen link; empty without one.
+    [[nodiscard]] QString link() const;
+    [[nodiscard]] HoldButton &armButton() const { return *m_arm; }
+    [[nodiscard]] QLineEdit &serial() const { return *m_serial; }
+
+Q_SIGNALS:
+    void recipeWanted();
+    /// To be started, or to be ended while units are served.
+    void startWanted();
+    void armWanted();
+    void leaveWanted();
+    /// Scanned or typed, without spaces around it.
+    void serialTaken(const QString &serial);
+
+private:
+    void buildFacts(QHBoxLayout &row);
+    void buildOrders(QWidget &orders);
+
+    const ThemeSource &m_theme;
+    QLabel *m_name = nullptr;
+    QLabel *m_image = nullptr;
+    QLabel *m_parameters = nullptr;
+    QLabel *m_number = nullptr;
+    QLabel *m_test = nullptr;
+    QComboBox *m_link = nullptr;
+    CommandButton *m_start = nullptr;
+    HoldButton *m_arm = nullptr;
+    QLineEdit *m_serial = nullptr;
+};
+
+} // namespace mb
