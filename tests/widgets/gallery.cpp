@@ -55,6 +55,7 @@ void renderAll(const Theme &theme, const QString &prefix, double zoom)
     const ThemeSource source(theme);
     const auto size = [zoom](int w, int h) { return QSize(static_cast<int>(w * zoom), static_cast<int>(h * zoom)); };
     render(chromePage(source), size(1440, 760), prefix + s("-chrome.png"));
+    render(lampPage(source), size(1440, 172), prefix + s("-lamp.png"));
     render(controlsPage(source), size(1440, 700), prefix + s("-controls.png"));
     render(statesPage(source), size(1000, 560), prefix + s("-states.png"));
     render(doctorPage(source, false), size(1280, 560), prefix + s("-doctor.png"));
@@ -103,6 +104,19 @@ QWidget *chromePage(const ThemeSource &theme)
     column->addWidget(new Banner(theme, BannerKind::Danger,
         s("Stopped: travel guard, predicted 4 310 of 4 096 counts."), s("Gains are back to trial #18.")));
     column->addStretch();
+    return page;
+}
+
+/// What the lamp says of a motor that is not seen to stand.
+QWidget *lampPage(const ThemeSource &theme)
+{
+    auto *page = new QWidget;
+    auto *column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(6);
+    column->addWidget(header(theme, {LampState::Stopped, {}, {}, true}, 0, false));
+    column->addWidget(header(theme, {LampState::Stopping, s("until it is seen"), {}, true}, 0, false));
+    column->addWidget(header(theme, {LampState::MayTurn, s("#3: cut its power"), {}, false}, 1, false));
     return page;
 }
 

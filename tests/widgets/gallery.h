@@ -7,6 +7,7 @@
 
 // One page of the gallery each. Not part of the product.
 QWidget *chromePage(const mb::ThemeSource &theme);
+QWidget *lampPage(const mb::ThemeSource &theme);
 QWidget *controlsPage(const mb::ThemeSource &theme);
 QWidget *statesPage(const mb::ThemeSource &theme);
 QWidget *livePlotPage(const mb::ThemeSource &theme);

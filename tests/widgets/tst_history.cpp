@@ -98,6 +98,7 @@ class TestHistory : public QObject {
 private Q_SLOTS:
     void theNewestStateIsComparedFirst();
     void whatIsTickedIsRestored();
+    void whatBelongsToOneUnitIsCopiedOnlyIfItIsTickedItself();
     void theTimelineTellsWhoWroteWhatFromWhere();
     void anyTwoStatesAreCompared();
     void undoTakesBackAnEditAndElseTheLastWrite();
@@ -112,8 +113,25 @@ void TestHistory::theNewestStateIsComparedFirst()
         (QStringList{
             QStringLiteral("current.adc_multiplier"), QStringLiteral("slot1.p"), QStringLiteral("slot1.max_forward")}));
     QCOMPARE(bench.column(3).at(1), QStringLiteral("2"));
-    QVERIFY(bench.column(5).at(0).contains(QStringLiteral("not copied")));
-    QVERIFY(!bench.table()->item(0, 0)->flags().testFlag(Qt::ItemIsUserCheckable));
+    QVERIFY(bench.column(5).at(0).contains(QStringLiteral("belongs to one unit")));
+    QCOMPARE(bench.table()->item(0, 0)->checkState(), Qt::Unchecked);
+}
+
+void TestHistory::whatBelongsToOneUnitIsCopiedOnlyIfItIsTickedItself()
+{
+    HistoryBench bench;
+    QTRY_COMPARE(bench.table()->rowCount(), 3);
+    button(bench, QStringLiteral("Restore 2"))->click();
+    bench.table()->item(0, 0)->setCheckState(Qt::Checked);
+    button(bench, QStringLiteral("Restore 3"))->click();
+    const auto calls = bench.workbench.given<orders::RestoreParameters>();
+    QCOMPARE(calls.size(), std::size_t{2});
+    const auto copies = [](const auto &call) {
+        return std::any_of(call.changes.begin(), call.changes.end(),
+            [](const ParameterChange &change) { return change.index == named("current.adc_multiplier"); });
+    };
+    QVERIFY(!copies(calls[0]));
+    QVERIFY(copies(calls[1]));
 }
 
 void TestHistory::whatIsTickedIsRestored()

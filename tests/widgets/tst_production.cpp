@@ -5,9 +5,14 @@
 #include "support/fakeworkbench.h"
 #include "support/windowtests.h"
 #include "widgets/common/holdbutton.h"
+#include "widgets/service/counttiles.h"
+#include "widgets/service/journalcard.h"
 #include "widgets/service/productionpage.h"
+#include "widgets/service/stationdialog.h"
+#include "widgets/service/unitlist.h"
 #include "widgets/service/verdictof.h"
 
+#include <QCheckBox>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
@@ -87,6 +92,12 @@ private Q_SLOTS:
     void leavingDisarms();
     void aScannerIsAKeyboard();
     void aMistakeInARecipeIsSaidWithItsLine();
+    void aShiftIsCountedInFigures();
+    void aSmallPageKeepsItsVerdict();
+    void theJournalOfTheStationIsChosenAndItsServerFollowed();
+    void soundCanBeSwitchedOff();
+    void aUnitThatWaitsForArmingSaysSo();
+    void pictures();
 };
 
 void TestProduction::oneClickServesUnitAfterUnit()
@@ -204,6 +215,155 @@ void TestProduction::aMistakeInARecipeIsSaidWithItsLine()
     ProductionBench bench;
     QVERIFY(!bench.open("{\"recipe\":1,\n\"name\":\"x\",\n\"colour\":3}"));
     QVERIFY2(bench.workbench.lines.back().text.contains(s("3")), qPrintable(bench.workbench.lines.back().text));
+}
+
+/// 27 units that took 21.6 s each and began every 90 s.
+std::vector<service::QueueRow> aShift()
+{
+    std::vector<service::QueueRow> rows;
+    for (std::uint32_t i = 0; i < 27; ++i) {
+        auto row = rowOf(i + 1, service::RowState::Passed, "2103343A7B00");
+        row.visit.serial = "2103343A7B" + std::to_string(10 + i);
+        row.visit.time = 1.7e9 + 90.0 * i;
+        row.visit.number = static_cast<int>(10 + i);
+        rows.push_back(row);
+    }
+    rows[20].state = service::RowState::Failed;
+    rows[20].visit.number.reset();
+    rows[20].visit.cause = Message::verbatim("friction 0.61 V, at most 0.4");
+    rows[20].visit.remedy = Message::verbatim("Free the shaft and test again, or put it in the red box");
+    return rows;
+}
+
+void TestProduction::aShiftIsCountedInFigures()
+{
+    ProductionBench bench;
+    bench.desk.shown.counts = {26, 1, 0};
+    bench.show(aShift());
+    const QStringList texts = bench.page->findChild<CountTiles *>()->texts();
+    QCOMPARE(texts.mid(0, 3), (QStringList{s("26 passed"), s("1 failed"), s("0 refused before start")}));
+    QVERIFY2(texts.at(3).startsWith(s("21.6")), qPrintable(texts.at(3)));
+    QCOMPARE(texts.at(4), s("41 units an hour")); // 27 in 26 × 90 s + 21.6 s
+}
+
+void TestProduction::soundCanBeSwitchedOff()
+{
+    ProductionBench bench;
+    std::vector<int> tones;
+    QObject::connect(
+        bench.page.get(), &ProductionPage::sounded, bench.page.get(), [&tones](int times) { tones.push_back(times); });
+    auto *box = bench.page->findChild<QCheckBox *>();
+    QCOMPARE(box->accessibleName(), s("Sound with every verdict"));
+    const auto end = [&bench](service::Outcome outcome) {
+        service::Visit visit;
+        visit.outcome = outcome;
+        Q_EMIT bench.desk.unitEnded(visit);
+    };
+    const auto announce = [&bench](bool on) {
+        bench.desk.shown.announces = on;
+        bench.show({rowOf(1, service::RowState::Running, "A1")});
+    };
+    box->setChecked(true);
+    end(service::Outcome::Passed);
+    end(service::Outcome::Failed);
+    announce(true);
+    announce(true); // the same three seconds
+    QCOMPARE(tones, (std::vector<int>{1, 3, 2}));
+    announce(false);
+    box->setChecked(false);
+    end(service::Outcome::Failed);
+    announce(true);
+    QCOMPARE(tones.size(), std::size_t(3));
+}
+
+void TestProduction::aUnitThatWaitsForArmingSaysSo()
+{
+    ProductionBench bench;
+    auto row = rowOf(1, service::RowState::Running, "A1");
+    row.visit.step = service::Step::Test;
+    row.what = say("waits until the station is armed");
+    bench.desk.shown.waits = true;
+    bench.show({row});
+    const Verdict &verdict = bench.page->verdict().verdict();
+    QCOMPARE(verdict.step, s("waits until the station is armed"));
+    QCOMPARE(verdict.next, s("Hold Arm to go on"));
+    QVERIFY(bench.page->verdict().accessibleDescription().contains(s("Hold Arm to go on")));
+    bench.desk.shown.waits = false;
+    bench.show({row});
+    QVERIFY(bench.page->verdict().verdict().next != s("Hold Arm to go on"));
+}
+
+void TestProduction::aSmallPageKeepsItsVerdict()
+{
+    ProductionBench bench;
+    QVERIFY(bench.page->findChild<UnitList *>()->isVisible());
+    bench.page->resize(600, 380);
+    QVERIFY(!bench.page->findChild<UnitList *>()->isVisible());
+    QVERIFY(bench.page->verdict().isVisible());
+    QTRY_VERIFY2(bench.page->verdict().height() >= 120, qPrintable(QString::number(bench.page->verdict().height())));
+    QVERIFY(bench.page->rect().contains(bench.page->verdict().geometry()));
+    bench.page->resize(1280, 748);
+    QVERIFY(bench.page->findChild<UnitList *>()->isVisible());
+}
+
+void TestProduction::theJournalOfTheStationIsChosenAndItsServerFollowed()
+{
+    ProductionBench bench;
+    auto *card = bench.page->findChild<JournalCard *>();
+    QVERIFY2(card->text().startsWith(s("On this computer")), qPrintable(card->text()));
+    QTest::mouseClick(card->findChild<QPushButton *>(), Qt::LeftButton);
+    auto *dialog = card->findChild<StationDialog *>();
+    QVERIFY(dialog && dialog->isVisible());
+    dialog->server().setText(s("ftp://bench-db"));
+    dialog->station().setText(s(" bench 2 "));
+    bench.desk.keeping = fail(Fault::Usage, Message::verbatim("no address of a server"));
+    dialog->accept();
+    QVERIFY(dialog->isVisible()); // what is wrong is said, and nothing has changed
+    QVERIFY(dialog->mistake().contains(s("no address")));
+    QVERIFY(bench.desk.journalState.server.empty());
+    bench.desk.keeping = {};
+    dialog->server().setText(s("postgresql://anna@bench-db/journal"));
+    dialog->accept();
+    QVERIFY(!dialog->isVisible());
+    QCOMPARE(bench.desk.journalState.station, std::string("bench 2"));
+    QCOMPARE(card->text(), s("PostgreSQL, bench-db/journal\nstation bench 2"));
+    bench.desk.journalState.waiting = 3;
+    bench.desk.journalState.trouble = Message::verbatim("the server does not answer");
+    Q_EMIT bench.desk.changed();
+    QVERIFY2(card->text().contains(s("3 entries wait for the server: the server does not answer")),
+        qPrintable(card->text()));
+    bench.show({});
+    QVERIFY(!card->findChild<QPushButton *>()->isEnabled()); // not while units are served
+}
+
+void TestProduction::pictures()
+{
+    const QString folder = qEnvironmentVariable("MOTORBENCH_PICTURES");
+    if (folder.isEmpty())
+        QSKIP("pictures for looking at: only where MOTORBENCH_PICTURES names a folder");
+    for (const bool dark : {true, false}) {
+        ProductionBench bench;
+        bench.theme.setTheme(dark ? darkTheme() : lightTheme());
+        applyTheme(*qApp, bench.theme.theme());
+        QVERIFY(bench.open(moving));
+        bench.page->resize(1440, 820);
+        bench.desk.shown.counts = {26, 1, 0};
+        auto rows = aShift();
+        rows.back().visit.test
+            = {{"resistance", 0.094, 0.080, 0.110, true, false}, {"overshoot", 0.02, {}, 0.4, true, true}};
+        bench.show(rows);
+        const QString name = folder + QLatin1Char('/') + s(dark ? "dark" : "light");
+        QVERIFY(bench.page->grab().save(name + s("-pass.png")));
+        rows.resize(21);
+        bench.show(rows);
+        QVERIFY(bench.page->grab().save(name + s("-fail.png")));
+        bench.page->resize(1280, 700);
+        QVERIFY(bench.page->grab().save(name + s("-fail-1280.png")));
+        bench.page->resize(640, 400);
+        QTRY_VERIFY(!bench.page->findChild<UnitList *>()->isVisible());
+        QCoreApplication::processEvents();
+        QVERIFY(bench.page->grab().save(name + s("-small.png")));
+    }
 }
 
 MB_WINDOW_TEST(TestProduction);

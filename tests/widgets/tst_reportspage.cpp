@@ -77,7 +77,7 @@ struct ReportBench {
         gone.unit = passed.unit;
         gone.visits = {passed};
         workbench.book.matter->push_back(gone);
-        desk.journal = {failed, passed};
+        desk.entries = {failed, passed};
         page->setService(desk, families());
     }
 };
@@ -233,7 +233,7 @@ void TestReportsPage::aNoteIsKept()
     QVERIFY(note->isVisible());
     note->setText(QStringLiteral("red box"));
     Q_EMIT note->editingFinished();
-    QCOMPARE(bench.desk.journal.back().note, std::string("red box"));
+    QCOMPARE(bench.desk.entries.back().note, std::string("red box"));
     QVERIFY(bench.page->list().item(0)->text().contains(QStringLiteral("red box")));
 }
 

@@ -2,6 +2,7 @@
 #include "support/windowtests.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/stateglyph.h"
+#include "widgets/common/systemtheme.h"
 
 #include <QApplication>
 #include <QFile>
@@ -25,6 +26,48 @@ QImage painted(const std::function<void(QPainter &)> &paint, int side = 24)
     return image;
 }
 
+struct DesktopColours {
+    const char *name;
+    QRgb window, base, button, text, highlight, link;
+};
+
+/// As desktops have them: usual ones, those for high contrast, and some that nobody should have chosen.
+constexpr DesktopColours desktops[] = {
+    {"Fusion", 0xEFEFEF, 0xFFFFFF, 0xEFEFEF, 0x000000, 0x308CC6, 0x0000FF},
+    {"Adwaita", 0xF6F5F4, 0xFFFFFF, 0xF6F5F4, 0x2E3436, 0x3584E4, 0x1B6ACB},
+    {"Breeze dark", 0x31363B, 0x232629, 0x31363B, 0xEFF0F1, 0x3DAEE9, 0x2980B9},
+    {"white on black", 0x000000, 0x000000, 0x000000, 0xFFFFFF, 0x1AEBFF, 0xFFFF00},
+    {"black on white", 0xFFFFFF, 0xFFFFFF, 0xFFFFFF, 0x000000, 0x37006E, 0x00009F},
+    {"yellow on black", 0x000000, 0x000000, 0x000000, 0xFFFF00, 0x00FF00, 0x00FFFF},
+    {"grey on grey", 0x808080, 0x909090, 0x707070, 0x606060, 0x888888, 0x7A7A7A},
+    {"dark fields in a light window", 0xF0F0F0, 0x202020, 0xD0D0D0, 0x101010, 0xFFC000, 0xC0C0FF},
+};
+
+QPalette paletteOf(const DesktopColours &desktop)
+{
+    QPalette palette;
+    palette.setColor(QPalette::Window, QColor(desktop.window));
+    for (const auto role : {QPalette::Base, QPalette::AlternateBase})
+        palette.setColor(role, QColor(desktop.base));
+    palette.setColor(QPalette::Button, QColor(desktop.button));
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+        palette.setColor(role, QColor(desktop.text));
+    palette.setColor(QPalette::Highlight, QColor(desktop.highlight));
+    palette.setColor(QPalette::Link, QColor(desktop.link));
+    return palette;
+}
+
+/// All that a window may have, by a name for the row of a test.
+std::vector<std::pair<QString, Theme>> everyTheme()
+{
+    std::vector<std::pair<QString, Theme>> all;
+    for (const Theme &theme : {darkTheme(), lightTheme(), contrastTheme()})
+        all.emplace_back(theme.name, theme);
+    for (const DesktopColours &desktop : desktops)
+        all.emplace_back(QString::fromLatin1(desktop.name), systemTheme(paletteOf(desktop)));
+    return all;
+}
+
 int inkedPixels(const QImage &image)
 {
     int inked = 0;
@@ -42,6 +85,8 @@ class ThemeTest : public QObject {
 private Q_SLOTS:
     void contrasts_data();
     void contrasts();
+    void highContrastIsHigh();
+    void theDesktopsColoursAreKeptWhereTheyCanBeRead();
     void tracesStandOutFromTheCanvas();
     void sheetKnowsEveryToken();
     void lengthsFollowTheFont();
@@ -56,9 +101,9 @@ void ThemeTest::contrasts_data()
     QTest::addColumn<QColor>("ink");
     QTest::addColumn<QColor>("ground");
     QTest::addColumn<double>("least");
-    for (const Theme &t : {darkTheme(), lightTheme()}) {
-        const auto row = [&t](const char *name, const QColor &ink, const QColor &ground, double least) {
-            QTest::addRow("%s %s", t.dark ? "dark" : "light", name) << ink << ground << least;
+    for (const auto &[called, t] : everyTheme()) {
+        const auto row = [&called = called](const char *name, const QColor &ink, const QColor &ground, double least) {
+            QTest::addRow("%s: %s", qPrintable(called), name) << ink << ground << least;
         };
         const std::pair<const char *, QColor> grounds[]
             = {{"canvas", t.canvas}, {"window", t.window}, {"head", t.head}, {"panel", t.panel}};
@@ -97,16 +142,56 @@ void ThemeTest::contrasts()
         qPrintable(QStringLiteral("%1 on %2: %3").arg(ink.name(), ground.name()).arg(found, 0, 'f', 2)));
 }
 
+/// Text 7:1 on everything that carries text, and edges of controls as text elsewhere.
+void ThemeTest::highContrastIsHigh()
+{
+    double least = 21.0;
+    int high = 0;
+    for (const auto &[called, t] : everyTheme()) {
+        const bool own = t.name == QLatin1String("contrast");
+        if (!own && !called.contains(QStringLiteral(" on black")) && !called.contains(QStringLiteral("black on ")))
+            continue;
+        ++high;
+        for (const QColor &ground : {t.canvas, t.window, t.head, t.panel, t.control, t.hover, t.sel}) {
+            for (const QColor &ink : {t.text, t.dim, t.faint, t.ok, t.caution, t.danger}) {
+                const bool onSelection = ground == t.sel && ink != t.text;
+                if (onSelection && ground != t.canvas)
+                    continue;
+                least = std::min(least, contrast(ink, ground));
+                QVERIFY2(contrast(ink, ground) >= 7.0,
+                    qPrintable(QStringLiteral("%1: %2 on %3").arg(called, ink.name(), ground.name())));
+            }
+        }
+        QVERIFY(contrast(t.outline, t.window) >= 4.5 && contrast(t.onFill, t.stop) >= 7.0);
+    }
+    QCOMPARE(high, 4);
+    qInfo("least contrast of text in high contrast: %.1f", least);
+}
+
+void ThemeTest::theDesktopsColoursAreKeptWhereTheyCanBeRead()
+{
+    const Theme theme = systemTheme(paletteOf(desktops[3]));
+    QCOMPARE(theme.window, QColor(Qt::black));
+    QCOMPARE(theme.canvas, QColor(Qt::black));
+    QCOMPARE(theme.text, QColor(Qt::white));
+    QCOMPARE(theme.accent, QColor(Qt::yellow));
+    QVERIFY(isHighContrast(paletteOf(desktops[3])) && isHighContrast(paletteOf(desktops[4])));
+    QVERIFY(!isHighContrast(paletteOf(desktops[0])) && !isHighContrast(paletteOf(desktops[1])));
+    QCOMPARE(themeNamed({}, paletteOf(desktops[3]), 10).name, systemThemeName()); // asked for by the desktop
+    QCOMPARE(themeNamed({}, paletteOf(desktops[1]), 10).name, QStringLiteral("dark"));
+}
+
 void ThemeTest::tracesStandOutFromTheCanvas()
 {
-    for (const Theme &theme : {darkTheme(), lightTheme()}) {
+    for (const auto &[called, theme] : everyTheme()) {
         std::set<QRgb> different;
         for (const QColor &trace : theme.traces) {
-            QVERIFY2(contrast(trace, theme.canvas) >= 3.4, qPrintable(trace.name()));
+            QVERIFY2(contrast(trace, theme.canvas) >= 3.4, qPrintable(called + QLatin1Char(' ') + trace.name()));
             different.insert(trace.rgb());
         }
         QCOMPARE(different.size(), theme.traces.size());
-        QVERIFY(different.count(theme.accent.rgb()) == 0);
+        if (theme.name != systemThemeName())
+            QVERIFY(different.count(theme.accent.rgb()) == 0);
     }
 }
 

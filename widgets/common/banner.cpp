@@ -101,7 +101,7 @@ void Banner::setTwoLines(bool on)
 
 int Banner::heightOf(const Theme &theme, bool twoLines)
 {
-    return theme.u(twoLines ? 46 : 32);
+    return theme.u(twoLines ? 56 : 36);
 }
 
 /// In one line the remedy has what the cause leaves; in two the cause has all.

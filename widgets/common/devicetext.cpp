@@ -136,6 +136,17 @@ GlyphState glyphOf(const DeviceView &device)
     return device.liveness.moving ? GlyphState::Moving : GlyphState::Online;
 }
 
+GlyphState glyphOf(Severity severity)
+{
+    switch (severity) {
+    case Severity::Good: return GlyphState::Done;
+    case Severity::Caution: return GlyphState::Warning;
+    case Severity::Danger: return GlyphState::Fault;
+    case Severity::Info: break;
+    }
+    return GlyphState::Volatile;
+}
+
 QString titleOf(const DeviceView &device)
 {
     return QStringLiteral("%1 #%2").arg(qt(device.family->title)).arg(device.identity.address);

@@ -31,6 +31,8 @@ namespace mb {
 /// "2 of 4 axes move", "4 axes"
 [[nodiscard]] QString axesLine(const DeviceView &device);
 [[nodiscard]] GlyphState glyphOf(const DeviceView &device);
+/// Of a line of a log.
+[[nodiscard]] GlyphState glyphOf(Severity severity);
 /// "DMC60C #5"
 [[nodiscard]] QString titleOf(const DeviceView &device);
 /// Second line of the tree: name and what it does now.

@@ -16,8 +16,8 @@
 namespace mb {
 namespace {
 
-/// As wide as its bold text, so that the row does not move when another segment is chosen. Where there is less room its padding goes
-/// first, then the end of its text.
+/// As wide as its bold text, so that the row does not move when another segment is chosen. Where there is less room its padding goes,
+/// and then the page scrolls: a choice that cannot be read is none.
 class SegmentButton : public QToolButton {
 public:
     using QToolButton::QToolButton;
@@ -27,8 +27,7 @@ public:
     }
     QSize minimumSizeHint() const override
     {
-        const int least = std::min(bold().horizontalAdvance(text()), bold().height() * 2);
-        return {least + bold().height() / 2, QToolButton::sizeHint().height()};
+        return {bold().horizontalAdvance(text()) + bold().height() * 2 / 3, QToolButton::sizeHint().height()};
     }
 
 protected:

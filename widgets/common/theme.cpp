@@ -78,7 +78,7 @@ QFont Theme::font(TextRole role, const QFont &body) const
 
 bool Theme::operator==(const Theme &other) const
 {
-    return dark == other.dark && reducedMotion == other.reducedMotion
+    return name == other.name && dark == other.dark && reducedMotion == other.reducedMotion
         && qFuzzyCompare(bodyPointSize, other.bodyPointSize) && surfaces(*this) == surfaces(other)
         && states(*this) == states(other);
 }
@@ -86,6 +86,7 @@ bool Theme::operator==(const Theme &other) const
 Theme darkTheme(double bodyPointSize)
 {
     Theme t;
+    t.name = QStringLiteral("dark");
     t.dark = true;
     t.bodyPointSize = bodyPointSize;
     setSharedColours(t);
@@ -122,6 +123,7 @@ Theme darkTheme(double bodyPointSize)
 Theme lightTheme(double bodyPointSize)
 {
     Theme t;
+    t.name = QStringLiteral("light");
     t.dark = false;
     t.bodyPointSize = bodyPointSize;
     setSharedColours(t);

@@ -25,7 +25,8 @@ enum class TextRole { Body, Emphasis, Caption, Section, Title, Large, Stop, Verd
 
 /// Every colour and size token of the design. A plain value: copy it freely.
 struct Theme {
-    bool dark = true;
+    QString name;     ///< "dark", "light", "contrast", "system" (systemtheme.h)
+    bool dark = true; ///< light text on dark surfaces
     bool reducedMotion = false;
     double bodyPointSize = 10.0; ///< of the system font; all sizes follow it
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/connection/devicetree.h"
 
+#include "widgets/common/wraplayout.h"
+
 #include "widgets/common/emptystate.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
@@ -151,16 +153,17 @@ void DeviceTree::buildFoot(QVBoxLayout &column)
     });
     column.addWidget(separatorLine(Qt::Horizontal, this));
     column.addWidget(new ScanStrip(m_workbench, m_theme, this));
-    auto *row = new QHBoxLayout;
+    auto *foot = new QWidget(this);
+    auto *row = new WrapLayout(foot);
     row->setContentsMargins(theme.u(8), theme.u(8), theme.u(8), theme.u(8));
     row->setSpacing(theme.u(8));
-    auto *add = new CommandButton(m_theme, Symbol::Add, tr("Add link"), this);
-    auto *simulate = new CommandButton(m_theme, Symbol::Chip, tr("Simulate"), this);
+    auto *add = new CommandButton(m_theme, Symbol::Add, tr("Add link"), foot);
+    auto *simulate = new CommandButton(m_theme, Symbol::Chip, tr("Simulate"), foot);
     add->setToolTip(tr("Open a CAN interface, a serial port or another link"));
     simulate->setToolTip(tr("Open the simulated bench; no real motor is connected to it"));
-    row->addWidget(add, 1);
-    row->addWidget(simulate, 1);
-    column.addLayout(row);
+    row->addWidget(add);
+    row->addWidget(simulate);
+    column.addWidget(foot);
     connect(add, &QPushButton::clicked, this, &DeviceTree::addLinkRequested);
     connect(simulate, &QPushButton::clicked, this, &DeviceTree::simulateRequested);
 }

@@ -48,7 +48,7 @@ double LogSlider::number() const
 
 QSize LogSlider::sizeHint() const
 {
-    return {m_theme.theme().u(120), m_theme.theme().u(24)};
+    return {m_theme.theme().u(120), m_theme.theme().u(32)};
 }
 
 double LogSlider::margin() const

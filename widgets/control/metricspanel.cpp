@@ -4,8 +4,8 @@
 #include "tuning/metrics.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/common/wraplayout.h"
 #include "widgets/control/trialwords.h"
-#include "widgets/parameters/wraplayout.h"
 
 #include <QHeaderView>
 #include <QResizeEvent>

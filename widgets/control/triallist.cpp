@@ -4,7 +4,7 @@
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/segmented.h"
-#include "widgets/parameters/wraplayout.h"
+#include "widgets/common/wraplayout.h"
 
 #include <QApplication>
 #include <QHeaderView>

@@ -58,6 +58,8 @@ public:
     void showLive(bool live);
     [[nodiscard]] bool isLive() const;
     /// As if the stimulus was chosen.
+    /// The units that each motor has until somebody chooses others for it here.
+    void setRevolutions(bool on);
     void chooseStimulus(Mode mode, const StimulusChoice &stimulus);
     /// Writes what is staged for the running slot, then runs the experiment. In the live view starts, or applies what is
     /// chosen to a motor that moves.
@@ -184,6 +186,7 @@ private:
     Selection &m_selection;
     Arming &m_arming;
     const ThemeSource &m_theme;
+    bool m_revolutions = false;
     std::map<Place, Choice> m_choices;
     std::map<DeviceId, int> m_lastAxis;
     std::vector<int> m_toTry; ///< axes whose turn is still to come

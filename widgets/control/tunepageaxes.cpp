@@ -50,6 +50,8 @@ TunePage::Choice &TunePage::choiceOf(const DeviceView &view, int axis)
     StagedEdits &edits = m_desk.editsOf(view);
     if (chosen.edits == &edits)
         return chosen;
+    if (!chosen.edits)
+        chosen.units.revolutions = m_revolutions;
     chosen.edits = &edits;
     connect(&edits, &StagedEdits::changed, this, &TunePage::editsChanged, Qt::UniqueConnection);
     return chosen;

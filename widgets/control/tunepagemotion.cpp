@@ -147,6 +147,17 @@ void TunePage::slotsChosen()
     follow();
 }
 
+void TunePage::setRevolutions(bool on)
+{
+    m_revolutions = on;
+    for (auto &[place, chosen] : m_choices)
+        chosen.units.revolutions = on;
+    if (const Choice *shown = choice()) {
+        m_plot->setUnits(shown->units);
+        unitsChosen(DisplayUnits(shown->units));
+    }
+}
+
 void TunePage::unitsChosen(const DisplayUnits &units)
 {
     if (Choice *chosen = choice())

@@ -75,12 +75,6 @@ void DesignFrame::resizeEvent(QResizeEvent *event)
         return;
     m_compact = compact;
     arrange();
-    Q_EMIT compactChanged(compact);
-}
-
-void DesignFrame::show(Part part)
-{
-    m_tabs->setCurrent(static_cast<int>(part));
 }
 
 void DesignFrame::setWidth(QWidget &column, int width) const

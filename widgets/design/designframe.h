@@ -18,8 +18,6 @@ class Segmented;
 class DesignFrame : public QWidget {
     Q_OBJECT
 public:
-    /// Tabs of the compact arrangement.
-    enum class Part { Model, Curves, Course };
     struct Parts {
         QWidget *status = nullptr;
         QWidget *orders = nullptr; ///< wraps where it is narrow
@@ -31,19 +29,16 @@ public:
     explicit DesignFrame(const ThemeSource &theme, QWidget *parent = nullptr);
     /// Takes them; once.
     void setParts(const Parts &parts);
-    [[nodiscard]] bool isCompact() const { return m_compact; }
-    /// Nothing happens where all parts are in sight.
-    void show(Part part);
     /// Little: it arranges itself into what it gets.
     [[nodiscard]] QSize minimumSizeHint() const override;
-
-Q_SIGNALS:
-    void compactChanged(bool compact);
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
+    /// Tabs of the compact arrangement.
+    enum class Part { Model, Curves, Course };
+
     void arrange();
     void setWidth(QWidget &column, int width) const;
 

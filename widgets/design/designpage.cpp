@@ -10,6 +10,7 @@
 #include "widgets/common/labels.h"
 #include "widgets/common/pagekeys.h"
 #include "widgets/common/segmented.h"
+#include "widgets/common/wraplayout.h"
 #include "widgets/control/envelopepanel.h"
 #include "widgets/control/experimentplan.h"
 #include "widgets/design/designframe.h"
@@ -20,7 +21,6 @@
 #include "widgets/design/scrollcolumn.h"
 #include "widgets/design/sweeppanel.h"
 #include "widgets/design/tuningsteps.h"
-#include "widgets/parameters/wraplayout.h"
 #include "widgets/report/reportorder.h"
 
 #include <QHBoxLayout>

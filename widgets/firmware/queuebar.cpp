@@ -94,7 +94,7 @@ void QueueBar::follow(const ServiceView &view, const QueueTotals &totals, const 
             ? tr("about %1 s left").arg(static_cast<int>(std::ceil(*totals.secondsLeft)))
             : QString());
     m_share->setValue(static_cast<int>(totals.share * shareSteps));
-    const QString mean = totals.mean ? formatNumber(*totals.mean, 1) + QStringLiteral("\u00A0s") : QString(UnknownMark);
+    const QString mean = totals.mean ? formatValue(*totals.mean, 1, QStringLiteral("s")) : QString(UnknownMark);
     m_counts->setText(tr("%1 done · %2 waiting · %3 failed · %4 refused · mean %5")
                           .arg(totals.passed)
                           .arg(totals.waiting)

@@ -14,6 +14,7 @@
 #include "widgets/firmware/updatechecks.h"
 #include "widgets/firmware/updatelog.h"
 #include "widgets/firmware/updateside.h"
+#include "widgets/service/recipeeditor.h"
 #include "widgets/service/verdictof.h"
 
 #include <QCheckBox>
@@ -108,7 +109,7 @@ QWidget *QueueBoard::buildTable(QWidget *parent)
     titles->setHighlightSections(false);
     titles->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     titles->setStretchLastSection(true);
-    constexpr std::array<int, QueueModel::Columns> widths{160, 72, 92, 104, 96, 52, 100};
+    constexpr std::array<int, QueueModel::Columns> widths{156, 84, 116, 108, 96, 68, 100};
     for (int i = 0; i < QueueModel::Columns; ++i)
         m_table->setColumnWidth(i, theme.u(widths.at(static_cast<std::size_t>(i))));
     column->addWidget(m_table, 1);
@@ -131,6 +132,7 @@ void QueueBoard::connectAll()
 {
     connect(m_head, &QueueHead::imageChosen, this, &QueueBoard::openImage);
     connect(m_head, &QueueHead::recipeChosen, this, &QueueBoard::openRecipe);
+    connect(m_head, &QueueHead::editWanted, this, &QueueBoard::edit);
     connect(m_banner, &Banner::actionTriggered, this, &QueueBoard::goOn);
     connect(m_banner, &Banner::dismissed, m_banner, &QWidget::hide);
     connect(m_bar, &QueueBar::startWanted, this, &QueueBoard::start);
@@ -174,6 +176,16 @@ bool QueueBoard::openImage(const QString &path)
 bool QueueBoard::openRecipe(const QString &path)
 {
     return opened(m_recipe.openRecipe(path, m_families));
+}
+
+void QueueBoard::edit()
+{
+    auto *editor = new RecipeEditor(m_families, m_desk.recipeFolder(), m_theme, this);
+    editor->setAttribute(Qt::WA_DeleteOnClose);
+    if (const auto read = m_recipe.path().isEmpty() ? Result<void>() : editor->open(m_recipe.path()); !read)
+        m_workbench.report(Severity::Danger, {}, errorText(read.error()));
+    connect(editor, &RecipeEditor::saved, this, &QueueBoard::openRecipe);
+    editor->show();
 }
 
 bool QueueBoard::opened(const Result<void> &result)

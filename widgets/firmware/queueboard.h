@@ -37,6 +37,8 @@ public:
     /// False, with a notice of what is wrong, where it is none.
     bool openImage(const QString &path);
     bool openRecipe(const QString &path);
+    /// Opens the editor with the recipe that is open, or with a new one; what is saved there is opened here.
+    void edit();
     /// The ticked units; nothing while canStart() is false.
     void start();
     [[nodiscard]] bool canStart() const { return hindrance().isEmpty(); }

@@ -3,7 +3,6 @@
 
 #include <QWidget>
 
-class QHBoxLayout;
 class QLabel;
 
 namespace mb {
@@ -24,9 +23,10 @@ public:
 Q_SIGNALS:
     void imageChosen(const QString &path);
     void recipeChosen(const QString &path);
+    /// The recipe that is open, or a new one.
+    void editWanted();
 
 private:
-    [[nodiscard]] QLabel *addPair(const QString &caption, QHBoxLayout &row, int stretch);
     void askImage();
     void askRecipe();
 
@@ -37,6 +37,7 @@ private:
     QLabel *m_number = nullptr;
     QWidget *m_openImage = nullptr;
     QWidget *m_openRecipe = nullptr;
+    QWidget *m_edit = nullptr;
 };
 
 } // namespace mb

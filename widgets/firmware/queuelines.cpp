@@ -29,7 +29,7 @@ double secondsSince(Instant then, Instant now)
 
 QString secondsText(double seconds)
 {
-    return formatNumber(seconds, 1) + QStringLiteral("\u00A0s");
+    return formatValue(seconds, 1, QStringLiteral("s"));
 }
 
 double shareOf(const QueueRow &row)
@@ -84,6 +84,8 @@ void describeOpen(QueueLine &line, const QueueRow &row, Instant now)
     case RowState::Waiting:
         line.glyph = GlyphState::Waiting;
         line.step = row.visit.id.empty() ? QueueText::tr("waiting") : QueueText::tr("cut off, goes on");
+        line.result = row.visit.id.empty() ? QString() : messageText(row.what);
+        line.tone = Tone::Caution;
         line.done = 0;
         break;
     default:
@@ -171,6 +173,11 @@ std::vector<QueueLine> queueLines(
         if (device)
             queued.insert(device->id);
         lines.push_back(lineOfRow(row, device, version, now));
+        if (isWaitingForArm(view, row)) {
+            lines.back().glyph = GlyphState::Waiting;
+            lines.back().result = QueueText::tr("hold Arm in the header");
+            lines.back().tone = Tone::Caution;
+        }
     }
     for (const DeviceView &device : shot.devices) {
         if (family && device.family == family && queued.count(device.id) == 0)

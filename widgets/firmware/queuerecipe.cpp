@@ -1,31 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/firmware/queuerecipe.h"
 
-#include "widgets/common/devicetext.h"
-#include "widgets/common/numberformat.h"
 #include "widgets/firmware/imagechoice.h"
 
-#include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
 
 namespace mb {
-namespace {
-
-constexpr int hashShown = 8;
-
-struct RecipeText {
-    Q_DECLARE_TR_FUNCTIONS(mb::RecipeText)
-};
-
-} // namespace
-
 Result<void> QueueRecipe::openRecipe(const QString &path, std::span<const Family *const> families)
 {
     auto loaded = service::loadRecipe(QFile::encodeName(path).toStdString(), families);
     if (!loaded)
         return fail(loaded.error());
     m_matter = std::make_shared<const service::RecipeMatter>(std::move(*loaded));
+    m_path = path;
     return {};
 }
 
@@ -45,6 +33,7 @@ Result<void> QueueRecipe::openImage(const QString &path, const std::vector<const
         if (!matter)
             return fail(matter.error());
         m_matter = std::make_shared<const service::RecipeMatter>(std::move(*matter));
+        m_path.clear();
         return {};
     }
     return fail(Fault::OutOfRange,
@@ -58,38 +47,6 @@ std::optional<ImageSummary> QueueRecipe::image() const
         return {};
     const auto summary = family()->inspect(m_matter->image);
     return summary ? std::optional(*summary) : std::nullopt;
-}
-
-QString QueueRecipe::name() const
-{
-    return m_matter ? qt(m_matter->recipe.name) : QString(UnknownMark);
-}
-
-QString QueueRecipe::imageText() const
-{
-    if (!m_matter || !m_matter->recipe.firmware)
-        return QString(UnknownMark);
-    const QString file = QFileInfo(qt(m_matter->recipe.firmware->file)).fileName();
-    return m_matter->imageVersion.empty()
-        ? RecipeText::tr("%1 · sha %2").arg(file, qt(m_matter->imageHash).left(hashShown))
-        : RecipeText::tr("%1 · version %2 · sha %3")
-              .arg(file, qt(m_matter->imageVersion), qt(m_matter->imageHash).left(hashShown));
-}
-
-QString QueueRecipe::parameterText() const
-{
-    if (!m_matter || !m_matter->recipe.parameters)
-        return QString(UnknownMark);
-    return RecipeText::tr("%1 · %2 values")
-        .arg(QFileInfo(qt(m_matter->recipe.parameters->file)).fileName())
-        .arg(m_matter->parameters.size());
-}
-
-QString QueueRecipe::numberText() const
-{
-    if (!m_matter || !m_matter->recipe.number)
-        return QString(UnknownMark);
-    return RecipeText::tr("next free from %1").arg(m_matter->recipe.number->first);
 }
 
 } // namespace mb

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/family.h"
-#include "service/recipe.h"
+#include "service/recipematter.h"
 
 #include <QString>
 
@@ -19,6 +19,8 @@ public:
     /// Of the first of these families that it is for, and that takes it over its own link.
     [[nodiscard]] Result<void> openImage(const QString &path, const std::vector<const Family *> &families);
 
+    /// Of the recipe's file; empty for an image by itself, and while nothing is open.
+    [[nodiscard]] const QString &path() const { return m_path; }
     /// nullptr: nothing was opened yet.
     [[nodiscard]] const std::shared_ptr<const service::RecipeMatter> &matter() const { return m_matter; }
     /// nullptr without a matter.
@@ -26,14 +28,9 @@ public:
     /// Of its image; nothing: it has none.
     [[nodiscard]] std::optional<ImageSummary> image() const;
 
-    // For people, a dash where there is nothing.
-    [[nodiscard]] QString name() const;
-    [[nodiscard]] QString imageText() const;
-    [[nodiscard]] QString parameterText() const;
-    [[nodiscard]] QString numberText() const;
-
 private:
     std::shared_ptr<const service::RecipeMatter> m_matter;
+    QString m_path;
 };
 
 } // namespace mb

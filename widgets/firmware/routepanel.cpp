@@ -3,8 +3,8 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/wraplayout.h"
 #include "widgets/firmware/programmerbox.h"
-#include "widgets/parameters/wraplayout.h"
 
 #include <QCheckBox>
 #include <QComboBox>

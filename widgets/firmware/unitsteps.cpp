@@ -129,8 +129,7 @@ void UnitSteps::showStep(Step step, const service::QueueRow &row, bool wanted)
     setTextRole(*line.name, active ? TextRole::Emphasis : TextRole::Body);
     setTone(*line.name, broken ? Tone::Danger : active ? Tone::Text : Tone::Dim);
     const bool timed = found.begun && found.ended && found.begun->time > 0.0;
-    line.time->setText(
-        timed ? formatNumber(found.ended->time - found.begun->time, 1) + QStringLiteral("\u00A0s") : QString());
+    line.time->setText(timed ? formatValue(found.ended->time - found.begun->time, 1, QStringLiteral("s")) : QString());
     line.detail->setText(found.ended && wanted ? messageText(found.ended->detail) : QString());
     setTone(*line.detail, broken ? Tone::Danger : Tone::Dim);
     for (QWidget *part : std::initializer_list<QWidget *>{line.glyph, line.name, line.time})

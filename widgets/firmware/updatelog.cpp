@@ -14,21 +14,6 @@
 #include <QTableWidget>
 
 namespace mb {
-namespace {
-
-GlyphState glyphOf(Severity severity)
-{
-    switch (severity) {
-    case Severity::Good: return GlyphState::Done;
-    case Severity::Caution: return GlyphState::Warning;
-    case Severity::Danger: return GlyphState::Fault;
-    case Severity::Info: break;
-    }
-    return GlyphState::Volatile;
-}
-
-} // namespace
-
 UpdateLog::UpdateLog(Workbench &workbench, const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
     , m_workbench(workbench)

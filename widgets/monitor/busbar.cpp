@@ -5,7 +5,7 @@
 #include "widgets/common/labels.h"
 #include "widgets/common/searchfield.h"
 #include "widgets/common/segmented.h"
-#include "widgets/parameters/wraplayout.h"
+#include "widgets/common/wraplayout.h"
 
 #include <QLabel>
 #include <QMenu>

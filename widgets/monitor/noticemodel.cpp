@@ -1,26 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/monitor/noticemodel.h"
 
+#include "widgets/common/devicetext.h"
+
 #include "widgets/common/stateglyph.h"
 
 #include <QDateTime>
 
 namespace mb {
-namespace {
-
-GlyphState glyphOfSeverity(Severity severity)
-{
-    switch (severity) {
-    case Severity::Good: return GlyphState::Done;
-    case Severity::Caution: return GlyphState::Warning;
-    case Severity::Danger: return GlyphState::Fault;
-    case Severity::Info: break;
-    }
-    return GlyphState::Volatile;
-}
-
-} // namespace
-
 NoticeModel::NoticeModel(Workbench &workbench, const ThemeSource &theme, QObject *parent)
     : QAbstractTableModel(parent)
     , m_workbench(workbench)
@@ -60,9 +47,9 @@ QVariant NoticeModel::data(const QModelIndex &index, int role) const
     if (role == SeverityRole)
         return static_cast<int>(notice.severity);
     if (role == Qt::DecorationRole && index.column() == Glyph)
-        return glyphIcon(glyphOfSeverity(notice.severity), m_theme.theme());
+        return glyphIcon(glyphOf(notice.severity), m_theme.theme());
     if (role == Qt::AccessibleTextRole && index.column() == Glyph)
-        return glyphWord(glyphOfSeverity(notice.severity));
+        return glyphWord(glyphOf(notice.severity));
     if (role == Qt::ForegroundRole && index.column() == Time)
         return m_theme.theme().dim;
     if (role == Qt::FontRole && index.column() == Time)

@@ -6,8 +6,8 @@
 #include "widgets/common/labels.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/segmented.h"
+#include "widgets/common/wraplayout.h"
 #include "widgets/monitor/frametext.h"
-#include "widgets/parameters/wraplayout.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>

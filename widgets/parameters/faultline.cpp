@@ -4,8 +4,8 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/wraplayout.h"
 #include "widgets/parameters/leap.h"
-#include "widgets/parameters/wraplayout.h"
 
 #include <QPainter>
 #include <QPushButton>

@@ -266,11 +266,10 @@ void HistoryPanel::addRow(const settings::SideDifference &difference, bool diffe
     const Parameter &parameter = m_family->parameters[difference.index.value];
     const int row = m_table->rowCount();
     m_table->insertRow(row);
-    const bool writable
-        = differs && difference.b.raw && !parameter.belongsToUnit && isLegal(parameter, difference.b.raw.value_or(0));
+    const bool writable = differs && difference.b.raw && isLegal(parameter, difference.b.raw.value_or(0));
     QString note;
     if (parameter.belongsToUnit)
-        note = tr("belongs to one unit, not copied");
+        note = tr("belongs to one unit, copied only if you tick it");
     else if (difference.a.state == ParameterState::Assumed || difference.b.state == ParameterState::Assumed)
         note = tr("assumed: it cannot be read");
     const QStringList texts{tableText(parameter.label), qt(parameter.key), stateValue(parameter, difference.a),
@@ -287,8 +286,9 @@ void HistoryPanel::addRow(const settings::SideDifference &difference, bool diffe
         }
         if (column == NameColumn && writable) {
             item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
-            item->setCheckState(Qt::Checked);
-        } else if (column == NameColumn && parameter.belongsToUnit) {
+            item->setCheckState(parameter.belongsToUnit ? Qt::Unchecked : Qt::Checked);
+        }
+        if (column == NameColumn && parameter.belongsToUnit) {
             item->setIcon(symbolIcon(Symbol::Lock, m_theme.theme(), Tone::Dim));
         }
         item->setData(Qt::UserRole, difference.index.value);

@@ -3,7 +3,7 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
-#include "widgets/parameters/wraplayout.h"
+#include "widgets/common/wraplayout.h"
 
 #include <QHBoxLayout>
 #include <QVBoxLayout>

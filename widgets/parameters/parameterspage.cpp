@@ -9,11 +9,11 @@
 #include "widgets/common/pagekeys.h"
 #include "widgets/common/searchfield.h"
 #include "widgets/common/segmented.h"
+#include "widgets/common/wraplayout.h"
 #include "widgets/parameters/changespanel.h"
 #include "widgets/parameters/parameterfiles.h"
 #include "widgets/parameters/parameterfoot.h"
 #include "widgets/parameters/readstatus.h"
-#include "widgets/parameters/wraplayout.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>

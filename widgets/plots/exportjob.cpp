@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/exportjob.h"
 
+#include "recording/exportcsv.h"
+#include "recording/exportmcap.h"
+
 #include <QFileInfo>
 
 namespace mb {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/recorder.h"
 
+#include "recording/joinrecordings.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/plots/telemetrysource.h"
 

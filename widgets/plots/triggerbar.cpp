@@ -6,7 +6,7 @@
 #include "widgets/common/numberfield.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/segmented.h"
-#include "widgets/parameters/wraplayout.h"
+#include "widgets/common/wraplayout.h"
 
 #include <QComboBox>
 #include <QLineEdit>

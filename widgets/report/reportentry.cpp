@@ -83,7 +83,7 @@ ReportEntry entryOf(const service::Visit &visit, const Family *family)
         about << qt(visit.from) + QStringLiteral(" → ") + qt(visit.to);
     if (!visit.cause.empty())
         about << messageText(visit.cause);
-    about << formatNumber(visit.seconds, 1) + QStringLiteral("\u00A0s");
+    about << formatValue(visit.seconds, 1, QStringLiteral("s"));
     if (!visit.note.empty())
         about << qt(visit.note);
     entry.about = about.join(QStringLiteral(" · "));

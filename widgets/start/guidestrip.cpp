@@ -2,14 +2,22 @@
 #include "widgets/start/guidestrip.h"
 
 #include "widgets/common/labels.h"
+#include "widgets/common/pagekeys.h"
 #include "widgets/common/spoken.h"
 #include "widgets/common/stateglyph.h"
+#include "widgets/common/wraplayout.h"
 
 #include <algorithm>
 
 #include <QGridLayout>
+#include <QResizeEvent>
 
 namespace mb {
+namespace {
+
+constexpr int roomBeside = 640; ///< of the strip, for its buttons beside its words
+
+} // namespace
 
 GuideStrip::GuideStrip(Shows shows, Guide &guide, const ThemeSource &theme, QWidget *parent)
     : QFrame(parent)
@@ -28,7 +36,8 @@ GuideStrip::GuideStrip(Shows shows, Guide &guide, const ThemeSource &theme, QWid
 void GuideStrip::build()
 {
     const Theme &theme = m_theme.theme();
-    auto *grid = new QGridLayout(this);
+    m_grid = new QGridLayout(this);
+    QGridLayout *const grid = m_grid;
     grid->setContentsMargins(theme.u(12), theme.u(6), theme.u(12), theme.u(6));
     grid->setHorizontalSpacing(theme.u(12));
     grid->setVerticalSpacing(theme.u(2));
@@ -40,19 +49,38 @@ void GuideStrip::build()
     m_words = textLabel({}, TextRole::Body, Tone::Text, this);
     m_words->setObjectName(QStringLiteral("guideWords"));
     m_words->setWordWrap(true);
-    m_act = new CommandButton(m_theme, tr("Show me where"), this);
+    m_buttons = new QWidget(this);
+    auto *row = new WrapLayout(m_buttons);
+    row->setContentsMargins(0, 0, 0, 0);
+    m_act = new CommandButton(m_theme, tr("Show me where"), m_buttons);
     m_act->setTextVariants({tr("Show me where"), tr("Begin")});
-    m_leave = new CommandButton(m_theme, tr("Dismiss"), this);
+    m_leave = new CommandButton(m_theme, tr("Dismiss"), m_buttons);
     m_leave->setTextVariants({tr("Dismiss"), tr("Not now"), tr("Close")});
-    grid->addWidget(m_glyph, 0, 0);
-    grid->addWidget(m_title, 0, 1);
-    grid->addWidget(m_steps, 0, 2);
-    grid->addWidget(m_words, 1, 1, 1, 2);
-    grid->addWidget(m_act, 0, 3, 2, 1, Qt::AlignVCenter);
-    grid->addWidget(m_leave, 0, 4, 2, 1, Qt::AlignVCenter);
-    grid->setColumnStretch(2, 1);
+    row->addWidget(m_act);
+    row->addWidget(m_leave);
+    arrange();
     connect(m_act, &QPushButton::clicked, this, &GuideStrip::act);
     connect(m_leave, &QPushButton::clicked, this, &GuideStrip::leave);
+}
+
+/// The buttons beside the words, or, where these would get too narrow, below them.
+void GuideStrip::arrange()
+{
+    const bool beside = width() >= m_theme.theme().u(roomBeside);
+    for (QWidget *part : std::initializer_list<QWidget *>{m_glyph, m_title, m_steps, m_words, m_buttons})
+        m_grid->removeWidget(part);
+    const int across = beside ? 1 : 3;
+    m_grid->addWidget(m_glyph, 0, 0);
+    m_grid->addWidget(m_title, 0, 1, 1, across);
+    m_grid->addWidget(m_steps, beside ? 0 : 1, beside ? 2 : 1, 1, across);
+    m_grid->addWidget(m_words, beside ? 1 : 2, 1, 1, beside ? 2 : 3);
+    if (beside)
+        m_grid->addWidget(m_buttons, 0, 3, 2, 1, Qt::AlignVCenter);
+    else
+        m_grid->addWidget(m_buttons, 3, 1, 1, 3);
+    m_buttons->setSizePolicy(beside ? QSizePolicy::Maximum : QSizePolicy::Preferred, QSizePolicy::Preferred);
+    m_buttons->setMinimumWidth(beside ? m_buttons->sizeHint().width() : 0);
+    m_grid->setColumnStretch(2, 1);
 }
 
 void GuideStrip::offer(const Story *story)
@@ -105,12 +133,14 @@ void GuideStrip::showSteps()
     }
     m_steps->setText(steps.join(QStringLiteral("  ·  ")));
     QString words;
-    if (done)
+    if (done) {
         words = tr("Done.");
-    else if (!m_guide.device())
+    } else if (!m_guide.device()) {
         words = tr("The simulated bench is opened; the unit answers in a moment.");
-    else
-        words = storyText(story, story.steps[m_guide.step()].words);
+    } else {
+        const StoryStep &step = story.steps[m_guide.step()];
+        words = storyText(story, step.words, m_keyOf ? m_keyOf(step) : QString::fromLatin1(step.key));
+    }
     if (const QString result = m_guide.result(); !result.isEmpty())
         words += QLatin1Char(' ') + tr("Measured: %1.").arg(result);
     setWords(words);
@@ -127,9 +157,25 @@ void GuideStrip::setWords(const QString &words)
     setSpoken(*this, accessibleName(), words);
 }
 
+void GuideStrip::setKeys(KeyOf keyOf)
+{
+    m_keyOf = std::move(keyOf);
+    follow();
+}
+
+bool GuideStrip::event(QEvent *event)
+{
+    if (event->type() == keysChanged())
+        follow();
+    return QFrame::event(event);
+}
+
 void GuideStrip::resizeEvent(QResizeEvent *event)
 {
     QFrame::resizeEvent(event);
+    const int limit = m_theme.theme().u(roomBeside);
+    if ((event->oldSize().width() >= limit) != (width() >= limit))
+        arrange();
     m_words->setMinimumHeight(std::max(0, m_words->heightForWidth(m_words->width())));
 }
 

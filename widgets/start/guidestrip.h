@@ -6,6 +6,9 @@
 
 #include <QFrame>
 
+#include <functional>
+
+class QGridLayout;
 class QLabel;
 
 namespace mb {
@@ -22,6 +25,9 @@ public:
 
     /// Offers a story while none is played; nullptr takes the offer back.
     void offer(const Story *story);
+    /// What a step's key is now; without it, as it came.
+    using KeyOf = std::function<QString(const StoryStep &)>;
+    void setKeys(KeyOf keyOf);
 
 Q_SIGNALS:
     /// The offer was taken.
@@ -32,10 +38,12 @@ Q_SIGNALS:
     void placeWanted(mb::Place place);
 
 protected:
+    bool event(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
 
 private:
     void build();
+    void arrange();
     void setWords(const QString &words);
     void follow();
     void showOffer();
@@ -47,10 +55,13 @@ private:
     Guide &m_guide;
     const ThemeSource &m_theme;
     const Story *m_offer = nullptr;
+    KeyOf m_keyOf;
+    QGridLayout *m_grid = nullptr;
     StateGlyph *m_glyph = nullptr;
     QLabel *m_title = nullptr;
     QLabel *m_steps = nullptr;
     QLabel *m_words = nullptr;
+    QWidget *m_buttons = nullptr;
     CommandButton *m_act = nullptr;
     CommandButton *m_leave = nullptr;
 };

@@ -10,6 +10,10 @@
 namespace mb {
 namespace {
 
+struct StoryWords {
+    Q_DECLARE_TR_FUNCTIONS(Stories)
+};
+
 constexpr StoryStep taming[] = {
     {Proof::Selected, Place::Tune, QT_TRANSLATE_NOOP("Stories", "Select"),
         QT_TRANSLATE_NOOP("Stories", "Click %1 in the list at the left. Everything that follows is about it.")},
@@ -18,11 +22,13 @@ constexpr StoryStep taming[] = {
             "Hold the lamp at the top, SAFE, for one second (or Ctrl+Shift+F12). Nothing moves before. Esc stops, "
             "always.")},
     {Proof::Stepped, Place::Tune, QT_TRANSLATE_NOOP("Stories", "Step"),
-        QT_TRANSLATE_NOOP("Stories", "Press F5: the motor steps to a speed and back, and the overshoot is measured.")},
+        QT_TRANSLATE_NOOP("Stories", "Press %2: the motor steps to a speed and back, and the overshoot is measured."),
+        "F5"},
     {Proof::Tamed, Place::Design, QT_TRANSLATE_NOOP("Stories", "Tune"),
         QT_TRANSLATE_NOOP("Stories",
-            "Press F6 on the page Design: the program finds gains and proves them. Tamed: a step overshoots by 5 % at "
-            "most.")},
+            "Press %2 on the page Design: the program finds gains and proves them. Tamed: a step overshoots by 5 % at "
+            "most."),
+        "F6"},
     {Proof::Stored, Place::Parameters, QT_TRANSLATE_NOOP("Stories", "Store"),
         QT_TRANSLATE_NOOP("Stories",
             "15 s after its last change the unit stores by itself. Then press Store and prove on the page Parameters: "
@@ -39,7 +45,8 @@ constexpr StoryStep limiting[] = {
     {Proof::Armed, Place::Tune, QT_TRANSLATE_NOOP("Stories", "Arm"),
         QT_TRANSLATE_NOOP("Stories", "Hold the lamp at the top for one second (or Ctrl+Shift+F12).")},
     {Proof::CurrentShown, Place::Tune, QT_TRANSLATE_NOOP("Stories", "Step"),
-        QT_TRANSLATE_NOOP("Stories", "Press F5 on the page Tune: the peak current of the step stands in its table.")},
+        QT_TRANSLATE_NOOP("Stories", "Press %2 on the page Tune: the peak current of the step stands in its table."),
+        "F5"},
     {Proof::Stored, Place::Parameters, QT_TRANSLATE_NOOP("Stories", "Store"),
         QT_TRANSLATE_NOOP("Stories",
             "15 s after its last change the unit stores by itself. Then press Store and prove on the page "
@@ -51,7 +58,8 @@ constexpr StoryStep reviving[] = {
         QT_TRANSLATE_NOOP("Stories", "Click %1 in the list at the left. It says: in bootloader.")},
     {Proof::Writing, Place::Firmware, QT_TRANSLATE_NOOP("Stories", "Write"),
         QT_TRANSLATE_NOOP("Stories",
-            "The demo image is loaded on the page Firmware. Press F5 and watch the pages arrive, the last one first.")},
+            "The demo image is loaded on the page Firmware. Press %2 and watch the pages arrive, the last one first."),
+        "F5"},
     {Proof::Answers, Place::Firmware, QT_TRANSLATE_NOOP("Stories", "Prove"),
         QT_TRANSLATE_NOOP("Stories", "Wait until the unit answers with its new version. Nothing else counts as done.")},
 };
@@ -89,14 +97,15 @@ std::span<const Story> stories()
     return storyFamily() ? std::span<const Story>(table) : std::span<const Story>();
 }
 
-QString storyText(const Story &story, const char *english)
+QString storyText(const Story &story, const char *english, const QString &key)
 {
-    const QString text = QCoreApplication::translate("Stories", english);
+    QString text = QCoreApplication::translate("Stories", english);
     const Family *family = storyFamily();
-    if (!family || !text.contains(QLatin1String("%1")))
+    if (!family)
         return text;
     const QString title = QString::fromUtf8(family->title.data(), static_cast<int>(family->title.size()));
-    return text.arg(QStringLiteral("%1 #%2").arg(title).arg(family->demo->*story.unit));
+    text.replace(QLatin1String("%1"), QStringLiteral("%1 #%2").arg(title).arg(family->demo->*story.unit));
+    return text.replace(QLatin1String("%2"), key.isEmpty() ? StoryWords::tr("the button") : key);
 }
 
 } // namespace mb

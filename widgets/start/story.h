@@ -29,12 +29,14 @@ enum class Proof {
     Answers       ///< its application runs and tells its version
 };
 
-/// One step of a story. Texts are English, translated by storyText(); %1 in them is the title of its unit.
+/// One step of a story. Texts are English, translated by storyText(); %1 in them is the title of its unit, %2 the key of this step as it
+/// is now.
 struct StoryStep {
     Proof proof = Proof::Selected;
     Place place = Place::Overview;
     const char *name = "";  ///< one word or two, for the list of steps
     const char *words = ""; ///< what to do, where, with which key
+    const char *key = "";   ///< as it came, of the table of its place; empty: none
 };
 
 /// Something to try on a simulated unit, from finding it to a value that stays.
@@ -57,6 +59,7 @@ constexpr const char *storyLink = "sim:";
 [[nodiscard]] std::span<const Story> stories();
 /// The family whose simulated units they play on; nullptr: no family of this build has such units, and there are no stories.
 [[nodiscard]] const Family *storyFamily();
-[[nodiscard]] QString storyText(const Story &story, const char *english);
+/// `key`: what stands for %2; empty: whoever reads it has to look for the button.
+[[nodiscard]] QString storyText(const Story &story, const char *english, const QString &key = {});
 
 } // namespace mb

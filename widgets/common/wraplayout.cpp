@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/parameters/wraplayout.h"
+#include "widgets/common/wraplayout.h"
 
 #include <QWidget>
 

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/keystrip.h"
+
+#include "widgets/common/labels.h"
+#include "widgets/common/wraplayout.h"
+
+#include <QHBoxLayout>
+
+namespace mb {
+
+KeyStrip::KeyStrip(const ThemeSource &theme, const std::vector<Key> &keys, QWidget *parent)
+    : QWidget(parent)
+{
+    auto *line = new WrapLayout(this);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->setSpacing(theme.theme().u(18));
+    for (const Key &key : keys) {
+        auto *pair = new QWidget(this);
+        auto *row = new QHBoxLayout(pair);
+        row->setContentsMargins(0, 0, 0, 0);
+        row->setSpacing(theme.theme().u(8));
+        row->addWidget(badge(key.cap, Tone::Text, pair));
+        row->addWidget(textLabel(key.does, TextRole::Caption, Tone::Dim, pair));
+        line->addWidget(pair);
+    }
+}
+
+} // namespace mb
