@@ -10,11 +10,13 @@
 #include "app/welcome.h"
 #include "model/registry.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/systemtheme.h"
 #include "widgets/control/envelopepanel.h"
 #include "widgets/control/tunepage.h"
 #include "widgets/design/designpage.h"
 #include "widgets/plots/plotspage.h"
 #include "widgets/plots/recorder.h"
+#include "widgets/service/productionpage.h"
 
 #include <QCommandLineParser>
 #include <QFileInfo>
@@ -40,8 +42,11 @@ void declare(QCommandLineParser &parser)
         {QStringLiteral("tour"),
             tr(QT_TRANSLATE_NOOP("Options", "Drive the demo through every page and write a picture of each to DIR.")),
             QStringLiteral("DIR")},
-        {QStringLiteral("theme"), tr(QT_TRANSLATE_NOOP("Options", "dark or light.")), QStringLiteral("THEME")},
-        {QStringLiteral("language"), tr(QT_TRANSLATE_NOOP("Options", "Of the window: %1.")).arg(spokenCodes()),
+        {QStringLiteral("theme"),
+            tr(QT_TRANSLATE_NOOP("Options", "dark, light, contrast, or system: the desktop's colours.")),
+            QStringLiteral("THEME")},
+        {QStringLiteral("language"),
+            tr(QT_TRANSLATE_NOOP("Options", "Of the window: %1.")).arg(spokenCodes().join(QStringLiteral(", "))),
             QStringLiteral("CODE")},
         {QStringLiteral("size"), tr(QT_TRANSLATE_NOOP("Options", "Size of the window, such as 1280x800.")),
             QStringLiteral("WxH")},
@@ -73,13 +78,14 @@ QString layoutFolder()
 
 Result<void> checkOptions(const Options &options)
 {
-    if (!options.theme.isEmpty() && options.theme != QLatin1String("dark") && options.theme != QLatin1String("light"))
-        return fail(Fault::OutOfRange, say("--theme takes dark or light"));
+    if (!options.theme.isEmpty() && !themeNames().contains(options.theme))
+        return fail(Fault::OutOfRange, say("--theme takes dark, light, contrast or system"));
     if (options.fontScale
         && !(*options.fontScale >= 0.5 && *options.fontScale <= 3.0)) // not a number is out of range too
         return fail(Fault::OutOfRange, say("--font-scale takes 0.5 to 3"));
-    if (!options.language.isEmpty() && !isSpoken(options.language))
-        return fail(Fault::OutOfRange, say("--language takes one of %1", spokenCodes().toStdString()));
+    if (!options.language.isEmpty() && !spokenCodes().contains(options.language))
+        return fail(Fault::OutOfRange,
+            say("--language takes one of %1", spokenCodes().join(QStringLiteral(", ")).toStdString()));
     const QStringList sides = options.size.split(QLatin1Char('x'));
     const auto isSide = [](const QString &text, int least) { return text.toInt() >= least && text.toInt() <= 16384; };
     if (!options.size.isEmpty() && (sides.size() != 2 || !isSide(sides[0], 320) || !isSide(sides[1], 200)))
@@ -142,6 +148,7 @@ Application::Application(QApplication &qt, const Options &options)
     , m_accessibility(qt)
 {
     m_systemFont = QApplication::font();
+    QObject::connect(&m_palette, &SystemPalette::changed, &qt, [this] { followDesktop(); });
     Look look = m_settings.look();
     if (!options.theme.isEmpty())
         look.theme = options.theme;
@@ -174,12 +181,27 @@ void Application::makeWindow()
 {
     m_window = std::make_unique<MainWindow>(*m_engine, *m_theme, m_settings);
     if (!m_service)
-        m_service = new ServiceDoor(*m_engine); // belongs to the engine
+        makeService();
     m_window->setService(*m_service);
+    m_window->findChild<ProductionPage *>()->setSound(m_settings.look().sounds);
     setUpPlots();
     setUpLimits();
     setUpStart();
     QObject::connect(m_window.get(), &MainWindow::lookChosen, &m_qt, [this] { followLook(); });
+}
+
+/// Of the engine, to which it belongs; its journal is where it was the last time.
+void Application::makeService()
+{
+    m_service = new ServiceDoor(*m_engine);
+    QObject::connect(m_service, &ServiceDesk::journalKept, &m_qt,
+        [this](const QString &server, const QString &station) { m_settings.setJournal(server, station); });
+    if (const QString server = m_settings.journalServer(); !server.isEmpty() || !m_settings.station().isEmpty())
+        m_service->keepJournal(
+            server.toStdString(), m_settings.station().toStdString(), [this](const Result<void> &kept) {
+                if (!kept)
+                    m_engine->report(Severity::Caution, {}, errorText(kept.error()));
+            });
 }
 
 /// Language and sizes are in every widget: the window is made anew, on the same page with the same device. The engine and what it
@@ -218,6 +240,7 @@ void Application::setUpStart()
     auto *project = new ProjectDesk(*m_engine, m_limits, m_options.demo ? QString() : layoutFolder(), *m_window);
     QObject::connect(m_window.get(), &MainWindow::projectWanted, project,
         [project](bool open) { open ? project->askOpen() : project->askSave(); });
+    QObject::connect(project, &ProjectDesk::folderChosen, m_service, &ServiceDesk::setRecipeFolder);
 }
 
 /// The recording begins with the program, not with a wish.
@@ -252,10 +275,12 @@ void Application::setUpLimits()
             m_engine->report(Severity::Caution, {}, errorText(opened.error()));
     }
     QObject::connect(m_window.get(), &MainWindow::pageMade, m_window.get(), [this](PageId, QWidget *page) {
-        if (auto *tune = qobject_cast<TunePage *>(page))
+        if (auto *tune = qobject_cast<TunePage *>(page)) {
             tune->envelope().share(m_limits);
-        else if (auto *design = qobject_cast<DesignPage *>(page))
+            tune->setRevolutions(m_settings.look().revolutions);
+        } else if (auto *design = qobject_cast<DesignPage *>(page)) {
             design->envelope().share(m_limits);
+        }
     });
 }
 
@@ -285,9 +310,8 @@ void Application::dress(const Look &look)
     if (const QString glyphs = glyphsOf(QLocale()); !glyphs.isEmpty())
         font.setFamilies({font.family(), glyphs});
     QApplication::setFont(font);
-    const bool dark = look.theme.isEmpty() || look.theme == QLatin1String("dark");
     const double size = font.pointSizeF() > 0.0 ? font.pointSizeF() : 10.0;
-    Theme theme = dark ? darkTheme(size) : lightTheme(size);
+    Theme theme = themeNamed(look.theme, m_palette.palette(), size);
     theme.reducedMotion = look.reducedMotion;
     if (m_theme) {
         m_theme->setTheme(theme);
@@ -296,6 +320,17 @@ void Application::dress(const Look &look)
     m_theme = std::make_unique<ThemeSource>(theme);
     applyTheme(m_qt, m_theme->theme());
     QObject::connect(m_theme.get(), &ThemeSource::changed, &m_qt, [this] { applyTheme(m_qt, m_theme->theme()); });
+}
+
+/// Somebody has chosen other colours for the whole desktop.
+void Application::followDesktop()
+{
+    const Theme &before = m_theme->theme();
+    if (before.name != systemThemeName())
+        return;
+    Theme theme = systemTheme(m_palette.palette(), before.bodyPointSize);
+    theme.reducedMotion = before.reducedMotion;
+    m_theme->setTheme(theme);
 }
 
 void Application::openLinks()
@@ -318,7 +353,7 @@ void Application::start()
     for (const QString &file : std::as_const(m_options.files))
         m_window->openFile(file);
     if (!m_options.tour.isEmpty()) {
-        m_tour = std::make_unique<Tour>(*m_engine, *m_window, *m_theme, m_options.tour);
+        m_tour = std::make_unique<Tour>(*m_engine, *m_window, *m_theme, m_options.tour, !m_options.theme.isEmpty());
         m_tour->start();
     }
 }

@@ -5,6 +5,7 @@
 #include "app/engine.h"
 #include "app/mainwindow.h"
 #include "app/stopkeys.h"
+#include "app/systempalette.h"
 #include "widgets/control/envelopebook.h"
 
 #include <QApplication>
@@ -24,7 +25,7 @@ class Tour;
 struct Options {
     bool demo = false;
     QString tour;                    ///< folder for pictures; empty: no tour
-    QString theme;                   ///< "dark", "light" or empty
+    QString theme;                   ///< of themeNames(), or empty
     QString language;                ///< of languages(), or empty for the system's
     QString size;                    ///< "1280x800" or empty
     std::optional<double> fontScale; ///< of the system's font; empty: as it was chosen
@@ -55,8 +56,10 @@ public:
 private:
     void translate(const QString &language);
     void dress(const Look &look);
+    void followDesktop();
     void openLinks();
     void makeWindow();
+    void makeService();
     void setUpPlots();
     void setUpLimits();
     void setUpStart();
@@ -65,6 +68,7 @@ private:
     QApplication &m_qt;
     Options m_options;
     QFont m_systemFont;
+    SystemPalette m_palette;
     QTranslator m_translator;
     QTranslator m_qtTranslator;
     Settings m_settings;

@@ -214,6 +214,12 @@ void Engine::followService(
     });
 }
 
+void Engine::followJournal(std::function<void(int, const Message &)> told)
+{
+    m_store.followJournal([to = &m_toWindow, told = std::move(told)](
+                              int waiting, const Message &trouble) { to->post([=] { told(waiting, trouble); }); });
+}
+
 /// Whatever becomes of it, its answer comes back through the window's mailbox.
 void Engine::deliver(Order order, Reply::Finished finished)
 {

@@ -48,6 +48,11 @@ public:
     void followService(
         std::function<void(const ServiceView &)> viewed, std::function<void(const service::Visit &)> ended);
 
+    /// As ServiceDesk::keepJournal(); nothing is served meanwhile.
+    void keepJournal(JournalPlace place) { m_store.keepJournal(std::move(place)); }
+    /// From now on, here: how many entries the journal's server has not got, and why. Before keepJournal().
+    void followJournal(std::function<void(int waiting, const Message &trouble)> told);
+
     /// A question of the user's file, answered here later.
     template <class T>
     void askBooks(std::function<Result<T>(Books &)> question, std::function<void(Result<T>)> answered)

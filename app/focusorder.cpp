@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/focusorder.h"
 
-#include <QAbstractItemView>
 #include <QApplication>
 #include <QKeyEvent>
 #include <QLayout>
@@ -136,11 +135,9 @@ std::vector<QWidget *> readingOrder(const QWidget &window)
     return found;
 }
 
-/// Some editors and tables take Tab for themselves.
+/// Some editors take Tab for themselves. Tables would too, from cell to cell and round again: there are the arrows for that.
 bool FocusOrder::takesTab(const QWidget &widget)
 {
-    if (const auto *view = qobject_cast<const QAbstractItemView *>(&widget))
-        return view->tabKeyNavigation();
     if (const auto *text = qobject_cast<const QTextEdit *>(&widget))
         return !text->tabChangesFocus() && !text->isReadOnly();
     const auto *plain = qobject_cast<const QPlainTextEdit *>(&widget);

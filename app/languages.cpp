@@ -4,8 +4,6 @@
 #include <QDir>
 #include <QTranslator>
 
-#include <algorithm>
-
 namespace mb {
 namespace {
 
@@ -15,27 +13,37 @@ constexpr struct {
     const char *comment;
 } self = QT_TRANSLATE_NOOP3("Languages", "English", "the name of this language in itself");
 
+QString folderOfThem()
+{
+    return QStringLiteral(":/translations");
+}
+
+QString fileOf(const QString &code)
+{
+    return QStringLiteral("motorbench_%1.qm").arg(code);
+}
+
 } // namespace
+
+QStringList spokenCodes()
+{
+    QStringList codes;
+    for (const QString &file : QDir(folderOfThem()).entryList({fileOf(QStringLiteral("*"))}, QDir::Files, QDir::Name))
+        codes += file.section(QLatin1Char('_'), 1).section(QLatin1Char('.'), 0, 0);
+    return codes;
+}
 
 std::vector<Language> languages()
 {
-    const QString prefix = QStringLiteral("motorbench_");
     std::vector<Language> found;
-    const QDir folder(QStringLiteral(":/translations"));
-    for (const QString &file : folder.entryList({prefix + QStringLiteral("*.qm")}, QDir::Files, QDir::Name)) {
+    for (const QString &code : spokenCodes()) {
         QTranslator translator;
-        if (!translator.load(folder.filePath(file)))
+        if (!translator.load(fileOf(code), folderOfThem()))
             continue;
         const QString name = translator.translate(context, self.source, self.comment);
-        found.push_back({file.mid(prefix.size()).chopped(3), name.isEmpty() ? QString::fromLatin1(self.source) : name});
+        found.push_back({code, name.isEmpty() ? QString::fromLatin1(self.source) : name});
     }
     return found;
-}
-
-bool isSpoken(const QString &code)
-{
-    const auto all = languages();
-    return std::any_of(all.begin(), all.end(), [&](const Language &language) { return language.code == code; });
 }
 
 QString glyphsOf(const QLocale &locale)
@@ -45,14 +53,6 @@ QString glyphsOf(const QLocale &locale)
     case QLocale::Japanese: return QStringLiteral("Noto Sans CJK JP");
     default: return {};
     }
-}
-
-QString spokenCodes()
-{
-    QStringList codes;
-    for (const Language &language : languages())
-        codes += language.code;
-    return codes.join(QStringLiteral(", "));
 }
 
 } // namespace mb

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <QLocale>
-#include <QString>
+#include <QStringList>
 
 #include <vector>
 
@@ -14,12 +14,11 @@ struct Language {
     QString name; ///< in itself: "Deutsch"
 };
 
-/// By code. English is among them.
+/// By code: "de", "en", … English is among them.
+[[nodiscard]] QStringList spokenCodes();
+/// The same with their names, for which each is opened.
 [[nodiscard]] std::vector<Language> languages();
-[[nodiscard]] bool isSpoken(const QString &code);
 /// The font whose glyphs its readers expect, because one code point has several shapes: "Noto Sans CJK SC"; empty: any.
 [[nodiscard]] QString glyphsOf(const QLocale &locale);
-/// "de, en, es, fr, ja, zh": for a sentence that says what there is.
-[[nodiscard]] QString spokenCodes();
 
 } // namespace mb

@@ -6,6 +6,7 @@
 #include "files/filebytes.h"
 #include "recording/loadrecording.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/systemtheme.h"
 #include "widgets/plots/picturefile.h"
 #include "widgets/plots/qcustomplotkeywords.h"
 #include "widgets/plots/recordedtraces.h"
@@ -50,11 +51,12 @@ int plotFile(const Options &options)
             options.json);
     const auto recording = loadRecording(options.plot.toLocal8Bit().toStdString());
     if (!recording)
-        return refuse({Fault::OutOfRange, recording.error().message(),
-                          say("give an .mcap or .csv that this program wrote, or the output of watch")},
+        return refuse(
+            {Fault::OutOfRange, recording.error().message(),
+                say("give an .mcap with messages in JSON or of this program, a .csv, or the output of watch")},
             options.json);
     const double points = 10.0 * options.fontScale.value_or(1.0);
-    const ThemeSource theme(options.theme == QLatin1String("light") ? lightTheme(points) : darkTheme(points));
+    const ThemeSource theme(themeNamed(options.theme, QApplication::palette(), points));
     QFont font = QApplication::font();
     font.setPointSizeF(points);
     QApplication::setFont(font);

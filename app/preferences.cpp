@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/preferences.h"
 
+#include "app/guardian/client/guardianprocess.h"
+#include "app/guardiancheck.h"
 #include "app/keyspanel.h"
 #include "app/languages.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/systemtheme.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -60,6 +63,8 @@ QWidget *Preferences::makeLook(const Look &look)
     m_theme = new QComboBox(this);
     m_theme->addItem(tr("dark"), QStringLiteral("dark"));
     m_theme->addItem(tr("light"), QStringLiteral("light"));
+    m_theme->addItem(tr("high contrast"), QStringLiteral("contrast"));
+    m_theme->addItem(tr("as the desktop"), systemThemeName());
     choose(*m_theme, look.theme);
     m_language = new QComboBox(this);
     m_language->addItem(tr("as the desktop"), QString());
@@ -70,6 +75,12 @@ QWidget *Preferences::makeLook(const Look &look)
     for (const int size : sizes)
         m_size->addItem(tr("%1 %").arg(size), size);
     choose(*m_size, qRound(look.fontScale * 100.0));
+    m_units = new QComboBox(this);
+    m_units->addItem(tr("counts"), false);
+    m_units->addItem(tr("rpm and degrees"), true);
+    choose(*m_units, look.revolutions);
+    m_sounds = new QCheckBox(tr("With every verdict in production"), this);
+    m_sounds->setChecked(look.sounds);
     m_motion = new QCheckBox(tr("Nothing moves but data"), this);
     m_motion->setChecked(look.reducedMotion);
     const auto add = [form](const QString &name, QWidget *field) {
@@ -79,7 +90,10 @@ QWidget *Preferences::makeLook(const Look &look)
     add(tr("Theme"), m_theme);
     add(tr("Language"), m_language);
     add(tr("Text size"), m_size);
+    add(tr("Units"), m_units);
     add(tr("Motion"), m_motion);
+    add(tr("Sounds"), m_sounds);
+    add(tr("Guardian"), new GuardianCheck(QString::fromStdString(guardianBesideThisProgram()), this));
     addFolders(*form);
     return page;
 }
@@ -116,7 +130,8 @@ KeyChoices Preferences::keys() const
 Look Preferences::look() const
 {
     return {m_theme->currentData().toString(), m_language->currentData().toString(),
-        m_size->currentData().toInt() / 100.0, m_motion->isChecked()};
+        m_size->currentData().toInt() / 100.0, m_motion->isChecked(), m_units->currentData().toBool(),
+        m_sounds->isChecked()};
 }
 
 } // namespace mb

@@ -15,7 +15,8 @@ namespace mb {
 
 class KeysPanel;
 
-/// Theme, language, size of the text, motion, where things are kept, and the key of every command. What is chosen holds when the dialog is accepted.
+/// Theme, language, size of the text, units, motion, sounds, the guardian, where things are kept, and the key of every command. What is
+/// chosen holds when the dialog is accepted.
 class Preferences : public QDialog {
     Q_OBJECT
 public:
@@ -31,7 +32,9 @@ private:
     QComboBox *m_theme = nullptr;
     QComboBox *m_language = nullptr;
     QComboBox *m_size = nullptr;
+    QComboBox *m_units = nullptr;
     QCheckBox *m_motion = nullptr;
+    QCheckBox *m_sounds = nullptr;
     KeysPanel *m_keys = nullptr;
 };
 

@@ -44,11 +44,11 @@ void ProjectDesk::save(const QString &folder)
 {
     Project project = Project::of(m_workbench.snapshot(), m_limits);
     project.layouts = m_layouts;
-    if (const auto saved = project.save(folder))
-        m_workbench.report(Severity::Good, {},
-            tr("%n unit(s) saved into %1", nullptr, static_cast<int>(project.units.size())).arg(folder));
-    else
-        m_workbench.report(Severity::Danger, {}, errorText(saved.error()));
+    if (const auto saved = project.save(folder); !saved)
+        return m_workbench.report(Severity::Danger, {}, errorText(saved.error()));
+    m_workbench.report(Severity::Good, {},
+        tr("%n unit(s) saved into %1", nullptr, static_cast<int>(project.units.size())).arg(folder));
+    Q_EMIT folderChosen(folder);
 }
 
 void ProjectDesk::open(const QString &folder)
@@ -60,6 +60,7 @@ void ProjectDesk::open(const QString &folder)
     }
     m_project = std::move(*project);
     m_applied.clear();
+    Q_EMIT folderChosen(folder);
     if (!m_layouts.isEmpty() && !m_project.layouts.isEmpty()) {
         QDir().mkpath(m_layouts);
         for (const QString &name : QDir(m_project.layouts).entryList({QStringLiteral("*.json")}, QDir::Files)) {

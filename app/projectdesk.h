@@ -21,6 +21,10 @@ public:
     void save(const QString &folder);
     void open(const QString &folder);
 
+Q_SIGNALS:
+    /// This is the folder of the machine from now on.
+    void folderChosen(const QString &folder);
+
 private:
     void follow();
     void apply(const DeviceView &device, const ProjectUnit &unit);

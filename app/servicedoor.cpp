@@ -5,6 +5,7 @@
 #include "storage/visitjson.h"
 
 #include <QPointer>
+#include <QSysInfo>
 
 namespace mb {
 namespace {
@@ -47,6 +48,36 @@ ServiceDoor::ServiceDoor(Engine &engine)
         [self = QPointer<ServiceDoor>(this)](const service::Visit &visit) {
             if (self)
                 Q_EMIT self->unitEnded(visit);
+        });
+    engine.followJournal([self = QPointer<ServiceDoor>(this)](int waiting, const Message &trouble) {
+        if (!self)
+            return;
+        self->m_journal.waiting = waiting;
+        self->m_journal.trouble = trouble;
+        Q_EMIT self->changed();
+    });
+    m_journal.station = QSysInfo::machineHostName().toStdString();
+}
+
+void ServiceDoor::keepJournal(const std::string &server, const std::string &station, Finished finished)
+{
+    JournalPlace place{station.empty() ? QSysInfo::machineHostName().toStdString() : station, {}};
+    if (!server.empty()) {
+        auto parsed = JournalServer::parse(server);
+        if (!parsed)
+            return finished(fail(parsed.error()));
+        place.server = std::move(*parsed);
+    }
+    m_engine.askService([name = place.station](ServiceRoom &room) { return room.setStation(name); },
+        [this, self = QPointer<ServiceDoor>(this), server, given = station, place, finished = std::move(finished)](
+            const Result<void> &result) {
+            if (self && result) {
+                m_journal = {server, place.station, 0, {}};
+                m_engine.keepJournal(place);
+                Q_EMIT changed();
+                Q_EMIT journalKept(QString::fromStdString(server), QString::fromStdString(given));
+            }
+            finished(result);
         });
 }
 
@@ -111,7 +142,12 @@ void ServiceDoor::list(const service::VisitFilter &filter, Listed listed)
 void ServiceDoor::setNote(const std::string &visit, const QString &note, Finished finished)
 {
     m_engine.askBooks<void>(
-        [visit, text = note.toStdString()](Books &books) { return books.service.setNote(visit, text); },
+        [visit, text = note.toStdString()](Books &books) {
+            const Result<void> kept = books.service.setNote(visit, text);
+            if (books.shared)
+                books.shared->deliverSoon();
+            return kept;
+        },
         std::move(finished));
 }
 

@@ -22,6 +22,8 @@ public:
     void cancel() override;
     void arm(bool on) override;
     void renew() override;
+    [[nodiscard]] const JournalState &journal() const override { return m_journal; }
+    void keepJournal(const std::string &server, const std::string &station, Finished finished) override;
     void findCut(const service::RecipeMatter &matter, CutFound found) override;
     void list(const service::VisitFilter &filter, Listed listed) override;
     void setNote(const std::string &visit, const QString &note, Finished finished) override;
@@ -29,6 +31,7 @@ public:
 
 private:
     ServiceView m_view;
+    JournalState m_journal;
     Engine &m_engine;
 };
 

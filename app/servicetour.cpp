@@ -3,12 +3,14 @@
 
 #include "app/productionface.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/lamp.h"
 #include "widgets/firmware/firmwarepage.h"
 #include "widgets/firmware/queueboard.h"
 #include "widgets/firmware/queuemodel.h"
 #include "widgets/parameters/keepbar.h"
 #include "widgets/report/reportspage.h"
 
+#include <QFile>
 #include <QListWidget>
 
 #include <algorithm>
@@ -117,12 +119,69 @@ void ServiceTour::enterProduction()
 /// The verdict on the unit that the queue served last, as the bench shows it; also without its colours.
 void ServiceTour::planProduction()
 {
+    showVerdict(QStringLiteral("production-pass"));
+}
+
+void ServiceTour::showVerdict(const QString &name)
+{
     m_tour.add(
         QStringLiteral("production"), [this] { enterProduction(); }, [] { return true; });
     m_tour.pause(std::chrono::milliseconds(300));
-    m_tour.picture(QStringLiteral("production-pass"), true);
+    m_tour.picture(name, true);
     m_tour.add(
         QStringLiteral("leave production"), [this] { m_window.production()->show(false); }, [] { return true; });
+}
+
+/// A self-test whose limits nobody keeps, of one unit.
+void ServiceTour::beginStrict()
+{
+    const DeviceView *device = unit(&DemoUnits::tuned);
+    const QByteArray recipe = R"({"recipe":1,"name":"drive-base rev C","family":")"
+        + QByteArray::fromStdString(std::string(device->family->key))
+        + R"(","test":{"loop":"velocity","to":2000,"limits":{"travel":20000,"speed":20000,"duty":0.5,"current":40},
+"accept":{"settle":0.02,"overshoot":0.6}}})";
+    const QString path = m_folder.filePath(QStringLiteral("strict.json"));
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(recipe) != recipe.size())
+        return;
+    file.close();
+    m_window.showPage(PageId::Firmware);
+    (void)board().openRecipe(path);
+    board().model().tickAll(false);
+    board().model().tick(device->id, true);
+    board().start();
+}
+
+const QueueLine *ServiceTour::strictLine() const
+{
+    const DeviceView *device = unit(&DemoUnits::tuned);
+    for (const QueueLine &line : board().model().lines()) {
+        if (device && line.device == device->id)
+            return &line;
+    }
+    return nullptr;
+}
+
+/// It waits until somebody arms, and then fails.
+void ServiceTour::planFail()
+{
+    m_tour.add(
+        QStringLiteral("a self-test that waits for arming"), [this] { beginStrict(); },
+        [this] {
+            const QueueLine *line = strictLine();
+            return line && line->state == service::RowState::Running && line->glyph == GlyphState::Waiting;
+        },
+        queueTime);
+    m_tour.picture(QStringLiteral("queue-waits-for-arm"));
+    m_tour.add(
+        QStringLiteral("a self-test out of its limits"),
+        [this] { Q_EMIT m_window.findChild<Lamp *>()->armRequested(); },
+        [this] {
+            const QueueLine *line = strictLine();
+            return line && line->state == service::RowState::Failed;
+        },
+        queueTime);
+    showVerdict(QStringLiteral("production-fail"));
 }
 
 void ServiceTour::planJournal()

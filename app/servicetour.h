@@ -5,9 +5,12 @@
 #include "app/tourscript.h"
 #include "model/family.h"
 
+#include <QTemporaryDir>
+
 namespace mb {
 
 class QueueBoard;
+struct QueueLine;
 
 /// What the tour sees of service: values that wait for somebody to keep them, a queue of units, the verdict in production, the
 /// journal. The script outlives this. GUI thread.
@@ -19,6 +22,7 @@ public:
     void planKeeping();
     void planQueue();
     void planProduction();
+    void planFail();
     void planJournal();
 
 private:
@@ -28,10 +32,14 @@ private:
     [[nodiscard]] bool isOver() const;
     void loosen();
     void enterProduction();
+    void beginStrict();
+    [[nodiscard]] const QueueLine *strictLine() const;
+    void showVerdict(const QString &name);
 
     Workbench &m_workbench;
     MainWindow &m_window;
     TourScript &m_tour;
+    QTemporaryDir m_folder; ///< of the recipe that a unit fails
 };
 
 } // namespace mb

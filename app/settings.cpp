@@ -54,6 +54,9 @@ Look Settings::look() const
     const QVariant scale = value(QStringLiteral("font-scale"));
     look.fontScale = scale.isValid() ? std::clamp(scale.toDouble(), smallestFont, largestFont) : 1.0;
     look.reducedMotion = value(QStringLiteral("reduced-motion")).toBool();
+    look.revolutions = value(QStringLiteral("revolutions")).toBool();
+    const QVariant sounds = value(QStringLiteral("sounds"));
+    look.sounds = !sounds.isValid() || sounds.toBool();
     return look;
 }
 
@@ -63,6 +66,8 @@ void Settings::setLook(const Look &look)
     setValue(QStringLiteral("language"), look.language);
     setValue(QStringLiteral("font-scale"), look.fontScale);
     setValue(QStringLiteral("reduced-motion"), look.reducedMotion);
+    setValue(QStringLiteral("revolutions"), look.revolutions);
+    setValue(QStringLiteral("sounds"), look.sounds);
 }
 
 QByteArray Settings::geometry() const
@@ -92,6 +97,22 @@ void Settings::removeLink(const QString &address)
     QStringList all = links();
     if (all.removeAll(address) > 0)
         setValue(QStringLiteral("links"), all);
+}
+
+QString Settings::journalServer() const
+{
+    return value(QStringLiteral("journal-server")).toString();
+}
+
+QString Settings::station() const
+{
+    return value(QStringLiteral("station")).toString();
+}
+
+void Settings::setJournal(const QString &server, const QString &station)
+{
+    setValue(QStringLiteral("journal-server"), server);
+    setValue(QStringLiteral("station"), station);
 }
 
 QString Settings::firmwareFolder() const

@@ -16,15 +16,17 @@ namespace mb {
 
 /// How the program looks and speaks.
 struct Look {
-    QString theme;              ///< "dark" or "light"
+    QString theme;              ///< of themeNames(); empty until chosen
     QString language;           ///< of languages(); empty: the desktop's
     double fontScale = 1.0;     ///< of the desktop's font, 0.5 to 3
     bool reducedMotion = false; ///< nothing moves but data
+    bool revolutions = false;   ///< rpm and degrees rather than counts, where nobody has chosen otherwise
+    bool sounds = true;         ///< with every verdict in production
 
     friend bool operator==(const Look &a, const Look &b)
     {
         return a.theme == b.theme && a.language == b.language && a.fontScale == b.fontScale
-            && a.reducedMotion == b.reducedMotion;
+            && a.reducedMotion == b.reducedMotion && a.revolutions == b.revolutions && a.sounds == b.sounds;
     }
 };
 
@@ -35,7 +37,7 @@ public:
     explicit Settings(bool remembers);
     ~Settings();
 
-    /// "dark", "light"; empty until chosen.
+    /// Of themeNames(); empty until chosen.
     [[nodiscard]] QString theme() const;
     void setTheme(const QString &theme);
     [[nodiscard]] Look look() const;
@@ -52,6 +54,10 @@ public:
     /// Keys that the user gave to commands, by PageKeys::idOf.
     [[nodiscard]] KeyChoices keys() const;
     void setKeys(const KeyChoices &keys);
+    /// As ServiceDesk::keepJournal(): the server that stations share, and the name of this one; empty until chosen.
+    [[nodiscard]] QString journalServer() const;
+    [[nodiscard]] QString station() const;
+    void setJournal(const QString &server, const QString &station);
     /// Something that was offered once and is not offered again, by a key of its own.
     [[nodiscard]] bool isDismissed(const QString &key) const;
     void dismiss(const QString &key);

@@ -29,11 +29,12 @@ constexpr double stepTarget = 60000.0; // counts/s
 
 } // namespace
 
-Tour::Tour(Workbench &workbench, MainWindow &window, ThemeSource &theme, const QString &folder)
+Tour::Tour(Workbench &workbench, MainWindow &window, ThemeSource &theme, const QString &folder, bool inOneTheme)
     : m_workbench(workbench)
     , m_window(window)
     , m_theme(theme)
     , m_folder(folder)
+    , m_inOneTheme(inOneTheme)
     , m_service(new ServiceTour(workbench, window, *this, this))
 {
     m_poll.setInterval(pollTime);
@@ -80,22 +81,22 @@ void Tour::picture(const QString &name, bool grey)
     const Theme before = m_theme.theme();
     add(
         name, [this] { ++m_pictures; }, [] { return true; });
-    for (const bool dark : {true, false}) {
-        const Theme theme = dark ? darkTheme(before.bodyPointSize) : lightTheme(before.bodyPointSize);
+    const double points = before.bodyPointSize;
+    for (const Theme &theme :
+        m_inOneTheme ? std::vector<Theme>{before} : std::vector<Theme>{darkTheme(points), lightTheme(points)}) {
         add(
             name, [this, theme] { m_theme.setTheme(theme); }, [] { return true; });
         add(
-            name, [this, name, dark, grey] { save(name, dark, grey); }, [] { return true; });
+            name, [this, name, grey] { save(name, grey); }, [] { return true; });
     }
     add(
         name, [this, before] { m_theme.setTheme(before); }, [] { return true; });
 }
 
-void Tour::save(const QString &name, bool dark, bool grey)
+void Tour::save(const QString &name, bool grey)
 {
     const QString number = QStringLiteral("%1").arg(m_pictures, 2, 10, QLatin1Char('0'));
-    const QString file
-        = QStringLiteral("%1-%2-%3.png").arg(number, name, dark ? QStringLiteral("dark") : QStringLiteral("light"));
+    const QString file = QStringLiteral("%1-%2-%3.png").arg(number, name, m_theme.theme().name);
     const QImage image = m_window.grab().toImage();
     const QString colourless = QString(file).replace(QStringLiteral(".png"), QStringLiteral("-grey.png"));
     if (!saveFile(m_folder.filePath(file).toStdString(), pngOf(image))
@@ -258,6 +259,7 @@ void Tour::planEnd()
     pause(std::chrono::milliseconds(200));
     picture(QStringLiteral("reports"));
     m_service->planProduction();
+    m_service->planFail();
     m_service->planJournal();
 }
 
@@ -280,7 +282,7 @@ void Tour::look()
         begin(m_current + 1);
     } else if (m_workbench.now() - m_begunAt > step.limit) {
         std::fprintf(stderr, "motorbench: the tour did not get past '%s'\n", qPrintable(step.name));
-        save(QStringLiteral("failed"), m_theme.theme().dark, false);
+        save(QStringLiteral("failed"), false);
         finish(1);
     }
 }

@@ -19,7 +19,8 @@ class ServiceTour;
 class Tour : public QObject, private TourScript {
     Q_OBJECT
 public:
-    Tour(Workbench &workbench, MainWindow &window, ThemeSource &theme, const QString &folder);
+    /// Pictures dark and light, or, `inOneTheme`, as the window is.
+    Tour(Workbench &workbench, MainWindow &window, ThemeSource &theme, const QString &folder, bool inOneTheme = false);
     void start();
 
 private:
@@ -53,7 +54,7 @@ private:
     void begin(std::size_t step);
     void finish(int status);
     void tellLosses() const;
-    void save(const QString &name, bool dark, bool grey);
+    void save(const QString &name, bool grey);
     void drive();
     [[nodiscard]] bool comesToSpeed();
     [[nodiscard]] const DeviceView *device(int DemoUnits::*unit) const;
@@ -63,6 +64,7 @@ private:
     MainWindow &m_window;
     ThemeSource &m_theme;
     QDir m_folder;
+    bool m_inOneTheme;
     std::vector<Step> m_steps;
     std::size_t m_current = 0;
     Instant m_begunAt{};

@@ -2,11 +2,12 @@
 #include "app/trialstore.h"
 
 #include "async/event.h"
+#include "transport/qtclock.h"
+#include "transport/workerthreads.h"
 
+#include <QSocketNotifier>
 #include <QSysInfo>
-
-#include <memory>
-#include <optional>
+#include <QThread>
 
 namespace mb {
 namespace {
@@ -20,79 +21,177 @@ template <class T> Result<T> done(Task<T> task)
 
 } // namespace
 
+/// What lives in the store's thread, made and destroyed there.
+class TrialStore::Room {
+public:
+    explicit Room(TrialStore &store)
+        : m_store(store)
+        , m_workers(store.m_orders)
+        , m_place{QSysInfo::machineHostName().toStdString(), {}}
+        , m_tasks(m_timers)
+    {
+    }
+    /// A disk that was full may have room by now, so it is tried again with every order.
+    [[nodiscard]] Result<Books *> books()
+    {
+        if (m_books)
+            return m_books.get();
+        if (!m_database) {
+            auto opened = Database::open(m_store.m_path);
+            if (!opened)
+                return fail(opened.error());
+            m_database = std::move(*opened);
+        }
+        m_books.reset(new Books{{*m_database, m_store.m_clock}, {*m_database, m_store.m_clock, m_store.m_person},
+            {*m_database, m_store.m_clock, m_place.station, m_store.m_person}, nullptr});
+        if (m_place.server) {
+            m_books->shared = std::make_unique<SharedJournal>(m_books->service, *m_place.server, m_timers, &m_workers);
+            m_changed = m_books->shared->changed().add([this] { tell(); });
+        }
+        tell();
+        return m_books.get();
+    }
+    void keepJournal(JournalPlace place)
+    {
+        m_tasks.clear();
+        m_changed = {};
+        m_books.reset();
+        m_place = std::move(place);
+        (void)books(); // what waits for the server is delivered at once
+    }
+    void followJournal(std::function<void(int, const Message &)> told) { m_told = std::move(told); }
+    /// Words of the journal that are waited for.
+    [[nodiscard]] Scope &tasks() { return m_tasks; }
+
+private:
+    void tell()
+    {
+        if (!m_told)
+            return;
+        const SharedJournal *shared = m_books ? m_books->shared.get() : nullptr;
+        m_told(shared ? shared->waiting() : 0, shared ? shared->trouble().detail : Message());
+    }
+
+    TrialStore &m_store;
+    QtClock m_timers;
+    WorkerThreads m_workers;
+    JournalPlace m_place;
+    std::unique_ptr<Database> m_database;
+    std::unique_ptr<Books> m_books;
+    std::function<void(int, const Message &)> m_told;
+    Subscription m_changed;
+    Scope m_tasks; ///< last: they use all the others
+};
+
+class TrialStore::Loop final : public QThread {
+public:
+    explicit Loop(TrialStore &store)
+        : m_store(store)
+    {
+    }
+
+private:
+    void run() override
+    {
+        Room room(m_store);
+        m_store.m_room = &room;
+        QSocketNotifier arrivals(m_store.m_orders.descriptor(), QSocketNotifier::Read);
+        connect(&arrivals, &QSocketNotifier::activated, &arrivals, [this] { m_store.m_orders.drain(); });
+        exec();
+        m_store.m_orders.close();
+        m_store.m_room = nullptr;
+    }
+
+    TrialStore &m_store;
+};
+
 TrialStore::TrialStore(std::string path, const Clock &clock, std::string person)
     : m_path(std::move(path))
     , m_clock(clock)
     , m_person(std::move(person))
-    , m_thread([this] { run(); })
+    , m_loop(std::make_unique<Loop>(*this))
 {
+    m_loop->setObjectName(QStringLiteral("store"));
+    m_loop->start();
 }
 
 TrialStore::~TrialStore()
 {
-    {
-        const std::lock_guard lock(m_mutex);
-        m_ends = true;
-    }
-    m_wake.notify_one();
-    m_thread.join();
+    m_orders.post([] { QThread::currentThread()->exit(); }); // after all that waits
+    m_loop->wait();
+}
+
+Scope &TrialStore::tasks()
+{
+    return m_room->tasks();
 }
 
 void TrialStore::post(Work work)
 {
-    {
-        const std::lock_guard lock(m_mutex);
-        m_waiting.push_back(std::move(work));
-    }
-    m_wake.notify_one();
+    m_orders.post([this, work = std::move(work)] { work(m_room->books()); });
 }
 
-void TrialStore::run()
+void TrialStore::keepJournal(JournalPlace place)
 {
-    std::unique_ptr<Database> database;
-    std::unique_ptr<Books> books;
-    Error failure;
-    std::unique_lock lock(m_mutex);
-    while (true) {
-        m_wake.wait(lock, [this] { return m_ends || !m_waiting.empty(); });
-        if (m_waiting.empty())
-            return;
-        const Work work = std::move(m_waiting.front());
-        m_waiting.pop_front();
-        lock.unlock();
-        if (!books) { // a disk that was full may have room by now
-            auto opened = Database::open(m_path);
-            if (opened) {
-                database = std::move(*opened);
-                books.reset(new Books{{*database, m_clock}, {*database, m_clock, m_person},
-                    {*database, m_clock, QSysInfo::machineHostName().toStdString(), m_person}});
-            } else {
-                failure = opened.error();
-            }
-        }
-        work(books ? Result<Books *>(books.get()) : Result<Books *>(fail(failure)));
-        lock.lock();
-    }
+    m_orders.post([this, place = std::move(place)]() mutable { m_room->keepJournal(std::move(place)); });
+}
+
+void TrialStore::followJournal(std::function<void(int, const Message &)> told)
+{
+    m_orders.post([this, told = std::move(told)] { m_room->followJournal(told); });
 }
 
 namespace {
 
-template <class T> Task<T> ask(TrialStore &store, Mailbox &home, std::function<Task<T>(Books &)> question)
-{
-    struct Answer {
+/// An answer of the store's thread, awaited in the one that drains `home`.
+template <class T> class Awaited {
+public:
+    explicit Awaited(Mailbox &home)
+        : m_home(home)
+    {
+    }
+    /// To be called in the store's thread, once.
+    [[nodiscard]] std::function<void(Result<T>)> answer() const
+    {
+        return [to = &m_home, arrival = m_arrival](Result<T> told) {
+            to->post([arrival, result = std::make_shared<Result<T>>(std::move(told))] {
+                arrival->result = std::move(*result);
+                arrival->come.set();
+            });
+        };
+    }
+    [[nodiscard]] Task<T> wait() const { return arrived(m_arrival); }
+
+private:
+    struct Arrival {
         Event come;
         std::optional<Result<T>> result;
     };
-    const auto answer = std::make_shared<Answer>();
-    store.post([to = &home, answer, question](const Result<Books *> &books) {
-        auto result = std::make_shared<Result<T>>(books ? done(question(**books)) : Result<T>(fail(books.error())));
-        to->post([answer, result] {
-            answer->result = std::move(*result);
-            answer->come.set();
-        });
+    static Task<T> arrived(std::shared_ptr<Arrival> arrival)
+    {
+        co_await arrival->come.wait();
+        co_return std::move(*arrival->result);
+    }
+
+    Mailbox &m_home;
+    std::shared_ptr<Arrival> m_arrival = std::make_shared<Arrival>();
+};
+
+template <class T> Task<T> ask(TrialStore &store, Mailbox &home, std::function<Task<T>(Books &)> question)
+{
+    const Awaited<T> awaited(home);
+    store.post([answer = awaited.answer(), question = std::move(question)](const Result<Books *> &books) {
+        answer(books ? done(question(**books)) : Result<T>(fail(books.error())));
     });
-    co_await answer->come.wait();
-    co_return std::move(*answer->result);
+    return awaited.wait();
+}
+
+template <class T>
+Task<T> askJournal(TrialStore &store, Mailbox &home, std::function<Task<T>(service::ServiceJournal &)> question)
+{
+    const Awaited<T> awaited(home);
+    store.askJournal<T>(std::move(question), awaited.answer());
+    return awaited.wait();
 }
 
 } // namespace
@@ -135,25 +234,26 @@ Task<std::vector<tuning::OwedGains>> StoredJournal::owedTo(std::string unit)
 
 Task<service::Visit> StoredService::open(service::Visit visit)
 {
-    return ask<service::Visit>(
-        m_store, m_home, [visit = std::move(visit)](Books &books) { return books.service.open(visit); });
+    return askJournal<service::Visit>(
+        m_store, m_home, [visit = std::move(visit)](service::ServiceJournal &journal) { return journal.open(visit); });
 }
 
 Task<service::Visit> StoredService::write(service::Visit visit)
 {
-    return ask<service::Visit>(
-        m_store, m_home, [visit = std::move(visit)](Books &books) { return books.service.write(visit); });
+    return askJournal<service::Visit>(
+        m_store, m_home, [visit = std::move(visit)](service::ServiceJournal &journal) { return journal.write(visit); });
 }
 
 Task<std::vector<service::Visit>> StoredService::visits(service::VisitFilter filter)
 {
-    return ask<std::vector<service::Visit>>(
-        m_store, m_home, [filter = std::move(filter)](Books &books) { return books.service.visits(filter); });
+    return askJournal<std::vector<service::Visit>>(m_store, m_home,
+        [filter = std::move(filter)](service::ServiceJournal &journal) { return journal.visits(filter); });
 }
 
 Task<int> StoredService::number(service::NumberWish wish)
 {
-    return ask<int>(m_store, m_home, [wish = std::move(wish)](Books &books) { return books.service.number(wish); });
+    return askJournal<int>(
+        m_store, m_home, [wish = std::move(wish)](service::ServiceJournal &journal) { return journal.number(wish); });
 }
 
 Task<settings::ParameterSnapshot> StoredSettings::keep(settings::ParameterSnapshot snapshot)

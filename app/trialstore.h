@@ -3,16 +3,15 @@
 
 #include "async/clock.h"
 #include "async/mailbox.h"
+#include "async/scope.h"
 #include "storage/servicebook.h"
 #include "storage/settingsbook.h"
+#include "storage/sharedjournal.h"
 #include "storage/trialbook.h"
 
-#include <condition_variable>
-#include <deque>
 #include <functional>
 #include <memory>
-#include <mutex>
-#include <thread>
+#include <optional>
 
 namespace mb {
 
@@ -21,10 +20,23 @@ struct Books {
     TrialBook trials;
     SettingsBook settings;
     ServiceBook service;
+    std::unique_ptr<SharedJournal> shared; ///< nullptr: the journal is this computer's alone
+
+    [[nodiscard]] service::ServiceJournal &journal()
+    {
+        return shared ? static_cast<service::ServiceJournal &>(*shared) : service;
+    }
 };
 
-/// The user's file in a thread of its own, so that no disk ever holds up engine or window. The file is opened with the
-/// first order. Orders are done one after the other, those that wait at the end too.
+/// Where the journal of service is kept. A value.
+struct JournalPlace {
+    std::string station;                 ///< name of this one in it
+    std::optional<JournalServer> server; ///< that stations share; nothing: this computer's file alone
+};
+
+/// The user's file in a thread of its own, so that neither disk nor server ever holds up engine or window. The file is opened
+/// with the first order. Orders are done one after the other, those that wait at the end too; what the journal's server has not
+/// got then, it gets the next time.
 class TrialStore {
 public:
     /// With the books, or why there are none. In the thread of the store.
@@ -39,6 +51,21 @@ public:
 
     /// Any thread.
     void post(Work work);
+    /// From now on the journal is there; where something waits for its server, that is delivered. Any thread.
+    void keepJournal(JournalPlace place);
+    /// `told` hears in the thread of the store how many entries the server has not got, and why; empty: it took them. Before
+    /// keepJournal().
+    void followJournal(std::function<void(int waiting, const Message &trouble)> told);
+    /// Asks the journal; `answered` is called in the thread of the store, once.
+    template <class T>
+    void askJournal(std::function<Task<T>(service::ServiceJournal &)> question, std::function<void(Result<T>)> answered)
+    {
+        post([this, question = std::move(question), answered = std::move(answered)](const Result<Books *> &books) {
+            if (!books)
+                return answered(fail(books.error()));
+            tasks().spawn<T>(question((*books)->journal()), answered);
+        });
+    }
     /// Answers a question of the books in the thread that drains `home`, or says why there are none. `answered` may be empty.
     template <class T>
     void ask(Mailbox &home, std::function<Result<T>(Books &)> question, std::function<void(Result<T>)> answered)
@@ -53,16 +80,17 @@ public:
     }
 
 private:
-    void run();
+    class Room;
+    class Loop;
+
+    [[nodiscard]] Scope &tasks();
 
     std::string m_path;
     const Clock &m_clock;
     std::string m_person;
-    std::mutex m_mutex;
-    std::condition_variable m_wake;
-    std::deque<Work> m_waiting;
-    bool m_ends = false;
-    std::thread m_thread; ///< last: it uses all the others
+    Mailbox m_orders;
+    Room *m_room = nullptr;       ///< the store's thread only
+    std::unique_ptr<Loop> m_loop; ///< last: its thread uses all the others
 };
 
 /// The journal as experiments see it, in the thread that drains `home`: each word waits for the store without blocking.

@@ -7,6 +7,7 @@
 #include "app/settings.h"
 #include "model/registry.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/pagekeys.h"
 #include "widgets/connection/overviewpage.h"
 #include "widgets/connection/startpage.h"
 #include "widgets/firmware/firmwarepage.h"
@@ -82,6 +83,9 @@ void Welcome::connectStrip()
 {
     connect(m_offer, &GuideStrip::wanted, this, &Welcome::begin);
     connect(m_strip, &GuideStrip::placeWanted, this, &Welcome::show);
+    m_strip->setKeys([this](const StoryStep &step) {
+        return keyShown(*m_window.page(pageOf(step.place)), QString::fromLatin1(step.key));
+    });
     connect(m_offer, &GuideStrip::refused, this, [this] { m_settings.dismiss(QStringLiteral("story")); });
 }
 

@@ -124,13 +124,13 @@ void WindowMenu::switchTheme()
         = m_theme.theme().dark ? lightTheme(m_theme.theme().bodyPointSize) : darkTheme(m_theme.theme().bodyPointSize);
     next.reducedMotion = m_theme.theme().reducedMotion;
     m_theme.setTheme(next);
-    m_settings.setTheme(next.dark ? QStringLiteral("dark") : QStringLiteral("light"));
+    m_settings.setTheme(next.name);
 }
 
 void WindowMenu::askPreferences()
 {
     Look look = m_settings.look();
-    look.theme = m_theme.theme().dark ? QStringLiteral("dark") : QStringLiteral("light");
+    look.theme = m_theme.theme().name;
     auto *dialog = new Preferences(look, m_keys->book(), &m_window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog, look] {

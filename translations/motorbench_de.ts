@@ -1023,16 +1023,8 @@
         <translation>Sprung</translation>
     </message>
     <message>
-        <source>Press F5: the motor steps to a speed and back, and the overshoot is measured.</source>
-        <translation>F5 drücken: der Motor springt auf eine Geschwindigkeit und zurück, das Überschwingen wird gemessen.</translation>
-    </message>
-    <message>
         <source>Tune</source>
         <translation>Abstimmen</translation>
-    </message>
-    <message>
-        <source>Press F6 on the page Design: the program finds gains and proves them. Tamed: a step overshoots by 5 % at most.</source>
-        <translation>F6 auf der Seite Entwurf: das Programm findet Verstärkungen und beweist sie. Gezähmt: ein Sprung schwingt höchstens 5 % über.</translation>
     </message>
     <message>
         <source>Store</source>
@@ -1047,16 +1039,8 @@
         <translation>Die Lampe oben eine Sekunde halten (oder Strg+Umschalt+F12).</translation>
     </message>
     <message>
-        <source>Press F5 on the page Tune: the peak current of the step stands in its table.</source>
-        <translation>F5 auf der Seite Abstimmen: der Spitzenstrom des Sprungs steht in der Tabelle.</translation>
-    </message>
-    <message>
         <source>Write</source>
         <translation>Schreiben</translation>
-    </message>
-    <message>
-        <source>The demo image is loaded on the page Firmware. Press F5 and watch the pages arrive, the last one first.</source>
-        <translation>Das Demo-Abbild ist auf der Seite Firmware geladen. F5 drücken; die Seiten kommen an, die letzte zuerst.</translation>
     </message>
     <message>
         <source>Prove</source>
@@ -1149,6 +1133,26 @@
     <message>
         <source>15 s after its last change the unit stores by itself. Then press Store and prove on the page Parameters.</source>
         <translation>15 s nach der letzten Änderung speichert das Gerät von selbst. Danach auf der Seite Parameter „Speichern und nachweisen“ drücken.</translation>
+    </message>
+    <message>
+        <source>Press %2: the motor steps to a speed and back, and the overshoot is measured.</source>
+        <translation>%2 drücken: der Motor springt auf eine Geschwindigkeit und zurück, das Überschwingen wird gemessen.</translation>
+    </message>
+    <message>
+        <source>Press %2 on the page Design: the program finds gains and proves them. Tamed: a step overshoots by 5 % at most.</source>
+        <translation>%2 auf der Seite Entwurf: das Programm findet Verstärkungen und beweist sie. Gezähmt: ein Sprung schwingt höchstens 5 % über.</translation>
+    </message>
+    <message>
+        <source>Press %2 on the page Tune: the peak current of the step stands in its table.</source>
+        <translation>%2 auf der Seite Regler: der Spitzenstrom des Sprungs steht in der Tabelle.</translation>
+    </message>
+    <message>
+        <source>The demo image is loaded on the page Firmware. Press %2 and watch the pages arrive, the last one first.</source>
+        <translation>Das Demo-Abbild ist auf der Seite Firmware geladen. %2 drücken; die Seiten kommen an, die letzte zuerst.</translation>
+    </message>
+    <message>
+        <source>the button</source>
+        <translation>die Schaltfläche</translation>
     </message>
 </context>
 <context>
@@ -1739,14 +1743,6 @@
         <translation>bestanden</translation>
     </message>
     <message>
-        <source>failed · %1</source>
-        <translation>Fehler · %1</translation>
-    </message>
-    <message>
-        <source>refused · %1</source>
-        <translation>abgelehnt · %1</translation>
-    </message>
-    <message>
         <source>left out</source>
         <translation>ausgelassen</translation>
     </message>
@@ -1769,6 +1765,22 @@
     <message>
         <source>travel at most %1 counts</source>
         <translation>Weg höchstens %1 counts</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>nicht bestanden</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>abgelehnt</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>Hold Arm to go on</source>
+        <translation>Zum Fortfahren Scharf-Taste halten</translation>
     </message>
 </context>
 <context>
@@ -2312,6 +2324,29 @@
     <message>
         <source>Put them back</source>
         <translation>Zurückgeben</translation>
+    </message>
+</context>
+<context>
+    <name>mb::CountTiles</name>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>nicht bestanden</translation>
+    </message>
+    <message>
+        <source>refused before start</source>
+        <translation>vor Beginn abgelehnt</translation>
+    </message>
+    <message>
+        <source>mean time</source>
+        <translation>mittlere Zeit</translation>
+    </message>
+    <message>
+        <source>units an hour</source>
+        <translation>Geräte pro Stunde</translation>
     </message>
 </context>
 <context>
@@ -3447,6 +3482,33 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
 </context>
 <context>
+    <name>mb::GuardianCheck</name>
+    <message>
+        <source>stops a motor when this program is killed or hangs</source>
+        <translation>hält einen Motor an, wenn dieses Programm beendet wird oder hängt</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Check the guardian</source>
+        <translation>Den Wächter prüfen</translation>
+    </message>
+    <message>
+        <source>%1 cannot be started: %2</source>
+        <translation>%1 lässt sich nicht starten: %2</translation>
+    </message>
+    <message>
+        <source>It is in place and runs.</source>
+        <translation>Er ist da und läuft.</translation>
+    </message>
+    <message>
+        <source>%1 does not run as it should.</source>
+        <translation>%1 läuft nicht, wie es soll.</translation>
+    </message>
+</context>
+<context>
     <name>mb::Guide</name>
     <message>
         <source>overshoot %1 % at first, %2 % now</source>
@@ -3653,10 +3715,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>Alle %1</translation>
     </message>
     <message>
-        <source>belongs to one unit, not copied</source>
-        <translation>gehört zu einem Gerät, wird nicht übertragen</translation>
-    </message>
-    <message>
         <source>assumed: it cannot be read</source>
         <translation>angenommen: nicht lesbar</translation>
     </message>
@@ -3671,6 +3729,10 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>Restore %1</source>
         <translation>%1 zurückschreiben</translation>
+    </message>
+    <message>
+        <source>belongs to one unit, copied only if you tick it</source>
+        <translation>gehört zu einem Gerät, wird nur kopiert, wenn es angehakt ist</translation>
     </message>
 </context>
 <context>
@@ -3915,6 +3977,40 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>A click moves it for a tenth of a second; held, it goes on until it is let go.</source>
         <translation>Ein Klick bewegt ihn eine Zehntelsekunde; gehalten läuft er, bis man loslässt.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::JournalCard</name>
+    <message>
+        <source>Journal</source>
+        <translation>Journal</translation>
+    </message>
+    <message>
+        <source>Change…</source>
+        <translation>Ändern…</translation>
+    </message>
+    <message>
+        <source>Change the journal</source>
+        <translation>Journal ändern</translation>
+    </message>
+    <message>
+        <source>On this computer</source>
+        <translation>Auf diesem Rechner</translation>
+    </message>
+    <message>
+        <source>PostgreSQL, %1</source>
+        <translation>PostgreSQL, %1</translation>
+    </message>
+    <message>
+        <source>station %1</source>
+        <translation>Station %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n entries wait for the server</source>
+        <translation>
+            <numerusform>%n Eintrag wartet auf den Server</numerusform>
+            <numerusform>%n Einträge warten auf den Server</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5759,48 +5855,64 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
         <source>Keys</source>
         <translation>Tasten</translation>
     </message>
+    <message>
+        <source>high contrast</source>
+        <translation>hoher Kontrast</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>counts</translation>
+    </message>
+    <message>
+        <source>rpm and degrees</source>
+        <translation>1/min und Grad</translation>
+    </message>
+    <message>
+        <source>With every verdict in production</source>
+        <translation>Zu jedem Urteil in der Fertigung</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Einheiten</translation>
+    </message>
+    <message>
+        <source>Sounds</source>
+        <translation>Töne</translation>
+    </message>
+    <message>
+        <source>Guardian</source>
+        <translation>Wächter</translation>
+    </message>
 </context>
 <context>
-    <name>mb::ProductionPage</name>
+    <name>mb::ProductionHead</name>
     <message>
-        <source>Production</source>
-        <translation>Produktion</translation>
+        <source>recipe</source>
+        <translation>Rezept</translation>
     </message>
     <message>
-        <source>No recipe yet</source>
-        <translation>Noch kein Rezept</translation>
+        <source>image</source>
+        <translation>Image</translation>
     </message>
     <message>
-        <source>Link that units are put on</source>
-        <translation>Verbindung, an die Geräte kommen</translation>
+        <source>parameters</source>
+        <translation>Parameter</translation>
     </message>
     <message>
-        <source>Open recipe…</source>
-        <translation>Rezept öffnen …</translation>
+        <source>number rule</source>
+        <translation>Nummernregel</translation>
     </message>
     <message>
-        <source>Start</source>
-        <translation>Start</translation>
-    </message>
-    <message>
-        <source>End</source>
-        <translation>Ende</translation>
-    </message>
-    <message>
-        <source>Hold to arm self-tests</source>
-        <translation>Halten: Selbsttests scharf</translation>
+        <source>self-test</source>
+        <translation>Selbsttest</translation>
     </message>
     <message>
         <source>Leave</source>
         <translation>Verlassen</translation>
     </message>
     <message>
-        <source>Last ten units</source>
-        <translation>Letzte zehn Geräte</translation>
-    </message>
-    <message>
-        <source>Last ten units, newest first</source>
-        <translation>Letzte zehn Geräte, neueste zuerst</translation>
+        <source>Link that units are put on</source>
+        <translation>Verbindung, an die Geräte kommen</translation>
     </message>
     <message>
         <source>Serial number, scanned or typed</source>
@@ -5811,8 +5923,39 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
         <translation>Seriennummer scannen oder tippen</translation>
     </message>
     <message>
-        <source>F5 test again · F8 set aside · F2 serial number · F11 leave · Esc stops every motor</source>
-        <translation>F5 nochmals prüfen · F8 beiseite · F2 Seriennummer · F11 verlassen · Esc hält jeden Motor an</translation>
+        <source>Open recipe…</source>
+        <translation>Rezept öffnen …</translation>
+    </message>
+    <message>
+        <source>Hold to arm self-tests</source>
+        <translation>Halten: Selbsttests scharf</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>No recipe yet</source>
+        <translation>Noch kein Rezept</translation>
+    </message>
+    <message>
+        <source>ARMED, hold to disarm</source>
+        <translation>SCHARF, halten: sichern</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ProductionPage</name>
+    <message>
+        <source>Production</source>
+        <translation>Produktion</translation>
+    </message>
+    <message>
+        <source>Last ten units</source>
+        <translation>Letzte zehn Geräte</translation>
     </message>
     <message>
         <source>Sound</source>
@@ -5843,18 +5986,6 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
         <translation>Rezepte (*.json);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>firmware %1</source>
-        <translation>Firmware %1</translation>
-    </message>
-    <message>
-        <source>%1 parameters</source>
-        <translation>%1 Parameter</translation>
-    </message>
-    <message>
-        <source>next free number from %1</source>
-        <translation>nächste freie Nummer ab %1</translation>
-    </message>
-    <message>
         <source>The self-test turns the motor: %1</source>
         <translation>Der Selbsttest dreht den Motor: %1</translation>
     </message>
@@ -5871,12 +6002,24 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
         <translation>kein Gerät hier hat die Seriennummer %1</translation>
     </message>
     <message>
-        <source>%1 passed   %2 failed   %3 refused   mean %4</source>
-        <translation>%1 gut   %2 Fehler   %3 abgelehnt   Mittel %4</translation>
+        <source>test again</source>
+        <translation>erneut prüfen</translation>
     </message>
     <message>
-        <source>ARMED, hold to disarm</source>
-        <translation>SCHARF, halten: sichern</translation>
+        <source>set aside</source>
+        <translation>beiseitelegen</translation>
+    </message>
+    <message>
+        <source>serial number</source>
+        <translation>Seriennummer</translation>
+    </message>
+    <message>
+        <source>leave</source>
+        <translation>verlassen</translation>
+    </message>
+    <message>
+        <source>stops every motor</source>
+        <translation>hält jeden Motor an</translation>
     </message>
 </context>
 <context>
@@ -6257,6 +6400,10 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
         <source>Recipes (*.json);;All files (*)</source>
         <translation>Rezepte (*.json);;Alle Dateien (*)</translation>
     </message>
+    <message>
+        <source>Write a recipe</source>
+        <translation>Rezept schreiben</translation>
+    </message>
 </context>
 <context>
     <name>mb::QueueModel</name>
@@ -6395,6 +6542,10 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
         <source>Done</source>
         <translation>Fertig</translation>
     </message>
+    <message>
+        <source>hold Arm in the header</source>
+        <translation>Scharf-Taste in der Kopfzeile halten</translation>
+    </message>
 </context>
 <context>
     <name>mb::RamBlock</name>
@@ -6476,6 +6627,156 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     <message>
         <source>all %1 read in %2</source>
         <translation>alle %1 in %2 gelesen</translation>
+    </message>
+</context>
+<context>
+    <name>mb::RecipeEditor</name>
+    <message>
+        <source>New recipe</source>
+        <translation>Neues Rezept</translation>
+    </message>
+    <message>
+        <source>Fields of the recipe</source>
+        <translation>Felder des Rezepts</translation>
+    </message>
+    <message>
+        <source>The file that is saved, line by line</source>
+        <translation>Die Datei, die gespeichert wird, Zeile für Zeile</translation>
+    </message>
+    <message>
+        <source>What is wrong with the recipe</source>
+        <translation>Was am Rezept falsch ist</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Save recipe</source>
+        <translation>Rezept speichern</translation>
+    </message>
+    <message>
+        <source>Recipe %1</source>
+        <translation>Rezept %1</translation>
+    </message>
+    <message>
+        <source>Keep the recipe</source>
+        <translation>Rezept ablegen</translation>
+    </message>
+    <message>
+        <source>Recipes (*.json)</source>
+        <translation>Rezepte (*.json)</translation>
+    </message>
+</context>
+<context>
+    <name>mb::RecipeForm</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Family</source>
+        <translation>Familie</translation>
+    </message>
+    <message>
+        <source>Firmware file</source>
+        <translation>Firmware-Datei</translation>
+    </message>
+    <message>
+        <source>Other way in</source>
+        <translation>Anderer Zugang</translation>
+    </message>
+    <message>
+        <source>Parameter file</source>
+        <translation>Parameterdatei</translation>
+    </message>
+    <message>
+        <source>Save them where the unit does not by itself</source>
+        <translation>Speichern, wo das Gerät es nicht selbst tut</translation>
+    </message>
+    <message>
+        <source>First number to give</source>
+        <translation>Erste zu vergebende Nummer</translation>
+    </message>
+    <message>
+        <source>Self-test: the motor turns</source>
+        <translation>Selbsttest: der Motor dreht</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Regelkreis</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>Zeit, s</translation>
+    </message>
+    <message>
+        <source>Repeats</source>
+        <translation>Wiederholungen</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Gain slot</source>
+        <translation>Reglersatz</translation>
+    </message>
+    <message>
+        <source>Travel at most, counts</source>
+        <translation>Weg höchstens, Zählschritte</translation>
+    </message>
+    <message>
+        <source>Speed at most, counts/s</source>
+        <translation>Geschwindigkeit höchstens, Zählschritte/s</translation>
+    </message>
+    <message>
+        <source>Current at most, A</source>
+        <translation>Strom höchstens, A</translation>
+    </message>
+    <message>
+        <source>Duty at most, 0 to 1</source>
+        <translation>Tastgrad höchstens, 0 bis 1</translation>
+    </message>
+    <message>
+        <source>What the self-test accepts</source>
+        <translation>Was der Selbsttest annimmt</translation>
+    </message>
+    <message>
+        <source>Accepted</source>
+        <translation>Angenommen</translation>
+    </message>
+    <message>
+        <source>Least</source>
+        <translation>Mindestens</translation>
+    </message>
+    <message>
+        <source>Greatest</source>
+        <translation>Höchstens</translation>
+    </message>
+    <message>
+        <source>counts both ways</source>
+        <translation>zählt in beide Richtungen</translation>
+    </message>
+    <message>
+        <source>Choose: %1</source>
+        <translation>Wählen: %1</translation>
+    </message>
+    <message>
+        <source>none: over its own link</source>
+        <translation>keiner: über die eigene Verbindung</translation>
+    </message>
+    <message>
+        <source>such as %1</source>
+        <translation>etwa %1</translation>
     </message>
 </context>
 <context>
@@ -8174,6 +8475,25 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
 </context>
 <context>
+    <name>mb::StationDialog</name>
+    <message>
+        <source>Journal of this station</source>
+        <translation>Journal dieser Station</translation>
+    </message>
+    <message>
+        <source>Name of this station</source>
+        <translation>Name dieser Station</translation>
+    </message>
+    <message>
+        <source>Server that stations share</source>
+        <translation>Gemeinsamer Server der Stationen</translation>
+    </message>
+    <message>
+        <source>Without a server the journal is in the file of this computer alone. With one, every entry is there first and delivered as soon as the server answers; numbers come in blocks of five.</source>
+        <translation>Ohne Server steht das Journal nur in der Datei dieses Rechners. Mit einem steht jeder Eintrag zuerst dort und wird übergeben, sobald der Server antwortet; Nummern kommen in Fünferblöcken.</translation>
+    </message>
+</context>
+<context>
     <name>mb::StationLamp</name>
     <message>
         <source>%1 self-test</source>
@@ -9582,6 +9902,13 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>1  Identify: pushes with a part of the duty, both ways. No gain is changed.</source>
         <translation>1  Vermessen: Stöße mit einem Teil des Tastgrads in beide Richtungen. Kein Faktor wird geändert.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UnitList</name>
+    <message>
+        <source>Last ten units, newest first</source>
+        <translation>Letzte zehn Geräte, neueste zuerst</translation>
     </message>
 </context>
 <context>
@@ -12583,10 +12910,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>%1 hat einen Namen, der auf keine Art von Bericht endet</translation>
     </message>
     <message>
-        <source>%1 has chunks; only files that this program wrote can be read</source>
-        <translation>%1 hat Chunks; nur Dateien dieses Programms sind lesbar</translation>
-    </message>
-    <message>
         <source>%1 has no %2</source>
         <translation>%1 hat kein %2</translation>
     </message>
@@ -12681,10 +13004,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>%1 is damaged and cannot be put aside</source>
         <translation>%1 ist beschädigt und lässt sich nicht beiseitelegen</translation>
-    </message>
-    <message>
-        <source>%1 is done</source>
-        <translation>%1 ist fertig</translation>
     </message>
     <message>
         <source>%1 is in use by another program</source>
@@ -12997,10 +13316,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>--target: &apos;%1&apos; is unknown</source>
         <translation>--target: &apos;%1&apos; ist unbekannt</translation>
-    </message>
-    <message>
-        <source>--theme takes dark or light</source>
-        <translation>--theme nimmt dark oder light</translation>
     </message>
     <message>
         <source>--tour needs a folder for its pictures</source>
@@ -14583,10 +14898,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>prüfen, ob Bürsten und Stecker Kontakt haben</translation>
     </message>
     <message>
-        <source>seed, loss, bitrate and fault are known</source>
-        <translation>bekannt sind seed, loss, bitrate und fault</translation>
-    </message>
-    <message>
         <source>select a longer stretch</source>
         <translation>eine längere Strecke wählen</translation>
     </message>
@@ -15963,10 +16274,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>ein kleineres --size wählen</translation>
     </message>
     <message>
-        <source>give an .mcap or .csv that this program wrote, or the output of watch</source>
-        <translation>eine .mcap oder .csv dieses Programms angeben, oder die Ausgabe von watch</translation>
-    </message>
-    <message>
         <source>now the calm ones</source>
         <translation>nun die ruhigen</translation>
     </message>
@@ -16119,20 +16426,12 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>das zuerst beenden</translation>
     </message>
     <message>
-        <source>hold Arm on the page, then test again</source>
-        <translation>„Scharf schalten“ auf der Seite halten, dann noch einmal prüfen</translation>
-    </message>
-    <message>
         <source>install %1</source>
         <translation>%1 installieren</translation>
     </message>
     <message>
         <source>see that the server runs; entries wait here until it does</source>
         <translation>nachsehen, ob der Server läuft; Einträge warten hier, bis er es tut</translation>
-    </message>
-    <message>
-        <source>self-tests are not armed</source>
-        <translation>Selbsttests sind nicht scharf geschaltet</translation>
     </message>
     <message>
         <source>stop it, then put the values back</source>
@@ -16241,10 +16540,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>P alone, in a loop that looks at the current every %1, holds %2 of what is asked for when it overshoots by %3</source>
         <translation>P allein hält in einem Regler, der den Strom alle %1 ansieht, %2 des verlangten, wenn er um %3 überschwingt</translation>
-    </message>
-    <message>
-        <source>a step of %1 stands in noise of %2, at most %3 of it</source>
-        <translation>ein Schritt von %1 steht in einem Rauschen von %2, höchstens %3 davon</translation>
     </message>
     <message>
         <source>allow more travel, so that pushes may last</source>
@@ -16453,6 +16748,82 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>write a page</source>
         <translation>eine Seite schreiben</translation>
+    </message>
+    <message>
+        <source>does not answer</source>
+        <translation>antwortet nicht</translation>
+    </message>
+    <message>
+        <source>hold Arm, then put it on again</source>
+        <translation>Scharf-Taste halten, dann das Gerät erneut anschließen</translation>
+    </message>
+    <message>
+        <source>it was cut off at &apos;%1&apos; and does not answer any more</source>
+        <translation>es wurde bei „%1“ abgebrochen und antwortet nicht mehr</translation>
+    </message>
+    <message>
+        <source>left before the station was armed</source>
+        <translation>verlassen, bevor der Platz scharf war</translation>
+    </message>
+    <message>
+        <source>look at cable and supply; when it answers again it is served from the beginning</source>
+        <translation>Kabel und Versorgung prüfen; antwortet es wieder, wird es von vorn bearbeitet</translation>
+    </message>
+    <message>
+        <source>the unit was taken off while it waited for the station to be armed</source>
+        <translation>das Gerät wurde abgenommen, während es auf das Scharfschalten des Platzes wartete</translation>
+    </message>
+    <message>
+        <source>waits until the station is armed</source>
+        <translation>wartet, bis der Platz scharf ist</translation>
+    </message>
+    <message>
+        <source>a step of %1 stands in noise of %2, at most %3; the mean of %4 tells it</source>
+        <translation>ein Schritt von %1 steht in einem Rauschen von %2, höchstens %3; das Mittel aus %4 zeigt ihn</translation>
+    </message>
+    <message>
+        <source>on the model as these steps have corrected it, other gains leave less error; now those</source>
+        <translation>auf dem Modell, wie diese Schritte es berichtigt haben, lassen andere Verstärkungen weniger Fehler; jetzt diese</translation>
+    </message>
+    <message>
+        <source>those that were proven first left more error, these leave %1 of it</source>
+        <translation>die zuerst geprüften ließen mehr Fehler, diese lassen %1 davon</translation>
+    </message>
+    <message>
+        <source>a chunk of it is damaged</source>
+        <translation>ein Stück davon ist beschädigt</translation>
+    </message>
+    <message>
+        <source>a chunk of it is larger than %1 MB</source>
+        <translation>ein Stück davon ist größer als %1 MB</translation>
+    </message>
+    <message>
+        <source>its chunks are packed by &apos;%1&apos;; zstd and lz4 are known</source>
+        <translation>seine Stücke sind mit &apos;%1&apos; gepackt; bekannt sind zstd und lz4</translation>
+    </message>
+    <message>
+        <source>messages in JSON can be read, and what this program wrote</source>
+        <translation>lesbar sind Nachrichten in JSON und was dieses Programm geschrieben hat</translation>
+    </message>
+    <message>
+        <source>--theme takes dark, light, contrast or system</source>
+        <translation>--theme nimmt dark, light, contrast oder system</translation>
+    </message>
+    <message>
+        <source>give an .mcap with messages in JSON or of this program, a .csv, or the output of watch</source>
+        <translation>eine .mcap mit Nachrichten in JSON oder von diesem Programm, eine .csv oder die Ausgabe von watch angeben</translation>
+    </message>
+    <message>
+        <source>overshoot %1, not settled</source>
+        <translation>Überschwingen %1, nicht eingeschwungen</translation>
+    </message>
+    <message>
+        <source>overshoot %1, settled in %2</source>
+        <translation>Überschwingen %1, eingeschwungen in %2</translation>
+    </message>
+    <message>
+        <source>seed, loss, bitrate and fault are known</source>
+        <translation>bekannt sind seed, loss, bitrate und fault</translation>
     </message>
 </context>
 </TS>

@@ -39,6 +39,16 @@
     </message>
 </context>
 <context>
+    <name>mb::JournalCard</name>
+    <message numerus="yes">
+        <source>%n entries wait for the server</source>
+        <translation>
+            <numerusform>%n entry waits for the server</numerusform>
+            <numerusform>%n entries wait for the server</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mb::KeepBar</name>
     <message numerus="yes">
         <source>%1 · %n more change(s) after this one</source>

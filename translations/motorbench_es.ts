@@ -1027,16 +1027,8 @@
         <translation>Escalón</translation>
     </message>
     <message>
-        <source>Press F5: the motor steps to a speed and back, and the overshoot is measured.</source>
-        <translation>Pulse F5: el motor salta a una velocidad y vuelve, y se mide el sobreimpulso.</translation>
-    </message>
-    <message>
         <source>Tune</source>
         <translation>Ajustar</translation>
-    </message>
-    <message>
-        <source>Press F6 on the page Design: the program finds gains and proves them. Tamed: a step overshoots by 5 % at most.</source>
-        <translation>Pulse F6 en la página Diseño: el programa halla ganancias y las verifica. Domado: un escalón tiene como máximo un 5 % de sobreimpulso.</translation>
     </message>
     <message>
         <source>Store</source>
@@ -1063,10 +1055,6 @@
         <translation>Mantenga pulsado un segundo el indicador de arriba (o Ctrl+Mayús+F12).</translation>
     </message>
     <message>
-        <source>Press F5 on the page Tune: the peak current of the step stands in its table.</source>
-        <translation>Pulse F5 en la página Ajuste: la corriente de pico del escalón figura en su tabla.</translation>
-    </message>
-    <message>
         <source>15 s after its last change the unit stores by itself. Then press Store and prove on the page Parameters.</source>
         <translation>15 s después de su último cambio, el equipo guarda por sí solo. Después pulse «Guardar y verificar» en la página Parámetros.</translation>
     </message>
@@ -1077,10 +1065,6 @@
     <message>
         <source>Write</source>
         <translation>Escribir</translation>
-    </message>
-    <message>
-        <source>The demo image is loaded on the page Firmware. Press F5 and watch the pages arrive, the last one first.</source>
-        <translation>La imagen de demostración está cargada en la página Firmware. Pulse F5 y vea llegar las páginas, la última primero.</translation>
     </message>
     <message>
         <source>Prove</source>
@@ -1149,6 +1133,26 @@
     <message>
         <source>flash pages, written from the last to the first</source>
         <translation>páginas de flash, escritas de la última a la primera</translation>
+    </message>
+    <message>
+        <source>Press %2: the motor steps to a speed and back, and the overshoot is measured.</source>
+        <translation>Pulse %2: el motor salta a una velocidad y vuelve, y se mide el sobreimpulso.</translation>
+    </message>
+    <message>
+        <source>Press %2 on the page Design: the program finds gains and proves them. Tamed: a step overshoots by 5 % at most.</source>
+        <translation>Pulse %2 en la página Diseño: el programa halla ganancias y las verifica. Domado: un escalón tiene como máximo un 5 % de sobreimpulso.</translation>
+    </message>
+    <message>
+        <source>Press %2 on the page Tune: the peak current of the step stands in its table.</source>
+        <translation>Pulse %2 en la página Ajuste: la corriente de pico del escalón figura en su tabla.</translation>
+    </message>
+    <message>
+        <source>The demo image is loaded on the page Firmware. Press %2 and watch the pages arrive, the last one first.</source>
+        <translation>La imagen de demostración está cargada en la página Firmware. Pulse %2 y vea llegar las páginas, la última primero.</translation>
+    </message>
+    <message>
+        <source>the button</source>
+        <translation>el botón</translation>
     </message>
 </context>
 <context>
@@ -1739,14 +1743,6 @@
         <translation>superado</translation>
     </message>
     <message>
-        <source>failed · %1</source>
-        <translation>no superado · %1</translation>
-    </message>
-    <message>
-        <source>refused · %1</source>
-        <translation>rechazado · %1</translation>
-    </message>
-    <message>
         <source>left out</source>
         <translation>omitido</translation>
     </message>
@@ -1769,6 +1765,22 @@
     <message>
         <source>travel at most %1 counts</source>
         <translation>recorrido: máximo %1 counts</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>no superado</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>rechazado</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>en marcha</translation>
+    </message>
+    <message>
+        <source>Hold Arm to go on</source>
+        <translation>Mantenga Armar para continuar</translation>
     </message>
 </context>
 <context>
@@ -2312,6 +2324,29 @@
     <message>
         <source>Writing was cancelled; what is missing can be written later.</source>
         <translation>Escritura cancelada; lo que falta se puede escribir después.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::CountTiles</name>
+    <message>
+        <source>passed</source>
+        <translation>superado</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>no superado</translation>
+    </message>
+    <message>
+        <source>refused before start</source>
+        <translation>rechazadas antes de empezar</translation>
+    </message>
+    <message>
+        <source>mean time</source>
+        <translation>tiempo medio</translation>
+    </message>
+    <message>
+        <source>units an hour</source>
+        <translation>unidades por hora</translation>
     </message>
 </context>
 <context>
@@ -3447,6 +3482,33 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     </message>
 </context>
 <context>
+    <name>mb::GuardianCheck</name>
+    <message>
+        <source>stops a motor when this program is killed or hangs</source>
+        <translation>detiene un motor si este programa muere o se cuelga</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Comprobar</translation>
+    </message>
+    <message>
+        <source>Check the guardian</source>
+        <translation>Comprobar el guardián</translation>
+    </message>
+    <message>
+        <source>%1 cannot be started: %2</source>
+        <translation>%1 no se puede iniciar: %2</translation>
+    </message>
+    <message>
+        <source>It is in place and runs.</source>
+        <translation>Está en su sitio y funciona.</translation>
+    </message>
+    <message>
+        <source>%1 does not run as it should.</source>
+        <translation>%1 no funciona como debería.</translation>
+    </message>
+</context>
+<context>
     <name>mb::Guide</name>
     <message>
         <source>overshoot %1 % at first, %2 % now</source>
@@ -3653,10 +3715,6 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <translation>Todos %1</translation>
     </message>
     <message>
-        <source>belongs to one unit, not copied</source>
-        <translation>propio de un equipo, no se copia</translation>
-    </message>
-    <message>
         <source>assumed: it cannot be read</source>
         <translation>supuesto: no se puede leer</translation>
     </message>
@@ -3671,6 +3729,10 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     <message>
         <source>Restore %1</source>
         <translation>Restaurar %1</translation>
+    </message>
+    <message>
+        <source>belongs to one unit, copied only if you tick it</source>
+        <translation>propio de una unidad, solo se copia si se marca</translation>
     </message>
 </context>
 <context>
@@ -3915,6 +3977,40 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     <message>
         <source>A click moves it for a tenth of a second; held, it goes on until it is let go.</source>
         <translation>Un clic lo mueve una décima de segundo; si se mantiene, sigue hasta soltarlo.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::JournalCard</name>
+    <message>
+        <source>Journal</source>
+        <translation>Registro</translation>
+    </message>
+    <message>
+        <source>Change…</source>
+        <translation>Cambiar…</translation>
+    </message>
+    <message>
+        <source>Change the journal</source>
+        <translation>Cambiar el registro</translation>
+    </message>
+    <message>
+        <source>On this computer</source>
+        <translation>En este equipo</translation>
+    </message>
+    <message>
+        <source>PostgreSQL, %1</source>
+        <translation>PostgreSQL, %1</translation>
+    </message>
+    <message>
+        <source>station %1</source>
+        <translation>estación %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n entries wait for the server</source>
+        <translation>
+            <numerusform>%n entrada espera al servidor</numerusform>
+            <numerusform>%n entradas esperan al servidor</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5759,48 +5855,64 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
         <source>Keys</source>
         <translation>Teclas</translation>
     </message>
+    <message>
+        <source>high contrast</source>
+        <translation>alto contraste</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>counts</translation>
+    </message>
+    <message>
+        <source>rpm and degrees</source>
+        <translation>rpm y grados</translation>
+    </message>
+    <message>
+        <source>With every verdict in production</source>
+        <translation>Con cada veredicto en producción</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Unidades</translation>
+    </message>
+    <message>
+        <source>Sounds</source>
+        <translation>Sonidos</translation>
+    </message>
+    <message>
+        <source>Guardian</source>
+        <translation>Guardián</translation>
+    </message>
 </context>
 <context>
-    <name>mb::ProductionPage</name>
+    <name>mb::ProductionHead</name>
     <message>
-        <source>Production</source>
-        <translation>Producción</translation>
+        <source>recipe</source>
+        <translation>receta</translation>
     </message>
     <message>
-        <source>No recipe yet</source>
-        <translation>Aún no hay receta</translation>
+        <source>image</source>
+        <translation>imagen</translation>
     </message>
     <message>
-        <source>Link that units are put on</source>
-        <translation>Enlace al que se conectan los equipos</translation>
+        <source>parameters</source>
+        <translation>parámetros</translation>
     </message>
     <message>
-        <source>Open recipe…</source>
-        <translation>Abrir receta…</translation>
+        <source>number rule</source>
+        <translation>regla de número</translation>
     </message>
     <message>
-        <source>Start</source>
-        <translation>Iniciar</translation>
-    </message>
-    <message>
-        <source>End</source>
-        <translation>Terminar</translation>
-    </message>
-    <message>
-        <source>Hold to arm self-tests</source>
-        <translation>Mantener: armar autopruebas</translation>
+        <source>self-test</source>
+        <translation>autoprueba</translation>
     </message>
     <message>
         <source>Leave</source>
         <translation>Salir</translation>
     </message>
     <message>
-        <source>Last ten units</source>
-        <translation>Últimos diez equipos</translation>
-    </message>
-    <message>
-        <source>Last ten units, newest first</source>
-        <translation>Últimos diez equipos, el más reciente primero</translation>
+        <source>Link that units are put on</source>
+        <translation>Enlace al que se conectan los equipos</translation>
     </message>
     <message>
         <source>Serial number, scanned or typed</source>
@@ -5811,8 +5923,39 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
         <translation>Escanee o teclee un número de serie</translation>
     </message>
     <message>
-        <source>F5 test again · F8 set aside · F2 serial number · F11 leave · Esc stops every motor</source>
-        <translation>F5 probar de nuevo · F8 apartar · F2 número de serie · F11 salir · Esc detiene todos los motores</translation>
+        <source>Open recipe…</source>
+        <translation>Abrir receta…</translation>
+    </message>
+    <message>
+        <source>Hold to arm self-tests</source>
+        <translation>Mantener: armar autopruebas</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Iniciar</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Terminar</translation>
+    </message>
+    <message>
+        <source>No recipe yet</source>
+        <translation>Aún no hay receta</translation>
+    </message>
+    <message>
+        <source>ARMED, hold to disarm</source>
+        <translation>ARMADO, mantener: desarmar</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ProductionPage</name>
+    <message>
+        <source>Production</source>
+        <translation>Producción</translation>
+    </message>
+    <message>
+        <source>Last ten units</source>
+        <translation>Últimos diez equipos</translation>
     </message>
     <message>
         <source>Sound</source>
@@ -5843,18 +5986,6 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
         <translation>Recetas (*.json);;Todos los archivos (*)</translation>
     </message>
     <message>
-        <source>firmware %1</source>
-        <translation>firmware %1</translation>
-    </message>
-    <message>
-        <source>%1 parameters</source>
-        <translation>%1 parámetros</translation>
-    </message>
-    <message>
-        <source>next free number from %1</source>
-        <translation>siguiente número libre desde %1</translation>
-    </message>
-    <message>
         <source>The self-test turns the motor: %1</source>
         <translation>La autoprueba gira el motor: %1</translation>
     </message>
@@ -5871,12 +6002,24 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
         <translation>ningún equipo aquí tiene el número de serie %1</translation>
     </message>
     <message>
-        <source>%1 passed   %2 failed   %3 refused   mean %4</source>
-        <translation>%1 superados   %2 no superados   %3 rechazados   media %4</translation>
+        <source>test again</source>
+        <translation>probar de nuevo</translation>
     </message>
     <message>
-        <source>ARMED, hold to disarm</source>
-        <translation>ARMADO, mantener: desarmar</translation>
+        <source>set aside</source>
+        <translation>apartar</translation>
+    </message>
+    <message>
+        <source>serial number</source>
+        <translation>número de serie</translation>
+    </message>
+    <message>
+        <source>leave</source>
+        <translation>salir</translation>
+    </message>
+    <message>
+        <source>stops every motor</source>
+        <translation>para todos los motores</translation>
     </message>
 </context>
 <context>
@@ -6257,6 +6400,10 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
         <source>Recipes (*.json);;All files (*)</source>
         <translation>Recetas (*.json);;Todos los archivos (*)</translation>
     </message>
+    <message>
+        <source>Write a recipe</source>
+        <translation>Escribir una receta</translation>
+    </message>
 </context>
 <context>
     <name>mb::QueueModel</name>
@@ -6395,6 +6542,10 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
         <source>Done</source>
         <translation>Hecho</translation>
     </message>
+    <message>
+        <source>hold Arm in the header</source>
+        <translation>mantenga Armar en la cabecera</translation>
+    </message>
 </context>
 <context>
     <name>mb::RamBlock</name>
@@ -6476,6 +6627,156 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
     <message>
         <source>all %1 read in %2</source>
         <translation>leídos los %1 en %2</translation>
+    </message>
+</context>
+<context>
+    <name>mb::RecipeEditor</name>
+    <message>
+        <source>New recipe</source>
+        <translation>Receta nueva</translation>
+    </message>
+    <message>
+        <source>Fields of the recipe</source>
+        <translation>Campos de la receta</translation>
+    </message>
+    <message>
+        <source>The file that is saved, line by line</source>
+        <translation>El archivo que se guarda, línea por línea</translation>
+    </message>
+    <message>
+        <source>What is wrong with the recipe</source>
+        <translation>Qué está mal en la receta</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Save recipe</source>
+        <translation>Guardar receta</translation>
+    </message>
+    <message>
+        <source>Recipe %1</source>
+        <translation>Receta %1</translation>
+    </message>
+    <message>
+        <source>Keep the recipe</source>
+        <translation>Conservar la receta</translation>
+    </message>
+    <message>
+        <source>Recipes (*.json)</source>
+        <translation>Recetas (*.json)</translation>
+    </message>
+</context>
+<context>
+    <name>mb::RecipeForm</name>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Family</source>
+        <translation>Familia</translation>
+    </message>
+    <message>
+        <source>Firmware file</source>
+        <translation>Archivo de firmware</translation>
+    </message>
+    <message>
+        <source>Other way in</source>
+        <translation>Otra vía de acceso</translation>
+    </message>
+    <message>
+        <source>Parameter file</source>
+        <translation>Archivo de parámetros</translation>
+    </message>
+    <message>
+        <source>Save them where the unit does not by itself</source>
+        <translation>Guardarlos si la unidad no lo hace por sí misma</translation>
+    </message>
+    <message>
+        <source>First number to give</source>
+        <translation>Primer número que se asigna</translation>
+    </message>
+    <message>
+        <source>Self-test: the motor turns</source>
+        <translation>Autoprueba: el motor gira</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Lazo</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Desde</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Hasta</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>Tiempo, s</translation>
+    </message>
+    <message>
+        <source>Repeats</source>
+        <translation>Repeticiones</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Eje</translation>
+    </message>
+    <message>
+        <source>Gain slot</source>
+        <translation>Juego de ganancias</translation>
+    </message>
+    <message>
+        <source>Travel at most, counts</source>
+        <translation>Recorrido máximo, cuentas</translation>
+    </message>
+    <message>
+        <source>Speed at most, counts/s</source>
+        <translation>Velocidad máxima, cuentas/s</translation>
+    </message>
+    <message>
+        <source>Current at most, A</source>
+        <translation>Corriente máxima, A</translation>
+    </message>
+    <message>
+        <source>Duty at most, 0 to 1</source>
+        <translation>Ciclo de trabajo máximo, 0 a 1</translation>
+    </message>
+    <message>
+        <source>What the self-test accepts</source>
+        <translation>Lo que acepta la autoprueba</translation>
+    </message>
+    <message>
+        <source>Accepted</source>
+        <translation>Aceptado</translation>
+    </message>
+    <message>
+        <source>Least</source>
+        <translation>Mínimo</translation>
+    </message>
+    <message>
+        <source>Greatest</source>
+        <translation>Máximo</translation>
+    </message>
+    <message>
+        <source>counts both ways</source>
+        <translation>cuenta en ambos sentidos</translation>
+    </message>
+    <message>
+        <source>Choose: %1</source>
+        <translation>Elegir: %1</translation>
+    </message>
+    <message>
+        <source>none: over its own link</source>
+        <translation>ninguna: por su propio enlace</translation>
+    </message>
+    <message>
+        <source>such as %1</source>
+        <translation>por ejemplo, %1</translation>
     </message>
 </context>
 <context>
@@ -8174,6 +8475,25 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
 </context>
 <context>
+    <name>mb::StationDialog</name>
+    <message>
+        <source>Journal of this station</source>
+        <translation>Registro de esta estación</translation>
+    </message>
+    <message>
+        <source>Name of this station</source>
+        <translation>Nombre de esta estación</translation>
+    </message>
+    <message>
+        <source>Server that stations share</source>
+        <translation>Servidor que comparten las estaciones</translation>
+    </message>
+    <message>
+        <source>Without a server the journal is in the file of this computer alone. With one, every entry is there first and delivered as soon as the server answers; numbers come in blocks of five.</source>
+        <translation>Sin servidor, el registro está solo en el archivo de este equipo. Con servidor, cada entrada está primero ahí y se entrega en cuanto el servidor responde; los números llegan en bloques de cinco.</translation>
+    </message>
+</context>
+<context>
     <name>mb::StationLamp</name>
     <message>
         <source>%1 self-test</source>
@@ -9582,6 +9902,13 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>4  They stay if they do what was predicted; else everything is put back and the reason said.</source>
         <translation>4  Se quedan si hacen lo previsto; si no, se restituye todo y se indica el motivo.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UnitList</name>
+    <message>
+        <source>Last ten units, newest first</source>
+        <translation>Últimos diez equipos, el más reciente primero</translation>
     </message>
 </context>
 <context>
@@ -11595,10 +11922,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>el nombre de %1 no termina en ningún tipo de informe</translation>
     </message>
     <message>
-        <source>%1 has chunks; only files that this program wrote can be read</source>
-        <translation>%1 tiene bloques (chunks); solo se pueden leer archivos escritos por este programa</translation>
-    </message>
-    <message>
         <source>%1 has no %2</source>
         <translation>%1 no tiene %2</translation>
     </message>
@@ -11745,10 +12068,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>%1 is damaged and cannot be put aside</source>
         <translation>%1 está dañado y no se puede apartar</translation>
-    </message>
-    <message>
-        <source>%1 is done</source>
-        <translation>%1 está hecho</translation>
     </message>
     <message>
         <source>%1 is error-passive</source>
@@ -12245,10 +12564,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>--target: &apos;%1&apos; is unknown</source>
         <translation>--target: «%1» es desconocido</translation>
-    </message>
-    <message>
-        <source>--theme takes dark or light</source>
-        <translation>--theme admite dark o light</translation>
     </message>
     <message>
         <source>--tour needs a folder for its pictures</source>
@@ -13563,10 +13878,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>indique una grabación, o --help para ver qué más hay</translation>
     </message>
     <message>
-        <source>give an .mcap or .csv that this program wrote, or the output of watch</source>
-        <translation>indique un .mcap o .csv escrito por este programa, o la salida de watch</translation>
-    </message>
-    <message>
         <source>give another --to</source>
         <translation>indique otro --to</translation>
     </message>
@@ -13585,10 +13896,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>gpiodetect lists those there are</source>
         <translation>gpiodetect enumera los que hay</translation>
-    </message>
-    <message>
-        <source>hold Arm on the page, then test again</source>
-        <translation>mantenga pulsado Armar en la página y pruebe de nuevo</translation>
     </message>
     <message>
         <source>identify it anew</source>
@@ -14575,16 +14882,8 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>mire si escobillas y conectores hacen contacto</translation>
     </message>
     <message>
-        <source>seed, loss, bitrate and fault are known</source>
-        <translation>se conocen seed, loss, bitrate y fault</translation>
-    </message>
-    <message>
         <source>select a longer stretch</source>
         <translation>seleccione un tramo más largo</translation>
-    </message>
-    <message>
-        <source>self-tests are not armed</source>
-        <translation>las autopruebas no están armadas</translation>
     </message>
     <message>
         <source>sending the firmware</source>
@@ -16243,10 +16542,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>P sola, en un lazo que mira la corriente cada %1, mantiene %2 de lo pedido cuando sobreimpulsa %3</translation>
     </message>
     <message>
-        <source>a step of %1 stands in noise of %2, at most %3 of it</source>
-        <translation>un escalón de %1 está en un ruido de %2, como máximo %3 de él</translation>
-    </message>
-    <message>
         <source>allow more travel, so that pushes may last</source>
         <translation>permita más recorrido, para que los empujes puedan durar</translation>
     </message>
@@ -16453,6 +16748,82 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>write a page</source>
         <translation>escriba una página</translation>
+    </message>
+    <message>
+        <source>does not answer</source>
+        <translation>no responde</translation>
+    </message>
+    <message>
+        <source>hold Arm, then put it on again</source>
+        <translation>mantenga Armar y vuelva a conectarlo</translation>
+    </message>
+    <message>
+        <source>it was cut off at &apos;%1&apos; and does not answer any more</source>
+        <translation>se interrumpió en «%1» y ya no responde</translation>
+    </message>
+    <message>
+        <source>left before the station was armed</source>
+        <translation>se salió antes de armar el puesto</translation>
+    </message>
+    <message>
+        <source>look at cable and supply; when it answers again it is served from the beginning</source>
+        <translation>revise el cable y la alimentación; cuando responda se atenderá desde el principio</translation>
+    </message>
+    <message>
+        <source>the unit was taken off while it waited for the station to be armed</source>
+        <translation>se retiró la unidad mientras esperaba a que se armara el puesto</translation>
+    </message>
+    <message>
+        <source>waits until the station is armed</source>
+        <translation>espera a que se arme el puesto</translation>
+    </message>
+    <message>
+        <source>a step of %1 stands in noise of %2, at most %3; the mean of %4 tells it</source>
+        <translation>un escalón de %1 está en un ruido de %2, como máximo %3; la media de %4 lo muestra</translation>
+    </message>
+    <message>
+        <source>on the model as these steps have corrected it, other gains leave less error; now those</source>
+        <translation>en el modelo tal como estos escalones lo han corregido, otras ganancias dejan menos error; ahora esas</translation>
+    </message>
+    <message>
+        <source>those that were proven first left more error, these leave %1 of it</source>
+        <translation>las que se probaron primero dejaban más error, estas dejan el %1 de él</translation>
+    </message>
+    <message>
+        <source>a chunk of it is damaged</source>
+        <translation>un bloque está dañado</translation>
+    </message>
+    <message>
+        <source>a chunk of it is larger than %1 MB</source>
+        <translation>un bloque supera %1 MB</translation>
+    </message>
+    <message>
+        <source>its chunks are packed by &apos;%1&apos;; zstd and lz4 are known</source>
+        <translation>sus bloques están comprimidos con &apos;%1&apos;; se conocen zstd y lz4</translation>
+    </message>
+    <message>
+        <source>messages in JSON can be read, and what this program wrote</source>
+        <translation>se pueden leer mensajes en JSON y lo que escribió este programa</translation>
+    </message>
+    <message>
+        <source>--theme takes dark, light, contrast or system</source>
+        <translation>--theme admite dark, light, contrast o system</translation>
+    </message>
+    <message>
+        <source>give an .mcap with messages in JSON or of this program, a .csv, or the output of watch</source>
+        <translation>indique un .mcap con mensajes JSON o de este programa, un .csv, o la salida de watch</translation>
+    </message>
+    <message>
+        <source>overshoot %1, not settled</source>
+        <translation>sobreimpulso %1, sin asentarse</translation>
+    </message>
+    <message>
+        <source>overshoot %1, settled in %2</source>
+        <translation>sobreimpulso %1, asentado en %2</translation>
+    </message>
+    <message>
+        <source>seed, loss, bitrate and fault are known</source>
+        <translation>se conocen seed, loss, bitrate y fault</translation>
     </message>
 </context>
 </TS>

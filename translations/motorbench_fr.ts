@@ -1027,16 +1027,8 @@
         <translation>Échelon</translation>
     </message>
     <message>
-        <source>Press F5: the motor steps to a speed and back, and the overshoot is measured.</source>
-        <translation>Appuyez sur F5&#xa0;: le moteur fait un échelon de vitesse et revient, et le dépassement est mesuré.</translation>
-    </message>
-    <message>
         <source>Tune</source>
         <translation>Régler</translation>
-    </message>
-    <message>
-        <source>Press F6 on the page Design: the program finds gains and proves them. Tamed: a step overshoots by 5 % at most.</source>
-        <translation>Appuyez sur F6 dans la page Conception&#xa0;: le programme trouve des gains et les vérifie. Dompté&#xa0;: un échelon dépasse de 5 % au plus.</translation>
     </message>
     <message>
         <source>Store</source>
@@ -1063,10 +1055,6 @@
         <translation>Maintenez le voyant du haut pendant une seconde (ou Ctrl+Maj+F12).</translation>
     </message>
     <message>
-        <source>Press F5 on the page Tune: the peak current of the step stands in its table.</source>
-        <translation>Appuyez sur F5 dans la page Réglage&#xa0;: le courant de pointe de l’échelon figure dans son tableau.</translation>
-    </message>
-    <message>
         <source>15 s after its last change the unit stores by itself. Then press Store and prove on the page Parameters.</source>
         <translation>15 s après sa dernière modification, l’appareil mémorise de lui-même. Appuyez ensuite sur « Mémoriser et vérifier » à la page Paramètres.</translation>
     </message>
@@ -1077,10 +1065,6 @@
     <message>
         <source>Write</source>
         <translation>Écrire</translation>
-    </message>
-    <message>
-        <source>The demo image is loaded on the page Firmware. Press F5 and watch the pages arrive, the last one first.</source>
-        <translation>L’image de démo est chargée dans la page Firmware. Appuyez sur F5 et regardez arriver les pages, la dernière en premier.</translation>
     </message>
     <message>
         <source>Prove</source>
@@ -1149,6 +1133,26 @@
     <message>
         <source>flash pages, written from the last to the first</source>
         <translation>pages de flash, écrites de la dernière à la première</translation>
+    </message>
+    <message>
+        <source>Press %2: the motor steps to a speed and back, and the overshoot is measured.</source>
+        <translation>Appuyez sur %2 : le moteur fait un échelon de vitesse et revient, et le dépassement est mesuré.</translation>
+    </message>
+    <message>
+        <source>Press %2 on the page Design: the program finds gains and proves them. Tamed: a step overshoots by 5 % at most.</source>
+        <translation>Appuyez sur %2 dans la page Conception : le programme trouve des gains et les vérifie. Dompté : un échelon dépasse de 5 % au plus.</translation>
+    </message>
+    <message>
+        <source>Press %2 on the page Tune: the peak current of the step stands in its table.</source>
+        <translation>Appuyez sur %2 dans la page Réglage : le courant de pointe de l’échelon figure dans son tableau.</translation>
+    </message>
+    <message>
+        <source>The demo image is loaded on the page Firmware. Press %2 and watch the pages arrive, the last one first.</source>
+        <translation>L’image de démo est chargée dans la page Firmware. Appuyez sur %2 et regardez arriver les pages, la dernière en premier.</translation>
+    </message>
+    <message>
+        <source>the button</source>
+        <translation>le bouton</translation>
     </message>
 </context>
 <context>
@@ -1739,14 +1743,6 @@
         <translation>réussi</translation>
     </message>
     <message>
-        <source>failed · %1</source>
-        <translation>échec · %1</translation>
-    </message>
-    <message>
-        <source>refused · %1</source>
-        <translation>refusé · %1</translation>
-    </message>
-    <message>
         <source>left out</source>
         <translation>omis</translation>
     </message>
@@ -1769,6 +1765,22 @@
     <message>
         <source>travel at most %1 counts</source>
         <translation>course %1 counts au plus</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>échec</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>refusé</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>actif</translation>
+    </message>
+    <message>
+        <source>Hold Arm to go on</source>
+        <translation>Maintenir Armer pour continuer</translation>
     </message>
 </context>
 <context>
@@ -2312,6 +2324,29 @@
     <message>
         <source>Writing was cancelled; what is missing can be written later.</source>
         <translation>Écriture annulée&#x202f;; ce qui manque pourra être écrit plus tard.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::CountTiles</name>
+    <message>
+        <source>passed</source>
+        <translation>réussi</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>échec</translation>
+    </message>
+    <message>
+        <source>refused before start</source>
+        <translation>refusés avant le début</translation>
+    </message>
+    <message>
+        <source>mean time</source>
+        <translation>durée moyenne</translation>
+    </message>
+    <message>
+        <source>units an hour</source>
+        <translation>unités par heure</translation>
     </message>
 </context>
 <context>
@@ -3447,6 +3482,33 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     </message>
 </context>
 <context>
+    <name>mb::GuardianCheck</name>
+    <message>
+        <source>stops a motor when this program is killed or hangs</source>
+        <translation>arrête un moteur quand ce programme est tué ou se fige</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Vérifier</translation>
+    </message>
+    <message>
+        <source>Check the guardian</source>
+        <translation>Vérifier le gardien</translation>
+    </message>
+    <message>
+        <source>%1 cannot be started: %2</source>
+        <translation>%1 ne peut pas être démarré : %2</translation>
+    </message>
+    <message>
+        <source>It is in place and runs.</source>
+        <translation>Il est en place et fonctionne.</translation>
+    </message>
+    <message>
+        <source>%1 does not run as it should.</source>
+        <translation>%1 ne fonctionne pas comme il devrait.</translation>
+    </message>
+</context>
+<context>
     <name>mb::Guide</name>
     <message>
         <source>overshoot %1 % at first, %2 % now</source>
@@ -3653,10 +3715,6 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <translation>Tous %1</translation>
     </message>
     <message>
-        <source>belongs to one unit, not copied</source>
-        <translation>propre à un appareil, non copié</translation>
-    </message>
-    <message>
         <source>assumed: it cannot be read</source>
         <translation>supposé&#xa0;: lecture impossible</translation>
     </message>
@@ -3671,6 +3729,10 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     <message>
         <source>Restore %1</source>
         <translation>Restaurer %1</translation>
+    </message>
+    <message>
+        <source>belongs to one unit, copied only if you tick it</source>
+        <translation>propre à un appareil, copié seulement si vous le cochez</translation>
     </message>
 </context>
 <context>
@@ -3915,6 +3977,40 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     <message>
         <source>A click moves it for a tenth of a second; held, it goes on until it is let go.</source>
         <translation>Un clic le déplace pendant un dixième de seconde&#x202f;; maintenu, il continue jusqu’au relâchement.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::JournalCard</name>
+    <message>
+        <source>Journal</source>
+        <translation>Journal</translation>
+    </message>
+    <message>
+        <source>Change…</source>
+        <translation>Modifier…</translation>
+    </message>
+    <message>
+        <source>Change the journal</source>
+        <translation>Modifier le journal</translation>
+    </message>
+    <message>
+        <source>On this computer</source>
+        <translation>Sur cet ordinateur</translation>
+    </message>
+    <message>
+        <source>PostgreSQL, %1</source>
+        <translation>PostgreSQL, %1</translation>
+    </message>
+    <message>
+        <source>station %1</source>
+        <translation>poste %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n entries wait for the server</source>
+        <translation>
+            <numerusform>%n entrée attend le serveur</numerusform>
+            <numerusform>%n entrées attendent le serveur</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5759,48 +5855,64 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
         <source>Keys</source>
         <translation>Touches</translation>
     </message>
+    <message>
+        <source>high contrast</source>
+        <translation>contraste élevé</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>counts</translation>
+    </message>
+    <message>
+        <source>rpm and degrees</source>
+        <translation>tr/min et degrés</translation>
+    </message>
+    <message>
+        <source>With every verdict in production</source>
+        <translation>À chaque verdict en production</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Unités</translation>
+    </message>
+    <message>
+        <source>Sounds</source>
+        <translation>Sons</translation>
+    </message>
+    <message>
+        <source>Guardian</source>
+        <translation>Gardien</translation>
+    </message>
 </context>
 <context>
-    <name>mb::ProductionPage</name>
+    <name>mb::ProductionHead</name>
     <message>
-        <source>Production</source>
-        <translation>Production</translation>
+        <source>recipe</source>
+        <translation>recette</translation>
     </message>
     <message>
-        <source>No recipe yet</source>
-        <translation>Pas encore de recette</translation>
+        <source>image</source>
+        <translation>image</translation>
     </message>
     <message>
-        <source>Link that units are put on</source>
-        <translation>Liaison où se branchent les appareils</translation>
+        <source>parameters</source>
+        <translation>paramètres</translation>
     </message>
     <message>
-        <source>Open recipe…</source>
-        <translation>Ouvrir une recette…</translation>
+        <source>number rule</source>
+        <translation>règle de numéro</translation>
     </message>
     <message>
-        <source>Start</source>
-        <translation>Démarrer</translation>
-    </message>
-    <message>
-        <source>End</source>
-        <translation>Terminer</translation>
-    </message>
-    <message>
-        <source>Hold to arm self-tests</source>
-        <translation>Maintenir&#xa0;: armer les autotests</translation>
+        <source>self-test</source>
+        <translation>autotest</translation>
     </message>
     <message>
         <source>Leave</source>
         <translation>Quitter</translation>
     </message>
     <message>
-        <source>Last ten units</source>
-        <translation>Dix derniers appareils</translation>
-    </message>
-    <message>
-        <source>Last ten units, newest first</source>
-        <translation>Dix derniers appareils, le plus récent en premier</translation>
+        <source>Link that units are put on</source>
+        <translation>Liaison où se branchent les appareils</translation>
     </message>
     <message>
         <source>Serial number, scanned or typed</source>
@@ -5811,8 +5923,39 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
         <translation>Scannez ou saisissez un numéro de série</translation>
     </message>
     <message>
-        <source>F5 test again · F8 set aside · F2 serial number · F11 leave · Esc stops every motor</source>
-        <translation>F5 retester · F8 mettre de côté · F2 numéro de série · F11 quitter · Esc arrête tous les moteurs</translation>
+        <source>Open recipe…</source>
+        <translation>Ouvrir une recette…</translation>
+    </message>
+    <message>
+        <source>Hold to arm self-tests</source>
+        <translation>Maintenir&#xa0;: armer les autotests</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Démarrer</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Terminer</translation>
+    </message>
+    <message>
+        <source>No recipe yet</source>
+        <translation>Pas encore de recette</translation>
+    </message>
+    <message>
+        <source>ARMED, hold to disarm</source>
+        <translation>ARMÉ, maintenir&#xa0;: désarmer</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ProductionPage</name>
+    <message>
+        <source>Production</source>
+        <translation>Production</translation>
+    </message>
+    <message>
+        <source>Last ten units</source>
+        <translation>Dix derniers appareils</translation>
     </message>
     <message>
         <source>Sound</source>
@@ -5843,18 +5986,6 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
         <translation>Recettes (*.json);;Tous les fichiers (*)</translation>
     </message>
     <message>
-        <source>firmware %1</source>
-        <translation>firmware %1</translation>
-    </message>
-    <message>
-        <source>%1 parameters</source>
-        <translation>%1 paramètres</translation>
-    </message>
-    <message>
-        <source>next free number from %1</source>
-        <translation>prochain numéro libre à partir de %1</translation>
-    </message>
-    <message>
         <source>The self-test turns the motor: %1</source>
         <translation>L’autotest fait tourner le moteur&#xa0;: %1</translation>
     </message>
@@ -5871,12 +6002,24 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
         <translation>aucun appareil ici ne porte le numéro de série %1</translation>
     </message>
     <message>
-        <source>%1 passed   %2 failed   %3 refused   mean %4</source>
-        <translation>%1 réussis   %2 échecs   %3 refusés   moyenne %4</translation>
+        <source>test again</source>
+        <translation>retester</translation>
     </message>
     <message>
-        <source>ARMED, hold to disarm</source>
-        <translation>ARMÉ, maintenir&#xa0;: désarmer</translation>
+        <source>set aside</source>
+        <translation>mettre de côté</translation>
+    </message>
+    <message>
+        <source>serial number</source>
+        <translation>numéro de série</translation>
+    </message>
+    <message>
+        <source>leave</source>
+        <translation>quitter</translation>
+    </message>
+    <message>
+        <source>stops every motor</source>
+        <translation>arrête tous les moteurs</translation>
     </message>
 </context>
 <context>
@@ -6257,6 +6400,10 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
         <source>Recipes (*.json);;All files (*)</source>
         <translation>Recettes (*.json);;Tous les fichiers (*)</translation>
     </message>
+    <message>
+        <source>Write a recipe</source>
+        <translation>Écrire une recette</translation>
+    </message>
 </context>
 <context>
     <name>mb::QueueModel</name>
@@ -6395,6 +6542,10 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
         <source>Done</source>
         <translation>Fait</translation>
     </message>
+    <message>
+        <source>hold Arm in the header</source>
+        <translation>maintenir Armer dans l’en-tête</translation>
+    </message>
 </context>
 <context>
     <name>mb::RamBlock</name>
@@ -6476,6 +6627,156 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     <message>
         <source>all %1 read in %2</source>
         <translation>les %1 lus en %2</translation>
+    </message>
+</context>
+<context>
+    <name>mb::RecipeEditor</name>
+    <message>
+        <source>New recipe</source>
+        <translation>Nouvelle recette</translation>
+    </message>
+    <message>
+        <source>Fields of the recipe</source>
+        <translation>Champs de la recette</translation>
+    </message>
+    <message>
+        <source>The file that is saved, line by line</source>
+        <translation>Le fichier enregistré, ligne par ligne</translation>
+    </message>
+    <message>
+        <source>What is wrong with the recipe</source>
+        <translation>Ce qui ne va pas dans la recette</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Save recipe</source>
+        <translation>Enregistrer la recette</translation>
+    </message>
+    <message>
+        <source>Recipe %1</source>
+        <translation>Recette %1</translation>
+    </message>
+    <message>
+        <source>Keep the recipe</source>
+        <translation>Conserver la recette</translation>
+    </message>
+    <message>
+        <source>Recipes (*.json)</source>
+        <translation>Recettes (*.json)</translation>
+    </message>
+</context>
+<context>
+    <name>mb::RecipeForm</name>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Family</source>
+        <translation>Famille</translation>
+    </message>
+    <message>
+        <source>Firmware file</source>
+        <translation>Fichier de micrologiciel</translation>
+    </message>
+    <message>
+        <source>Other way in</source>
+        <translation>Autre accès</translation>
+    </message>
+    <message>
+        <source>Parameter file</source>
+        <translation>Fichier de paramètres</translation>
+    </message>
+    <message>
+        <source>Save them where the unit does not by itself</source>
+        <translation>Les enregistrer si l’appareil ne le fait pas lui-même</translation>
+    </message>
+    <message>
+        <source>First number to give</source>
+        <translation>Premier numéro à attribuer</translation>
+    </message>
+    <message>
+        <source>Self-test: the motor turns</source>
+        <translation>Autotest : le moteur tourne</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Boucle</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>Durée, s</translation>
+    </message>
+    <message>
+        <source>Repeats</source>
+        <translation>Répétitions</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Axe</translation>
+    </message>
+    <message>
+        <source>Gain slot</source>
+        <translation>Jeu de gains</translation>
+    </message>
+    <message>
+        <source>Travel at most, counts</source>
+        <translation>Course maximale, pas</translation>
+    </message>
+    <message>
+        <source>Speed at most, counts/s</source>
+        <translation>Vitesse maximale, pas/s</translation>
+    </message>
+    <message>
+        <source>Current at most, A</source>
+        <translation>Courant maximal, A</translation>
+    </message>
+    <message>
+        <source>Duty at most, 0 to 1</source>
+        <translation>Rapport cyclique maximal, 0 à 1</translation>
+    </message>
+    <message>
+        <source>What the self-test accepts</source>
+        <translation>Ce que l’autotest accepte</translation>
+    </message>
+    <message>
+        <source>Accepted</source>
+        <translation>Accepté</translation>
+    </message>
+    <message>
+        <source>Least</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Greatest</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>counts both ways</source>
+        <translation>compte dans les deux sens</translation>
+    </message>
+    <message>
+        <source>Choose: %1</source>
+        <translation>Choisir : %1</translation>
+    </message>
+    <message>
+        <source>none: over its own link</source>
+        <translation>aucun : par sa propre liaison</translation>
+    </message>
+    <message>
+        <source>such as %1</source>
+        <translation>par exemple %1</translation>
     </message>
 </context>
 <context>
@@ -8174,6 +8475,25 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
 </context>
 <context>
+    <name>mb::StationDialog</name>
+    <message>
+        <source>Journal of this station</source>
+        <translation>Journal de ce poste</translation>
+    </message>
+    <message>
+        <source>Name of this station</source>
+        <translation>Nom de ce poste</translation>
+    </message>
+    <message>
+        <source>Server that stations share</source>
+        <translation>Serveur partagé par les postes</translation>
+    </message>
+    <message>
+        <source>Without a server the journal is in the file of this computer alone. With one, every entry is there first and delivered as soon as the server answers; numbers come in blocks of five.</source>
+        <translation>Sans serveur, le journal n’est que dans le fichier de cet ordinateur. Avec un serveur, chaque entrée y est d’abord, puis elle est remise dès que le serveur répond ; les numéros viennent par blocs de cinq.</translation>
+    </message>
+</context>
+<context>
     <name>mb::StationLamp</name>
     <message>
         <source>%1 self-test</source>
@@ -9582,6 +9902,13 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>4  They stay if they do what was predicted; else everything is put back and the reason said.</source>
         <translation>4  Ils restent s’ils font ce qui était prédit&#x202f;; sinon tout est rétabli et la raison indiquée.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UnitList</name>
+    <message>
+        <source>Last ten units, newest first</source>
+        <translation>Dix derniers appareils, le plus récent en premier</translation>
     </message>
 </context>
 <context>
@@ -11595,10 +11922,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>%1 a un nom qui ne finit par aucun type de rapport</translation>
     </message>
     <message>
-        <source>%1 has chunks; only files that this program wrote can be read</source>
-        <translation>%1 contient des chunks&#x202f;; seuls les fichiers écrits par ce programme sont lisibles</translation>
-    </message>
-    <message>
         <source>%1 has no %2</source>
         <translation>%1 n’a pas de %2</translation>
     </message>
@@ -11745,10 +12068,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>%1 is damaged and cannot be put aside</source>
         <translation>%1 est endommagé et ne peut pas être mis de côté</translation>
-    </message>
-    <message>
-        <source>%1 is done</source>
-        <translation>%1 est terminé</translation>
     </message>
     <message>
         <source>%1 is error-passive</source>
@@ -12245,10 +12564,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>--target: &apos;%1&apos; is unknown</source>
         <translation>--target&#xa0;: «&#xa0;%1&#xa0;» est inconnu</translation>
-    </message>
-    <message>
-        <source>--theme takes dark or light</source>
-        <translation>--theme accepte dark ou light</translation>
     </message>
     <message>
         <source>--tour needs a folder for its pictures</source>
@@ -13563,10 +13878,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>indiquez un enregistrement, ou --help pour le reste</translation>
     </message>
     <message>
-        <source>give an .mcap or .csv that this program wrote, or the output of watch</source>
-        <translation>indiquez un .mcap ou .csv écrit par ce programme, ou la sortie de watch</translation>
-    </message>
-    <message>
         <source>give another --to</source>
         <translation>indiquez un autre --to</translation>
     </message>
@@ -13585,10 +13896,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>gpiodetect lists those there are</source>
         <translation>gpiodetect énumère ceux qui existent</translation>
-    </message>
-    <message>
-        <source>hold Arm on the page, then test again</source>
-        <translation>maintenez Armer sur la page, puis testez à nouveau</translation>
     </message>
     <message>
         <source>identify it anew</source>
@@ -14575,16 +14882,8 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>vérifiez que balais et connecteurs font contact</translation>
     </message>
     <message>
-        <source>seed, loss, bitrate and fault are known</source>
-        <translation>connus&#xa0;: seed, loss, bitrate et fault</translation>
-    </message>
-    <message>
         <source>select a longer stretch</source>
         <translation>sélectionnez un intervalle plus long</translation>
-    </message>
-    <message>
-        <source>self-tests are not armed</source>
-        <translation>les autotests ne sont pas armés</translation>
     </message>
     <message>
         <source>sending the firmware</source>
@@ -16243,10 +16542,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>P seul, dans une boucle qui regarde le courant toutes les %1, tient %2 de ce qui est demandé quand il dépasse de %3</translation>
     </message>
     <message>
-        <source>a step of %1 stands in noise of %2, at most %3 of it</source>
-        <translation>un échelon de %1 se trouve dans un bruit de %2, au plus %3 de celui-ci</translation>
-    </message>
-    <message>
         <source>allow more travel, so that pushes may last</source>
         <translation>autorisez plus de course, pour que les poussées puissent durer</translation>
     </message>
@@ -16453,6 +16748,82 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>write a page</source>
         <translation>écrivez une page</translation>
+    </message>
+    <message>
+        <source>does not answer</source>
+        <translation>ne répond pas</translation>
+    </message>
+    <message>
+        <source>hold Arm, then put it on again</source>
+        <translation>maintenir Armer, puis rebrancher l’appareil</translation>
+    </message>
+    <message>
+        <source>it was cut off at &apos;%1&apos; and does not answer any more</source>
+        <translation>il a été interrompu à « %1 » et ne répond plus</translation>
+    </message>
+    <message>
+        <source>left before the station was armed</source>
+        <translation>quitté avant que le poste soit armé</translation>
+    </message>
+    <message>
+        <source>look at cable and supply; when it answers again it is served from the beginning</source>
+        <translation>vérifier le câble et l’alimentation ; dès qu’il répond, il est traité depuis le début</translation>
+    </message>
+    <message>
+        <source>the unit was taken off while it waited for the station to be armed</source>
+        <translation>l’appareil a été débranché pendant qu’il attendait l’armement du poste</translation>
+    </message>
+    <message>
+        <source>waits until the station is armed</source>
+        <translation>attend que le poste soit armé</translation>
+    </message>
+    <message>
+        <source>a step of %1 stands in noise of %2, at most %3; the mean of %4 tells it</source>
+        <translation>un échelon de %1 se trouve dans un bruit de %2, au plus %3 ; la moyenne de %4 le montre</translation>
+    </message>
+    <message>
+        <source>on the model as these steps have corrected it, other gains leave less error; now those</source>
+        <translation>sur le modèle tel que ces échelons l&apos;ont corrigé, d&apos;autres gains laissent moins d&apos;erreur ; maintenant ceux-ci</translation>
+    </message>
+    <message>
+        <source>those that were proven first left more error, these leave %1 of it</source>
+        <translation>ceux qui ont été éprouvés d&apos;abord laissaient plus d&apos;erreur, ceux-ci en laissent %1</translation>
+    </message>
+    <message>
+        <source>a chunk of it is damaged</source>
+        <translation>un de ses blocs est endommagé</translation>
+    </message>
+    <message>
+        <source>a chunk of it is larger than %1 MB</source>
+        <translation>un de ses blocs dépasse %1 Mo</translation>
+    </message>
+    <message>
+        <source>its chunks are packed by &apos;%1&apos;; zstd and lz4 are known</source>
+        <translation>ses blocs sont compressés par &apos;%1&apos; ; zstd et lz4 sont connus</translation>
+    </message>
+    <message>
+        <source>messages in JSON can be read, and what this program wrote</source>
+        <translation>sont lisibles les messages en JSON et ce que ce programme a écrit</translation>
+    </message>
+    <message>
+        <source>--theme takes dark, light, contrast or system</source>
+        <translation>--theme accepte dark, light, contrast ou system</translation>
+    </message>
+    <message>
+        <source>give an .mcap with messages in JSON or of this program, a .csv, or the output of watch</source>
+        <translation>donnez un .mcap à messages JSON ou de ce programme, un .csv, ou la sortie de watch</translation>
+    </message>
+    <message>
+        <source>overshoot %1, not settled</source>
+        <translation>dépassement %1, pas stabilisé</translation>
+    </message>
+    <message>
+        <source>overshoot %1, settled in %2</source>
+        <translation>dépassement %1, stabilisé en %2</translation>
+    </message>
+    <message>
+        <source>seed, loss, bitrate and fault are known</source>
+        <translation>connus : seed, loss, bitrate et fault</translation>
     </message>
 </context>
 </TS>

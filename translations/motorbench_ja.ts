@@ -1026,16 +1026,8 @@
         <translation>ステップ</translation>
     </message>
     <message>
-        <source>Press F5: the motor steps to a speed and back, and the overshoot is measured.</source>
-        <translation>F5 を押します: モータがある速度までステップ応答して戻り、オーバーシュートが測定されます。</translation>
-    </message>
-    <message>
         <source>Tune</source>
         <translation>調整</translation>
-    </message>
-    <message>
-        <source>Press F6 on the page Design: the program finds gains and proves them. Tamed: a step overshoots by 5 % at most.</source>
-        <translation>「設計」ページで F6 を押します: プログラムがゲインを求めて検証します。ステップのオーバーシュートが 5 % 以下になれば完了です。</translation>
     </message>
     <message>
         <source>Store</source>
@@ -1062,10 +1054,6 @@
         <translation>上部のランプを 1 秒間押し続けます (または Ctrl+Shift+F12)。</translation>
     </message>
     <message>
-        <source>Press F5 on the page Tune: the peak current of the step stands in its table.</source>
-        <translation>「調整」ページで F5 を押します: ステップのピーク電流が表に表示されます。</translation>
-    </message>
-    <message>
         <source>15 s after its last change the unit stores by itself. Then press Store and prove on the page Parameters.</source>
         <translation>最後の変更から 15 s 後に機器は自動で保存します。その後、「パラメータ」ページで「保存して検証」を押してください。</translation>
     </message>
@@ -1076,10 +1064,6 @@
     <message>
         <source>Write</source>
         <translation>書込み</translation>
-    </message>
-    <message>
-        <source>The demo image is loaded on the page Firmware. Press F5 and watch the pages arrive, the last one first.</source>
-        <translation>デモイメージは「ファームウェア」ページに読み込み済みです。F5 を押すと、最後のページから順に書き込まれます。</translation>
     </message>
     <message>
         <source>Prove</source>
@@ -1148,6 +1132,26 @@
     <message>
         <source>flash pages, written from the last to the first</source>
         <translation>フラッシュページ、最後から最初へ書込み</translation>
+    </message>
+    <message>
+        <source>Press %2: the motor steps to a speed and back, and the overshoot is measured.</source>
+        <translation>%2 を押します: モータがある速度までステップ応答して戻り、オーバーシュートが測定されます。</translation>
+    </message>
+    <message>
+        <source>Press %2 on the page Design: the program finds gains and proves them. Tamed: a step overshoots by 5 % at most.</source>
+        <translation>「設計」ページで %2 を押します: プログラムがゲインを求めて検証します。ステップのオーバーシュートが 5 % 以下になれば完了です。</translation>
+    </message>
+    <message>
+        <source>Press %2 on the page Tune: the peak current of the step stands in its table.</source>
+        <translation>「調整」ページで %2 を押します: ステップのピーク電流が表に表示されます。</translation>
+    </message>
+    <message>
+        <source>The demo image is loaded on the page Firmware. Press %2 and watch the pages arrive, the last one first.</source>
+        <translation>デモイメージは「ファームウェア」ページに読み込み済みです。%2 を押すと、最後のページから順に書き込まれます。</translation>
+    </message>
+    <message>
+        <source>the button</source>
+        <translation>ボタン</translation>
     </message>
 </context>
 <context>
@@ -1737,14 +1741,6 @@
         <translation>合格</translation>
     </message>
     <message>
-        <source>failed · %1</source>
-        <translation>不合格 · %1</translation>
-    </message>
-    <message>
-        <source>refused · %1</source>
-        <translation>拒否 · %1</translation>
-    </message>
-    <message>
         <source>left out</source>
         <translation>省略</translation>
     </message>
@@ -1767,6 +1763,22 @@
     <message>
         <source>travel at most %1 counts</source>
         <translation>移動量最大 %1 counts</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>不合格</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>拒否</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>実行中</translation>
+    </message>
+    <message>
+        <source>Hold Arm to go on</source>
+        <translation>続けるには駆動許可ボタンを長押し</translation>
     </message>
 </context>
 <context>
@@ -2310,6 +2322,29 @@
     <message>
         <source>Writing was cancelled; what is missing can be written later.</source>
         <translation>書込みをキャンセルしました。残りは後で書き込めます。</translation>
+    </message>
+</context>
+<context>
+    <name>mb::CountTiles</name>
+    <message>
+        <source>passed</source>
+        <translation>合格</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>不合格</translation>
+    </message>
+    <message>
+        <source>refused before start</source>
+        <translation>開始前に拒否</translation>
+    </message>
+    <message>
+        <source>mean time</source>
+        <translation>平均時間</translation>
+    </message>
+    <message>
+        <source>units an hour</source>
+        <translation>台／時</translation>
     </message>
 </context>
 <context>
@@ -3445,6 +3480,33 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
 </context>
 <context>
+    <name>mb::GuardianCheck</name>
+    <message>
+        <source>stops a motor when this program is killed or hangs</source>
+        <translation>このプログラムが強制終了したり固まったりしたとき、モータを止めます</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>確認</translation>
+    </message>
+    <message>
+        <source>Check the guardian</source>
+        <translation>ガーディアンを確認</translation>
+    </message>
+    <message>
+        <source>%1 cannot be started: %2</source>
+        <translation>%1 を起動できません: %2</translation>
+    </message>
+    <message>
+        <source>It is in place and runs.</source>
+        <translation>所定の場所にあり、動作します。</translation>
+    </message>
+    <message>
+        <source>%1 does not run as it should.</source>
+        <translation>%1 が正しく動作しません。</translation>
+    </message>
+</context>
+<context>
     <name>mb::Guide</name>
     <message>
         <source>overshoot %1 % at first, %2 % now</source>
@@ -3649,10 +3711,6 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>すべて %1</translation>
     </message>
     <message>
-        <source>belongs to one unit, not copied</source>
-        <translation>機器固有のため、コピーしません</translation>
-    </message>
-    <message>
         <source>assumed: it cannot be read</source>
         <translation>推定: 読出し不可</translation>
     </message>
@@ -3667,6 +3725,10 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>Restore %1</source>
         <translation>%1 を復元</translation>
+    </message>
+    <message>
+        <source>belongs to one unit, copied only if you tick it</source>
+        <translation>このユニット固有の値です。チェックした場合だけコピーされます</translation>
     </message>
 </context>
 <context>
@@ -3911,6 +3973,39 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>A click moves it for a tenth of a second; held, it goes on until it is let go.</source>
         <translation>クリックすると 0.1 秒間動きます。押し続けると、離すまで動きます。</translation>
+    </message>
+</context>
+<context>
+    <name>mb::JournalCard</name>
+    <message>
+        <source>Journal</source>
+        <translation>記録</translation>
+    </message>
+    <message>
+        <source>Change…</source>
+        <translation>変更…</translation>
+    </message>
+    <message>
+        <source>Change the journal</source>
+        <translation>記録を変更</translation>
+    </message>
+    <message>
+        <source>On this computer</source>
+        <translation>このコンピューター</translation>
+    </message>
+    <message>
+        <source>PostgreSQL, %1</source>
+        <translation>PostgreSQL、%1</translation>
+    </message>
+    <message>
+        <source>station %1</source>
+        <translation>ステーション %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n entries wait for the server</source>
+        <translation>
+            <numerusform>%n 件がサーバーを待っています</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5754,48 +5849,64 @@ double click or End returns to the present · right click for more</source>
         <source>Keys</source>
         <translation>キー</translation>
     </message>
+    <message>
+        <source>high contrast</source>
+        <translation>ハイコントラスト</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>counts</translation>
+    </message>
+    <message>
+        <source>rpm and degrees</source>
+        <translation>rpm と度</translation>
+    </message>
+    <message>
+        <source>With every verdict in production</source>
+        <translation>生産モードの判定ごとに鳴らす</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>単位</translation>
+    </message>
+    <message>
+        <source>Sounds</source>
+        <translation>音</translation>
+    </message>
+    <message>
+        <source>Guardian</source>
+        <translation>ガーディアン</translation>
+    </message>
 </context>
 <context>
-    <name>mb::ProductionPage</name>
+    <name>mb::ProductionHead</name>
     <message>
-        <source>Production</source>
-        <translation>生産</translation>
+        <source>recipe</source>
+        <translation>レシピ</translation>
     </message>
     <message>
-        <source>No recipe yet</source>
-        <translation>レシピなし</translation>
+        <source>image</source>
+        <translation>イメージ</translation>
     </message>
     <message>
-        <source>Link that units are put on</source>
-        <translation>機器を接続するリンク</translation>
+        <source>parameters</source>
+        <translation>パラメータ</translation>
     </message>
     <message>
-        <source>Open recipe…</source>
-        <translation>レシピを開く…</translation>
+        <source>number rule</source>
+        <translation>番号の規則</translation>
     </message>
     <message>
-        <source>Start</source>
-        <translation>開始</translation>
-    </message>
-    <message>
-        <source>End</source>
-        <translation>終了</translation>
-    </message>
-    <message>
-        <source>Hold to arm self-tests</source>
-        <translation>長押しでセルフテストを駆動許可</translation>
+        <source>self-test</source>
+        <translation>セルフテスト</translation>
     </message>
     <message>
         <source>Leave</source>
         <translation>退出</translation>
     </message>
     <message>
-        <source>Last ten units</source>
-        <translation>直近 10 台</translation>
-    </message>
-    <message>
-        <source>Last ten units, newest first</source>
-        <translation>直近 10 台、新しい順</translation>
+        <source>Link that units are put on</source>
+        <translation>機器を接続するリンク</translation>
     </message>
     <message>
         <source>Serial number, scanned or typed</source>
@@ -5806,8 +5917,39 @@ double click or End returns to the present · right click for more</source>
         <translation>シリアル番号をスキャンまたは入力</translation>
     </message>
     <message>
-        <source>F5 test again · F8 set aside · F2 serial number · F11 leave · Esc stops every motor</source>
-        <translation>F5 再試験 · F8 除外 · F2 シリアル番号 · F11 退出 · Esc 全モータ停止</translation>
+        <source>Open recipe…</source>
+        <translation>レシピを開く…</translation>
+    </message>
+    <message>
+        <source>Hold to arm self-tests</source>
+        <translation>長押しでセルフテストを駆動許可</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>開始</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>終了</translation>
+    </message>
+    <message>
+        <source>No recipe yet</source>
+        <translation>レシピなし</translation>
+    </message>
+    <message>
+        <source>ARMED, hold to disarm</source>
+        <translation>駆動許可中、長押しで解除</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ProductionPage</name>
+    <message>
+        <source>Production</source>
+        <translation>生産</translation>
+    </message>
+    <message>
+        <source>Last ten units</source>
+        <translation>直近 10 台</translation>
     </message>
     <message>
         <source>Sound</source>
@@ -5838,18 +5980,6 @@ double click or End returns to the present · right click for more</source>
         <translation>レシピ (*.json);;すべてのファイル (*)</translation>
     </message>
     <message>
-        <source>firmware %1</source>
-        <translation>ファームウェア %1</translation>
-    </message>
-    <message>
-        <source>%1 parameters</source>
-        <translation>パラメータ %1 個</translation>
-    </message>
-    <message>
-        <source>next free number from %1</source>
-        <translation>%1 以降で次に空いている番号</translation>
-    </message>
-    <message>
         <source>The self-test turns the motor: %1</source>
         <translation>セルフテストでモータが回転します: %1</translation>
     </message>
@@ -5866,12 +5996,24 @@ double click or End returns to the present · right click for more</source>
         <translation>シリアル番号 %1 の機器はここにありません</translation>
     </message>
     <message>
-        <source>%1 passed   %2 failed   %3 refused   mean %4</source>
-        <translation>合格 %1   不合格 %2   拒否 %3   平均 %4</translation>
+        <source>test again</source>
+        <translation>再テスト</translation>
     </message>
     <message>
-        <source>ARMED, hold to disarm</source>
-        <translation>駆動許可中、長押しで解除</translation>
+        <source>set aside</source>
+        <translation>よける</translation>
+    </message>
+    <message>
+        <source>serial number</source>
+        <translation>シリアル番号</translation>
+    </message>
+    <message>
+        <source>leave</source>
+        <translation>終了</translation>
+    </message>
+    <message>
+        <source>stops every motor</source>
+        <translation>すべてのモーターを停止</translation>
     </message>
 </context>
 <context>
@@ -6250,6 +6392,10 @@ double click or End returns to the present · right click for more</source>
         <source>Recipes (*.json);;All files (*)</source>
         <translation>レシピ (*.json);;すべてのファイル (*)</translation>
     </message>
+    <message>
+        <source>Write a recipe</source>
+        <translation>レシピを書く</translation>
+    </message>
 </context>
 <context>
     <name>mb::QueueModel</name>
@@ -6388,6 +6534,10 @@ double click or End returns to the present · right click for more</source>
         <source>Done</source>
         <translation>完了</translation>
     </message>
+    <message>
+        <source>hold Arm in the header</source>
+        <translation>ヘッダの駆動許可ボタンを長押し</translation>
+    </message>
 </context>
 <context>
     <name>mb::RamBlock</name>
@@ -6469,6 +6619,156 @@ double click or End returns to the present · right click for more</source>
     <message>
         <source>all %1 read in %2</source>
         <translation>全 %1 個を %2 で読出し済み</translation>
+    </message>
+</context>
+<context>
+    <name>mb::RecipeEditor</name>
+    <message>
+        <source>New recipe</source>
+        <translation>新しいレシピ</translation>
+    </message>
+    <message>
+        <source>Fields of the recipe</source>
+        <translation>レシピの項目</translation>
+    </message>
+    <message>
+        <source>The file that is saved, line by line</source>
+        <translation>保存されるファイル（行ごと）</translation>
+    </message>
+    <message>
+        <source>What is wrong with the recipe</source>
+        <translation>レシピの誤り</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Save recipe</source>
+        <translation>レシピを保存</translation>
+    </message>
+    <message>
+        <source>Recipe %1</source>
+        <translation>レシピ %1</translation>
+    </message>
+    <message>
+        <source>Keep the recipe</source>
+        <translation>レシピを保管</translation>
+    </message>
+    <message>
+        <source>Recipes (*.json)</source>
+        <translation>レシピ (*.json)</translation>
+    </message>
+</context>
+<context>
+    <name>mb::RecipeForm</name>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Family</source>
+        <translation>ファミリ</translation>
+    </message>
+    <message>
+        <source>Firmware file</source>
+        <translation>ファームウェアのファイル</translation>
+    </message>
+    <message>
+        <source>Other way in</source>
+        <translation>別の書き込み経路</translation>
+    </message>
+    <message>
+        <source>Parameter file</source>
+        <translation>パラメータのファイル</translation>
+    </message>
+    <message>
+        <source>Save them where the unit does not by itself</source>
+        <translation>ユニットが自動で保存しない場合は保存する</translation>
+    </message>
+    <message>
+        <source>First number to give</source>
+        <translation>割り当てる最初の番号</translation>
+    </message>
+    <message>
+        <source>Self-test: the motor turns</source>
+        <translation>セルフテスト: モータが回転します</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>ループ</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>開始値</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>目標値</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>時間, s</translation>
+    </message>
+    <message>
+        <source>Repeats</source>
+        <translation>繰り返し</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>軸</translation>
+    </message>
+    <message>
+        <source>Gain slot</source>
+        <translation>ゲインのスロット</translation>
+    </message>
+    <message>
+        <source>Travel at most, counts</source>
+        <translation>最大移動量, カウント</translation>
+    </message>
+    <message>
+        <source>Speed at most, counts/s</source>
+        <translation>最大速度, カウント/s</translation>
+    </message>
+    <message>
+        <source>Current at most, A</source>
+        <translation>最大電流, A</translation>
+    </message>
+    <message>
+        <source>Duty at most, 0 to 1</source>
+        <translation>最大デューティ, 0～1</translation>
+    </message>
+    <message>
+        <source>What the self-test accepts</source>
+        <translation>セルフテストの合格条件</translation>
+    </message>
+    <message>
+        <source>Accepted</source>
+        <translation>合格条件</translation>
+    </message>
+    <message>
+        <source>Least</source>
+        <translation>最小</translation>
+    </message>
+    <message>
+        <source>Greatest</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>counts both ways</source>
+        <translation>両方向に計数する</translation>
+    </message>
+    <message>
+        <source>Choose: %1</source>
+        <translation>選択: %1</translation>
+    </message>
+    <message>
+        <source>none: over its own link</source>
+        <translation>なし: 自身のリンク経由</translation>
+    </message>
+    <message>
+        <source>such as %1</source>
+        <translation>例: %1</translation>
     </message>
 </context>
 <context>
@@ -8165,6 +8465,25 @@ double click plots it, drag it to a pane or below them</source>
     </message>
 </context>
 <context>
+    <name>mb::StationDialog</name>
+    <message>
+        <source>Journal of this station</source>
+        <translation>このステーションの記録</translation>
+    </message>
+    <message>
+        <source>Name of this station</source>
+        <translation>このステーションの名前</translation>
+    </message>
+    <message>
+        <source>Server that stations share</source>
+        <translation>ステーションが共有するサーバー</translation>
+    </message>
+    <message>
+        <source>Without a server the journal is in the file of this computer alone. With one, every entry is there first and delivered as soon as the server answers; numbers come in blocks of five.</source>
+        <translation>サーバーがなければ、記録はこのコンピューターのファイルだけにあります。あれば、各項目はまずそこに書かれ、サーバーが応答し次第渡されます。番号は 5 個ずつ割り当てられます。</translation>
+    </message>
+</context>
+<context>
     <name>mb::StationLamp</name>
     <message>
         <source>%1 self-test</source>
@@ -9569,6 +9888,13 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>4  They stay if they do what was predicted; else everything is put back and the reason said.</source>
         <translation>4  予測どおりであればゲインを維持します。そうでなければすべて元に戻し、理由を示します。</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UnitList</name>
+    <message>
+        <source>Last ten units, newest first</source>
+        <translation>直近 10 台、新しい順</translation>
     </message>
 </context>
 <context>
@@ -11582,10 +11908,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1 の拡張子はどのレポート形式にも該当しません</translation>
     </message>
     <message>
-        <source>%1 has chunks; only files that this program wrote can be read</source>
-        <translation>%1 にはチャンクがあります。読み込めるのはこのプログラムが書き出したファイルだけです</translation>
-    </message>
-    <message>
         <source>%1 has no %2</source>
         <translation>%1 に %2 はありません</translation>
     </message>
@@ -11732,10 +12054,6 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>%1 is damaged and cannot be put aside</source>
         <translation>%1 は破損しており、退避できません</translation>
-    </message>
-    <message>
-        <source>%1 is done</source>
-        <translation>%1 が完了しました</translation>
     </message>
     <message>
         <source>%1 is error-passive</source>
@@ -12232,10 +12550,6 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>--target: &apos;%1&apos; is unknown</source>
         <translation>--target: 「%1」は不明です</translation>
-    </message>
-    <message>
-        <source>--theme takes dark or light</source>
-        <translation>--theme は dark または light です</translation>
     </message>
     <message>
         <source>--tour needs a folder for its pictures</source>
@@ -13550,10 +13864,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>記録を指定してください。その他の使い方は --help で表示できます</translation>
     </message>
     <message>
-        <source>give an .mcap or .csv that this program wrote, or the output of watch</source>
-        <translation>このプログラムが書き出した .mcap または .csv、あるいは watch の出力を指定してください</translation>
-    </message>
-    <message>
         <source>give another --to</source>
         <translation>別の --to を指定してください</translation>
     </message>
@@ -13572,10 +13882,6 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>gpiodetect lists those there are</source>
         <translation>gpiodetect で一覧を表示できます</translation>
-    </message>
-    <message>
-        <source>hold Arm on the page, then test again</source>
-        <translation>ページの駆動許可ボタンを長押しして再試験してください</translation>
     </message>
     <message>
         <source>identify it anew</source>
@@ -14562,16 +14868,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>ブラシとコネクタの接触を確認してください</translation>
     </message>
     <message>
-        <source>seed, loss, bitrate and fault are known</source>
-        <translation>使えるのは seed、loss、bitrate、fault です</translation>
-    </message>
-    <message>
         <source>select a longer stretch</source>
         <translation>より長い区間を選択してください</translation>
-    </message>
-    <message>
-        <source>self-tests are not armed</source>
-        <translation>セルフテストが駆動許可されていません</translation>
     </message>
     <message>
         <source>sending the firmware</source>
@@ -16230,10 +16528,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1 ごとに電流を見るループでは、P だけでは %3 のオーバーシュートで指令の %2 しか保てません</translation>
     </message>
     <message>
-        <source>a step of %1 stands in noise of %2, at most %3 of it</source>
-        <translation>%1 のステップに対して雑音が %2 です (最大でその %3)</translation>
-    </message>
-    <message>
         <source>allow more travel, so that pushes may last</source>
         <translation>パルスを長く印加できるよう、移動量の許容値を上げてください</translation>
     </message>
@@ -16440,6 +16734,82 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>write a page</source>
         <translation>ページとして書き出してください</translation>
+    </message>
+    <message>
+        <source>does not answer</source>
+        <translation>応答しません</translation>
+    </message>
+    <message>
+        <source>hold Arm, then put it on again</source>
+        <translation>駆動許可ボタンを長押ししてから、もう一度接続してください</translation>
+    </message>
+    <message>
+        <source>it was cut off at &apos;%1&apos; and does not answer any more</source>
+        <translation>「%1」で中断され、もう応答しません</translation>
+    </message>
+    <message>
+        <source>left before the station was armed</source>
+        <translation>ステーションが駆動許可される前に離れました</translation>
+    </message>
+    <message>
+        <source>look at cable and supply; when it answers again it is served from the beginning</source>
+        <translation>ケーブルと電源を確認してください。再び応答すれば最初から処理されます</translation>
+    </message>
+    <message>
+        <source>the unit was taken off while it waited for the station to be armed</source>
+        <translation>ステーションの駆動許可を待っている間にユニットが外されました</translation>
+    </message>
+    <message>
+        <source>waits until the station is armed</source>
+        <translation>ステーションの駆動許可を待っています</translation>
+    </message>
+    <message>
+        <source>a step of %1 stands in noise of %2, at most %3; the mean of %4 tells it</source>
+        <translation>%1 のステップは %2 の雑音の中にあります（上限 %3）。%4 回の平均で読み取ります</translation>
+    </message>
+    <message>
+        <source>on the model as these steps have corrected it, other gains leave less error; now those</source>
+        <translation>これらのステップで補正したモデルでは、別のゲインの方が誤差が小さくなります。次はそれを試します</translation>
+    </message>
+    <message>
+        <source>those that were proven first left more error, these leave %1 of it</source>
+        <translation>最初に検証したゲインは誤差がより大きく、このゲインではその %1 です</translation>
+    </message>
+    <message>
+        <source>a chunk of it is damaged</source>
+        <translation>ブロックが壊れています</translation>
+    </message>
+    <message>
+        <source>a chunk of it is larger than %1 MB</source>
+        <translation>%1 MB を超えるブロックがあります</translation>
+    </message>
+    <message>
+        <source>its chunks are packed by &apos;%1&apos;; zstd and lz4 are known</source>
+        <translation>ブロックは &apos;%1&apos; で圧縮されています。使えるのは zstd と lz4 です</translation>
+    </message>
+    <message>
+        <source>messages in JSON can be read, and what this program wrote</source>
+        <translation>読めるのは JSON のメッセージと、このプログラムが書いたものです</translation>
+    </message>
+    <message>
+        <source>--theme takes dark, light, contrast or system</source>
+        <translation>--theme は dark、light、contrast、system のいずれかです</translation>
+    </message>
+    <message>
+        <source>give an .mcap with messages in JSON or of this program, a .csv, or the output of watch</source>
+        <translation>JSON メッセージまたはこのプログラムの .mcap、.csv、または watch の出力を指定します</translation>
+    </message>
+    <message>
+        <source>overshoot %1, not settled</source>
+        <translation>オーバーシュート %1、整定せず</translation>
+    </message>
+    <message>
+        <source>overshoot %1, settled in %2</source>
+        <translation>オーバーシュート %1、整定 %2</translation>
+    </message>
+    <message>
+        <source>seed, loss, bitrate and fault are known</source>
+        <translation>使えるのは seed、loss、bitrate、fault です</translation>
     </message>
 </context>
 </TS>

@@ -1026,16 +1026,8 @@
         <translation>阶跃</translation>
     </message>
     <message>
-        <source>Press F5: the motor steps to a speed and back, and the overshoot is measured.</source>
-        <translation>按 F5：电机阶跃到某一速度再返回，并测量超调量。</translation>
-    </message>
-    <message>
         <source>Tune</source>
         <translation>整定</translation>
-    </message>
-    <message>
-        <source>Press F6 on the page Design: the program finds gains and proves them. Tamed: a step overshoots by 5 % at most.</source>
-        <translation>在“设计”页面按 F6：程序求出增益并加以验证。驯服的标准：阶跃超调不超过 5 %。</translation>
     </message>
     <message>
         <source>Store</source>
@@ -1062,10 +1054,6 @@
         <translation>按住顶部的指示灯一秒钟（或按 Ctrl+Shift+F12）。</translation>
     </message>
     <message>
-        <source>Press F5 on the page Tune: the peak current of the step stands in its table.</source>
-        <translation>在“整定”页面按 F5：阶跃的峰值电流显示在表格中。</translation>
-    </message>
-    <message>
         <source>15 s after its last change the unit stores by itself. Then press Store and prove on the page Parameters.</source>
         <translation>最后一次更改后 15 s，设备会自行存储。然后在“参数”页面按“存储并验证”。</translation>
     </message>
@@ -1076,10 +1064,6 @@
     <message>
         <source>Write</source>
         <translation>写入</translation>
-    </message>
-    <message>
-        <source>The demo image is loaded on the page Firmware. Press F5 and watch the pages arrive, the last one first.</source>
-        <translation>演示映像已加载到“固件”页面。按 F5，观察各页依次写入，最后一页最先。</translation>
     </message>
     <message>
         <source>Prove</source>
@@ -1148,6 +1132,26 @@
     <message>
         <source>flash pages, written from the last to the first</source>
         <translation>闪存页，从最后一页写到第一页</translation>
+    </message>
+    <message>
+        <source>Press %2: the motor steps to a speed and back, and the overshoot is measured.</source>
+        <translation>按 %2：电机阶跃到某一速度再返回，并测量超调量。</translation>
+    </message>
+    <message>
+        <source>Press %2 on the page Design: the program finds gains and proves them. Tamed: a step overshoots by 5 % at most.</source>
+        <translation>在“设计”页面按 %2：程序求出增益并加以验证。驯服的标准：阶跃超调不超过 5 %。</translation>
+    </message>
+    <message>
+        <source>Press %2 on the page Tune: the peak current of the step stands in its table.</source>
+        <translation>在“整定”页面按 %2：阶跃的峰值电流显示在表格中。</translation>
+    </message>
+    <message>
+        <source>The demo image is loaded on the page Firmware. Press %2 and watch the pages arrive, the last one first.</source>
+        <translation>演示映像已加载到“固件”页面。按 %2，观察各页依次写入，最后一页最先。</translation>
+    </message>
+    <message>
+        <source>the button</source>
+        <translation>按钮</translation>
     </message>
 </context>
 <context>
@@ -1737,14 +1741,6 @@
         <translation>合格</translation>
     </message>
     <message>
-        <source>failed · %1</source>
-        <translation>不合格 · %1</translation>
-    </message>
-    <message>
-        <source>refused · %1</source>
-        <translation>已拒绝 · %1</translation>
-    </message>
-    <message>
         <source>left out</source>
         <translation>已跳过</translation>
     </message>
@@ -1767,6 +1763,22 @@
     <message>
         <source>travel at most %1 counts</source>
         <translation>行程最大 %1 counts</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>未通过</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>已拒绝</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>Hold Arm to go on</source>
+        <translation>按住“解锁”以继续</translation>
     </message>
 </context>
 <context>
@@ -2310,6 +2322,29 @@
     <message>
         <source>Writing was cancelled; what is missing can be written later.</source>
         <translation>写入已取消；缺少的可稍后写入。</translation>
+    </message>
+</context>
+<context>
+    <name>mb::CountTiles</name>
+    <message>
+        <source>passed</source>
+        <translation>合格</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>未通过</translation>
+    </message>
+    <message>
+        <source>refused before start</source>
+        <translation>开始前拒绝</translation>
+    </message>
+    <message>
+        <source>mean time</source>
+        <translation>平均时间</translation>
+    </message>
+    <message>
+        <source>units an hour</source>
+        <translation>台/小时</translation>
     </message>
 </context>
 <context>
@@ -3445,6 +3480,33 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
 </context>
 <context>
+    <name>mb::GuardianCheck</name>
+    <message>
+        <source>stops a motor when this program is killed or hangs</source>
+        <translation>本程序被终止或卡死时停止电机</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>检查</translation>
+    </message>
+    <message>
+        <source>Check the guardian</source>
+        <translation>检查守护进程</translation>
+    </message>
+    <message>
+        <source>%1 cannot be started: %2</source>
+        <translation>无法启动 %1：%2</translation>
+    </message>
+    <message>
+        <source>It is in place and runs.</source>
+        <translation>已就位且可以运行。</translation>
+    </message>
+    <message>
+        <source>%1 does not run as it should.</source>
+        <translation>%1 未按预期运行。</translation>
+    </message>
+</context>
+<context>
     <name>mb::Guide</name>
     <message>
         <source>overshoot %1 % at first, %2 % now</source>
@@ -3649,10 +3711,6 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>全部 %1</translation>
     </message>
     <message>
-        <source>belongs to one unit, not copied</source>
-        <translation>专属于单台设备，不复制</translation>
-    </message>
-    <message>
         <source>assumed: it cannot be read</source>
         <translation>假定：无法读取</translation>
     </message>
@@ -3667,6 +3725,10 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>Restore %1</source>
         <translation>恢复 %1</translation>
+    </message>
+    <message>
+        <source>belongs to one unit, copied only if you tick it</source>
+        <translation>属于单个设备，仅在勾选时复制</translation>
     </message>
 </context>
 <context>
@@ -3911,6 +3973,39 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>A click moves it for a tenth of a second; held, it goes on until it is let go.</source>
         <translation>单击使其运动十分之一秒；按住则持续运动直到松开。</translation>
+    </message>
+</context>
+<context>
+    <name>mb::JournalCard</name>
+    <message>
+        <source>Journal</source>
+        <translation>日志</translation>
+    </message>
+    <message>
+        <source>Change…</source>
+        <translation>更改…</translation>
+    </message>
+    <message>
+        <source>Change the journal</source>
+        <translation>更改日志</translation>
+    </message>
+    <message>
+        <source>On this computer</source>
+        <translation>在这台计算机上</translation>
+    </message>
+    <message>
+        <source>PostgreSQL, %1</source>
+        <translation>PostgreSQL，%1</translation>
+    </message>
+    <message>
+        <source>station %1</source>
+        <translation>工位 %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n entries wait for the server</source>
+        <translation>
+            <numerusform>%n 条记录等待服务器</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5754,48 +5849,64 @@ double click or End returns to the present · right click for more</source>
         <source>Keys</source>
         <translation>按键</translation>
     </message>
+    <message>
+        <source>high contrast</source>
+        <translation>高对比度</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>counts</translation>
+    </message>
+    <message>
+        <source>rpm and degrees</source>
+        <translation>rpm 和度</translation>
+    </message>
+    <message>
+        <source>With every verdict in production</source>
+        <translation>生产模式下每次判定时</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>Sounds</source>
+        <translation>声音</translation>
+    </message>
+    <message>
+        <source>Guardian</source>
+        <translation>守护进程</translation>
+    </message>
 </context>
 <context>
-    <name>mb::ProductionPage</name>
+    <name>mb::ProductionHead</name>
     <message>
-        <source>Production</source>
-        <translation>生产</translation>
+        <source>recipe</source>
+        <translation>配方</translation>
     </message>
     <message>
-        <source>No recipe yet</source>
-        <translation>尚无配方</translation>
+        <source>image</source>
+        <translation>映像</translation>
     </message>
     <message>
-        <source>Link that units are put on</source>
-        <translation>设备所接入的链路</translation>
+        <source>parameters</source>
+        <translation>参数</translation>
     </message>
     <message>
-        <source>Open recipe…</source>
-        <translation>打开配方…</translation>
+        <source>number rule</source>
+        <translation>编号规则</translation>
     </message>
     <message>
-        <source>Start</source>
-        <translation>启动</translation>
-    </message>
-    <message>
-        <source>End</source>
-        <translation>结束</translation>
-    </message>
-    <message>
-        <source>Hold to arm self-tests</source>
-        <translation>按住以解锁自检</translation>
+        <source>self-test</source>
+        <translation>自检</translation>
     </message>
     <message>
         <source>Leave</source>
         <translation>离开</translation>
     </message>
     <message>
-        <source>Last ten units</source>
-        <translation>最近十台设备</translation>
-    </message>
-    <message>
-        <source>Last ten units, newest first</source>
-        <translation>最近十台设备，最新在前</translation>
+        <source>Link that units are put on</source>
+        <translation>设备所接入的链路</translation>
     </message>
     <message>
         <source>Serial number, scanned or typed</source>
@@ -5806,8 +5917,39 @@ double click or End returns to the present · right click for more</source>
         <translation>扫描或输入序列号</translation>
     </message>
     <message>
-        <source>F5 test again · F8 set aside · F2 serial number · F11 leave · Esc stops every motor</source>
-        <translation>F5 重新测试 · F8 搁置 · F2 序列号 · F11 离开 · Esc 停止所有电机</translation>
+        <source>Open recipe…</source>
+        <translation>打开配方…</translation>
+    </message>
+    <message>
+        <source>Hold to arm self-tests</source>
+        <translation>按住以解锁自检</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>启动</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>结束</translation>
+    </message>
+    <message>
+        <source>No recipe yet</source>
+        <translation>尚无配方</translation>
+    </message>
+    <message>
+        <source>ARMED, hold to disarm</source>
+        <translation>已解锁，按住以上锁</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ProductionPage</name>
+    <message>
+        <source>Production</source>
+        <translation>生产</translation>
+    </message>
+    <message>
+        <source>Last ten units</source>
+        <translation>最近十台设备</translation>
     </message>
     <message>
         <source>Sound</source>
@@ -5838,18 +5980,6 @@ double click or End returns to the present · right click for more</source>
         <translation>配方 (*.json);;所有文件 (*)</translation>
     </message>
     <message>
-        <source>firmware %1</source>
-        <translation>固件 %1</translation>
-    </message>
-    <message>
-        <source>%1 parameters</source>
-        <translation>%1 个参数</translation>
-    </message>
-    <message>
-        <source>next free number from %1</source>
-        <translation>从 %1 起的下一个空闲编号</translation>
-    </message>
-    <message>
         <source>The self-test turns the motor: %1</source>
         <translation>自检会转动电机：%1</translation>
     </message>
@@ -5866,12 +5996,24 @@ double click or End returns to the present · right click for more</source>
         <translation>此处没有序列号为 %1 的设备</translation>
     </message>
     <message>
-        <source>%1 passed   %2 failed   %3 refused   mean %4</source>
-        <translation>合格 %1   不合格 %2   已拒绝 %3   平均 %4</translation>
+        <source>test again</source>
+        <translation>再次测试</translation>
     </message>
     <message>
-        <source>ARMED, hold to disarm</source>
-        <translation>已解锁，按住以上锁</translation>
+        <source>set aside</source>
+        <translation>搁置</translation>
+    </message>
+    <message>
+        <source>serial number</source>
+        <translation>序列号</translation>
+    </message>
+    <message>
+        <source>leave</source>
+        <translation>退出</translation>
+    </message>
+    <message>
+        <source>stops every motor</source>
+        <translation>停止所有电机</translation>
     </message>
 </context>
 <context>
@@ -6250,6 +6392,10 @@ double click or End returns to the present · right click for more</source>
         <source>Recipes (*.json);;All files (*)</source>
         <translation>配方 (*.json);;所有文件 (*)</translation>
     </message>
+    <message>
+        <source>Write a recipe</source>
+        <translation>编写配方</translation>
+    </message>
 </context>
 <context>
     <name>mb::QueueModel</name>
@@ -6388,6 +6534,10 @@ double click or End returns to the present · right click for more</source>
         <source>Done</source>
         <translation>完成</translation>
     </message>
+    <message>
+        <source>hold Arm in the header</source>
+        <translation>按住标题栏中的“解锁”</translation>
+    </message>
 </context>
 <context>
     <name>mb::RamBlock</name>
@@ -6469,6 +6619,156 @@ double click or End returns to the present · right click for more</source>
     <message>
         <source>all %1 read in %2</source>
         <translation>已读取全部 %1 项，用时 %2</translation>
+    </message>
+</context>
+<context>
+    <name>mb::RecipeEditor</name>
+    <message>
+        <source>New recipe</source>
+        <translation>新配方</translation>
+    </message>
+    <message>
+        <source>Fields of the recipe</source>
+        <translation>配方的字段</translation>
+    </message>
+    <message>
+        <source>The file that is saved, line by line</source>
+        <translation>要保存的文件，逐行显示</translation>
+    </message>
+    <message>
+        <source>What is wrong with the recipe</source>
+        <translation>配方中的错误</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Save recipe</source>
+        <translation>保存配方</translation>
+    </message>
+    <message>
+        <source>Recipe %1</source>
+        <translation>配方 %1</translation>
+    </message>
+    <message>
+        <source>Keep the recipe</source>
+        <translation>保存配方文件</translation>
+    </message>
+    <message>
+        <source>Recipes (*.json)</source>
+        <translation>配方 (*.json)</translation>
+    </message>
+</context>
+<context>
+    <name>mb::RecipeForm</name>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Family</source>
+        <translation>系列</translation>
+    </message>
+    <message>
+        <source>Firmware file</source>
+        <translation>固件文件</translation>
+    </message>
+    <message>
+        <source>Other way in</source>
+        <translation>其他写入途径</translation>
+    </message>
+    <message>
+        <source>Parameter file</source>
+        <translation>参数文件</translation>
+    </message>
+    <message>
+        <source>Save them where the unit does not by itself</source>
+        <translation>设备不自动保存时予以保存</translation>
+    </message>
+    <message>
+        <source>First number to give</source>
+        <translation>分配的第一个编号</translation>
+    </message>
+    <message>
+        <source>Self-test: the motor turns</source>
+        <translation>自检：电机会转动</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>控制环</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>从</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>到</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>时间, s</translation>
+    </message>
+    <message>
+        <source>Repeats</source>
+        <translation>重复次数</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>轴</translation>
+    </message>
+    <message>
+        <source>Gain slot</source>
+        <translation>增益组</translation>
+    </message>
+    <message>
+        <source>Travel at most, counts</source>
+        <translation>最大行程, 计数</translation>
+    </message>
+    <message>
+        <source>Speed at most, counts/s</source>
+        <translation>最大速度, 计数/s</translation>
+    </message>
+    <message>
+        <source>Current at most, A</source>
+        <translation>最大电流, A</translation>
+    </message>
+    <message>
+        <source>Duty at most, 0 to 1</source>
+        <translation>最大占空比, 0 至 1</translation>
+    </message>
+    <message>
+        <source>What the self-test accepts</source>
+        <translation>自检的合格条件</translation>
+    </message>
+    <message>
+        <source>Accepted</source>
+        <translation>合格项</translation>
+    </message>
+    <message>
+        <source>Least</source>
+        <translation>最小</translation>
+    </message>
+    <message>
+        <source>Greatest</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>counts both ways</source>
+        <translation>双向计数</translation>
+    </message>
+    <message>
+        <source>Choose: %1</source>
+        <translation>选择：%1</translation>
+    </message>
+    <message>
+        <source>none: over its own link</source>
+        <translation>无：经由自身链路</translation>
+    </message>
+    <message>
+        <source>such as %1</source>
+        <translation>例如 %1</translation>
     </message>
 </context>
 <context>
@@ -8165,6 +8465,25 @@ double click plots it, drag it to a pane or below them</source>
     </message>
 </context>
 <context>
+    <name>mb::StationDialog</name>
+    <message>
+        <source>Journal of this station</source>
+        <translation>本工位的日志</translation>
+    </message>
+    <message>
+        <source>Name of this station</source>
+        <translation>本工位的名称</translation>
+    </message>
+    <message>
+        <source>Server that stations share</source>
+        <translation>各工位共享的服务器</translation>
+    </message>
+    <message>
+        <source>Without a server the journal is in the file of this computer alone. With one, every entry is there first and delivered as soon as the server answers; numbers come in blocks of five.</source>
+        <translation>没有服务器时，日志只在这台计算机的文件中。有服务器时，每条记录先写在那里，服务器一应答就送达；编号每次分配五个。</translation>
+    </message>
+</context>
+<context>
     <name>mb::StationLamp</name>
     <message>
         <source>%1 self-test</source>
@@ -9569,6 +9888,13 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>4  They stay if they do what was predicted; else everything is put back and the reason said.</source>
         <translation>4  若效果与预测相符则保留；否则全部恢复并说明原因。</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UnitList</name>
+    <message>
+        <source>Last ten units, newest first</source>
+        <translation>最近十台设备，最新在前</translation>
     </message>
 </context>
 <context>
@@ -11582,10 +11908,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1 的名称不以任何报告类型结尾</translation>
     </message>
     <message>
-        <source>%1 has chunks; only files that this program wrote can be read</source>
-        <translation>%1 含有分块；只能读取由本程序写出的文件</translation>
-    </message>
-    <message>
         <source>%1 has no %2</source>
         <translation>%1 没有 %2</translation>
     </message>
@@ -11732,10 +12054,6 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>%1 is damaged and cannot be put aside</source>
         <translation>%1 已损坏且无法移开</translation>
-    </message>
-    <message>
-        <source>%1 is done</source>
-        <translation>%1 已完成</translation>
     </message>
     <message>
         <source>%1 is error-passive</source>
@@ -12232,10 +12550,6 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>--target: &apos;%1&apos; is unknown</source>
         <translation>--target：“%1”未知</translation>
-    </message>
-    <message>
-        <source>--theme takes dark or light</source>
-        <translation>--theme 接受 dark 或 light</translation>
     </message>
     <message>
         <source>--tour needs a folder for its pictures</source>
@@ -13550,10 +13864,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>给出一个记录，或用 --help 查看其他选项</translation>
     </message>
     <message>
-        <source>give an .mcap or .csv that this program wrote, or the output of watch</source>
-        <translation>给出由本程序写出的 .mcap 或 .csv，或 watch 的输出</translation>
-    </message>
-    <message>
         <source>give another --to</source>
         <translation>给出另一个 --to</translation>
     </message>
@@ -13572,10 +13882,6 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>gpiodetect lists those there are</source>
         <translation>gpiodetect 可列出现有的</translation>
-    </message>
-    <message>
-        <source>hold Arm on the page, then test again</source>
-        <translation>按住页面上的“解锁”，然后重新测试</translation>
     </message>
     <message>
         <source>identify it anew</source>
@@ -14562,16 +14868,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>检查电刷和插头是否接触良好</translation>
     </message>
     <message>
-        <source>seed, loss, bitrate and fault are known</source>
-        <translation>已知的有 seed、loss、bitrate 和 fault</translation>
-    </message>
-    <message>
         <source>select a longer stretch</source>
         <translation>选择更长的区段</translation>
-    </message>
-    <message>
-        <source>self-tests are not armed</source>
-        <translation>自检未解锁</translation>
     </message>
     <message>
         <source>sending the firmware</source>
@@ -16230,10 +16528,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>在每 %1 查看一次电流的环中，仅用 P 时若超调 %3，只能保持所要求值的 %2</translation>
     </message>
     <message>
-        <source>a step of %1 stands in noise of %2, at most %3 of it</source>
-        <translation>%1 的阶跃处于 %2 的噪声中，噪声最多允许为其 %3</translation>
-    </message>
-    <message>
         <source>allow more travel, so that pushes may last</source>
         <translation>允许更大行程，使推动可以持续</translation>
     </message>
@@ -16440,6 +16734,82 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>write a page</source>
         <translation>请写成页面</translation>
+    </message>
+    <message>
+        <source>does not answer</source>
+        <translation>无应答</translation>
+    </message>
+    <message>
+        <source>hold Arm, then put it on again</source>
+        <translation>按住“解锁”，然后重新接上</translation>
+    </message>
+    <message>
+        <source>it was cut off at &apos;%1&apos; and does not answer any more</source>
+        <translation>在“%1”处中断，不再应答</translation>
+    </message>
+    <message>
+        <source>left before the station was armed</source>
+        <translation>工位解锁之前已离开</translation>
+    </message>
+    <message>
+        <source>look at cable and supply; when it answers again it is served from the beginning</source>
+        <translation>检查电缆和电源；重新应答后将从头处理</translation>
+    </message>
+    <message>
+        <source>the unit was taken off while it waited for the station to be armed</source>
+        <translation>等待工位解锁时设备被取下</translation>
+    </message>
+    <message>
+        <source>waits until the station is armed</source>
+        <translation>等待工位解锁</translation>
+    </message>
+    <message>
+        <source>a step of %1 stands in noise of %2, at most %3; the mean of %4 tells it</source>
+        <translation>%1 的阶跃处于 %2 的噪声中，最多 %3；由 %4 次的平均得出</translation>
+    </message>
+    <message>
+        <source>on the model as these steps have corrected it, other gains leave less error; now those</source>
+        <translation>在由这些阶跃修正的模型上，其他增益的误差更小；现在试用它们</translation>
+    </message>
+    <message>
+        <source>those that were proven first left more error, these leave %1 of it</source>
+        <translation>最先验证的增益误差更大，现在的误差为其 %1</translation>
+    </message>
+    <message>
+        <source>a chunk of it is damaged</source>
+        <translation>其中一个数据块已损坏</translation>
+    </message>
+    <message>
+        <source>a chunk of it is larger than %1 MB</source>
+        <translation>其中一个数据块大于 %1 MB</translation>
+    </message>
+    <message>
+        <source>its chunks are packed by &apos;%1&apos;; zstd and lz4 are known</source>
+        <translation>其数据块由 &apos;%1&apos; 压缩；支持 zstd 和 lz4</translation>
+    </message>
+    <message>
+        <source>messages in JSON can be read, and what this program wrote</source>
+        <translation>可读取 JSON 消息以及本程序写出的文件</translation>
+    </message>
+    <message>
+        <source>--theme takes dark, light, contrast or system</source>
+        <translation>--theme 接受 dark、light、contrast 或 system</translation>
+    </message>
+    <message>
+        <source>give an .mcap with messages in JSON or of this program, a .csv, or the output of watch</source>
+        <translation>请给出含 JSON 消息或由本程序写出的 .mcap、.csv，或 watch 的输出</translation>
+    </message>
+    <message>
+        <source>overshoot %1, not settled</source>
+        <translation>超调 %1，未稳定</translation>
+    </message>
+    <message>
+        <source>overshoot %1, settled in %2</source>
+        <translation>超调 %1，稳定用时 %2</translation>
+    </message>
+    <message>
+        <source>seed, loss, bitrate and fault are known</source>
+        <translation>已知的有 seed、loss、bitrate 和 fault</translation>
     </message>
 </context>
 </TS>

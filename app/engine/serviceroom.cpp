@@ -4,6 +4,27 @@
 #include <algorithm>
 
 namespace mb {
+namespace {
+
+constexpr Duration armedAgain = std::chrono::milliseconds(100);
+
+/// One more, as long as it lives.
+class Counted {
+public:
+    explicit Counted(int &count)
+        : m_count(count)
+    {
+        ++m_count;
+    }
+    Counted(const Counted &) = delete;
+    Counted &operator=(const Counted &) = delete;
+    ~Counted() { --m_count; }
+
+private:
+    int &m_count;
+};
+
+} // namespace
 
 ServiceRoom::ServiceRoom(EngineCore &core, Surroundings surroundings)
     : m_core(core)
@@ -28,6 +49,7 @@ Result<void> ServiceRoom::begin(const ServiceDesk::Plan &plan)
     if (auto lent = lendAll(); !lent)
         return lent;
     m_trouble.clear();
+    m_station.leaving = false;
     m_judged.clear();
     m_chosen.reset();
     if (plan.chosen)
@@ -55,6 +77,14 @@ Result<void> ServiceRoom::begin(const ServiceDesk::Plan &plan)
 }
 
 /// All of them or none.
+Result<void> ServiceRoom::setStation(std::string name)
+{
+    if (isRunning())
+        return fail(Fault::Unsafe, say("units are served already"), say("end that first"));
+    m_around.station = std::move(name);
+    return {};
+}
+
 Result<void> ServiceRoom::lendAll()
 {
     std::vector<Link *> lent;
@@ -99,8 +129,7 @@ void ServiceRoom::followLinks()
 
 void ServiceRoom::leave()
 {
-    m_armed = false;
-    m_announces = false;
+    m_station.armed = false;
     m_armedUntil.stop();
     m_queue.reset();
     giveBack();
@@ -147,6 +176,7 @@ void ServiceRoom::again(const std::function<void()> &order)
     if (idle && !lendAll())
         return;
     m_trouble.clear();
+    m_station.leaving = false;
     order();
     if (idle && !isRunning())
         giveBack();
@@ -168,6 +198,7 @@ void ServiceRoom::cancel()
     arm(false);
     if (!isRunning())
         return;
+    m_station.leaving = true;
     m_queue->finish();
     for (const service::QueueRow &row : m_queue->rows()) {
         if (row.state == service::RowState::Running)
@@ -178,6 +209,7 @@ void ServiceRoom::cancel()
 void ServiceRoom::finish()
 {
     arm(false);
+    m_station.leaving = true;
     if (m_queue)
         m_queue->finish();
 }
@@ -185,22 +217,23 @@ void ServiceRoom::finish()
 void ServiceRoom::stop()
 {
     arm(false);
+    m_station.leaving = true;
     if (isRunning())
         m_queue->stop();
 }
 
 void ServiceRoom::arm(bool on)
 {
-    m_armed = on && isRunning() && m_queue->matter().recipe.test;
+    m_station.armed = on && isRunning() && m_queue->matter().recipe.test;
     restartArmedTime();
     m_changed.notify();
 }
 
 void ServiceRoom::restartArmedTime()
 {
-    m_armedEnd = m_core.session().clock().now() + armedTime;
-    if (m_armed)
-        m_armedUntil.start(m_armedEnd, [this] { arm(false); });
+    m_station.end = m_core.session().clock().now() + armedTime;
+    if (m_station.armed)
+        m_armedUntil.start(m_station.end, [this] { arm(false); });
     else
         m_armedUntil.stop();
 }
@@ -220,23 +253,42 @@ void ServiceRoom::ended(const service::Visit &visit)
     m_changed.notify();
 }
 
-/// Three seconds in which everybody is told, and somebody can still say no.
-Task<void> ServiceRoom::beforeMotion(const Device &, const service::SelfTest &)
+/// Three seconds in which everybody is told, and somebody can still say no: then it waits again.
+Task<void> ServiceRoom::beforeMotion(const Device &device, const service::SelfTest &, Progress &progress)
 {
-    const auto refusal = [] {
-        return fail(Fault::Unsafe, say("self-tests are not armed"), say("hold Arm on the page, then test again"));
-    };
-    if (!m_armed)
-        co_return refusal();
-    m_announces = true;
-    restartArmedTime();
+    do {
+        auto waiting = untilArmed(device, progress);
+        co_await std::move(waiting);
+        const Counted announcing(m_station.announcing);
+        restartArmedTime();
+        m_changed.notify();
+        Sleep warning(m_core.session().clock(), announcement);
+        co_await warning;
+    } while (!m_station.armed);
     m_changed.notify();
-    Sleep warning(m_core.session().clock(), announcement);
-    co_await warning;
-    m_announces = false;
-    m_changed.notify();
-    if (!m_armed)
-        co_return refusal();
+    co_return {};
+}
+
+/// Everything else is done by then, and nothing is lost while it waits.
+Task<void> ServiceRoom::untilArmed(const Device &device, Progress &progress)
+{
+    const Counted waiting(m_station.waiting);
+    const bool isFollowed = device.liveness().heard;
+    Instant heardAt = device.clock().now();
+    while (!m_station.armed) {
+        if (m_station.leaving)
+            co_return fail(Fault::Cancelled, say("left before the station was armed"));
+        if (device.link().state() != LinkState::Open)
+            co_return fail(Fault::LinkLost, say("%1: %2", device.link().address().shortName(), device.link().reason()));
+        if (device.liveness().heard)
+            heardAt = device.clock().now();
+        if (isFollowed && device.clock().now() - heardAt >= takenOff)
+            co_return fail(Fault::Timeout, say("the unit was taken off while it waited for the station to be armed"),
+                say("hold Arm, then put it on again"));
+        progress.step(say("waits until the station is armed"), 0, 0);
+        Sleep looking(m_core.session().clock(), armedAgain);
+        co_await looking;
+    }
     co_return {};
 }
 
@@ -246,9 +298,10 @@ ServiceView ServiceRoom::view() const
         return m_last;
     ServiceView view;
     view.links = m_links;
-    view.armed = m_armed;
-    view.armedUntil = m_armedEnd;
-    view.announces = m_announces;
+    view.armed = m_station.armed;
+    view.armedUntil = m_station.end;
+    view.announces = m_station.announcing > 0;
+    view.waits = m_station.waiting > 0 && !m_station.armed;
     view.trouble = m_trouble;
     view.recipe = m_queue->matter().recipe.name;
     view.run = m_queue->run();

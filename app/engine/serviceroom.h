@@ -24,6 +24,8 @@ public:
 
     /// As ServiceDesk::begin(). Timeout when a link is not there, or busy.
     [[nodiscard]] Result<void> begin(const ServiceDesk::Plan &plan);
+    /// Name of this station in the journal. Refused while units are served.
+    [[nodiscard]] Result<void> setStation(std::string name);
     void pause(bool on);
     void skip(std::uint32_t row);
     void retry(std::uint32_t row);
@@ -42,11 +44,15 @@ public:
 
     /// Words and sound before a motor turns.
     static constexpr Duration announcement = std::chrono::seconds(3);
+    /// A unit that waits for arming, and is not heard so long, was taken off.
+    static constexpr Duration takenOff = std::chrono::seconds(2);
     /// Without a unit so long, nothing is armed any more.
     static constexpr Duration armedTime = std::chrono::minutes(5);
 
 private:
-    [[nodiscard]] Task<void> beforeMotion(const Device &device, const service::SelfTest &test) override;
+    [[nodiscard]] Task<void> beforeMotion(
+        const Device &device, const service::SelfTest &test, Progress &progress) override;
+    [[nodiscard]] Task<void> untilArmed(const Device &device, Progress &progress);
     void queueChanged();
     void choose();
     void ended(const service::Visit &visit);
@@ -64,9 +70,15 @@ private:
     std::vector<Link *> m_lent;                 ///< the same, while the queue is there
     std::optional<std::set<DeviceId>> m_chosen; ///< as ServiceDesk::Plan::chosen
     std::set<std::uint32_t> m_judged;           ///< rows that were taken or left
-    bool m_armed = false;
-    Instant m_armedEnd{};
-    bool m_announces = false;
+    /// Who may let a motor turn.
+    struct Station {
+        bool armed = false;
+        Instant end{};        ///< of it, without a unit
+        int announcing = 0;   ///< units whose motor turns in a moment
+        int waiting = 0;      ///< units that wait for arming
+        bool leaving = false; ///< nobody will arm any more
+    };
+    Station m_station;
     std::string m_trouble;
     ServiceView m_last; ///< of a queue whose link is gone
     Listeners<> m_changed;

@@ -6,6 +6,7 @@
 #include "tuning/verdict.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace mb {
 namespace {
@@ -43,6 +44,17 @@ Task<void> runOf(
     const ExperimentReport report = co_await std::move(running);
     progress.log(Severity::Good, report.sentence);
     co_return {};
+}
+
+/// What somebody waits for who does not see the table.
+Message resultOf(const Trial &trial)
+{
+    const auto &[overshoot, settle] = std::tie(trial.metrics.overshoot, trial.metrics.settle);
+    if (!overshoot)
+        return say("done");
+    const MessageNumber percent{100.0 * *overshoot, 1, "%"};
+    return settle ? say("overshoot %1, settled in %2", percent, MessageNumber{1000.0 * *settle, 0, "ms"})
+                  : say("overshoot %1, not settled", percent);
 }
 
 Message nameOf(const Trial &trial)
@@ -110,7 +122,7 @@ void Trials::carryOut(const orders::RunTrial &order, const std::function<void(Re
     };
     story.notableOf = [](const Trial &trial) {
         return trial.reason == "done"
-            ? Verdict{Severity::Good, say("%1 is done", nameOf(trial))}
+            ? Verdict{Severity::Good, say("%1: %2", nameOf(trial), resultOf(trial))}
             : Verdict{Severity::Danger, say("%1 was stopped: %2, %3", nameOf(trial), trial.reason, trial.detail)};
     };
     run(order.device, story, finished);

@@ -136,7 +136,8 @@ TEST_F(TrialCore, TunesAnOvershootingUnitInOneOrderAndAgainFromTheModelWithoutPu
     plan.taking = (*tuned)->taking;
     ASSERT_TRUE(tune(plan));
     EXPECT_EQ((*tuned)->result, tuning::TuneResult::Kept) << (*tuned)->evidence;
-    EXPECT_EQ((*tuned)->trials.size(), 2U) << "a step each way, no pushes";
+    EXPECT_GE((*tuned)->trials.size(), 2U) << "a step each way";
+    EXPECT_LE((*tuned)->trials.size(), 4U) << "and once more where the proof bettered the gains, but no pushes";
     EXPECT_LT((*tuned)->measured.overshoot.value_or(1.0), 0.05);
     EXPECT_NE(stored(), before);
     EXPECT_FALSE(isOutputOn());

@@ -79,9 +79,31 @@ protected:
     std::unique_ptr<EngineCore> core;
     std::unique_ptr<ServiceRoom> room;
 
+    /// The row whose self-test waits for arming.
+    [[nodiscard]] service::QueueRow waiting() const
+    {
+        for (const service::QueueRow &row : room->view().rows) {
+            if (row.state == service::RowState::Running)
+                return row;
+        }
+        return {};
+    }
+    /// With a window that watches over the motors.
+    [[nodiscard]] bool renewedUntil(const std::function<bool()> &is)
+    {
+        return clock.runUntil(
+            [&] {
+                room->renew();
+                return is();
+            },
+            5min);
+    }
+
     const QByteArray plain = R"({"recipe":1,"name":"look","family":"dmc60c"})";
     const QByteArray moving = R"({"recipe":1,"name":"turn","family":"dmc60c","test":{"loop":"velocity","to":2000,
 "limits":{"travel":20000,"speed":20000,"duty":0.5,"current":40},"accept":{"overshoot":9}}})";
+    const QByteArray failing = R"({"recipe":1,"name":"strict","family":"dmc60c","test":{"loop":"velocity","to":2000,
+"limits":{"travel":20000,"speed":20000,"duty":0.5,"current":40},"accept":{"settle":0.001}}})";
 };
 
 TEST_F(Served, EveryUnitOfALinkAndTheEngineLeavesItAloneMeanwhile)
@@ -120,18 +142,71 @@ TEST_F(Served, TheSameLinkAgainAndARetryOfNothingGivesItBack)
 TEST_F(Served, NothingTurnsUnlessItIsArmed)
 {
     ASSERT_TRUE(room->begin({recipe(moving), {"sim:can"}, std::nullopt}));
-    bool moved = false;
-    ASSERT_TRUE(clock.runUntil(
-        [&] {
-            moved = moved || anyMoves();
-            return !room->view().running;
-        },
-        20min));
-    EXPECT_FALSE(moved);
-    EXPECT_EQ(room->view().counts.passed, 0);
-    const ServiceView view = room->view();
-    EXPECT_TRUE(std::any_of(view.rows.begin(), view.rows.end(),
-        [](const service::QueueRow &row) { return row.visit.cause.english().find("not armed") != std::string::npos; }));
+    EXPECT_FALSE(clock.runUntil([this] { return anyMoves() || !room->view().running; }, 20min));
+    EXPECT_TRUE(room->view().waits);
+    EXPECT_EQ(waiting().visit.step, service::Step::Test);
+    EXPECT_EQ(waiting().what.english(), "waits until the station is armed");
+    EXPECT_TRUE(waiting().mayInterrupt);
+    EXPECT_EQ(room->view().counts.failed, 0);
+    room->cancel();
+    ASSERT_TRUE(clock.runUntil([this] { return !room->view().running; }, 1min));
+    EXPECT_EQ(room->view().counts.passed + room->view().counts.failed, 0) << "it goes on when it is resumed";
+    EXPECT_FALSE(room->view().waits);
+}
+
+TEST_F(Served, WhoWaitsForArmingGoesOnByItselfAndWhoComesAfterAFailWaits)
+{
+    ASSERT_TRUE(room->begin({recipe(failing), {"sim:can"}, std::nullopt}));
+    ASSERT_TRUE(clock.runUntil([this] { return room->view().waits; }, 5min));
+    clock.advance(1min);
+    const std::uint32_t first = waiting().id;
+    room->arm(true);
+    EXPECT_FALSE(room->view().waits);
+    ASSERT_TRUE(renewedUntil([this] { return room->view().counts.failed == 1; }));
+    EXPECT_FALSE(room->view().armed) << "FAIL disarms";
+    ASSERT_TRUE(renewedUntil([this] { return room->view().waits; }));
+    EXPECT_NE(waiting().id, first);
+    clock.advance(1min);
+    EXPECT_EQ(room->view().counts.failed, 1) << "the next waits, and has not failed";
+    room->arm(true);
+    ASSERT_TRUE(renewedUntil([this] { return !room->view().running; }));
+    EXPECT_EQ(room->view().counts.failed, 2);
+    for (const service::QueueRow &row : room->view().rows) {
+        if (row.state == service::RowState::Failed) {
+            EXPECT_NE(row.visit.cause.english().find("settle"), std::string::npos) << row.visit.cause.english();
+        }
+    }
+}
+
+TEST_F(Served, DisarmedInTheLastThreeSecondsItWaitsAgain)
+{
+    ASSERT_TRUE(room->begin({recipe(moving), {"sim:can"}, std::nullopt}));
+    room->arm(true);
+    ASSERT_TRUE(clock.runUntil([this] { return room->view().announces; }, 5min));
+    room->arm(false);
+    ASSERT_FALSE(clock.runUntil([this] { return anyMoves(); }, 1min));
+    EXPECT_TRUE(room->view().waits);
+    EXPECT_FALSE(room->view().announces);
+    EXPECT_EQ(room->view().counts.failed, 0);
+    room->arm(true);
+    EXPECT_TRUE(renewedUntil([this] { return anyMoves(); }));
+}
+
+TEST_F(Served, AUnitThatIsTakenOffWhileItWaitsForArmingHasFailedForThat)
+{
+    ASSERT_TRUE(room->begin({recipe(moving), {"sim:can"}, std::nullopt}));
+    ASSERT_TRUE(clock.runUntil([this] { return room->view().waits; }, 5min));
+    const std::uint32_t first = waiting().id;
+    const int address = core->session().find(waiting().device)->identity().address;
+    for (Simulator *unit : core->session().bench(*core->session().links().front())->simulators()) {
+        if (unit->name() == "dmc60c:" + std::to_string(address))
+            unit->setPowered(false);
+    }
+    ASSERT_TRUE(clock.runUntil([this] { return room->view().counts.failed == 1; }, 1min));
+    const service::QueueRow row = room->view().rows.front();
+    EXPECT_EQ(row.id, first);
+    EXPECT_NE(row.visit.cause.english().find("taken off"), std::string::npos) << row.visit.cause.english();
+    ASSERT_TRUE(clock.runUntil([this] { return room->view().waits; }, 1min)) << "and the rest goes on";
 }
 
 TEST_F(Served, ArmedItSaysSoThreeSecondsBeforeAMotorTurns)

@@ -3,14 +3,21 @@
 #include "windowbench.h"
 
 #include "app/about.h"
+#include "app/guardian/client/guardianprocess.h"
+#include "app/guardiancheck.h"
 #include "app/languages.h"
 #include "app/preferences.h"
 #include "support/windowtests.h"
 #include "widgets/common/segmented.h"
+#include "widgets/control/tunepage.h"
+#include "widgets/control/tuneplot.h"
 #include "widgets/plots/sampleswindow.h"
+#include "widgets/service/productionpage.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPlainTextEdit>
@@ -54,6 +61,9 @@ private Q_SLOTS:
     void anotherLanguageIsSpokenAtOnceOnTheSamePageAndDevice_data();
     void anotherLanguageIsSpokenAtOnceOnTheSamePageAndDevice();
     void theLanguagesAreThoseThatAreTranslatedEachInItsOwnWord();
+    void unitsAndSoundsAreThePersonsChoice();
+    void theGuardianIsChecked();
+    void theThemeMayBeTheDesktops();
     void nothingChangesWhileAMotorIsArmed();
     void aCommandIsFoundByItsNameAndRun();
     void recordedSamplesOpenInAWindowOfTheirOwn();
@@ -107,6 +117,63 @@ void ProgramTest::theLanguagesAreThoseThatAreTranslatedEachInItsOwnWord()
     QVERIFY(!refused);
     QCOMPARE(QString::fromStdString(refused.error().detail.english()),
         QStringLiteral("--language takes one of de, en, es, fr, ja, zh"));
+}
+
+void ProgramTest::unitsAndSoundsAreThePersonsChoice()
+{
+    WindowBench bench;
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
+    bench.select(WindowBench::tuned);
+    const auto revolutions = [&bench] {
+        auto &plot = *bench.page<TunePage>(PageId::Tune).findChild<TunePlot *>();
+        for (Segmented *choice : plot.findChildren<Segmented *>()) {
+            if (choice->accessibleName() == QStringLiteral("Units"))
+                return choice->current() == 1;
+        }
+        return false;
+    };
+    QVERIFY(!revolutions());
+    QTest::keyClick(&bench.window(), Qt::Key_Comma, Qt::ControlModifier);
+    auto *dialog = bench.window().findChild<Preferences *>();
+    auto *units = dialog->findChildren<QComboBox *>().at(3);
+    units->setCurrentIndex(units->findData(true));
+    for (QCheckBox *box : dialog->findChildren<QCheckBox *>())
+        box->setChecked(box->accessibleName() != QStringLiteral("Sounds") && box->isChecked());
+    dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok)->click();
+    QTRY_VERIFY_WITH_TIMEOUT(revolutions(), patience); // in the window that is made anew
+    QVERIFY(!bench.part<ProductionPage>().findChild<QCheckBox *>(QStringLiteral("sound"))->isChecked());
+}
+
+void ProgramTest::theGuardianIsChecked()
+{
+    GuardianCheck there(QString::fromStdString(guardianBesideThisProgram()));
+    there.check();
+    auto *words = there.findChild<QLabel *>();
+    QTRY_COMPARE_WITH_TIMEOUT(words->text(), QStringLiteral("It is in place and runs."), patience);
+    QCOMPARE(words->accessibleName(), words->text());
+    GuardianCheck missing(QStringLiteral("/nonexistent/guardian"));
+    missing.check();
+    QTRY_VERIFY_WITH_TIMEOUT(
+        missing.findChild<QLabel *>()->text().startsWith(QStringLiteral("/nonexistent/guardian cannot be started")),
+        patience);
+    GuardianCheck another(QStringLiteral("/bin/true"));
+    another.check();
+    QTRY_COMPARE_WITH_TIMEOUT(
+        another.findChild<QLabel *>()->text(), QStringLiteral("/bin/true does not run as it should."), patience);
+}
+
+void ProgramTest::theThemeMayBeTheDesktops()
+{
+    WindowBench bench;
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
+    choosePreference(bench, 0, QStringLiteral("contrast"));
+    QTRY_COMPARE_WITH_TIMEOUT(QApplication::palette().color(QPalette::Window), QColor(Qt::black), patience);
+    QCOMPARE(QApplication::palette().color(QPalette::WindowText), QColor(Qt::white));
+    keepPicture(bench.window(), QStringLiteral("contrast"));
+    choosePreference(bench, 0, QStringLiteral("system"));
+    QTRY_COMPARE_WITH_TIMEOUT(QApplication::palette().color(QPalette::Window).name(), QStringLiteral("#efefef"),
+        patience); // Qt's own, without a desktop
+    keepPicture(bench.window(), QStringLiteral("system"));
 }
 
 void ProgramTest::nothingChangesWhileAMotorIsArmed()

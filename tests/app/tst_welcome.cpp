@@ -4,6 +4,7 @@
 
 #include "app/firmwareshelf.h"
 #include "app/helpdesk.h"
+#include "app/keydesk.h"
 #include "app/welcome.h"
 #include "support/windowtests.h"
 #include "widgets/connection/addlinkdialog.h"
@@ -60,6 +61,7 @@ private Q_SLOTS:
     void theOfferStandsOnTheOverviewOnly();
     void aStoryIsPlayedToItsEnd();
     void aStoryOfTheStartPageOpensTheBench();
+    void aStoryNamesTheKeysAsTheyAre();
     void firmwareOnDiskIsCheckedAndOpened();
     void everyPageHasItsHelp();
     void everyFormHasItsHelp();
@@ -159,6 +161,27 @@ void WelcomeTest::aStoryOfTheStartPageOpensTheBench()
     qobject_cast<FirmwarePage *>(window.page(PageId::Firmware))->startUpdate();
     QTRY_VERIFY_WITH_TIMEOUT(guide.step() >= 2, patience);
     QTRY_VERIFY_WITH_TIMEOUT(guide.isDone(), tuningTime);
+}
+
+void WelcomeTest::aStoryNamesTheKeysAsTheyAre()
+{
+    WindowBench bench;
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
+    Guide &guide = bench.part<Welcome>().guide();
+    auto &words = *stripOf(bench.window(), "guide").findChild<QLabel *>(QStringLiteral("guideWords"));
+    guide.begin(stories().front());
+    bench.select(7);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.device(7)->mayNotMove.empty(), patience);
+    bench.arming().arm(bench.device(7)->id);
+    QTRY_COMPARE_WITH_TIMEOUT(guide.step(), std::size_t(2), patience);
+    QVERIFY2(words.text().startsWith(QStringLiteral("Press F5:")), qPrintable(words.text()));
+    auto &desk = *bench.window().findChild<KeyDesk *>();
+    desk.use({{QStringLiteral("TunePage/F5"), {QKeySequence(QStringLiteral("Ctrl+J"))}}});
+    QVERIFY2(words.text().startsWith(QStringLiteral("Press Ctrl+J:")), qPrintable(words.text()));
+    desk.use({{QStringLiteral("TunePage/F5"), {}}});
+    QVERIFY2(words.text().startsWith(QStringLiteral("Press the button:")), qPrintable(words.text()));
+    desk.use({});
+    QVERIFY2(words.text().startsWith(QStringLiteral("Press F5:")), qPrintable(words.text()));
 }
 
 void WelcomeTest::firmwareOnDiskIsCheckedAndOpened()

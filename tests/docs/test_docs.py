@@ -132,6 +132,13 @@ class Docs(unittest.TestCase):
         checked = subprocess.run([SOURCE / "scripts" / "drawings", "--check"], capture_output=True, text=True, check=False)
         self.assertEqual(checked.returncode, 0, checked.stderr)
 
+    def test_every_picture_is_made_by_a_script(self):
+        listed = subprocess.run([SOURCE / "scripts" / "pictures", "--list"], capture_output=True, text=True, check=True).stdout.split()
+        self.assertEqual(sorted(listed), sorted(picture.stem for picture in (SOURCE / "docs" / "pictures").glob("*.png")))
+        shown = "".join(page.read_text(encoding="utf-8") for page in pages())
+        for name in listed:
+            self.assertIn(f"pictures/{name}.png", shown)
+
     def test_the_pages_that_people_are_led_to_are_there(self):
         for name in ("first-hour", "tuning", "service", "safety", "files", "troubleshooting", "hardware/dmc60c", "hardware/supermodified",
                      "hardware/abstractdc", "hardware/quadquad2drv"):
