@@ -17,7 +17,6 @@
 #include <QDir>
 #include <QSocketNotifier>
 #include <QStandardPaths>
-#include <QSysInfo>
 #include <QThread>
 
 namespace mb {
@@ -47,7 +46,7 @@ struct Engine::Room {
         , settingsLog(owner.m_store, owner.m_toEngine)
         , serviceJournal(owner.m_store, owner.m_toEngine)
         , core(clock, families, opensByItself, &guardian)
-        , service(core, {serviceJournal, &settingsLog, &journal, QSysInfo::machineHostName().toStdString()})
+        , service(core, {serviceJournal, &settingsLog, &journal, hostName()})
         , sleepGuard(core.session(), clock, inhibitor, [this] { return service.mustStayAwake(); })
         , arrivals(owner.m_toEngine.descriptor(), QSocketNotifier::Read)
         , watch(clock)

@@ -48,7 +48,7 @@ public:
     void followService(
         std::function<void(const ServiceView &)> viewed, std::function<void(const service::Visit &)> ended);
 
-    /// As ServiceDesk::keepJournal(); nothing is served meanwhile.
+    /// As ServiceDesk::keepJournal(); nothing is served meanwhile. From any thread.
     void keepJournal(JournalPlace place) { m_store.keepJournal(std::move(place)); }
     /// From now on, here: how many entries the journal's server has not got, and why. Before keepJournal().
     void followJournal(std::function<void(int waiting, const Message &trouble)> told);

@@ -2,10 +2,10 @@
 #include "app/servicedoor.h"
 
 #include "app/engine/serviceroom.h"
+#include "app/folders/account.h"
 #include "storage/visitjson.h"
 
 #include <QPointer>
-#include <QSysInfo>
 
 namespace mb {
 namespace {
@@ -56,24 +56,30 @@ ServiceDoor::ServiceDoor(Engine &engine)
         self->m_journal.trouble = trouble;
         Q_EMIT self->changed();
     });
-    m_journal.station = QSysInfo::machineHostName().toStdString();
+    m_journal.station = hostName();
 }
 
 void ServiceDoor::keepJournal(const std::string &server, const std::string &station, Finished finished)
 {
-    JournalPlace place{station.empty() ? QSysInfo::machineHostName().toStdString() : station, {}};
+    JournalPlace place{station.empty() ? hostName() : station, {}};
     if (!server.empty()) {
         auto parsed = JournalServer::parse(server);
         if (!parsed)
             return finished(fail(parsed.error()));
         place.server = std::move(*parsed);
     }
-    m_engine.askService([name = place.station](ServiceRoom &room) { return room.setStation(name); },
-        [this, self = QPointer<ServiceDoor>(this), server, given = station, place, finished = std::move(finished)](
-            const Result<void> &result) {
+    m_engine.askService(
+        [engine = &m_engine, place](ServiceRoom &room) {
+            const Result<void> taken = room.setStation(place.station);
+            if (taken)
+                engine->keepJournal(place); // before any unit of this station is written down
+            return taken;
+        },
+        [this, self = QPointer<ServiceDoor>(this), server, given = station, name = place.station,
+            finished = std::move(finished)](const Result<void> &result) {
             if (self && result) {
-                m_journal = {server, place.station, 0, {}};
-                m_engine.keepJournal(place);
+                m_journal.server = server;
+                m_journal.station = name;
                 Q_EMIT changed();
                 Q_EMIT journalKept(QString::fromStdString(server), QString::fromStdString(given));
             }

@@ -23,11 +23,7 @@ struct Look {
     bool revolutions = false;   ///< rpm and degrees rather than counts, where nobody has chosen otherwise
     bool sounds = true;         ///< with every verdict in production
 
-    friend bool operator==(const Look &a, const Look &b)
-    {
-        return a.theme == b.theme && a.language == b.language && a.fontScale == b.fontScale
-            && a.reducedMotion == b.reducedMotion && a.revolutions == b.revolutions && a.sounds == b.sounds;
-    }
+    friend bool operator==(const Look &, const Look &) = default;
 };
 
 /// What the program remembers between runs. A demo or a test keeps nothing beyond its own end: make it without a store.

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/trialstore.h"
 
+#include "app/folders/account.h"
 #include "async/event.h"
 #include "transport/qtclock.h"
 #include "transport/workerthreads.h"
 
 #include <QSocketNotifier>
-#include <QSysInfo>
 #include <QThread>
 
 namespace mb {
@@ -27,7 +27,7 @@ public:
     explicit Room(TrialStore &store)
         : m_store(store)
         , m_workers(store.m_orders)
-        , m_place{QSysInfo::machineHostName().toStdString(), {}}
+        , m_place{hostName(), {}}
         , m_tasks(m_timers)
     {
     }
@@ -68,7 +68,7 @@ private:
     {
         if (!m_told)
             return;
-        const SharedJournal *shared = m_books ? m_books->shared.get() : nullptr;
+        const SharedJournal *shared = m_books->shared.get();
         m_told(shared ? shared->waiting() : 0, shared ? shared->trouble().detail : Message());
     }
 

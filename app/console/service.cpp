@@ -3,10 +3,9 @@
 #include "app/console/servicedesk.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
+#include "app/folders/account.h"
 #include "async/sleep.h"
 #include "storage/visitjson.h"
-
-#include <QSysInfo>
 
 #include <algorithm>
 #include <cmath>
@@ -212,7 +211,7 @@ Task<int> serve(Console &console, Arguments a)
     const auto plan = check(console, a);
     if (!plan)
         co_return fail(plan.error());
-    const std::string station = a.station.empty() ? QSysInfo::machineHostName().toStdString() : a.station;
+    const std::string station = a.station.empty() ? hostName() : a.station;
     const auto desk = ServiceDesk::open(console, station, a.journal);
     if (!desk)
         co_return fail(desk.error());

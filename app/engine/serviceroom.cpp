@@ -76,7 +76,6 @@ Result<void> ServiceRoom::begin(const ServiceDesk::Plan &plan)
     return {};
 }
 
-/// All of them or none.
 Result<void> ServiceRoom::setStation(std::string name)
 {
     if (isRunning())
@@ -85,6 +84,7 @@ Result<void> ServiceRoom::setStation(std::string name)
     return {};
 }
 
+/// All of them or none.
 Result<void> ServiceRoom::lendAll()
 {
     std::vector<Link *> lent;

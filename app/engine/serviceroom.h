@@ -24,7 +24,7 @@ public:
 
     /// As ServiceDesk::begin(). Timeout when a link is not there, or busy.
     [[nodiscard]] Result<void> begin(const ServiceDesk::Plan &plan);
-    /// Name of this station in the journal. Refused while units are served.
+    /// Name of this station in the journal. Unsafe while units are served.
     [[nodiscard]] Result<void> setStation(std::string name);
     void pause(bool on);
     void skip(std::uint32_t row);

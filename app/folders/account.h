@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QSysInfo>
+
 #include <pwd.h>
 #include <unistd.h>
 
@@ -13,6 +15,12 @@ namespace mb {
 {
     const passwd *const entry = ::getpwuid(::getuid());
     return entry && entry->pw_name ? std::string(entry->pw_name) : std::to_string(::getuid());
+}
+
+/// Of this computer, as journals name a station that nobody has named.
+[[nodiscard]] inline std::string hostName()
+{
+    return QSysInfo::machineHostName().toStdString();
 }
 
 } // namespace mb

@@ -10,6 +10,8 @@
 namespace mb::service {
 namespace {
 
+constexpr std::string_view atLineLiteral = "line %1: %2";
+
 /// Walks a text that is known to be JSON.
 class Walk {
 public:
@@ -122,6 +124,24 @@ JsonLines linesOf(const QByteArray &text)
 int lineAt(const QByteArray &text, int offset)
 {
     return 1 + static_cast<int>(std::count(text.begin(), text.begin() + std::clamp(offset, 0, text.size()), '\n'));
+}
+
+Message atLine(int line, const Message &mistake)
+{
+    return say("line %1: %2", line, mistake);
+}
+
+std::optional<int> lineOf(const Message &mistake)
+{
+    const auto parts = mistake.arguments();
+    if (mistake.literal() == atLineLiteral)
+        return static_cast<int>(std::get<std::int64_t>(parts.front().value));
+    for (const MessageArgument &part : parts) {
+        const auto *const inside = std::get_if<Message>(&part.value);
+        if (const auto line = inside ? lineOf(*inside) : std::nullopt)
+            return line;
+    }
+    return {};
 }
 
 } // namespace mb::service

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/message.h"
+
 #include <QByteArray>
 
 #include <map>
+#include <optional>
 #include <string>
 
 namespace mb::service {
@@ -21,5 +24,9 @@ struct JsonLines {
 [[nodiscard]] JsonLines linesOf(const QByteArray &text);
 /// The line of a place in a text, counted from 1.
 [[nodiscard]] int lineAt(const QByteArray &text, int offset);
+/// "line 7: unknown key 'nmae'": how every mistake of a recipe is told.
+[[nodiscard]] Message atLine(int line, const Message &mistake);
+/// The line that atLine() has put before a mistake, also where more stands before that; nothing: it has none.
+[[nodiscard]] std::optional<int> lineOf(const Message &mistake);
 
 } // namespace mb::service

@@ -63,7 +63,7 @@ private:
     void wrong(const std::string &path, const Message &cause, Message remedy = {})
     {
         if (!m_error)
-            m_error = Error{Fault::OutOfRange, say("line %1: %2", m_lines.of(path), cause), std::move(remedy)};
+            m_error = Error{Fault::OutOfRange, atLine(m_lines.of(path), cause), std::move(remedy)};
     }
     static std::string pathOf(const std::string &path, const char *key)
     {
@@ -262,10 +262,10 @@ Result<Recipe> parseRecipe(const QByteArray &text, std::span<const Family *const
     const QJsonDocument document = QJsonDocument::fromJson(text, &mistake);
     if (document.isNull())
         return fail(Fault::OutOfRange,
-            say("line %1: %2", lineAt(text, mistake.offset), mistake.errorString().toStdString()),
+            atLine(lineAt(text, mistake.offset), Message::verbatim(mistake.errorString().toStdString())),
             say("a recipe is a JSON object"));
     if (!document.isObject())
-        return fail(Fault::OutOfRange, say("line 1: a recipe is a JSON object"), say("it begins with {"));
+        return fail(Fault::OutOfRange, atLine(1, say("a recipe is a JSON object")), say("it begins with {"));
     return Reader(text, families).read(document.object());
 }
 

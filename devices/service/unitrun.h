@@ -4,6 +4,7 @@
 #include "model/family.h"
 #include "model/parametertransfer.h"
 #include "model/setpointstream.h"
+#include "service/selftest.h"
 #include "service/servicesurroundings.h"
 
 namespace mb::service {
@@ -40,6 +41,7 @@ private:
 
     [[nodiscard]] Task<void> meet();
     [[nodiscard]] Task<UpdateReport> runUpdate();
+    [[nodiscard]] Task<TestFinding> testOnce();
     [[nodiscard]] Task<int> reserve();
     [[nodiscard]] Task<void> readAll();
     [[nodiscard]] std::vector<ParameterChange> missing() const;

@@ -13,6 +13,8 @@
 
 #include <QFile>
 
+#include <functional>
+
 namespace mb::test {
 
 /// Simulated units of one family on one bus, in virtual time; each has its own supply, and is put on and off by its place.
@@ -72,9 +74,12 @@ public:
     [[nodiscard]] Task<void> beforeMotion(const Device &, const service::SelfTest &, Progress &) override
     {
         ++count;
+        if (asked)
+            asked();
         co_return {};
     }
     int count = 0;
+    std::function<void()> asked;
 };
 
 /// The books of one station in a file of their own, and recipes beside it.

@@ -92,6 +92,51 @@ TEST_F(ServiceQueues, OneUnitGoesThroughEveryStep)
     EXPECT_EQ(found->front()->identity().address, 10);
 }
 
+/// A wire that loses frames while the motor turns, as often as it is asked to.
+class LossyTests : public ServiceQueues {
+protected:
+    /// The visit of one unit whose first tests lose samples.
+    Visit serve(int lossyTests)
+    {
+        UnitRack rack({"dmc60c:5,serial=210334000001,firmware=1.23"});
+        QueueRun run(rack, *books, load(rack, shortText));
+        Bench &bench = *rack.session->bench(*rack.link);
+        Timer lossy(rack.clock);
+        Timer whole(rack.clock);
+        run.permit.asked = [&] {
+            if (run.permit.count > lossyTests)
+                return;
+            lossy.startIn(300ms, [&] { bench.setLoss(0.3); });
+            whole.startIn(700ms, [&] { bench.setLoss(0.0); });
+        };
+        EXPECT_TRUE(run.run());
+        asked = run.permit.count;
+        const auto visits = books->visits();
+        print(visits);
+        EXPECT_EQ(visits.size(), 1U);
+        return visits.empty() ? Visit() : visits.front();
+    }
+    int asked = 0;
+};
+
+TEST_F(LossyTests, AreDoneAgainEachAnnouncedAndTheJournalSaysSo)
+{
+    const Visit visit = serve(1);
+    EXPECT_EQ(visit.outcome, Outcome::Passed);
+    EXPECT_EQ(asked, 2);
+    EXPECT_NE(visit.evidence.english().find("at attempt 2: samples were lost before"), std::string::npos)
+        << visit.evidence.english();
+}
+
+TEST_F(LossyTests, FailTheUnitWhenEveryOneOfThreeLosesSamples)
+{
+    const Visit visit = serve(3);
+    EXPECT_EQ(visit.outcome, Outcome::Failed);
+    EXPECT_EQ(visit.step, Step::Test);
+    EXPECT_EQ(asked, 3);
+    EXPECT_EQ(visit.cause.english().find("the unit was not heard during the self-test"), 0U) << visit.cause.english();
+}
+
 TEST_F(ServiceQueues, ADuplicateIsRefusedInItsRowsAndTheRestGoesOn)
 {
     UnitRack rack({"dmc60c:5,serial=210334000001,session=0x1111", "dmc60c:5,serial=210334000002,session=0x2222",

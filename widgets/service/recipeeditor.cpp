@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/service/recipeeditor.h"
 
+#include "files/filebytes.h"
 #include "service/jsonlines.h"
 #include "service/recipematter.h"
 #include "service/reciperead.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/spoken.h"
 #include "widgets/service/recipeform.h"
 
-#include <QAccessible>
 #include <QDir>
 #include <QFileDialog>
 #include <QHBoxLayout>
+#include <QMessageBox>
 #include <QPlainTextEdit>
-#include <QRegularExpression>
-#include <QSaveFile>
+#include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
 #include <QShortcut>
@@ -28,7 +29,7 @@ constexpr int editorWidth = 1020; // u
 constexpr int editorHeight = 660;
 constexpr int widthForBoth = 860; // less: the file stands below the fields
 constexpr int screenMargin = 48;  // for the frame
-constexpr qint64 mostBytes = 1 << 20;
+constexpr std::int64_t mostBytes = 1 << 20;
 
 /// Each line with its number before it, as a mistake names it.
 QString numbered(const QByteArray &text)
@@ -38,13 +39,6 @@ QString numbered(const QByteArray &text)
     for (const QString &each : QString::fromUtf8(text).trimmed().split(QLatin1Char('\n')))
         out += QStringLiteral("%1  %2\n").arg(++line, 3).arg(each);
     return out.trimmed().isEmpty() ? QString() : out;
-}
-
-std::optional<int> lineOf(const Error &error)
-{
-    static const QRegularExpression line(QStringLiteral("line (\\d+):"));
-    const auto found = line.match(QString::fromStdString(error.detail.english()));
-    return found.hasMatch() ? std::optional(found.captured(1).toInt()) : std::nullopt;
 }
 
 } // namespace
@@ -67,6 +61,7 @@ RecipeEditor::RecipeEditor(
     buildBody();
     buildFoot();
     m_form->setFolder(folder);
+    m_kept = m_form->text();
     connect(m_form, &RecipeForm::changed, this, &RecipeEditor::check);
     check();
 }
@@ -118,19 +113,56 @@ void RecipeEditor::resizeEvent(QResizeEvent *event)
     QDialog::resizeEvent(event);
 }
 
+void RecipeEditor::changeEvent(QEvent *event)
+{
+    QDialog::changeEvent(event);
+    if (event->type() == QEvent::StyleChange && m_text) // another theme
+        mark();
+}
+
+bool RecipeEditor::isUnsaved() const
+{
+    return m_form->text() != m_kept;
+}
+
+void RecipeEditor::reject()
+{
+    if (!isUnsaved())
+        QDialog::reject();
+    else if (m_question)
+        m_question->raise();
+    else
+        askToDiscard();
+}
+
+void RecipeEditor::askToDiscard()
+{
+    m_question = new QMessageBox(
+        QMessageBox::Warning, windowTitle(), tr("This recipe is not saved."), QMessageBox::NoButton, this);
+    m_question->setAttribute(Qt::WA_DeleteOnClose);
+    QPushButton *const leave = m_question->addButton(tr("Discard it"), QMessageBox::DestructiveRole);
+    QPushButton *const stay = m_question->addButton(tr("Go on writing"), QMessageBox::RejectRole);
+    for (QPushButton *const button : {leave, stay})
+        button->setAccessibleName(button->text());
+    m_question->setDefaultButton(stay);
+    m_question->setEscapeButton(stay);
+    connect(leave, &QPushButton::clicked, this, [this] { QDialog::reject(); });
+    m_question->open();
+}
+
 Result<void> RecipeEditor::open(const QString &path)
 {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return fail(Fault::OutOfRange, say("%1: %2", path.toStdString(), file.errorString().toStdString()));
-    const QByteArray text = file.read(mostBytes);
-    const auto recipe = service::parseRecipe(text, m_families);
+    const auto text = loadFile(path.toStdString(), mostBytes);
+    if (!text)
+        return fail(text.error());
+    const auto recipe = service::parseRecipe(*text, m_families);
     if (!recipe)
         return fail(recipe.error().about(path.toStdString()));
     m_path = QFileInfo(path).absoluteFilePath();
     setWindowTitle(tr("Recipe %1").arg(QFileInfo(path).fileName()));
     m_form->setFolder(folder());
-    m_form->setText(text);
+    m_form->setText(*text);
+    m_kept = m_form->text();
     return {};
 }
 
@@ -151,7 +183,7 @@ std::optional<Error> RecipeEditor::mistakeIn(const QByteArray &text, const QStri
         if (matter)
             return {};
         Error error = matter.error();
-        error.detail = say("line %1: %2", lines.of(key), error.detail);
+        error.detail = service::atLine(lines.of(key), error.detail);
         return error;
     };
     service::Recipe firmware = *recipe;
@@ -173,8 +205,13 @@ void RecipeEditor::tell(const std::optional<Error> &problem)
     m_problem = problem;
     speak(problem);
     m_save->setEnabled(!problem);
+    mark();
+}
+
+void RecipeEditor::mark()
+{
     QList<QTextEdit::ExtraSelection> marks;
-    if (const auto line = problem ? lineOf(*problem) : std::nullopt) {
+    if (const auto line = m_problem ? service::lineOf(m_problem->detail) : std::nullopt) {
         QTextEdit::ExtraSelection mark;
         mark.cursor = QTextCursor(m_text->document()->findBlockByNumber(*line - 1));
         mark.format.setProperty(QTextFormat::FullWidthSelection, true);
@@ -190,8 +227,7 @@ void RecipeEditor::speak(const std::optional<Error> &problem)
 {
     m_words->setText(problem ? errorText(*problem) : QString());
     setTone(*m_words, problem ? Tone::Danger : Tone::Text);
-    QAccessibleEvent event(m_words, QAccessible::NameChanged);
-    QAccessible::updateAccessibility(&event);
+    setSpoken(*m_words, problem ? m_words->text() : tr("No mistake in the recipe"), {});
 }
 
 QString RecipeEditor::problem() const
@@ -226,11 +262,11 @@ bool RecipeEditor::saveAs(const QString &path)
         speak(mistake); // it may be none in another folder
         return false;
     }
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit()) {
-        speak(Error{Fault::OutOfRange, say("%1: %2", path.toStdString(), file.errorString().toStdString()), {}});
+    if (const auto written = saveFile(path.toStdString(), text); !written) {
+        speak(written.error());
         return false;
     }
+    m_kept = text;
     m_path = QFileInfo(path).absoluteFilePath();
     setWindowTitle(tr("Recipe %1").arg(QFileInfo(path).fileName()));
     m_form->setFolder(folder());

@@ -5,12 +5,14 @@
 #include "widgets/common/theme.h"
 
 #include <QDialog>
+#include <QPointer>
 
 #include <optional>
 #include <span>
 
 class QBoxLayout;
 class QLabel;
+class QMessageBox;
 class QPlainTextEdit;
 
 namespace mb {
@@ -38,33 +40,42 @@ public:
     /// What is wrong with the recipe, or why the file was not written, in words; empty: nothing.
     [[nodiscard]] QString problem() const;
     [[nodiscard]] bool canSave() const { return !m_problem; }
+    /// Something is written here that no file has.
+    [[nodiscard]] bool isUnsaved() const;
+    /// Asks first where something would be lost.
+    void reject() override;
 
 Q_SIGNALS:
     void saved(const QString &path);
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
+    void changeEvent(QEvent *event) override;
 
 private:
     void buildBody();
     void buildFoot();
     void check();
     void tell(const std::optional<Error> &problem);
+    void mark();
     void speak(const std::optional<Error> &problem);
     [[nodiscard]] std::optional<Error> mistakeIn(const QByteArray &text, const QString &folder) const;
     [[nodiscard]] QString folder() const;
     void ask();
+    void askToDiscard();
 
     std::span<const Family *const> m_families;
     const ThemeSource &m_theme;
     QString m_folder;
-    QString m_path; ///< empty: of no file yet
+    QString m_path;    ///< empty: of no file yet
+    QByteArray m_kept; ///< as it was opened or saved last
     std::optional<Error> m_problem;
     QBoxLayout *m_body = nullptr;
     RecipeForm *m_form = nullptr;
     QPlainTextEdit *m_text = nullptr;
     QLabel *m_words = nullptr;
     CommandButton *m_save = nullptr;
+    QPointer<QMessageBox> m_question;
 };
 
 } // namespace mb

@@ -201,10 +201,8 @@ void RecipeForm::browse(QLineEdit &edit)
 
 const Family *RecipeForm::family() const
 {
-    const QString key = m_family->currentData().toString();
-    const auto found = std::find_if(
-        m_families.begin(), m_families.end(), [&key](const Family *family) { return qt(family->key) == key; });
-    return found == m_families.end() ? nullptr : *found;
+    const int row = m_family->currentIndex(); // in their order
+    return row < 0 ? nullptr : m_families[static_cast<std::size_t>(row)];
 }
 
 void RecipeForm::followFamily()
