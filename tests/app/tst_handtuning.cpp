@@ -124,8 +124,12 @@ void HandTuningTest::aSluggishLoopIsTunedUntilItStepsWell()
     StimulusChoice stimulus;
     stimulus.to = 5000.0;
     page.chooseStimulus(Mode::Velocity, stimulus);
-    m_bench->engine().send(orders::WriteParameters{
-        drive()->id, {{*findParameter(drive()->family->parameters, "velocity.divisor"), 1'000'000}}});
+    std::optional<Result<void>> written;
+    m_bench->engine().send(orders::WriteParameters{drive()->id,
+                               {{*findParameter(drive()->family->parameters, "velocity.divisor"), 1'000'000}}},
+        [&written](const Result<void> &result) { written = result; });
+    QTRY_VERIFY_WITH_TIMEOUT(written.has_value(), patience); // until then the drive is busy
+    QVERIFY2(written->has_value(), written->has_value() ? "" : written->error().text().c_str());
     const tuning::Trial sluggish = step(2000.0, 60.0);
     const tuning::Trial tuned = step(17700.0, 300.0);
     QCOMPARE(QString::fromStdString(sluggish.reason + ' ' + sluggish.detail.english()), QStringLiteral("done "));
