@@ -78,9 +78,8 @@ void leaveOutBroken(std::vector<PushRecord> &records)
 bool growsSlowly(const std::vector<Trial> &pushes)
 {
     return std::any_of(pushes.begin(), pushes.end(), [](const Trial &trial) {
-        const Signal *const duty = trial.signal("duty");
         return std::any_of(trial.holds.begin(), trial.holds.end(), [&](const Span &hold) {
-            const auto [at, whole] = edgeOf(duty, hold.from, trial.stimulus.to, 0.0);
+            const auto [at, whole] = edgeOf(trial, hold.from, 0.0);
             return whole > at;
         });
     });
@@ -99,7 +98,7 @@ std::vector<PushRecord> pushesOf(const Trial &trial, double friction)
     for (const Span &hold : trial.holds) {
         if (!position || target == 0.0)
             break;
-        const auto [edge, whole] = edgeOf(duty, hold.from, target, friction);
+        const auto [edge, whole] = edgeOf(trial, hold.from, friction);
         PushRecord record;
         record.position = without(position->trace.part(std::min(edge, hold.from) - beforePush, hold.to, edge),
             hold.from - edge, whole - edge);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace mb::tuning {
 namespace {
@@ -11,19 +12,26 @@ constexpr double edgeSearch = 0.5;  ///< s after the order in which the device's
 constexpr double edgeBefore = 0.15; ///< s before it, by another clock
 constexpr double leastShare = 0.05; ///< of the duty ordered
 constexpr double wholeShare = 0.95;
+constexpr int fewestSteps = 2; ///< between, of a duty that grows slowly
 constexpr double mostOfDuty = 0.9; ///< that friction may take, when it is told where a slow push began
 
-/// A push whose duty grows slowly is one that came at once, but later: by what was missing beyond friction (a share of the duty).
+/// What of a duty moves the motor, as a share of all that does: friction takes its share of the target first.
+double movingShare(double duty, double target, double friction)
+{
+    const double held = std::min(friction / std::abs(target), mostOfDuty);
+    return std::clamp((duty / target - held) / (1.0 - held), 0.0, 1.0);
+}
+
+/// A push whose duty grows slowly is one that came at once, but later: by what was missing beyond friction.
 double centre(const Trace &duty, double ordered, std::size_t whole, double target, double friction)
 {
-    const auto moving = [&](double y) { return std::clamp((y / target - friction) / (1.0 - friction), 0.0, 1.0); };
     double missing = 0.0;
     double before = ordered;
     double last = 0.0;
     for (std::size_t i = 0; i <= whole; ++i) {
         if (duty.t[i] <= ordered)
             continue;
-        const double now = moving(duty.y[i]);
+        const double now = movingShare(duty.y[i], target, friction);
         missing += (1.0 - 0.5 * (last + now)) * (duty.t[i] - before);
         before = duty.t[i];
         last = now;
@@ -31,36 +39,69 @@ double centre(const Trace &duty, double ordered, std::size_t whole, double targe
     return ordered + missing;
 }
 
-} // namespace
-
-Edge edgeOf(const Signal *duty, double ordered, double target, double friction)
+/// By samples of the output, each of which may be as old as the one before it.
+Edge edgeOf(const Trace &duty, double ordered, double target, double friction)
 {
-    if (!duty)
-        return {ordered, ordered};
-    const double held = std::min(friction / std::abs(target), mostOfDuty);
-    const Trace &trace = duty->trace;
     int between = 0;
     std::optional<double> half;
-    for (std::size_t i = 1; i < trace.size() && trace.t[i] <= ordered + edgeSearch; ++i) {
-        const double share = trace.y[i] / target;
-        if (trace.t[i] < ordered - edgeBefore || share < leastShare)
+    for (std::size_t i = 1; i < duty.size() && duty.t[i] <= ordered + edgeSearch; ++i) {
+        const double share = duty.y[i] / target;
+        if (duty.t[i] < ordered - edgeBefore || share < leastShare)
             continue;
         if (!half && share >= 0.5)
-            half = std::clamp(ordered, trace.t[i - 1], trace.t[i]);
+            half = std::clamp(ordered, duty.t[i - 1], duty.t[i]);
         if (share >= wholeShare) {
-            if (between < 2)
+            if (between < fewestSteps)
                 return {half.value_or(ordered), half.value_or(ordered)};
-            return {centre(trace, ordered, i, target, held), trace.t[i]};
+            return {centre(duty, ordered, i, target, friction), duty.t[i]};
         }
         ++between;
     }
     return {half.value_or(ordered), half.value_or(ordered)};
 }
 
-double releaseOf(const Signal *duty, double ordered, double target)
+/// By the steps in which the program has led the set-point there; nothing where it has not.
+std::optional<Edge> ledEdge(const Trace &told, double ordered, double target, double friction)
 {
+    int between = 0;
+    double missing = 0.0;
+    double before = ordered;
+    double last = 0.0;
+    for (std::size_t i = 0; i < told.size() && told.t[i] <= ordered + edgeSearch; ++i) {
+        if (told.t[i] < ordered)
+            continue;
+        missing += (1.0 - last) * (told.t[i] - before);
+        before = told.t[i];
+        last = movingShare(told.y[i], target, friction);
+        const double share = told.y[i] / target;
+        if (share >= wholeShare)
+            return between < fewestSteps ? std::nullopt : std::optional(Edge{ordered + missing, told.t[i]});
+        between += share >= leastShare ? 1 : 0;
+    }
+    return {};
+}
+
+} // namespace
+
+Edge edgeOf(const Trial &trial, double ordered, double friction)
+{
+    const Signal *const duty = trial.signal("duty");
+    if (!duty)
+        return {ordered, ordered};
+    const double target = trial.stimulus.to;
+    const Edge sampled = edgeOf(duty->trace, ordered, target, friction);
+    const Signal *const told = trial.signal("setpoint");
+    if (sampled.whole == sampled.at || !told)
+        return sampled;
+    return ledEdge(told->trace, ordered, target, friction).value_or(sampled);
+}
+
+double releaseOf(const Trial &trial, double ordered)
+{
+    const Signal *const duty = trial.signal("duty");
     if (!duty)
         return ordered;
+    const double target = trial.stimulus.to;
     const Trace &trace = duty->trace;
     double area = 0.0; // of the share that is still there, since it was ordered
     double before = ordered;

@@ -43,12 +43,11 @@ std::vector<RollOut> rollOutsOf(const Trial &trial, const PushFit &fit, double f
 {
     std::vector<RollOut> rolls;
     const Signal *const position = trial.signal("position");
-    const Signal *const duty = trial.signal("duty");
     const double target = trial.stimulus.to;
     for (std::size_t i = 0; position && target != 0.0 && i < trial.holds.size(); ++i) {
         const Span &hold = trial.holds[i];
-        const double begin = edgeOf(duty, hold.from, target, friction).at + fit.delay;
-        const double end = releaseOf(duty, hold.to, target) + fit.delay;
+        const double begin = edgeOf(trial, hold.from, friction).at + fit.delay;
+        const double end = releaseOf(trial, hold.to) + fit.delay;
         if (position->trace.isEmpty())
             break;
         const double until = i + 1 < trial.holds.size() ? trial.holds[i + 1].from : position->trace.t.back();
