@@ -78,7 +78,7 @@ void StationLamp::disarm()
     if (!m_desk || !m_desk->view().armed)
         return m_arming.disarm();
     if (tested())
-        m_arming.stopAll(tr("lamp"));
+        m_arming.stopAll(tr("Arm button"));
     m_desk->arm(false);
 }
 

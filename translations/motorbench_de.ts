@@ -1015,8 +1015,8 @@
         <translation>Scharf schalten</translation>
     </message>
     <message>
-        <source>Hold the lamp at the top, SAFE, for one second (or Ctrl+Shift+F12). Nothing moves before. Esc stops, always.</source>
-        <translation>Die Lampe oben eine Sekunde halten (oder Strg+Umschalt+F12). Vorher bewegt sich nichts. Esc stoppt, immer.</translation>
+        <source>Hold the Arm button at the top, SAFE, for one second (or Ctrl+Shift+F12). Nothing moves before. Esc stops, always.</source>
+        <translation>Die Scharf-Taste oben, SICHER, eine Sekunde halten (oder Strg+Umschalt+F12). Vorher bewegt sich nichts. Esc stoppt, immer.</translation>
     </message>
     <message>
         <source>Step</source>
@@ -1035,8 +1035,8 @@
         <translation>Begrenzen</translation>
     </message>
     <message>
-        <source>Hold the lamp at the top for one second (or Ctrl+Shift+F12).</source>
-        <translation>Die Lampe oben eine Sekunde halten (oder Strg+Umschalt+F12).</translation>
+        <source>Hold the Arm button at the top for one second (or Ctrl+Shift+F12).</source>
+        <translation>Die Scharf-Taste oben eine Sekunde halten (oder Strg+Umschalt+F12).</translation>
     </message>
     <message>
         <source>Write</source>
@@ -8512,8 +8512,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>hier dreht sich nichts</translation>
     </message>
     <message>
-        <source>lamp</source>
-        <translation>Lampe</translation>
+        <source>Arm button</source>
+        <translation>Scharf-Taste</translation>
     </message>
 </context>
 <context>

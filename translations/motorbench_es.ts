@@ -1019,8 +1019,8 @@
         <translation>Armar</translation>
     </message>
     <message>
-        <source>Hold the lamp at the top, SAFE, for one second (or Ctrl+Shift+F12). Nothing moves before. Esc stops, always.</source>
-        <translation>Mantenga pulsado un segundo el indicador de arriba, SEGURO (o Ctrl+Mayús+F12). Antes no se mueve nada. Esc detiene todo, en cualquier momento.</translation>
+        <source>Hold the Arm button at the top, SAFE, for one second (or Ctrl+Shift+F12). Nothing moves before. Esc stops, always.</source>
+        <translation>Mantenga pulsado un segundo el botón Armar de arriba, SEGURO (o Ctrl+Mayús+F12). Antes no se mueve nada. Esc detiene todo, en cualquier momento.</translation>
     </message>
     <message>
         <source>Step</source>
@@ -1051,8 +1051,8 @@
         <translation>En la página Parámetros active el límite de corriente (buscar: current_limit), fíjelo en lo que admite el motor y escriba.</translation>
     </message>
     <message>
-        <source>Hold the lamp at the top for one second (or Ctrl+Shift+F12).</source>
-        <translation>Mantenga pulsado un segundo el indicador de arriba (o Ctrl+Mayús+F12).</translation>
+        <source>Hold the Arm button at the top for one second (or Ctrl+Shift+F12).</source>
+        <translation>Mantenga pulsado un segundo el botón Armar de arriba (o Ctrl+Mayús+F12).</translation>
     </message>
     <message>
         <source>15 s after its last change the unit stores by itself. Then press Store and prove on the page Parameters.</source>
@@ -8512,8 +8512,8 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>aquí no gira nada</translation>
     </message>
     <message>
-        <source>lamp</source>
-        <translation>lámpara</translation>
+        <source>Arm button</source>
+        <translation>botón Armar</translation>
     </message>
 </context>
 <context>

@@ -1019,8 +1019,8 @@
         <translation>Armer</translation>
     </message>
     <message>
-        <source>Hold the lamp at the top, SAFE, for one second (or Ctrl+Shift+F12). Nothing moves before. Esc stops, always.</source>
-        <translation>Maintenez le voyant du haut, SÛR, pendant une seconde (ou Ctrl+Maj+F12). Rien ne bouge avant. Esc arrête, toujours.</translation>
+        <source>Hold the Arm button at the top, SAFE, for one second (or Ctrl+Shift+F12). Nothing moves before. Esc stops, always.</source>
+        <translation>Maintenez le bouton Armer en haut, SÛR, pendant une seconde (ou Ctrl+Maj+F12). Rien ne bouge avant. Esc arrête, toujours.</translation>
     </message>
     <message>
         <source>Step</source>
@@ -1051,8 +1051,8 @@
         <translation>Dans la page Paramètres, activez la limite de courant (cherchez&#xa0;: current_limit), réglez-la à ce que le moteur peut supporter, et écrivez.</translation>
     </message>
     <message>
-        <source>Hold the lamp at the top for one second (or Ctrl+Shift+F12).</source>
-        <translation>Maintenez le voyant du haut pendant une seconde (ou Ctrl+Maj+F12).</translation>
+        <source>Hold the Arm button at the top for one second (or Ctrl+Shift+F12).</source>
+        <translation>Maintenez le bouton Armer en haut pendant une seconde (ou Ctrl+Maj+F12).</translation>
     </message>
     <message>
         <source>15 s after its last change the unit stores by itself. Then press Store and prove on the page Parameters.</source>
@@ -8512,8 +8512,8 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>rien ne tourne ici</translation>
     </message>
     <message>
-        <source>lamp</source>
-        <translation>voyant</translation>
+        <source>Arm button</source>
+        <translation>bouton Armer</translation>
     </message>
 </context>
 <context>

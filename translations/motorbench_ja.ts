@@ -1018,8 +1018,8 @@
         <translation>駆動許可</translation>
     </message>
     <message>
-        <source>Hold the lamp at the top, SAFE, for one second (or Ctrl+Shift+F12). Nothing moves before. Esc stops, always.</source>
-        <translation>上部のランプ「安全」を 1 秒間押し続けます (または Ctrl+Shift+F12)。それまでは何も動きません。Esc でいつでも停止します。</translation>
+        <source>Hold the Arm button at the top, SAFE, for one second (or Ctrl+Shift+F12). Nothing moves before. Esc stops, always.</source>
+        <translation>上部の駆動許可ボタン「安全」を 1 秒間押し続けます (または Ctrl+Shift+F12)。それまでは何も動きません。Esc でいつでも停止します。</translation>
     </message>
     <message>
         <source>Step</source>
@@ -1050,8 +1050,8 @@
         <translation>「パラメータ」ページで電流制限をオンにし (検索: current_limit)、モータの許容値に設定して書き込みます。</translation>
     </message>
     <message>
-        <source>Hold the lamp at the top for one second (or Ctrl+Shift+F12).</source>
-        <translation>上部のランプを 1 秒間押し続けます (または Ctrl+Shift+F12)。</translation>
+        <source>Hold the Arm button at the top for one second (or Ctrl+Shift+F12).</source>
+        <translation>上部の駆動許可ボタンを 1 秒間押し続けます (または Ctrl+Shift+F12)。</translation>
     </message>
     <message>
         <source>15 s after its last change the unit stores by itself. Then press Store and prove on the page Parameters.</source>
@@ -8502,8 +8502,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>ここでは何も回りません</translation>
     </message>
     <message>
-        <source>lamp</source>
-        <translation>ランプ</translation>
+        <source>Arm button</source>
+        <translation>駆動許可ボタン</translation>
     </message>
 </context>
 <context>

@@ -1018,8 +1018,8 @@
         <translation>解锁</translation>
     </message>
     <message>
-        <source>Hold the lamp at the top, SAFE, for one second (or Ctrl+Shift+F12). Nothing moves before. Esc stops, always.</source>
-        <translation>按住顶部的指示灯（“安全”）一秒钟（或按 Ctrl+Shift+F12）。在此之前不会有任何运动。Esc 随时停止。</translation>
+        <source>Hold the Arm button at the top, SAFE, for one second (or Ctrl+Shift+F12). Nothing moves before. Esc stops, always.</source>
+        <translation>按住顶部的解锁按钮（“安全”）一秒钟（或按 Ctrl+Shift+F12）。在此之前不会有任何运动。Esc 随时停止。</translation>
     </message>
     <message>
         <source>Step</source>
@@ -1050,8 +1050,8 @@
         <translation>在“参数”页面打开电流限制（搜索：current_limit），设为电机允许的值，然后写入。</translation>
     </message>
     <message>
-        <source>Hold the lamp at the top for one second (or Ctrl+Shift+F12).</source>
-        <translation>按住顶部的指示灯一秒钟（或按 Ctrl+Shift+F12）。</translation>
+        <source>Hold the Arm button at the top for one second (or Ctrl+Shift+F12).</source>
+        <translation>按住顶部的解锁按钮一秒钟（或按 Ctrl+Shift+F12）。</translation>
     </message>
     <message>
         <source>15 s after its last change the unit stores by itself. Then press Store and prove on the page Parameters.</source>
@@ -8502,8 +8502,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>这里没有转动的电机</translation>
     </message>
     <message>
-        <source>lamp</source>
-        <translation>指示灯</translation>
+        <source>Arm button</source>
+        <translation>解锁按钮</translation>
     </message>
 </context>
 <context>
