@@ -12,7 +12,8 @@ constexpr double edgeSearch = 0.5;  ///< s after the order in which the device's
 constexpr double edgeBefore = 0.15; ///< s before it, by another clock
 constexpr double leastShare = 0.05; ///< of the duty ordered
 constexpr double wholeShare = 0.95;
-constexpr int fewestSteps = 2; ///< between, of a duty that grows slowly
+constexpr int fewestSteps = 2;       ///< between, of a duty that grows slowly
+constexpr double laterSamples = 2.0; ///< in which the output shows what it was told
 constexpr double mostOfDuty = 0.9; ///< that friction may take, when it is told where a slow push began
 
 /// What of a duty moves the motor, as a share of all that does: friction takes its share of the target first.
@@ -93,7 +94,9 @@ Edge edgeOf(const Trial &trial, double ordered, double friction)
     const Signal *const told = trial.signal("setpoint");
     if (sampled.whole == sampled.at || !told)
         return sampled;
-    return ledEdge(told->trace, ordered, target, friction).value_or(sampled);
+    const auto led = ledEdge(told->trace, ordered, target, friction);
+    const bool arrived = led && std::abs(sampled.whole - led->whole) <= laterSamples * samplePeriod(duty->trace);
+    return arrived ? Edge{led->at, sampled.whole} : sampled; // else the order of a step was lost on its way
 }
 
 double releaseOf(const Trial &trial, double ordered)

@@ -75,7 +75,7 @@ void storeGains(ParameterBank &bank, StoredGains kind, const MotorParameters &mo
         return;
     const Plant plant = plantOf(motor, load, window);
     const double countsPerRadian = motor.countsPerTurn / (2.0 * std::numbers::pi);
-    const double closedLag = (kind == StoredGains::Tuned ? 1.5 : 0.4) * plant.deadTime;
+    const double closedLag = (kind == StoredGains::Tuned ? 1.5 : 0.25) * plant.deadTime;
     storeVelocity(bank, plant, countsPerRadian, closedLag);
     storePosition(bank, plant, countsPerRadian);
 }
