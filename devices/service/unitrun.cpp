@@ -296,8 +296,8 @@ Task<Message> UnitRun::test()
         auto testing = testOnce();
         finding = co_await std::move(testing);
         ++tries;
-    } while (finding.failure && finding.failure->fault == Fault::LinkLost && m_device.liveness().heard
-        && tries < mostTests);
+    } while (
+        finding.failure && finding.failure->fault == Fault::LinkLost && m_device.liveness().heard && tries < mostTests);
     VisitFilter passed;
     passed.recipe = m_visit.recipe;
     passed.recipeHash = m_visit.recipeHash;

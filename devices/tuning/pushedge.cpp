@@ -14,7 +14,7 @@ constexpr double leastShare = 0.05; ///< of the duty ordered
 constexpr double wholeShare = 0.95;
 constexpr int fewestSteps = 2;       ///< between, of a duty that grows slowly
 constexpr double laterSamples = 2.0; ///< in which the output shows what it was told
-constexpr double mostOfDuty = 0.9; ///< that friction may take, when it is told where a slow push began
+constexpr double mostOfDuty = 0.9;   ///< that friction may take, when it is told where a slow push began
 
 /// What of a duty moves the motor, as a share of all that does: friction takes its share of the target first.
 double movingShare(double duty, double target, double friction)
