@@ -39,7 +39,7 @@ def on_terminal(folder):
     recipe = {"recipe": 1, "name": "kills", "family": "supermodified", "firmware": {"file": "node.hex", "via": "avrdude:arduino:/dev/null"},
               "parameters": {"file": "base.json"},
               "test": {"loop": "position", "to": 200, "time": 0.8, "limits": {"travel": 4000, "speed": 40000, "duty": 1}}}
-    return f"serial:{terminal}?baud=57600", "pty:" + terminal, units, recipe, {"gain.p": {"raw": 77}}
+    return f"serial:{terminal}?baud=57600", "pty:" + terminal, units, recipe, {"gain.p": {"raw": 900}}
 
 
 def on_can(folder, source):
