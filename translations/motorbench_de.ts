@@ -6667,6 +6667,22 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
         <source>Recipes (*.json)</source>
         <translation>Rezepte (*.json)</translation>
     </message>
+    <message>
+        <source>This recipe is not saved.</source>
+        <translation>Dieses Rezept ist nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Discard it</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Go on writing</source>
+        <translation>Weiterschreiben</translation>
+    </message>
+    <message>
+        <source>No mistake in the recipe</source>
+        <translation>Kein Fehler im Rezept</translation>
+    </message>
 </context>
 <context>
     <name>mb::RecipeForm</name>
@@ -16138,10 +16154,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Grenzen %1 … %2</translation>
     </message>
     <message>
-        <source>line 1: a recipe is a JSON object</source>
-        <translation>Zeile 1: ein Rezept ist ein JSON-Objekt</translation>
-    </message>
-    <message>
         <source>look at brushes, plugs and leads, then test again</source>
         <translation>Bürsten, Stecker und Leitungen prüfen, dann erneut prüfen</translation>
     </message>
@@ -16824,6 +16836,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>seed, loss, bitrate and fault are known</source>
         <translation>bekannt sind seed, loss, bitrate und fault</translation>
+    </message>
+    <message>
+        <source>within its limits, at attempt %1: samples were lost before</source>
+        <translation>in seinen Grenzen, beim Versuch %1: vorher gingen Messwerte verloren</translation>
     </message>
 </context>
 </TS>

@@ -6667,6 +6667,22 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
         <source>Recipes (*.json)</source>
         <translation>Recetas (*.json)</translation>
     </message>
+    <message>
+        <source>This recipe is not saved.</source>
+        <translation>Esta receta no está guardada.</translation>
+    </message>
+    <message>
+        <source>Discard it</source>
+        <translation>Descartarla</translation>
+    </message>
+    <message>
+        <source>Go on writing</source>
+        <translation>Seguir escribiendo</translation>
+    </message>
+    <message>
+        <source>No mistake in the recipe</source>
+        <translation>Ningún error en la receta</translation>
+    </message>
 </context>
 <context>
     <name>mb::RecipeForm</name>
@@ -14178,10 +14194,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>línea %1: %2</translation>
     </message>
     <message>
-        <source>line 1: a recipe is a JSON object</source>
-        <translation>línea 1: una receta es un objeto JSON</translation>
-    </message>
-    <message>
         <source>link option %1=%2 is out of range</source>
         <translation>la opción de enlace %1=%2 está fuera de rango</translation>
     </message>
@@ -16824,6 +16836,10 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>seed, loss, bitrate and fault are known</source>
         <translation>se conocen seed, loss, bitrate y fault</translation>
+    </message>
+    <message>
+        <source>within its limits, at attempt %1: samples were lost before</source>
+        <translation>dentro de sus límites, en el intento %1: antes se perdieron muestras</translation>
     </message>
 </context>
 </TS>

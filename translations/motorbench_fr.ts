@@ -6667,6 +6667,22 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
         <source>Recipes (*.json)</source>
         <translation>Recettes (*.json)</translation>
     </message>
+    <message>
+        <source>This recipe is not saved.</source>
+        <translation>Cette recette n’est pas enregistrée.</translation>
+    </message>
+    <message>
+        <source>Discard it</source>
+        <translation>L’abandonner</translation>
+    </message>
+    <message>
+        <source>Go on writing</source>
+        <translation>Continuer à écrire</translation>
+    </message>
+    <message>
+        <source>No mistake in the recipe</source>
+        <translation>Aucune erreur dans la recette</translation>
+    </message>
 </context>
 <context>
     <name>mb::RecipeForm</name>
@@ -14178,10 +14194,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>ligne %1&#xa0;: %2</translation>
     </message>
     <message>
-        <source>line 1: a recipe is a JSON object</source>
-        <translation>ligne 1&#xa0;: une recette est un objet JSON</translation>
-    </message>
-    <message>
         <source>link option %1=%2 is out of range</source>
         <translation>l’option de liaison %1=%2 est hors plage</translation>
     </message>
@@ -16823,7 +16835,11 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>seed, loss, bitrate and fault are known</source>
-        <translation>connus : seed, loss, bitrate et fault</translation>
+        <translation>connus&#xa0;: seed, loss, bitrate et fault</translation>
+    </message>
+    <message>
+        <source>within its limits, at attempt %1: samples were lost before</source>
+        <translation>dans ses limites, à l’essai %1&#xa0;: des échantillons avaient été perdus avant</translation>
     </message>
 </context>
 </TS>

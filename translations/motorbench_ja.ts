@@ -6659,6 +6659,22 @@ double click or End returns to the present · right click for more</source>
         <source>Recipes (*.json)</source>
         <translation>レシピ (*.json)</translation>
     </message>
+    <message>
+        <source>This recipe is not saved.</source>
+        <translation>このレシピは保存されていません。</translation>
+    </message>
+    <message>
+        <source>Discard it</source>
+        <translation>破棄する</translation>
+    </message>
+    <message>
+        <source>Go on writing</source>
+        <translation>編集を続ける</translation>
+    </message>
+    <message>
+        <source>No mistake in the recipe</source>
+        <translation>レシピに誤りはありません</translation>
+    </message>
 </context>
 <context>
     <name>mb::RecipeForm</name>
@@ -14164,10 +14180,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1 行目: %2</translation>
     </message>
     <message>
-        <source>line 1: a recipe is a JSON object</source>
-        <translation>1 行目: レシピは JSON オブジェクトです</translation>
-    </message>
-    <message>
         <source>link option %1=%2 is out of range</source>
         <translation>リンクオプション %1=%2 は範囲外です</translation>
     </message>
@@ -16810,6 +16822,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>seed, loss, bitrate and fault are known</source>
         <translation>使えるのは seed、loss、bitrate、fault です</translation>
+    </message>
+    <message>
+        <source>within its limits, at attempt %1: samples were lost before</source>
+        <translation>%1 回目の試行で限度内: それまでの試行ではサンプルが欠落しました</translation>
     </message>
 </context>
 </TS>

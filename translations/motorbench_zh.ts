@@ -6659,6 +6659,22 @@ double click or End returns to the present · right click for more</source>
         <source>Recipes (*.json)</source>
         <translation>配方 (*.json)</translation>
     </message>
+    <message>
+        <source>This recipe is not saved.</source>
+        <translation>此配方尚未保存。</translation>
+    </message>
+    <message>
+        <source>Discard it</source>
+        <translation>放弃它</translation>
+    </message>
+    <message>
+        <source>Go on writing</source>
+        <translation>继续编写</translation>
+    </message>
+    <message>
+        <source>No mistake in the recipe</source>
+        <translation>配方没有错误</translation>
+    </message>
 </context>
 <context>
     <name>mb::RecipeForm</name>
@@ -14164,10 +14180,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>第 %1 行：%2</translation>
     </message>
     <message>
-        <source>line 1: a recipe is a JSON object</source>
-        <translation>第 1 行：配方是 JSON 对象</translation>
-    </message>
-    <message>
         <source>link option %1=%2 is out of range</source>
         <translation>链路选项 %1=%2 超出范围</translation>
     </message>
@@ -16810,6 +16822,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>seed, loss, bitrate and fault are known</source>
         <translation>已知的有 seed、loss、bitrate 和 fault</translation>
+    </message>
+    <message>
+        <source>within its limits, at attempt %1: samples were lost before</source>
+        <translation>第 %1 次尝试时在限值内：此前有采样丢失</translation>
     </message>
 </context>
 </TS>

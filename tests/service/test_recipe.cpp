@@ -2,6 +2,7 @@
 #include "model/family.h"
 #include "model/registry.h"
 #include "service/goldenband.h"
+#include "service/jsonlines.h"
 #include "service/recipematter.h"
 #include "service/reciperead.h"
 
@@ -94,6 +95,17 @@ TEST(Recipes, EveryMistakeHasItsLine)
     EXPECT_EQ(mistakeIn(whole, "\"store\": true", "\"store\": 1"), "line 6: 'store' must be true or false");
     EXPECT_EQ(mistakeIn(whole, "{\"first\": 10},", "{\"first\": 10}").substr(0, 7), "line 8:");
     EXPECT_EQ(mistakeIn("[1]", "1", "2").substr(0, 7), "line 1:");
+}
+
+TEST(Recipes, TheLineOfAMistakeIsFoundAgain)
+{
+    const Message mistake = say("unknown key '%1'", "nmae");
+    EXPECT_EQ(lineOf(atLine(7, mistake)), 7);
+    EXPECT_EQ(lineOf(say("%1: %2", "rev-c.json", atLine(7, mistake))), 7);
+    EXPECT_EQ(lineOf(say("%1: %2", "bench", say("%1: %2", "rev-c.json", atLine(12, mistake)))), 12);
+    EXPECT_EQ(lineOf(mistake), std::nullopt);
+    EXPECT_EQ(lineOf(say("%1: %2", "line 7", mistake)), std::nullopt); // words that only look like it
+    EXPECT_EQ(lineOf(Message()), std::nullopt);
 }
 
 TEST(Recipes, KnowWhatAFamilyCannotDo)

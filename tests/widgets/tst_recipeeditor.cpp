@@ -15,9 +15,12 @@
 #include <QFile>
 #include <QGroupBox>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPlainTextEdit>
+#include <QPushButton>
 #include <QRegularExpression>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTableWidget>
 #include <QTemporaryDir>
@@ -37,6 +40,9 @@ struct EditorBench {
     explicit EditorBench(double points = 10)
         : theme(darkTheme(points))
     {
+        QFont font = QApplication::font(); // as the program does it
+        font.setPointSizeF(points);
+        QApplication::setFont(font);
         applyTheme(*qApp, theme.theme());
         editor = std::make_unique<RecipeEditor>(families(), folder.path(), theme, nullptr);
         editor->show();
@@ -63,6 +69,24 @@ struct EditorBench {
         qFatal("no %s", name);
     }
     void type(const char *name, const char *text) const { named<QLineEdit>(name).setText(QLatin1String(text)); }
+    void click(const char *text) const
+    {
+        for (auto *button : editor->findChildren<QPushButton *>()) {
+            if (button->isVisible() && button->text() == QLatin1String(text))
+                return QTest::mouseClick(button, Qt::LeftButton);
+        }
+        QFAIL(text);
+    }
+    [[nodiscard]] const QMessageBox *question() const
+    {
+        const auto *box = editor->findChild<QMessageBox *>();
+        return box && box->isVisible() ? box : nullptr;
+    }
+    void closeQuestion(const char *answer) const
+    {
+        click(answer);
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    }
     [[nodiscard]] QTableWidget &accept() const { return named<QTableWidget>("What the self-test accepts"); }
     [[nodiscard]] QTableWidgetItem &cell(const char *key, int column) const
     {
@@ -122,6 +146,9 @@ private Q_SLOTS:
     void aMistakeHasItsLineAndIsNeverSaved();
     void aFileThatIsNotThereHasTheLineThatNamesIt();
     void aRecipeIsOpenedChangedAndSavedInItsPlace();
+    void aRecipeThatIsNotSavedAsksBeforeItIsClosed();
+    void aSavedRecipeIsClosedWithoutAQuestion();
+    void theMarkedLineFollowsTheTheme();
     void everyFamilyHasItsLoops();
     void noFieldIsCut_data();
     void noFieldIsCut();
@@ -229,6 +256,59 @@ void RecipeEditorTest::aRecipeIsOpenedChangedAndSavedInItsPlace()
     QVERIFY(QString::fromStdString(opened.error().text()).contains(QLatin1String("line 3")));
 }
 
+void RecipeEditorTest::aRecipeThatIsNotSavedAsksBeforeItIsClosed()
+{
+    const EditorBench bench;
+    bench.type("Name", "any");
+    bench.click("Close");
+    QVERIFY(bench.question());
+    QVERIFY(!bench.question()->isModal()); // STOP of the window behind can be clicked
+    QCOMPARE(bench.question()->text(), QStringLiteral("This recipe is not saved."));
+    bench.closeQuestion("Go on writing");
+    QVERIFY(bench.editor->isVisible());
+    QVERIFY(!bench.question());
+    QCOMPARE(bench.named<QLineEdit>("Name").text(), QStringLiteral("any"));
+    QTest::keyClick(bench.editor.get(), Qt::Key_Escape);
+    QVERIFY(bench.question());
+    QTest::keyClick(bench.editor->findChild<QMessageBox *>(), Qt::Key_Escape); // keeps what is written
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    QVERIFY(bench.editor->isVisible());
+    QVERIFY(!bench.editor->close()); // the cross of its frame
+    QVERIFY(bench.question());
+    bench.closeQuestion("Discard it");
+    QVERIFY(!bench.editor->isVisible());
+}
+
+void RecipeEditorTest::aSavedRecipeIsClosedWithoutAQuestion()
+{
+    const EditorBench bench;
+    bench.type("Name", "any");
+    QTest::keyClick(bench.editor.get(), Qt::Key_Escape);
+    QVERIFY(bench.question());
+    QVERIFY(bench.editor->saveAs(bench.path(QStringLiteral("any.json"))));
+    QVERIFY(!bench.question()); // what it asks is answered
+    QVERIFY(bench.editor->isVisible());
+    bench.click("Close");
+    QVERIFY(!bench.editor->isVisible());
+    const EditorBench untouched;
+    QTest::keyClick(untouched.editor.get(), Qt::Key_Escape);
+    QVERIFY(!untouched.editor->isVisible());
+}
+
+void RecipeEditorTest::theMarkedLineFollowsTheTheme()
+{
+    EditorBench bench; // its recipe has no name
+    const auto colour = [&bench] {
+        const auto marks = bench.named<QPlainTextEdit>("The file that is saved, line by line").extraSelections();
+        return marks.size() == 1 ? marks.front().format.foreground().color() : QColor();
+    };
+    QCOMPARE(colour(), darkTheme().danger);
+    bench.theme.setTheme(lightTheme());
+    applyTheme(*qApp, bench.theme.theme());
+    QTRY_COMPARE(colour(), lightTheme().danger);
+    QVERIFY(darkTheme().danger != lightTheme().danger);
+}
+
 void RecipeEditorTest::everyFamilyHasItsLoops()
 {
     const EditorBench bench;
@@ -256,6 +336,7 @@ void RecipeEditorTest::noFieldIsCut_data()
     QTest::newRow("1280x800") << 10.0 << QSize(1280, 760) << QStringLiteral("recipe-1280");
     QTest::newRow("narrow") << 10.0 << QSize(640, 600) << QStringLiteral("recipe-narrow");
     QTest::newRow("200 %, 1280x800") << 20.0 << QSize(1280, 760) << QStringLiteral("recipe-200");
+    QTest::newRow("200 %, 1024x768") << 20.0 << QSize(1024, 720) << QStringLiteral("recipe-200-narrow");
 }
 
 void RecipeEditorTest::noFieldIsCut()
@@ -273,6 +354,17 @@ void RecipeEditorTest::noFieldIsCut()
     if (size.isValid())
         QCOMPARE(bench.editor->size(), size); // nothing in it needs more
     const auto *scroll = bench.editor->findChild<QScrollArea *>();
+    scroll->verticalScrollBar()->setValue(scroll->verticalScrollBar()->maximum());
+    bench.accept().scrollToBottom();
+    bench.picture(qPrintable(name + QStringLiteral("-below")));
+    const QFontMetrics letters(bench.accept().font());
+    for (int row = 0; row < bench.accept().rowCount(); ++row) {
+        QVERIFY(bench.accept().rowHeight(row) >= letters.height() + bench.theme.theme().u(8));
+        for (int column = 0; column < bench.accept().columnCount(); ++column)
+            QVERIFY2(letters.horizontalAdvance(bench.accept().item(row, column)->text())
+                    < bench.accept().columnWidth(column),
+                qPrintable(bench.accept().item(row, column)->text()));
+    }
     QVERIFY2(scroll->widget()->width() <= scroll->viewport()->width(),
         qPrintable(QStringLiteral("%1 of %2").arg(scroll->widget()->width()).arg(scroll->viewport()->width())));
     for (const auto *edit : bench.editor->form().findChildren<QLineEdit *>())

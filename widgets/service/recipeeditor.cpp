@@ -147,7 +147,8 @@ void RecipeEditor::askToDiscard()
     m_question->setDefaultButton(stay);
     m_question->setEscapeButton(stay);
     connect(leave, &QPushButton::clicked, this, [this] { QDialog::reject(); });
-    m_question->open();
+    m_question->setModal(false); // STOP of the window behind can still be clicked
+    m_question->show();
 }
 
 Result<void> RecipeEditor::open(const QString &path)
@@ -271,6 +272,8 @@ bool RecipeEditor::saveAs(const QString &path)
     setWindowTitle(tr("Recipe %1").arg(QFileInfo(path).fileName()));
     m_form->setFolder(folder());
     tell({});
+    if (m_question)
+        m_question->close(); // nothing would be lost any more
     Q_EMIT saved(m_path);
     return true;
 }

@@ -148,6 +148,7 @@ QWidget *RecipeForm::buildAccept(QWidget *parent)
     m_accept->setHorizontalHeaderLabels({tr("Accepted"), tr("Least"), tr("Greatest")});
     m_accept->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_accept->verticalHeader()->hide();
+    m_accept->verticalHeader()->setDefaultSectionSize(m_theme.theme().u(30));
     m_accept->setTabKeyNavigation(false);
     for (int row = 0; row < m_accept->rowCount(); ++row) {
         const std::string_view key = keys[static_cast<std::size_t>(row)];
