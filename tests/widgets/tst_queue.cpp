@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The queue on the page Firmware: units are ticked, one order serves them, each row tells how far it is and what came of it.
-#include "model/registry.h"
-#include "parameterbench.h"
-#include "support/fakedesk.h"
+#include "queuebench.h"
 #include "support/windowtests.h"
 #include "widgets/common/banner.h"
 #include "widgets/common/iconbutton.h"
-#include "widgets/firmware/firmwarepage.h"
 #include "widgets/firmware/queuebar.h"
-#include "widgets/firmware/queueboard.h"
-#include "widgets/firmware/queuemodel.h"
 #include "widgets/firmware/unitsteps.h"
 #include "widgets/firmware/updatelog.h"
 
@@ -17,76 +12,10 @@
 #include <QAccessible>
 #include <QCheckBox>
 #include <QFile>
-#include <QLabel>
 #include <QTableView>
-#include <QTemporaryDir>
-#include <QTest>
 
 using namespace mb;
 using namespace mb::test;
-using service::QueueRow;
-using service::RowState;
-
-namespace {
-
-const QString demoImage = QStringLiteral(":/firmware/dmc60c-demo.hex");
-
-struct QueueBench {
-    FakeWorkbench workbench;
-    FakeDesk desk;
-    Selection selection;
-    ThemeSource theme{darkTheme()};
-    QTemporaryDir folder;
-    std::unique_ptr<FirmwarePage> page;
-
-    QueueBench()
-    {
-        add(1, 5, "sim:can", "2103343A79F2");
-        add(2, 7, "sim:can", "2103343A7A44");
-        add(3, 9, "socketcan:can1", "2103343A79E0");
-        page = std::make_unique<FirmwarePage>(workbench, selection, theme);
-        page->setService(desk, families());
-        page->showQueue(true);
-        page->resize(1072, 640);
-        page->show();
-        QApplication::setActiveWindow(page.get());
-    }
-    [[nodiscard]] QueueBoard &board() const { return *page->queue(); }
-    [[nodiscard]] QueueModel &model() const { return board().model(); }
-    void add(std::uint32_t id, int address, const std::string &link, const std::string &serial)
-    {
-        DeviceView device = readDrive(id, address);
-        device.link = link;
-        device.identity.serial = serial;
-        device.telemetry = std::make_shared<Telemetry>(dmc60c().channels);
-        workbench.shot.devices.push_back(device);
-    }
-    [[nodiscard]] QueueRow row(std::uint32_t id, std::uint32_t device, RowState state) const
-    {
-        QueueRow row;
-        row.id = id;
-        row.device = {device};
-        row.state = state;
-        row.link = "sim:can";
-        row.visit.id = "visit " + std::to_string(id);
-        row.visit.serial = "SERIAL" + std::to_string(id);
-        row.visit.from = "1.23";
-        row.startedAt = workbench.time;
-        return row;
-    }
-    [[nodiscard]] QString cell(int row, QueueModel::Column column) const
-    {
-        return model().index(row, column).data().toString();
-    }
-    [[nodiscard]] bool says(const QString &part) const
-    {
-        const auto labels = page->findChildren<QLabel *>();
-        return std::any_of(labels.begin(), labels.end(),
-            [&](const QLabel *label) { return label->isVisible() && label->text().contains(part); });
-    }
-};
-
-} // namespace
 
 class QueueTest : public QObject {
     Q_OBJECT
@@ -95,7 +24,6 @@ private Q_SLOTS:
     void everyUnitOfTheFamilyByOneTick();
     void withoutRecipeOrTickNothingStarts();
     void anImageOfAnotherKindIsRefusedWithWords();
-    void aRecipeSaysWhatItDoes();
     void eachRowTellsHowFarItIsAndWhatCameOfIt();
     void whatMustNotBeCutIsShown();
     void theLogTellsEveryUnit();
@@ -167,26 +95,6 @@ void QueueTest::anImageOfAnotherKindIsRefusedWithWords()
     QVERIFY(!bench.workbench.lines.empty());
     QVERIFY(!bench.board().openImage(QStringLiteral("/nowhere/at/all.hex")));
     QVERIFY(!bench.board().canStart());
-}
-
-void QueueTest::aRecipeSaysWhatItDoes()
-{
-    QueueBench bench;
-    QFile file(bench.folder.filePath(QStringLiteral("recipe.json")));
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write(R"({"recipe":1,"name":"drive-base rev C","family":"dmc60c","number":{"first":10},
-"test":{"loop":"velocity","to":1500,"limits":{"travel":5000,"speed":2000,"duty":0.3},"accept":{"overshoot":0.4}}})");
-    file.close();
-    QVERIFY(bench.board().openRecipe(file.fileName()));
-    QVERIFY(bench.says(QStringLiteral("drive-base rev C")));
-    QVERIFY(bench.says(QStringLiteral("next free from 10")));
-    QVERIFY(bench.says(QStringLiteral("turns the motor"))); // before anybody can arm it
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write("{\"recipe\":1,\n\"name\":\"x\",\n\"colour\":3}");
-    file.close();
-    QVERIFY(!bench.board().openRecipe(file.fileName()));
-    QVERIFY(bench.workbench.lines.back().text.contains(QStringLiteral("3"))); // the line of the mistake
-    QVERIFY(bench.says(QStringLiteral("drive-base rev C")));                  // what was there stays
 }
 
 void QueueTest::eachRowTellsHowFarItIsAndWhatCameOfIt()

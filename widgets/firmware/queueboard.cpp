@@ -148,8 +148,11 @@ void QueueBoard::connectAll()
     connect(&m_workbench, &Workbench::changed, this, &QueueBoard::follow);
     connect(&m_selection, &Selection::changed, this, &QueueBoard::follow);
     connect(&m_desk, &ServiceDesk::changed, this, [this] {
-        if (!m_desk.view().running)
-            lookForCut();
+        if (m_desk.view().running)
+            return follow();
+        if (!m_saved.isEmpty())
+            take(m_saved);
+        lookForCut();
         follow();
     });
     connect(&m_theme, &ThemeSource::changed, this, [this] {
@@ -180,12 +183,25 @@ bool QueueBoard::openRecipe(const QString &path)
 
 void QueueBoard::edit()
 {
+    if (auto *open = findChild<RecipeEditor *>(); open && open->isVisible()) {
+        open->raise();
+        open->activateWindow();
+        return;
+    }
     auto *editor = new RecipeEditor(m_families, m_desk.recipeFolder(), m_theme, this);
     editor->setAttribute(Qt::WA_DeleteOnClose);
     if (const auto read = m_recipe.path().isEmpty() ? Result<void>() : editor->open(m_recipe.path()); !read)
         m_workbench.report(Severity::Danger, {}, errorText(read.error()));
-    connect(editor, &RecipeEditor::saved, this, &QueueBoard::openRecipe);
+    connect(editor, &RecipeEditor::saved, this, &QueueBoard::take);
     editor->show();
+}
+
+/// Units that are being served keep what they began with.
+void QueueBoard::take(const QString &recipe)
+{
+    m_saved = recipe;
+    if (!m_desk.view().running)
+        openRecipe(std::exchange(m_saved, {}));
 }
 
 bool QueueBoard::opened(const Result<void> &result)

@@ -61,6 +61,7 @@ private:
     void buildFoot();
     void connectAll();
     bool opened(const Result<void> &result);
+    void take(const QString &recipe);
     void begin(std::vector<DeviceId> chosen, const std::string &run);
     void lookForCut();
     void askSave();
@@ -78,6 +79,7 @@ private:
     std::span<const Family *const> m_families;
     const ThemeSource &m_theme;
     QueueRecipe m_recipe;
+    QString m_saved; ///< a recipe that was written while units were served; it is opened when they are done
     ServiceDesk::CutRun m_cut;
     QueueHead *m_head = nullptr;
     UpdateChecks *m_checks = nullptr;
