@@ -4,6 +4,7 @@
 #include "support/windowtests.h"
 #include "widgets/common/banner.h"
 #include "widgets/common/iconbutton.h"
+#include "widgets/firmware/pagemap.h"
 #include "widgets/firmware/queuebar.h"
 #include "widgets/firmware/unitsteps.h"
 #include "widgets/firmware/updatelog.h"
@@ -25,6 +26,8 @@ private Q_SLOTS:
     void withoutRecipeOrTickNothingStarts();
     void anImageOfAnotherKindIsRefusedWithWords();
     void eachRowTellsHowFarItIsAndWhatCameOfIt();
+    void theUnitBesideTheQueueIsTheChosenOrTheRunningOrTheLastOne();
+    void pagesThatWereSentAgainAreThoseOfTheShownUnit();
     void whatMustNotBeCutIsShown();
     void theLogTellsEveryUnit();
     void pauseSkipRetryAndCancelAreOrders();
@@ -129,6 +132,64 @@ void QueueTest::eachRowTellsHowFarItIsAndWhatCameOfIt()
     QCOMPARE(bench.board().bar().headline(), QStringLiteral("Unit 4 of 4"));
     QVERIFY(bench.says(QStringLiteral("1 done · 0 waiting · 1 failed · 1 refused")));
     QVERIFY(bench.says(QStringLiteral("about 5 s left"))); // 9.8 s on average, 5 of them are over
+}
+
+void QueueTest::theUnitBesideTheQueueIsTheChosenOrTheRunningOrTheLastOne()
+{
+    QueueBench bench;
+    const auto shown = [&bench] { return bench.board().steps().findChild<QLabel *>()->text(); };
+    QVERIFY(bench.board().openImage(demoImage));
+    QCOMPARE(shown(), QStringLiteral("No unit selected"));
+    QueueRow first = bench.row(1, 1, RowState::Passed);
+    bench.workbench.time += std::chrono::seconds(9);
+    QueueRow second = bench.row(2, 2, RowState::Running);
+    bench.desk.show({first, second});
+    QCOMPARE(shown(), QStringLiteral("DMC60C #7"));
+    second.state = RowState::Failed;
+    bench.desk.show({first, second}, false); // the queue has ended
+    QCOMPARE(shown(), QStringLiteral("DMC60C #7"));
+    QVERIFY(bench.board().steps().again().isEnabled());
+    bench.board().table().selectRow(0);
+    QCOMPARE(shown(), QStringLiteral("DMC60C #5"));
+    bench.board().table().selectRow(2); // was not served
+    QCOMPARE(shown(), QStringLiteral("DMC60C #9"));
+    QVERIFY(!bench.board().steps().again().isVisible());
+}
+
+void QueueTest::pagesThatWereSentAgainAreThoseOfTheShownUnit()
+{
+    QueueBench bench;
+    QVERIFY(bench.board().openImage(demoImage));
+    auto *map = bench.board().findChild<PageMap *>();
+    const auto hasAmber = [&] {
+        const QImage image = map->grab().toImage();
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x) {
+                if (image.pixelColor(x, y) == bench.theme.theme().caution)
+                    return true;
+            }
+        }
+        return false;
+    };
+    QueueRow first = bench.row(1, 1, RowState::Running);
+    const auto pages = [](PartState state) {
+        std::map<int, PartState> parts;
+        for (int page = 0; page < 40; ++page)
+            parts[page] = state;
+        return parts;
+    };
+    first.parts = pages(PartState::Repeated);
+    bench.desk.show({first});
+    QVERIFY(hasAmber());
+    first.parts = pages(PartState::Done);
+    bench.desk.show({first});
+    QVERIFY(hasAmber()); // it was sent again
+    first.state = RowState::Passed;
+    bench.workbench.time += std::chrono::seconds(9);
+    QueueRow second = bench.row(2, 2, RowState::Running);
+    second.parts = pages(PartState::Done);
+    bench.desk.show({first, second});
+    QVERIFY(!hasAmber());
 }
 
 void QueueTest::whatMustNotBeCutIsShown()

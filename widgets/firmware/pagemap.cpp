@@ -42,6 +42,8 @@ void PageMap::setStates(const std::map<int, PartState> &states)
 {
     if (states == m_states)
         return;
+    if (states.empty())
+        m_repeated.clear();
     for (const auto &[part, state] : states) {
         if (state == PartState::Repeated)
             m_repeated[part] = true;

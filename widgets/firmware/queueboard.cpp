@@ -401,25 +401,43 @@ void QueueBoard::followLog()
         m_log->add(said.line, said.who);
 }
 
-/// The one that is selected, else the one that runs.
+/// The line that is selected; nullptr: none is.
+const QueueLine *QueueBoard::chosenLine() const
+{
+    const QModelIndex current = m_table->currentIndex();
+    return current.isValid() ? &m_model->lines().at(static_cast<std::size_t>(current.row())) : nullptr;
+}
+
+/// The one that is selected, else the one that runs, else, where no other line is selected, the one that was served last.
 const service::QueueRow *QueueBoard::shownRow() const
 {
-    const auto &rows = m_desk.view().rows;
-    const QModelIndex current = m_table->currentIndex();
-    const std::uint32_t wanted
-        = current.isValid() ? m_model->lines().at(static_cast<std::size_t>(current.row())).row : 0;
-    const auto found = std::find_if(rows.begin(), rows.end(), [wanted](const service::QueueRow &row) {
-        return wanted != 0 ? row.id == wanted : row.state == service::RowState::Running;
-    });
-    return found == rows.end() ? nullptr : &*found;
+    using service::QueueRow;
+    using service::RowState;
+    const QueueLine *chosen = chosenLine();
+    const QueueRow *running = nullptr;
+    const QueueRow *last = nullptr;
+    for (const QueueRow &row : m_desk.view().rows) {
+        if (m_model->rowOf(row.id) < 0)
+            continue; // of a queue before
+        if (chosen && chosen->row == row.id)
+            return &row;
+        if (row.state == RowState::Running && !running)
+            running = &row;
+        if (!last || row.startedAt > last->startedAt)
+            last = &row;
+    }
+    return running || chosen ? running : last;
 }
 
 void QueueBoard::followUnit()
 {
     using Safety = UpdateSide::Safety;
     const service::QueueRow *row = shownRow();
-    const int place = row ? m_model->rowOf(row->id) : -1;
-    const QString title = place < 0 ? QString() : m_model->lines().at(static_cast<std::size_t>(place)).title;
+    const QueueLine *line
+        = row ? &m_model->lines().at(static_cast<std::size_t>(m_model->rowOf(row->id))) : chosenLine();
+    const QString title = line ? line->title : QString();
+    if (m_steps->row() != (row ? row->id : 0))
+        m_side->map().setStates({}); // of another unit
     m_steps->show(row, title, m_recipe.matter() ? &m_recipe.matter()->recipe : nullptr);
     m_side->map().setStates(row ? row->parts : std::map<int, PartState>());
     const bool running = row && row->state == service::RowState::Running;

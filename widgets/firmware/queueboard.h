@@ -70,6 +70,7 @@ private:
     void followLog();
     void followUnit();
     [[nodiscard]] std::vector<std::string> linksOf(const std::vector<DeviceId> &chosen) const;
+    [[nodiscard]] const QueueLine *chosenLine() const;
     [[nodiscard]] const service::QueueRow *shownRow() const;
     [[nodiscard]] QString hindrance() const;
 

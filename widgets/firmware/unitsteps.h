@@ -23,6 +23,8 @@ public:
 
     /// nullptr: no unit. `recipe` tells which steps there are; nullptr: all.
     void show(const service::QueueRow *row, const QString &title, const service::Recipe *recipe);
+    /// Its id; 0: no unit.
+    [[nodiscard]] std::uint32_t row() const { return m_row; }
     [[nodiscard]] CommandButton &skip() const { return *m_skip; }
     [[nodiscard]] CommandButton &again() const { return *m_again; }
 
