@@ -6270,10 +6270,6 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
         <translation>Einheiten der Warteschlange</translation>
     </message>
     <message>
-        <source>The self-test turns the motor: %1. Hold Arm in the header once the queue runs.</source>
-        <translation>Der Selbsttest dreht den Motor: %1. Die Scharf-Taste in der Kopfzeile halten, sobald die Warteschlange läuft.</translation>
-    </message>
-    <message>
         <source>Every %1</source>
         <translation>Jeder %1</translation>
     </message>
@@ -6438,6 +6434,13 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     <message>
         <source>Result</source>
         <translation>Ergebnis</translation>
+    </message>
+</context>
+<context>
+    <name>mb::QueueSide</name>
+    <message>
+        <source>The self-test turns the motor: %1. Hold Arm in the header once the queue runs.</source>
+        <translation>Der Selbsttest dreht den Motor: %1. Die Scharf-Taste in der Kopfzeile halten, sobald die Warteschlange läuft.</translation>
     </message>
 </context>
 <context>

@@ -6270,10 +6270,6 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
         <translation>Equipos de la cola</translation>
     </message>
     <message>
-        <source>The self-test turns the motor: %1. Hold Arm in the header once the queue runs.</source>
-        <translation>La autoprueba hace girar el motor: %1. Mantenga Armar en la cabecera cuando la cola esté en marcha.</translation>
-    </message>
-    <message>
         <source>Every %1</source>
         <translation>Todos los %1</translation>
     </message>
@@ -6438,6 +6434,13 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
     <message>
         <source>Result</source>
         <translation>Resultado</translation>
+    </message>
+</context>
+<context>
+    <name>mb::QueueSide</name>
+    <message>
+        <source>The self-test turns the motor: %1. Hold Arm in the header once the queue runs.</source>
+        <translation>La autoprueba hace girar el motor: %1. Mantenga Armar en la cabecera cuando la cola esté en marcha.</translation>
     </message>
 </context>
 <context>

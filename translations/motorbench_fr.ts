@@ -6270,10 +6270,6 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
         <translation>Appareils de la file</translation>
     </message>
     <message>
-        <source>The self-test turns the motor: %1. Hold Arm in the header once the queue runs.</source>
-        <translation>L’autotest fait tourner le moteur&#xa0;: %1. Maintenez Armer dans l’en-tête une fois la file lancée.</translation>
-    </message>
-    <message>
         <source>Every %1</source>
         <translation>Tous les %1</translation>
     </message>
@@ -6438,6 +6434,13 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     <message>
         <source>Result</source>
         <translation>Résultat</translation>
+    </message>
+</context>
+<context>
+    <name>mb::QueueSide</name>
+    <message>
+        <source>The self-test turns the motor: %1. Hold Arm in the header once the queue runs.</source>
+        <translation>L’autotest fait tourner le moteur&#xa0;: %1. Maintenez Armer dans l’en-tête une fois la file lancée.</translation>
     </message>
 </context>
 <context>

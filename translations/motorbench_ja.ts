@@ -6262,10 +6262,6 @@ double click or End returns to the present · right click for more</source>
         <translation>キューの機器</translation>
     </message>
     <message>
-        <source>The self-test turns the motor: %1. Hold Arm in the header once the queue runs.</source>
-        <translation>セルフテストはモータを回します: %1。キューの開始後、ヘッダの駆動許可ボタンを長押ししてください。</translation>
-    </message>
-    <message>
         <source>Every %1</source>
         <translation>すべての %1</translation>
     </message>
@@ -6430,6 +6426,13 @@ double click or End returns to the present · right click for more</source>
     <message>
         <source>Result</source>
         <translation>結果</translation>
+    </message>
+</context>
+<context>
+    <name>mb::QueueSide</name>
+    <message>
+        <source>The self-test turns the motor: %1. Hold Arm in the header once the queue runs.</source>
+        <translation>セルフテストはモータを回します: %1。キューの開始後、ヘッダの駆動許可ボタンを長押ししてください。</translation>
     </message>
 </context>
 <context>

@@ -6262,10 +6262,6 @@ double click or End returns to the present · right click for more</source>
         <translation>队列中的设备</translation>
     </message>
     <message>
-        <source>The self-test turns the motor: %1. Hold Arm in the header once the queue runs.</source>
-        <translation>自检会转动电机：%1。队列运行后按住顶栏的解锁按钮。</translation>
-    </message>
-    <message>
         <source>Every %1</source>
         <translation>所有 %1</translation>
     </message>
@@ -6430,6 +6426,13 @@ double click or End returns to the present · right click for more</source>
     <message>
         <source>Result</source>
         <translation>结果</translation>
+    </message>
+</context>
+<context>
+    <name>mb::QueueSide</name>
+    <message>
+        <source>The self-test turns the motor: %1. Hold Arm in the header once the queue runs.</source>
+        <translation>自检会转动电机：%1。队列运行后按住顶栏的解锁按钮。</translation>
     </message>
 </context>
 <context>

@@ -6,14 +6,13 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/numberformat.h"
-#include "widgets/firmware/pagemap.h"
 #include "widgets/firmware/queuebar.h"
 #include "widgets/firmware/queuehead.h"
 #include "widgets/firmware/queuemodel.h"
+#include "widgets/firmware/queueside.h"
 #include "widgets/firmware/unitsteps.h"
 #include "widgets/firmware/updatechecks.h"
 #include "widgets/firmware/updatelog.h"
-#include "widgets/firmware/updateside.h"
 #include "widgets/service/recipeeditor.h"
 #include "widgets/service/verdictof.h"
 
@@ -22,6 +21,7 @@
 #include <QHeaderView>
 #include <QPointer>
 #include <QSplitter>
+#include <QStyledItemDelegate>
 #include <QTableView>
 #include <QVBoxLayout>
 
@@ -31,6 +31,19 @@ namespace mb {
 namespace {
 
 enum QueueCheck { RecipeFits, AllStand, AllAlone, AllSupplied, QueueChecks };
+
+/// The end of an address tells more than its middle.
+class MiddleElided : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const override
+    {
+        QStyledItemDelegate::initStyleOption(option, index);
+        option->textElideMode = Qt::ElideMiddle;
+    }
+};
 
 } // namespace
 
@@ -70,11 +83,15 @@ void QueueBoard::buildBody()
     left->setStretchFactor(0, 3);
     left->setStretchFactor(1, 1);
     split->addWidget(left);
-    split->addWidget(m_side = new UpdateSide(m_theme, split));
-    m_side->add(m_steps = new UnitSteps(m_theme, m_side));
+    split->addWidget(m_side = new QueueSide(m_theme, split));
     split->setStretchFactor(0, 1);
     split->setSizes({m_theme.theme().u(800), m_theme.theme().u(290)});
     static_cast<QVBoxLayout *>(layout())->addWidget(split, 1);
+}
+
+UnitSteps &QueueBoard::steps() const
+{
+    return m_side->unit();
 }
 
 QWidget *QueueBoard::buildTable(QWidget *parent)
@@ -96,6 +113,7 @@ QWidget *QueueBoard::buildTable(QWidget *parent)
     m_table = new QTableView(area);
     m_table->setAccessibleName(tr("Units of the queue"));
     m_table->setModel(m_model);
+    m_table->setItemDelegateForColumn(QueueModel::Serial, new MiddleElided(m_table));
     m_table->setItemDelegateForColumn(QueueModel::Share, new ShareDelegate(m_theme, m_table));
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
@@ -140,11 +158,11 @@ void QueueBoard::connectAll()
     connect(m_bar, &QueueBar::cancelWanted, this, [this] { m_desk.cancel(); });
     connect(m_bar, &QueueBar::retryWanted, this, [this] { m_desk.retryFailed(); });
     connect(m_bar, &QueueBar::exportWanted, this, &QueueBoard::askSave);
-    connect(m_steps, &UnitSteps::skipWanted, this, [this](std::uint32_t row) { m_desk.skip(row); });
-    connect(m_steps, &UnitSteps::againWanted, this, [this](std::uint32_t row) { m_desk.retry(row); });
+    connect(&steps(), &UnitSteps::skipWanted, this, [this](std::uint32_t row) { m_desk.skip(row); });
+    connect(&steps(), &UnitSteps::againWanted, this, [this](std::uint32_t row) { m_desk.retry(row); });
     connect(m_every, &QCheckBox::clicked, this, [this](bool on) { m_model->tickAll(on); });
     connect(m_model, &QueueModel::tickedChanged, this, &QueueBoard::follow);
-    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &QueueBoard::followUnit);
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &QueueBoard::followUnit);
     connect(&m_workbench, &Workbench::changed, this, &QueueBoard::follow);
     connect(&m_selection, &Selection::changed, this, &QueueBoard::follow);
     connect(&m_desk, &ServiceDesk::changed, this, [this] {
@@ -211,12 +229,7 @@ bool QueueBoard::opened(const Result<void> &result)
         return false;
     }
     m_head->show(m_recipe);
-    const auto image = m_recipe.image();
-    m_side->map().setParts(image ? image->parts : std::vector<int>{}, image ? image->criticalPart : std::nullopt);
-    const auto &test = m_recipe.matter()->recipe.test;
-    m_side->setNotes(test
-            ? tr("The self-test turns the motor: %1. Hold Arm in the header once the queue runs.").arg(motionOf(*test))
-            : QString());
+    m_side->setRecipe(m_recipe);
     m_every->setText(tr("Every %1").arg(tableText(m_recipe.family()->title)));
     lookForCut();
     follow();
@@ -401,11 +414,11 @@ void QueueBoard::followLog()
         m_log->add(said.line, said.who);
 }
 
-/// The line that is selected; nullptr: none is.
+/// The line that is selected; nullptr: none is. The focus alone, which comes to the first line by itself, selects nothing.
 const QueueLine *QueueBoard::chosenLine() const
 {
-    const QModelIndex current = m_table->currentIndex();
-    return current.isValid() ? &m_model->lines().at(static_cast<std::size_t>(current.row())) : nullptr;
+    const QModelIndexList selected = m_table->selectionModel()->selectedRows();
+    return selected.isEmpty() ? nullptr : &m_model->lines().at(static_cast<std::size_t>(selected.front().row()));
 }
 
 /// The one that is selected, else the one that runs, else, where no other line is selected, the one that was served last.
@@ -431,18 +444,10 @@ const service::QueueRow *QueueBoard::shownRow() const
 
 void QueueBoard::followUnit()
 {
-    using Safety = UpdateSide::Safety;
     const service::QueueRow *row = shownRow();
     const QueueLine *line
         = row ? &m_model->lines().at(static_cast<std::size_t>(m_model->rowOf(row->id))) : chosenLine();
-    const QString title = line ? line->title : QString();
-    if (m_steps->row() != (row ? row->id : 0))
-        m_side->map().setStates({}); // of another unit
-    m_steps->show(row, title, m_recipe.matter() ? &m_recipe.matter()->recipe : nullptr);
-    m_side->map().setStates(row ? row->parts : std::map<int, PartState>());
-    const bool running = row && row->state == service::RowState::Running;
-    const Safety safety = !running ? Safety::Nothing : row->mayInterrupt ? Safety::MayCut : Safety::MustNotCut;
-    m_side->showSafety(safety, title, m_recipe.family() ? updateWords(*m_recipe.family()) : UpdateWords());
+    m_side->showUnit(row, line, m_recipe);
 }
 
 } // namespace mb

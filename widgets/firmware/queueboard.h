@@ -20,10 +20,10 @@ class Banner;
 class QueueBar;
 class QueueHead;
 class QueueModel;
+class QueueSide;
 class UnitSteps;
 class UpdateChecks;
 class UpdateLog;
-class UpdateSide;
 
 /// Many units by one order: what is done to each, which are ticked, how far each is, what was said, and what can be ordered
 /// of the whole and of one. GUI thread.
@@ -47,7 +47,7 @@ public:
     [[nodiscard]] QueueModel &model() const { return *m_model; }
     [[nodiscard]] QTableView &table() const { return *m_table; }
     [[nodiscard]] QueueBar &bar() const { return *m_bar; }
-    [[nodiscard]] UnitSteps &steps() const { return *m_steps; }
+    [[nodiscard]] UnitSteps &steps() const;
     [[nodiscard]] UpdateLog &log() const { return *m_log; }
     /// Writes what has ended into a table.
     void save(const QString &path);
@@ -90,8 +90,7 @@ private:
     QueueModel *m_model = nullptr;
     QTableView *m_table = nullptr;
     UpdateLog *m_log = nullptr;
-    UpdateSide *m_side = nullptr;
-    UnitSteps *m_steps = nullptr;
+    QueueSide *m_side = nullptr;
     QLabel *m_foot = nullptr;
     std::map<std::uint32_t, std::size_t> m_told; ///< lines of the log, by row of the queue
 };

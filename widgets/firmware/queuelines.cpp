@@ -131,6 +131,7 @@ QueueLine lineOfRow(const QueueRow &row, const DeviceView *device, const std::st
     line.serial = qt(row.visit.serial);
     line.title = device ? titleOf(*device) : qt(row.visit.device);
     line.name = device ? nameOf(*device) : placeOf(row.visit);
+    line.link = qt(row.link);
     const bool ended = row.state == RowState::Passed || row.state == RowState::Failed;
     const bool untouched = row.state == RowState::Refused || row.state == RowState::Skipped;
     line.firmware = versionsOf(row.visit.from, ended || untouched ? row.visit.to : version);
@@ -146,6 +147,7 @@ QueueLine lineOfDevice(const DeviceView &device, const std::string &version)
     line.serial = qt(device.identity.serial);
     line.title = titleOf(device);
     line.name = nameOf(device);
+    line.link = qt(device.link);
     line.firmware = versionsOf(device.identity.firmware, version);
     line.tone = Tone::Caution;
     if (device.identity.state == DeviceState::Duplicate)
@@ -157,6 +159,18 @@ QueueLine lineOfDevice(const DeviceView &device, const std::string &version)
     else if (device.liveness.foreignMaster)
         line.result = QueueText::tr("another master drives it");
     return line;
+}
+
+/// Boards without numbers are called the same on every link.
+void tellApart(std::vector<QueueLine> &lines)
+{
+    std::map<QString, std::set<QString>> links;
+    for (const QueueLine &line : lines)
+        links[line.title].insert(line.link);
+    for (QueueLine &line : lines) {
+        if (links[line.title].size() < 2)
+            line.link.clear();
+    }
 }
 
 } // namespace
@@ -183,6 +197,7 @@ std::vector<QueueLine> queueLines(
         if (family && device.family == family && queued.count(device.id) == 0)
             lines.push_back(lineOfDevice(device, version));
     }
+    tellApart(lines);
     return lines;
 }
 

@@ -19,6 +19,7 @@ struct QueueLine {
     QString serial;
     QString title;           ///< "DMC60C #5"
     QString name;            ///< "#5 shooter"
+    QString link;            ///< its address, where another unit has the same title; else empty
     QString firmware;        ///< "1.23 → 1.25"
     QString step;            ///< what it does now, or came to
     std::optional<int> done; ///< percent; nothing: it does nothing

@@ -95,7 +95,7 @@ int QueueModel::columnCount(const QModelIndex &parent) const
 QString QueueModel::text(const QueueLine &line, int column) const
 {
     switch (column) {
-    case Serial: return line.serial;
+    case Serial: return line.serial.isEmpty() ? line.link : line.serial;
     case Unit: return line.name;
     case Versions: return line.firmware;
     case StepNow: return line.step;
@@ -128,7 +128,7 @@ QVariant QueueModel::data(const QModelIndex &index, int role) const
     case Qt::DisplayRole:
     case Qt::ToolTipRole: return text(line, index.column());
     case Qt::AccessibleTextRole: // the shape has a word
-        return index.column() == Serial ? glyphWord(line.glyph) + QStringLiteral(", ") + line.serial
+        return index.column() == Serial ? glyphWord(line.glyph) + QStringLiteral(", ") + text(line, Serial)
                                         : text(line, index.column());
     case Qt::CheckStateRole:
         if (index.column() == Serial && line.device != DeviceId{})

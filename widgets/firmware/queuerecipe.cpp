@@ -7,6 +7,7 @@
 #include <QFileInfo>
 
 namespace mb {
+
 Result<void> QueueRecipe::openRecipe(const QString &path, std::span<const Family *const> families)
 {
     auto loaded = service::loadRecipe(QFile::encodeName(path).toStdString(), families);
@@ -39,6 +40,18 @@ Result<void> QueueRecipe::openImage(const QString &path, const std::vector<const
     return fail(Fault::OutOfRange,
         say("%1 is for no unit that is here and takes firmware over its own link", path.toStdString()),
         say("for the others write a recipe that names the way in"));
+}
+
+const UpdateRoute *QueueRecipe::route() const
+{
+    if (!m_matter || !m_matter->recipe.firmware)
+        return nullptr;
+    const std::string_view via = m_matter->recipe.firmware->via;
+    for (const UpdateRoute &route : family()->routes) {
+        if (via.substr(0, via.find(':')) == route.scheme)
+            return &route;
+    }
+    return nullptr;
 }
 
 std::optional<ImageSummary> QueueRecipe::image() const

@@ -25,6 +25,8 @@ public:
     [[nodiscard]] const std::shared_ptr<const service::RecipeMatter> &matter() const { return m_matter; }
     /// nullptr without a matter.
     [[nodiscard]] const Family *family() const { return m_matter ? m_matter->recipe.family : nullptr; }
+    /// The way in that the recipe names; nullptr: over the link of the unit.
+    [[nodiscard]] const UpdateRoute *route() const;
     /// Of its image; nothing: it has none.
     [[nodiscard]] std::optional<ImageSummary> image() const;
 

@@ -102,7 +102,7 @@ void UnitSteps::show(const service::QueueRow *row, const QString &title, const s
 {
     m_row = row ? row->id : 0;
     m_title->setText(title.isEmpty() ? tr("No unit selected") : title);
-    m_serial->setText(row ? qt(row->visit.serial) : QString());
+    m_serial->setText(row ? qt(row->visit.serial.empty() ? row->link : row->visit.serial) : QString());
     m_serial->setVisible(!m_serial->text().isEmpty());
     const service::QueueRow none;
     for (std::size_t i = 0; i < m_lines.size(); ++i)

@@ -95,7 +95,7 @@ void UpdateSide::setNotes(const QString &notes)
 
 void UpdateSide::add(QWidget *part)
 {
-    m_column->insertWidget(0, part);
+    m_column->insertWidget(m_column->indexOf(m_steps) + 1, part);
 }
 
 } // namespace mb

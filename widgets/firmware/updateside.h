@@ -28,7 +28,7 @@ public:
     /// The steps of hands in the place of the pages.
     void setGuided(bool guided);
     void setNotes(const QString &notes);
-    /// Between the safety and the pages.
+    /// Between what hands do and the pages.
     void add(QWidget *part);
     [[nodiscard]] PageMap &map() { return *m_map; }
     [[nodiscard]] StepsPanel &steps() { return *m_steps; }
