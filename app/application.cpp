@@ -12,6 +12,8 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/systemtheme.h"
 #include "widgets/control/envelopepanel.h"
+#include "widgets/control/tunecolumn.h"
+#include "widgets/control/tuneform.h"
 #include "widgets/control/tunepage.h"
 #include "widgets/design/designpage.h"
 #include "widgets/plots/plotspage.h"
@@ -276,8 +278,8 @@ void Application::setUpLimits()
     }
     QObject::connect(m_window.get(), &MainWindow::pageMade, m_window.get(), [this](PageId, QWidget *page) {
         if (auto *tune = qobject_cast<TunePage *>(page)) {
-            tune->envelope().share(m_limits);
-            tune->setRevolutions(m_settings.look().revolutions);
+            tune->column().envelope().share(m_limits);
+            tune->form().setRevolutions(m_settings.look().revolutions);
         } else if (auto *design = qobject_cast<DesignPage *>(page)) {
             design->envelope().share(m_limits);
         }

@@ -2,6 +2,9 @@
 #include "app/tour.h"
 
 #include "widgets/control/axespanel.h"
+#include "widgets/control/tuneaxes.h"
+#include "widgets/control/tunecolumn.h"
+#include "widgets/control/tuneform.h"
 #include "widgets/control/tunepage.h"
 #include "widgets/plots/plotspage.h"
 
@@ -27,11 +30,11 @@ void Tour::stepAxes(double target)
 {
     auto *page = qobject_cast<TunePage *>(m_window.page(PageId::Tune));
     page->showLive(true);
-    page->choose(Mode::Position, target);
+    page->form().choose(Mode::Position, target);
     if (!m_window.arming().isArmed(board()->id)) // a change of the mode disarms, and so does a picture that takes long
         m_window.arming().arm(board()->id);
-    page->axesPanel().setTogether({1, 2, 3, 4});
-    page->spread();
+    page->column().axesPanel().setTogether({1, 2, 3, 4});
+    page->axes().spread();
     page->run();
 }
 

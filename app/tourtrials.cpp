@@ -2,6 +2,7 @@
 #include "app/tour.h"
 
 #include "widgets/control/trialsview.h"
+#include "widgets/control/tuneform.h"
 #include "widgets/control/tunepage.h"
 #include "widgets/design/designpage.h"
 #include "widgets/parameters/editdesk.h"
@@ -41,7 +42,7 @@ void Tour::tryGains(double p, double i)
     StimulusChoice stimulus;
     stimulus.to = trialTarget;
     stimulus.repeat = 2;
-    page->chooseStimulus(Mode::Velocity, stimulus);
+    page->form().chooseStimulus(Mode::Velocity, stimulus);
     page->run();
 }
 

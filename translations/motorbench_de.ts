@@ -3459,6 +3459,52 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
 </context>
 <context>
+    <name>mb::GainsWriteRow</name>
+    <message>
+        <source>Write gains</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Revert all staged gains</source>
+        <translation>Alle vorgemerkten Verstärkungen zurücksetzen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s)</source>
+        <translation>
+            <numerusform>%n Wert</numerusform>
+            <numerusform>%n Werte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing to write</source>
+        <translation>Nichts zu schreiben</translation>
+    </message>
+    <message>
+        <source>Write %1 to slot %2</source>
+        <translation>%1 in Slot %2 schreiben</translation>
+    </message>
+    <message>
+        <source>Write %1</source>
+        <translation>%1 schreiben</translation>
+    </message>
+    <message>
+        <source>A gain is out of range</source>
+        <translation>Eine Verstärkung liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>No gain is edited</source>
+        <translation>Keine Verstärkung ist geändert</translation>
+    </message>
+    <message>
+        <source>The device is busy</source>
+        <translation>Das Gerät ist beschäftigt</translation>
+    </message>
+</context>
+<context>
     <name>mb::GroupMotion</name>
     <message>
         <source>not prepared: hold the Arm button first</source>
@@ -9417,6 +9463,134 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
 </context>
 <context>
+    <name>mb::TuneAxes</name>
+    <message>
+        <source>%1 %2, at rest</source>
+        <comment>mode and target</comment>
+        <translation>%1 %2, in Ruhe</translation>
+    </message>
+    <message>
+        <source>axis %1 moves in another mode; stop it first</source>
+        <translation>Achse %1 bewegt sich in einer anderen Betriebsart; zuerst stoppen</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TuneColumn</name>
+    <message>
+        <source>The power limit of axis %1 is unknown: its first motion sets it to %2. Write another under Limits of the axis.</source>
+        <translation>Die Leistungsgrenze der Achse %1 ist unbekannt: ihre erste Bewegung setzt sie auf %2. Eine andere unter Grenzen der Achse schreiben.</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TuneCommands</name>
+    <message>
+        <source>Stop motion</source>
+        <translation>Bewegung stoppen</translation>
+    </message>
+    <message>
+        <source>Ends the motion and stays armed. STOP, Esc and Pause stop everything.</source>
+        <translation>Beendet die Bewegung und bleibt scharf. STOP, Esc und Pause stoppen alles.</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Write and run</source>
+        <translation>Schreiben + Start</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Run %1 axes</source>
+        <translation>%1 Achsen starten</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Experiment</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>Live</translation>
+    </message>
+    <message>
+        <source>Stop axis %1</source>
+        <translation>Achse %1 stoppen</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TuneExperiments</name>
+    <message>
+        <source>the limits were not kept: %1</source>
+        <translation>die Grenzen wurden nicht behalten: %1</translation>
+    </message>
+    <message>
+        <source>Experiment</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>Moving</source>
+        <translation>In Bewegung</translation>
+    </message>
+    <message>
+        <source>Stop the motion before an experiment.</source>
+        <translation>Vor einem Versuch die Bewegung anhalten.</translation>
+    </message>
+    <message>
+        <source>The stimulus cannot be sent</source>
+        <translation>Die Anregung lässt sich nicht senden</translation>
+    </message>
+    <message>
+        <source>No experiment yet</source>
+        <translation>Noch kein Versuch möglich</translation>
+    </message>
+    <message>
+        <source>No experiment in this mode</source>
+        <translation>Kein Versuch in dieser Betriebsart</translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <translation>Scharf</translation>
+    </message>
+    <message>
+        <source>F5 runs the experiment.</source>
+        <translation>F5 startet den Versuch.</translation>
+    </message>
+    <message>
+        <source>Not armed</source>
+        <translation>Nicht scharf</translation>
+    </message>
+    <message>
+        <source>Hold the Arm button for 1 s to arm %1.</source>
+        <translation>Scharf-Taste 1 s halten, um %1 scharf zu schalten.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TuneForm</name>
+    <message>
+        <source>the running slot</source>
+        <translation>der laufende Slot</translation>
+    </message>
+    <message>
+        <source>a direction or a limit</source>
+        <translation>eine Richtung oder Grenze</translation>
+    </message>
+    <message>
+        <source>the mode</source>
+        <translation>Betriebsart</translation>
+    </message>
+</context>
+<context>
     <name>mb::TuneFrame</name>
     <message>
         <source>Part of the page</source>
@@ -9441,6 +9615,53 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>Live</source>
         <translation>Live</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TuneGains</name>
+    <message>
+        <source>A gain is out of range</source>
+        <translation>Eine Verstärkung liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>Correct or revert it first.</source>
+        <translation>Zuerst korrigieren oder zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>Look at a gain again</source>
+        <translation>Eine Verstärkung noch einmal ansehen</translation>
+    </message>
+    <message>
+        <source>Writing gains</source>
+        <translation>Schreibt Verstärkungen</translation>
+    </message>
+    <message>
+        <source>Reading gains</source>
+        <translation>Liest Verstärkungen</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>gains not written: %1</source>
+        <translation>Verstärkungen nicht geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>Gains of trial #%1</source>
+        <translation>Faktoren von Versuch #%1</translation>
+    </message>
+    <message>
+        <source>What the adviser proposes</source>
+        <translation>Was der Ratgeber vorschlägt</translation>
+    </message>
+    <message>
+        <source>nothing copied: no gain of axis %1 is known for this mode; write it first</source>
+        <translation>nichts kopiert: für diese Betriebsart ist keine Verstärkung der Achse %1 bekannt; zuerst schreiben</translation>
+    </message>
+    <message>
+        <source>Gains and limits of axis %1</source>
+        <translation>Verstärkungen und Grenzen der Achse %1</translation>
     </message>
 </context>
 <context>
@@ -9511,47 +9732,58 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
 </context>
 <context>
+    <name>mb::TuneMotion</name>
+    <message>
+        <source>position 0 is here; the motor is off until Run</source>
+        <translation>Position 0 ist hier; der Motor ist bis Start aus</translation>
+    </message>
+    <message>
+        <source>it has no lamp that could blink</source>
+        <translation>es hat keine Lampe, die blinken könnte</translation>
+    </message>
+    <message>
+        <source>not identified: %1</source>
+        <translation>nicht gezeigt: %1</translation>
+    </message>
+    <message>
+        <source>disarmed: %1 changed</source>
+        <translation>gesichert: %1 geändert</translation>
+    </message>
+    <message>
+        <source>Moving</source>
+        <translation>In Bewegung</translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <translation>Scharf</translation>
+    </message>
+    <message>
+        <source>F5 runs %1</source>
+        <translation>F5 startet %1</translation>
+    </message>
+    <message>
+        <source>Not armed</source>
+        <translation>Nicht scharf</translation>
+    </message>
+    <message>
+        <source>Hold the Arm button for 1 s to arm %1.</source>
+        <translation>Scharf-Taste 1 s halten, um %1 scharf zu schalten.</translation>
+    </message>
+    <message>
+        <source>axis %1: %2</source>
+        <translation>Achse %1: %2</translation>
+    </message>
+    <message>
+        <source>%1, slot %2</source>
+        <translation>%1, Slot %2</translation>
+    </message>
+    <message>
+        <source> · also moving: axis %1</source>
+        <translation> · bewegt sich auch: Achse %1</translation>
+    </message>
+</context>
+<context>
     <name>mb::TunePage</name>
-    <message>
-        <source>Stop motion</source>
-        <translation>Bewegung stoppen</translation>
-    </message>
-    <message>
-        <source>Ends the motion and stays armed. STOP, Esc and Pause stop everything.</source>
-        <translation>Beendet die Bewegung und bleibt scharf. STOP, Esc und Pause stoppen alles.</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>Start</translation>
-    </message>
-    <message>
-        <source>Write and run</source>
-        <translation>Schreiben + Start</translation>
-    </message>
-    <message>
-        <source>Apply</source>
-        <translation>Übernehmen</translation>
-    </message>
-    <message>
-        <source>Write gains</source>
-        <translation>Schreiben</translation>
-    </message>
-    <message>
-        <source>Revert</source>
-        <translation>Zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Revert all staged gains</source>
-        <translation>Alle vorgemerkten Verstärkungen zurücksetzen</translation>
-    </message>
-    <message>
-        <source>the running slot</source>
-        <translation>der laufende Slot</translation>
-    </message>
-    <message>
-        <source>a direction or a limit</source>
-        <translation>eine Richtung oder Grenze</translation>
-    </message>
     <message>
         <source>disarmed: another device is selected</source>
         <translation>gesichert: ein anderes Gerät ist gewählt</translation>
@@ -9609,180 +9841,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Der Sollwert lässt sich nicht senden</translation>
     </message>
     <message>
-        <source>A gain is out of range</source>
-        <translation>Eine Verstärkung liegt außerhalb des Bereichs</translation>
-    </message>
-    <message>
-        <source>Correct or revert it first.</source>
-        <translation>Zuerst korrigieren oder zurücksetzen.</translation>
-    </message>
-    <message>
-        <source>Writing gains</source>
-        <translation>Schreibt Verstärkungen</translation>
-    </message>
-    <message>
-        <source>Reading gains</source>
-        <translation>Liest Verstärkungen</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
-    </message>
-    <message>
-        <source>Moving</source>
-        <translation>In Bewegung</translation>
-    </message>
-    <message>
-        <source>Armed</source>
-        <translation>Scharf</translation>
-    </message>
-    <message>
-        <source>F5 runs %1</source>
-        <translation>F5 startet %1</translation>
-    </message>
-    <message>
-        <source>Not armed</source>
-        <translation>Nicht scharf</translation>
-    </message>
-    <message>
-        <source>Hold the Arm button for 1 s to arm %1.</source>
-        <translation>Scharf-Taste 1 s halten, um %1 scharf zu schalten.</translation>
-    </message>
-    <message>
-        <source>%1, slot %2</source>
-        <translation>%1, Slot %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n value(s)</source>
-        <translation>
-            <numerusform>%n Wert</numerusform>
-            <numerusform>%n Werte</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Nothing to write</source>
-        <translation>Nichts zu schreiben</translation>
-    </message>
-    <message>
-        <source>Write %1 to slot %2</source>
-        <translation>%1 in Slot %2 schreiben</translation>
-    </message>
-    <message>
-        <source>Write %1</source>
-        <translation>%1 schreiben</translation>
-    </message>
-    <message>
-        <source>No gain is edited</source>
-        <translation>Keine Verstärkung ist geändert</translation>
-    </message>
-    <message>
-        <source>The device is busy</source>
-        <translation>Das Gerät ist beschäftigt</translation>
-    </message>
-    <message>
-        <source>disarmed: %1 changed</source>
-        <translation>gesichert: %1 geändert</translation>
-    </message>
-    <message>
-        <source>the mode</source>
-        <translation>Betriebsart</translation>
-    </message>
-    <message>
         <source>not run: %1. %2</source>
         <translation>nicht gestartet: %1. %2</translation>
-    </message>
-    <message>
-        <source>gains not written: %1</source>
-        <translation>Verstärkungen nicht geschrieben: %1</translation>
-    </message>
-    <message>
-        <source>Stop axis %1</source>
-        <translation>Achse %1 stoppen</translation>
-    </message>
-    <message>
-        <source>Run %1 axes</source>
-        <translation>%1 Achsen starten</translation>
-    </message>
-    <message>
-        <source>%1 %2, at rest</source>
-        <comment>mode and target</comment>
-        <translation>%1 %2, in Ruhe</translation>
-    </message>
-    <message>
-        <source>The power limit of axis %1 is unknown: its first motion sets it to %2. Write another under Limits of the axis.</source>
-        <translation>Die Leistungsgrenze der Achse %1 ist unbekannt: ihre erste Bewegung setzt sie auf %2. Eine andere unter Grenzen der Achse schreiben.</translation>
-    </message>
-    <message>
-        <source>%</source>
-        <translation>%</translation>
-    </message>
-    <message>
-        <source>axis %1 moves in another mode; stop it first</source>
-        <translation>Achse %1 bewegt sich in einer anderen Betriebsart; zuerst stoppen</translation>
-    </message>
-    <message>
-        <source>nothing copied: no gain of axis %1 is known for this mode; write it first</source>
-        <translation>nichts kopiert: für diese Betriebsart ist keine Verstärkung der Achse %1 bekannt; zuerst schreiben</translation>
-    </message>
-    <message>
-        <source>Gains and limits of axis %1</source>
-        <translation>Verstärkungen und Grenzen der Achse %1</translation>
-    </message>
-    <message>
-        <source> · also moving: axis %1</source>
-        <translation> · bewegt sich auch: Achse %1</translation>
-    </message>
-    <message>
-        <source>axis %1: %2</source>
-        <translation>Achse %1: %2</translation>
-    </message>
-    <message>
-        <source>position 0 is here; the motor is off until Run</source>
-        <translation>Position 0 ist hier; der Motor ist bis Start aus</translation>
-    </message>
-    <message>
-        <source>Look at a gain again</source>
-        <translation>Eine Verstärkung noch einmal ansehen</translation>
-    </message>
-    <message>
-        <source>View</source>
-        <translation>Ansicht</translation>
-    </message>
-    <message>
-        <source>Experiment</source>
-        <translation>Versuch</translation>
-    </message>
-    <message>
-        <source>Live</source>
-        <translation>Live</translation>
-    </message>
-    <message>
-        <source>Stop the motion before an experiment.</source>
-        <translation>Vor einem Versuch die Bewegung anhalten.</translation>
-    </message>
-    <message>
-        <source>The stimulus cannot be sent</source>
-        <translation>Die Anregung lässt sich nicht senden</translation>
-    </message>
-    <message>
-        <source>No experiment yet</source>
-        <translation>Noch kein Versuch möglich</translation>
-    </message>
-    <message>
-        <source>No experiment in this mode</source>
-        <translation>Kein Versuch in dieser Betriebsart</translation>
-    </message>
-    <message>
-        <source>F5 runs the experiment.</source>
-        <translation>F5 startet den Versuch.</translation>
-    </message>
-    <message>
-        <source>Gains of trial #%1</source>
-        <translation>Faktoren von Versuch #%1</translation>
-    </message>
-    <message>
-        <source>What the adviser proposes</source>
-        <translation>Was der Ratgeber vorschlägt</translation>
     </message>
     <message>
         <source>Something moves</source>
@@ -9791,18 +9851,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>Hold the Arm button for 1 s to arm it first.</source>
         <translation>Zuerst die Scharf-Taste 1 s halten, um es scharf zu schalten.</translation>
-    </message>
-    <message>
-        <source>not identified: %1</source>
-        <translation>nicht gezeigt: %1</translation>
-    </message>
-    <message>
-        <source>the limits were not kept: %1</source>
-        <translation>die Grenzen wurden nicht behalten: %1</translation>
-    </message>
-    <message>
-        <source>it has no lamp that could blink</source>
-        <translation>es hat keine Lampe, die blinken könnte</translation>
     </message>
 </context>
 <context>

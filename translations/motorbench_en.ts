@@ -22,6 +22,16 @@
     </message>
 </context>
 <context>
+    <name>mb::GainsWriteRow</name>
+    <message numerus="yes">
+        <source>%n value(s)</source>
+        <translation>
+            <numerusform>%n value</numerusform>
+            <numerusform>%n values</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mb::HeaderBar</name>
     <message numerus="yes">
         <source>%n links</source>
@@ -125,16 +135,6 @@
         <translation>
             <numerusform>%n, every run is kept</numerusform>
             <numerusform>%n, every run is kept</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>mb::TunePage</name>
-    <message numerus="yes">
-        <source>%n value(s)</source>
-        <translation>
-            <numerusform>%n value</numerusform>
-            <numerusform>%n values</numerusform>
         </translation>
     </message>
 </context>

@@ -3459,6 +3459,52 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     </message>
 </context>
 <context>
+    <name>mb::GainsWriteRow</name>
+    <message>
+        <source>Write gains</source>
+        <translation>Escribir ganancias</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Revertir</translation>
+    </message>
+    <message>
+        <source>Revert all staged gains</source>
+        <translation>Revertir todas las ganancias pendientes</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s)</source>
+        <translation>
+            <numerusform>%n valor</numerusform>
+            <numerusform>%n valores</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing to write</source>
+        <translation>Nada que escribir</translation>
+    </message>
+    <message>
+        <source>Write %1 to slot %2</source>
+        <translation>Escribir %1 en la ranura %2</translation>
+    </message>
+    <message>
+        <source>Write %1</source>
+        <translation>Escribir %1</translation>
+    </message>
+    <message>
+        <source>A gain is out of range</source>
+        <translation>Una ganancia está fuera de rango</translation>
+    </message>
+    <message>
+        <source>No gain is edited</source>
+        <translation>No hay ganancias editadas</translation>
+    </message>
+    <message>
+        <source>The device is busy</source>
+        <translation>El dispositivo está ocupado</translation>
+    </message>
+</context>
+<context>
     <name>mb::GroupMotion</name>
     <message>
         <source>not prepared: hold the Arm button first</source>
@@ -9417,6 +9463,134 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
 </context>
 <context>
+    <name>mb::TuneAxes</name>
+    <message>
+        <source>%1 %2, at rest</source>
+        <comment>mode and target</comment>
+        <translation>%1 %2, en reposo</translation>
+    </message>
+    <message>
+        <source>axis %1 moves in another mode; stop it first</source>
+        <translation>el eje %1 se mueve en otro modo; párelo primero</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TuneColumn</name>
+    <message>
+        <source>The power limit of axis %1 is unknown: its first motion sets it to %2. Write another under Limits of the axis.</source>
+        <translation>El límite de potencia del eje %1 es desconocido: su primer movimiento lo fija en %2. Escriba otro en Límites del eje.</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TuneCommands</name>
+    <message>
+        <source>Stop motion</source>
+        <translation>Parar movimiento</translation>
+    </message>
+    <message>
+        <source>Ends the motion and stays armed. STOP, Esc and Pause stop everything.</source>
+        <translation>Termina el movimiento y sigue armado. STOP, Esc y Pausa lo detienen todo.</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Iniciar</translation>
+    </message>
+    <message>
+        <source>Write and run</source>
+        <translation>Escribir e iniciar</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Aplicar</translation>
+    </message>
+    <message>
+        <source>Run %1 axes</source>
+        <translation>Iniciar %1 ejes</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vista</translation>
+    </message>
+    <message>
+        <source>Experiment</source>
+        <translation>Experimento</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>En vivo</translation>
+    </message>
+    <message>
+        <source>Stop axis %1</source>
+        <translation>Parar eje %1</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TuneExperiments</name>
+    <message>
+        <source>the limits were not kept: %1</source>
+        <translation>los límites no se conservaron: %1</translation>
+    </message>
+    <message>
+        <source>Experiment</source>
+        <translation>Experimento</translation>
+    </message>
+    <message>
+        <source>Moving</source>
+        <translation>En movimiento</translation>
+    </message>
+    <message>
+        <source>Stop the motion before an experiment.</source>
+        <translation>Pare el movimiento antes de un experimento.</translation>
+    </message>
+    <message>
+        <source>The stimulus cannot be sent</source>
+        <translation>No se puede enviar la excitación</translation>
+    </message>
+    <message>
+        <source>No experiment yet</source>
+        <translation>Aún no hay experimento posible</translation>
+    </message>
+    <message>
+        <source>No experiment in this mode</source>
+        <translation>En este modo no hay experimentos</translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <translation>Armado</translation>
+    </message>
+    <message>
+        <source>F5 runs the experiment.</source>
+        <translation>F5 inicia el experimento.</translation>
+    </message>
+    <message>
+        <source>Not armed</source>
+        <translation>No armado</translation>
+    </message>
+    <message>
+        <source>Hold the Arm button for 1 s to arm %1.</source>
+        <translation>Mantenga pulsado Armar 1 s para armar %1.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TuneForm</name>
+    <message>
+        <source>the running slot</source>
+        <translation>la ranura en uso</translation>
+    </message>
+    <message>
+        <source>a direction or a limit</source>
+        <translation>un sentido o un límite</translation>
+    </message>
+    <message>
+        <source>the mode</source>
+        <translation>el modo</translation>
+    </message>
+</context>
+<context>
     <name>mb::TuneFrame</name>
     <message>
         <source>Part of the page</source>
@@ -9441,6 +9615,53 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>Live</source>
         <translation>En vivo</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TuneGains</name>
+    <message>
+        <source>A gain is out of range</source>
+        <translation>Una ganancia está fuera de rango</translation>
+    </message>
+    <message>
+        <source>Correct or revert it first.</source>
+        <translation>Corríjala o reviértala primero.</translation>
+    </message>
+    <message>
+        <source>Look at a gain again</source>
+        <translation>Vuelva a mirar una ganancia</translation>
+    </message>
+    <message>
+        <source>Writing gains</source>
+        <translation>Escribiendo ganancias</translation>
+    </message>
+    <message>
+        <source>Reading gains</source>
+        <translation>Leyendo ganancias</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>gains not written: %1</source>
+        <translation>ganancias no escritas: %1</translation>
+    </message>
+    <message>
+        <source>Gains of trial #%1</source>
+        <translation>Ganancias del ensayo #%1</translation>
+    </message>
+    <message>
+        <source>What the adviser proposes</source>
+        <translation>Lo que propone el asesor</translation>
+    </message>
+    <message>
+        <source>nothing copied: no gain of axis %1 is known for this mode; write it first</source>
+        <translation>nada copiado: no se conoce ninguna ganancia del eje %1 para este modo; escríbala primero</translation>
+    </message>
+    <message>
+        <source>Gains and limits of axis %1</source>
+        <translation>Ganancias y límites del eje %1</translation>
     </message>
 </context>
 <context>
@@ -9511,100 +9732,58 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
 </context>
 <context>
-    <name>mb::TunePage</name>
+    <name>mb::TuneMotion</name>
     <message>
-        <source>Stop motion</source>
-        <translation>Parar movimiento</translation>
+        <source>position 0 is here; the motor is off until Run</source>
+        <translation>la posición 0 está aquí; el motor está apagado hasta Iniciar</translation>
     </message>
     <message>
-        <source>Stop axis %1</source>
-        <translation>Parar eje %1</translation>
+        <source>it has no lamp that could blink</source>
+        <translation>no tiene ningún LED que pueda parpadear</translation>
     </message>
     <message>
-        <source>Ends the motion and stays armed. STOP, Esc and Pause stop everything.</source>
-        <translation>Termina el movimiento y sigue armado. STOP, Esc y Pausa lo detienen todo.</translation>
+        <source>not identified: %1</source>
+        <translation>no identificado: %1</translation>
     </message>
     <message>
-        <source>Run</source>
-        <translation>Iniciar</translation>
+        <source>disarmed: %1 changed</source>
+        <translation>desarmado: ha cambiado %1</translation>
     </message>
     <message>
-        <source>Write and run</source>
-        <translation>Escribir e iniciar</translation>
+        <source>Moving</source>
+        <translation>En movimiento</translation>
     </message>
     <message>
-        <source>Apply</source>
-        <translation>Aplicar</translation>
+        <source>Armed</source>
+        <translation>Armado</translation>
     </message>
     <message>
-        <source>Run %1 axes</source>
-        <translation>Iniciar %1 ejes</translation>
+        <source>F5 runs %1</source>
+        <translation>F5 inicia %1</translation>
     </message>
     <message>
-        <source>View</source>
-        <translation>Vista</translation>
+        <source>Not armed</source>
+        <translation>No armado</translation>
     </message>
     <message>
-        <source>Experiment</source>
-        <translation>Experimento</translation>
+        <source>Hold the Arm button for 1 s to arm %1.</source>
+        <translation>Mantenga pulsado Armar 1 s para armar %1.</translation>
     </message>
     <message>
-        <source>Live</source>
-        <translation>En vivo</translation>
+        <source>axis %1: %2</source>
+        <translation>eje %1: %2</translation>
     </message>
     <message>
-        <source>Write gains</source>
-        <translation>Escribir ganancias</translation>
-    </message>
-    <message>
-        <source>Revert</source>
-        <translation>Revertir</translation>
-    </message>
-    <message>
-        <source>Revert all staged gains</source>
-        <translation>Revertir todas las ganancias pendientes</translation>
-    </message>
-    <message>
-        <source>the running slot</source>
-        <translation>la ranura en uso</translation>
-    </message>
-    <message>
-        <source>a direction or a limit</source>
-        <translation>un sentido o un límite</translation>
-    </message>
-    <message>
-        <source>the limits were not kept: %1</source>
-        <translation>los límites no se conservaron: %1</translation>
-    </message>
-    <message>
-        <source>%1 %2, at rest</source>
-        <comment>mode and target</comment>
-        <translation>%1 %2, en reposo</translation>
-    </message>
-    <message>
-        <source>The power limit of axis %1 is unknown: its first motion sets it to %2. Write another under Limits of the axis.</source>
-        <translation>El límite de potencia del eje %1 es desconocido: su primer movimiento lo fija en %2. Escriba otro en Límites del eje.</translation>
-    </message>
-    <message>
-        <source>%</source>
-        <translation>%</translation>
-    </message>
-    <message>
-        <source>axis %1 moves in another mode; stop it first</source>
-        <translation>el eje %1 se mueve en otro modo; párelo primero</translation>
-    </message>
-    <message>
-        <source>nothing copied: no gain of axis %1 is known for this mode; write it first</source>
-        <translation>nada copiado: no se conoce ninguna ganancia del eje %1 para este modo; escríbala primero</translation>
-    </message>
-    <message>
-        <source>Gains and limits of axis %1</source>
-        <translation>Ganancias y límites del eje %1</translation>
+        <source>%1, slot %2</source>
+        <translation>%1, ranura %2</translation>
     </message>
     <message>
         <source> · also moving: axis %1</source>
         <translation> · también se mueve: eje %1</translation>
     </message>
+</context>
+<context>
+    <name>mb::TunePage</name>
     <message>
         <source>disarmed: another device is selected</source>
         <translation>desarmado: se seleccionó otro dispositivo</translation>
@@ -9662,58 +9841,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>No se puede enviar la consigna</translation>
     </message>
     <message>
-        <source>A gain is out of range</source>
-        <translation>Una ganancia está fuera de rango</translation>
-    </message>
-    <message>
-        <source>Correct or revert it first.</source>
-        <translation>Corríjala o reviértala primero.</translation>
-    </message>
-    <message>
-        <source>Look at a gain again</source>
-        <translation>Vuelva a mirar una ganancia</translation>
-    </message>
-    <message>
-        <source>Writing gains</source>
-        <translation>Escribiendo ganancias</translation>
-    </message>
-    <message>
-        <source>Reading gains</source>
-        <translation>Leyendo ganancias</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 de %2</translation>
-    </message>
-    <message>
-        <source>Moving</source>
-        <translation>En movimiento</translation>
-    </message>
-    <message>
-        <source>Armed</source>
-        <translation>Armado</translation>
-    </message>
-    <message>
-        <source>F5 runs %1</source>
-        <translation>F5 inicia %1</translation>
-    </message>
-    <message>
-        <source>Not armed</source>
-        <translation>No armado</translation>
-    </message>
-    <message>
-        <source>Hold the Arm button for 1 s to arm %1.</source>
-        <translation>Mantenga pulsado Armar 1 s para armar %1.</translation>
-    </message>
-    <message>
-        <source>axis %1: %2</source>
-        <translation>eje %1: %2</translation>
-    </message>
-    <message>
-        <source>%1, slot %2</source>
-        <translation>%1, ranura %2</translation>
-    </message>
-    <message>
         <source>Something moves</source>
         <translation>Algo se mueve</translation>
     </message>
@@ -9721,88 +9848,9 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>Hold the Arm button for 1 s to arm it first.</source>
         <translation>Mantenga pulsado Armar 1 s para armarlo primero.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n value(s)</source>
-        <translation>
-            <numerusform>%n valor</numerusform>
-            <numerusform>%n valores</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Nothing to write</source>
-        <translation>Nada que escribir</translation>
-    </message>
-    <message>
-        <source>Write %1 to slot %2</source>
-        <translation>Escribir %1 en la ranura %2</translation>
-    </message>
-    <message>
-        <source>Write %1</source>
-        <translation>Escribir %1</translation>
-    </message>
-    <message>
-        <source>No gain is edited</source>
-        <translation>No hay ganancias editadas</translation>
-    </message>
-    <message>
-        <source>The device is busy</source>
-        <translation>El dispositivo está ocupado</translation>
-    </message>
-    <message>
-        <source>it has no lamp that could blink</source>
-        <translation>no tiene ningún LED que pueda parpadear</translation>
-    </message>
-    <message>
-        <source>not identified: %1</source>
-        <translation>no identificado: %1</translation>
-    </message>
-    <message>
-        <source>disarmed: %1 changed</source>
-        <translation>desarmado: ha cambiado %1</translation>
-    </message>
-    <message>
-        <source>the mode</source>
-        <translation>el modo</translation>
-    </message>
     <message>
         <source>not run: %1. %2</source>
         <translation>no iniciado: %1. %2</translation>
-    </message>
-    <message>
-        <source>gains not written: %1</source>
-        <translation>ganancias no escritas: %1</translation>
-    </message>
-    <message>
-        <source>position 0 is here; the motor is off until Run</source>
-        <translation>la posición 0 está aquí; el motor está apagado hasta Iniciar</translation>
-    </message>
-    <message>
-        <source>Stop the motion before an experiment.</source>
-        <translation>Pare el movimiento antes de un experimento.</translation>
-    </message>
-    <message>
-        <source>The stimulus cannot be sent</source>
-        <translation>No se puede enviar la excitación</translation>
-    </message>
-    <message>
-        <source>No experiment yet</source>
-        <translation>Aún no hay experimento posible</translation>
-    </message>
-    <message>
-        <source>No experiment in this mode</source>
-        <translation>En este modo no hay experimentos</translation>
-    </message>
-    <message>
-        <source>F5 runs the experiment.</source>
-        <translation>F5 inicia el experimento.</translation>
-    </message>
-    <message>
-        <source>Gains of trial #%1</source>
-        <translation>Ganancias del ensayo #%1</translation>
-    </message>
-    <message>
-        <source>What the adviser proposes</source>
-        <translation>Lo que propone el asesor</translation>
     </message>
 </context>
 <context>

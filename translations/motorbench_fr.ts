@@ -3459,6 +3459,52 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     </message>
 </context>
 <context>
+    <name>mb::GainsWriteRow</name>
+    <message>
+        <source>Write gains</source>
+        <translation>Écrire les gains</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>Revert all staged gains</source>
+        <translation>Rétablir tous les gains en attente</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s)</source>
+        <translation>
+            <numerusform>%n valeur</numerusform>
+            <numerusform>%n valeurs</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing to write</source>
+        <translation>Rien à écrire</translation>
+    </message>
+    <message>
+        <source>Write %1 to slot %2</source>
+        <translation>Écrire %1 dans le jeu %2</translation>
+    </message>
+    <message>
+        <source>Write %1</source>
+        <translation>Écrire %1</translation>
+    </message>
+    <message>
+        <source>A gain is out of range</source>
+        <translation>Un gain est hors plage</translation>
+    </message>
+    <message>
+        <source>No gain is edited</source>
+        <translation>Aucun gain n’est modifié</translation>
+    </message>
+    <message>
+        <source>The device is busy</source>
+        <translation>L’appareil est occupé</translation>
+    </message>
+</context>
+<context>
     <name>mb::GroupMotion</name>
     <message>
         <source>not prepared: hold the Arm button first</source>
@@ -9417,6 +9463,134 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
 </context>
 <context>
+    <name>mb::TuneAxes</name>
+    <message>
+        <source>%1 %2, at rest</source>
+        <comment>mode and target</comment>
+        <translation>%1 %2, au repos</translation>
+    </message>
+    <message>
+        <source>axis %1 moves in another mode; stop it first</source>
+        <translation>l’axe %1 se déplace dans un autre mode ; arrêtez-le d’abord</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TuneColumn</name>
+    <message>
+        <source>The power limit of axis %1 is unknown: its first motion sets it to %2. Write another under Limits of the axis.</source>
+        <translation>La limite de puissance de l’axe %1 est inconnue : son premier mouvement la fixe à %2. Écrivez-en une autre sous Limites de l’axe.</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TuneCommands</name>
+    <message>
+        <source>Stop motion</source>
+        <translation>Arrêter le mouvement</translation>
+    </message>
+    <message>
+        <source>Ends the motion and stays armed. STOP, Esc and Pause stop everything.</source>
+        <translation>Met fin au mouvement et reste armé. STOP, Esc et Pause arrêtent tout.</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Lancer</translation>
+    </message>
+    <message>
+        <source>Write and run</source>
+        <translation>Écrire et lancer</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Appliquer</translation>
+    </message>
+    <message>
+        <source>Run %1 axes</source>
+        <translation>Lancer %1 axes</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vue</translation>
+    </message>
+    <message>
+        <source>Experiment</source>
+        <translation>Expérience</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>Direct</translation>
+    </message>
+    <message>
+        <source>Stop axis %1</source>
+        <translation>Arrêter l’axe %1</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TuneExperiments</name>
+    <message>
+        <source>the limits were not kept: %1</source>
+        <translation>les limites n’ont pas été respectées : %1</translation>
+    </message>
+    <message>
+        <source>Experiment</source>
+        <translation>Expérience</translation>
+    </message>
+    <message>
+        <source>Moving</source>
+        <translation>En mouvement</translation>
+    </message>
+    <message>
+        <source>Stop the motion before an experiment.</source>
+        <translation>Arrêtez le mouvement avant une expérience.</translation>
+    </message>
+    <message>
+        <source>The stimulus cannot be sent</source>
+        <translation>L’excitation ne peut pas être envoyée</translation>
+    </message>
+    <message>
+        <source>No experiment yet</source>
+        <translation>Pas encore d’expérience possible</translation>
+    </message>
+    <message>
+        <source>No experiment in this mode</source>
+        <translation>Pas d’expérience dans ce mode</translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <translation>Armé</translation>
+    </message>
+    <message>
+        <source>F5 runs the experiment.</source>
+        <translation>F5 lance l’expérience.</translation>
+    </message>
+    <message>
+        <source>Not armed</source>
+        <translation>Non armé</translation>
+    </message>
+    <message>
+        <source>Hold the Arm button for 1 s to arm %1.</source>
+        <translation>Maintenez le bouton Armer pendant 1 s pour armer %1.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TuneForm</name>
+    <message>
+        <source>the running slot</source>
+        <translation>le jeu actif</translation>
+    </message>
+    <message>
+        <source>a direction or a limit</source>
+        <translation>un sens ou une limite</translation>
+    </message>
+    <message>
+        <source>the mode</source>
+        <translation>le mode</translation>
+    </message>
+</context>
+<context>
     <name>mb::TuneFrame</name>
     <message>
         <source>Part of the page</source>
@@ -9441,6 +9615,53 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>Live</source>
         <translation>Direct</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TuneGains</name>
+    <message>
+        <source>A gain is out of range</source>
+        <translation>Un gain est hors plage</translation>
+    </message>
+    <message>
+        <source>Correct or revert it first.</source>
+        <translation>Corrigez-le ou rétablissez-le d’abord.</translation>
+    </message>
+    <message>
+        <source>Look at a gain again</source>
+        <translation>Revoir un gain</translation>
+    </message>
+    <message>
+        <source>Writing gains</source>
+        <translation>Écriture des gains</translation>
+    </message>
+    <message>
+        <source>Reading gains</source>
+        <translation>Lecture des gains</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>gains not written: %1</source>
+        <translation>gains non écrits : %1</translation>
+    </message>
+    <message>
+        <source>Gains of trial #%1</source>
+        <translation>Gains de l’essai n° %1</translation>
+    </message>
+    <message>
+        <source>What the adviser proposes</source>
+        <translation>Ce que propose le conseiller</translation>
+    </message>
+    <message>
+        <source>nothing copied: no gain of axis %1 is known for this mode; write it first</source>
+        <translation>rien copié : aucun gain de l’axe %1 n’est connu pour ce mode ; écrivez-le d’abord</translation>
+    </message>
+    <message>
+        <source>Gains and limits of axis %1</source>
+        <translation>Gains et limites de l’axe %1</translation>
     </message>
 </context>
 <context>
@@ -9511,100 +9732,58 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
 </context>
 <context>
-    <name>mb::TunePage</name>
+    <name>mb::TuneMotion</name>
     <message>
-        <source>Stop motion</source>
-        <translation>Arrêter le mouvement</translation>
+        <source>position 0 is here; the motor is off until Run</source>
+        <translation>la position 0 est ici ; le moteur est coupé jusqu’à Lancer</translation>
     </message>
     <message>
-        <source>Stop axis %1</source>
-        <translation>Arrêter l’axe %1</translation>
+        <source>it has no lamp that could blink</source>
+        <translation>il n’a pas de voyant qui puisse clignoter</translation>
     </message>
     <message>
-        <source>Ends the motion and stays armed. STOP, Esc and Pause stop everything.</source>
-        <translation>Met fin au mouvement et reste armé. STOP, Esc et Pause arrêtent tout.</translation>
+        <source>not identified: %1</source>
+        <translation>non identifié : %1</translation>
     </message>
     <message>
-        <source>Run</source>
-        <translation>Lancer</translation>
+        <source>disarmed: %1 changed</source>
+        <translation>désarmé : %1 a changé</translation>
     </message>
     <message>
-        <source>Write and run</source>
-        <translation>Écrire et lancer</translation>
+        <source>Moving</source>
+        <translation>En mouvement</translation>
     </message>
     <message>
-        <source>Apply</source>
-        <translation>Appliquer</translation>
+        <source>Armed</source>
+        <translation>Armé</translation>
     </message>
     <message>
-        <source>Run %1 axes</source>
-        <translation>Lancer %1 axes</translation>
+        <source>F5 runs %1</source>
+        <translation>F5 lance %1</translation>
     </message>
     <message>
-        <source>View</source>
-        <translation>Vue</translation>
+        <source>Not armed</source>
+        <translation>Non armé</translation>
     </message>
     <message>
-        <source>Experiment</source>
-        <translation>Expérience</translation>
+        <source>Hold the Arm button for 1 s to arm %1.</source>
+        <translation>Maintenez le bouton Armer pendant 1 s pour armer %1.</translation>
     </message>
     <message>
-        <source>Live</source>
-        <translation>Direct</translation>
+        <source>axis %1: %2</source>
+        <translation>axe %1 : %2</translation>
     </message>
     <message>
-        <source>Write gains</source>
-        <translation>Écrire les gains</translation>
-    </message>
-    <message>
-        <source>Revert</source>
-        <translation>Rétablir</translation>
-    </message>
-    <message>
-        <source>Revert all staged gains</source>
-        <translation>Rétablir tous les gains en attente</translation>
-    </message>
-    <message>
-        <source>the running slot</source>
-        <translation>le jeu actif</translation>
-    </message>
-    <message>
-        <source>a direction or a limit</source>
-        <translation>un sens ou une limite</translation>
-    </message>
-    <message>
-        <source>the limits were not kept: %1</source>
-        <translation>les limites n’ont pas été respectées&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>%1 %2, at rest</source>
-        <comment>mode and target</comment>
-        <translation>%1 %2, au repos</translation>
-    </message>
-    <message>
-        <source>The power limit of axis %1 is unknown: its first motion sets it to %2. Write another under Limits of the axis.</source>
-        <translation>La limite de puissance de l’axe %1 est inconnue&#xa0;: son premier mouvement la fixe à %2. Écrivez-en une autre sous Limites de l’axe.</translation>
-    </message>
-    <message>
-        <source>%</source>
-        <translation>%</translation>
-    </message>
-    <message>
-        <source>axis %1 moves in another mode; stop it first</source>
-        <translation>l’axe %1 se déplace dans un autre mode&#x202f;; arrêtez-le d’abord</translation>
-    </message>
-    <message>
-        <source>nothing copied: no gain of axis %1 is known for this mode; write it first</source>
-        <translation>rien copié&#xa0;: aucun gain de l’axe %1 n’est connu pour ce mode&#x202f;; écrivez-le d’abord</translation>
-    </message>
-    <message>
-        <source>Gains and limits of axis %1</source>
-        <translation>Gains et limites de l’axe %1</translation>
+        <source>%1, slot %2</source>
+        <translation>%1, jeu %2</translation>
     </message>
     <message>
         <source> · also moving: axis %1</source>
-        <translation> · aussi en mouvement&#xa0;: axe %1</translation>
+        <translation> · aussi en mouvement : axe %1</translation>
     </message>
+</context>
+<context>
+    <name>mb::TunePage</name>
     <message>
         <source>disarmed: another device is selected</source>
         <translation>désarmé&#xa0;: un autre appareil est sélectionné</translation>
@@ -9662,58 +9841,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>La consigne ne peut pas être envoyée</translation>
     </message>
     <message>
-        <source>A gain is out of range</source>
-        <translation>Un gain est hors plage</translation>
-    </message>
-    <message>
-        <source>Correct or revert it first.</source>
-        <translation>Corrigez-le ou rétablissez-le d’abord.</translation>
-    </message>
-    <message>
-        <source>Look at a gain again</source>
-        <translation>Revoir un gain</translation>
-    </message>
-    <message>
-        <source>Writing gains</source>
-        <translation>Écriture des gains</translation>
-    </message>
-    <message>
-        <source>Reading gains</source>
-        <translation>Lecture des gains</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 sur %2</translation>
-    </message>
-    <message>
-        <source>Moving</source>
-        <translation>En mouvement</translation>
-    </message>
-    <message>
-        <source>Armed</source>
-        <translation>Armé</translation>
-    </message>
-    <message>
-        <source>F5 runs %1</source>
-        <translation>F5 lance %1</translation>
-    </message>
-    <message>
-        <source>Not armed</source>
-        <translation>Non armé</translation>
-    </message>
-    <message>
-        <source>Hold the Arm button for 1 s to arm %1.</source>
-        <translation>Maintenez le bouton Armer pendant 1 s pour armer %1.</translation>
-    </message>
-    <message>
-        <source>axis %1: %2</source>
-        <translation>axe %1&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>%1, slot %2</source>
-        <translation>%1, jeu %2</translation>
-    </message>
-    <message>
         <source>Something moves</source>
         <translation>Quelque chose bouge</translation>
     </message>
@@ -9721,88 +9848,9 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>Hold the Arm button for 1 s to arm it first.</source>
         <translation>Maintenez d’abord le bouton Armer pendant 1 s pour l’armer.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n value(s)</source>
-        <translation>
-            <numerusform>%n valeur</numerusform>
-            <numerusform>%n valeurs</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Nothing to write</source>
-        <translation>Rien à écrire</translation>
-    </message>
-    <message>
-        <source>Write %1 to slot %2</source>
-        <translation>Écrire %1 dans le jeu %2</translation>
-    </message>
-    <message>
-        <source>Write %1</source>
-        <translation>Écrire %1</translation>
-    </message>
-    <message>
-        <source>No gain is edited</source>
-        <translation>Aucun gain n’est modifié</translation>
-    </message>
-    <message>
-        <source>The device is busy</source>
-        <translation>L’appareil est occupé</translation>
-    </message>
-    <message>
-        <source>it has no lamp that could blink</source>
-        <translation>il n’a pas de voyant qui puisse clignoter</translation>
-    </message>
-    <message>
-        <source>not identified: %1</source>
-        <translation>non identifié&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>disarmed: %1 changed</source>
-        <translation>désarmé&#xa0;: %1 a changé</translation>
-    </message>
-    <message>
-        <source>the mode</source>
-        <translation>le mode</translation>
-    </message>
     <message>
         <source>not run: %1. %2</source>
         <translation>non lancé&#xa0;: %1. %2</translation>
-    </message>
-    <message>
-        <source>gains not written: %1</source>
-        <translation>gains non écrits&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>position 0 is here; the motor is off until Run</source>
-        <translation>la position 0 est ici&#x202f;; le moteur est coupé jusqu’à Lancer</translation>
-    </message>
-    <message>
-        <source>Stop the motion before an experiment.</source>
-        <translation>Arrêtez le mouvement avant une expérience.</translation>
-    </message>
-    <message>
-        <source>The stimulus cannot be sent</source>
-        <translation>L’excitation ne peut pas être envoyée</translation>
-    </message>
-    <message>
-        <source>No experiment yet</source>
-        <translation>Pas encore d’expérience possible</translation>
-    </message>
-    <message>
-        <source>No experiment in this mode</source>
-        <translation>Pas d’expérience dans ce mode</translation>
-    </message>
-    <message>
-        <source>F5 runs the experiment.</source>
-        <translation>F5 lance l’expérience.</translation>
-    </message>
-    <message>
-        <source>Gains of trial #%1</source>
-        <translation>Gains de l’essai n° %1</translation>
-    </message>
-    <message>
-        <source>What the adviser proposes</source>
-        <translation>Ce que propose le conseiller</translation>
     </message>
 </context>
 <context>

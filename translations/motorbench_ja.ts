@@ -3457,6 +3457,51 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
 </context>
 <context>
+    <name>mb::GainsWriteRow</name>
+    <message>
+        <source>Write gains</source>
+        <translation>ゲインを書込み</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>元に戻す</translation>
+    </message>
+    <message>
+        <source>Revert all staged gains</source>
+        <translation>書込み待ちのゲインをすべて元に戻す</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s)</source>
+        <translation>
+            <numerusform>%n 個の値</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing to write</source>
+        <translation>書き込むものはありません</translation>
+    </message>
+    <message>
+        <source>Write %1 to slot %2</source>
+        <translation>%1 をスロット %2 に書込み</translation>
+    </message>
+    <message>
+        <source>Write %1</source>
+        <translation>%1 を書込み</translation>
+    </message>
+    <message>
+        <source>A gain is out of range</source>
+        <translation>ゲインが範囲外です</translation>
+    </message>
+    <message>
+        <source>No gain is edited</source>
+        <translation>編集されたゲインはありません</translation>
+    </message>
+    <message>
+        <source>The device is busy</source>
+        <translation>機器はビジーです</translation>
+    </message>
+</context>
+<context>
     <name>mb::GroupMotion</name>
     <message>
         <source>not prepared: hold the Arm button first</source>
@@ -9404,6 +9449,134 @@ double click plots it, drag it to a pane or below them</source>
     </message>
 </context>
 <context>
+    <name>mb::TuneAxes</name>
+    <message>
+        <source>%1 %2, at rest</source>
+        <comment>mode and target</comment>
+        <translation>%1 %2、静止中</translation>
+    </message>
+    <message>
+        <source>axis %1 moves in another mode; stop it first</source>
+        <translation>軸 %1 は別のモードで動作中です。先に停止してください</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TuneColumn</name>
+    <message>
+        <source>The power limit of axis %1 is unknown: its first motion sets it to %2. Write another under Limits of the axis.</source>
+        <translation>軸 %1 の出力制限が不明です: 最初の動作で %2 に設定されます。変更する場合は「軸の制限」で書き込んでください。</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TuneCommands</name>
+    <message>
+        <source>Stop motion</source>
+        <translation>動作を停止</translation>
+    </message>
+    <message>
+        <source>Ends the motion and stays armed. STOP, Esc and Pause stop everything.</source>
+        <translation>動作を終了し、駆動許可は維持します。STOP、Esc、Pause はすべてを停止します。</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>実行</translation>
+    </message>
+    <message>
+        <source>Write and run</source>
+        <translation>書込みと実行</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>適用</translation>
+    </message>
+    <message>
+        <source>Run %1 axes</source>
+        <translation>%1 軸を実行</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>表示</translation>
+    </message>
+    <message>
+        <source>Experiment</source>
+        <translation>実験</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>ライブ</translation>
+    </message>
+    <message>
+        <source>Stop axis %1</source>
+        <translation>軸 %1 を停止</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TuneExperiments</name>
+    <message>
+        <source>the limits were not kept: %1</source>
+        <translation>制限が保持されませんでした: %1</translation>
+    </message>
+    <message>
+        <source>Experiment</source>
+        <translation>実験</translation>
+    </message>
+    <message>
+        <source>Moving</source>
+        <translation>動作中</translation>
+    </message>
+    <message>
+        <source>Stop the motion before an experiment.</source>
+        <translation>実験の前に動作を停止してください。</translation>
+    </message>
+    <message>
+        <source>The stimulus cannot be sent</source>
+        <translation>励振を送信できません</translation>
+    </message>
+    <message>
+        <source>No experiment yet</source>
+        <translation>まだ実験できません</translation>
+    </message>
+    <message>
+        <source>No experiment in this mode</source>
+        <translation>このモードでは実験できません</translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <translation>駆動許可中</translation>
+    </message>
+    <message>
+        <source>F5 runs the experiment.</source>
+        <translation>F5 で実験を実行します。</translation>
+    </message>
+    <message>
+        <source>Not armed</source>
+        <translation>駆動未許可</translation>
+    </message>
+    <message>
+        <source>Hold the Arm button for 1 s to arm %1.</source>
+        <translation>%1 を駆動許可するには、駆動許可ボタンを 1 s 押し続けてください。</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TuneForm</name>
+    <message>
+        <source>the running slot</source>
+        <translation>実行スロット</translation>
+    </message>
+    <message>
+        <source>a direction or a limit</source>
+        <translation>方向またはリミット</translation>
+    </message>
+    <message>
+        <source>the mode</source>
+        <translation>モード</translation>
+    </message>
+</context>
+<context>
     <name>mb::TuneFrame</name>
     <message>
         <source>Part of the page</source>
@@ -9428,6 +9601,53 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>Live</source>
         <translation>ライブ</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TuneGains</name>
+    <message>
+        <source>A gain is out of range</source>
+        <translation>ゲインが範囲外です</translation>
+    </message>
+    <message>
+        <source>Correct or revert it first.</source>
+        <translation>先に修正するか、元に戻してください。</translation>
+    </message>
+    <message>
+        <source>Look at a gain again</source>
+        <translation>ゲインを再確認</translation>
+    </message>
+    <message>
+        <source>Writing gains</source>
+        <translation>ゲインを書込み中</translation>
+    </message>
+    <message>
+        <source>Reading gains</source>
+        <translation>ゲインを読出し中</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1/%2</translation>
+    </message>
+    <message>
+        <source>gains not written: %1</source>
+        <translation>ゲインを書き込んでいません: %1</translation>
+    </message>
+    <message>
+        <source>Gains of trial #%1</source>
+        <translation>試行 #%1 のゲイン</translation>
+    </message>
+    <message>
+        <source>What the adviser proposes</source>
+        <translation>アドバイザの提案</translation>
+    </message>
+    <message>
+        <source>nothing copied: no gain of axis %1 is known for this mode; write it first</source>
+        <translation>コピーしていません: このモードでは軸 %1 のゲインが不明です。先に書き込んでください</translation>
+    </message>
+    <message>
+        <source>Gains and limits of axis %1</source>
+        <translation>軸 %1 のゲインと制限</translation>
     </message>
 </context>
 <context>
@@ -9498,100 +9718,58 @@ double click plots it, drag it to a pane or below them</source>
     </message>
 </context>
 <context>
-    <name>mb::TunePage</name>
+    <name>mb::TuneMotion</name>
     <message>
-        <source>Stop motion</source>
-        <translation>動作を停止</translation>
+        <source>position 0 is here; the motor is off until Run</source>
+        <translation>現在位置を 0 としました。「実行」までモータはオフです</translation>
     </message>
     <message>
-        <source>Stop axis %1</source>
-        <translation>軸 %1 を停止</translation>
+        <source>it has no lamp that could blink</source>
+        <translation>点滅できるランプがありません</translation>
     </message>
     <message>
-        <source>Ends the motion and stays armed. STOP, Esc and Pause stop everything.</source>
-        <translation>動作を終了し、駆動許可は維持します。STOP、Esc、Pause はすべてを停止します。</translation>
+        <source>not identified: %1</source>
+        <translation>識別できません: %1</translation>
     </message>
     <message>
-        <source>Run</source>
-        <translation>実行</translation>
+        <source>disarmed: %1 changed</source>
+        <translation>駆動許可を解除しました: %1 が変更されました</translation>
     </message>
     <message>
-        <source>Write and run</source>
-        <translation>書込みと実行</translation>
+        <source>Moving</source>
+        <translation>動作中</translation>
     </message>
     <message>
-        <source>Apply</source>
-        <translation>適用</translation>
+        <source>Armed</source>
+        <translation>駆動許可中</translation>
     </message>
     <message>
-        <source>Run %1 axes</source>
-        <translation>%1 軸を実行</translation>
+        <source>F5 runs %1</source>
+        <translation>F5 で %1 を実行</translation>
     </message>
     <message>
-        <source>View</source>
-        <translation>表示</translation>
+        <source>Not armed</source>
+        <translation>駆動未許可</translation>
     </message>
     <message>
-        <source>Experiment</source>
-        <translation>実験</translation>
+        <source>Hold the Arm button for 1 s to arm %1.</source>
+        <translation>%1 を駆動許可するには、駆動許可ボタンを 1 s 押し続けてください。</translation>
     </message>
     <message>
-        <source>Live</source>
-        <translation>ライブ</translation>
+        <source>axis %1: %2</source>
+        <translation>軸 %1: %2</translation>
     </message>
     <message>
-        <source>Write gains</source>
-        <translation>ゲインを書込み</translation>
-    </message>
-    <message>
-        <source>Revert</source>
-        <translation>元に戻す</translation>
-    </message>
-    <message>
-        <source>Revert all staged gains</source>
-        <translation>書込み待ちのゲインをすべて元に戻す</translation>
-    </message>
-    <message>
-        <source>the running slot</source>
-        <translation>実行スロット</translation>
-    </message>
-    <message>
-        <source>a direction or a limit</source>
-        <translation>方向またはリミット</translation>
-    </message>
-    <message>
-        <source>the limits were not kept: %1</source>
-        <translation>制限が保持されませんでした: %1</translation>
-    </message>
-    <message>
-        <source>%1 %2, at rest</source>
-        <comment>mode and target</comment>
-        <translation>%1 %2、静止中</translation>
-    </message>
-    <message>
-        <source>The power limit of axis %1 is unknown: its first motion sets it to %2. Write another under Limits of the axis.</source>
-        <translation>軸 %1 の出力制限が不明です: 最初の動作で %2 に設定されます。変更する場合は「軸の制限」で書き込んでください。</translation>
-    </message>
-    <message>
-        <source>%</source>
-        <translation>%</translation>
-    </message>
-    <message>
-        <source>axis %1 moves in another mode; stop it first</source>
-        <translation>軸 %1 は別のモードで動作中です。先に停止してください</translation>
-    </message>
-    <message>
-        <source>nothing copied: no gain of axis %1 is known for this mode; write it first</source>
-        <translation>コピーしていません: このモードでは軸 %1 のゲインが不明です。先に書き込んでください</translation>
-    </message>
-    <message>
-        <source>Gains and limits of axis %1</source>
-        <translation>軸 %1 のゲインと制限</translation>
+        <source>%1, slot %2</source>
+        <translation>%1、スロット %2</translation>
     </message>
     <message>
         <source> · also moving: axis %1</source>
         <translation> · 軸 %1 も動作中</translation>
     </message>
+</context>
+<context>
+    <name>mb::TunePage</name>
     <message>
         <source>disarmed: another device is selected</source>
         <translation>駆動許可を解除しました: 別の機器が選択されました</translation>
@@ -9649,58 +9827,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>目標値を送信できません</translation>
     </message>
     <message>
-        <source>A gain is out of range</source>
-        <translation>ゲインが範囲外です</translation>
-    </message>
-    <message>
-        <source>Correct or revert it first.</source>
-        <translation>先に修正するか、元に戻してください。</translation>
-    </message>
-    <message>
-        <source>Look at a gain again</source>
-        <translation>ゲインを再確認</translation>
-    </message>
-    <message>
-        <source>Writing gains</source>
-        <translation>ゲインを書込み中</translation>
-    </message>
-    <message>
-        <source>Reading gains</source>
-        <translation>ゲインを読出し中</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1/%2</translation>
-    </message>
-    <message>
-        <source>Moving</source>
-        <translation>動作中</translation>
-    </message>
-    <message>
-        <source>Armed</source>
-        <translation>駆動許可中</translation>
-    </message>
-    <message>
-        <source>F5 runs %1</source>
-        <translation>F5 で %1 を実行</translation>
-    </message>
-    <message>
-        <source>Not armed</source>
-        <translation>駆動未許可</translation>
-    </message>
-    <message>
-        <source>Hold the Arm button for 1 s to arm %1.</source>
-        <translation>%1 を駆動許可するには、駆動許可ボタンを 1 s 押し続けてください。</translation>
-    </message>
-    <message>
-        <source>axis %1: %2</source>
-        <translation>軸 %1: %2</translation>
-    </message>
-    <message>
-        <source>%1, slot %2</source>
-        <translation>%1、スロット %2</translation>
-    </message>
-    <message>
         <source>Something moves</source>
         <translation>動作中のものがあります</translation>
     </message>
@@ -9708,87 +9834,9 @@ double click plots it, drag it to a pane or below them</source>
         <source>Hold the Arm button for 1 s to arm it first.</source>
         <translation>先に駆動許可ボタンを 1 s 押し続けて駆動許可してください。</translation>
     </message>
-    <message numerus="yes">
-        <source>%n value(s)</source>
-        <translation>
-            <numerusform>%n 個の値</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Nothing to write</source>
-        <translation>書き込むものはありません</translation>
-    </message>
-    <message>
-        <source>Write %1 to slot %2</source>
-        <translation>%1 をスロット %2 に書込み</translation>
-    </message>
-    <message>
-        <source>Write %1</source>
-        <translation>%1 を書込み</translation>
-    </message>
-    <message>
-        <source>No gain is edited</source>
-        <translation>編集されたゲインはありません</translation>
-    </message>
-    <message>
-        <source>The device is busy</source>
-        <translation>機器はビジーです</translation>
-    </message>
-    <message>
-        <source>it has no lamp that could blink</source>
-        <translation>点滅できるランプがありません</translation>
-    </message>
-    <message>
-        <source>not identified: %1</source>
-        <translation>識別できません: %1</translation>
-    </message>
-    <message>
-        <source>disarmed: %1 changed</source>
-        <translation>駆動許可を解除しました: %1 が変更されました</translation>
-    </message>
-    <message>
-        <source>the mode</source>
-        <translation>モード</translation>
-    </message>
     <message>
         <source>not run: %1. %2</source>
         <translation>実行していません: %1。%2</translation>
-    </message>
-    <message>
-        <source>gains not written: %1</source>
-        <translation>ゲインを書き込んでいません: %1</translation>
-    </message>
-    <message>
-        <source>position 0 is here; the motor is off until Run</source>
-        <translation>現在位置を 0 としました。「実行」までモータはオフです</translation>
-    </message>
-    <message>
-        <source>Stop the motion before an experiment.</source>
-        <translation>実験の前に動作を停止してください。</translation>
-    </message>
-    <message>
-        <source>The stimulus cannot be sent</source>
-        <translation>励振を送信できません</translation>
-    </message>
-    <message>
-        <source>No experiment yet</source>
-        <translation>まだ実験できません</translation>
-    </message>
-    <message>
-        <source>No experiment in this mode</source>
-        <translation>このモードでは実験できません</translation>
-    </message>
-    <message>
-        <source>F5 runs the experiment.</source>
-        <translation>F5 で実験を実行します。</translation>
-    </message>
-    <message>
-        <source>Gains of trial #%1</source>
-        <translation>試行 #%1 のゲイン</translation>
-    </message>
-    <message>
-        <source>What the adviser proposes</source>
-        <translation>アドバイザの提案</translation>
     </message>
 </context>
 <context>

@@ -3457,6 +3457,51 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
 </context>
 <context>
+    <name>mb::GainsWriteRow</name>
+    <message>
+        <source>Write gains</source>
+        <translation>写入增益</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>还原</translation>
+    </message>
+    <message>
+        <source>Revert all staged gains</source>
+        <translation>还原所有暂存的增益</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s)</source>
+        <translation>
+            <numerusform>%n 个值</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing to write</source>
+        <translation>没有可写入的内容</translation>
+    </message>
+    <message>
+        <source>Write %1 to slot %2</source>
+        <translation>将 %1 写入槽 %2</translation>
+    </message>
+    <message>
+        <source>Write %1</source>
+        <translation>写入 %1</translation>
+    </message>
+    <message>
+        <source>A gain is out of range</source>
+        <translation>有增益超出范围</translation>
+    </message>
+    <message>
+        <source>No gain is edited</source>
+        <translation>未编辑任何增益</translation>
+    </message>
+    <message>
+        <source>The device is busy</source>
+        <translation>设备忙</translation>
+    </message>
+</context>
+<context>
     <name>mb::GroupMotion</name>
     <message>
         <source>not prepared: hold the Arm button first</source>
@@ -9404,6 +9449,134 @@ double click plots it, drag it to a pane or below them</source>
     </message>
 </context>
 <context>
+    <name>mb::TuneAxes</name>
+    <message>
+        <source>%1 %2, at rest</source>
+        <comment>mode and target</comment>
+        <translation>%1 %2，静止</translation>
+    </message>
+    <message>
+        <source>axis %1 moves in another mode; stop it first</source>
+        <translation>轴 %1 正以另一模式运动；请先停止它</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TuneColumn</name>
+    <message>
+        <source>The power limit of axis %1 is unknown: its first motion sets it to %2. Write another under Limits of the axis.</source>
+        <translation>轴 %1 的功率限值未知：首次运动会将其设为 %2。可在“轴的限值”中写入其他值。</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TuneCommands</name>
+    <message>
+        <source>Stop motion</source>
+        <translation>停止运动</translation>
+    </message>
+    <message>
+        <source>Ends the motion and stays armed. STOP, Esc and Pause stop everything.</source>
+        <translation>结束运动并保持解锁。STOP、Esc 和 Pause 停止一切。</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>Write and run</source>
+        <translation>写入并运行</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>应用</translation>
+    </message>
+    <message>
+        <source>Run %1 axes</source>
+        <translation>运行 %1 轴</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>Experiment</source>
+        <translation>实验</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>实时</translation>
+    </message>
+    <message>
+        <source>Stop axis %1</source>
+        <translation>停止轴 %1</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TuneExperiments</name>
+    <message>
+        <source>the limits were not kept: %1</source>
+        <translation>限值未被保留：%1</translation>
+    </message>
+    <message>
+        <source>Experiment</source>
+        <translation>实验</translation>
+    </message>
+    <message>
+        <source>Moving</source>
+        <translation>正在运动</translation>
+    </message>
+    <message>
+        <source>Stop the motion before an experiment.</source>
+        <translation>请先停止运动，再进行实验。</translation>
+    </message>
+    <message>
+        <source>The stimulus cannot be sent</source>
+        <translation>无法发送激励</translation>
+    </message>
+    <message>
+        <source>No experiment yet</source>
+        <translation>尚不能实验</translation>
+    </message>
+    <message>
+        <source>No experiment in this mode</source>
+        <translation>此模式下不能实验</translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <translation>已解锁</translation>
+    </message>
+    <message>
+        <source>F5 runs the experiment.</source>
+        <translation>F5 运行实验。</translation>
+    </message>
+    <message>
+        <source>Not armed</source>
+        <translation>未解锁</translation>
+    </message>
+    <message>
+        <source>Hold the Arm button for 1 s to arm %1.</source>
+        <translation>按住“解锁”按钮 1 s 以解锁 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TuneForm</name>
+    <message>
+        <source>the running slot</source>
+        <translation>运行的槽</translation>
+    </message>
+    <message>
+        <source>a direction or a limit</source>
+        <translation>方向或限位</translation>
+    </message>
+    <message>
+        <source>the mode</source>
+        <translation>模式</translation>
+    </message>
+</context>
+<context>
     <name>mb::TuneFrame</name>
     <message>
         <source>Part of the page</source>
@@ -9428,6 +9601,53 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>Live</source>
         <translation>实时</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TuneGains</name>
+    <message>
+        <source>A gain is out of range</source>
+        <translation>有增益超出范围</translation>
+    </message>
+    <message>
+        <source>Correct or revert it first.</source>
+        <translation>请先更正或还原它。</translation>
+    </message>
+    <message>
+        <source>Look at a gain again</source>
+        <translation>请复查一项增益</translation>
+    </message>
+    <message>
+        <source>Writing gains</source>
+        <translation>正在写入增益</translation>
+    </message>
+    <message>
+        <source>Reading gains</source>
+        <translation>正在读取增益</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>gains not written: %1</source>
+        <translation>增益未写入：%1</translation>
+    </message>
+    <message>
+        <source>Gains of trial #%1</source>
+        <translation>试验 #%1 的增益</translation>
+    </message>
+    <message>
+        <source>What the adviser proposes</source>
+        <translation>顾问的建议</translation>
+    </message>
+    <message>
+        <source>nothing copied: no gain of axis %1 is known for this mode; write it first</source>
+        <translation>未复制任何内容：轴 %1 在此模式下没有已知的增益；请先写入</translation>
+    </message>
+    <message>
+        <source>Gains and limits of axis %1</source>
+        <translation>轴 %1 的增益和限值</translation>
     </message>
 </context>
 <context>
@@ -9498,100 +9718,58 @@ double click plots it, drag it to a pane or below them</source>
     </message>
 </context>
 <context>
-    <name>mb::TunePage</name>
+    <name>mb::TuneMotion</name>
     <message>
-        <source>Stop motion</source>
-        <translation>停止运动</translation>
+        <source>position 0 is here; the motor is off until Run</source>
+        <translation>此处为位置 0；在“运行”之前电机关闭</translation>
     </message>
     <message>
-        <source>Stop axis %1</source>
-        <translation>停止轴 %1</translation>
+        <source>it has no lamp that could blink</source>
+        <translation>它没有可闪烁的指示灯</translation>
     </message>
     <message>
-        <source>Ends the motion and stays armed. STOP, Esc and Pause stop everything.</source>
-        <translation>结束运动并保持解锁。STOP、Esc 和 Pause 停止一切。</translation>
+        <source>not identified: %1</source>
+        <translation>未识别：%1</translation>
     </message>
     <message>
-        <source>Run</source>
-        <translation>运行</translation>
+        <source>disarmed: %1 changed</source>
+        <translation>已上锁：%1已更改</translation>
     </message>
     <message>
-        <source>Write and run</source>
-        <translation>写入并运行</translation>
+        <source>Moving</source>
+        <translation>正在运动</translation>
     </message>
     <message>
-        <source>Apply</source>
-        <translation>应用</translation>
+        <source>Armed</source>
+        <translation>已解锁</translation>
     </message>
     <message>
-        <source>Run %1 axes</source>
-        <translation>运行 %1 轴</translation>
+        <source>F5 runs %1</source>
+        <translation>F5 运行%1</translation>
     </message>
     <message>
-        <source>View</source>
-        <translation>视图</translation>
+        <source>Not armed</source>
+        <translation>未解锁</translation>
     </message>
     <message>
-        <source>Experiment</source>
-        <translation>实验</translation>
+        <source>Hold the Arm button for 1 s to arm %1.</source>
+        <translation>按住“解锁”按钮 1 s 以解锁 %1。</translation>
     </message>
     <message>
-        <source>Live</source>
-        <translation>实时</translation>
+        <source>axis %1: %2</source>
+        <translation>轴 %1：%2</translation>
     </message>
     <message>
-        <source>Write gains</source>
-        <translation>写入增益</translation>
-    </message>
-    <message>
-        <source>Revert</source>
-        <translation>还原</translation>
-    </message>
-    <message>
-        <source>Revert all staged gains</source>
-        <translation>还原所有暂存的增益</translation>
-    </message>
-    <message>
-        <source>the running slot</source>
-        <translation>运行的槽</translation>
-    </message>
-    <message>
-        <source>a direction or a limit</source>
-        <translation>方向或限位</translation>
-    </message>
-    <message>
-        <source>the limits were not kept: %1</source>
-        <translation>限值未被保留：%1</translation>
-    </message>
-    <message>
-        <source>%1 %2, at rest</source>
-        <comment>mode and target</comment>
-        <translation>%1 %2，静止</translation>
-    </message>
-    <message>
-        <source>The power limit of axis %1 is unknown: its first motion sets it to %2. Write another under Limits of the axis.</source>
-        <translation>轴 %1 的功率限值未知：首次运动会将其设为 %2。可在“轴的限值”中写入其他值。</translation>
-    </message>
-    <message>
-        <source>%</source>
-        <translation>%</translation>
-    </message>
-    <message>
-        <source>axis %1 moves in another mode; stop it first</source>
-        <translation>轴 %1 正以另一模式运动；请先停止它</translation>
-    </message>
-    <message>
-        <source>nothing copied: no gain of axis %1 is known for this mode; write it first</source>
-        <translation>未复制任何内容：轴 %1 在此模式下没有已知的增益；请先写入</translation>
-    </message>
-    <message>
-        <source>Gains and limits of axis %1</source>
-        <translation>轴 %1 的增益和限值</translation>
+        <source>%1, slot %2</source>
+        <translation>%1，槽 %2</translation>
     </message>
     <message>
         <source> · also moving: axis %1</source>
         <translation> · 同时运动：轴 %1</translation>
     </message>
+</context>
+<context>
+    <name>mb::TunePage</name>
     <message>
         <source>disarmed: another device is selected</source>
         <translation>已上锁：选择了另一台设备</translation>
@@ -9649,58 +9827,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>无法发送设定值</translation>
     </message>
     <message>
-        <source>A gain is out of range</source>
-        <translation>有增益超出范围</translation>
-    </message>
-    <message>
-        <source>Correct or revert it first.</source>
-        <translation>请先更正或还原它。</translation>
-    </message>
-    <message>
-        <source>Look at a gain again</source>
-        <translation>请复查一项增益</translation>
-    </message>
-    <message>
-        <source>Writing gains</source>
-        <translation>正在写入增益</translation>
-    </message>
-    <message>
-        <source>Reading gains</source>
-        <translation>正在读取增益</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 / %2</translation>
-    </message>
-    <message>
-        <source>Moving</source>
-        <translation>正在运动</translation>
-    </message>
-    <message>
-        <source>Armed</source>
-        <translation>已解锁</translation>
-    </message>
-    <message>
-        <source>F5 runs %1</source>
-        <translation>F5 运行%1</translation>
-    </message>
-    <message>
-        <source>Not armed</source>
-        <translation>未解锁</translation>
-    </message>
-    <message>
-        <source>Hold the Arm button for 1 s to arm %1.</source>
-        <translation>按住“解锁”按钮 1 s 以解锁 %1。</translation>
-    </message>
-    <message>
-        <source>axis %1: %2</source>
-        <translation>轴 %1：%2</translation>
-    </message>
-    <message>
-        <source>%1, slot %2</source>
-        <translation>%1，槽 %2</translation>
-    </message>
-    <message>
         <source>Something moves</source>
         <translation>有设备在运动</translation>
     </message>
@@ -9708,87 +9834,9 @@ double click plots it, drag it to a pane or below them</source>
         <source>Hold the Arm button for 1 s to arm it first.</source>
         <translation>请先按住“解锁”按钮 1 s 以解锁。</translation>
     </message>
-    <message numerus="yes">
-        <source>%n value(s)</source>
-        <translation>
-            <numerusform>%n 个值</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Nothing to write</source>
-        <translation>没有可写入的内容</translation>
-    </message>
-    <message>
-        <source>Write %1 to slot %2</source>
-        <translation>将 %1 写入槽 %2</translation>
-    </message>
-    <message>
-        <source>Write %1</source>
-        <translation>写入 %1</translation>
-    </message>
-    <message>
-        <source>No gain is edited</source>
-        <translation>未编辑任何增益</translation>
-    </message>
-    <message>
-        <source>The device is busy</source>
-        <translation>设备忙</translation>
-    </message>
-    <message>
-        <source>it has no lamp that could blink</source>
-        <translation>它没有可闪烁的指示灯</translation>
-    </message>
-    <message>
-        <source>not identified: %1</source>
-        <translation>未识别：%1</translation>
-    </message>
-    <message>
-        <source>disarmed: %1 changed</source>
-        <translation>已上锁：%1已更改</translation>
-    </message>
-    <message>
-        <source>the mode</source>
-        <translation>模式</translation>
-    </message>
     <message>
         <source>not run: %1. %2</source>
         <translation>未运行：%1。%2</translation>
-    </message>
-    <message>
-        <source>gains not written: %1</source>
-        <translation>增益未写入：%1</translation>
-    </message>
-    <message>
-        <source>position 0 is here; the motor is off until Run</source>
-        <translation>此处为位置 0；在“运行”之前电机关闭</translation>
-    </message>
-    <message>
-        <source>Stop the motion before an experiment.</source>
-        <translation>请先停止运动，再进行实验。</translation>
-    </message>
-    <message>
-        <source>The stimulus cannot be sent</source>
-        <translation>无法发送激励</translation>
-    </message>
-    <message>
-        <source>No experiment yet</source>
-        <translation>尚不能实验</translation>
-    </message>
-    <message>
-        <source>No experiment in this mode</source>
-        <translation>此模式下不能实验</translation>
-    </message>
-    <message>
-        <source>F5 runs the experiment.</source>
-        <translation>F5 运行实验。</translation>
-    </message>
-    <message>
-        <source>Gains of trial #%1</source>
-        <translation>试验 #%1 的增益</translation>
-    </message>
-    <message>
-        <source>What the adviser proposes</source>
-        <translation>顾问的建议</translation>
     </message>
 </context>
 <context>

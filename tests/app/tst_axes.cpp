@@ -13,6 +13,7 @@
 #include "widgets/control/gainspanel.h"
 #include "widgets/control/modepanel.h"
 #include "widgets/control/setpointpanel.h"
+#include "widgets/control/tunecolumn.h"
 #include "widgets/control/tunepage.h"
 #include "widgets/control/tuneplot.h"
 #include "widgets/parameters/parameterspage.h"
@@ -87,7 +88,7 @@ private:
             [&all](const Point &point) { all.push_back(point); });
         return all;
     }
-    [[nodiscard]] AxesPanel &panel() { return m_tune->axesPanel(); }
+    [[nodiscard]] AxesPanel &panel() { return m_tune->column().axesPanel(); }
     void select(int axis) { m_selection->select(board().id, axis); }
     void chooseMode(const char *name);
     void typeTarget(const QString &text);
@@ -155,7 +156,7 @@ QModelIndex AxesTest::treeRow(int axis)
 
 void AxesTest::chooseMode(const char *name)
 {
-    const auto buttons = m_tune->modePanel().findChildren<QToolButton *>();
+    const auto buttons = m_tune->column().modePanel().findChildren<QToolButton *>();
     const auto found = std::find_if(buttons.begin(), buttons.end(),
         [name](const QToolButton *button) { return button->text() == QLatin1String(name); });
     QVERIFY(found != buttons.end());
@@ -164,7 +165,7 @@ void AxesTest::chooseMode(const char *name)
 
 void AxesTest::typeTarget(const QString &text)
 {
-    for (QLineEdit *field : m_tune->setPointPanel().findChildren<QLineEdit *>()) {
+    for (QLineEdit *field : m_tune->column().setPointPanel().findChildren<QLineEdit *>()) {
         if (field->accessibleName() == QLatin1String("Set-point")) {
             field->setFocus();
             field->selectAll();
@@ -216,7 +217,7 @@ void AxesTest::whatCannotBeReadIsUnknownUntilWritten()
 {
     select(1);
     chooseMode("Position");
-    GainRow *p = m_tune->gainsPanel().row("p");
+    GainRow *p = m_tune->column().gainsPanel().row("p");
     QVERIFY(p);
     QVERIFY(!p->number());
     QCOMPARE(p->findChild<QLineEdit *>()->text(), QString());
@@ -242,14 +243,14 @@ void AxesTest::eachAxisKeepsItsModeAndSetPoint()
     typeTarget(QStringLiteral("700"));
     select(2);
     chooseMode("Position");
-    QTRY_COMPARE(m_tune->setPointPanel().target(), latest(2, "position"));
+    QTRY_COMPARE(m_tune->column().setPointPanel().target(), latest(2, "position"));
     typeTarget(QStringLiteral("-250"));
     select(1);
-    QVERIFY(m_tune->modePanel().mode() == Mode::Velocity);
-    QCOMPARE(m_tune->setPointPanel().target(), std::optional(700.0));
+    QVERIFY(m_tune->column().modePanel().mode() == Mode::Velocity);
+    QCOMPARE(m_tune->column().setPointPanel().target(), std::optional(700.0));
     select(2);
-    QVERIFY(m_tune->modePanel().mode() == Mode::Position);
-    QCOMPARE(m_tune->setPointPanel().target(), std::optional(-250.0));
+    QVERIFY(m_tune->column().modePanel().mode() == Mode::Position);
+    QCOMPARE(m_tune->column().setPointPanel().target(), std::optional(-250.0));
 }
 
 void AxesTest::fourAxesStepAtOnceInOnePlot()
@@ -265,7 +266,7 @@ void AxesTest::fourAxesStepAtOnceInOnePlot()
     QCOMPARE(colours.size(), std::size_t{axes});
     chooseMode("Position");
     typeTarget(QStringLiteral("800"));
-    for (QComboBox *box : m_tune->setPointPanel().findChildren<QComboBox *>()) {
+    for (QComboBox *box : m_tune->column().setPointPanel().findChildren<QComboBox *>()) {
         if (box->accessibleName() == QLatin1String("How fast the set-point moves"))
             box->setCurrentIndex(0); // at once, as a step
     }
@@ -372,8 +373,8 @@ void AxesTest::gainsAreCopiedFromAnotherAxis()
     select(2);
     chooseMode("Position");
     Q_EMIT panel().copyGainsRequested(1);
-    QCOMPARE(m_tune->gainsPanel().row("p")->number(), std::optional(321.0));
-    QVERIFY(!m_tune->gainsPanel().toWrite().empty());
+    QCOMPARE(m_tune->column().gainsPanel().row("p")->number(), std::optional(321.0));
+    QVERIFY(!m_tune->column().gainsPanel().toWrite().empty());
     const auto *write = m_tune->findChild<CommandButton *>(QStringLiteral("writeGains"));
     QTRY_VERIFY_WITH_TIMEOUT(write->isEnabled(), patience); // the write before may still be under way
     m_tune->write();
@@ -430,7 +431,7 @@ void AxesTest::everyControlHasAName()
         if (auto *button = qobject_cast<QAbstractButton *>(widget))
             QVERIFY(!button->accessibleName().isEmpty() || !button->text().isEmpty());
     }
-    for (QLineEdit *field : m_tune->setPointPanel().findChildren<QLineEdit *>())
+    for (QLineEdit *field : m_tune->column().setPointPanel().findChildren<QLineEdit *>())
         QVERIFY(!field->accessibleName().isEmpty());
 }
 

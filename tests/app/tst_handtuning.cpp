@@ -8,6 +8,8 @@
 #include "widgets/control/modepanel.h"
 #include "widgets/control/triallist.h"
 #include "widgets/control/trialsview.h"
+#include "widgets/control/tunecolumn.h"
+#include "widgets/control/tuneform.h"
 #include "widgets/control/tunepage.h"
 
 #include <QComboBox>
@@ -120,10 +122,10 @@ tuning::Trial HandTuningTest::step(double p, double i)
 void HandTuningTest::aSluggishLoopIsTunedUntilItStepsWell()
 {
     auto &page = m_bench->page<TunePage>(PageId::Tune);
-    QTRY_VERIFY_WITH_TIMEOUT(page.gainsPanel().row("p") != nullptr, patience);
+    QTRY_VERIFY_WITH_TIMEOUT(page.column().gainsPanel().row("p") != nullptr, patience);
     StimulusChoice stimulus;
     stimulus.to = 5000.0;
-    page.chooseStimulus(Mode::Velocity, stimulus);
+    page.form().chooseStimulus(Mode::Velocity, stimulus);
     std::optional<Result<void>> written;
     m_bench->engine().send(orders::WriteParameters{drive()->id,
                                {{*findParameter(drive()->family->parameters, "velocity.divisor"), 1'000'000}}},

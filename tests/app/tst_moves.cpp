@@ -8,6 +8,7 @@
 #include "widgets/common/selection.h"
 #include "widgets/control/arming.h"
 #include "widgets/control/movespanel.h"
+#include "widgets/control/tunecolumn.h"
 #include "widgets/control/tunepage.h"
 
 #include <QApplication>
@@ -117,7 +118,7 @@ void MovesTest::init()
     m_engine->send(orders::ScanLinks{});
     QTRY_VERIFY_WITH_TIMEOUT(isReady(), patience);
     m_selection->select(m_engine->snapshot().devices.front().id);
-    QTRY_VERIFY(m_page->movesPanel().isVisibleTo(m_page.get()));
+    QTRY_VERIFY(m_page->column().movesPanel().isVisibleTo(m_page.get()));
 }
 
 void MovesTest::cleanup()
@@ -132,7 +133,7 @@ void MovesTest::prepare(const QString &target)
 {
     m_arming->arm(m_engine->snapshot().devices.front().id);
     QVERIFY(m_arming->isArmed(m_engine->snapshot().devices.front().id));
-    for (QLineEdit *field : m_page->movesPanel().findChildren<QLineEdit *>())
+    for (QLineEdit *field : m_page->column().movesPanel().findChildren<QLineEdit *>())
         field->setText(target);
     QTest::mouseClick(&button("prepareMoves"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(button("startMoves").isEnabled(), patience);
@@ -148,7 +149,7 @@ void MovesTest::picture(const char *name)
 
 void MovesTest::fourNodesMoveTogetherOnOneCommand()
 {
-    m_page->movesPanel().findChild<QComboBox *>()->setCurrentIndex(0);
+    m_page->column().movesPanel().findChild<QComboBox *>()->setCurrentIndex(0);
     prepare(QStringLiteral("1500"));
     picture("moves-prepared.png");
     for (const double position : positions())
@@ -173,9 +174,9 @@ void MovesTest::fourNodesMoveTogetherOnOneCommand()
 void MovesTest::nothingIsPreparedUnarmed()
 {
     QVERIFY(!button("prepareMoves").isEnabled());
-    m_page->movesPanel().prepare();
-    m_page->movesPanel().startTogether();
-    m_page->movesPanel().hold();
+    m_page->column().movesPanel().prepare();
+    m_page->column().movesPanel().startTogether();
+    m_page->column().movesPanel().hold();
     QTest::qWait(200);
     QCOMPARE(energized(), 0);
 }
@@ -191,7 +192,7 @@ void MovesTest::stopEndsAllOfThem()
 void MovesTest::aMoveThatWasStoppedBeforeItBeganIsShownUntilItIsReplaced()
 {
     const auto shown = [this](const QString &word) {
-        const auto labels = m_page->movesPanel().findChildren<QLabel *>();
+        const auto labels = m_page->column().movesPanel().findChildren<QLabel *>();
         return std::count_if(labels.begin(), labels.end(), [&word](const QLabel *l) { return l->text() == word; });
     };
     const auto first = [this]() -> const DeviceView & { return m_engine->snapshot().devices.front(); };
@@ -213,7 +214,7 @@ void MovesTest::aMoveThatWasStoppedBeforeItBeganIsShownUntilItIsReplaced()
 
 void MovesTest::oneThatStallsTakesTheOthersWithIt()
 {
-    m_page->movesPanel().findChild<QCheckBox *>(QString())->setChecked(true);
+    m_page->column().movesPanel().findChild<QCheckBox *>(QString())->setChecked(true);
     prepare(QStringLiteral("1500"));
     QVERIFY(test::askEngine<bool>(*m_engine, [](EngineCore &core) {
         return core.session().bench(*core.session().links().front())->simulators().back()->disturb("stall", 1);
@@ -251,7 +252,7 @@ void MovesTest::thePositionIsZeroedWithTheMotorOffAndRunStartsItAgain()
 
 void MovesTest::everyControlHasAName()
 {
-    for (QWidget *widget : m_page->movesPanel().findChildren<QWidget *>()) {
+    for (QWidget *widget : m_page->column().movesPanel().findChildren<QWidget *>()) {
         if (widget->focusPolicy() != Qt::NoFocus && qobject_cast<QAbstractButton *>(widget))
             QVERIFY2(!widget->accessibleName().isEmpty() || !qobject_cast<QAbstractButton *>(widget)->text().isEmpty(),
                 qPrintable(widget->objectName()));
@@ -273,9 +274,9 @@ void MovesTest::nothingIsWiderThanTheColumn()
         m_page->showLive(true);
         m_page->resize(m_theme.theme().u(1208), m_theme.theme().u(1000));
         m_page->show();
-        QTRY_VERIFY(m_page->movesPanel().isVisibleTo(m_page.get()));
+        QTRY_VERIFY(m_page->column().movesPanel().isVisibleTo(m_page.get()));
         auto *area = m_page->findChild<QScrollArea *>();
-        QVERIFY(area->isAncestorOf(&m_page->movesPanel()));
+        QVERIFY(area->isAncestorOf(&m_page->column().movesPanel()));
         QTRY_VERIFY2(area->widget()->width() <= area->viewport()->width(),
             qPrintable(QStringLiteral("%1 in %2").arg(area->widget()->width()).arg(area->viewport()->width())));
         picture(size > 15.0 ? "moves-200.png" : "moves-light.png");

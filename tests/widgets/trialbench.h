@@ -71,7 +71,7 @@ struct TrialBench : TuneBench {
         StimulusChoice choice;
         choice.to = to;
         choice.repeat = repeat;
-        page->chooseStimulus(Mode::Velocity, choice);
+        page->form().chooseStimulus(Mode::Velocity, choice);
     }
     /// As the engine ends it: kept, then told.
     tuning::Trial finish(double damping)

@@ -41,7 +41,7 @@ void TestEnvelopes::whatWasEnteredIsThereAtTheNextStart()
     const QString file = folder.filePath(s("deeper/limits.json"));
     {
         TrialBench bench;
-        QVERIFY(bench.page->envelope().book().open(file));
+        QVERIFY(bench.page->column().envelope().book().open(file));
         enter(bench, "Envelope: Speed", "70000");
         enter(bench, "Envelope: Duty", "40"); // %
     }
@@ -56,7 +56,7 @@ void TestEnvelopes::whatWasEnteredIsThereAtTheNextStart()
 void TestEnvelopes::namedLimitsAreChosenAgain()
 {
     TrialBench bench;
-    bench.page->envelope().setOpen(true);
+    bench.page->column().envelope().setOpen(true);
     auto *names = bench.find<QComboBox>("Kept limits");
     auto *keep = bench.find<QAbstractButton>("Keep these limits under this name");
     auto *forget = bench.find<QAbstractButton>("Forget the limits of this name");
@@ -67,9 +67,9 @@ void TestEnvelopes::namedLimitsAreChosenAgain()
     QCOMPARE(names->count(), 1);
     QVERIFY(forget->isEnabled());
     enter(bench, "Envelope: Speed", "20000");
-    QCOMPARE(bench.page->envelope().entered().speed, std::optional(20'000.0));
+    QCOMPARE(bench.page->column().envelope().entered().speed, std::optional(20'000.0));
     pick(names, 0);
-    QCOMPARE(bench.page->envelope().entered().speed, std::optional(70'000.0));
+    QCOMPARE(bench.page->column().envelope().entered().speed, std::optional(70'000.0));
     QCOMPARE(bench.find<QLineEdit>("Envelope: Speed")->text(), s("70000"));
     bench.choose(60'000.0);
     bench.arm();
@@ -78,7 +78,7 @@ void TestEnvelopes::namedLimitsAreChosenAgain()
     bench.finish(0.7);
     forget->click();
     QCOMPARE(names->count(), 0);
-    QCOMPARE(bench.page->envelope().entered().speed, std::optional(70'000.0)); // what holds goes on holding
+    QCOMPARE(bench.page->column().envelope().entered().speed, std::optional(70'000.0)); // what holds goes on holding
 }
 
 void TestEnvelopes::limitsGoAlongWhenAUnitTellsItsSerialNumber()

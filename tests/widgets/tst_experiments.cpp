@@ -173,7 +173,7 @@ void TestExperiments::theGainsOfATrialComeBackAsEdits()
     QVERIFY2(list.table().viewport()->rect().contains(use), "the column Use is in sight");
     QTest::mouseClick(list.table().viewport(), Qt::LeftButton, {}, use.center());
     QVERIFY(bench.workbench.given<orders::WriteParameters>().empty()); // staged, never written
-    QCOMPARE(bench.page->gainsPanel().toWrite().size(), 2U);
+    QCOMPARE(bench.page->column().gainsPanel().toWrite().size(), 2U);
     bench.page->run();
     QCOMPARE(bench.workbench.given<orders::RunTrial>().back().plan.gains.size(), 2U);
 }
@@ -344,7 +344,7 @@ void TestExperiments::withoutRoomOnePartIsShownAtATime()
     QVERIFY(frame.isCompact());
     const auto seen = [&] {
         const TrialsView &trials = bench.page->trials();
-        return std::array{bench.page->stimulus().isVisible(), bench.page->gainsPanel().isVisible(),
+        return std::array{bench.page->stimulus().isVisible(), bench.page->column().gainsPanel().isVisible(),
             bench.page->trials().plot().isVisible(), bench.page->trials().metrics().isVisible(),
             bench.page->trials().list().isVisible(), trials.isVisible()};
     };

@@ -120,7 +120,7 @@ void LeapsTest::whatIsStagedOnOnePageIsStagedOnTheOther()
     parameters.model().edits()->stage(named("slot0.i"), s("0.005"));
     QCOMPARE(bench.find<QLineEdit>("I")->text(), s("0.005"));
     parameters.model().edits()->discard();
-    QVERIFY(bench.page->gainsPanel().toWrite().empty());
+    QVERIFY(bench.page->column().gainsPanel().toWrite().empty());
 }
 
 void LeapsTest::writeOnlyFamiliesAreNotToldThatValuesAreCompared()

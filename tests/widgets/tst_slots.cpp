@@ -41,9 +41,9 @@ void SlotsTest::oneChoiceEditsAndRunsASlot()
     QVERIFY(!bench.find<QWidget>("Gain slot that is edited")->isVisible());
     QVERIFY(!note(bench)->isVisible());
     slot(bench, "Gain slot, edit and run", 1)->click();
-    QCOMPARE(bench.page->modePanel().editedSlot(), 1);
-    QCOMPARE(bench.page->modePanel().runningSlot(), 1);
-    QCOMPARE(*bench.page->gainsPanel().row("f")->number(), 0.5); // of slot 1
+    QCOMPARE(bench.page->column().modePanel().editedSlot(), 1);
+    QCOMPARE(bench.page->column().modePanel().runningSlot(), 1);
+    QCOMPARE(*bench.page->column().gainsPanel().row("f")->number(), 0.5); // of slot 1
     QVERIFY(!note(bench)->isVisible());
 }
 
@@ -80,8 +80,8 @@ void SlotsTest::joiningEditsTheSlotThatRunsAndDoesNotDisarm()
     split(bench);
     bench.arm();
     click(bench, "Edit the slot that runs");
-    QCOMPARE(bench.page->modePanel().editedSlot(), 0);
-    QCOMPARE(bench.page->modePanel().runningSlot(), 0);
+    QCOMPARE(bench.page->column().modePanel().editedSlot(), 0);
+    QCOMPARE(bench.page->column().modePanel().runningSlot(), 0);
     QVERIFY(bench.arming.isArmed({1}));
 }
 
@@ -95,8 +95,8 @@ void SlotsTest::aMotorLeftSplitComesBackSplit()
     QVERIFY(!note(bench)->isVisible());
     bench.selection.select({1});
     QVERIFY(note(bench)->isVisible());
-    QCOMPARE(bench.page->modePanel().editedSlot(), 1);
-    QCOMPARE(bench.page->modePanel().runningSlot(), 0);
+    QCOMPARE(bench.page->column().modePanel().editedSlot(), 1);
+    QCOMPARE(bench.page->column().modePanel().runningSlot(), 0);
 }
 
 MB_WINDOW_TEST(SlotsTest);

@@ -79,13 +79,14 @@ void TestTuneGains::theSliderStagesAndRevertBringsBack()
     auto *slider = bench.find<QSlider>("P, one decade either way");
     slider->setFocus();
     QTest::keyClick(slider, Qt::Key_Right);
-    const double raised = *bench.page->gainsPanel().row("p")->number();
+    const double raised = *bench.page->column().gainsPanel().row("p")->number();
     QVERIFY(std::abs(raised / 1.165 - 1.02) < 1e-3);
     QTest::keyClick(slider, Qt::Key_Left, Qt::ShiftModifier);
-    QVERIFY(std::abs(*bench.page->gainsPanel().row("p")->number() / 1.165 - 1.02 / 1.002) < 1e-3);
+    QVERIFY(std::abs(*bench.page->column().gainsPanel().row("p")->number() / 1.165 - 1.02 / 1.002) < 1e-3);
     click(bench, "Revert P");
-    QCOMPARE(*bench.page->gainsPanel().row("p")->number(), static_cast<double>(rawOf("slot0.p", 1.165)) / 65536.0);
-    QVERIFY(bench.page->gainsPanel().toWrite().empty());
+    QCOMPARE(
+        *bench.page->column().gainsPanel().row("p")->number(), static_cast<double>(rawOf("slot0.p", 1.165)) / 65536.0);
+    QVERIFY(bench.page->column().gainsPanel().toWrite().empty());
 }
 
 void TestTuneGains::editsOfAnotherSlotStayStaged()
@@ -93,10 +94,10 @@ void TestTuneGains::editsOfAnotherSlotStayStaged()
     TuneBench bench;
     type(bench.find<QLineEdit>("P"), "2");
     slot(bench, "Gain slot, edit and run", 1)->click();
-    QVERIFY(bench.page->gainsPanel().toWrite().empty());
-    QCOMPARE(*bench.page->gainsPanel().row("f")->number(), 0.5);
+    QVERIFY(bench.page->column().gainsPanel().toWrite().empty());
+    QCOMPARE(*bench.page->column().gainsPanel().row("f")->number(), 0.5);
     slot(bench, "Gain slot, edit and run", 0)->click();
-    QCOMPARE(*bench.page->gainsPanel().row("p")->number(), 2.0);
+    QCOMPARE(*bench.page->column().gainsPanel().row("p")->number(), 2.0);
 }
 
 void TestTuneGains::writeAndRunWaitsForTheGains()
@@ -123,7 +124,7 @@ void TestTuneGains::gainsThatWereNotWrittenStartNothing()
     bench.workbench.given<orders::WriteParameters>().at(0).finished(fail(Fault::BadCheck, say("slot0.p reads 1")));
     QVERIFY(bench.workbench.given<orders::StartMotion>().empty());
     QVERIFY(bench.workbench.lines.back().text.contains(QLatin1String("slot0.p reads 1")));
-    QCOMPARE(bench.page->gainsPanel().stagedNames(), QStringList{s("P")});
+    QCOMPARE(bench.page->column().gainsPanel().stagedNames(), QStringList{s("P")});
 }
 
 void TestTuneGains::disarmedDuringTheWriteStartsNothing()

@@ -51,7 +51,7 @@ struct KeyBench : TrialBench {
         QTest::keyClick(gain(), Qt::Key_Return);
         page->setFocus();
     }
-    [[nodiscard]] std::size_t staged() { return page->gainsPanel().toWrite().size(); }
+    [[nodiscard]] std::size_t staged() { return page->column().gainsPanel().toWrite().size(); }
 };
 
 void turn(QWidget *over, int eighths)
@@ -65,7 +65,7 @@ void turn(QWidget *over, int eighths)
 bool madeAgain(KeyBench &b, const QKeySequence &k)
 {
     b.editGain();
-    b.page->undo(false);
+    b.page->gains().undo(false);
     b.press(k);
     return b.staged() == 1;
 }
@@ -100,7 +100,7 @@ const std::array checks{
     Check{"S",
         [](KeyBench &b, const QKeySequence &k) {
             b.press(k);
-            const ModePanel &modes = b.page->modePanel();
+            const ModePanel &modes = b.page->column().modePanel();
             return modes.runningSlot() == 1 && modes.editedSlot() == 1 && !b.arming.isArmed({1});
         }},
     Check{"B",
@@ -201,7 +201,7 @@ void TestTuneKeys::lettersBelongToEditorsTreesAndComboBoxes()
         QTest::keyClick(editor, Qt::Key_B);
         QTest::keyClick(editor, Qt::Key_S);
         QCOMPARE(bench.page->trials().b()->number, 2);
-        QCOMPARE(bench.page->modePanel().runningSlot(), 0);
+        QCOMPARE(bench.page->column().modePanel().runningSlot(), 0);
     }
     bench.page->setFocus();
     QTest::keyClick(bench.page.get(), Qt::Key_B);
@@ -288,7 +288,7 @@ void TestTuneKeys::theWheelChangesAFocusedGainByTwoPercent()
     QTest::mouseClick(field, Qt::LeftButton); // focuses, changes nothing
     QVERIFY(field->hasFocus());
     QCOMPARE(field->text(), before);
-    QVERIFY(bench.page->gainsPanel().toWrite().empty());
+    QVERIFY(bench.page->column().gainsPanel().toWrite().empty());
     turn(field, 120);
     QCOMPARE(field->text().toDouble(), 1.165 * 1.02);
     turn(field, -60); // half a step of a fine wheel

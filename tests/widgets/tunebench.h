@@ -3,6 +3,9 @@
 
 #include "parameterbench.h"
 #include "widgets/control/arming.h"
+#include "widgets/control/tunecolumn.h"
+#include "widgets/control/tuneform.h"
+#include "widgets/control/tunegains.h"
 #include "widgets/control/tunepage.h"
 
 #include <cmath>

@@ -1,254 +1,300 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/control/tunepage.h"
 
-#include "widgets/common/calmwheel.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/emptystate.h"
 #include "widgets/common/iconbutton.h"
-#include "widgets/common/labels.h"
-#include "widgets/common/segmented.h"
+#include "widgets/common/ratekeeper.h"
 #include "widgets/control/axespanel.h"
-#include "widgets/control/driveoptions.h"
-#include "widgets/control/envelopepanel.h"
 #include "widgets/control/gainspanel.h"
+#include "widgets/control/gainswriterow.h"
 #include "widgets/control/jogkeys.h"
 #include "widgets/control/jogpanel.h"
-#include "widgets/control/modepanel.h"
 #include "widgets/control/movespanel.h"
-#include "widgets/control/setpointpanel.h"
-#include "widgets/control/stimulusbar.h"
 #include "widgets/control/trialsview.h"
+#include "widgets/control/tuneaxes.h"
+#include "widgets/control/tunecolumn.h"
+#include "widgets/control/tunecommands.h"
+#include "widgets/control/tuneexperiments.h"
+#include "widgets/control/tuneform.h"
 #include "widgets/control/tuneframe.h"
 #include "widgets/control/tunekeys.h"
 #include "widgets/control/tuneplot.h"
-#include "widgets/control/wrappedlabel.h"
 
-#include <QHBoxLayout>
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QStackedWidget>
-#include <QUndoStack>
+#include <QVBoxLayout>
 
 namespace mb {
-namespace {
-
-} // namespace
 
 TunePage::TunePage(
     Workbench &workbench, Selection &selection, Arming &arming, const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
     , m_workbench(workbench)
-    , m_desk(EditDesk::of(workbench))
     , m_selection(selection)
     , m_arming(arming)
-    , m_theme(theme)
 {
     setObjectName(QStringLiteral("tunePage"));
-    m_stack = new QStackedWidget(this);
-    m_empty = new EmptyState(theme, Symbol::Wave, {}, {}, m_stack);
-    m_frame = new TuneFrame(theme, m_stack);
-    m_stimulus = new StimulusBar(m_theme, m_frame);
-    QWidget *const commands = buildCommands();
-    QWidget *const column = buildColumn();
-    QWidget *const work = buildWork();
-    m_frame->setParts({commands, m_stimulus, column, work, m_trials});
-    m_stack->addWidget(m_empty);
-    m_stack->addWidget(m_frame);
-    auto *all = new QVBoxLayout(this);
-    all->setContentsMargins(0, 0, 0, 0);
-    all->addWidget(m_stack);
-    connectPanels();
-    makeTuneKeys(*this);
+    buildParts(theme);
+    makeRooms(theme);
+    connectOrders();
+    connectChanges();
+    makeTuneKeys(*this, {m_parts, m_form.get(), m_motion.get(), m_gains.get(), m_experiments.get(), [this] { run(); }});
     showLive(false);
     selectionChanged();
 }
 
 TunePage::~TunePage()
 {
-    m_gains->clear(); // before the edits that it shows
+    column().gainsPanel().clear(); // before the edits that it shows
 }
 
-QWidget *TunePage::buildWork()
+/// Tab goes through them in this order.
+void TunePage::buildParts(const ThemeSource &theme)
 {
-    m_work = new QStackedWidget(this);
-    m_trials = new TrialsView(m_workbench, m_theme, m_work);
-    m_work->addWidget(m_trials);
-    m_work->addWidget(buildLive());
-    connect(m_trials, &TrialsView::useRequested, this, &TunePage::useGains);
-    connect(m_trials, &TrialsView::stageRequested, this, &TunePage::stageAdvice);
-    return m_work;
-}
-
-QWidget *TunePage::buildLive()
-{
-    m_plot = new TunePlot(m_workbench, m_theme, m_work);
-    return m_plot;
-}
-
-QWidget *TunePage::buildCommands()
-{
-    const Theme &theme = m_theme.theme();
-    auto *bar = new QWidget(this);
-    auto *row = new QHBoxLayout(bar);
-    row->setContentsMargins(theme.u(12), theme.u(6), theme.u(12), theme.u(6));
-    row->setSpacing(theme.u(8));
-    m_status = new StatusLine(m_theme, bar);
-    m_halt = new CommandButton(m_theme, Symbol::Stop, tr("Stop motion"), bar);
-    m_halt->setTextVariants({tr("Stop motion"), tr("Stop axis %1").arg(8)});
-    m_halt->setToolTip(tr("Ends the motion and stays armed. STOP, Esc and Pause stop everything."));
-    m_run = new CommandButton(m_theme, Symbol::Play, tr("Run"), bar);
-    m_run->setPrimary(true);
-    m_run->setKeyHint(QStringLiteral("F5"));
-    m_run->setTextVariants({tr("Run"), tr("Write and run"), tr("Apply"), tr("Run %1 axes").arg(8)});
-    m_run->setObjectName(QStringLiteral("run"));
-    m_view = new Segmented(tr("View"), {tr("Experiment"), tr("Live")}, bar);
-    row->addWidget(m_status, 1);
-    row->addWidget(m_view);
-    row->addWidget(m_halt);
-    row->addWidget(m_run);
-    return bar;
-}
-
-/// Without room the tabs below have the views, and the button that stops is its sign.
-void TunePage::foldCommands(bool folded)
-{
-    m_view->setVisible(!folded);
-    m_halt->setTextVariants(folded ? QStringList() : QStringList{tr("Stop motion"), tr("Stop axis %1").arg(8)});
-    showCommands();
-}
-
-QWidget *TunePage::buildColumn()
-{
-    const Theme &theme = m_theme.theme();
-    auto *column = new QWidget(this);
-    auto *all = new QVBoxLayout(column);
+    m_stack = new QStackedWidget(this);
+    m_empty = new EmptyState(theme, Symbol::Wave, {}, {}, m_stack);
+    m_frame = new TuneFrame(theme, m_stack);
+    m_parts.stimulus = new StimulusBar(theme, m_frame);
+    m_parts.commands = new TuneCommands(theme, m_frame);
+    auto *const jog = new JogKeys(m_arming, *this, [this](bool forwards) { return m_motion->jog(forwards); });
+    m_parts.column = new TuneColumn(m_workbench, m_arming, *jog, theme, m_frame);
+    m_work = new QStackedWidget(m_frame);
+    m_parts.trials = new TrialsView(m_workbench, theme, m_work);
+    m_parts.plot = new TunePlot(m_workbench, theme, m_work);
+    m_work->addWidget(m_parts.trials);
+    m_work->addWidget(m_parts.plot);
+    m_frame->setParts({m_parts.commands, m_parts.stimulus, m_parts.column, m_work, m_parts.trials});
+    m_stack->addWidget(m_empty);
+    m_stack->addWidget(m_frame);
+    auto *all = new QVBoxLayout(this);
     all->setContentsMargins(0, 0, 0, 0);
-    all->setSpacing(0);
-    auto *scroll = new QScrollArea(column);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setFocusPolicy(Qt::NoFocus);
-    auto *panels = new QWidget(scroll);
-    panels->setProperty("transparent", true);
-    auto *inner = new QVBoxLayout(panels);
-    inner->setContentsMargins(theme.u(12), theme.u(10), theme.u(12), theme.u(10));
-    inner->setSpacing(theme.u(8));
-    m_axes = new AxesPanel(m_theme, panels);
-    m_axesLine = separatorLine(Qt::Horizontal, panels);
-    m_axesLine->hide();
-    inner->addWidget(m_axes);
-    inner->addWidget(m_axesLine);
-    m_modes = new ModePanel(m_theme, panels);
-    m_setPoint = new SetPointPanel(m_theme, panels);
-    m_gains = new GainsPanel(m_theme, panels);
-    inner->addWidget(m_modes);
-    m_jog = new JogKeys(m_arming, *this, [this](bool forwards) { return jogSetPoint(forwards); });
-    m_jogPanel = new JogPanel(*m_jog, m_theme, panels);
-    inner->addWidget(separatorLine(Qt::Horizontal, panels));
-    m_envelope = new EnvelopePanel(m_theme, panels);
-    inner->addWidget(m_envelope);
-    m_liveColumn = new QWidget(panels);
-    auto *byHand = new QVBoxLayout(m_liveColumn);
-    byHand->setContentsMargins(0, 0, 0, 0);
-    byHand->setSpacing(theme.u(8));
-    byHand->addWidget(m_setPoint);
-    byHand->addWidget(m_jogPanel);
-    m_firstPower = wrappedLabel({}, TextRole::Caption, Tone::Dim, panels);
-    m_firstPower->hide();
-    byHand->addWidget(m_firstPower);
-    inner->addWidget(m_liveColumn);
-    inner->addWidget(separatorLine(Qt::Horizontal, panels));
-    inner->addWidget(m_gains);
-    m_moves = new MovesPanel(m_workbench, m_arming, m_theme, panels);
-    m_moves->hide();
-    inner->addWidget(m_moves);
-    inner->addStretch(1);
-    (new CalmWheel(panels))->watch(*m_setPoint);
-    scroll->setWidget(panels);
-    connect(scroll->verticalScrollBar(), &QScrollBar::rangeChanged, inner,
-        [inner](int, int last) { // the bar takes the place of the margin
-            const QMargins now = inner->contentsMargins();
-            inner->setContentsMargins(now.left(), now.top(), last > 0 ? 0 : now.left(), now.bottom());
-        });
-    all->addWidget(scroll, 1);
-    all->addWidget(separatorLine(Qt::Horizontal, column));
-    all->addWidget(buildWriteRow());
-    return column;
+    all->addWidget(m_stack);
 }
 
-QWidget *TunePage::buildWriteRow()
+void TunePage::makeRooms(const ThemeSource &theme)
 {
-    const Theme &theme = m_theme.theme();
-    auto *box = new QWidget(this);
-    auto *row = new QHBoxLayout(box);
-    row->setContentsMargins(theme.u(12), theme.u(8), theme.u(12), theme.u(8));
-    row->setSpacing(theme.u(8));
-    m_write = new CommandButton(m_theme, tr("Write gains"), box);
-    m_write->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    m_write->setObjectName(QStringLiteral("writeGains"));
-    m_revert = new CommandButton(m_theme, Symbol::Undo, tr("Revert"), box);
-    m_revert->setAccessibleName(tr("Revert all staged gains"));
-    row->addWidget(m_write, 1);
-    row->addWidget(m_revert);
-    connect(m_write, &QPushButton::clicked, this, &TunePage::write);
-    connect(m_revert, &QPushButton::clicked, m_gains, &GainsPanel::revertAll);
-    return box;
+    m_choices = std::make_unique<TuneChoices>(m_workbench, m_selection);
+    m_motion = std::make_unique<TuneMotion>(m_workbench, m_arming, *m_choices, column());
+    m_axes = std::make_unique<TuneAxes>(m_workbench, *m_choices, *m_motion, column());
+    m_gains = std::make_unique<TuneGains>(m_workbench, m_arming, *m_choices, column());
+    m_experiments = std::make_unique<TuneExperiments>(
+        TuneExperiments::Rooms{m_workbench, m_arming, *m_choices, *m_motion, *m_gains}, m_parts, theme, *this);
+    m_form = std::make_unique<TuneForm>(*m_choices, *m_motion, m_parts, m_arming);
 }
 
-void TunePage::connectPanels()
+/// What somebody orders in a panel, and who does it.
+void TunePage::connectOrders()
 {
-    connect(m_run, &QPushButton::clicked, this, &TunePage::run);
-    connect(m_halt, &QPushButton::clicked, this, &TunePage::halt);
-    connect(m_modes, &ModePanel::modeChanged, this, &TunePage::modeChosen);
-    connect(m_modes, &ModePanel::editedSlotChanged, this, &TunePage::slotsChosen);
-    connect(m_modes, &ModePanel::runningSlotChanged, this, [this] {
-        disarmBecause(tr("the running slot"));
-        slotsChosen();
-    });
-    connect(m_axes, &AxesPanel::axisChosen, this, [this](int axis) { m_selection.select(m_shown, axis); });
-    connect(m_axes, &AxesPanel::togetherChanged, this, &TunePage::follow);
-    connect(m_axes, &AxesPanel::spreadRequested, this, &TunePage::spread);
-    connect(m_axes, &AxesPanel::copyGainsRequested, this, &TunePage::copyGains);
-    connect(m_setPoint, &SetPointPanel::targetChosen, this, &TunePage::applyTarget);
-    connect(m_setPoint, &SetPointPanel::changed, this, &TunePage::showCommands);
-    connect(m_setPoint, &SetPointPanel::polarityChanged, this, [this] { disarmBecause(tr("a direction or a limit")); });
-    connect(m_setPoint, &SetPointPanel::zeroRequested, this, &TunePage::zero);
-    connect(m_moves, &MovesPanel::taken, this, [this] { // no set-point of this page comes between
-        forgetMotion();
-    });
-    connect(m_view, &Segmented::currentChanged, this, &TunePage::viewChosen);
+    connect(m_parts.commands, &TuneCommands::runRequested, this, &TunePage::run);
+    connect(m_parts.commands, &TuneCommands::stopRequested, this, &TunePage::halt);
+    connect(m_parts.commands, &TuneCommands::liveChosen, this, &TunePage::showLive);
     connect(m_frame, &TuneFrame::liveChosen, this, &TunePage::showLive);
-    connect(m_frame, &TuneFrame::compactChanged, this, &TunePage::foldCommands);
-    connect(m_stimulus, &StimulusBar::changed, this, &TunePage::stimulusChosen);
-    connect(m_envelope, &EnvelopePanel::changed, this, &TunePage::stimulusChosen);
-    connect(m_envelope, &EnvelopePanel::failed, this, [this](const QString &cause) {
-        m_workbench.report(Severity::Caution, {}, tr("the limits were not kept: %1").arg(cause));
+    connect(&column().writeRow(), &GainsWriteRow::writeRequested, this, &TunePage::write);
+    connect(&column().setPointPanel(), &SetPointPanel::zeroRequested, this, &TunePage::zero);
+    connect(&column().setPointPanel(), &SetPointPanel::targetChosen, this, [this] {
+        if (m_arming.isMoving() && status().mayRun)
+            m_motion->start();
     });
-    connect(m_plot, &TunePlot::unitsChanged, this, &TunePage::unitsChosen);
+    const AxesPanel *const panel = &column().axesPanel();
+    connect(
+        panel, &AxesPanel::axisChosen, this, [this](int axis) { m_selection.select(m_choices->shown().device, axis); });
+    connect(panel, &AxesPanel::spreadRequested, m_axes.get(), &TuneAxes::spread);
+    connect(panel, &AxesPanel::copyGainsRequested, m_gains.get(), &TuneGains::stageAxis);
+    connect(m_parts.trials, &TrialsView::useRequested, m_gains.get(), &TuneGains::stageTrial);
+    connect(m_parts.trials, &TrialsView::stageRequested, m_gains.get(), &TuneGains::stageAdvice);
+    // no set-point of this page comes between the moves that a device was given
+    connect(&column().movesPanel(), &MovesPanel::taken, m_choices.get(), &TuneChoices::forgetMotion);
+}
+
+void TunePage::connectChanges()
+{
+    connect(m_frame, &TuneFrame::compactChanged, m_parts.commands, &TuneCommands::setFolded);
+    connect(m_frame, &TuneFrame::compactChanged, this, &TunePage::showCommands);
+    connect(&column().setPointPanel(), &SetPointPanel::changed, this, &TunePage::showCommands);
+    connect(&column().axesPanel(), &AxesPanel::togetherChanged, this, &TunePage::follow);
+    connect(m_choices.get(), &TuneChoices::edited, this, &TunePage::follow);
+    connect(m_axes.get(), &TuneAxes::changed, this, &TunePage::follow);
+    connect(m_gains.get(), &TuneGains::changed, this, &TunePage::follow);
+    connect(m_experiments.get(), &TuneExperiments::changed, this, &TunePage::follow);
+    connect(m_form.get(), &TuneForm::changed, this, &TunePage::follow);
     connect(&m_workbench, &Workbench::changed, this, &TunePage::follow);
     connect(&m_arming, &Arming::changed, this, &TunePage::follow);
     connect(&m_selection, &Selection::changed, this, &TunePage::selectionChanged);
 }
 
-void TunePage::undo(bool again)
+void TunePage::showEvent(QShowEvent *event)
 {
-    const Choice *const chosen = choice();
-    const DeviceView *view = device();
-    if (!chosen || !chosen->edits || !view)
+    QWidget::showEvent(event);
+    follow();
+}
+
+void TunePage::hideEvent(QHideEvent *event)
+{
+    QWidget::hideEvent(event);
+    wishRates(nullptr);
+}
+
+void TunePage::showLive(bool live)
+{
+    m_parts.commands->setLive(live);
+    m_work->setCurrentWidget(live ? static_cast<QWidget *>(m_parts.plot) : m_parts.trials);
+    m_frame->setLive(live);
+    column().setLive(live);
+    follow();
+}
+
+bool TunePage::isLive() const
+{
+    return m_parts.commands->isLive();
+}
+
+void TunePage::selectionChanged()
+{
+    const bool live = m_arming.state() == LampState::Armed || m_arming.state() == LampState::Moving;
+    if (live && m_arming.device() != m_selection.device()) {
+        m_workbench.report(Severity::Info, {}, tr("disarmed: another device is selected"));
+        m_arming.disarm();
+    }
+    follow();
+}
+
+void TunePage::follow()
+{
+    if (!m_arming.isMoving())
+        m_choices->forgetMotion();
+    const DeviceView *const view = m_choices->device();
+    const bool usable = view && view->identity.state != DeviceState::Bootloader;
+    wishRates(usable ? view : nullptr);
+    if (usable)
+        followDevice(*view);
+    else
+        showEmpty(view);
+    m_stack->setCurrentIndex(usable ? 1 : 0);
+}
+
+void TunePage::wishRates(const DeviceView *view)
+{
+    std::vector<RateKeeper::Wish> wishes;
+    if (view && isVisible() && isLive() && (m_arming.isArmed(view->id) || RateKeeper::isFree(*view))) {
+        for (const ChannelRate &rate : view->family->watched) {
+            if (const auto channel = findChannel(view->family->channels, rate.channel))
+                wishes.push_back({view->id, *channel, rate.hertz});
+        }
+    }
+    RateKeeper::of(m_workbench).wish(this, wishes);
+}
+
+void TunePage::followDevice(const DeviceView &view)
+{
+    const int axis = m_choices->axisOf(view);
+    m_choices->make(view);
+    if (m_choices->shown() != TuneMotor{view.id, axis}) {
+        m_form->show(view, axis);
+        column().chainAfter(m_parts.commands->runButton());
+    }
+    m_form->followProfile(view);
+    m_parts.plot->choose(view, m_choices->current()->mode, axis, m_axes->beside());
+    m_parts.plot->follow(view);
+    m_motion->follow(view);
+    m_axes->follow(view);
+    if (isVisible())
+        m_gains->readOnce(view);
+    m_gains->follow(view);
+    column().movesPanel().follow(view);
+    if (!isLive())
+        column().movesPanel().hide();
+    m_experiments->follow(view);
+    showCommands();
+}
+
+void TunePage::showCommands()
+{
+    const DeviceView *const view = m_choices->device();
+    if (!view || view->id != m_choices->shown().device)
         return;
-    QUndoStack &stack = chosen->edits->undoStack();
-    if (again ? stack.canRedo() : stack.canUndo() && !stack.isClean()) {
-        again ? stack.redo() : stack.undo();
+    column().jogPanel().setPossible(m_arming.state() == LampState::Armed && m_motion->jog(true),
+        m_arming.isArmed(view->id) ? tr("Something moves") : tr("Hold the Arm button for 1 s to arm it first."));
+    const TuneChoice &chosen = *m_choices->current();
+    TuneCommands::State orders;
+    orders.status = status();
+    orders.writes = chosen.editedSlot == chosen.runningSlot && !column().gainsPanel().stagedNames().isEmpty();
+    orders.together = static_cast<int>(column().motorsToRun().size());
+    orders.moving = m_motion->isMoving(*view, m_choices->axis());
+    orders.mayStop = orders.moving || m_arming.isOnTrial();
+    const bool others = view->motion.setPoints.size() > 1 && orders.together < 2;
+    orders.stopsAxis = orders.moving && others ? m_choices->axis() : 0;
+    m_parts.commands->show(orders);
+    m_gains->showWriteRow(*view);
+}
+
+void TunePage::showEmpty(const DeviceView *view)
+{
+    if (view) {
+        m_empty->setText(tr("%1 is in its bootloader").arg(titleOf(*view)),
+            tr("It cannot drive a motor until it has firmware. Write an image on the Firmware page."));
         return;
     }
+    const bool any = !m_workbench.snapshot().devices.empty();
+    m_empty->setText(any ? tr("Select a device") : tr("No device yet"),
+        any ? tr("Choose one in the list at the left; its loop is tuned here.")
+            : tr("Open a link, or the simulated bench from the menu, to drive a motor."));
+}
+
+PageStatus TunePage::status() const
+{
+    const DeviceView *const view = m_choices->device();
+    if (!view)
+        return {GlyphState::Gone, tr("No device"), {}, false};
+    const QString name = QStringLiteral("#%1").arg(view->identity.address);
     if (!view->liveness.heard)
+        return {GlyphState::Gone, tr("No answer from %1").arg(name), tr("The plot keeps what it has."), false};
+    if (m_arming.state() == LampState::Stopped)
+        return {m_arming.isStoppedByHand() ? GlyphState::Gone : GlyphState::Fault,
+            tr("Stopped: %1").arg(m_arming.reason()), tr("Hold the Arm button for 1 s to arm again."), false};
+    if (!view->mayNotMove.empty())
+        return {GlyphState::Warning, tr("%1 cannot be armed").arg(name), messageText(view->mayNotMove), false};
+    if (const QString fault = m_parts.column->setPointPanel().fault(); isLive() && !fault.isEmpty())
+        return {GlyphState::OutOfRange, tr("The set-point cannot be sent"), fault, false};
+    if (const auto obstacle = m_gains->obstacle(*view))
+        return *obstacle;
+    return isLive() ? m_motion->status(*view, name) : m_experiments->status(*view, name);
+}
+
+void TunePage::run()
+{
+    const PageStatus now = status();
+    if (!now.mayRun) {
+        m_workbench.report(Severity::Caution, {}, tr("not run: %1. %2").arg(now.cause, now.remedy));
         return;
-    m_workbench.send(orders::UndoWrite{view->id, again},
-        [self = QPointer<TunePage>(this), name = titleOf(*view)](const Result<void> &result) {
-            if (self && !result)
-                self->m_workbench.report(Severity::Danger, name, errorText(result.error()));
-        });
+    }
+    const TuneChoice &chosen = *m_choices->current();
+    if (!isLive())
+        m_experiments->run();
+    else if (chosen.editedSlot == chosen.runningSlot && !column().gainsPanel().toWrite().empty())
+        m_gains->write([this] { m_motion->start(); });
+    else
+        m_motion->start();
+    showCommands();
+}
+
+void TunePage::write()
+{
+    if (!column().writeRow().mayWrite())
+        return;
+    m_gains->write();
+    showCommands();
+}
+
+void TunePage::halt()
+{
+    m_experiments->endTurns();
+    m_motion->halt();
+}
+
+void TunePage::zero()
+{
+    halt();
+    m_motion->zero();
 }
 
 } // namespace mb

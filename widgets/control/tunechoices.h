@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/common/selection.h"
+#include "widgets/control/setpointpanel.h"
+#include "widgets/control/stimulusbar.h"
+#include "widgets/parameters/editdesk.h"
+#include "widgets/plots/displayunits.h"
+
+#include <map>
+#include <string>
+
+namespace mb {
+
+/// One motor: a device, or one of its axes (0 where it has one only).
+struct TuneMotor {
+    DeviceId device;
+    int axis = 0;
+    friend auto operator<=>(const TuneMotor &, const TuneMotor &) = default;
+};
+
+/// What a person has chosen for one motor, and what was sent to it from the page.
+struct TuneChoice {
+    Mode mode = Mode::Velocity;
+    int editedSlot = 0;
+    int runningSlot = 0;
+    DisplayUnits units;
+    double profiled = 0.0;        ///< counts per revolution that the device's profile had last
+    StagedEdits *edits = nullptr; ///< of the device, shared with the other pages
+    StimulusChoice stimulus;
+    std::string unit;               ///< who it is in the notebook
+    SetPointPanel::Entered entered; ///< of an axis that is not shown
+    bool ours = false;              ///< the motion was started here
+};
+
+/// The choices of every motor that the Tune page has seen, and which motor it shows. Draws nothing and sends nothing.
+class TuneChoices : public QObject {
+    Q_OBJECT
+public:
+    TuneChoices(Workbench &workbench, const Selection &selection);
+
+    /// The device that is selected; nullptr: none, or it is gone.
+    [[nodiscard]] const DeviceView *device() const;
+    /// Its axis that is selected; where the device as a whole is, the one that was shown last. 0: it has one motor only.
+    [[nodiscard]] int axisOf(const DeviceView &view);
+
+    void show(const TuneMotor &motor) { m_shown = motor; }
+    [[nodiscard]] const TuneMotor &shown() const { return m_shown; }
+    [[nodiscard]] int axis() const { return m_shown.axis; }
+    /// Of the motor that is shown; nullptr before the first.
+    [[nodiscard]] TuneChoice *current() { return find(m_shown); }
+    [[nodiscard]] TuneChoice *find(const TuneMotor &motor);
+    /// Makes those of every motor of a device.
+    void make(const DeviceView &view);
+    /// Those of one motor, made where nobody has seen it yet.
+    [[nodiscard]] TuneChoice &of(const DeviceView &view, int axis);
+    /// Rises with every edit of a device that was seen here.
+    [[nodiscard]] std::uint64_t editRevision() const { return m_editRevision; }
+
+    /// The units that each motor has until somebody chooses others for it.
+    void setRevolutions(bool on);
+    /// Nothing moves that was started here.
+    void forgetMotion();
+
+Q_SIGNALS:
+    /// Something is staged, or is no longer.
+    void edited();
+
+private:
+    void countEdit();
+
+    Workbench &m_workbench;
+    EditDesk &m_desk;
+    const Selection &m_selection;
+    bool m_revolutions = false;
+    std::map<TuneMotor, TuneChoice> m_choices;
+    std::map<DeviceId, int> m_lastAxis;
+    TuneMotor m_shown;
+    std::uint64_t m_editRevision = 0;
+};
+
+} // namespace mb

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/control/tunecommands.h"
+
+#include "widgets/common/iconbutton.h"
+#include "widgets/common/segmented.h"
+#include "widgets/common/spoken.h"
+
+#include <QHBoxLayout>
+
+namespace mb {
+
+TuneCommands::TuneCommands(const ThemeSource &source, QWidget *parent)
+    : QWidget(parent)
+{
+    const Theme &theme = source.theme();
+    auto *row = new QHBoxLayout(this);
+    row->setContentsMargins(theme.u(12), theme.u(6), theme.u(12), theme.u(6));
+    row->setSpacing(theme.u(8));
+    m_status = new StatusLine(source, this);
+    m_stop = new CommandButton(source, Symbol::Stop, tr("Stop motion"), this);
+    m_stop->setToolTip(tr("Ends the motion and stays armed. STOP, Esc and Pause stop everything."));
+    m_run = new CommandButton(source, Symbol::Play, tr("Run"), this);
+    m_run->setPrimary(true);
+    m_run->setKeyHint(QStringLiteral("F5"));
+    m_run->setTextVariants({tr("Run"), tr("Write and run"), tr("Apply"), tr("Run %1 axes").arg(8)});
+    m_run->setObjectName(QStringLiteral("run"));
+    m_view = new Segmented(tr("View"), {tr("Experiment"), tr("Live")}, this);
+    row->addWidget(m_status, 1);
+    row->addWidget(m_view);
+    row->addWidget(m_stop);
+    row->addWidget(m_run);
+    setFolded(false);
+    connect(m_run, &QPushButton::clicked, this, &TuneCommands::runRequested);
+    connect(m_stop, &QPushButton::clicked, this, &TuneCommands::stopRequested);
+    connect(m_view, &Segmented::currentChanged, this, [this](int view) { Q_EMIT liveChosen(view == 1); });
+}
+
+void TuneCommands::setFolded(bool folded)
+{
+    m_folded = folded;
+    m_view->setVisible(!folded);
+    m_stop->setTextVariants(folded ? QStringList() : QStringList{tr("Stop motion"), tr("Stop axis %1").arg(8)});
+}
+
+void TuneCommands::setLive(bool live)
+{
+    const QSignalBlocker quiet(m_view);
+    m_view->setCurrent(live ? 1 : 0);
+}
+
+bool TuneCommands::isLive() const
+{
+    return m_view->current() == 1;
+}
+
+void TuneCommands::show(const State &state)
+{
+    const PageStatus &now = state.status;
+    m_status->say(now, m_folded);
+    m_run->setText(state.writes        ? tr("Write and run")
+            : state.together > 1       ? tr("Run %1 axes").arg(state.together)
+            : state.moving && isLive() ? tr("Apply")
+                                       : tr("Run"));
+    m_run->setEnabled(now.mayRun);
+    m_run->setToolTip(now.mayRun ? QString() : now.cause + QStringLiteral(": ") + now.remedy);
+    setSpoken(*m_run, m_run->text(), m_run->toolTip());
+    m_stop->setEnabled(state.mayStop);
+    const QString stop = state.stopsAxis > 0 ? tr("Stop axis %1").arg(state.stopsAxis) : tr("Stop motion");
+    m_stop->setText(m_folded ? QString() : stop);
+    setSpoken(*m_stop, stop, m_stop->accessibleDescription());
+}
+
+} // namespace mb

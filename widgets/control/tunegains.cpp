@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/control/tunegains.h"
+
+#include "tuning/kepttrial.h"
+#include "widgets/common/devicetext.h"
+#include "widgets/control/gainspanel.h"
+#include "widgets/control/gainswriterow.h"
+#include "widgets/control/gainunits.h"
+#include "widgets/control/tunecolumn.h"
+#include "widgets/parameters/axisparameters.h"
+
+#include <QPointer>
+#include <QUndoStack>
+
+#include <algorithm>
+
+namespace mb {
+
+TuneGains::TuneGains(Workbench &workbench, Arming &arming, TuneChoices &choices, TuneColumn &column)
+    : m_workbench(workbench)
+    , m_arming(arming)
+    , m_choices(choices)
+    , m_column(column)
+{
+}
+
+/// What runs on the device: nullptr where it is free.
+const OperationView *TuneGains::operation(const DeviceView &view) const
+{
+    const OperationView *const last = m_workbench.snapshot().operation(view.id);
+    return last && last->status.state == OperationStatus::State::Running ? last : nullptr;
+}
+
+void TuneGains::follow(const DeviceView &view)
+{
+    const TuneChoice &chosen = *m_choices.current();
+    const bool reading = operation(view) != nullptr;
+    const QString rows = QStringLiteral("%1 %2 %3 %4 %5 %6 %7 %8")
+                             .arg(view.id.value)
+                             .arg(view.parameterRevision)
+                             .arg(reading)
+                             .arg(m_choices.editRevision())
+                             .arg(static_cast<int>(chosen.mode))
+                             .arg(chosen.editedSlot)
+                             .arg(chosen.units.countsPerRevolution)
+                             .arg(m_choices.axis());
+    if (rows == m_rowsShown)
+        return;
+    m_rowsShown = rows;
+    GainsPanel &panel = m_column.gainsPanel();
+    panel.choose(*view.family, *chosen.edits, chosen.mode, chosen.editedSlot, m_choices.axis());
+    panel.refresh(view, reading);
+}
+
+void TuneGains::showWriteRow(const DeviceView &view)
+{
+    const GainsPanel &panel = m_column.gainsPanel();
+    GainsWriteRow::State row;
+    row.staged = panel.stagedNames();
+    if (view.family->capabilities.gainSlots > 1)
+        row.slot = m_choices.current()->editedSlot;
+    row.free = view.liveness.heard && view.busy.empty() && !m_writing && !operation(view);
+    row.fault = panel.hasFault();
+    row.leap = !panel.unconfirmed().isEmpty();
+    m_column.writeRow().show(row);
+}
+
+std::optional<PageStatus> TuneGains::obstacle(const DeviceView &view) const
+{
+    const GainsPanel &panel = m_column.gainsPanel();
+    if (panel.hasFault())
+        return PageStatus{GlyphState::OutOfRange, tr("A gain is out of range"), tr("Correct or revert it first.")};
+    if (const QString leap = panel.unconfirmed(); !leap.isEmpty())
+        return PageStatus{GlyphState::Warning, tr("Look at a gain again"), leap};
+    if (m_writing)
+        return PageStatus{GlyphState::Busy, tr("Writing gains"), {}};
+    const bool known = std::any_of(
+        view.parameters.begin(), view.parameters.end(), [](const auto &entry) { return entry.raw.has_value(); });
+    if (const OperationView *const reading = operation(view); reading && !known)
+        return PageStatus{
+            GlyphState::Busy, tr("Reading gains"), tr("%1 of %2").arg(reading->status.done).arg(reading->status.total)};
+    return std::nullopt;
+}
+
+void TuneGains::readOnce(const DeviceView &view)
+{
+    const bool unknown = std::all_of(view.parameters.begin(), view.parameters.end(),
+        [](const auto &entry) { return entry.state == ParameterState::Unknown; });
+    const bool ready = view.liveness.heard && view.busy.empty() && view.family->capabilities.readback;
+    if (!unknown || !ready || operation(view) || !m_asked.insert(view.id).second)
+        return;
+    m_workbench.send(orders::ReadParameters{view.id});
+}
+
+void TuneGains::write(std::function<void()> next)
+{
+    const TuneMotor motor = m_choices.shown();
+    const std::vector<ParameterChange> changes = m_column.gainsPanel().toWrite();
+    m_writing = true;
+    m_workbench.send(orders::WriteParameters{motor.device, changes},
+        [self = QPointer<TuneGains>(this), motor, changes, next = std::move(next)](const Result<void> &result) {
+            if (self)
+                self->written(motor, changes, result, next);
+        });
+}
+
+void TuneGains::written(const TuneMotor &motor, const std::vector<ParameterChange> &changes, const Result<void> &result,
+    const std::function<void()> &next)
+{
+    m_writing = false;
+    const TuneChoice *const chosen = m_choices.find(motor);
+    if (result && chosen)
+        chosen->edits->settle(changes);
+    Q_EMIT changed();
+    if (!result)
+        m_workbench.report(Severity::Danger, {}, tr("gains not written: %1").arg(errorText(result.error())));
+    else if (next && m_choices.shown() == motor && m_arming.isArmed(motor.device))
+        next();
+}
+
+void TuneGains::undo(bool again)
+{
+    const TuneChoice *const chosen = m_choices.current();
+    const DeviceView *const view = m_choices.device();
+    if (!chosen || !chosen->edits || !view)
+        return;
+    QUndoStack &stack = chosen->edits->undoStack();
+    if (again ? stack.canRedo() : stack.canUndo() && !stack.isClean()) {
+        again ? stack.redo() : stack.undo();
+        return;
+    }
+    if (!view->liveness.heard)
+        return;
+    m_workbench.send(orders::UndoWrite{view->id, again},
+        [self = QPointer<TuneGains>(this), name = titleOf(*view)](const Result<void> &result) {
+            if (self && !result)
+                self->m_workbench.report(Severity::Danger, name, errorText(result.error()));
+        });
+}
+
+void TuneGains::stageTrial(const KeptTrial &kept)
+{
+    const DeviceView *const view = m_choices.device();
+    const TuneChoice *const chosen = m_choices.current();
+    if (!view || !chosen)
+        return;
+    const GainSet set = gainSet(*view->family, kept.trial.mode, chosen->editedSlot, m_choices.axis());
+    std::vector<ParameterIndex> rows = set.gains;
+    rows.insert(rows.end(), set.bounds.begin(), set.bounds.end());
+    std::vector<ParameterChange> changes;
+    for (const ParameterIndex index : rows) {
+        const Parameter &row = view->family->parameters[index.value];
+        for (const auto &[key, value] : kept.trial.gains) {
+            if (!value || gainName(row) != std::string_view(key).substr(key.rfind('.') + 1))
+                continue;
+            if (const auto raw = toRaw(row, *value))
+                changes.push_back({index, *raw});
+        }
+    }
+    chosen->edits->stageAll(changes, tr("Gains of trial #%1").arg(kept.number));
+}
+
+void TuneGains::stageAdvice(const std::vector<std::pair<std::string, double>> &values)
+{
+    const DeviceView *const view = m_choices.device();
+    const TuneChoice *const chosen = m_choices.current();
+    if (!view || !chosen)
+        return;
+    std::vector<ParameterChange> changes;
+    for (const auto &[key, value] : values) {
+        const auto index = findParameter(view->family->parameters, key);
+        const auto raw = index ? toRaw(view->family->parameters[index->value], value) : Result<std::int64_t>(0);
+        if (index && raw)
+            changes.push_back({*index, *raw});
+    }
+    chosen->edits->stageAll(changes, tr("What the adviser proposes"));
+}
+
+void TuneGains::stageAxis(int from)
+{
+    const DeviceView *const view = m_choices.device();
+    const TuneChoice *const chosen = m_choices.current();
+    if (!view || !chosen)
+        return;
+    const int axis = m_choices.axis();
+    const GainSet rows = gainSet(*view->family, chosen->mode, chosen->editedSlot, axis);
+    const auto isShown = [&rows](ParameterIndex index) {
+        return std::find(rows.gains.begin(), rows.gains.end(), index) != rows.gains.end()
+            || std::find(rows.bounds.begin(), rows.bounds.end(), index) != rows.bounds.end();
+    };
+    std::vector<ParameterChange> changes = gainsOfAxis(*view->family, *chosen->edits, from, axis);
+    std::erase_if(changes, [&](const ParameterChange &change) { return !isShown(change.index); });
+    if (changes.empty()) {
+        m_workbench.report(Severity::Caution, titleOf(*view),
+            tr("nothing copied: no gain of axis %1 is known for this mode; write it first").arg(from));
+        return;
+    }
+    chosen->edits->stageAll(changes, tr("Gains and limits of axis %1").arg(from));
+}
+
+} // namespace mb
