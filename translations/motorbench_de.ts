@@ -1586,6 +1586,37 @@
     </message>
 </context>
 <context>
+    <name>mb::AxisChoice</name>
+    <message>
+        <source>Which axis</source>
+        <translation>Welche Achse</translation>
+    </message>
+    <message>
+        <source>All axes</source>
+        <translation>Alle Achsen</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>Platine</translation>
+    </message>
+    <message>
+        <source>Copy from</source>
+        <translation>Kopieren von</translation>
+    </message>
+    <message>
+        <source>Copy gains and limits from another axis</source>
+        <translation>Verstärkungen und Grenzen von einer anderen Achse kopieren</translation>
+    </message>
+    <message>
+        <source>Stages the gains and limits of another axis for this one; Write sends them.</source>
+        <translation>Merkt Verstärkungen und Grenzen einer anderen Achse für diese vor; Schreiben sendet sie.</translation>
+    </message>
+    <message>
+        <source>Gains and limits of axis %1</source>
+        <translation>Verstärkungen und Grenzen von Achse %1</translation>
+    </message>
+</context>
+<context>
     <name>mb::AxisRows</name>
     <message>
         <source>Axes</source>
@@ -2228,6 +2259,29 @@
     </message>
 </context>
 <context>
+    <name>mb::ComparisonBox</name>
+    <message>
+        <source>Compare with</source>
+        <translation>Vergleich mit</translation>
+    </message>
+    <message>
+        <source>as found %1</source>
+        <translation>Stand %1</translation>
+    </message>
+    <message>
+        <source>defaults</source>
+        <translation>Standardwerten</translation>
+    </message>
+    <message>
+        <source>axis %1</source>
+        <translation>Achse %1</translation>
+    </message>
+    <message>
+        <source>a file…</source>
+        <translation>einer Datei…</translation>
+    </message>
+</context>
+<context>
     <name>mb::Conditions</name>
     <message>
         <source>%1 is lost</source>
@@ -2801,6 +2855,45 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
 </context>
 <context>
+    <name>mb::DifferenceTable</name>
+    <message>
+        <source>Differences</source>
+        <translation>Unterschiede</translation>
+    </message>
+    <message>
+        <source>parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>key</source>
+        <translation>Schlüssel</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>belongs to one unit, copied only if you tick it</source>
+        <translation>gehört zu einem Gerät, wird nur kopiert, wenn es angehakt ist</translation>
+    </message>
+    <message>
+        <source>assumed: it cannot be read</source>
+        <translation>angenommen: nicht lesbar</translation>
+    </message>
+</context>
+<context>
     <name>mb::DoctorCard</name>
     <message>
         <source>Connection doctor</source>
@@ -3162,6 +3255,45 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>Is that meant?</source>
         <translation>Ist das so gemeint?</translation>
+    </message>
+</context>
+<context>
+    <name>mb::FileExchange</name>
+    <message>
+        <source>%1 says what the device has.</source>
+        <translation>%1 entspricht dem Gerät.</translation>
+    </message>
+    <message>
+        <source>Nothing is staged.</source>
+        <translation>Nichts vorgemerkt.</translation>
+    </message>
+    <message>
+        <source>Import of %1</source>
+        <translation>Import von %1</translation>
+    </message>
+    <message>
+        <source>Nothing is written yet: look through the list, then write.</source>
+        <translation>Noch nichts geschrieben: Liste durchsehen, dann schreiben.</translation>
+    </message>
+    <message>
+        <source>Left out: %1, for one: %2.</source>
+        <translation>Ausgelassen: %1, zum Beispiel: %2.</translation>
+    </message>
+    <message>
+        <source>Staged from %1: %2 of its values differ.</source>
+        <translation>Vorgemerkt aus %1: %2 Werte weichen ab.</translation>
+    </message>
+    <message>
+        <source>Undo the import</source>
+        <translation>Import rückgängig</translation>
+    </message>
+    <message>
+        <source>Choose another place.</source>
+        <translation>Anderen Ort wählen.</translation>
+    </message>
+    <message>
+        <source>%1 parameters exported to %2</source>
+        <translation>%1 Parameter exportiert nach %2</translation>
     </message>
 </context>
 <context>
@@ -3693,34 +3825,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
 <context>
     <name>mb::HistoryPanel</name>
     <message>
-        <source>Differences</source>
-        <translation>Unterschiede</translation>
-    </message>
-    <message>
-        <source>parameter</source>
-        <translation>Parameter</translation>
-    </message>
-    <message>
-        <source>key</source>
-        <translation>Schlüssel</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
-        <source>unit</source>
-        <translation>Einheit</translation>
-    </message>
-    <message>
-        <source>note</source>
-        <translation>Hinweis</translation>
-    </message>
-    <message>
         <source>State A</source>
         <translation>Stand A</translation>
     </message>
@@ -3745,24 +3849,12 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>Angehaktes zurückschreiben</translation>
     </message>
     <message>
-        <source>Device, now</source>
-        <translation>Gerät, jetzt</translation>
-    </message>
-    <message>
-        <source>factory defaults</source>
-        <translation>Werkseinstellungen</translation>
-    </message>
-    <message>
         <source>Only differences %1</source>
         <translation>Nur Unterschiede %1</translation>
     </message>
     <message>
         <source>All %1</source>
         <translation>Alle %1</translation>
-    </message>
-    <message>
-        <source>assumed: it cannot be read</source>
-        <translation>angenommen: nicht lesbar</translation>
     </message>
     <message>
         <source>%1 ticked; a snapshot of what is there is taken first.</source>
@@ -3775,10 +3867,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>Restore %1</source>
         <translation>%1 zurückschreiben</translation>
-    </message>
-    <message>
-        <source>belongs to one unit, copied only if you tick it</source>
-        <translation>gehört zu einem Gerät, wird nur kopiert, wenn es angehakt ist</translation>
     </message>
 </context>
 <context>
@@ -5066,6 +5154,25 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
 </context>
 <context>
+    <name>mb::ParameterCommands</name>
+    <message>
+        <source>What was written before it is in force; the rest is still staged. Nothing was stored.</source>
+        <translation>Das davor Geschriebene gilt; der Rest bleibt vorgemerkt. Nichts wurde gespeichert.</translation>
+    </message>
+    <message>
+        <source>Nothing is proved to be in flash. Store again, and keep power on.</source>
+        <translation>Nichts ist als gespeichert nachgewiesen. Erneut speichern, Versorgung an lassen.</translation>
+    </message>
+    <message>
+        <source>Nothing is kept.</source>
+        <translation>Nichts wurde festgehalten.</translation>
+    </message>
+    <message>
+        <source>What was written before it is in force. Ctrl+Z takes it back.</source>
+        <translation>Was davor geschrieben wurde, gilt. Strg+Z nimmt es zurück.</translation>
+    </message>
+</context>
+<context>
     <name>mb::ParameterDelegate</name>
     <message>
         <source>%1, %2</source>
@@ -5120,6 +5227,72 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
 </context>
 <context>
+    <name>mb::ParameterGroups</name>
+    <message>
+        <source>1 parameter</source>
+        <translation>1 Parameter</translation>
+    </message>
+    <message>
+        <source>%1 parameters</source>
+        <translation>%1 Parameter</translation>
+    </message>
+    <message>
+        <source>not kept over a power cycle</source>
+        <translation>nach Ausschalten verloren</translation>
+    </message>
+    <message>
+        <source>%1 not kept over a power cycle</source>
+        <translation>%1 nach Ausschalten verloren</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ParameterHead</name>
+    <message>
+        <source>Undo the last edit or write</source>
+        <translation>Letzte Änderung oder letztes Schreiben zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z</source>
+        <translation>Strg+Z</translation>
+    </message>
+    <message>
+        <source>Redo the edit or write</source>
+        <translation>Änderung oder Schreiben wiederholen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Y</source>
+        <translation>Strg+Y</translation>
+    </message>
+    <message>
+        <source>Read all</source>
+        <translation>Alle lesen</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Import…</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Export…</translation>
+    </message>
+    <message>
+        <source>Snapshot</source>
+        <translation>Festhalten</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+S</source>
+        <translation>Strg+Umschalt+S</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Ctrl+H</source>
+        <translation>Strg+H</translation>
+    </message>
+</context>
+<context>
     <name>mb::ParameterHeader</name>
     <message>
         <source>Columns</source>
@@ -5151,22 +5324,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>from a file</source>
         <translation>aus Datei</translation>
-    </message>
-    <message>
-        <source>1 parameter</source>
-        <translation>1 Parameter</translation>
-    </message>
-    <message>
-        <source>%1 parameters</source>
-        <translation>%1 Parameter</translation>
-    </message>
-    <message>
-        <source>not kept over a power cycle</source>
-        <translation>nach Ausschalten verloren</translation>
-    </message>
-    <message>
-        <source>%1 not kept over a power cycle</source>
-        <translation>%1 nach Ausschalten verloren</translation>
     </message>
     <message>
         <source>Can only be read.</source>
@@ -5222,6 +5379,57 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
 </context>
 <context>
+    <name>mb::ParameterTools</name>
+    <message>
+        <source>Search parameters</source>
+        <translation>Parameter suchen</translation>
+    </message>
+    <message>
+        <source>Which parameters</source>
+        <translation>Welche Parameter</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>Changed</source>
+        <translation>Abweichend</translation>
+    </message>
+    <message>
+        <source>Edited</source>
+        <translation>Geändert</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Ctrl+F</source>
+        <translation>Strg+F</translation>
+    </message>
+    <message>
+        <source>All %1</source>
+        <translation>Alle %1</translation>
+    </message>
+    <message>
+        <source>Changed %1</source>
+        <translation>Abweichend %1</translation>
+    </message>
+    <message>
+        <source>Edited %1</source>
+        <translation>Geändert %1</translation>
+    </message>
+    <message>
+        <source>Errors %1</source>
+        <translation>Fehler %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+</context>
+<context>
     <name>mb::ParameterView</name>
     <message>
         <source>Parameters</source>
@@ -5251,56 +5459,12 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>Parameterdatei öffnen</translation>
     </message>
     <message>
-        <source>Read all</source>
-        <translation>Alle lesen</translation>
-    </message>
-    <message>
-        <source>Import…</source>
-        <translation>Import…</translation>
-    </message>
-    <message>
-        <source>Export…</source>
-        <translation>Export…</translation>
-    </message>
-    <message>
         <source>Import parameters</source>
         <translation>Parameter importieren</translation>
     </message>
     <message>
         <source>Export parameters</source>
         <translation>Parameter exportieren</translation>
-    </message>
-    <message>
-        <source>Search parameters</source>
-        <translation>Parameter suchen</translation>
-    </message>
-    <message>
-        <source>Which parameters</source>
-        <translation>Welche Parameter</translation>
-    </message>
-    <message>
-        <source>All</source>
-        <translation>Alle</translation>
-    </message>
-    <message>
-        <source>Changed</source>
-        <translation>Abweichend</translation>
-    </message>
-    <message>
-        <source>Edited</source>
-        <translation>Geändert</translation>
-    </message>
-    <message>
-        <source>Errors</source>
-        <translation>Fehler</translation>
-    </message>
-    <message>
-        <source>Compare with</source>
-        <translation>Vergleich mit</translation>
-    </message>
-    <message>
-        <source>as found %1</source>
-        <translation>Stand %1</translation>
     </message>
     <message>
         <source>Select a device</source>
@@ -5327,124 +5491,8 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>%1 hat keine.</translation>
     </message>
     <message>
-        <source>All %1</source>
-        <translation>Alle %1</translation>
-    </message>
-    <message>
-        <source>Changed %1</source>
-        <translation>Abweichend %1</translation>
-    </message>
-    <message>
-        <source>Edited %1</source>
-        <translation>Geändert %1</translation>
-    </message>
-    <message>
-        <source>Errors %1</source>
-        <translation>Fehler %1</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
-    </message>
-    <message>
-        <source>defaults</source>
-        <translation>Standardwerten</translation>
-    </message>
-    <message>
-        <source>a file…</source>
-        <translation>einer Datei…</translation>
-    </message>
-    <message>
         <source>Compare with a parameter file</source>
         <translation>Mit einer Parameterdatei vergleichen</translation>
-    </message>
-    <message>
-        <source>What was written before it is in force; the rest is still staged. Nothing was stored.</source>
-        <translation>Das davor Geschriebene gilt; der Rest bleibt vorgemerkt. Nichts wurde gespeichert.</translation>
-    </message>
-    <message>
-        <source>Nothing is proved to be in flash. Store again, and keep power on.</source>
-        <translation>Nichts ist als gespeichert nachgewiesen. Erneut speichern, Versorgung an lassen.</translation>
-    </message>
-    <message>
-        <source>%1 says what the device has.</source>
-        <translation>%1 entspricht dem Gerät.</translation>
-    </message>
-    <message>
-        <source>Nothing is staged.</source>
-        <translation>Nichts vorgemerkt.</translation>
-    </message>
-    <message>
-        <source>Import of %1</source>
-        <translation>Import von %1</translation>
-    </message>
-    <message>
-        <source>Nothing is written yet: look through the list, then write.</source>
-        <translation>Noch nichts geschrieben: Liste durchsehen, dann schreiben.</translation>
-    </message>
-    <message>
-        <source>Left out: %1, for one: %2.</source>
-        <translation>Ausgelassen: %1, zum Beispiel: %2.</translation>
-    </message>
-    <message>
-        <source>Staged from %1: %2 of its values differ.</source>
-        <translation>Vorgemerkt aus %1: %2 Werte weichen ab.</translation>
-    </message>
-    <message>
-        <source>Undo the import</source>
-        <translation>Import rückgängig</translation>
-    </message>
-    <message>
-        <source>Choose another place.</source>
-        <translation>Anderen Ort wählen.</translation>
-    </message>
-    <message>
-        <source>%1 parameters exported to %2</source>
-        <translation>%1 Parameter exportiert nach %2</translation>
-    </message>
-    <message>
-        <source>Ctrl+Z</source>
-        <translation>Strg+Z</translation>
-    </message>
-    <message>
-        <source>Ctrl+Y</source>
-        <translation>Strg+Y</translation>
-    </message>
-    <message>
-        <source>Ctrl+F</source>
-        <translation>Strg+F</translation>
-    </message>
-    <message>
-        <source>Which axis</source>
-        <translation>Welche Achse</translation>
-    </message>
-    <message>
-        <source>All axes</source>
-        <translation>Alle Achsen</translation>
-    </message>
-    <message>
-        <source>Board</source>
-        <translation>Platine</translation>
-    </message>
-    <message>
-        <source>Copy from</source>
-        <translation>Kopieren von</translation>
-    </message>
-    <message>
-        <source>Copy gains and limits from another axis</source>
-        <translation>Verstärkungen und Grenzen von einer anderen Achse kopieren</translation>
-    </message>
-    <message>
-        <source>Stages the gains and limits of another axis for this one; Write sends them.</source>
-        <translation>Merkt Verstärkungen und Grenzen einer anderen Achse für diese vor; Schreiben sendet sie.</translation>
-    </message>
-    <message>
-        <source>Gains and limits of axis %1</source>
-        <translation>Verstärkungen und Grenzen von Achse %1</translation>
-    </message>
-    <message>
-        <source>axis %1</source>
-        <translation>Achse %1</translation>
     </message>
     <message>
         <source>reads all parameters</source>
@@ -5463,30 +5511,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>macht sie wieder</translation>
     </message>
     <message>
-        <source>Undo the last edit or write</source>
-        <translation>Letzte Änderung oder letztes Schreiben zurücknehmen</translation>
-    </message>
-    <message>
-        <source>Redo the edit or write</source>
-        <translation>Änderung oder Schreiben wiederholen</translation>
-    </message>
-    <message>
-        <source>Snapshot</source>
-        <translation>Festhalten</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+S</source>
-        <translation>Strg+Umschalt+S</translation>
-    </message>
-    <message>
-        <source>History</source>
-        <translation>Verlauf</translation>
-    </message>
-    <message>
-        <source>Ctrl+H</source>
-        <translation>Strg+H</translation>
-    </message>
-    <message>
         <source>undoes the last edit, or else the last write to the unit</source>
         <translation>nimmt die letzte Änderung zurück, sonst das letzte Schreiben ins Gerät</translation>
     </message>
@@ -5497,14 +5521,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>shows the history of the unit, or its values</source>
         <translation>zeigt den Verlauf des Geräts oder seine Werte</translation>
-    </message>
-    <message>
-        <source>Nothing is kept.</source>
-        <translation>Nichts wurde festgehalten.</translation>
-    </message>
-    <message>
-        <source>What was written before it is in force. Ctrl+Z takes it back.</source>
-        <translation>Was davor geschrieben wurde, gilt. Strg+Z nimmt es zurück.</translation>
     </message>
 </context>
 <context>
@@ -9976,6 +9992,17 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>Last ten units, newest first</source>
         <translation>Letzte zehn Geräte, neueste zuerst</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UnitStates</name>
+    <message>
+        <source>Device, now</source>
+        <translation>Gerät, jetzt</translation>
+    </message>
+    <message>
+        <source>factory defaults</source>
+        <translation>Werkseinstellungen</translation>
     </message>
 </context>
 <context>

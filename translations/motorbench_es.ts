@@ -1586,6 +1586,37 @@
     </message>
 </context>
 <context>
+    <name>mb::AxisChoice</name>
+    <message>
+        <source>Which axis</source>
+        <translation>Qué eje</translation>
+    </message>
+    <message>
+        <source>All axes</source>
+        <translation>Todos los ejes</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>Placa</translation>
+    </message>
+    <message>
+        <source>Copy from</source>
+        <translation>Copiar de</translation>
+    </message>
+    <message>
+        <source>Copy gains and limits from another axis</source>
+        <translation>Copiar ganancias y límites de otro eje</translation>
+    </message>
+    <message>
+        <source>Stages the gains and limits of another axis for this one; Write sends them.</source>
+        <translation>Deja pendientes para este eje las ganancias y los límites de otro; Escribir los envía.</translation>
+    </message>
+    <message>
+        <source>Gains and limits of axis %1</source>
+        <translation>Ganancias y límites del eje %1</translation>
+    </message>
+</context>
+<context>
     <name>mb::AxisRows</name>
     <message>
         <source>Axes</source>
@@ -2228,6 +2259,29 @@
     </message>
 </context>
 <context>
+    <name>mb::ComparisonBox</name>
+    <message>
+        <source>Compare with</source>
+        <translation>Comparar con</translation>
+    </message>
+    <message>
+        <source>as found %1</source>
+        <translation>lo encontrado %1</translation>
+    </message>
+    <message>
+        <source>defaults</source>
+        <translation>valores predeterminados</translation>
+    </message>
+    <message>
+        <source>axis %1</source>
+        <translation>eje %1</translation>
+    </message>
+    <message>
+        <source>a file…</source>
+        <translation>un archivo…</translation>
+    </message>
+</context>
+<context>
     <name>mb::Conditions</name>
     <message>
         <source>%1 may still turn: cut its power</source>
@@ -2801,6 +2855,45 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     </message>
 </context>
 <context>
+    <name>mb::DifferenceTable</name>
+    <message>
+        <source>Differences</source>
+        <translation>Diferencias</translation>
+    </message>
+    <message>
+        <source>parameter</source>
+        <translation>parámetro</translation>
+    </message>
+    <message>
+        <source>key</source>
+        <translation>clave</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>unidad</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>nota</translation>
+    </message>
+    <message>
+        <source>belongs to one unit, copied only if you tick it</source>
+        <translation>propio de una unidad, solo se copia si se marca</translation>
+    </message>
+    <message>
+        <source>assumed: it cannot be read</source>
+        <translation>supuesto: no se puede leer</translation>
+    </message>
+</context>
+<context>
     <name>mb::DoctorCard</name>
     <message>
         <source>Connection doctor</source>
@@ -3162,6 +3255,45 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     <message>
         <source>Revert</source>
         <translation>Revertir</translation>
+    </message>
+</context>
+<context>
+    <name>mb::FileExchange</name>
+    <message>
+        <source>%1 says what the device has.</source>
+        <translation>%1 coincide con el dispositivo.</translation>
+    </message>
+    <message>
+        <source>Nothing is staged.</source>
+        <translation>No hay nada pendiente.</translation>
+    </message>
+    <message>
+        <source>Import of %1</source>
+        <translation>Importación de %1</translation>
+    </message>
+    <message>
+        <source>Nothing is written yet: look through the list, then write.</source>
+        <translation>Aún no se ha escrito nada: revise la lista y después escriba.</translation>
+    </message>
+    <message>
+        <source>Left out: %1, for one: %2.</source>
+        <translation>Omitidos: %1, por ejemplo: %2.</translation>
+    </message>
+    <message>
+        <source>Staged from %1: %2 of its values differ.</source>
+        <translation>Pendiente desde %1: %2 de sus valores difieren.</translation>
+    </message>
+    <message>
+        <source>Undo the import</source>
+        <translation>Deshacer la importación</translation>
+    </message>
+    <message>
+        <source>Choose another place.</source>
+        <translation>Elija otro lugar.</translation>
+    </message>
+    <message>
+        <source>%1 parameters exported to %2</source>
+        <translation>%1 parámetros exportados a %2</translation>
     </message>
 </context>
 <context>
@@ -3693,34 +3825,6 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
 <context>
     <name>mb::HistoryPanel</name>
     <message>
-        <source>Differences</source>
-        <translation>Diferencias</translation>
-    </message>
-    <message>
-        <source>parameter</source>
-        <translation>parámetro</translation>
-    </message>
-    <message>
-        <source>key</source>
-        <translation>clave</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
-        <source>unit</source>
-        <translation>unidad</translation>
-    </message>
-    <message>
-        <source>note</source>
-        <translation>nota</translation>
-    </message>
-    <message>
         <source>State A</source>
         <translation>Estado A</translation>
     </message>
@@ -3745,24 +3849,12 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <translation>Restaurar lo marcado</translation>
     </message>
     <message>
-        <source>Device, now</source>
-        <translation>Dispositivo, ahora</translation>
-    </message>
-    <message>
-        <source>factory defaults</source>
-        <translation>valores de fábrica</translation>
-    </message>
-    <message>
         <source>Only differences %1</source>
         <translation>Solo diferencias %1</translation>
     </message>
     <message>
         <source>All %1</source>
         <translation>Todos %1</translation>
-    </message>
-    <message>
-        <source>assumed: it cannot be read</source>
-        <translation>supuesto: no se puede leer</translation>
     </message>
     <message>
         <source>%1 ticked; a snapshot of what is there is taken first.</source>
@@ -3775,10 +3867,6 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     <message>
         <source>Restore %1</source>
         <translation>Restaurar %1</translation>
-    </message>
-    <message>
-        <source>belongs to one unit, copied only if you tick it</source>
-        <translation>propio de una unidad, solo se copia si se marca</translation>
     </message>
 </context>
 <context>
@@ -5066,6 +5154,25 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     </message>
 </context>
 <context>
+    <name>mb::ParameterCommands</name>
+    <message>
+        <source>What was written before it is in force; the rest is still staged. Nothing was stored.</source>
+        <translation>Lo escrito antes está vigente; el resto sigue pendiente. No se guardó nada.</translation>
+    </message>
+    <message>
+        <source>Nothing is proved to be in flash. Store again, and keep power on.</source>
+        <translation>No hay prueba de que algo esté en flash. Guarde de nuevo y mantenga la alimentación.</translation>
+    </message>
+    <message>
+        <source>Nothing is kept.</source>
+        <translation>No se conservó nada.</translation>
+    </message>
+    <message>
+        <source>What was written before it is in force. Ctrl+Z takes it back.</source>
+        <translation>Lo escrito antes está vigente. Ctrl+Z lo deshace.</translation>
+    </message>
+</context>
+<context>
     <name>mb::ParameterDelegate</name>
     <message>
         <source>%1, %2</source>
@@ -5120,6 +5227,72 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     </message>
 </context>
 <context>
+    <name>mb::ParameterGroups</name>
+    <message>
+        <source>1 parameter</source>
+        <translation>1 parámetro</translation>
+    </message>
+    <message>
+        <source>%1 parameters</source>
+        <translation>%1 parámetros</translation>
+    </message>
+    <message>
+        <source>not kept over a power cycle</source>
+        <translation>no se conserva al apagar</translation>
+    </message>
+    <message>
+        <source>%1 not kept over a power cycle</source>
+        <translation>%1 no se conservan al apagar</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ParameterHead</name>
+    <message>
+        <source>Undo the last edit or write</source>
+        <translation>Deshacer la última edición o escritura</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z</source>
+        <translation>Ctrl+Z</translation>
+    </message>
+    <message>
+        <source>Redo the edit or write</source>
+        <translation>Rehacer la edición o escritura</translation>
+    </message>
+    <message>
+        <source>Ctrl+Y</source>
+        <translation>Ctrl+Y</translation>
+    </message>
+    <message>
+        <source>Read all</source>
+        <translation>Leer todo</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Importar…</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportar…</translation>
+    </message>
+    <message>
+        <source>Snapshot</source>
+        <translation>Instantánea</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+S</source>
+        <translation>Ctrl+Mayús+S</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historial</translation>
+    </message>
+    <message>
+        <source>Ctrl+H</source>
+        <translation>Ctrl+H</translation>
+    </message>
+</context>
+<context>
     <name>mb::ParameterHeader</name>
     <message>
         <source>Columns</source>
@@ -5155,22 +5328,6 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     <message>
         <source>from a file</source>
         <translation>de un archivo</translation>
-    </message>
-    <message>
-        <source>1 parameter</source>
-        <translation>1 parámetro</translation>
-    </message>
-    <message>
-        <source>%1 parameters</source>
-        <translation>%1 parámetros</translation>
-    </message>
-    <message>
-        <source>not kept over a power cycle</source>
-        <translation>no se conserva al apagar</translation>
-    </message>
-    <message>
-        <source>%1 not kept over a power cycle</source>
-        <translation>%1 no se conservan al apagar</translation>
     </message>
     <message>
         <source>Can only be read.</source>
@@ -5222,6 +5379,57 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     </message>
 </context>
 <context>
+    <name>mb::ParameterTools</name>
+    <message>
+        <source>Search parameters</source>
+        <translation>Buscar parámetros</translation>
+    </message>
+    <message>
+        <source>Which parameters</source>
+        <translation>Qué parámetros</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Todas</translation>
+    </message>
+    <message>
+        <source>Changed</source>
+        <translation>Modificados</translation>
+    </message>
+    <message>
+        <source>Edited</source>
+        <translation>Editados</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Errores</translation>
+    </message>
+    <message>
+        <source>Ctrl+F</source>
+        <translation>Ctrl+F</translation>
+    </message>
+    <message>
+        <source>All %1</source>
+        <translation>Todos %1</translation>
+    </message>
+    <message>
+        <source>Changed %1</source>
+        <translation>Modificados %1</translation>
+    </message>
+    <message>
+        <source>Edited %1</source>
+        <translation>Editados %1</translation>
+    </message>
+    <message>
+        <source>Errors %1</source>
+        <translation>Errores %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+</context>
+<context>
     <name>mb::ParameterView</name>
     <message>
         <source>Parameters</source>
@@ -5251,88 +5459,12 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <translation>Abrir un archivo de parámetros</translation>
     </message>
     <message>
-        <source>Undo the last edit or write</source>
-        <translation>Deshacer la última edición o escritura</translation>
-    </message>
-    <message>
-        <source>Ctrl+Z</source>
-        <translation>Ctrl+Z</translation>
-    </message>
-    <message>
-        <source>Redo the edit or write</source>
-        <translation>Rehacer la edición o escritura</translation>
-    </message>
-    <message>
-        <source>Ctrl+Y</source>
-        <translation>Ctrl+Y</translation>
-    </message>
-    <message>
-        <source>Read all</source>
-        <translation>Leer todo</translation>
-    </message>
-    <message>
-        <source>Import…</source>
-        <translation>Importar…</translation>
-    </message>
-    <message>
-        <source>Export…</source>
-        <translation>Exportar…</translation>
-    </message>
-    <message>
-        <source>Snapshot</source>
-        <translation>Instantánea</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+S</source>
-        <translation>Ctrl+Mayús+S</translation>
-    </message>
-    <message>
-        <source>History</source>
-        <translation>Historial</translation>
-    </message>
-    <message>
-        <source>Ctrl+H</source>
-        <translation>Ctrl+H</translation>
-    </message>
-    <message>
         <source>Import parameters</source>
         <translation>Importar parámetros</translation>
     </message>
     <message>
         <source>Export parameters</source>
         <translation>Exportar parámetros</translation>
-    </message>
-    <message>
-        <source>Search parameters</source>
-        <translation>Buscar parámetros</translation>
-    </message>
-    <message>
-        <source>Ctrl+F</source>
-        <translation>Ctrl+F</translation>
-    </message>
-    <message>
-        <source>Which parameters</source>
-        <translation>Qué parámetros</translation>
-    </message>
-    <message>
-        <source>All</source>
-        <translation>Todas</translation>
-    </message>
-    <message>
-        <source>Changed</source>
-        <translation>Modificados</translation>
-    </message>
-    <message>
-        <source>Edited</source>
-        <translation>Editados</translation>
-    </message>
-    <message>
-        <source>Errors</source>
-        <translation>Errores</translation>
-    </message>
-    <message>
-        <source>Compare with</source>
-        <translation>Comparar con</translation>
     </message>
     <message>
         <source>reads all parameters</source>
@@ -5363,38 +5495,6 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <translation>muestra el historial del equipo o sus valores</translation>
     </message>
     <message>
-        <source>Which axis</source>
-        <translation>Qué eje</translation>
-    </message>
-    <message>
-        <source>All axes</source>
-        <translation>Todos los ejes</translation>
-    </message>
-    <message>
-        <source>Board</source>
-        <translation>Placa</translation>
-    </message>
-    <message>
-        <source>Copy from</source>
-        <translation>Copiar de</translation>
-    </message>
-    <message>
-        <source>Copy gains and limits from another axis</source>
-        <translation>Copiar ganancias y límites de otro eje</translation>
-    </message>
-    <message>
-        <source>Stages the gains and limits of another axis for this one; Write sends them.</source>
-        <translation>Deja pendientes para este eje las ganancias y los límites de otro; Escribir los envía.</translation>
-    </message>
-    <message>
-        <source>Gains and limits of axis %1</source>
-        <translation>Ganancias y límites del eje %1</translation>
-    </message>
-    <message>
-        <source>as found %1</source>
-        <translation>lo encontrado %1</translation>
-    </message>
-    <message>
         <source>Select a device</source>
         <translation>Seleccione un dispositivo</translation>
     </message>
@@ -5419,92 +5519,8 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <translation>%1 no tiene ninguno.</translation>
     </message>
     <message>
-        <source>All %1</source>
-        <translation>Todos %1</translation>
-    </message>
-    <message>
-        <source>Changed %1</source>
-        <translation>Modificados %1</translation>
-    </message>
-    <message>
-        <source>Edited %1</source>
-        <translation>Editados %1</translation>
-    </message>
-    <message>
-        <source>Errors %1</source>
-        <translation>Errores %1</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 de %2</translation>
-    </message>
-    <message>
-        <source>defaults</source>
-        <translation>valores predeterminados</translation>
-    </message>
-    <message>
-        <source>axis %1</source>
-        <translation>eje %1</translation>
-    </message>
-    <message>
-        <source>a file…</source>
-        <translation>un archivo…</translation>
-    </message>
-    <message>
         <source>Compare with a parameter file</source>
         <translation>Comparar con un archivo de parámetros</translation>
-    </message>
-    <message>
-        <source>Nothing is kept.</source>
-        <translation>No se conservó nada.</translation>
-    </message>
-    <message>
-        <source>What was written before it is in force. Ctrl+Z takes it back.</source>
-        <translation>Lo escrito antes está vigente. Ctrl+Z lo deshace.</translation>
-    </message>
-    <message>
-        <source>What was written before it is in force; the rest is still staged. Nothing was stored.</source>
-        <translation>Lo escrito antes está vigente; el resto sigue pendiente. No se guardó nada.</translation>
-    </message>
-    <message>
-        <source>Nothing is proved to be in flash. Store again, and keep power on.</source>
-        <translation>No hay prueba de que algo esté en flash. Guarde de nuevo y mantenga la alimentación.</translation>
-    </message>
-    <message>
-        <source>%1 says what the device has.</source>
-        <translation>%1 coincide con el dispositivo.</translation>
-    </message>
-    <message>
-        <source>Nothing is staged.</source>
-        <translation>No hay nada pendiente.</translation>
-    </message>
-    <message>
-        <source>Import of %1</source>
-        <translation>Importación de %1</translation>
-    </message>
-    <message>
-        <source>Nothing is written yet: look through the list, then write.</source>
-        <translation>Aún no se ha escrito nada: revise la lista y después escriba.</translation>
-    </message>
-    <message>
-        <source>Left out: %1, for one: %2.</source>
-        <translation>Omitidos: %1, por ejemplo: %2.</translation>
-    </message>
-    <message>
-        <source>Staged from %1: %2 of its values differ.</source>
-        <translation>Pendiente desde %1: %2 de sus valores difieren.</translation>
-    </message>
-    <message>
-        <source>Undo the import</source>
-        <translation>Deshacer la importación</translation>
-    </message>
-    <message>
-        <source>Choose another place.</source>
-        <translation>Elija otro lugar.</translation>
-    </message>
-    <message>
-        <source>%1 parameters exported to %2</source>
-        <translation>%1 parámetros exportados a %2</translation>
     </message>
 </context>
 <context>
@@ -9976,6 +9992,17 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>Last ten units, newest first</source>
         <translation>Últimos diez equipos, el más reciente primero</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UnitStates</name>
+    <message>
+        <source>Device, now</source>
+        <translation>Dispositivo, ahora</translation>
+    </message>
+    <message>
+        <source>factory defaults</source>
+        <translation>valores de fábrica</translation>
     </message>
 </context>
 <context>

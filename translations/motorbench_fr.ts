@@ -1586,6 +1586,37 @@
     </message>
 </context>
 <context>
+    <name>mb::AxisChoice</name>
+    <message>
+        <source>Which axis</source>
+        <translation>Quel axe</translation>
+    </message>
+    <message>
+        <source>All axes</source>
+        <translation>Tous les axes</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>Carte</translation>
+    </message>
+    <message>
+        <source>Copy from</source>
+        <translation>Copier de</translation>
+    </message>
+    <message>
+        <source>Copy gains and limits from another axis</source>
+        <translation>Copier les gains et limites d’un autre axe</translation>
+    </message>
+    <message>
+        <source>Stages the gains and limits of another axis for this one; Write sends them.</source>
+        <translation>Met en attente pour cet axe les gains et limites d’un autre&#x202f;; Écrire les envoie.</translation>
+    </message>
+    <message>
+        <source>Gains and limits of axis %1</source>
+        <translation>Gains et limites de l’axe %1</translation>
+    </message>
+</context>
+<context>
     <name>mb::AxisRows</name>
     <message>
         <source>Axes</source>
@@ -2228,6 +2259,29 @@
     </message>
 </context>
 <context>
+    <name>mb::ComparisonBox</name>
+    <message>
+        <source>Compare with</source>
+        <translation>Comparer avec</translation>
+    </message>
+    <message>
+        <source>as found %1</source>
+        <translation>état trouvé %1</translation>
+    </message>
+    <message>
+        <source>defaults</source>
+        <translation>valeurs par défaut</translation>
+    </message>
+    <message>
+        <source>axis %1</source>
+        <translation>axe %1</translation>
+    </message>
+    <message>
+        <source>a file…</source>
+        <translation>un fichier…</translation>
+    </message>
+</context>
+<context>
     <name>mb::Conditions</name>
     <message>
         <source>%1 may still turn: cut its power</source>
@@ -2801,6 +2855,45 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     </message>
 </context>
 <context>
+    <name>mb::DifferenceTable</name>
+    <message>
+        <source>Differences</source>
+        <translation>Différences</translation>
+    </message>
+    <message>
+        <source>parameter</source>
+        <translation>paramètre</translation>
+    </message>
+    <message>
+        <source>key</source>
+        <translation>clé</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>unité</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>remarque</translation>
+    </message>
+    <message>
+        <source>belongs to one unit, copied only if you tick it</source>
+        <translation>propre à un appareil, copié seulement si vous le cochez</translation>
+    </message>
+    <message>
+        <source>assumed: it cannot be read</source>
+        <translation>supposé&#xa0;: lecture impossible</translation>
+    </message>
+</context>
+<context>
     <name>mb::DoctorCard</name>
     <message>
         <source>Connection doctor</source>
@@ -3162,6 +3255,45 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     <message>
         <source>Revert</source>
         <translation>Rétablir</translation>
+    </message>
+</context>
+<context>
+    <name>mb::FileExchange</name>
+    <message>
+        <source>%1 says what the device has.</source>
+        <translation>%1 correspond à l’appareil.</translation>
+    </message>
+    <message>
+        <source>Nothing is staged.</source>
+        <translation>Rien en attente.</translation>
+    </message>
+    <message>
+        <source>Import of %1</source>
+        <translation>Import de %1</translation>
+    </message>
+    <message>
+        <source>Nothing is written yet: look through the list, then write.</source>
+        <translation>Rien n’est encore écrit&#xa0;: parcourez la liste, puis écrivez.</translation>
+    </message>
+    <message>
+        <source>Left out: %1, for one: %2.</source>
+        <translation>Omis&#xa0;: %1, par exemple&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>Staged from %1: %2 of its values differ.</source>
+        <translation>Mis en attente depuis %1&#xa0;: %2 de ses valeurs diffèrent.</translation>
+    </message>
+    <message>
+        <source>Undo the import</source>
+        <translation>Annuler l’import</translation>
+    </message>
+    <message>
+        <source>Choose another place.</source>
+        <translation>Choisissez un autre emplacement.</translation>
+    </message>
+    <message>
+        <source>%1 parameters exported to %2</source>
+        <translation>%1 paramètres exportés vers %2</translation>
     </message>
 </context>
 <context>
@@ -3693,34 +3825,6 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
 <context>
     <name>mb::HistoryPanel</name>
     <message>
-        <source>Differences</source>
-        <translation>Différences</translation>
-    </message>
-    <message>
-        <source>parameter</source>
-        <translation>paramètre</translation>
-    </message>
-    <message>
-        <source>key</source>
-        <translation>clé</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
-        <source>unit</source>
-        <translation>unité</translation>
-    </message>
-    <message>
-        <source>note</source>
-        <translation>remarque</translation>
-    </message>
-    <message>
         <source>State A</source>
         <translation>État A</translation>
     </message>
@@ -3745,24 +3849,12 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <translation>Restaurer les éléments cochés</translation>
     </message>
     <message>
-        <source>Device, now</source>
-        <translation>Appareil, maintenant</translation>
-    </message>
-    <message>
-        <source>factory defaults</source>
-        <translation>réglages d’usine</translation>
-    </message>
-    <message>
         <source>Only differences %1</source>
         <translation>Seulement les différences %1</translation>
     </message>
     <message>
         <source>All %1</source>
         <translation>Tous %1</translation>
-    </message>
-    <message>
-        <source>assumed: it cannot be read</source>
-        <translation>supposé&#xa0;: lecture impossible</translation>
     </message>
     <message>
         <source>%1 ticked; a snapshot of what is there is taken first.</source>
@@ -3775,10 +3867,6 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     <message>
         <source>Restore %1</source>
         <translation>Restaurer %1</translation>
-    </message>
-    <message>
-        <source>belongs to one unit, copied only if you tick it</source>
-        <translation>propre à un appareil, copié seulement si vous le cochez</translation>
     </message>
 </context>
 <context>
@@ -5066,6 +5154,25 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     </message>
 </context>
 <context>
+    <name>mb::ParameterCommands</name>
+    <message>
+        <source>What was written before it is in force; the rest is still staged. Nothing was stored.</source>
+        <translation>Ce qui a été écrit avant est en vigueur&#x202f;; le reste est encore en attente. Rien n’a été mémorisé.</translation>
+    </message>
+    <message>
+        <source>Nothing is proved to be in flash. Store again, and keep power on.</source>
+        <translation>Rien ne prouve la mémorisation en flash. Mémorisez à nouveau, sans couper l’alimentation.</translation>
+    </message>
+    <message>
+        <source>Nothing is kept.</source>
+        <translation>Rien n’est conservé.</translation>
+    </message>
+    <message>
+        <source>What was written before it is in force. Ctrl+Z takes it back.</source>
+        <translation>Ce qui a été écrit avant est en vigueur. Ctrl+Z l’annule.</translation>
+    </message>
+</context>
+<context>
     <name>mb::ParameterDelegate</name>
     <message>
         <source>%1, %2</source>
@@ -5120,6 +5227,72 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     </message>
 </context>
 <context>
+    <name>mb::ParameterGroups</name>
+    <message>
+        <source>1 parameter</source>
+        <translation>1 paramètre</translation>
+    </message>
+    <message>
+        <source>%1 parameters</source>
+        <translation>%1 paramètres</translation>
+    </message>
+    <message>
+        <source>not kept over a power cycle</source>
+        <translation>perdu à la mise hors tension</translation>
+    </message>
+    <message>
+        <source>%1 not kept over a power cycle</source>
+        <translation>%1 perdus à la mise hors tension</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ParameterHead</name>
+    <message>
+        <source>Undo the last edit or write</source>
+        <translation>Annuler la dernière modification ou écriture</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z</source>
+        <translation>Ctrl+Z</translation>
+    </message>
+    <message>
+        <source>Redo the edit or write</source>
+        <translation>Rétablir la modification ou l’écriture</translation>
+    </message>
+    <message>
+        <source>Ctrl+Y</source>
+        <translation>Ctrl+Y</translation>
+    </message>
+    <message>
+        <source>Read all</source>
+        <translation>Tout lire</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Importer…</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exporter…</translation>
+    </message>
+    <message>
+        <source>Snapshot</source>
+        <translation>Instantané</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+S</source>
+        <translation>Ctrl+Maj+S</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historique</translation>
+    </message>
+    <message>
+        <source>Ctrl+H</source>
+        <translation>Ctrl+H</translation>
+    </message>
+</context>
+<context>
     <name>mb::ParameterHeader</name>
     <message>
         <source>Columns</source>
@@ -5155,22 +5328,6 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     <message>
         <source>from a file</source>
         <translation>d’un fichier</translation>
-    </message>
-    <message>
-        <source>1 parameter</source>
-        <translation>1 paramètre</translation>
-    </message>
-    <message>
-        <source>%1 parameters</source>
-        <translation>%1 paramètres</translation>
-    </message>
-    <message>
-        <source>not kept over a power cycle</source>
-        <translation>perdu à la mise hors tension</translation>
-    </message>
-    <message>
-        <source>%1 not kept over a power cycle</source>
-        <translation>%1 perdus à la mise hors tension</translation>
     </message>
     <message>
         <source>Can only be read.</source>
@@ -5222,6 +5379,57 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     </message>
 </context>
 <context>
+    <name>mb::ParameterTools</name>
+    <message>
+        <source>Search parameters</source>
+        <translation>Rechercher des paramètres</translation>
+    </message>
+    <message>
+        <source>Which parameters</source>
+        <translation>Quels paramètres</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Toutes</translation>
+    </message>
+    <message>
+        <source>Changed</source>
+        <translation>Différents</translation>
+    </message>
+    <message>
+        <source>Edited</source>
+        <translation>Modifiés</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Erreurs</translation>
+    </message>
+    <message>
+        <source>Ctrl+F</source>
+        <translation>Ctrl+F</translation>
+    </message>
+    <message>
+        <source>All %1</source>
+        <translation>Tous %1</translation>
+    </message>
+    <message>
+        <source>Changed %1</source>
+        <translation>Différents %1</translation>
+    </message>
+    <message>
+        <source>Edited %1</source>
+        <translation>Modifiés %1</translation>
+    </message>
+    <message>
+        <source>Errors %1</source>
+        <translation>Erreurs %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+</context>
+<context>
     <name>mb::ParameterView</name>
     <message>
         <source>Parameters</source>
@@ -5251,88 +5459,12 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <translation>Ouvrir un fichier de paramètres</translation>
     </message>
     <message>
-        <source>Undo the last edit or write</source>
-        <translation>Annuler la dernière modification ou écriture</translation>
-    </message>
-    <message>
-        <source>Ctrl+Z</source>
-        <translation>Ctrl+Z</translation>
-    </message>
-    <message>
-        <source>Redo the edit or write</source>
-        <translation>Rétablir la modification ou l’écriture</translation>
-    </message>
-    <message>
-        <source>Ctrl+Y</source>
-        <translation>Ctrl+Y</translation>
-    </message>
-    <message>
-        <source>Read all</source>
-        <translation>Tout lire</translation>
-    </message>
-    <message>
-        <source>Import…</source>
-        <translation>Importer…</translation>
-    </message>
-    <message>
-        <source>Export…</source>
-        <translation>Exporter…</translation>
-    </message>
-    <message>
-        <source>Snapshot</source>
-        <translation>Instantané</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+S</source>
-        <translation>Ctrl+Maj+S</translation>
-    </message>
-    <message>
-        <source>History</source>
-        <translation>Historique</translation>
-    </message>
-    <message>
-        <source>Ctrl+H</source>
-        <translation>Ctrl+H</translation>
-    </message>
-    <message>
         <source>Import parameters</source>
         <translation>Importer des paramètres</translation>
     </message>
     <message>
         <source>Export parameters</source>
         <translation>Exporter les paramètres</translation>
-    </message>
-    <message>
-        <source>Search parameters</source>
-        <translation>Rechercher des paramètres</translation>
-    </message>
-    <message>
-        <source>Ctrl+F</source>
-        <translation>Ctrl+F</translation>
-    </message>
-    <message>
-        <source>Which parameters</source>
-        <translation>Quels paramètres</translation>
-    </message>
-    <message>
-        <source>All</source>
-        <translation>Toutes</translation>
-    </message>
-    <message>
-        <source>Changed</source>
-        <translation>Différents</translation>
-    </message>
-    <message>
-        <source>Edited</source>
-        <translation>Modifiés</translation>
-    </message>
-    <message>
-        <source>Errors</source>
-        <translation>Erreurs</translation>
-    </message>
-    <message>
-        <source>Compare with</source>
-        <translation>Comparer avec</translation>
     </message>
     <message>
         <source>reads all parameters</source>
@@ -5363,38 +5495,6 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <translation>affiche l’historique de l’appareil, ou ses valeurs</translation>
     </message>
     <message>
-        <source>Which axis</source>
-        <translation>Quel axe</translation>
-    </message>
-    <message>
-        <source>All axes</source>
-        <translation>Tous les axes</translation>
-    </message>
-    <message>
-        <source>Board</source>
-        <translation>Carte</translation>
-    </message>
-    <message>
-        <source>Copy from</source>
-        <translation>Copier de</translation>
-    </message>
-    <message>
-        <source>Copy gains and limits from another axis</source>
-        <translation>Copier les gains et limites d’un autre axe</translation>
-    </message>
-    <message>
-        <source>Stages the gains and limits of another axis for this one; Write sends them.</source>
-        <translation>Met en attente pour cet axe les gains et limites d’un autre&#x202f;; Écrire les envoie.</translation>
-    </message>
-    <message>
-        <source>Gains and limits of axis %1</source>
-        <translation>Gains et limites de l’axe %1</translation>
-    </message>
-    <message>
-        <source>as found %1</source>
-        <translation>état trouvé %1</translation>
-    </message>
-    <message>
         <source>Select a device</source>
         <translation>Sélectionnez un appareil</translation>
     </message>
@@ -5419,92 +5519,8 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <translation>%1 n’en a pas.</translation>
     </message>
     <message>
-        <source>All %1</source>
-        <translation>Tous %1</translation>
-    </message>
-    <message>
-        <source>Changed %1</source>
-        <translation>Différents %1</translation>
-    </message>
-    <message>
-        <source>Edited %1</source>
-        <translation>Modifiés %1</translation>
-    </message>
-    <message>
-        <source>Errors %1</source>
-        <translation>Erreurs %1</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 sur %2</translation>
-    </message>
-    <message>
-        <source>defaults</source>
-        <translation>valeurs par défaut</translation>
-    </message>
-    <message>
-        <source>axis %1</source>
-        <translation>axe %1</translation>
-    </message>
-    <message>
-        <source>a file…</source>
-        <translation>un fichier…</translation>
-    </message>
-    <message>
         <source>Compare with a parameter file</source>
         <translation>Comparer avec un fichier de paramètres</translation>
-    </message>
-    <message>
-        <source>Nothing is kept.</source>
-        <translation>Rien n’est conservé.</translation>
-    </message>
-    <message>
-        <source>What was written before it is in force. Ctrl+Z takes it back.</source>
-        <translation>Ce qui a été écrit avant est en vigueur. Ctrl+Z l’annule.</translation>
-    </message>
-    <message>
-        <source>What was written before it is in force; the rest is still staged. Nothing was stored.</source>
-        <translation>Ce qui a été écrit avant est en vigueur&#x202f;; le reste est encore en attente. Rien n’a été mémorisé.</translation>
-    </message>
-    <message>
-        <source>Nothing is proved to be in flash. Store again, and keep power on.</source>
-        <translation>Rien ne prouve la mémorisation en flash. Mémorisez à nouveau, sans couper l’alimentation.</translation>
-    </message>
-    <message>
-        <source>%1 says what the device has.</source>
-        <translation>%1 correspond à l’appareil.</translation>
-    </message>
-    <message>
-        <source>Nothing is staged.</source>
-        <translation>Rien en attente.</translation>
-    </message>
-    <message>
-        <source>Import of %1</source>
-        <translation>Import de %1</translation>
-    </message>
-    <message>
-        <source>Nothing is written yet: look through the list, then write.</source>
-        <translation>Rien n’est encore écrit&#xa0;: parcourez la liste, puis écrivez.</translation>
-    </message>
-    <message>
-        <source>Left out: %1, for one: %2.</source>
-        <translation>Omis&#xa0;: %1, par exemple&#xa0;: %2.</translation>
-    </message>
-    <message>
-        <source>Staged from %1: %2 of its values differ.</source>
-        <translation>Mis en attente depuis %1&#xa0;: %2 de ses valeurs diffèrent.</translation>
-    </message>
-    <message>
-        <source>Undo the import</source>
-        <translation>Annuler l’import</translation>
-    </message>
-    <message>
-        <source>Choose another place.</source>
-        <translation>Choisissez un autre emplacement.</translation>
-    </message>
-    <message>
-        <source>%1 parameters exported to %2</source>
-        <translation>%1 paramètres exportés vers %2</translation>
     </message>
 </context>
 <context>
@@ -9976,6 +9992,17 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>Last ten units, newest first</source>
         <translation>Dix derniers appareils, le plus récent en premier</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UnitStates</name>
+    <message>
+        <source>Device, now</source>
+        <translation>Appareil, maintenant</translation>
+    </message>
+    <message>
+        <source>factory defaults</source>
+        <translation>réglages d’usine</translation>
     </message>
 </context>
 <context>

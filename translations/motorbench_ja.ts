@@ -1585,6 +1585,37 @@
     </message>
 </context>
 <context>
+    <name>mb::AxisChoice</name>
+    <message>
+        <source>Which axis</source>
+        <translation>対象の軸</translation>
+    </message>
+    <message>
+        <source>All axes</source>
+        <translation>全軸</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>基板</translation>
+    </message>
+    <message>
+        <source>Copy from</source>
+        <translation>コピー元</translation>
+    </message>
+    <message>
+        <source>Copy gains and limits from another axis</source>
+        <translation>別の軸からゲインと制限をコピー</translation>
+    </message>
+    <message>
+        <source>Stages the gains and limits of another axis for this one; Write sends them.</source>
+        <translation>別の軸のゲインと制限を、この軸の書込み待ちにします。「書込み」で送信します。</translation>
+    </message>
+    <message>
+        <source>Gains and limits of axis %1</source>
+        <translation>軸 %1 のゲインと制限</translation>
+    </message>
+</context>
+<context>
     <name>mb::AxisRows</name>
     <message>
         <source>Axes</source>
@@ -2226,6 +2257,29 @@
     </message>
 </context>
 <context>
+    <name>mb::ComparisonBox</name>
+    <message>
+        <source>Compare with</source>
+        <translation>比較対象</translation>
+    </message>
+    <message>
+        <source>as found %1</source>
+        <translation>当初の状態 %1</translation>
+    </message>
+    <message>
+        <source>defaults</source>
+        <translation>既定値</translation>
+    </message>
+    <message>
+        <source>axis %1</source>
+        <translation>軸 %1</translation>
+    </message>
+    <message>
+        <source>a file…</source>
+        <translation>ファイル…</translation>
+    </message>
+</context>
+<context>
     <name>mb::Conditions</name>
     <message>
         <source>%1 may still turn: cut its power</source>
@@ -2799,6 +2853,45 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
 </context>
 <context>
+    <name>mb::DifferenceTable</name>
+    <message>
+        <source>Differences</source>
+        <translation>差分</translation>
+    </message>
+    <message>
+        <source>parameter</source>
+        <translation>パラメータ</translation>
+    </message>
+    <message>
+        <source>key</source>
+        <translation>キー</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>単位</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>備考</translation>
+    </message>
+    <message>
+        <source>belongs to one unit, copied only if you tick it</source>
+        <translation>このユニット固有の値です。チェックした場合だけコピーされます</translation>
+    </message>
+    <message>
+        <source>assumed: it cannot be read</source>
+        <translation>推定: 読出し不可</translation>
+    </message>
+</context>
+<context>
     <name>mb::DoctorCard</name>
     <message>
         <source>Connection doctor</source>
@@ -3160,6 +3253,45 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>Revert</source>
         <translation>元に戻す</translation>
+    </message>
+</context>
+<context>
+    <name>mb::FileExchange</name>
+    <message>
+        <source>%1 says what the device has.</source>
+        <translation>%1 は機器の内容と一致しています。</translation>
+    </message>
+    <message>
+        <source>Nothing is staged.</source>
+        <translation>書込み待ちの変更はありません。</translation>
+    </message>
+    <message>
+        <source>Import of %1</source>
+        <translation>%1 のインポート</translation>
+    </message>
+    <message>
+        <source>Nothing is written yet: look through the list, then write.</source>
+        <translation>まだ何も書き込んでいません: リストを確認してから書き込んでください。</translation>
+    </message>
+    <message>
+        <source>Left out: %1, for one: %2.</source>
+        <translation>除外: %1 個、例: %2。</translation>
+    </message>
+    <message>
+        <source>Staged from %1: %2 of its values differ.</source>
+        <translation>%1 から書込み待ちに追加: %2 個の値が異なります。</translation>
+    </message>
+    <message>
+        <source>Undo the import</source>
+        <translation>インポートを元に戻す</translation>
+    </message>
+    <message>
+        <source>Choose another place.</source>
+        <translation>別の場所を選択してください。</translation>
+    </message>
+    <message>
+        <source>%1 parameters exported to %2</source>
+        <translation>%1 個のパラメータを %2 にエクスポートしました</translation>
     </message>
 </context>
 <context>
@@ -3688,34 +3820,6 @@ Double click or Enter plots it; drag it to a plot.</source>
 <context>
     <name>mb::HistoryPanel</name>
     <message>
-        <source>Differences</source>
-        <translation>差分</translation>
-    </message>
-    <message>
-        <source>parameter</source>
-        <translation>パラメータ</translation>
-    </message>
-    <message>
-        <source>key</source>
-        <translation>キー</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
-        <source>unit</source>
-        <translation>単位</translation>
-    </message>
-    <message>
-        <source>note</source>
-        <translation>備考</translation>
-    </message>
-    <message>
         <source>State A</source>
         <translation>状態 A</translation>
     </message>
@@ -3740,24 +3844,12 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>チェックした項目を復元</translation>
     </message>
     <message>
-        <source>Device, now</source>
-        <translation>機器、現在</translation>
-    </message>
-    <message>
-        <source>factory defaults</source>
-        <translation>工場出荷時の値</translation>
-    </message>
-    <message>
         <source>Only differences %1</source>
         <translation>差分のみ %1</translation>
     </message>
     <message>
         <source>All %1</source>
         <translation>すべて %1</translation>
-    </message>
-    <message>
-        <source>assumed: it cannot be read</source>
-        <translation>推定: 読出し不可</translation>
     </message>
     <message>
         <source>%1 ticked; a snapshot of what is there is taken first.</source>
@@ -3770,10 +3862,6 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>Restore %1</source>
         <translation>%1 を復元</translation>
-    </message>
-    <message>
-        <source>belongs to one unit, copied only if you tick it</source>
-        <translation>このユニット固有の値です。チェックした場合だけコピーされます</translation>
     </message>
 </context>
 <context>
@@ -5059,6 +5147,25 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
 </context>
 <context>
+    <name>mb::ParameterCommands</name>
+    <message>
+        <source>What was written before it is in force; the rest is still staged. Nothing was stored.</source>
+        <translation>それ以前に書き込んだ値は有効です。残りは書込み待ちのままです。保存はしていません。</translation>
+    </message>
+    <message>
+        <source>Nothing is proved to be in flash. Store again, and keep power on.</source>
+        <translation>フラッシュへの保存は証明されていません。もう一度保存し、電源を切らないでください。</translation>
+    </message>
+    <message>
+        <source>Nothing is kept.</source>
+        <translation>何も保存していません。</translation>
+    </message>
+    <message>
+        <source>What was written before it is in force. Ctrl+Z takes it back.</source>
+        <translation>それ以前に書き込んだ値は有効です。Ctrl+Z で元に戻せます。</translation>
+    </message>
+</context>
+<context>
     <name>mb::ParameterDelegate</name>
     <message>
         <source>%1, %2</source>
@@ -5113,6 +5220,72 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
 </context>
 <context>
+    <name>mb::ParameterGroups</name>
+    <message>
+        <source>1 parameter</source>
+        <translation>パラメータ 1 個</translation>
+    </message>
+    <message>
+        <source>%1 parameters</source>
+        <translation>パラメータ %1 個</translation>
+    </message>
+    <message>
+        <source>not kept over a power cycle</source>
+        <translation>電源を切ると失われます</translation>
+    </message>
+    <message>
+        <source>%1 not kept over a power cycle</source>
+        <translation>%1 個は電源を切ると失われます</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ParameterHead</name>
+    <message>
+        <source>Undo the last edit or write</source>
+        <translation>直前の編集または書込みを元に戻す</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z</source>
+        <translation>Ctrl+Z</translation>
+    </message>
+    <message>
+        <source>Redo the edit or write</source>
+        <translation>編集または書込みをやり直す</translation>
+    </message>
+    <message>
+        <source>Ctrl+Y</source>
+        <translation>Ctrl+Y</translation>
+    </message>
+    <message>
+        <source>Read all</source>
+        <translation>すべて読出し</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>インポート…</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>エクスポート…</translation>
+    </message>
+    <message>
+        <source>Snapshot</source>
+        <translation>スナップショット</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+S</source>
+        <translation>Ctrl+Shift+S</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>履歴</translation>
+    </message>
+    <message>
+        <source>Ctrl+H</source>
+        <translation>Ctrl+H</translation>
+    </message>
+</context>
+<context>
     <name>mb::ParameterHeader</name>
     <message>
         <source>Columns</source>
@@ -5148,22 +5321,6 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>from a file</source>
         <translation>ファイルから</translation>
-    </message>
-    <message>
-        <source>1 parameter</source>
-        <translation>パラメータ 1 個</translation>
-    </message>
-    <message>
-        <source>%1 parameters</source>
-        <translation>パラメータ %1 個</translation>
-    </message>
-    <message>
-        <source>not kept over a power cycle</source>
-        <translation>電源を切ると失われます</translation>
-    </message>
-    <message>
-        <source>%1 not kept over a power cycle</source>
-        <translation>%1 個は電源を切ると失われます</translation>
     </message>
     <message>
         <source>Can only be read.</source>
@@ -5215,6 +5372,57 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
 </context>
 <context>
+    <name>mb::ParameterTools</name>
+    <message>
+        <source>Search parameters</source>
+        <translation>パラメータの検索</translation>
+    </message>
+    <message>
+        <source>Which parameters</source>
+        <translation>表示するパラメータ</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>すべて</translation>
+    </message>
+    <message>
+        <source>Changed</source>
+        <translation>変更あり</translation>
+    </message>
+    <message>
+        <source>Edited</source>
+        <translation>編集済み</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>エラー</translation>
+    </message>
+    <message>
+        <source>Ctrl+F</source>
+        <translation>Ctrl+F</translation>
+    </message>
+    <message>
+        <source>All %1</source>
+        <translation>すべて %1</translation>
+    </message>
+    <message>
+        <source>Changed %1</source>
+        <translation>変更あり %1</translation>
+    </message>
+    <message>
+        <source>Edited %1</source>
+        <translation>編集済み %1</translation>
+    </message>
+    <message>
+        <source>Errors %1</source>
+        <translation>エラー %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1/%2</translation>
+    </message>
+</context>
+<context>
     <name>mb::ParameterView</name>
     <message>
         <source>Parameters</source>
@@ -5244,88 +5452,12 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>パラメータファイルを開く</translation>
     </message>
     <message>
-        <source>Undo the last edit or write</source>
-        <translation>直前の編集または書込みを元に戻す</translation>
-    </message>
-    <message>
-        <source>Ctrl+Z</source>
-        <translation>Ctrl+Z</translation>
-    </message>
-    <message>
-        <source>Redo the edit or write</source>
-        <translation>編集または書込みをやり直す</translation>
-    </message>
-    <message>
-        <source>Ctrl+Y</source>
-        <translation>Ctrl+Y</translation>
-    </message>
-    <message>
-        <source>Read all</source>
-        <translation>すべて読出し</translation>
-    </message>
-    <message>
-        <source>Import…</source>
-        <translation>インポート…</translation>
-    </message>
-    <message>
-        <source>Export…</source>
-        <translation>エクスポート…</translation>
-    </message>
-    <message>
-        <source>Snapshot</source>
-        <translation>スナップショット</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+S</source>
-        <translation>Ctrl+Shift+S</translation>
-    </message>
-    <message>
-        <source>History</source>
-        <translation>履歴</translation>
-    </message>
-    <message>
-        <source>Ctrl+H</source>
-        <translation>Ctrl+H</translation>
-    </message>
-    <message>
         <source>Import parameters</source>
         <translation>パラメータのインポート</translation>
     </message>
     <message>
         <source>Export parameters</source>
         <translation>パラメータのエクスポート</translation>
-    </message>
-    <message>
-        <source>Search parameters</source>
-        <translation>パラメータの検索</translation>
-    </message>
-    <message>
-        <source>Ctrl+F</source>
-        <translation>Ctrl+F</translation>
-    </message>
-    <message>
-        <source>Which parameters</source>
-        <translation>表示するパラメータ</translation>
-    </message>
-    <message>
-        <source>All</source>
-        <translation>すべて</translation>
-    </message>
-    <message>
-        <source>Changed</source>
-        <translation>変更あり</translation>
-    </message>
-    <message>
-        <source>Edited</source>
-        <translation>編集済み</translation>
-    </message>
-    <message>
-        <source>Errors</source>
-        <translation>エラー</translation>
-    </message>
-    <message>
-        <source>Compare with</source>
-        <translation>比較対象</translation>
     </message>
     <message>
         <source>reads all parameters</source>
@@ -5356,38 +5488,6 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>機器の履歴と値の表示を切り替えます</translation>
     </message>
     <message>
-        <source>Which axis</source>
-        <translation>対象の軸</translation>
-    </message>
-    <message>
-        <source>All axes</source>
-        <translation>全軸</translation>
-    </message>
-    <message>
-        <source>Board</source>
-        <translation>基板</translation>
-    </message>
-    <message>
-        <source>Copy from</source>
-        <translation>コピー元</translation>
-    </message>
-    <message>
-        <source>Copy gains and limits from another axis</source>
-        <translation>別の軸からゲインと制限をコピー</translation>
-    </message>
-    <message>
-        <source>Stages the gains and limits of another axis for this one; Write sends them.</source>
-        <translation>別の軸のゲインと制限を、この軸の書込み待ちにします。「書込み」で送信します。</translation>
-    </message>
-    <message>
-        <source>Gains and limits of axis %1</source>
-        <translation>軸 %1 のゲインと制限</translation>
-    </message>
-    <message>
-        <source>as found %1</source>
-        <translation>当初の状態 %1</translation>
-    </message>
-    <message>
         <source>Select a device</source>
         <translation>機器を選択</translation>
     </message>
@@ -5412,92 +5512,8 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>%1 にはありません。</translation>
     </message>
     <message>
-        <source>All %1</source>
-        <translation>すべて %1</translation>
-    </message>
-    <message>
-        <source>Changed %1</source>
-        <translation>変更あり %1</translation>
-    </message>
-    <message>
-        <source>Edited %1</source>
-        <translation>編集済み %1</translation>
-    </message>
-    <message>
-        <source>Errors %1</source>
-        <translation>エラー %1</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1/%2</translation>
-    </message>
-    <message>
-        <source>defaults</source>
-        <translation>既定値</translation>
-    </message>
-    <message>
-        <source>axis %1</source>
-        <translation>軸 %1</translation>
-    </message>
-    <message>
-        <source>a file…</source>
-        <translation>ファイル…</translation>
-    </message>
-    <message>
         <source>Compare with a parameter file</source>
         <translation>パラメータファイルと比較</translation>
-    </message>
-    <message>
-        <source>Nothing is kept.</source>
-        <translation>何も保存していません。</translation>
-    </message>
-    <message>
-        <source>What was written before it is in force. Ctrl+Z takes it back.</source>
-        <translation>それ以前に書き込んだ値は有効です。Ctrl+Z で元に戻せます。</translation>
-    </message>
-    <message>
-        <source>What was written before it is in force; the rest is still staged. Nothing was stored.</source>
-        <translation>それ以前に書き込んだ値は有効です。残りは書込み待ちのままです。保存はしていません。</translation>
-    </message>
-    <message>
-        <source>Nothing is proved to be in flash. Store again, and keep power on.</source>
-        <translation>フラッシュへの保存は証明されていません。もう一度保存し、電源を切らないでください。</translation>
-    </message>
-    <message>
-        <source>%1 says what the device has.</source>
-        <translation>%1 は機器の内容と一致しています。</translation>
-    </message>
-    <message>
-        <source>Nothing is staged.</source>
-        <translation>書込み待ちの変更はありません。</translation>
-    </message>
-    <message>
-        <source>Import of %1</source>
-        <translation>%1 のインポート</translation>
-    </message>
-    <message>
-        <source>Nothing is written yet: look through the list, then write.</source>
-        <translation>まだ何も書き込んでいません: リストを確認してから書き込んでください。</translation>
-    </message>
-    <message>
-        <source>Left out: %1, for one: %2.</source>
-        <translation>除外: %1 個、例: %2。</translation>
-    </message>
-    <message>
-        <source>Staged from %1: %2 of its values differ.</source>
-        <translation>%1 から書込み待ちに追加: %2 個の値が異なります。</translation>
-    </message>
-    <message>
-        <source>Undo the import</source>
-        <translation>インポートを元に戻す</translation>
-    </message>
-    <message>
-        <source>Choose another place.</source>
-        <translation>別の場所を選択してください。</translation>
-    </message>
-    <message>
-        <source>%1 parameters exported to %2</source>
-        <translation>%1 個のパラメータを %2 にエクスポートしました</translation>
     </message>
 </context>
 <context>
@@ -9962,6 +9978,17 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>Last ten units, newest first</source>
         <translation>直近 10 台、新しい順</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UnitStates</name>
+    <message>
+        <source>Device, now</source>
+        <translation>機器、現在</translation>
+    </message>
+    <message>
+        <source>factory defaults</source>
+        <translation>工場出荷時の値</translation>
     </message>
 </context>
 <context>

@@ -1585,6 +1585,37 @@
     </message>
 </context>
 <context>
+    <name>mb::AxisChoice</name>
+    <message>
+        <source>Which axis</source>
+        <translation>哪个轴</translation>
+    </message>
+    <message>
+        <source>All axes</source>
+        <translation>所有轴</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>板卡</translation>
+    </message>
+    <message>
+        <source>Copy from</source>
+        <translation>复制自</translation>
+    </message>
+    <message>
+        <source>Copy gains and limits from another axis</source>
+        <translation>从另一轴复制增益和限值</translation>
+    </message>
+    <message>
+        <source>Stages the gains and limits of another axis for this one; Write sends them.</source>
+        <translation>将另一轴的增益和限值暂存到此轴；“写入”将其发送。</translation>
+    </message>
+    <message>
+        <source>Gains and limits of axis %1</source>
+        <translation>轴 %1 的增益和限值</translation>
+    </message>
+</context>
+<context>
     <name>mb::AxisRows</name>
     <message>
         <source>Axes</source>
@@ -2226,6 +2257,29 @@
     </message>
 </context>
 <context>
+    <name>mb::ComparisonBox</name>
+    <message>
+        <source>Compare with</source>
+        <translation>比较对象</translation>
+    </message>
+    <message>
+        <source>as found %1</source>
+        <translation>初始状态 %1</translation>
+    </message>
+    <message>
+        <source>defaults</source>
+        <translation>默认值</translation>
+    </message>
+    <message>
+        <source>axis %1</source>
+        <translation>轴 %1</translation>
+    </message>
+    <message>
+        <source>a file…</source>
+        <translation>文件…</translation>
+    </message>
+</context>
+<context>
     <name>mb::Conditions</name>
     <message>
         <source>%1 may still turn: cut its power</source>
@@ -2799,6 +2853,45 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
 </context>
 <context>
+    <name>mb::DifferenceTable</name>
+    <message>
+        <source>Differences</source>
+        <translation>差异</translation>
+    </message>
+    <message>
+        <source>parameter</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>key</source>
+        <translation>键</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>belongs to one unit, copied only if you tick it</source>
+        <translation>属于单个设备，仅在勾选时复制</translation>
+    </message>
+    <message>
+        <source>assumed: it cannot be read</source>
+        <translation>假定：无法读取</translation>
+    </message>
+</context>
+<context>
     <name>mb::DoctorCard</name>
     <message>
         <source>Connection doctor</source>
@@ -3160,6 +3253,45 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>Revert</source>
         <translation>还原</translation>
+    </message>
+</context>
+<context>
+    <name>mb::FileExchange</name>
+    <message>
+        <source>%1 says what the device has.</source>
+        <translation>%1 与设备内容一致。</translation>
+    </message>
+    <message>
+        <source>Nothing is staged.</source>
+        <translation>没有暂存内容。</translation>
+    </message>
+    <message>
+        <source>Import of %1</source>
+        <translation>导入 %1</translation>
+    </message>
+    <message>
+        <source>Nothing is written yet: look through the list, then write.</source>
+        <translation>尚未写入任何内容：请先查看列表，然后写入。</translation>
+    </message>
+    <message>
+        <source>Left out: %1, for one: %2.</source>
+        <translation>已略过：%1 项，例如：%2。</translation>
+    </message>
+    <message>
+        <source>Staged from %1: %2 of its values differ.</source>
+        <translation>已从 %1 暂存：其中 %2 个值不同。</translation>
+    </message>
+    <message>
+        <source>Undo the import</source>
+        <translation>撤销导入</translation>
+    </message>
+    <message>
+        <source>Choose another place.</source>
+        <translation>请选择其他位置。</translation>
+    </message>
+    <message>
+        <source>%1 parameters exported to %2</source>
+        <translation>已将 %1 个参数导出到 %2</translation>
     </message>
 </context>
 <context>
@@ -3688,34 +3820,6 @@ Double click or Enter plots it; drag it to a plot.</source>
 <context>
     <name>mb::HistoryPanel</name>
     <message>
-        <source>Differences</source>
-        <translation>差异</translation>
-    </message>
-    <message>
-        <source>parameter</source>
-        <translation>参数</translation>
-    </message>
-    <message>
-        <source>key</source>
-        <translation>键</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
-        <source>unit</source>
-        <translation>单位</translation>
-    </message>
-    <message>
-        <source>note</source>
-        <translation>备注</translation>
-    </message>
-    <message>
         <source>State A</source>
         <translation>状态 A</translation>
     </message>
@@ -3740,24 +3844,12 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>恢复勾选项</translation>
     </message>
     <message>
-        <source>Device, now</source>
-        <translation>设备，当前</translation>
-    </message>
-    <message>
-        <source>factory defaults</source>
-        <translation>出厂默认值</translation>
-    </message>
-    <message>
         <source>Only differences %1</source>
         <translation>仅差异 %1</translation>
     </message>
     <message>
         <source>All %1</source>
         <translation>全部 %1</translation>
-    </message>
-    <message>
-        <source>assumed: it cannot be read</source>
-        <translation>假定：无法读取</translation>
     </message>
     <message>
         <source>%1 ticked; a snapshot of what is there is taken first.</source>
@@ -3770,10 +3862,6 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>Restore %1</source>
         <translation>恢复 %1</translation>
-    </message>
-    <message>
-        <source>belongs to one unit, copied only if you tick it</source>
-        <translation>属于单个设备，仅在勾选时复制</translation>
     </message>
 </context>
 <context>
@@ -5059,6 +5147,25 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
 </context>
 <context>
+    <name>mb::ParameterCommands</name>
+    <message>
+        <source>What was written before it is in force; the rest is still staged. Nothing was stored.</source>
+        <translation>在此之前写入的值已生效；其余仍为暂存。未存储任何内容。</translation>
+    </message>
+    <message>
+        <source>Nothing is proved to be in flash. Store again, and keep power on.</source>
+        <translation>没有任何值被证实已存入闪存。请重新存储，并保持通电。</translation>
+    </message>
+    <message>
+        <source>Nothing is kept.</source>
+        <translation>未保留任何内容。</translation>
+    </message>
+    <message>
+        <source>What was written before it is in force. Ctrl+Z takes it back.</source>
+        <translation>在此之前写入的值已生效。Ctrl+Z 可撤销。</translation>
+    </message>
+</context>
+<context>
     <name>mb::ParameterDelegate</name>
     <message>
         <source>%1, %2</source>
@@ -5113,6 +5220,72 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
 </context>
 <context>
+    <name>mb::ParameterGroups</name>
+    <message>
+        <source>1 parameter</source>
+        <translation>1 个参数</translation>
+    </message>
+    <message>
+        <source>%1 parameters</source>
+        <translation>%1 个参数</translation>
+    </message>
+    <message>
+        <source>not kept over a power cycle</source>
+        <translation>断电后不保留</translation>
+    </message>
+    <message>
+        <source>%1 not kept over a power cycle</source>
+        <translation>%1 项断电后不保留</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ParameterHead</name>
+    <message>
+        <source>Undo the last edit or write</source>
+        <translation>撤销上一次编辑或写入</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z</source>
+        <translation>Ctrl+Z</translation>
+    </message>
+    <message>
+        <source>Redo the edit or write</source>
+        <translation>重做编辑或写入</translation>
+    </message>
+    <message>
+        <source>Ctrl+Y</source>
+        <translation>Ctrl+Y</translation>
+    </message>
+    <message>
+        <source>Read all</source>
+        <translation>全部读取</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>导入…</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>导出…</translation>
+    </message>
+    <message>
+        <source>Snapshot</source>
+        <translation>快照</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+S</source>
+        <translation>Ctrl+Shift+S</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>历史</translation>
+    </message>
+    <message>
+        <source>Ctrl+H</source>
+        <translation>Ctrl+H</translation>
+    </message>
+</context>
+<context>
     <name>mb::ParameterHeader</name>
     <message>
         <source>Columns</source>
@@ -5148,22 +5321,6 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>from a file</source>
         <translation>来自文件</translation>
-    </message>
-    <message>
-        <source>1 parameter</source>
-        <translation>1 个参数</translation>
-    </message>
-    <message>
-        <source>%1 parameters</source>
-        <translation>%1 个参数</translation>
-    </message>
-    <message>
-        <source>not kept over a power cycle</source>
-        <translation>断电后不保留</translation>
-    </message>
-    <message>
-        <source>%1 not kept over a power cycle</source>
-        <translation>%1 项断电后不保留</translation>
     </message>
     <message>
         <source>Can only be read.</source>
@@ -5215,6 +5372,57 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
 </context>
 <context>
+    <name>mb::ParameterTools</name>
+    <message>
+        <source>Search parameters</source>
+        <translation>搜索参数</translation>
+    </message>
+    <message>
+        <source>Which parameters</source>
+        <translation>哪些参数</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>Changed</source>
+        <translation>非默认</translation>
+    </message>
+    <message>
+        <source>Edited</source>
+        <translation>已编辑</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>错误</translation>
+    </message>
+    <message>
+        <source>Ctrl+F</source>
+        <translation>Ctrl+F</translation>
+    </message>
+    <message>
+        <source>All %1</source>
+        <translation>全部 %1</translation>
+    </message>
+    <message>
+        <source>Changed %1</source>
+        <translation>非默认 %1</translation>
+    </message>
+    <message>
+        <source>Edited %1</source>
+        <translation>已编辑 %1</translation>
+    </message>
+    <message>
+        <source>Errors %1</source>
+        <translation>错误 %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+</context>
+<context>
     <name>mb::ParameterView</name>
     <message>
         <source>Parameters</source>
@@ -5244,88 +5452,12 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>打开参数文件</translation>
     </message>
     <message>
-        <source>Undo the last edit or write</source>
-        <translation>撤销上一次编辑或写入</translation>
-    </message>
-    <message>
-        <source>Ctrl+Z</source>
-        <translation>Ctrl+Z</translation>
-    </message>
-    <message>
-        <source>Redo the edit or write</source>
-        <translation>重做编辑或写入</translation>
-    </message>
-    <message>
-        <source>Ctrl+Y</source>
-        <translation>Ctrl+Y</translation>
-    </message>
-    <message>
-        <source>Read all</source>
-        <translation>全部读取</translation>
-    </message>
-    <message>
-        <source>Import…</source>
-        <translation>导入…</translation>
-    </message>
-    <message>
-        <source>Export…</source>
-        <translation>导出…</translation>
-    </message>
-    <message>
-        <source>Snapshot</source>
-        <translation>快照</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+S</source>
-        <translation>Ctrl+Shift+S</translation>
-    </message>
-    <message>
-        <source>History</source>
-        <translation>历史</translation>
-    </message>
-    <message>
-        <source>Ctrl+H</source>
-        <translation>Ctrl+H</translation>
-    </message>
-    <message>
         <source>Import parameters</source>
         <translation>导入参数</translation>
     </message>
     <message>
         <source>Export parameters</source>
         <translation>导出参数</translation>
-    </message>
-    <message>
-        <source>Search parameters</source>
-        <translation>搜索参数</translation>
-    </message>
-    <message>
-        <source>Ctrl+F</source>
-        <translation>Ctrl+F</translation>
-    </message>
-    <message>
-        <source>Which parameters</source>
-        <translation>哪些参数</translation>
-    </message>
-    <message>
-        <source>All</source>
-        <translation>全部</translation>
-    </message>
-    <message>
-        <source>Changed</source>
-        <translation>非默认</translation>
-    </message>
-    <message>
-        <source>Edited</source>
-        <translation>已编辑</translation>
-    </message>
-    <message>
-        <source>Errors</source>
-        <translation>错误</translation>
-    </message>
-    <message>
-        <source>Compare with</source>
-        <translation>比较对象</translation>
     </message>
     <message>
         <source>reads all parameters</source>
@@ -5356,38 +5488,6 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>显示设备的历史或其值</translation>
     </message>
     <message>
-        <source>Which axis</source>
-        <translation>哪个轴</translation>
-    </message>
-    <message>
-        <source>All axes</source>
-        <translation>所有轴</translation>
-    </message>
-    <message>
-        <source>Board</source>
-        <translation>板卡</translation>
-    </message>
-    <message>
-        <source>Copy from</source>
-        <translation>复制自</translation>
-    </message>
-    <message>
-        <source>Copy gains and limits from another axis</source>
-        <translation>从另一轴复制增益和限值</translation>
-    </message>
-    <message>
-        <source>Stages the gains and limits of another axis for this one; Write sends them.</source>
-        <translation>将另一轴的增益和限值暂存到此轴；“写入”将其发送。</translation>
-    </message>
-    <message>
-        <source>Gains and limits of axis %1</source>
-        <translation>轴 %1 的增益和限值</translation>
-    </message>
-    <message>
-        <source>as found %1</source>
-        <translation>初始状态 %1</translation>
-    </message>
-    <message>
         <source>Select a device</source>
         <translation>请选择设备</translation>
     </message>
@@ -5412,92 +5512,8 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>%1 没有参数。</translation>
     </message>
     <message>
-        <source>All %1</source>
-        <translation>全部 %1</translation>
-    </message>
-    <message>
-        <source>Changed %1</source>
-        <translation>非默认 %1</translation>
-    </message>
-    <message>
-        <source>Edited %1</source>
-        <translation>已编辑 %1</translation>
-    </message>
-    <message>
-        <source>Errors %1</source>
-        <translation>错误 %1</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 / %2</translation>
-    </message>
-    <message>
-        <source>defaults</source>
-        <translation>默认值</translation>
-    </message>
-    <message>
-        <source>axis %1</source>
-        <translation>轴 %1</translation>
-    </message>
-    <message>
-        <source>a file…</source>
-        <translation>文件…</translation>
-    </message>
-    <message>
         <source>Compare with a parameter file</source>
         <translation>与参数文件比较</translation>
-    </message>
-    <message>
-        <source>Nothing is kept.</source>
-        <translation>未保留任何内容。</translation>
-    </message>
-    <message>
-        <source>What was written before it is in force. Ctrl+Z takes it back.</source>
-        <translation>在此之前写入的值已生效。Ctrl+Z 可撤销。</translation>
-    </message>
-    <message>
-        <source>What was written before it is in force; the rest is still staged. Nothing was stored.</source>
-        <translation>在此之前写入的值已生效；其余仍为暂存。未存储任何内容。</translation>
-    </message>
-    <message>
-        <source>Nothing is proved to be in flash. Store again, and keep power on.</source>
-        <translation>没有任何值被证实已存入闪存。请重新存储，并保持通电。</translation>
-    </message>
-    <message>
-        <source>%1 says what the device has.</source>
-        <translation>%1 与设备内容一致。</translation>
-    </message>
-    <message>
-        <source>Nothing is staged.</source>
-        <translation>没有暂存内容。</translation>
-    </message>
-    <message>
-        <source>Import of %1</source>
-        <translation>导入 %1</translation>
-    </message>
-    <message>
-        <source>Nothing is written yet: look through the list, then write.</source>
-        <translation>尚未写入任何内容：请先查看列表，然后写入。</translation>
-    </message>
-    <message>
-        <source>Left out: %1, for one: %2.</source>
-        <translation>已略过：%1 项，例如：%2。</translation>
-    </message>
-    <message>
-        <source>Staged from %1: %2 of its values differ.</source>
-        <translation>已从 %1 暂存：其中 %2 个值不同。</translation>
-    </message>
-    <message>
-        <source>Undo the import</source>
-        <translation>撤销导入</translation>
-    </message>
-    <message>
-        <source>Choose another place.</source>
-        <translation>请选择其他位置。</translation>
-    </message>
-    <message>
-        <source>%1 parameters exported to %2</source>
-        <translation>已将 %1 个参数导出到 %2</translation>
     </message>
 </context>
 <context>
@@ -9962,6 +9978,17 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>Last ten units, newest first</source>
         <translation>最近十台设备，最新在前</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UnitStates</name>
+    <message>
+        <source>Device, now</source>
+        <translation>设备，当前</translation>
+    </message>
+    <message>
+        <source>factory defaults</source>
+        <translation>出厂默认值</translation>
     </message>
 </context>
 <context>

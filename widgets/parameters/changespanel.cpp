@@ -6,6 +6,7 @@
 #include "widgets/common/labels.h"
 #include "widgets/parameters/changerow.h"
 #include "widgets/parameters/ramblock.h"
+#include "widgets/parameters/readstatus.h"
 
 #include <QHBoxLayout>
 #include <QProgressBar>
@@ -126,7 +127,7 @@ QWidget *ChangesPanel::buildFoot()
 void ChangesPanel::refresh(const DeviceView *device, const OperationView *operation)
 {
     fillRows();
-    const bool busy = operation && operation->status.state == OperationStatus::State::Running;
+    const bool busy = isUnderWay(operation);
     RamBlock::State ram;
     if (device) {
         ram.family = device->family;
@@ -214,7 +215,7 @@ QString ChangesPanel::obstacle(const DeviceView *device, bool busy) const
 
 void ChangesPanel::fillFoot(const DeviceView *device, const OperationView *operation)
 {
-    const bool busy = operation && operation->status.state == OperationStatus::State::Running;
+    const bool busy = isUnderWay(operation);
     m_step->setVisible(busy);
     m_progress->setVisible(busy && operation->status.total > 0);
     m_note->setVisible(!busy && !m_compact);

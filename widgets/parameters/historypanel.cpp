@@ -6,36 +6,19 @@
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/segmented.h"
+#include "widgets/parameters/differencetable.h"
 #include "widgets/parameters/stagededits.h"
-#include "widgets/parameters/valuetext.h"
 
 #include <QComboBox>
-#include <QDateTime>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QPointer>
 #include <QSplitter>
-#include <QStyle>
-#include <QTableWidget>
 #include <QVBoxLayout>
-
-#include <algorithm>
-#include <cmath>
 
 namespace mb {
 namespace {
 
-enum Column { NameColumn, KeyColumn, AColumn, BColumn, UnitColumn, NoteColumn, Columns };
-
-constexpr std::size_t mostFetched = 60; ///< newest snapshots that are compared by themselves
-constexpr std::int64_t presentState = 0;
-constexpr std::int64_t defaultState = -1;
 constexpr int narrowHistory = 900;
-
-QString stateValue(const Parameter &parameter, const ParameterStore::Entry &entry)
-{
-    return entry.raw ? valueText(parameter, *entry.raw) : QStringLiteral("–");
-}
 
 } // namespace
 
@@ -50,23 +33,14 @@ HistoryPanel::HistoryPanel(Workbench &workbench, const ThemeSource &theme, QWidg
     column->setSpacing(0);
     column->addWidget(buildBar());
     column->addWidget(separatorLine(Qt::Horizontal, this));
-    m_splitter = new QSplitter(Qt::Horizontal, this);
-    m_splitter->setChildrenCollapsible(false);
-    m_splitter->setHandleWidth(1);
-    m_line = new TimelineList(theme, m_splitter);
-    m_table = new QTableWidget(0, Columns, m_splitter);
-    m_table->setAccessibleName(tr("Differences"));
-    m_table->setHorizontalHeaderLabels({tr("parameter"), tr("key"), tr("A"), tr("B"), tr("unit"), tr("note")});
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setSectionResizeMode(NameColumn, QHeaderView::Interactive); // fitNames()
-    m_table->horizontalHeader()->setStretchLastSection(true);
-    m_table->verticalHeader()->hide();
-    m_table->setShowGrid(false);
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_splitter->setStretchFactor(1, 1);
-    m_splitter->setSizes({theme.theme().u(260), theme.theme().u(720)});
-    column->addWidget(m_splitter, 1);
+    auto *splitter = new QSplitter(Qt::Horizontal, this);
+    splitter->setChildrenCollapsible(false);
+    splitter->setHandleWidth(1);
+    m_line = new TimelineList(theme, splitter);
+    m_table = new DifferenceTable(theme, splitter);
+    splitter->setStretchFactor(1, 1);
+    splitter->setSizes({theme.theme().u(260), theme.theme().u(720)});
+    column->addWidget(splitter, 1);
     column->addWidget(separatorLine(Qt::Horizontal, this));
     column->addWidget(buildFoot());
     connect(m_line, &TimelineList::chosen, this, &HistoryPanel::choose);
@@ -112,7 +86,7 @@ QWidget *HistoryPanel::buildFoot()
     row->addWidget(m_restore);
     connect(m_restore, &QPushButton::clicked, this, [this] {
         if (mayWrite())
-            Q_EMIT restoreRequested(m_b->currentText());
+            Q_EMIT restoreRequested();
     });
     return foot;
 }
@@ -126,26 +100,27 @@ void HistoryPanel::showDevice(const DeviceView &device)
     const bool online = device.liveness.heard && device.busy.empty();
     if (unit == m_unit && device.parameterRevision == m_revision && online == m_online)
         return;
-    const bool isOther = unit != m_unit;
+    const bool isOther = unit != m_unit || m_states.family() != device.family;
     m_online = online;
     m_unit = unit;
     m_revision = device.parameterRevision;
-    m_family = device.family;
     m_entries = device.parameters;
-    m_now = settings::sideOf(ParameterSource{*device.family, device.identity, device.selector, device.parameters});
     if (isOther) {
+        m_states.begin(*device.family);
         m_chose = false;
-        m_chosenA = presentState;
-        m_chosenB = defaultState;
-        m_files.clear();
-        m_timeline = {};
+        m_chosenA = UnitStates::present;
+        m_chosenB = UnitStates::defaults;
     }
+    m_states.setPresent(
+        settings::sideOf(ParameterSource{*device.family, device.identity, device.selector, device.parameters}));
     rebuild();
     reload();
 }
 
 void HistoryPanel::reload()
 {
+    if (!m_states.family())
+        return;
     m_workbench.settings().list(
         m_unit, [panel = QPointer<HistoryPanel>(this), unit = m_unit](const Result<SettingsTimeline> &timeline) {
             if (panel && panel->m_unit == unit && timeline)
@@ -155,164 +130,73 @@ void HistoryPanel::reload()
 
 void HistoryPanel::take(const SettingsTimeline &timeline)
 {
-    m_timeline = timeline;
-    const auto &all = m_timeline.snapshots;
+    m_states.setTimeline(timeline);
     rebuild();
-    for (std::size_t i = all.size() > mostFetched ? all.size() - mostFetched : 0; i < all.size(); ++i) {
-        if (m_files.contains(all[i].number))
-            continue;
-        m_workbench.settings().fetch(all[i].number,
+    for (const std::int64_t number : m_states.missing())
+        m_workbench.settings().fetch(number,
             [panel = QPointer<HistoryPanel>(this), unit = m_unit](const Result<settings::ParameterSnapshot> &snapshot) {
-                if (panel && snapshot && snapshot->unit == unit && panel->m_unit == unit)
-                    panel->takeFile(*snapshot);
+                if (!panel || !snapshot || snapshot->unit != unit || panel->m_unit != unit)
+                    return;
+                panel->m_states.addFile(*snapshot);
+                panel->rebuild();
             });
-    }
 }
 
-void HistoryPanel::takeFile(const settings::ParameterSnapshot &snapshot)
-{
-    if (auto side = settings::sideOf(QByteArray::fromStdString(snapshot.file), *m_family))
-        m_files.insert_or_assign(snapshot.number, std::move(*side));
-    rebuild();
-}
-
-/// What is worth a look when nobody has chosen yet.
-std::int64_t HistoryPanel::newestUnlike(const settings::Side &side) const
-{
-    const auto found = std::find_if(m_states.begin(), m_states.end(), [&side](const UnitState &state) {
-        return state.kind == UnitState::Kind::Snapshot && !settings::compare(side, state.side).empty();
-    });
-    return found == m_states.end() ? defaultState : found->number;
-}
-
-/// States that are known by now: those whose files have come, the present one and the data sheet's.
+/// States that are known by now, in the choices and on the time line.
 void HistoryPanel::rebuild()
 {
-    m_states.clear();
-    m_states.push_back({UnitState::Kind::Now, presentState, tr("Device, now"), {}, m_now});
-    for (auto snapshot = m_timeline.snapshots.rbegin(); snapshot != m_timeline.snapshots.rend(); ++snapshot) {
-        const auto file = m_files.find(snapshot->number);
-        if (file == m_files.end())
-            continue;
-        const QDateTime time = QDateTime::fromMSecsSinceEpoch(std::llround(snapshot->time * 1e3));
-        m_states.push_back({UnitState::Kind::Snapshot, snapshot->number, tableText(snapshot->name),
-            locale().toString(time.time(), QStringLiteral("HH:mm:ss")), file->second});
-    }
-    m_states.push_back(
-        {UnitState::Kind::Defaults, defaultState, tr("factory defaults"), {}, settings::defaultsOf(*m_family)});
+    m_states.rebuild(locale());
     if (!m_chose)
-        m_chosenB = newestUnlike(m_now);
+        m_chosenB = m_states.newestUnlike();
     for (QComboBox *box : {m_a, m_b}) {
         const QSignalBlocker quiet(box);
         box->clear();
-        for (const UnitState &state : m_states)
+        for (const UnitState &state : m_states.all())
             box->addItem(state.time.isEmpty() ? state.title : state.title + QLatin1Char(' ') + state.time,
                 static_cast<qint64>(state.number));
         const int place = box->findData(static_cast<qint64>(box == m_a ? m_chosenA : m_chosenB));
         box->setCurrentIndex(place >= 0 ? place : box == m_a ? 0 : box->count() - 1);
     }
-    m_line->show(*m_family, m_states, m_timeline);
+    m_line->show(*m_states.family(), m_states.all(), m_states.timeline());
     compareChosen();
 }
 
 void HistoryPanel::choose(int state, bool asA)
 {
     m_chose = true;
-    (asA ? m_chosenA : m_chosenB) = stateAt(state).number;
+    (asA ? m_chosenA : m_chosenB) = m_states.at(state).number;
     (asA ? m_a : m_b)->setCurrentIndex(state);
     compareChosen();
 }
 
 void HistoryPanel::compareChosen()
 {
-    if (!m_family)
+    if (!m_states.family())
         return;
     const QSignalBlocker quiet(m_table);
     m_line->mark(m_a->currentIndex(), m_b->currentIndex());
-    const settings::Side &a = stateAt(m_a->currentIndex()).side;
-    const settings::Side &b = stateAt(m_b->currentIndex()).side;
-    const auto differences = settings::compare(a, b);
-    m_table->setRowCount(0);
-    int all = 0;
-    auto next = differences.begin();
-    for (std::uint16_t i = 0; i < m_family->parameters.size(); ++i) {
-        const bool differs = next != differences.end() && next->index.value == i;
-        const bool spoken = a.entries[i] && b.entries[i] && settings::isSetting(m_family->parameters[i]);
-        all += spoken ? 1 : 0;
-        if (differs)
-            addRow(*next++, true);
-        else if (spoken && m_which->current() == 1)
-            addRow({{i}, *a.entries[i], *b.entries[i]}, false);
-    }
-    m_which->setText(0, tr("Only differences %1").arg(differences.size()));
-    m_which->setText(1, tr("All %1").arg(all));
-    fitNames();
+    const auto counts = m_table->show(*m_states.family(), m_states.at(m_a->currentIndex()).side,
+        m_states.at(m_b->currentIndex()).side, m_which->current() == 1);
+    m_which->setText(0, tr("Only differences %1").arg(counts.differences));
+    m_which->setText(1, tr("All %1").arg(counts.all));
     count();
 }
 
-/// The contents' own width forgets the box before the name, which the style sheet draws.
-void HistoryPanel::fitNames()
+/// What the device has now is A: values of B can be written to it.
+bool HistoryPanel::isLive() const
 {
-    m_table->resizeColumnToContents(NameColumn);
-    const QStyle &look = *m_table->style();
-    const int box = look.pixelMetric(QStyle::PM_IndicatorWidth, nullptr, m_table)
-        + look.pixelMetric(QStyle::PM_CheckBoxLabelSpacing, nullptr, m_table);
-    QHeaderView &header = *m_table->horizontalHeader();
-    header.resizeSection(NameColumn, header.sectionSize(NameColumn) + box);
-}
-
-void HistoryPanel::addRow(const settings::SideDifference &difference, bool differs)
-{
-    const Parameter &parameter = m_family->parameters[difference.index.value];
-    const int row = m_table->rowCount();
-    m_table->insertRow(row);
-    const bool writable = differs && difference.b.raw && isLegal(parameter, difference.b.raw.value_or(0));
-    QString note;
-    if (parameter.belongsToUnit)
-        note = tr("belongs to one unit, copied only if you tick it");
-    else if (difference.a.state == ParameterState::Assumed || difference.b.state == ParameterState::Assumed)
-        note = tr("assumed: it cannot be read");
-    const QStringList texts{tableText(parameter.label), qt(parameter.key), stateValue(parameter, difference.a),
-        stateValue(parameter, difference.b), tableText(parameter.unit), note};
-    for (int column = 0; column < Columns; ++column) {
-        auto *item = new QTableWidgetItem(texts.at(column));
-        item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
-        if (column == AColumn || column == BColumn)
-            item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-        if (column == BColumn && differs) {
-            QFont bold = m_table->font();
-            bold.setBold(true);
-            item->setFont(bold);
-        }
-        if (column == NameColumn && writable) {
-            item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
-            item->setCheckState(parameter.belongsToUnit ? Qt::Unchecked : Qt::Checked);
-        }
-        if (column == NameColumn && parameter.belongsToUnit) {
-            item->setIcon(symbolIcon(Symbol::Lock, m_theme.theme(), Tone::Dim));
-        }
-        item->setData(Qt::UserRole, difference.index.value);
-        if (difference.b.raw)
-            item->setData(Qt::UserRole + 1, static_cast<qint64>(*difference.b.raw));
-        m_table->setItem(row, column, item);
-    }
+    return m_states.family() && m_states.at(m_a->currentIndex()).kind == UnitState::Kind::Now;
 }
 
 bool HistoryPanel::mayWrite() const
 {
-    return m_online && m_family && stateAt(m_a->currentIndex()).kind == UnitState::Kind::Now && !ticked().empty();
+    return m_online && isLive() && !ticked().empty();
 }
 
 std::vector<ParameterChange> HistoryPanel::ticked() const
 {
-    std::vector<ParameterChange> changes;
-    for (int row = 0; row < m_table->rowCount(); ++row) {
-        const QTableWidgetItem *item = m_table->item(row, NameColumn);
-        if (item->flags().testFlag(Qt::ItemIsUserCheckable) && item->checkState() == Qt::Checked)
-            changes.push_back({{static_cast<std::uint16_t>(item->data(Qt::UserRole).toUInt())},
-                item->data(Qt::UserRole + 1).toLongLong()});
-    }
-    StagedEdits order(*m_family);
+    const std::vector<ParameterChange> changes = m_table->ticked();
+    StagedEdits order(*m_states.family());
     order.setEntries(m_entries);
     order.stageAll(changes, {});
     for (const ParameterChange &change : changes)
@@ -322,10 +206,9 @@ std::vector<ParameterChange> HistoryPanel::ticked() const
 
 void HistoryPanel::count()
 {
-    const auto chosen = m_family ? ticked().size() : 0;
-    const bool live = m_family && stateAt(m_a->currentIndex()).kind == UnitState::Kind::Now;
-    m_ticked->setText(live ? tr("%1 ticked; a snapshot of what is there is taken first.").arg(chosen)
-                           : tr("Choose what the device has now as A to write values of B."));
+    const auto chosen = m_states.family() ? ticked().size() : 0;
+    m_ticked->setText(isLive() ? tr("%1 ticked; a snapshot of what is there is taken first.").arg(chosen)
+                               : tr("Choose what the device has now as A to write values of B."));
     m_restore->setText(tr("Restore %1").arg(chosen));
     m_restore->setEnabled(mayWrite());
 }
@@ -333,8 +216,7 @@ void HistoryPanel::count()
 void HistoryPanel::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
-    const bool isNarrow = width() < m_theme.theme().u(narrowHistory);
-    m_table->setColumnHidden(KeyColumn, isNarrow);
+    m_table->setNarrow(width() < m_theme.theme().u(narrowHistory));
 }
 
 } // namespace mb

@@ -2,19 +2,17 @@
 #pragma once
 
 #include "widgets/common/workbench.h"
-#include "widgets/parameters/timelinelist.h"
+#include "widgets/parameters/unitstates.h"
 
 #include <QWidget>
 
 class QComboBox;
 class QLabel;
-class QSplitter;
-class QTableWidget;
-class QTableWidgetItem;
 
 namespace mb {
 
 class CommandButton;
+class DifferenceTable;
 class Segmented;
 
 /// What a unit has had: its states on a time line at the left, two of them, A and B, against each other at the right. What is
@@ -32,7 +30,7 @@ public:
     [[nodiscard]] std::vector<ParameterChange> ticked() const;
 
 Q_SIGNALS:
-    void restoreRequested(const QString &from);
+    void restoreRequested();
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
@@ -41,37 +39,28 @@ private:
     QWidget *buildBar();
     QWidget *buildFoot();
     void take(const SettingsTimeline &timeline);
-    void takeFile(const settings::ParameterSnapshot &snapshot);
     void rebuild();
-    [[nodiscard]] std::int64_t newestUnlike(const settings::Side &side) const;
     void choose(int state, bool asA);
     void compareChosen();
-    void fitNames();
-    void addRow(const settings::SideDifference &difference, bool differs);
     void count();
-    [[nodiscard]] const UnitState &stateAt(int place) const { return m_states[static_cast<std::size_t>(place)]; }
+    [[nodiscard]] bool isLive() const;
     [[nodiscard]] bool mayWrite() const;
 
     Workbench &m_workbench;
     const ThemeSource &m_theme;
-    const Family *m_family = nullptr;
     std::string m_unit;
     std::uint64_t m_revision = 0;
     bool m_online = false;
-    settings::Side m_now;
     std::vector<ParameterStore::Entry> m_entries;
-    SettingsTimeline m_timeline;
-    std::map<std::int64_t, settings::Side> m_files; ///< by number of the snapshot
-    std::vector<UnitState> m_states;
-    std::int64_t m_chosenA = 0; ///< number of a snapshot; 0 now, -1 defaults
-    std::int64_t m_chosenB = -1;
+    UnitStates m_states;
+    std::int64_t m_chosenA = UnitStates::present; ///< numbers of states
+    std::int64_t m_chosenB = UnitStates::defaults;
     bool m_chose = false; ///< somebody did
     QComboBox *m_a = nullptr;
     QComboBox *m_b = nullptr;
     Segmented *m_which = nullptr;
-    QSplitter *m_splitter = nullptr;
     TimelineList *m_line = nullptr;
-    QTableWidget *m_table = nullptr;
+    DifferenceTable *m_table = nullptr;
     QLabel *m_ticked = nullptr;
     CommandButton *m_restore = nullptr;
 };

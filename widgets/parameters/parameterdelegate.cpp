@@ -64,6 +64,40 @@ void ParameterDelegate::paint(QPainter *painter, const QStyleOptionViewItem &opt
     painter->restore();
 }
 
+void ParameterDelegate::paintBackground(
+    QPainter &painter, const QRect &row, const QModelIndex &index, bool selected, bool hovered) const
+{
+    const Theme &theme = m_theme.theme();
+    if (ParameterModel::kindOf(index) == ParameterModel::Kind::Group) {
+        painter.fillRect(row, theme.window);
+        painter.fillRect(row.left(), row.bottom(), row.width(), 1, theme.line);
+        return;
+    }
+    const ParameterStanding standing = m_model.standing(m_model.parameterAt(index));
+    painter.fillRect(row,
+        standing.illegal      ? theme.errorTint
+            : selected        ? theme.sel
+            : standing.edited ? theme.editedTint
+            : hovered         ? theme.window
+                              : theme.canvas);
+    painter.fillRect(row.left(), row.bottom(), row.width(), 1, standing.illegal ? theme.errorTint : theme.grid);
+    if (standing.illegal)
+        painter.fillRect(row.left(), row.top(), theme.u(3), row.height(), theme.danger);
+    else if (standing.edited || selected)
+        painter.fillRect(row.left(), row.top(), theme.u(3), row.height(), theme.accent);
+}
+
+void ParameterDelegate::paintFocus(QPainter &painter, const QRect &row) const
+{
+    const Theme &theme = m_theme.theme();
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(theme.accent, 1));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRoundedRect(QRectF(row).adjusted(theme.u(3) + 1.5, 0.5, -1.5, -1.5), theme.u(3), theme.u(3));
+    painter.restore();
+}
+
 void ParameterDelegate::paintGroup(
     QPainter &painter, const QStyleOptionViewItem &option, const QModelIndex &index) const
 {
@@ -76,13 +110,13 @@ void ParameterDelegate::paintGroup(
     painter.setFont(theme.font(TextRole::Emphasis, option.font));
     painter.setPen(theme.text);
     const QString title
-        = painter.fontMetrics().elidedText(m_model.groupTitle(index.row()), Qt::ElideRight, row.width());
+        = painter.fontMetrics().elidedText(m_model.groups().title(index.row()), Qt::ElideRight, row.width());
     painter.drawText(row, Qt::AlignVCenter, title);
     row.setLeft(row.left() + painter.fontMetrics().horizontalAdvance(title) + theme.u(10));
     painter.setFont(theme.font(TextRole::Caption, option.font));
     painter.setPen(theme.dim);
     painter.drawText(row, Qt::AlignVCenter,
-        painter.fontMetrics().elidedText(m_model.groupNote(index.row()), Qt::ElideRight, row.width()));
+        painter.fontMetrics().elidedText(m_model.groups().note(index.row()), Qt::ElideRight, row.width()));
 }
 
 void ParameterDelegate::paintText(QPainter &painter, const QStyleOptionViewItem &option, const QModelIndex &index) const

@@ -21,6 +21,10 @@ public:
     [[nodiscard]] int padding() const { return m_theme.theme().u(8); }
     [[nodiscard]] int labelIndent() const { return m_theme.theme().u(34); }
 
+    /// Behind the cells of a row, and around the one that has the cursor.
+    void paintBackground(
+        QPainter &painter, const QRect &row, const QModelIndex &index, bool selected, bool hovered) const;
+    void paintFocus(QPainter &painter, const QRect &row) const;
     void paint(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const override;
     QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override;
     QWidget *createEditor(QWidget *parent, const QStyleOptionViewItem &option, const QModelIndex &index) const override;

@@ -53,22 +53,15 @@ void ParameterModel::show(const Family *family, StagedEdits *edits, bool writabl
 
 void ParameterModel::build()
 {
-    m_groups.clear();
-    m_place.clear();
+    m_groups = {};
     m_faults.clear();
     m_shown.clear();
     m_reference = {};
     if (!m_family)
         return;
-    for (std::uint16_t i = 0; i < m_family->parameters.size(); ++i) {
-        const std::string_view name = m_family->parameters[i].group;
-        auto group = std::find_if(m_groups.begin(), m_groups.end(), [name](const Group &g) { return g.name == name; });
-        if (group == m_groups.end())
-            group = m_groups.insert(group, Group{name, {}});
-        m_place.emplace_back(static_cast<int>(group - m_groups.begin()), static_cast<int>(group->members.size()));
-        group->members.push_back({i});
+    m_groups = ParameterGroups(*m_family);
+    for (std::uint16_t i = 0; i < m_family->parameters.size(); ++i)
         m_faults.push_back(asks({i}));
-    }
     m_shown = m_edits->entries();
     m_reference = defaultsOf(*m_family);
 }
@@ -146,12 +139,12 @@ ParameterIndex ParameterModel::parameterAt(const QModelIndex &index) const
 {
     if (index.internalId() >= faultMark)
         return {static_cast<std::uint16_t>(index.internalId() - faultMark)};
-    return m_groups[index.internalId() - 1].members[static_cast<std::size_t>(index.row())];
+    return m_groups.members(static_cast<int>(index.internalId()) - 1)[static_cast<std::size_t>(index.row())];
 }
 
 QModelIndex ParameterModel::indexOf(ParameterIndex index, int column) const
 {
-    const auto [group, row] = m_place[index.value];
+    const auto [group, row] = m_groups.placeOf(index);
     return createIndex(row, column, static_cast<quintptr>(group) + 1);
 }
 
@@ -178,11 +171,11 @@ QModelIndex ParameterModel::parent(const QModelIndex &child) const
 int ParameterModel::rowCount(const QModelIndex &parent) const
 {
     if (!parent.isValid())
-        return static_cast<int>(m_groups.size());
+        return m_groups.count();
     if (parent.column() != 0 || kindOf(parent) == Kind::Fault)
         return 0;
     if (kindOf(parent) == Kind::Group)
-        return static_cast<int>(m_groups[static_cast<std::size_t>(parent.row())].members.size());
+        return static_cast<int>(m_groups.members(parent.row()).size());
     return m_faults[parameterAt(parent).value] ? 1 : 0;
 }
 
@@ -225,24 +218,6 @@ void ParameterModel::toggle(ParameterIndex index)
         return;
     const bool on = standing(index).raw.value_or(0) != 0;
     m_edits->stage(index, on ? QStringLiteral("off") : QStringLiteral("on"));
-}
-
-QString ParameterModel::groupTitle(int group) const
-{
-    return tableText(m_groups[static_cast<std::size_t>(group)].name);
-}
-
-QString ParameterModel::groupNote(int group) const
-{
-    const auto &all = m_groups[static_cast<std::size_t>(group)].members;
-    const auto lost
-        = std::count_if(all.begin(), all.end(), [this](ParameterIndex i) { return !parameter(i).persistent; });
-    const QString count = all.size() == 1 ? tr("1 parameter") : tr("%1 parameters").arg(all.size());
-    if (lost == 0)
-        return count;
-    const QString note = static_cast<std::size_t>(lost) == all.size() ? tr("not kept over a power cycle")
-                                                                      : tr("%1 not kept over a power cycle").arg(lost);
-    return count + QStringLiteral("  · ") + note;
 }
 
 QVariant ParameterModel::text(ParameterIndex index, int column) const
@@ -298,9 +273,10 @@ QVariant ParameterModel::data(const QModelIndex &index, int role) const
     const Kind kind = kindOf(index);
     if (kind == Kind::Group) {
         const bool shown = role == Qt::DisplayRole && index.column() == 0;
-        return shown                         ? groupTitle(index.row())
-            : role == Qt::AccessibleTextRole ? groupTitle(index.row()) + QStringLiteral(", ") + groupNote(index.row())
-                                             : QVariant();
+        return shown ? m_groups.title(index.row())
+            : role == Qt::AccessibleTextRole
+            ? m_groups.title(index.row()) + QStringLiteral(", ") + m_groups.note(index.row())
+            : QVariant();
     }
     const ParameterIndex which = parameterAt(index);
     if (kind == Kind::Fault)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/common/stateglyph.h"
+#include "widgets/parameters/parametergroups.h"
 #include "widgets/parameters/stagededits.h"
 
 #include <QAbstractItemModel>
@@ -49,6 +50,7 @@ public:
     [[nodiscard]] const Family *family() const { return m_family; }
     [[nodiscard]] StagedEdits *edits() const { return m_edits; }
     [[nodiscard]] bool isWritable() const { return m_writable; }
+    [[nodiscard]] const ParameterGroups &groups() const { return m_groups; }
 
     [[nodiscard]] static Kind kindOf(const QModelIndex &index);
     /// Of a parameter or of its fault.
@@ -56,13 +58,6 @@ public:
     [[nodiscard]] const Parameter &parameter(ParameterIndex index) const { return m_family->parameters[index.value]; }
     [[nodiscard]] QModelIndex indexOf(ParameterIndex index, int column = ValueColumn) const;
     [[nodiscard]] ParameterStanding standing(ParameterIndex index) const;
-    [[nodiscard]] std::vector<ParameterIndex> members(int group) const
-    {
-        return m_groups[static_cast<std::size_t>(group)].members;
-    }
-    [[nodiscard]] QString groupTitle(int group) const;
-    /// "11 parameters · not kept over a power cycle"
-    [[nodiscard]] QString groupNote(int group) const;
     /// Toggles what is on or off; nothing for the others.
     void toggle(ParameterIndex index);
 
@@ -80,10 +75,6 @@ Q_SIGNALS:
     void standingChanged();
 
 private:
-    struct Group {
-        std::string_view name;
-        std::vector<ParameterIndex> members;
-    };
     void build();
     void editChanged(ParameterIndex index);
     [[nodiscard]] bool asks(ParameterIndex index) const;
@@ -96,8 +87,7 @@ private:
     QPointer<StagedEdits> m_edits;
     bool m_writable = false;
     ParameterReference m_reference;
-    std::vector<Group> m_groups;
-    std::vector<std::pair<int, int>> m_place;   ///< group and row of a parameter
+    ParameterGroups m_groups;
     std::vector<bool> m_faults;                 ///< parameters that have a row for their fault
     std::vector<ParameterStore::Entry> m_shown; ///< what the views were told last
 };

@@ -1,32 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameters/parameterspage.h"
 
-#include "widgets/common/banner.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/emptystate.h"
-#include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/pagekeys.h"
-#include "widgets/common/searchfield.h"
-#include "widgets/common/segmented.h"
-#include "widgets/common/wraplayout.h"
-#include "widgets/parameters/changespanel.h"
+#include "widgets/parameters/editdesk.h"
+#include "widgets/parameters/historypanel.h"
+#include "widgets/parameters/parametercommands.h"
 #include "widgets/parameters/parameterfiles.h"
-#include "widgets/parameters/parameterfoot.h"
-#include "widgets/parameters/readstatus.h"
+#include "widgets/parameters/parameterhead.h"
+#include "widgets/parameters/parametersheet.h"
+#include "widgets/parameters/parametertools.h"
 
-#include <QComboBox>
-#include <QHBoxLayout>
-#include <QLabel>
-#include <QSplitter>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
 namespace mb {
 namespace {
 
-constexpr int panelWidth = 288;
 constexpr int besideFrom = 900; ///< narrower than this the panel goes below the table
+
+QVBoxLayout *plainColumn(QWidget *widget)
+{
+    auto *column = new QVBoxLayout(widget);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    return column;
+}
 
 } // namespace
 
@@ -37,17 +38,16 @@ ParametersPage::ParametersPage(
     , m_desk(EditDesk::of(workbench))
     , m_selection(selection)
     , m_theme(theme)
-    , m_banners(banners)
     , m_model(new ParameterModel(this))
+    , m_commands(new ParameterCommands(workbench, banners, this))
 {
     setObjectName(QStringLiteral("parametersPage"));
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
     m_stack = new QStackedWidget(this);
-    column->addWidget(m_stack, 1);
+    plainColumn(this)->addWidget(m_stack, 1);
     buildEmpty();
-    m_stack->addWidget(buildTable());
+    m_stack->addWidget(buildTable(banners));
+    connectHead();
+    connectSheet();
     buildKeys();
     connect(&workbench, &Workbench::changed, this, &ParametersPage::follow);
     connect(&selection, &Selection::changed, this, &ParametersPage::follow);
@@ -61,6 +61,11 @@ ParametersPage::~ParametersPage()
     m_model->show(nullptr, nullptr, false);
 }
 
+ParameterView &ParametersPage::view()
+{
+    return m_sheet->view();
+}
+
 void ParametersPage::buildEmpty()
 {
     m_empty = new EmptyState(m_theme, Symbol::Chip, {}, {}, m_stack);
@@ -68,131 +73,73 @@ void ParametersPage::buildEmpty()
     m_stack->addWidget(m_empty);
     connect(m_openFile, &QPushButton::clicked, this,
         [this] { askForFile(*this, tr("Open a parameter file"), [this](const QString &path) { openFile(path); }); });
-    connect(&m_banners, &BannerStack::actionTriggered, this, &ParametersPage::act);
 }
 
-QWidget *ParametersPage::buildHead()
+QWidget *ParametersPage::buildTable(BannerStack &banners)
 {
-    const Theme &t = m_theme.theme();
-    auto *head = new QWidget(this);
-    auto *row = new WrapLayout(head);
-    row->setContentsMargins(t.u(12), t.u(8), t.u(12), t.u(4));
-    m_status = new ReadStatus(m_theme, head);
-    m_undo = new IconButton(m_theme, Symbol::Undo, tr("Undo the last edit or write"), head);
-    m_undo->setKeyHint(tr("Ctrl+Z"));
-    m_redo = new IconButton(m_theme, Symbol::Redo, tr("Redo the edit or write"), head);
-    m_redo->setKeyHint(tr("Ctrl+Y"));
-    m_read = new CommandButton(m_theme, Symbol::Refresh, tr("Read all"), head);
-    m_read->setKeyHint(QStringLiteral("F5"));
-    m_import = new CommandButton(m_theme, Symbol::Import, tr("Import…"), head);
-    m_export = new CommandButton(m_theme, Symbol::Export, tr("Export…"), head);
-    m_snapshot = new CommandButton(m_theme, Symbol::Camera, tr("Snapshot"), head);
-    m_snapshot->setKeyHint(tr("Ctrl+Shift+S"));
-    m_showHistory = new CommandButton(m_theme, Symbol::Clock, tr("History"), head);
-    m_showHistory->setKeyHint(tr("Ctrl+H"));
-    m_showHistory->setCheckable(true);
-    row->addWidget(m_status);
-    row->addSpring();
-    for (QWidget *widget :
-        std::initializer_list<QWidget *>{m_undo, m_redo, m_read, m_import, m_export, m_snapshot, m_showHistory})
-        row->addWidget(widget);
-    connect(m_undo, &QToolButton::clicked, this, [this] { undo(false); });
-    connect(m_redo, &QToolButton::clicked, this, [this] { undo(true); });
-    connect(m_read, &QPushButton::clicked, this, &ParametersPage::readAll);
-    connect(m_import, &QPushButton::clicked, this,
+    auto *content = new QWidget(this);
+    m_head = new ParameterHead(m_theme, content);
+    m_tools = new ParameterTools(m_theme, m_workbench, m_selection, *m_model, content);
+    m_sheet = new ParameterSheet(m_theme, m_workbench, *m_model, m_ledger, content);
+    m_exchange = new FileExchange(m_workbench, banners, m_sheet->view());
+    m_history = new HistoryPanel(m_workbench, m_theme, content);
+    m_history->hide();
+    auto *column = plainColumn(content);
+    column->addWidget(m_head);
+    column->addWidget(m_tools);
+    column->addWidget(separatorLine(Qt::Horizontal, content));
+    column->addWidget(m_sheet, 1);
+    column->addWidget(m_history, 1);
+    connect(m_tools, &ParameterTools::filterChanged, this, &ParametersPage::setFilter);
+    connect(m_tools, &ParameterTools::searchEnded, &m_sheet->view(), qOverload<>(&QWidget::setFocus));
+    connect(&m_tools->axes(), &AxisChoice::changed, this, &ParametersPage::follow);
+    connect(&m_tools->comparison(), &ComparisonBox::fileRequested, this, [this] {
+        askForFile(*this, tr("Compare with a parameter file"), [this](const QString &path) { compareWith(path); });
+    });
+    connect(m_commands, &ParameterCommands::written, this, &ParametersPage::refresh);
+    connect(m_commands, &ParameterCommands::kept, m_history, &HistoryPanel::reload);
+    connect(m_history, &HistoryPanel::restoreRequested, this, [this] {
+        if (const DeviceView *shown = device())
+            m_commands->restore(shown->id, m_history->ticked());
+    });
+    return content;
+}
+
+void ParametersPage::connectHead()
+{
+    connect(m_head, &ParameterHead::undoRequested, this, &ParametersPage::undo);
+    connect(m_head, &ParameterHead::readRequested, this, &ParametersPage::readAll);
+    connect(m_head, &ParameterHead::snapshotRequested, this, &ParametersPage::takeSnapshot);
+    connect(m_head, &ParameterHead::historyToggled, this, &ParametersPage::showHistory);
+    connect(m_head, &ParameterHead::importRequested, this,
         [this] { askForFile(*this, tr("Import parameters"), [this](const QString &path) { importFrom(path); }); });
-    connect(m_export, &QPushButton::clicked, this, [this] {
+    connect(m_head, &ParameterHead::exportRequested, this, [this] {
         if (const DeviceView *shown = device())
             askWhereToSave(*this, tr("Export parameters"),
                 QStringLiteral("%1-%2.json").arg(qt(shown->family->key)).arg(shown->identity.address),
                 [this](const QString &path) { exportTo(path); });
     });
-    return head;
 }
 
-QWidget *ParametersPage::buildTools()
+void ParametersPage::connectSheet()
 {
-    const Theme &t = m_theme.theme();
-    auto *tools = new QWidget(this);
-    auto *row = new WrapLayout(tools);
-    row->setContentsMargins(t.u(12), t.u(4), t.u(12), t.u(8));
-    m_search = new SearchField(m_theme, tr("Search parameters"), tools);
-    m_search->setKeyHint(tr("Ctrl+F"));
-    m_search->setFixedWidth(t.u(232));
-    m_segments = new Segmented(tr("Which parameters"), {tr("All"), tr("Changed"), tr("Edited"), tr("Errors")}, tools);
-    auto *comparison = new QWidget(tools);
-    auto *pair = new QHBoxLayout(comparison);
-    pair->setContentsMargins(0, 0, 0, 0);
-    auto *with = new QLabel(tr("Compare with"), comparison);
-    setTextRole(*with, TextRole::Caption);
-    setTone(*with, Tone::Dim);
-    m_compare = new QComboBox(comparison);
-    m_compare->setAccessibleName(tr("Compare with"));
-    m_compare->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    with->setBuddy(m_compare);
-    row->addWidget(m_search);
-    row->addWidget(m_segments);
-    buildAxes(*tools);
-    row->addWidget(m_axes);
-    row->addWidget(m_copy);
-    row->addSpring();
-    pair->addWidget(with);
-    pair->addWidget(m_compare);
-    row->addWidget(comparison);
-    connect(m_search, &QLineEdit::textChanged, this, &ParametersPage::setFilter);
-    connect(m_search, &QLineEdit::returnPressed, this, [this] { m_view->setFocus(); });
-    connect(m_segments, &Segmented::currentChanged, this, &ParametersPage::setFilter);
-    connect(m_compare, qOverload<int>(&QComboBox::activated), this, &ParametersPage::comparisonChosen);
-    return tools;
-}
-
-QWidget *ParametersPage::buildTable()
-{
-    auto *content = new QWidget(this);
-    auto *column = new QVBoxLayout(content);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(buildHead());
-    m_tools = buildTools();
-    column->addWidget(m_tools);
-    column->addWidget(separatorLine(Qt::Horizontal, content));
-    m_splitter = new QSplitter(Qt::Horizontal, content);
-    m_splitter->setChildrenCollapsible(false);
-    m_splitter->setHandleWidth(1);
-    auto *left = new QWidget(m_splitter);
-    auto *rows = new QVBoxLayout(left);
-    rows->setContentsMargins(0, 0, 0, 0);
-    rows->setSpacing(0);
-    m_view = new ParameterView(m_theme, *m_model, left);
-    m_foot = new ParameterFoot(m_theme, left);
-    rows->addWidget(m_view, 1);
-    rows->addWidget(m_foot);
-    m_panel = new ChangesPanel(m_theme, m_workbench, *m_model, m_ledger, m_splitter);
-    m_splitter->setStretchFactor(0, 1);
-    m_splitter->setStretchFactor(1, 0);
-    m_panel->setMinimumWidth(m_theme.theme().u(panelWidth));
-    column->addWidget(m_splitter, 1);
-    buildHistory(*content, *column);
-    connect(m_view, &ParameterView::retryRequested, this, &ParametersPage::readAll);
-    connect(m_view, &ParameterView::currentParameterChanged, this, &ParametersPage::refreshTexts);
-    connect(m_panel, &ChangesPanel::writeRequested, this, &ParametersPage::write);
-    connect(m_panel, &ChangesPanel::storeRequested, this, &ParametersPage::store);
-    connect(m_panel, &ChangesPanel::discardRequested, this, [this] { m_model->edits()->discard(); });
-    connect(m_panel, &ChangesPanel::parameterActivated, this, [this](ParameterIndex index) {
-        m_view->goTo(index);
-        m_view->setFocus();
+    connect(&view(), &ParameterView::retryRequested, this, &ParametersPage::readAll);
+    connect(&view(), &ParameterView::currentParameterChanged, this, &ParametersPage::refreshTexts);
+    ChangesPanel &changes = m_sheet->changes();
+    connect(&changes, &ChangesPanel::writeRequested, this, &ParametersPage::write);
+    connect(&changes, &ChangesPanel::storeRequested, this, &ParametersPage::store);
+    connect(&changes, &ChangesPanel::discardRequested, this, [this] { m_model->edits()->discard(); });
+    connect(&changes, &ChangesPanel::parameterActivated, this, [this](ParameterIndex index) {
+        view().goTo(index);
+        view().setFocus();
     });
-    return content;
 }
 
 void ParametersPage::buildKeys()
 {
     auto *keys = new PageKeys(*this);
     keys->add({Qt::Key_F5}, tr("reads all parameters"), [this] { readAll(); });
-    keys->add({QKeySequence(QStringLiteral("Ctrl+F"))}, tr("searches"), [this] {
-        m_search->setFocus(Qt::ShortcutFocusReason);
-        m_search->selectAll();
-    });
+    keys->add({QKeySequence(QStringLiteral("Ctrl+F"))}, tr("searches"), [this] { m_tools->search(); });
     keys->add({QKeySequence(QStringLiteral("Ctrl+S"))}, tr("writes what is staged"), [this] { write(); });
     keys->add({QKeySequence(QStringLiteral("Ctrl+Z"))}, tr("undoes the last edit, or else the last write to the unit"),
         [this] { undo(false); });
@@ -200,16 +147,127 @@ void ParametersPage::buildKeys()
         tr("makes it again"), [this] { undo(true); });
     keys->add({QKeySequence(QStringLiteral("Ctrl+Shift+S"))}, tr("takes a snapshot"), [this] { takeSnapshot(); });
     keys->add({QKeySequence(QStringLiteral("Ctrl+H"))}, tr("shows the history of the unit, or its values"),
-        [this] { showHistory(!m_showHistory->isChecked()); });
+        [this] { showHistory(!m_head->isHistoryChosen()); });
+}
+
+const DeviceView *ParametersPage::device() const
+{
+    return m_workbench.snapshot().device(m_selection.device());
+}
+
+void ParametersPage::follow()
+{
+    m_ledger.observe(m_workbench.snapshot(), m_workbench.now());
+    for (const DeviceView &device : m_workbench.snapshot().devices) {
+        if (device.parameters.size() != device.family->parameters.size())
+            continue;
+        (void)m_desk.editsOf(device);
+        m_tools->comparison().remember(device);
+    }
+    if (isVisible())
+        choose();
+}
+
+void ParametersPage::choose()
+{
+    const DeviceView *shown = device();
+    const bool hasParameters
+        = shown && shown->identity.state != DeviceState::Bootloader && !shown->family->parameters.empty();
+    if (hasParameters)
+        showDevice(*shown);
+    else if (shown || !m_file)
+        showEmpty();
+}
+
+void ParametersPage::showDevice(const DeviceView &device)
+{
+    StagedEdits &edits = m_desk.editsOf(device);
+    m_stack->setCurrentIndex(1);
+    const OperationView *operation = m_workbench.snapshot().operation(device.id);
+    Shown now{device.id, device.parameterRevision, device.liveness.heard, device.identity.state, {}, {}, 0, {},
+        m_tools->axes().chosen()};
+    if (operation) {
+        now.operation = operation->id;
+        now.operationState = operation->status.state;
+        now.done = operation->status.done;
+        now.step = operation->status.step;
+    }
+    const bool same = now == m_shown && m_model->edits() == &edits;
+    const bool sameRows = m_model->edits() == &edits && now.axis == m_shown.axis && now.device == m_shown.device;
+    m_shown = now;
+    if (m_history->isVisible())
+        m_history->showDevice(device);
+    m_commands->readOnce(device);
+    if (same)
+        return;
+    if (m_model->edits() != &edits) {
+        view().commitField();
+        m_model->show(device.family, &edits, true);
+        m_file.reset();
+        m_tools->comparison().forgetFile();
+        m_sheet->changes().show();
+    } else {
+        m_model->refresh();
+    }
+    if (!sameRows) {
+        m_tools->axes().follow(*device.family);
+        m_tools->comparison().forgetAxis();
+        m_tools->comparison().refresh();
+        setFilter();
+    }
+    refresh();
+}
+
+void ParametersPage::showEmpty()
+{
+    showHistory(false);
+    if (m_model->edits()) {
+        view().commitField();
+        m_model->show(nullptr, nullptr, false);
+    }
+    m_stack->setCurrentIndex(0);
+    const DeviceView *shown = device();
+    m_openFile->setVisible(!shown);
+    if (!shown)
+        m_empty->setText(tr("Select a device"),
+            tr("Its parameters appear here. A parameter file can be looked at and compared without a device."));
+    else if (shown->identity.state == DeviceState::Bootloader)
+        m_empty->setText(tr("No parameters in the bootloader"),
+            tr("%1 has no application running. Write firmware to it, then its parameters can be read.")
+                .arg(titleOf(*shown)));
+    else
+        m_empty->setText(tr("No parameters"), tr("%1 has none.").arg(titleOf(*shown)));
+}
+
+void ParametersPage::refresh()
+{
+    if (!isVisible())
+        return;
+    const DeviceView *shown = m_file ? nullptr : device();
+    m_sheet->changes().refresh(shown, shown ? m_workbench.snapshot().operation(shown->id) : nullptr);
+    refreshTexts();
+}
+
+void ParametersPage::refreshTexts()
+{
+    StagedEdits *edits = m_model->edits();
+    if (!edits)
+        return;
+    const ParameterCounts counts = countParameters(*m_model, m_file ? std::nullopt : m_tools->axes().chosen());
+    m_tools->showCounts(counts, view().shownRows());
+    m_sheet->foot().showCounts(counts);
+    const auto current = view().currentParameter();
+    m_sheet->foot().showParameter(current ? &m_model->parameter(*current) : nullptr);
+    if (const DeviceView *shown = m_file ? nullptr : device())
+        m_head->showDevice(
+            *shown, m_workbench.snapshot().operation(shown->id), countParameters(*m_model), edits->undoStack());
+    else
+        m_head->showFile(m_file ? m_file->name : QString(), qt(m_model->family()->title), edits->undoStack());
 }
 
 void ParametersPage::setFilter()
 {
-    ParameterFilter filter;
-    filter.segment = static_cast<ParameterFilter::Segment>(m_segments->current());
-    filter.words = m_search->text();
-    filter.axis = filterAxis();
-    m_view->setFilter(filter);
+    view().setFilter(m_tools->filter());
     refreshTexts();
 }
 
@@ -217,12 +275,97 @@ void ParametersPage::undo(bool redo)
 {
     if (!m_model->edits())
         return;
-    m_view->commitField();
+    view().commitField();
     QUndoStack &stack = m_model->edits()->undoStack();
+    const DeviceView *shown = device();
     if (redo ? stack.canRedo() : stack.canUndo() && !stack.isClean())
         redo ? stack.redo() : stack.undo();
+    else if (shown && !m_file && shown->liveness.heard)
+        m_commands->undoWrite(shown->id, redo);
+}
+
+void ParametersPage::readAll()
+{
+    const DeviceView *shown = device();
+    if (shown && m_head->isReady() && m_model->edits() && !m_file)
+        m_commands->read(shown->id);
+}
+
+void ParametersPage::write()
+{
+    if (!m_model->edits() || m_file)
+        return;
+    view().commitField();
+    refresh();
+    if (!m_sheet->changes().mayWrite())
+        return;
+    m_exchange->endImport();
+    m_commands->write(m_selection.device(), m_model->edits()->toWrite());
+}
+
+void ParametersPage::store()
+{
+    if (const DeviceView *shown = device())
+        m_commands->store(shown->id);
+}
+
+void ParametersPage::takeSnapshot()
+{
+    const DeviceView *shown = device();
+    if (shown && m_head->isReady())
+        m_commands->takeSnapshot(shown->id);
+}
+
+void ParametersPage::showHistory(bool on)
+{
+    view().commitField();
+    const DeviceView *shown = device();
+    const bool may = on && shown && !m_file;
+    if (may)
+        m_history->showDevice(*shown);
+    m_head->chooseHistory(may);
+    m_history->setVisible(may);
+    m_tools->setVisible(!may);
+    m_sheet->setVisible(!may);
+}
+
+void ParametersPage::importFrom(const QString &path)
+{
+    const DeviceView *shown = device();
+    if (shown && m_model->edits() && !m_file && m_exchange->importInto(*shown, path))
+        m_tools->chooseEdited();
+}
+
+void ParametersPage::exportTo(const QString &path)
+{
+    if (const DeviceView *shown = device())
+        m_exchange->exportOf(*shown, path);
+}
+
+void ParametersPage::compareWith(const QString &path)
+{
+    const Family *family = m_model->family();
+    if (!family)
+        return;
+    const QString owner = m_file ? m_file->name : device() ? titleOf(*device()) : QString();
+    if (auto reference = m_exchange->referenceOf(path, *family, owner))
+        m_tools->comparison().compareWith(std::move(*reference));
     else
-        undoWrite(redo);
+        m_tools->comparison().refresh();
+}
+
+void ParametersPage::openFile(const QString &path)
+{
+    auto opened = m_exchange->open(path);
+    if (!opened)
+        return;
+    m_model->show(opened->family, opened->edits.get(), false);
+    m_file = std::move(opened);
+    m_tools->comparison().forgetFile();
+    m_sheet->changes().hide();
+    m_stack->setCurrentIndex(1);
+    m_tools->comparison().refresh();
+    setFilter();
 }
 
 void ParametersPage::showEvent(QShowEvent *event)
@@ -235,13 +378,9 @@ void ParametersPage::showEvent(QShowEvent *event)
 void ParametersPage::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
-    const bool beside = width() >= m_theme.theme().u(besideFrom);
-    m_splitter->setOrientation(beside ? Qt::Horizontal : Qt::Vertical);
-    m_splitter->setStretchFactor(0, beside ? 1 : 3);
-    m_splitter->setStretchFactor(1, beside ? 0 : 1);
-    m_panel->setCompact(!beside);
-    m_foot->setCompact(!beside);
-    m_search->setFixedWidth(m_theme.theme().u(beside ? 232 : 170));
+    const bool compact = width() < m_theme.theme().u(besideFrom);
+    m_sheet->setCompact(compact);
+    m_tools->setCompact(compact);
 }
 
 } // namespace mb

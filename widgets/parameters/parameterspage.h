@@ -3,33 +3,23 @@
 
 #include "widgets/common/selection.h"
 #include "widgets/common/workbench.h"
-#include "widgets/parameters/editdesk.h"
-#include "widgets/parameters/parameterview.h"
+#include "widgets/parameters/fileexchange.h"
 #include "widgets/parameters/ramledger.h"
 
 #include <QWidget>
 
-#include <map>
-#include <memory>
-#include <set>
-
-class QBoxLayout;
-class QComboBox;
-class QSplitter;
 class QStackedWidget;
 
 namespace mb {
 
-class BannerStack;
-class ChangesPanel;
 class CommandButton;
+class EditDesk;
 class EmptyState;
 class HistoryPanel;
-class IconButton;
-class ParameterFoot;
-class ReadStatus;
-class SearchField;
-class Segmented;
+class ParameterCommands;
+class ParameterHead;
+class ParameterSheet;
+class ParameterTools;
 
 /// The parameters of the selected device: read, edit, stage, write, prove; files in and out. Nothing is written but by
 /// Write. Without a device a file can be looked at and compared.
@@ -42,7 +32,7 @@ public:
     ~ParametersPage() override;
 
     [[nodiscard]] ParameterModel &model() { return *m_model; }
-    [[nodiscard]] ParameterView &view() { return *m_view; }
+    [[nodiscard]] ParameterView &view();
     [[nodiscard]] HistoryPanel &history() { return *m_history; }
 
     void readAll();
@@ -67,45 +57,24 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
-    QWidget *buildHead();
-    QWidget *buildTools();
-    QWidget *buildTable();
     void buildEmpty();
+    QWidget *buildTable(BannerStack &banners);
+    void connectHead();
+    void connectSheet();
     void buildKeys();
     void follow();
-    void followEdits();
     void choose();
     void showDevice(const DeviceView &device);
     void showEmpty();
     void refresh();
     void refreshTexts();
-    void readOnce(const DeviceView &device);
-    void rememberAsFound(const DeviceView &device);
-    void fillComparisons();
-    // parameterspageaxes.cpp
-    void buildAxes(QWidget &tools);
-    void followAxes(const Family &family);
-    void axisChosen(int place);
-    void copyFrom(int axis);
-    void fillCopyMenu();
-    [[nodiscard]] std::optional<int> filterAxis() const;
-    void comparisonChosen(int row);
     void setFilter();
-    // parameterspagehistory.cpp
-    void buildHistory(QWidget &content, QBoxLayout &column);
-    void undoWrite(bool again);
-    void restore(const QString &from);
-    void act(const QString &key);
-    void refuse(const char *key, DeviceId device, const QString &cause, const QString &remedy);
-    void written(DeviceId device, const std::vector<ParameterChange> &sent, const Result<void> &result);
     [[nodiscard]] const DeviceView *device() const;
-    [[nodiscard]] StagedEdits &editsOf(const DeviceView &device) { return m_desk.editsOf(device); }
 
     Workbench &m_workbench;
     EditDesk &m_desk;
     Selection &m_selection;
     const ThemeSource &m_theme;
-    BannerStack &m_banners;
     RamLedger m_ledger;
     /// What the page showed last of a device; the same again needs no work.
     struct Shown {
@@ -117,42 +86,21 @@ private:
         OperationStatus::State operationState = OperationStatus::State::Done;
         int done = 0;
         Message step;
-        int axis = 0;
+        std::optional<int> axis;
         friend bool operator==(const Shown &, const Shown &) = default;
     };
     Shown m_shown;
-    std::map<DeviceId, std::uint64_t> m_revisions;
-    std::map<DeviceId, ParameterReference> m_asFound;
-    std::set<DeviceId> m_asked;
-    DeviceId m_importedInto;
-    std::unique_ptr<StagedEdits> m_fileEdits;
-    QString m_fileName;
-    std::optional<ParameterReference> m_fileReference;
+    std::optional<OpenedFile> m_file; ///< that is shown instead of a device
     ParameterModel *m_model = nullptr;
+    ParameterCommands *m_commands = nullptr;
+    FileExchange *m_exchange = nullptr;
     QStackedWidget *m_stack = nullptr;
     EmptyState *m_empty = nullptr;
     CommandButton *m_openFile = nullptr;
-    ReadStatus *m_status = nullptr;
-    IconButton *m_undo = nullptr;
-    IconButton *m_redo = nullptr;
-    CommandButton *m_read = nullptr;
-    CommandButton *m_import = nullptr;
-    CommandButton *m_export = nullptr;
-    CommandButton *m_snapshot = nullptr;
-    CommandButton *m_showHistory = nullptr;
+    ParameterHead *m_head = nullptr;
+    ParameterTools *m_tools = nullptr;
+    ParameterSheet *m_sheet = nullptr;
     HistoryPanel *m_history = nullptr;
-    QWidget *m_tools = nullptr;
-    SearchField *m_search = nullptr;
-    Segmented *m_segments = nullptr;
-    Segmented *m_axes = nullptr;     ///< of boards with several axes
-    CommandButton *m_copy = nullptr; ///< from another axis
-    bool m_boardOnly = false;        ///< the rows that no axis has
-    int m_comparedAxis = 0;
-    QComboBox *m_compare = nullptr;
-    QSplitter *m_splitter = nullptr;
-    ParameterView *m_view = nullptr;
-    ParameterFoot *m_foot = nullptr;
-    ChangesPanel *m_panel = nullptr;
 };
 
 } // namespace mb

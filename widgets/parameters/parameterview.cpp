@@ -31,11 +31,11 @@ ParameterView::ParameterView(const ThemeSource &theme, ParameterModel &model, QW
     prepareGroups();
     connect(this, &QTreeView::collapsed, this, [this](const QModelIndex &index) {
         if (!m_preparing && ParameterModel::kindOf(index) == ParameterModel::Kind::Group)
-            m_folded.insert(m_model.groupTitle(index.row()));
+            m_folded.insert(m_model.groups().title(index.row()));
     });
     connect(this, &QTreeView::expanded, this, [this](const QModelIndex &index) {
         if (!m_preparing && ParameterModel::kindOf(index) == ParameterModel::Kind::Group)
-            m_folded.remove(m_model.groupTitle(index.row()));
+            m_folded.remove(m_model.groups().title(index.row()));
     });
     connect(this, &QWidget::customContextMenuRequested, this, &ParameterView::openMenu);
     connect(&theme, &ThemeSource::changed, this, &ParameterView::fitColumns);
@@ -76,8 +76,8 @@ void ParameterView::prepareGroups()
     for (int group = 0; group < m_model.rowCount(); ++group) {
         const QModelIndex index = m_model.index(group, 0);
         setFirstColumnSpanned(group, {}, true);
-        setExpanded(index, !m_folded.contains(m_model.groupTitle(group)));
-        for (const ParameterIndex member : m_model.members(group)) {
+        setExpanded(index, !m_folded.contains(m_model.groups().title(group)));
+        for (const ParameterIndex member : m_model.groups().members(group)) {
             const QModelIndex row = m_model.indexOf(member, 0);
             if (m_model.rowCount(row) > 0)
                 showFault(m_model.index(0, 0, row));
@@ -100,7 +100,7 @@ void ParameterView::applyFilter()
     for (int group = 0; group < m_model.rowCount(); ++group) {
         const QModelIndex parent = m_model.index(group, 0);
         int shown = 0;
-        for (const ParameterIndex member : m_model.members(group)) {
+        for (const ParameterIndex member : m_model.groups().members(group)) {
             const int row = m_model.indexOf(member, 0).row();
             const bool accepted = m_filter.accepts(m_model, member);
             shown += accepted ? 1 : 0;
@@ -161,7 +161,7 @@ std::vector<ParameterIndex> ParameterView::fieldsInOrder() const
     std::vector<ParameterIndex> fields;
     for (int group = 0; group < m_model.rowCount(); ++group) {
         const QModelIndex parent = m_model.index(group, 0);
-        for (const ParameterIndex member : m_model.members(group)) {
+        for (const ParameterIndex member : m_model.groups().members(group)) {
             const QModelIndex cell = m_model.indexOf(member);
             if ((cell.flags() & Qt::ItemIsEditable) != 0 && isExpanded(parent) && !isRowHidden(cell.row(), parent))
                 fields.push_back(member);
@@ -280,36 +280,12 @@ void ParameterView::changeEvent(QEvent *event)
         fitColumns();
 }
 
-void ParameterView::paintBackground(QPainter &painter, const QRect &row, const QModelIndex &index, bool selected) const
-{
-    const Theme &theme = m_theme.theme();
-    const auto kind = ParameterModel::kindOf(index);
-    if (kind == ParameterModel::Kind::Group) {
-        painter.fillRect(row, theme.window);
-        painter.fillRect(row.left(), row.bottom(), row.width(), 1, theme.line);
-        return;
-    }
-    const ParameterStanding standing = m_model.standing(m_model.parameterAt(index));
-    const bool hovered = row.contains(viewport()->mapFromGlobal(QCursor::pos())) && viewport()->underMouse();
-    const QColor plain = hovered ? theme.window : theme.canvas;
-    painter.fillRect(row,
-        standing.illegal      ? theme.errorTint
-            : selected        ? theme.sel
-            : standing.edited ? theme.editedTint
-                              : plain);
-    painter.fillRect(row.left(), row.bottom(), row.width(), 1, standing.illegal ? theme.errorTint : theme.grid);
-    if (standing.illegal)
-        painter.fillRect(row.left(), row.top(), theme.u(3), row.height(), theme.danger);
-    else if (standing.edited || selected)
-        painter.fillRect(row.left(), row.top(), theme.u(3), row.height(), theme.accent);
-}
-
 void ParameterView::drawRow(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const
 {
-    const Theme &theme = m_theme.theme();
     const QRect row(0, option.rect.top(), viewport()->width(), option.rect.height());
     const QModelIndex first = index.siblingAtColumn(0);
-    paintBackground(*painter, row, first, selectionModel()->isSelected(first));
+    const bool hovered = row.contains(viewport()->mapFromGlobal(QCursor::pos())) && viewport()->underMouse();
+    m_delegate->paintBackground(*painter, row, first, selectionModel()->isSelected(first), hovered);
     const bool focused = hasFocus() && currentIndex().isValid() && currentIndex().siblingAtColumn(0) == first;
     QStyleOptionViewItem cell = option;
     cell.font = font();
@@ -325,14 +301,8 @@ void ParameterView::drawRow(QPainter *painter, const QStyleOptionViewItem &optio
         if (spanned)
             break;
     }
-    if (!focused)
-        return;
-    painter->save();
-    painter->setRenderHint(QPainter::Antialiasing);
-    painter->setPen(QPen(theme.accent, 1));
-    painter->setBrush(Qt::NoBrush);
-    painter->drawRoundedRect(QRectF(row).adjusted(theme.u(3) + 1.5, 0.5, -1.5, -1.5), theme.u(3), theme.u(3));
-    painter->restore();
+    if (focused)
+        m_delegate->paintFocus(*painter, row);
 }
 
 void ParameterView::activateRow(const QModelIndex &index)

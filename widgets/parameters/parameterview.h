@@ -60,7 +60,6 @@ private:
     void openMenu(const QPoint &position);
     void copySelection() const;
     void fitColumns();
-    void paintBackground(QPainter &painter, const QRect &row, const QModelIndex &index, bool selected) const;
 
     const ThemeSource &m_theme;
     ParameterModel &m_model;

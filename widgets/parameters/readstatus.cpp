@@ -21,6 +21,11 @@ bool isReading(const OperationView *operation)
 
 } // namespace
 
+bool isUnderWay(const OperationView *operation)
+{
+    return operation && operation->status.state == OperationStatus::State::Running;
+}
+
 ReadStatus::ReadStatus(const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
 {
@@ -56,7 +61,7 @@ void ReadStatus::showFile(const QString &name, const QString &family)
 
 bool ReadStatus::showReading(const OperationView *operation)
 {
-    const bool reading = isReading(operation) && operation->status.state == OperationStatus::State::Running;
+    const bool reading = isReading(operation) && isUnderWay(operation);
     m_bar->setVisible(reading);
     if (!reading)
         return false;

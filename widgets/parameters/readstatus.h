@@ -11,6 +11,9 @@ class QProgressBar;
 
 namespace mb {
 
+/// A device has an operation, and it has not ended.
+[[nodiscard]] bool isUnderWay(const OperationView *operation);
+
 /// How well the values are known: "all 55 read in 0.07 s", "Reading 23 of 55" with a bar, "1 of 55 gave no answer".
 class ReadStatus : public QWidget {
     Q_OBJECT

@@ -1,31 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Boards with several axes: one of them, all, or what the board has once.
+#include "widgets/parameters/axischoice.h"
+
 #include "widgets/common/axistext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/segmented.h"
 #include "widgets/parameters/axisparameters.h"
-#include "widgets/parameters/parameterspage.h"
+#include "widgets/parameters/editdesk.h"
 
+#include <QLayout>
 #include <QMenu>
 
 namespace mb {
 
-void ParametersPage::buildAxes(QWidget &tools)
+AxisChoice::AxisChoice(const ThemeSource &theme, Workbench &workbench, Selection &selection, QWidget &row)
+    : QObject(&row)
+    , m_workbench(workbench)
+    , m_selection(selection)
+    , m_axes(new Segmented(tr("Which axis"), {tr("All axes"), tr("Board")}, &row))
+    , m_copy(new CommandButton(theme, tr("Copy from"), &row))
 {
-    m_axes = new Segmented(tr("Which axis"), {tr("All axes"), tr("Board")}, &tools);
     m_axes->hide();
-    m_copy = new CommandButton(m_theme, tr("Copy from"), &tools);
     m_copy->setAccessibleName(tr("Copy gains and limits from another axis"));
     m_copy->setToolTip(tr("Stages the gains and limits of another axis for this one; Write sends them."));
-    auto *menu = new QMenu(m_copy);
-    m_copy->setMenu(menu);
+    m_copy->setMenu(new QMenu(m_copy));
     m_copy->hide();
-    connect(menu, &QMenu::aboutToShow, this, &ParametersPage::fillCopyMenu);
-    connect(m_axes, &Segmented::currentChanged, this, &ParametersPage::axisChosen);
+    connect(m_copy->menu(), &QMenu::aboutToShow, this, &AxisChoice::fillMenu);
+    connect(m_axes, &Segmented::currentChanged, this, &AxisChoice::choose);
+    connect(&selection, &Selection::changed, this, [this] { m_boardOnly = m_boardOnly && m_selection.axis() == 0; });
+}
+
+void AxisChoice::addTo(QLayout &row)
+{
+    row.addWidget(m_axes);
+    row.addWidget(m_copy);
+}
+
+const DeviceView *AxisChoice::device() const
+{
+    return m_workbench.snapshot().device(m_selection.device());
 }
 
 /// All, 1 … n, board.
-void ParametersPage::followAxes(const Family &family)
+void AxisChoice::follow(const Family &family)
 {
     const int axes = hasAxes(family) ? family.capabilities.axes : 0;
     const QSignalBlocker quiet(m_axes);
@@ -41,13 +57,9 @@ void ParametersPage::followAxes(const Family &family)
         m_axes->setText(axis, QString::number(axis));
     m_axes->setText(axes + 1, tr("Board"));
     m_axes->setCurrent(m_boardOnly ? axes + 1 : m_selection.axis());
-    if (m_comparedAxis > 0) {
-        m_comparedAxis = 0;
-        m_model->setReference(defaultsOf(family));
-    }
 }
 
-std::optional<int> ParametersPage::filterAxis() const
+std::optional<int> AxisChoice::chosen() const
 {
     const DeviceView *shown = device();
     if (!shown || !hasAxes(*shown->family))
@@ -57,7 +69,7 @@ std::optional<int> ParametersPage::filterAxis() const
     return m_boardOnly ? std::optional(0) : std::nullopt;
 }
 
-void ParametersPage::axisChosen(int place)
+void AxisChoice::choose(int place)
 {
     const DeviceView *shown = device();
     if (!shown)
@@ -65,10 +77,10 @@ void ParametersPage::axisChosen(int place)
     m_boardOnly = place > shown->family->capabilities.axes;
     const DeviceId id = shown->id;
     m_selection.select(id, m_boardOnly ? 0 : place);
-    follow();
+    Q_EMIT changed();
 }
 
-void ParametersPage::fillCopyMenu()
+void AxisChoice::fillMenu()
 {
     const DeviceView *shown = device();
     QMenu &menu = *m_copy->menu();
@@ -77,16 +89,17 @@ void ParametersPage::fillCopyMenu()
         if (axis == m_selection.axis())
             continue;
         QAction *action = menu.addAction(axisTitle(axis), this, [this, axis] { copyFrom(axis); });
-        action->setEnabled(!gainsOfAxis(*shown->family, editsOf(*shown), axis, m_selection.axis()).empty());
+        const StagedEdits &edits = EditDesk::of(m_workbench).editsOf(*shown);
+        action->setEnabled(!gainsOfAxis(*shown->family, edits, axis, m_selection.axis()).empty());
     }
 }
 
-void ParametersPage::copyFrom(int axis)
+void AxisChoice::copyFrom(int axis)
 {
     const DeviceView *shown = device();
     if (!shown || m_selection.axis() == 0)
         return;
-    StagedEdits &edits = editsOf(*shown);
+    StagedEdits &edits = EditDesk::of(m_workbench).editsOf(*shown);
     edits.stageAll(
         gainsOfAxis(*shown->family, edits, axis, m_selection.axis()), tr("Gains and limits of axis %1").arg(axis));
 }

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/parameters/readstatus.h"
+
+class QUndoStack;
+
+namespace mb {
+
+class CommandButton;
+class IconButton;
+
+/// Above the parameters: how well they are known, and what can be done with all of them.
+class ParameterHead : public QWidget {
+    Q_OBJECT
+public:
+    ParameterHead(const ThemeSource &theme, QWidget *parent);
+    /// A device; `edits` are the steps of what is staged for it.
+    void showDevice(const DeviceView &device, const OperationView *operation, const ParameterCounts &counts,
+        const QUndoStack &edits);
+    void showFile(const QString &name, const QString &family, const QUndoStack &edits);
+    /// A device is there, and nothing is being done with it.
+    [[nodiscard]] bool isReady() const;
+    [[nodiscard]] bool isHistoryChosen() const;
+    void chooseHistory(bool on);
+
+Q_SIGNALS:
+    void undoRequested(bool again);
+    void readRequested();
+    void importRequested();
+    void exportRequested();
+    void snapshotRequested();
+    void historyToggled(bool on);
+
+private:
+    void build();
+    void enable(const DeviceView *device, bool free, const QUndoStack &edits);
+
+    const ThemeSource &m_theme;
+    ReadStatus *m_status = nullptr;
+    IconButton *m_undo = nullptr;
+    IconButton *m_redo = nullptr;
+    CommandButton *m_read = nullptr;
+    CommandButton *m_import = nullptr;
+    CommandButton *m_export = nullptr;
+    CommandButton *m_snapshot = nullptr;
+    CommandButton *m_history = nullptr;
+};
+
+} // namespace mb

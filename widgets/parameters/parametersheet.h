@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/parameters/changespanel.h"
+#include "widgets/parameters/parameterfoot.h"
+#include "widgets/parameters/parameterview.h"
+
+#include <QSplitter>
+
+namespace mb {
+
+/// The table with its foot, and what is staged beside it, or below it where there is less room.
+class ParameterSheet : public QSplitter {
+    Q_OBJECT
+public:
+    ParameterSheet(const ThemeSource &theme, Workbench &workbench, ParameterModel &model, const RamLedger &ledger,
+        QWidget *parent);
+
+    [[nodiscard]] ParameterView &view() { return *m_view; }
+    [[nodiscard]] ParameterFoot &foot() { return *m_foot; }
+    [[nodiscard]] ChangesPanel &changes() { return *m_changes; }
+    void setCompact(bool compact);
+
+private:
+    ParameterView *m_view = nullptr;
+    ParameterFoot *m_foot = nullptr;
+    ChangesPanel *m_changes = nullptr;
+};
+
+} // namespace mb

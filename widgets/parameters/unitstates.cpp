@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/parameters/unitstates.h"
+
+#include "widgets/common/devicetext.h"
+
+#include <QDateTime>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mb {
+namespace {
+
+constexpr std::size_t mostFetched = 60; ///< newest snapshots that are compared by themselves
+
+} // namespace
+
+void UnitStates::begin(const Family &family)
+{
+    m_family = &family;
+    m_files.clear();
+    m_timeline = {};
+}
+
+void UnitStates::addFile(const settings::ParameterSnapshot &snapshot)
+{
+    if (auto side = settings::sideOf(QByteArray::fromStdString(snapshot.file), *m_family))
+        m_files.insert_or_assign(snapshot.number, std::move(*side));
+}
+
+std::vector<std::int64_t> UnitStates::missing() const
+{
+    std::vector<std::int64_t> numbers;
+    const auto &all = m_timeline.snapshots;
+    for (std::size_t i = all.size() > mostFetched ? all.size() - mostFetched : 0; i < all.size(); ++i) {
+        if (!m_files.contains(all[i].number))
+            numbers.push_back(all[i].number);
+    }
+    return numbers;
+}
+
+void UnitStates::rebuild(const QLocale &locale)
+{
+    m_states.clear();
+    m_states.push_back({UnitState::Kind::Now, present, tr("Device, now"), {}, m_now});
+    for (auto snapshot = m_timeline.snapshots.rbegin(); snapshot != m_timeline.snapshots.rend(); ++snapshot) {
+        const auto file = m_files.find(snapshot->number);
+        if (file == m_files.end())
+            continue;
+        const QDateTime time = QDateTime::fromMSecsSinceEpoch(std::llround(snapshot->time * 1e3));
+        m_states.push_back({UnitState::Kind::Snapshot, snapshot->number, tableText(snapshot->name),
+            locale.toString(time.time(), QStringLiteral("HH:mm:ss")), file->second});
+    }
+    m_states.push_back(
+        {UnitState::Kind::Defaults, defaults, tr("factory defaults"), {}, settings::defaultsOf(*m_family)});
+}
+
+std::int64_t UnitStates::newestUnlike() const
+{
+    const auto found = std::find_if(m_states.begin(), m_states.end(), [this](const UnitState &state) {
+        return state.kind == UnitState::Kind::Snapshot && !settings::compare(m_now, state.side).empty();
+    });
+    return found == m_states.end() ? defaults : found->number;
+}
+
+} // namespace mb
