@@ -5545,14 +5545,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>%1 Signale, %2 Werte/s, %3 von %4 verloren</translation>
     </message>
     <message>
-        <source>The signal needs a name.</source>
-        <translation>Das Signal braucht einen Namen.</translation>
-    </message>
-    <message>
-        <source>There is a derived signal of this name.</source>
-        <translation>Ein abgeleitetes Signal dieses Namens gibt es schon.</translation>
-    </message>
-    <message>
         <source>ref %1</source>
         <translation>Ref. %1</translation>
     </message>
@@ -8248,6 +8240,17 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     <message>
         <source>The profile needs an acceleration up to %1 counts/s²; 0 is none.</source>
         <translation>Das Profil braucht eine Beschleunigung bis %1 counts/s²; 0 ist keine.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::SignalBook</name>
+    <message>
+        <source>The signal needs a name.</source>
+        <translation>Das Signal braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>There is a derived signal of this name.</source>
+        <translation>Ein abgeleitetes Signal dieses Namens gibt es schon.</translation>
     </message>
 </context>
 <context>

@@ -5549,14 +5549,6 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <translation>%1 señales, %2 muestras/s, %3 de %4 perdidas</translation>
     </message>
     <message>
-        <source>The signal needs a name.</source>
-        <translation>La señal necesita un nombre.</translation>
-    </message>
-    <message>
-        <source>There is a derived signal of this name.</source>
-        <translation>Ya existe una señal derivada con este nombre.</translation>
-    </message>
-    <message>
         <source>ref %1</source>
         <translation>ref. %1</translation>
     </message>
@@ -8248,6 +8240,17 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
     <message>
         <source>now %1</source>
         <translation>ahora %1</translation>
+    </message>
+</context>
+<context>
+    <name>mb::SignalBook</name>
+    <message>
+        <source>The signal needs a name.</source>
+        <translation>La señal necesita un nombre.</translation>
+    </message>
+    <message>
+        <source>There is a derived signal of this name.</source>
+        <translation>Ya existe una señal derivada con este nombre.</translation>
     </message>
 </context>
 <context>

@@ -5549,14 +5549,6 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <translation>%1 signaux, %2 échantillons/s, %3 sur %4 perdus</translation>
     </message>
     <message>
-        <source>The signal needs a name.</source>
-        <translation>Le signal doit avoir un nom.</translation>
-    </message>
-    <message>
-        <source>There is a derived signal of this name.</source>
-        <translation>Un signal dérivé porte déjà ce nom.</translation>
-    </message>
-    <message>
         <source>ref %1</source>
         <translation>réf. %1</translation>
     </message>
@@ -8248,6 +8240,17 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     <message>
         <source>now %1</source>
         <translation>maintenant %1</translation>
+    </message>
+</context>
+<context>
+    <name>mb::SignalBook</name>
+    <message>
+        <source>The signal needs a name.</source>
+        <translation>Le signal doit avoir un nom.</translation>
+    </message>
+    <message>
+        <source>There is a derived signal of this name.</source>
+        <translation>Un signal dérivé porte déjà ce nom.</translation>
     </message>
 </context>
 <context>

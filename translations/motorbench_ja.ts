@@ -5542,14 +5542,6 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>%1 信号、%2 サンプル/s、%4 中 %3 欠落</translation>
     </message>
     <message>
-        <source>The signal needs a name.</source>
-        <translation>信号には名前が必要です。</translation>
-    </message>
-    <message>
-        <source>There is a derived signal of this name.</source>
-        <translation>同じ名前の派生信号があります。</translation>
-    </message>
-    <message>
         <source>ref %1</source>
         <translation>基準 %1</translation>
     </message>
@@ -8237,6 +8229,17 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     <message>
         <source>now %1</source>
         <translation>現在 %1</translation>
+    </message>
+</context>
+<context>
+    <name>mb::SignalBook</name>
+    <message>
+        <source>The signal needs a name.</source>
+        <translation>信号には名前が必要です。</translation>
+    </message>
+    <message>
+        <source>There is a derived signal of this name.</source>
+        <translation>同じ名前の派生信号があります。</translation>
     </message>
 </context>
 <context>

@@ -5542,14 +5542,6 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>%1 个信号，%2 采样/s，%4 中丢失 %3</translation>
     </message>
     <message>
-        <source>The signal needs a name.</source>
-        <translation>信号需要名称。</translation>
-    </message>
-    <message>
-        <source>There is a derived signal of this name.</source>
-        <translation>已有同名的派生信号。</translation>
-    </message>
-    <message>
         <source>ref %1</source>
         <translation>参考 %1</translation>
     </message>
@@ -8237,6 +8229,17 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     <message>
         <source>now %1</source>
         <translation>当前 %1</translation>
+    </message>
+</context>
+<context>
+    <name>mb::SignalBook</name>
+    <message>
+        <source>The signal needs a name.</source>
+        <translation>信号需要名称。</translation>
+    </message>
+    <message>
+        <source>There is a derived signal of this name.</source>
+        <translation>已有同名的派生信号。</translation>
     </message>
 </context>
 <context>

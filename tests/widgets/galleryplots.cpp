@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gallery.h"
 
+#include "widgets/plots/fixedtrace.h"
 #include "widgets/plots/plotstack.h"
 
 #include <QVBoxLayout>

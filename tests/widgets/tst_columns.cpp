@@ -2,6 +2,7 @@
 #include "support/windowtests.h"
 #include "widgets/plots/autorange.h"
 #include "widgets/plots/columnpath.h"
+#include "widgets/plots/fixedtrace.h"
 
 #include <QTest>
 #include <algorithm>

@@ -9,8 +9,10 @@
 #include "widgets/connection/devicetree.h"
 #include "widgets/control/arming.h"
 #include "widgets/plots/autorange.h"
-#include "widgets/plots/plotdecor.h"
+#include "widgets/plots/fixedtrace.h"
+#include "widgets/plots/plotlabels.h"
 #include "widgets/plots/plotstack.h"
+#include "widgets/plots/plottickers.h"
 #include "widgets/plots/telemetrysource.h"
 
 #include <QPushButton>

@@ -208,8 +208,8 @@ void TestPlotBoard::aWrongFormulaSaysWhy()
     PlotBench bench;
     QVERIFY(!bench.board().addDerived(s("x"), {}, s("speed + 1")));
     QVERIFY(!bench.board().addDerived(s(" "), {}, s("d5_velocity")));
-    QVERIFY(bench.board().whatIsWrong(s("x"), s("d5_velocity + ")).size() > 5);
-    QCOMPARE(bench.board().whatIsWrong(s("x"), s("average(d5_velocity, 0.1)")), QString());
+    QVERIFY(bench.board().book().whatIsWrong(s("x"), s("d5_velocity + ")).size() > 5);
+    QCOMPARE(bench.board().book().whatIsWrong(s("x"), s("average(d5_velocity, 0.1)")), QString());
     QCOMPARE(bench.page->traceCount(), std::size_t{4});
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/windowtests.h"
+#include "widgets/plots/fixedtrace.h"
 #include "widgets/plots/plotstack.h"
 
 #include <QPaintEvent>

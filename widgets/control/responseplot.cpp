@@ -4,6 +4,7 @@
 #include "tuning/envelope.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/plots/fixedtrace.h"
 #include "widgets/plots/plotstack.h"
 
 #include <QVBoxLayout>

@@ -2,7 +2,7 @@
 #include "widgets/plots/curveplot.h"
 
 #include "widgets/plots/picturefile.h"
-#include "widgets/plots/plotdecor.h"
+#include "widgets/plots/plottickers.h"
 
 #include <QKeyEvent>
 #include <QVBoxLayout>

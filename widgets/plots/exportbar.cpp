@@ -6,6 +6,8 @@
 #include "widgets/common/labels.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/plots/exportjob.h"
+#include "widgets/plots/exportmatter.h"
+#include "widgets/plots/plotboard.h"
 #include "widgets/plots/plotdialogs.h"
 
 #include <QHBoxLayout>
@@ -39,9 +41,9 @@ ExportBar::ExportBar(
 ExportPlan ExportBar::planFor(const ExportChoice &choice) const
 {
     ExportPlan plan;
-    plan.channels = m_board.exportChannels(choice.everything);
+    plan.channels = exportChannels(m_workbench.snapshot(), m_board, choice.everything);
     plan.unixOffset = m_workbench.unixOffset();
-    plan.about = m_board.about();
+    plan.about = aboutDevices(m_workbench.snapshot());
     plan.notes = m_board.notes();
     const auto instant
         = [](double key) { return Instant(std::chrono::duration_cast<Duration>(std::chrono::duration<double>(key))); };

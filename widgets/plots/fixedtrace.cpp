@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/plots/tracesource.h"
+#include "widgets/plots/fixedtrace.h"
 
 #include <algorithm>
 #include <array>

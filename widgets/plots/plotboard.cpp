@@ -5,78 +5,25 @@
 #include "widgets/common/axistext.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/plots/fixedtrace.h"
+#include "widgets/plots/tracecolours.h"
 
 #include <algorithm>
-#include <array>
 
 namespace mb {
 namespace {
 
-/// Colours that stand in for one that is taken, and patterns for when all are.
-constexpr std::array substitutes{TraceRole::Velocity, TraceRole::Position, TraceRole::Current, TraceRole::Duty,
-    TraceRole::Temperature, TraceRole::Error};
-constexpr std::array patterns{TraceDash::Long, TraceDash::Short, TraceDash::Dots};
+constexpr double referenceSpan = 1.0; ///< windows beside what is seen that are kept, too
+constexpr std::size_t mostNotes = 1000;
 
 } // namespace
-
-void chooseColour(TraceStyle &style, const std::vector<TraceLook> &used)
-{
-    const auto taken = [&](TraceRole colour, TraceDash dash) {
-        return std::any_of(used.begin(), used.end(), [&](const TraceLook &look) {
-            const bool wished = (look.role == TraceRole::Setpoint) == (style.role == TraceRole::Setpoint);
-            return wished && look.colourRole() == colour && look.dash == dash;
-        });
-    };
-    if (!taken(style.role, TraceDash::Automatic))
-        return;
-    if (style.role != TraceRole::Setpoint) {
-        for (const TraceRole colour : substitutes) {
-            if (!taken(colour, TraceDash::Automatic)) {
-                style.colour = colour;
-                return;
-            }
-        }
-    }
-    const auto dash = std::find_if(
-        patterns.begin(), patterns.end(), [&](TraceDash pattern) { return !taken(style.role, pattern); });
-    style.dash = dash == patterns.end() ? patterns.back() : *dash;
-}
 
 PlotBoard::PlotBoard(Workbench &workbench, PlotStack &stack, QObject *parent)
     : QObject(parent)
     , m_workbench(workbench)
     , m_stack(stack)
+    , m_book(workbench)
 {
-}
-
-const Channel *PlotBoard::rowOf(const Signal &signal) const
-{
-    if (signal.device == derivedDevice) {
-        const bool there = signal.channel.value < m_derived.size() && m_derived[signal.channel.value].signal;
-        return there ? m_derived[signal.channel.value].signal->telemetry()->channels().data() : nullptr;
-    }
-    const DeviceView *device = m_workbench.snapshot().device(signal.device);
-    const bool there = device && signal.channel.value < device->family->channels.size();
-    if (!there)
-        return nullptr;
-    const auto rows = device->telemetry ? device->telemetry->channels() : device->family->channels;
-    return &rows[signal.channel.value];
-}
-
-std::shared_ptr<const Telemetry> PlotBoard::telemetryOf(const Signal &signal) const
-{
-    if (!rowOf(signal))
-        return nullptr;
-    if (signal.device == derivedDevice)
-        return m_derived[signal.channel.value].signal->telemetry();
-    return m_workbench.snapshot().device(signal.device)->telemetry;
-}
-
-QString PlotBoard::nameOf(const Signal &signal) const
-{
-    if (signal.device == derivedDevice)
-        return m_derived[signal.channel.value].name;
-    return signalName(*m_workbench.snapshot().device(signal.device), signal.channel);
 }
 
 const PlotBoard::Trace *PlotBoard::traceOf(int id) const
@@ -93,7 +40,7 @@ void PlotBoard::choose(const Signal &signal, bool on, const QString &pane)
     const bool there = found != m_traces.end();
     if (on && there && !pane.isEmpty())
         return moveToPane(found->id, pane);
-    if (on == there || (on && !rowOf(signal)))
+    if (on == there || (on && !m_book.rowOf(signal)))
         return;
     m_touched = true;
     if (on)
@@ -138,7 +85,7 @@ void PlotBoard::setTraces(std::vector<Trace> traces, bool touched)
 {
     m_traces.clear();
     for (Trace &trace : traces) {
-        if (rowOf(trace.signal))
+        if (m_book.rowOf(trace.signal))
             m_traces.push_back(std::move(trace));
     }
     m_touched = touched;
@@ -176,14 +123,14 @@ void PlotBoard::dressAxis(Trace &trace, int axis) const
 
 void PlotBoard::dress(Trace &trace)
 {
-    const Channel &row = *rowOf(trace.signal);
+    const Channel &row = *m_book.rowOf(trace.signal);
     const ShownUnit unit = shownUnit(row.quantity, row.unit, m_units);
-    const auto telemetry = telemetryOf(trace.signal);
+    const auto telemetry = m_book.telemetryOf(trace.signal);
     if (!trace.source || &trace.source->telemetry() != telemetry.get())
         trace.source = std::make_shared<TelemetrySource>(telemetry, trace.signal.channel);
     trace.source->setScale(unit.scale);
     trace.style = {};
-    trace.style.name = nameOf(trace.signal);
+    trace.style.name = m_book.nameOf(trace.signal);
     trace.style.unit = unit.text;
     trace.style.role = roleOf(row.quantity);
     trace.style.secondAxis = trace.second;
@@ -239,14 +186,9 @@ bool PlotBoard::hasOtherTelemetry() const
 
 void PlotBoard::follow()
 {
-    bool other = hasOtherTelemetry();
-    for (Derived &derived : m_derived) {
-        if (!derived.signal) {
-            compile(derived);
-            other = other || derived.signal;
-        }
-    }
-    const auto gone = [this](const Trace &trace) { return !rowOf(trace.signal); };
+    bool other = m_book.complete();
+    other = hasOtherTelemetry() || other;
+    const auto gone = [this](const Trace &trace) { return !m_book.rowOf(trace.signal); };
     if (const auto end = std::remove_if(m_traces.begin(), m_traces.end(), gone); end != m_traces.end()) {
         m_traces.erase(end, m_traces.end());
         other = true;
@@ -266,8 +208,8 @@ void PlotBoard::followRates()
         if (device)
             trace.source->follow(
                 place < device->rates.size() ? device->rates[place] : 0.0, m_workbench.presentOf(device->link));
-        else if (trace.signal.device == derivedDevice)
-            trace.source->follow(m_derived[place].signal->telemetry()->rate({0}), m_workbench.now());
+        else if (const auto *derived = m_book.derivedOf(trace.signal))
+            trace.source->follow(derived->signal->telemetry()->rate({0}), m_workbench.now());
         rate += trace.source->rate();
         lost += trace.source->lost();
         all += trace.source->lost() + trace.source->telemetry().size(trace.source->channel());
@@ -285,6 +227,79 @@ std::uint64_t PlotBoard::revision() const
     for (const Trace &trace : m_traces)
         sum += trace.source ? trace.source->telemetry().revision() : 0;
     return sum;
+}
+
+std::vector<Signal> PlotBoard::ingredients() const
+{
+    std::vector<Signal> all;
+    for (const Trace &trace : m_traces) {
+        if (const auto *derived = m_book.derivedOf(trace.signal))
+            all.insert(all.end(), derived->inputs.begin(), derived->inputs.end());
+    }
+    return all;
+}
+
+Result<void> PlotBoard::addDerived(const QString &name, const QString &unit, const QString &formula)
+{
+    const auto added = m_book.add(name, unit, formula);
+    if (!added)
+        return tl::unexpected<Error>(added.error());
+    choose(*added, true);
+    return {};
+}
+
+void PlotBoard::removeDerived(int place)
+{
+    const Signal signal{derivedDevice, {static_cast<std::uint16_t>(place)}};
+    if (place < 0 || !m_book.derivedOf(signal))
+        return;
+    choose(signal, false);
+    m_book.remove(signal);
+    Q_EMIT changed();
+}
+
+void PlotBoard::keepReferences()
+{
+    const auto [from, to] = m_stack.view().range();
+    const double origin = m_stack.view().heldKey().value_or(from);
+    const double beside = (to - from) * referenceSpan;
+    for (const Trace &trace : m_traces) {
+        if (trace.style.role == TraceRole::Setpoint)
+            continue;
+        std::vector<PlotPoint> points;
+        trace.source->columns(from - beside, to + beside, 30'000, points);
+        for (PlotPoint &point : points)
+            point.key -= origin;
+        Reference reference;
+        reference.style = trace.style;
+        reference.style.name = tr("ref %1").arg(trace.style.name);
+        reference.style.dash = TraceDash::Long;
+        reference.style.marker = TraceMarker::HollowSquare;
+        reference.style.valueTag = false;
+        reference.style.aligned = true;
+        reference.pane = trace.pane;
+        reference.trace = std::make_shared<FixedTrace>(std::move(points));
+        m_references.push_back(std::move(reference));
+    }
+    rebuild();
+}
+
+void PlotBoard::clearReferences()
+{
+    m_references.clear();
+    rebuild();
+}
+
+void PlotBoard::addNote(double key, const QString &text)
+{
+    if (text.trimmed().isEmpty() || m_notes.size() >= mostNotes)
+        return;
+    const Instant time(std::chrono::duration_cast<Duration>(std::chrono::duration<double>(key)));
+    m_notes.push_back({time, text.trimmed().toStdString()});
+    std::vector<PlotMark> marks;
+    for (const TimedNote &note : m_notes)
+        marks.push_back({plotKey(note.time), QString::fromStdString(note.text)});
+    m_stack.strips().setMarks(std::move(marks));
 }
 
 } // namespace mb

@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "recording/derivedsignal.h"
 #include "recording/export.h"
 #include "widgets/common/selection.h"
 #include "widgets/common/workbench.h"
 #include "widgets/plots/displayunits.h"
 #include "widgets/plots/plotstack.h"
-#include "widgets/plots/signallist.h"
+#include "widgets/plots/signalbook.h"
 #include "widgets/plots/telemetrysource.h"
-
-#include <deque>
 
 namespace mb {
 
-/// Gives a trace a colour or a pattern that none of the others has: `used` are their looks.
-void chooseColour(TraceStyle &style, const std::vector<TraceLook> &used);
+class FixedTrace;
 
 /// What is on the plots page: which signals of which devices, in which pane, on which axis; derived signals; references
 /// that were kept; notes. Fills a PlotStack and knows no other widget. GUI thread.
@@ -37,24 +33,14 @@ public:
         std::shared_ptr<const FixedTrace> trace;
         int id = 0;
     };
-    struct Derived {
-        QString name;
-        QString unit;
-        QString formula;
-        std::vector<Signal> inputs{};
-        std::shared_ptr<DerivedSignal> signal{}; ///< nothing while a device of its formula is not there
-    };
-    /// A signal as formulas call it: d5_velocity.
-    struct Variable {
-        QString name;
-        Signal signal;
-    };
 
     PlotBoard(Workbench &workbench, PlotStack &stack, QObject *parent);
 
     [[nodiscard]] const std::vector<Trace> &traces() const { return m_traces; }
     [[nodiscard]] const std::vector<Reference> &references() const { return m_references; }
-    [[nodiscard]] const std::deque<Derived> &derived() const { return m_derived; }
+    /// What can be plotted.
+    [[nodiscard]] SignalBook &book() { return m_book; }
+    [[nodiscard]] const SignalBook &book() const { return m_book; }
     [[nodiscard]] const Trace *traceOf(int id) const;
     [[nodiscard]] bool isTouched() const { return m_touched; }
 
@@ -68,15 +54,10 @@ public:
     void setTraces(std::vector<Trace> traces, bool touched);
     void reset();
 
-    [[nodiscard]] std::vector<Variable> variables() const;
     /// What the formulas of derived signals are made of.
     [[nodiscard]] std::vector<Signal> ingredients() const;
     /// Yields what is wrong with the formula, or adds the signal and plots it.
     [[nodiscard]] Result<void> addDerived(const QString &name, const QString &unit, const QString &formula);
-    /// Nothing, or what is wrong with the name or the formula.
-    [[nodiscard]] QString whatIsWrong(const QString &name, const QString &formula) const;
-    /// As addDerived(), unless there is one of this name; without plotting it.
-    void ensureDerived(const QString &name, const QString &unit, const QString &formula);
     void removeDerived(int place);
 
     /// What is seen of the measured traces, kept beside what comes.
@@ -89,16 +70,12 @@ public:
     /// The snapshot is a new one.
     void follow();
     void followRates();
-    /// Goes on computing derived signals, for a few milliseconds at most.
-    void advance();
     /// The time that the plots follow: of the link of the first trace, which may be a recording.
     [[nodiscard]] Instant present() const { return m_workbench.presentOf(link()); }
     /// Address of the link of the first trace; empty without one.
     [[nodiscard]] std::string link() const;
     /// Moves when a trace has something new.
     [[nodiscard]] std::uint64_t revision() const;
-    [[nodiscard]] std::vector<ExportChannel> exportChannels(bool everything) const;
-    [[nodiscard]] std::vector<std::pair<std::string, mcap::Map>> about() const;
 
 Q_SIGNALS:
     /// Traces, panes or references are others.
@@ -110,17 +87,13 @@ private:
     [[nodiscard]] bool hasOtherTelemetry() const;
     void dressAxis(Trace &trace, int axis) const;
     [[nodiscard]] int stripOf(const QString &pane, const QString &unit);
-    void compile(Derived &derived);
-    [[nodiscard]] QString nameOf(const Signal &signal) const;
-    [[nodiscard]] std::shared_ptr<const Telemetry> telemetryOf(const Signal &signal) const;
-    [[nodiscard]] const Channel *rowOf(const Signal &signal) const;
 
     Workbench &m_workbench;
     PlotStack &m_stack;
     DisplayUnits m_units;
+    SignalBook m_book;
     std::vector<Trace> m_traces;
     std::vector<Reference> m_references;
-    std::deque<Derived> m_derived;
     std::vector<TimedNote> m_notes;
     QStringList m_panes;           ///< key of each strip, while rebuilding and after
     std::vector<TraceLook> m_used; ///< looks of the traces that are there, while rebuilding

@@ -59,10 +59,10 @@ void askText(QWidget &parent, const QString &title, const QString &label, const 
     dialog->open();
 }
 
-QListWidget *variableList(QDialog &dialog, const std::vector<PlotBoard::Variable> &variables)
+QListWidget *variableList(QDialog &dialog, const std::vector<SignalBook::Variable> &variables)
 {
     auto *list = new QListWidget(&dialog);
-    for (const PlotBoard::Variable &variable : variables)
+    for (const SignalBook::Variable &variable : variables)
         list->addItem(variable.name);
     list->setAccessibleName(DialogText::tr("Signals that a formula may use"));
     list->setToolTip(DialogText::tr("Double click puts the name into the formula"));
@@ -82,7 +82,7 @@ void askName(QWidget &parent, const QString &title, const QString &proposal, std
     askText(parent, title, DialogText::tr("Name"), proposal, DialogText::tr("Save"), std::move(done));
 }
 
-void askDerived(QWidget &parent, const ThemeSource &theme, const std::vector<PlotBoard::Variable> &variables,
+void askDerived(QWidget &parent, const ThemeSource &theme, const std::vector<SignalBook::Variable> &variables,
     std::function<QString(const QString &name, const QString &formula)> check,
     std::function<void(const QString &name, const QString &unit, const QString &formula)> done)
 {

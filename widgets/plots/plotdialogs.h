@@ -2,7 +2,7 @@
 #pragma once
 
 #include "widgets/common/theme.h"
-#include "widgets/plots/plotboard.h"
+#include "widgets/plots/signalbook.h"
 
 #include <functional>
 
@@ -19,7 +19,7 @@ struct ExportChoice {
 /// These open a dialog that belongs to `parent` and call back when it is accepted.
 void askNote(QWidget &parent, std::function<void(const QString &)> done);
 /// A formula: says while it is typed what is wrong with it. `check` yields nothing when it is right.
-void askDerived(QWidget &parent, const ThemeSource &theme, const std::vector<PlotBoard::Variable> &variables,
+void askDerived(QWidget &parent, const ThemeSource &theme, const std::vector<SignalBook::Variable> &variables,
     std::function<QString(const QString &name, const QString &formula)> check,
     std::function<void(const QString &name, const QString &unit, const QString &formula)> done);
 void askExport(QWidget &parent, bool hasSelection, std::function<void(const ExportChoice &)> done);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where words stand in a strip, so that none covers another.
+#include "widgets/plots/plotlabels.h"
+
 #include "widgets/common/numberformat.h"
-#include "widgets/plots/plotdecor.h"
 
 #include <QCoreApplication>
 

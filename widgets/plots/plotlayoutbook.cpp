@@ -80,7 +80,7 @@ PlotLayout PlotLayoutBook::current() const
 {
     PlotLayout layout;
     layout.window = m_stack.view().window();
-    for (const PlotBoard::Derived &derived : m_board.derived()) {
+    for (const SignalBook::Derived &derived : m_board.book().derived()) {
         if (!derived.name.isEmpty())
             layout.derived.push_back({derived.name, derived.unit, derived.formula});
     }
@@ -97,7 +97,7 @@ std::vector<PlotBoard::Trace> PlotLayoutBook::tracesOf(const PlotLayout &layout,
     std::vector<PlotBoard::Trace> traces;
     for (const PlotLayout::Trace &wanted : layout.traces) {
         if (wanted.device.isEmpty()) {
-            const auto &derived = m_board.derived();
+            const auto &derived = m_board.book().derived();
             for (std::uint16_t i = 0; i < derived.size(); ++i) {
                 if (derived[i].name == wanted.key)
                     traces.push_back({{derivedDevice, {i}}, wanted.pane, wanted.second});
@@ -120,7 +120,7 @@ void PlotLayoutBook::apply(const PlotLayout &layout)
     m_waiting = layout;
     m_stack.view().setWindow(layout.window);
     for (const PlotLayout::Derived &derived : layout.derived)
-        m_board.ensureDerived(derived.name, derived.unit, derived.formula);
+        m_board.book().ensure(derived.name, derived.unit, derived.formula);
     applyWaiting(true);
 }
 

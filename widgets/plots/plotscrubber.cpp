@@ -2,6 +2,7 @@
 #include "widgets/plots/plotscrubber.h"
 
 #include "widgets/plots/columnpath.h"
+#include "widgets/plots/plottickers.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>

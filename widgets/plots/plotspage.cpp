@@ -273,7 +273,7 @@ void PlotsPage::draw()
 {
     if (!isVisible())
         return;
-    m_board->advance();
+    m_board->book().advance();
     const double now = plotKey(m_board->present());
     const std::uint64_t present = m_board->revision();
     if (m_board->traces().empty() || (present == m_drawn && std::abs(now - m_drawnAt) < idleScroll))
@@ -336,8 +336,8 @@ void PlotsPage::addMenuEntries(QMenu &menu, double key)
 void PlotsPage::newDerived()
 {
     const auto check
-        = [this](const QString &name, const QString &formula) { return m_board->whatIsWrong(name, formula); };
-    askDerived(*this, m_theme, m_board->variables(), check,
+        = [this](const QString &name, const QString &formula) { return m_board->book().whatIsWrong(name, formula); };
+    askDerived(*this, m_theme, m_board->book().variables(), check,
         [this](const QString &name, const QString &unit, const QString &formula) {
             if (const auto added = m_board->addDerived(name, unit, formula); !added)
                 m_workbench.report(Severity::Danger, {}, tr("%1: %2").arg(name, errorText(added.error())));

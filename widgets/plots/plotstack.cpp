@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/plotstack.h"
 
+#include "widgets/plots/fixedtrace.h"
+
 #include <QAccessible>
 #include <QContextMenuEvent>
 #include <QMenu>

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/plotstrip.h"
 
+#include "widgets/plots/stripbackdrop.h"
+#include "widgets/plots/stripface.h"
+
 #include <algorithm>
 
 namespace mb {

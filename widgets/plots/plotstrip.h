@@ -4,6 +4,7 @@
 #include "widgets/plots/autorange.h"
 #include "widgets/plots/plotdecor.h"
 #include "widgets/plots/plotframe.h"
+#include "widgets/plots/plottickers.h"
 
 #include <QCoreApplication>
 #include <array>

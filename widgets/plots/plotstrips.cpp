@@ -3,6 +3,7 @@
 
 #include "widgets/common/numberformat.h"
 #include "widgets/plots/plotcursors.h"
+#include "widgets/plots/stripface.h"
 
 #include <algorithm>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/plots/plotfoot.h"
 #include "widgets/plots/plotstrip.h"
 #include "widgets/plots/tracesource.h"
 

@@ -3,8 +3,9 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/plots/displayunits.h"
-#include "widgets/plots/plotboard.h"
+#include "widgets/plots/plotstack.h"
 #include "widgets/plots/telemetrysource.h"
+#include "widgets/plots/tracecolours.h"
 
 namespace mb {
 

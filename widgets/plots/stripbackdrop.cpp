@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/common/numberformat.h"
-#include "widgets/plots/plotdecor.h"
+#include "widgets/plots/stripbackdrop.h"
 
-#include <QCoreApplication>
+#include "widgets/plots/plotlabels.h"
 
 namespace mb {
 namespace {

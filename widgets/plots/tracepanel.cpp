@@ -83,7 +83,7 @@ void TracePanel::followBoard()
     for (const PlotBoard::Trace &trace : m_board.traces())
         chosen.insert(trace.signal);
     QStringList derived;
-    for (const PlotBoard::Derived &signal : m_board.derived())
+    for (const SignalBook::Derived &signal : m_board.book().derived())
         derived << signal.name;
     m_signals->setDerived(derived);
     m_signals->setChosen(chosen);

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/plottickers.h"
+
+#include "widgets/common/numberformat.h"
+#include "widgets/plots/autorange.h"
+
+#include <QDateTime>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace mb {
+
+double NumberTicker::getTickStep(const QCPRange &range)
+{
+    double step = QCPAxisTicker::getTickStep(range);
+    const auto labels
+        = [&range](double width) { return std::floor(range.upper / width) - std::ceil(range.lower / width) + 1; };
+    while (range.size() > 0 && labels(step) < 2)
+        step = roundStep(step * 0.5);
+    return step;
+}
+
+QString NumberTicker::getTickLabel(double tick, const QLocale &, QChar, int)
+{
+    if (tick != 0 && (std::abs(tick) >= 1e7 || std::abs(tick) < 1e-4))
+        return QString::number(tick, 'g', 4)
+            .replace(QLatin1Char('.'), decimalSign())
+            .replace(QLatin1Char('-'), MinusSign);
+    const double rounded = std::round(tick * 1e6) / 1e6;
+    QString plain = QString::number(std::abs(rounded), 'f', 6);
+    while (plain.endsWith(QLatin1Char('0')))
+        plain.chop(1);
+    const int decimals = plain.endsWith(QLatin1Char('.')) ? 0 : plain.size() - plain.indexOf(QLatin1Char('.')) - 1;
+    return formatNumber(rounded, decimals);
+}
+
+double TimeTicker::getTickStep(const QCPRange &range)
+{
+    const double rough = range.size() / tickCount();
+    constexpr std::array<double, 13> Clock{1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600};
+    m_step = roundStep(rough * 1.5);
+    if (rough > 0.7)
+        m_step = *std::min_element(Clock.begin(), Clock.end(),
+            [&](double a, double b) { return std::abs(std::log(a / rough)) < std::abs(std::log(b / rough)); });
+    if (rough > 5400)
+        m_step = std::ceil(rough / 3600) * 3600;
+    return m_step;
+}
+
+QString TimeTicker::text(double key, double step) const
+{
+    const int decimals = step >= 1 ? 0 : static_cast<int>(std::ceil(-std::log10(step) - 1e-9));
+    if (!m_unixAtZero)
+        return formatNumber(std::abs(key) < step * 1e-6 ? 0.0 : key, decimals);
+    const auto time = QDateTime::fromMSecsSinceEpoch(std::llround((key + *m_unixAtZero) * 1000));
+    if (decimals == 0)
+        return time.toString(QStringLiteral("HH:mm:ss"));
+    return time.toString(QStringLiteral("ss.zzz")).left(3 + std::min(decimals, 3));
+}
+
+QString TimeTicker::getTickLabel(double tick, const QLocale &, QChar, int)
+{
+    return text(tick, m_step);
+}
+
+} // namespace mb

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/plots/qcustomplotkeywords.h"
+
+#include <optional>
+
+namespace mb {
+
+/// Tick labels with a true minus and grouped thousands.
+class NumberTicker : public QCPAxisTicker {
+public:
+    NumberTicker() { setTickCount(4); }
+
+protected:
+    /// Finer where a round step would leave fewer than two labels.
+    double getTickStep(const QCPRange &range) override;
+    QString getTickLabel(double tick, const QLocale &locale, QChar formatChar, int precision) override;
+};
+
+/// Time as seconds from an origin, or as the time of day when the Unix time of key 0 is known.
+class TimeTicker : public QCPAxisTicker {
+public:
+    TimeTicker() { setTickCount(8); }
+    void setClock(std::optional<double> unixAtZero) { m_unixAtZero = unixAtZero; }
+    QString text(double key, double step) const;
+
+protected:
+    double getTickStep(const QCPRange &range) override;
+    QString getTickLabel(double tick, const QLocale &locale, QChar formatChar, int precision) override;
+
+private:
+    std::optional<double> m_unixAtZero;
+    double m_step = 1.0;
+};
+
+} // namespace mb

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/signalbook.h"
+
+#include "widgets/common/devicetext.h"
+
+#include <algorithm>
+
+namespace mb {
+namespace {
+
+constexpr std::size_t advanceMost = 20'000; ///< samples of derived signals in one tick: about 3 ms
+
+QString variableName(const DeviceView &device, ChannelIndex channel)
+{
+    QString key = qt(device.family->channels[channel.value].key);
+    key.replace(QLatin1Char('.'), QLatin1Char('_'));
+    return QStringLiteral("d%1_%2").arg(device.identity.address).arg(key);
+}
+
+} // namespace
+
+SignalBook::SignalBook(Workbench &workbench)
+    : m_workbench(workbench)
+{
+}
+
+const SignalBook::Derived *SignalBook::derivedOf(const Signal &signal) const
+{
+    const bool there = signal.device == derivedDevice && signal.channel.value < m_derived.size();
+    return there ? &m_derived[signal.channel.value] : nullptr;
+}
+
+const Channel *SignalBook::rowOf(const Signal &signal) const
+{
+    if (signal.device == derivedDevice) {
+        const bool there = signal.channel.value < m_derived.size() && m_derived[signal.channel.value].signal;
+        return there ? m_derived[signal.channel.value].signal->telemetry()->channels().data() : nullptr;
+    }
+    const DeviceView *device = m_workbench.snapshot().device(signal.device);
+    const bool there = device && signal.channel.value < device->family->channels.size();
+    if (!there)
+        return nullptr;
+    const auto rows = device->telemetry ? device->telemetry->channels() : device->family->channels;
+    return &rows[signal.channel.value];
+}
+
+std::shared_ptr<const Telemetry> SignalBook::telemetryOf(const Signal &signal) const
+{
+    if (!rowOf(signal))
+        return nullptr;
+    if (signal.device == derivedDevice)
+        return m_derived[signal.channel.value].signal->telemetry();
+    return m_workbench.snapshot().device(signal.device)->telemetry;
+}
+
+QString SignalBook::nameOf(const Signal &signal) const
+{
+    if (signal.device == derivedDevice)
+        return m_derived[signal.channel.value].name;
+    return signalName(*m_workbench.snapshot().device(signal.device), signal.channel);
+}
+
+std::vector<SignalBook::Variable> SignalBook::variables() const
+{
+    std::vector<Variable> all;
+    const auto isTaken = [&all](const QString &name) {
+        return std::any_of(all.begin(), all.end(), [&](const Variable &variable) { return variable.name == name; });
+    };
+    for (const DeviceView &device : m_workbench.snapshot().devices) {
+        if (device.identity.state == DeviceState::Bootloader)
+            continue;
+        for (std::uint16_t i = 0; i < device.family->channels.size(); ++i) {
+            QString name = variableName(device, {i});
+            if (isTaken(name)) // the same number on another link
+                name += QStringLiteral("_%1").arg(device.id.value);
+            all.push_back({name, {device.id, {i}}});
+        }
+    }
+    return all;
+}
+
+void SignalBook::compile(Derived &derived)
+{
+    const auto all = variables();
+    std::vector<std::string> names;
+    for (const Variable &variable : all)
+        names.push_back(variable.name.toStdString());
+    auto expression = Expression::parse(derived.formula.toStdString(), names);
+    if (!expression)
+        return;
+    std::vector<DerivedSignal::Input> inputs;
+    derived.inputs.clear();
+    for (const std::size_t used : expression->used()) {
+        inputs.push_back({telemetryOf(all[used].signal), all[used].signal.channel});
+        derived.inputs.push_back(all[used].signal);
+    }
+    derived.signal = std::make_shared<DerivedSignal>(
+        derived.name.toStdString(), derived.unit.toStdString(), std::move(*expression), inputs);
+}
+
+QString SignalBook::whatIsWrong(const QString &name, const QString &formula) const
+{
+    const QString wanted = name.trimmed();
+    if (wanted.isEmpty())
+        return tr("The signal needs a name.");
+    for (const Derived &derived : m_derived) {
+        if (derived.name == wanted)
+            return tr("There is a derived signal of this name.");
+    }
+    std::vector<std::string> names;
+    for (const Variable &variable : variables())
+        names.push_back(variable.name.toStdString());
+    const auto expression = Expression::parse(formula.toStdString(), names);
+    return expression ? QString() : qt(expression.error().text());
+}
+
+Result<Signal> SignalBook::add(const QString &name, const QString &unit, const QString &formula)
+{
+    if (const QString wrong = whatIsWrong(name, formula); !wrong.isEmpty())
+        return fail(Fault::OutOfRange, Message::verbatim(wrong.toStdString()));
+    m_derived.push_back({name.trimmed(), unit.trimmed(), formula.trimmed()});
+    compile(m_derived.back());
+    return Signal{derivedDevice, {static_cast<std::uint16_t>(m_derived.size() - 1)}};
+}
+
+void SignalBook::ensure(const QString &name, const QString &unit, const QString &formula)
+{
+    const bool known
+        = std::any_of(m_derived.begin(), m_derived.end(), [&](const Derived &derived) { return derived.name == name; });
+    if (known || name.isEmpty())
+        return;
+    m_derived.push_back({name, unit, formula});
+    compile(m_derived.back());
+}
+
+void SignalBook::remove(const Signal &signal)
+{
+    if (derivedOf(signal))
+        m_derived[signal.channel.value] = {};
+}
+
+bool SignalBook::complete()
+{
+    bool any = false;
+    for (Derived &derived : m_derived) {
+        if (!derived.signal) {
+            compile(derived);
+            any = any || derived.signal;
+        }
+    }
+    return any;
+}
+
+void SignalBook::advance()
+{
+    for (const Derived &derived : m_derived) {
+        if (derived.signal)
+            derived.signal->advance(advanceMost);
+    }
+}
+
+} // namespace mb

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "recording/derivedsignal.h"
+#include "widgets/common/workbench.h"
+#include "widgets/plots/signallist.h"
+
+#include <QCoreApplication>
+
+#include <deque>
+
+namespace mb {
+
+/// Every signal that can be plotted: the channels of the devices that are there, and what formulas make of them. GUI thread.
+class SignalBook {
+    Q_DECLARE_TR_FUNCTIONS(mb::SignalBook)
+public:
+    struct Derived {
+        QString name;
+        QString unit;
+        QString formula;
+        std::vector<Signal> inputs{};
+        std::shared_ptr<DerivedSignal> signal{}; ///< nothing while a device of its formula is not there
+    };
+    /// A signal as formulas call it: d5_velocity.
+    struct Variable {
+        QString name;
+        Signal signal;
+    };
+
+    explicit SignalBook(Workbench &workbench);
+
+    /// nullptr where the signal is not there (any more).
+    [[nodiscard]] const Channel *rowOf(const Signal &signal) const;
+    [[nodiscard]] std::shared_ptr<const Telemetry> telemetryOf(const Signal &signal) const;
+    /// Of one that is there.
+    [[nodiscard]] QString nameOf(const Signal &signal) const;
+    [[nodiscard]] std::vector<Variable> variables() const;
+
+    /// By their place, which stays while others go; one without a name is gone.
+    [[nodiscard]] const std::deque<Derived> &derived() const { return m_derived; }
+    /// nullptr for the channel of a device.
+    [[nodiscard]] const Derived *derivedOf(const Signal &signal) const;
+    /// Nothing, or what is wrong with the name or the formula.
+    [[nodiscard]] QString whatIsWrong(const QString &name, const QString &formula) const;
+    /// Yields what is wrong with the formula, or the new signal.
+    [[nodiscard]] Result<Signal> add(const QString &name, const QString &unit, const QString &formula);
+    /// As add(), unless there is one of this name.
+    void ensure(const QString &name, const QString &unit, const QString &formula);
+    void remove(const Signal &signal);
+    /// Devices have come: whether a formula has all of its own now.
+    [[nodiscard]] bool complete();
+    /// Goes on computing, for a few milliseconds at most.
+    void advance();
+
+private:
+    void compile(Derived &derived);
+
+    Workbench &m_workbench;
+    std::deque<Derived> m_derived;
+};
+
+} // namespace mb
