@@ -82,6 +82,52 @@ std::optional<Edge> ledEdge(const Trace &told, double ordered, double target, do
     return {};
 }
 
+/// As edgeOf(), of the end of a push; `whole`: when all of its duty was gone.
+Edge releaseOf(const Trace &duty, double ordered, double target)
+{
+    double area = 0.0; // of the share that is still there, since it was ordered
+    double before = ordered;
+    double last = 1.0;
+    int between = 0;
+    for (std::size_t i = 1; i < duty.size() && duty.t[i] <= ordered + edgeSearch; ++i) {
+        const double share = std::clamp(duty.y[i] / target, 0.0, 1.0);
+        if (duty.t[i] < ordered - edgeBefore || (duty.t[i] < ordered && share >= wholeShare))
+            continue;
+        if (share < leastShare && between == 0) {
+            const double at = std::clamp(ordered, duty.t[i - 1], duty.t[i]);
+            return {at, at};
+        }
+        const double now = std::max(duty.t[i], ordered);
+        area += 0.5 * (last + share) * (now - before);
+        if (share < leastShare)
+            return {ordered + area, now};
+        before = now;
+        last = share;
+        between += share < wholeShare ? 1 : 0;
+    }
+    return {ordered, ordered};
+}
+
+/// As ledEdge().
+std::optional<Edge> ledRelease(const Trace &told, double ordered, double target)
+{
+    double area = 0.0;
+    double before = ordered;
+    double last = 1.0;
+    int between = 0;
+    for (std::size_t i = 0; i < told.size() && told.t[i] <= ordered + edgeSearch; ++i) {
+        if (told.t[i] < ordered)
+            continue;
+        area += last * (told.t[i] - before);
+        before = told.t[i];
+        last = std::clamp(told.y[i] / target, 0.0, 1.0);
+        if (last < leastShare)
+            return between < fewestSteps ? std::nullopt : std::optional(Edge{ordered + area, told.t[i]});
+        between += last < wholeShare ? 1 : 0;
+    }
+    return {};
+}
+
 } // namespace
 
 Edge edgeOf(const Trial &trial, double ordered, double friction)
@@ -105,26 +151,13 @@ double releaseOf(const Trial &trial, double ordered)
     if (!duty)
         return ordered;
     const double target = trial.stimulus.to;
-    const Trace &trace = duty->trace;
-    double area = 0.0; // of the share that is still there, since it was ordered
-    double before = ordered;
-    double last = 1.0;
-    int between = 0;
-    for (std::size_t i = 1; i < trace.size() && trace.t[i] <= ordered + edgeSearch; ++i) {
-        const double share = std::clamp(trace.y[i] / target, 0.0, 1.0);
-        if (trace.t[i] < ordered - edgeBefore || (trace.t[i] < ordered && share >= wholeShare))
-            continue;
-        if (share < leastShare && between == 0)
-            return std::clamp(ordered, trace.t[i - 1], trace.t[i]);
-        const double now = std::max(trace.t[i], ordered);
-        area += 0.5 * (last + share) * (now - before);
-        if (share < leastShare)
-            return ordered + area;
-        before = now;
-        last = share;
-        between += share < wholeShare ? 1 : 0;
-    }
-    return ordered;
+    const Edge sampled = releaseOf(duty->trace, ordered, target);
+    const Signal *const told = trial.signal("setpoint");
+    if (sampled.whole == sampled.at || !told)
+        return sampled.at;
+    const auto led = ledRelease(told->trace, ordered, target);
+    const bool arrived = led && std::abs(sampled.whole - led->whole) <= laterSamples * samplePeriod(duty->trace);
+    return arrived ? led->at : sampled.at;
 }
 
 } // namespace mb::tuning

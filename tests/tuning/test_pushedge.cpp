@@ -61,6 +61,18 @@ TEST(PushEdge, OfADriveThatRampsByItselfIsThatOfItsSamples)
     EXPECT_NEAR(edgeOf(trial, 0.0, 0.0).at, missing, 1e-9);
 }
 
+TEST(PushRelease, OfADutyThatIsLedDownInStepsIsExactHoweverItIsSampled)
+{
+    for (const double after : {0.001, 0.005, 0.01, 0.019}) {
+        Trial trial = ledPush(after);
+        for (Signal &signal : trial.signals) {
+            for (double &y : signal.trace.y)
+                y = target - y;
+        }
+        EXPECT_NEAR(releaseOf(trial, 0.0), exact, 1e-9) << after;
+    }
+}
+
 TEST(PushEdge, IsTheOrderWhereNoDutyIsTold)
 {
     Trial trial;

@@ -19,7 +19,8 @@ constexpr StoryStep taming[] = {
         QT_TRANSLATE_NOOP("Stories", "Click %1 in the list at the left. Everything that follows is about it.")},
     {Proof::Armed, Place::Tune, QT_TRANSLATE_NOOP("Stories", "Arm"),
         QT_TRANSLATE_NOOP("Stories",
-            "Hold the Arm button at the top, SAFE, for one second (or Ctrl+Shift+F12). Nothing moves before. Esc stops, "
+            "Hold the Arm button at the top, SAFE, for one second (or Ctrl+Shift+F12). Nothing moves before. Esc "
+            "stops, "
             "always.")},
     {Proof::Stepped, Place::Tune, QT_TRANSLATE_NOOP("Stories", "Step"),
         QT_TRANSLATE_NOOP("Stories", "Press %2: the motor steps to a speed and back, and the overshoot is measured."),
