@@ -11,7 +11,6 @@ KNOWN_UNITS = [
     {"devices/service/queuebus", "devices/service/servicequeue"},
     {"devices/tuning/direction", "devices/tuning/experiment", "devices/tuning/experimentrun", "devices/tuning/owedgains"},
     {"devices/tuning/gainrules", "devices/tuning/margins"},
-    {"widgets/monitor/framefilter", "widgets/monitor/framefilterparser"},
 ]
 KNOWN_FOLDERS = []
 

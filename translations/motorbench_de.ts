@@ -453,6 +453,9 @@
         <source>&apos;(&apos; is not closed: a &apos;)&apos; is missing</source>
         <translation>„(“ ist nicht geschlossen: ein „)“ fehlt</translation>
     </message>
+</context>
+<context>
+    <name>FrameTermReader</name>
     <message>
         <source>&apos;%1&apos;: a comparison begins with field., such as field.%1</source>
         <translation>„%1“: ein Vergleich beginnt mit field., etwa field.%1</translation>
@@ -1974,48 +1977,12 @@
         <translation>Bus</translation>
     </message>
     <message>
-        <source>Frames</source>
-        <translation>Frames</translation>
-    </message>
-    <message>
-        <source>Identifiers</source>
-        <translation>Identifier</translation>
-    </message>
-    <message>
-        <source>Bus load, %</source>
-        <translation>Buslast, %</translation>
-    </message>
-    <message>
         <source>not kept %1</source>
         <translation>nicht aufbewahrt %1</translation>
     </message>
     <message>
         <source>%1 of %2 shown</source>
         <translation>%1 von %2 angezeigt</translation>
-    </message>
-    <message>
-        <source>last 60 s, peak %1 %</source>
-        <translation>letzte 60 s, Spitze %1 %</translation>
-    </message>
-    <message>
-        <source>%1 identifiers</source>
-        <translation>%1 Identifier</translation>
-    </message>
-    <message>
-        <source>busiest %1, %2 frames/s</source>
-        <translation>am häufigsten %1, %2 Frames/s</translation>
-    </message>
-    <message>
-        <source>%1 frames of identifiers without a row</source>
-        <translation>%1 Frames von Identifiern ohne Zeile</translation>
-    </message>
-    <message>
-        <source>%1 frames that no decoder knows</source>
-        <translation>%1 Frames, die kein Decoder kennt</translation>
-    </message>
-    <message>
-        <source>error counters TEC %1, REC %2</source>
-        <translation>Fehlerzähler TEC %1, REC %2</translation>
     </message>
     <message>
         <source>Export all frames</source>
@@ -2052,6 +2019,48 @@
     <message>
         <source>finds the one before</source>
         <translation>findet den vorigen</translation>
+    </message>
+</context>
+<context>
+    <name>mb::BusSide</name>
+    <message>
+        <source>Bus load, %</source>
+        <translation>Buslast, %</translation>
+    </message>
+    <message>
+        <source>last 60 s, peak %1 %</source>
+        <translation>letzte 60 s, Spitze %1 %</translation>
+    </message>
+    <message>
+        <source>%1 identifiers</source>
+        <translation>%1 Identifier</translation>
+    </message>
+    <message>
+        <source>busiest %1, %2 frames/s</source>
+        <translation>am häufigsten %1, %2 Frames/s</translation>
+    </message>
+    <message>
+        <source>%1 frames of identifiers without a row</source>
+        <translation>%1 Frames von Identifiern ohne Zeile</translation>
+    </message>
+    <message>
+        <source>%1 frames that no decoder knows</source>
+        <translation>%1 Frames, die kein Decoder kennt</translation>
+    </message>
+    <message>
+        <source>error counters TEC %1, REC %2</source>
+        <translation>Fehlerzähler TEC %1, REC %2</translation>
+    </message>
+</context>
+<context>
+    <name>mb::BusTables</name>
+    <message>
+        <source>Frames</source>
+        <translation>Frames</translation>
+    </message>
+    <message>
+        <source>Identifiers</source>
+        <translation>Identifier</translation>
     </message>
 </context>
 <context>

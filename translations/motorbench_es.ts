@@ -453,6 +453,9 @@
         <source>&apos;(&apos; is not closed: a &apos;)&apos; is missing</source>
         <translation>«(» sin cerrar: falta «)»</translation>
     </message>
+</context>
+<context>
+    <name>FrameTermReader</name>
     <message>
         <source>&apos;%1&apos;: a comparison begins with field., such as field.%1</source>
         <translation>«%1»: una comparación empieza por field., por ejemplo field.%1</translation>
@@ -1974,18 +1977,6 @@
         <translation>Bus</translation>
     </message>
     <message>
-        <source>Frames</source>
-        <translation>Tramas</translation>
-    </message>
-    <message>
-        <source>Identifiers</source>
-        <translation>Identificadores</translation>
-    </message>
-    <message>
-        <source>Bus load, %</source>
-        <translation>Carga del bus, %</translation>
-    </message>
-    <message>
         <source>pauses the list, and goes on</source>
         <translation>pausa la lista y la reanuda</translation>
     </message>
@@ -2014,6 +2005,29 @@
         <translation>%1 de %2 mostradas</translation>
     </message>
     <message>
+        <source>Export all frames</source>
+        <translation>Exportar todas las tramas</translation>
+    </message>
+    <message>
+        <source>Export the frames that are shown</source>
+        <translation>Exportar las tramas mostradas</translation>
+    </message>
+    <message>
+        <source>candump log (*.log)</source>
+        <translation>Registro candump (*.log)</translation>
+    </message>
+    <message>
+        <source>%1 frames written to %2</source>
+        <translation>%1 tramas escritas en %2</translation>
+    </message>
+</context>
+<context>
+    <name>mb::BusSide</name>
+    <message>
+        <source>Bus load, %</source>
+        <translation>Carga del bus, %</translation>
+    </message>
+    <message>
         <source>last 60 s, peak %1 %</source>
         <translation>últimos 60 s, pico %1 %</translation>
     </message>
@@ -2037,21 +2051,16 @@
         <source>error counters TEC %1, REC %2</source>
         <translation>contadores de errores TEC %1, REC %2</translation>
     </message>
+</context>
+<context>
+    <name>mb::BusTables</name>
     <message>
-        <source>Export all frames</source>
-        <translation>Exportar todas las tramas</translation>
+        <source>Frames</source>
+        <translation>Tramas</translation>
     </message>
     <message>
-        <source>Export the frames that are shown</source>
-        <translation>Exportar las tramas mostradas</translation>
-    </message>
-    <message>
-        <source>candump log (*.log)</source>
-        <translation>Registro candump (*.log)</translation>
-    </message>
-    <message>
-        <source>%1 frames written to %2</source>
-        <translation>%1 tramas escritas en %2</translation>
+        <source>Identifiers</source>
+        <translation>Identificadores</translation>
     </message>
 </context>
 <context>

@@ -453,6 +453,9 @@
         <source>&apos;(&apos; is not closed: a &apos;)&apos; is missing</source>
         <translation>«&#xa0;(&#xa0;» n’est pas fermé&#xa0;: il manque un «&#xa0;)&#xa0;»</translation>
     </message>
+</context>
+<context>
+    <name>FrameTermReader</name>
     <message>
         <source>&apos;%1&apos;: a comparison begins with field., such as field.%1</source>
         <translation>«&#xa0;%1&#xa0;»&#xa0;: une comparaison commence par field., par exemple field.%1</translation>
@@ -1974,18 +1977,6 @@
         <translation>Bus</translation>
     </message>
     <message>
-        <source>Frames</source>
-        <translation>Trames</translation>
-    </message>
-    <message>
-        <source>Identifiers</source>
-        <translation>Identifiants</translation>
-    </message>
-    <message>
-        <source>Bus load, %</source>
-        <translation>Charge du bus, %</translation>
-    </message>
-    <message>
         <source>pauses the list, and goes on</source>
         <translation>met la liste en pause, puis la reprend</translation>
     </message>
@@ -2014,6 +2005,29 @@
         <translation>%1 sur %2 affichées</translation>
     </message>
     <message>
+        <source>Export all frames</source>
+        <translation>Exporter toutes les trames</translation>
+    </message>
+    <message>
+        <source>Export the frames that are shown</source>
+        <translation>Exporter les trames affichées</translation>
+    </message>
+    <message>
+        <source>candump log (*.log)</source>
+        <translation>Journal candump (*.log)</translation>
+    </message>
+    <message>
+        <source>%1 frames written to %2</source>
+        <translation>%1 trames écrites dans %2</translation>
+    </message>
+</context>
+<context>
+    <name>mb::BusSide</name>
+    <message>
+        <source>Bus load, %</source>
+        <translation>Charge du bus, %</translation>
+    </message>
+    <message>
         <source>last 60 s, peak %1 %</source>
         <translation>60 dernières s, pic %1 %</translation>
     </message>
@@ -2037,21 +2051,16 @@
         <source>error counters TEC %1, REC %2</source>
         <translation>compteurs d’erreurs TEC %1, REC %2</translation>
     </message>
+</context>
+<context>
+    <name>mb::BusTables</name>
     <message>
-        <source>Export all frames</source>
-        <translation>Exporter toutes les trames</translation>
+        <source>Frames</source>
+        <translation>Trames</translation>
     </message>
     <message>
-        <source>Export the frames that are shown</source>
-        <translation>Exporter les trames affichées</translation>
-    </message>
-    <message>
-        <source>candump log (*.log)</source>
-        <translation>Journal candump (*.log)</translation>
-    </message>
-    <message>
-        <source>%1 frames written to %2</source>
-        <translation>%1 trames écrites dans %2</translation>
+        <source>Identifiers</source>
+        <translation>Identifiants</translation>
     </message>
 </context>
 <context>

@@ -453,6 +453,9 @@
         <source>&apos;(&apos; is not closed: a &apos;)&apos; is missing</source>
         <translation>「(」が閉じていません: 「)」がありません</translation>
     </message>
+</context>
+<context>
+    <name>FrameTermReader</name>
     <message>
         <source>&apos;%1&apos;: a comparison begins with field., such as field.%1</source>
         <translation>「%1」: 比較は field. で始めます (例: field.%1)</translation>
@@ -1972,18 +1975,6 @@
         <translation>バス</translation>
     </message>
     <message>
-        <source>Frames</source>
-        <translation>フレーム</translation>
-    </message>
-    <message>
-        <source>Identifiers</source>
-        <translation>識別子</translation>
-    </message>
-    <message>
-        <source>Bus load, %</source>
-        <translation>バス負荷、%</translation>
-    </message>
-    <message>
         <source>pauses the list, and goes on</source>
         <translation>リストを一時停止、再開します</translation>
     </message>
@@ -2012,6 +2003,29 @@
         <translation>%2 中 %1 を表示</translation>
     </message>
     <message>
+        <source>Export all frames</source>
+        <translation>全フレームのエクスポート</translation>
+    </message>
+    <message>
+        <source>Export the frames that are shown</source>
+        <translation>表示中のフレームのエクスポート</translation>
+    </message>
+    <message>
+        <source>candump log (*.log)</source>
+        <translation>candump ログ (*.log)</translation>
+    </message>
+    <message>
+        <source>%1 frames written to %2</source>
+        <translation>%1 フレームを %2 に書き出しました</translation>
+    </message>
+</context>
+<context>
+    <name>mb::BusSide</name>
+    <message>
+        <source>Bus load, %</source>
+        <translation>バス負荷、%</translation>
+    </message>
+    <message>
         <source>last 60 s, peak %1 %</source>
         <translation>直近 60 s、ピーク %1 %</translation>
     </message>
@@ -2035,21 +2049,16 @@
         <source>error counters TEC %1, REC %2</source>
         <translation>エラーカウンタ TEC %1、REC %2</translation>
     </message>
+</context>
+<context>
+    <name>mb::BusTables</name>
     <message>
-        <source>Export all frames</source>
-        <translation>全フレームのエクスポート</translation>
+        <source>Frames</source>
+        <translation>フレーム</translation>
     </message>
     <message>
-        <source>Export the frames that are shown</source>
-        <translation>表示中のフレームのエクスポート</translation>
-    </message>
-    <message>
-        <source>candump log (*.log)</source>
-        <translation>candump ログ (*.log)</translation>
-    </message>
-    <message>
-        <source>%1 frames written to %2</source>
-        <translation>%1 フレームを %2 に書き出しました</translation>
+        <source>Identifiers</source>
+        <translation>識別子</translation>
     </message>
 </context>
 <context>

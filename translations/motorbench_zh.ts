@@ -453,6 +453,9 @@
         <source>&apos;(&apos; is not closed: a &apos;)&apos; is missing</source>
         <translation>“(”未闭合：缺少“)”</translation>
     </message>
+</context>
+<context>
+    <name>FrameTermReader</name>
     <message>
         <source>&apos;%1&apos;: a comparison begins with field., such as field.%1</source>
         <translation>“%1”：比较须以 field. 开头，例如 field.%1</translation>
@@ -1972,18 +1975,6 @@
         <translation>总线</translation>
     </message>
     <message>
-        <source>Frames</source>
-        <translation>帧</translation>
-    </message>
-    <message>
-        <source>Identifiers</source>
-        <translation>标识符</translation>
-    </message>
-    <message>
-        <source>Bus load, %</source>
-        <translation>总线负载，%</translation>
-    </message>
-    <message>
         <source>pauses the list, and goes on</source>
         <translation>暂停列表，或继续</translation>
     </message>
@@ -2012,6 +2003,29 @@
         <translation>显示 %1，共 %2</translation>
     </message>
     <message>
+        <source>Export all frames</source>
+        <translation>导出全部帧</translation>
+    </message>
+    <message>
+        <source>Export the frames that are shown</source>
+        <translation>导出显示的帧</translation>
+    </message>
+    <message>
+        <source>candump log (*.log)</source>
+        <translation>candump 日志 (*.log)</translation>
+    </message>
+    <message>
+        <source>%1 frames written to %2</source>
+        <translation>已将 %1 帧写入 %2</translation>
+    </message>
+</context>
+<context>
+    <name>mb::BusSide</name>
+    <message>
+        <source>Bus load, %</source>
+        <translation>总线负载，%</translation>
+    </message>
+    <message>
         <source>last 60 s, peak %1 %</source>
         <translation>最近 60 s，峰值 %1 %</translation>
     </message>
@@ -2035,21 +2049,16 @@
         <source>error counters TEC %1, REC %2</source>
         <translation>错误计数器 TEC %1，REC %2</translation>
     </message>
+</context>
+<context>
+    <name>mb::BusTables</name>
     <message>
-        <source>Export all frames</source>
-        <translation>导出全部帧</translation>
+        <source>Frames</source>
+        <translation>帧</translation>
     </message>
     <message>
-        <source>Export the frames that are shown</source>
-        <translation>导出显示的帧</translation>
-    </message>
-    <message>
-        <source>candump log (*.log)</source>
-        <translation>candump 日志 (*.log)</translation>
-    </message>
-    <message>
-        <source>%1 frames written to %2</source>
-        <translation>已将 %1 帧写入 %2</translation>
+        <source>Identifiers</source>
+        <translation>标识符</translation>
     </message>
 </context>
 <context>

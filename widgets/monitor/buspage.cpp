@@ -1,32 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/monitor/buspage.h"
 
+#include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/numberformat.h"
 #include "widgets/common/pagekeys.h"
 #include "widgets/common/replaybar.h"
 #include "widgets/monitor/busbar.h"
-#include "widgets/monitor/busloadview.h"
+#include "widgets/monitor/busside.h"
+#include "widgets/monitor/bustables.h"
 #include "widgets/monitor/framedetail.h"
+#include "widgets/monitor/frameexport.h"
 #include "widgets/monitor/framemodel.h"
+#include "widgets/monitor/frametext.h"
 #include "widgets/monitor/idmodel.h"
 #include "widgets/monitor/recordstrip.h"
 #include "widgets/monitor/sendpanel.h"
-#include "widgets/monitor/trafficview.h"
 
 #include <QApplication>
 #include <QClipboard>
-#include <QHeaderView>
-#include <QScrollArea>
-#include <QScrollBar>
-#include <QShortcut>
-#include <QSplitter>
+#include <QFileDialog>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace mb {
 namespace {
 
 constexpr std::chrono::milliseconds refreshTime{50};
+constexpr Duration idsTime = std::chrono::milliseconds(200);
 
 } // namespace
 
@@ -43,23 +46,9 @@ BusPage::BusPage(Workbench &workbench, Arming &arming, const ThemeSource &theme,
 {
     setObjectName(QStringLiteral("busPage"));
     setAccessibleName(tr("Bus"));
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    buildTables();
-    buildSide();
+    buildContent();
     buildKeys();
-    m_send->hide();
-    auto *panel = new QVBoxLayout;
-    panel->setContentsMargins(theme.theme().u(12), 0, theme.theme().u(12), 0);
-    panel->setSpacing(0);
-    panel->addWidget(m_send);
-    m_bar->addButton(m_record->button());
-    for (QWidget *part : std::initializer_list<QWidget *>{m_bar, m_record, m_replay})
-        column->addWidget(part);
-    column->addLayout(panel);
-    column->addWidget(separatorLine(Qt::Horizontal, this));
-    column->addWidget(m_outer, 1);
+    buildColumn();
     m_tick.setInterval(refreshTime);
     connect(&m_tick, &QTimer::timeout, this, &BusPage::tick);
     connect(&workbench, &Workbench::changed, this, &BusPage::followLinks);
@@ -69,89 +58,44 @@ BusPage::BusPage(Workbench &workbench, Arming &arming, const ThemeSource &theme,
     });
 }
 
-void BusPage::buildTables()
+void BusPage::buildColumn()
 {
-    m_outer = new QSplitter(Qt::Horizontal, this);
-    auto *stack = new QSplitter(Qt::Vertical, m_outer);
-    m_lower = new QSplitter(Qt::Horizontal, stack);
-    m_table = new TrafficView(m_theme, tr("Frames"), {88, 66, 54, 88, 132, 42, 240, 208}, FrameModel::Decoded, stack);
-    m_table->setSpare(FrameModel::Data);
-    m_table->setModel(m_model);
-    m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
-    m_idTable = new TrafficView(
-        m_theme, tr("Identifiers"), {88, 50, 122, 42, 64, 72, 84, 208, 118, 100}, IdModel::Value, m_lower);
-    m_idTable->setSpare(IdModel::Data);
-    m_idTable->setSharing(IdModel::Spark);
-    m_idTable->setModel(m_ids);
-    m_idTable->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_idTable->setContextMenuPolicy(Qt::CustomContextMenu);
-    m_idTable->horizontalHeader()->setSortIndicator(IdModel::Id, Qt::AscendingOrder);
-    m_idTable->setSortingEnabled(true);
-    stack->addWidget(m_table);
-    stack->addWidget(m_lower);
-    stack->setStretchFactor(0, 3);
-    stack->setStretchFactor(1, 2);
-    stack->setChildrenCollapsible(true);
-    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &BusPage::showSelected);
-    connect(m_idTable, &QWidget::customContextMenuRequested, this, &BusPage::chooseField);
-    connect(m_model, &FrameModel::olderFound, this, [this] {
-        if (!m_paused)
-            toEnd();
-    });
-    // Looking back must not be scrolled away: the view stops following, the log goes on.
-    connect(m_table->verticalScrollBar(), &QScrollBar::actionTriggered, this, [this] {
-        const QScrollBar *bar = m_table->verticalScrollBar();
-        setPaused(bar->sliderPosition() < bar->maximum());
-    });
+    const Theme &theme = m_theme.theme();
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    m_send->hide();
+    auto *panel = new QVBoxLayout;
+    panel->setContentsMargins(theme.u(12), 0, theme.u(12), 0);
+    panel->setSpacing(0);
+    panel->addWidget(m_send);
+    m_bar->addButton(m_record->button());
+    for (QWidget *part : std::initializer_list<QWidget *>{m_bar, m_record, m_replay})
+        column->addWidget(part);
+    column->addLayout(panel);
+    column->addWidget(separatorLine(Qt::Horizontal, this));
+    column->addWidget(m_outer, 1);
 }
 
-void BusPage::buildSide()
+void BusPage::buildContent()
 {
-    // At large fonts it is higher than the room that is left.
-    auto *scroll = new QScrollArea(m_outer);
-    m_side = scroll;
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setFocusPolicy(Qt::NoFocus);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    auto *content = new QWidget(scroll);
-    setStyleProperty(*content, "surface", QStringLiteral("window"));
-    content->setAttribute(Qt::WA_StyledBackground);
-    scroll->setWidget(content);
-    buildSideContent(*content);
-    scroll->setMinimumWidth(content->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
+    m_outer = new QSplitter(Qt::Horizontal, this);
+    m_tables = new BusTables(m_theme, *m_model, *m_ids, m_outer);
+    m_side = new BusSide(m_theme, m_outer);
     m_outer->addWidget(m_side);
     m_outer->setStretchFactor(0, 1);
     m_outer->setStretchFactor(1, 0);
-}
-
-void BusPage::buildSideContent(QWidget &content)
-{
-    const Theme &theme = m_theme.theme();
-    auto *column = new QVBoxLayout(&content);
-    column->setContentsMargins(0, 0, 0, theme.u(8));
-    column->setSpacing(theme.u(4));
-    m_detail = new FrameDetail(m_theme, &content);
-    m_load = new BusLoadView(m_theme, &content);
-    m_loadCaption = textLabel({}, TextRole::Caption, Tone::Dim, &content);
-    m_facts = textLabel({}, TextRole::Caption, Tone::Dim, &content);
-    m_facts->setWordWrap(true);
-    auto *head = new QHBoxLayout;
-    head->setContentsMargins(theme.u(12), 0, theme.u(12), 0);
-    head->addWidget(new SectionLabel(tr("Bus load, %"), &content));
-    head->addStretch();
-    head->addWidget(m_loadCaption);
-    auto *foot = new QVBoxLayout;
-    foot->setContentsMargins(theme.u(12), 0, theme.u(12), 0);
-    foot->addWidget(m_load);
-    foot->addWidget(m_facts);
-    column->addWidget(m_detail, 1);
-    column->addWidget(separatorLine(Qt::Horizontal, &content));
-    column->addLayout(head);
-    column->addLayout(foot);
-    connect(
-        m_detail, &FrameDetail::copyRequested, this, [this] { QApplication::clipboard()->setText(selectedText()); });
-    connect(m_detail, &FrameDetail::sendRequested, this, [this](const CanFrame &frame) {
+    const auto copy = [this] { QApplication::clipboard()->setText(selectedText()); };
+    connect(m_tables, &BusTables::currentChanged, this, &BusPage::showSelected);
+    connect(m_tables, &BusTables::copyRequested, this, copy);
+    // Looking back must not be scrolled away: the view stops following, the log goes on.
+    connect(m_tables, &BusTables::scrolled, this, &BusPage::setPaused);
+    connect(m_model, &FrameModel::olderFound, this, [this] {
+        if (!m_paused)
+            m_tables->toEnd();
+    });
+    connect(&m_side->detail(), &FrameDetail::copyRequested, this, copy);
+    connect(&m_side->detail(), &FrameDetail::sendRequested, this, [this](const CanFrame &frame) {
         m_bar->setSendShown(true);
         m_send->setFrame(frame);
     });
@@ -164,15 +108,12 @@ void BusPage::buildKeys()
     keys->add({QKeySequence::Find}, tr("goes to the filter"), [this] { m_bar->focusFilter(); });
     keys->add({Qt::Key_F3}, tr("finds the next one"), [this] { find(true); });
     keys->add({QKeySequence(QStringLiteral("Shift+F3"))}, tr("finds the one before"), [this] { find(false); });
-    auto *copy = new QShortcut(QKeySequence::Copy, m_table);
-    copy->setContext(Qt::WidgetShortcut);
-    connect(copy, &QShortcut::activated, this, [this] { QApplication::clipboard()->setText(selectedText()); });
     connect(m_bar, &BusBar::linkChanged, this, &BusPage::followLinks);
     connect(m_bar, &BusBar::filterChanged, this, &BusPage::applyFilter);
     connect(m_bar, &BusBar::findRequested, this, &BusPage::find);
     connect(m_bar, &BusBar::pauseRequested, this, [this] { setPaused(!m_paused); });
     connect(m_bar, &BusBar::clearRequested, m_model, &FrameModel::clear);
-    connect(m_bar, &BusBar::clearRequested, m_detail, &FrameDetail::clear);
+    connect(m_bar, &BusBar::clearRequested, &m_side->detail(), &FrameDetail::clear);
     connect(m_bar, &BusBar::exportRequested, this, &BusPage::askWhereTo);
     connect(m_bar, &BusBar::sendToggled, m_send, &QWidget::setVisible);
 }
@@ -183,12 +124,164 @@ void BusPage::setPaused(bool paused)
     m_model->setFrozen(paused);
     m_bar->setPaused(paused);
     if (!paused)
-        toEnd();
+        m_tables->toEnd();
 }
 
-void BusPage::toEnd()
+const LinkView *BusPage::link() const
 {
-    m_table->scrollToBottom();
+    const Snapshot &shot = m_workbench.snapshot();
+    const auto current = static_cast<std::size_t>(m_bar->link());
+    return current < shot.links.size() ? &shot.links[current] : nullptr;
+}
+
+void BusPage::followLinks()
+{
+    if (const LinkView *shown = link(); m_side->keepLoads(m_workbench.snapshot()) && shown && isVisible())
+        m_side->showLoads(shown->address);
+    if (!isVisible())
+        return;
+    QStringList names;
+    for (const LinkView &link : m_workbench.snapshot().links)
+        names += QString::fromStdString(link.name);
+    m_bar->setLinks(names);
+    followWanted();
+    const LinkView *shown = link();
+    if (!shown)
+        return;
+    const FrameDecoder decoder = decoderFor(m_workbench.snapshot(), shown->address);
+    m_model->setDecoder(decoder);
+    m_ids->setDecoder(decoder);
+    m_model->setSource(shown->traffic);
+    m_ids->setSource(shown->traffic);
+    m_send->setLink(shown->address);
+    m_record->setLink(shown->address);
+    m_replay->setLink(shown->address);
+}
+
+void BusPage::showLink(const std::string &address)
+{
+    m_wanted = address;
+    followLinks();
+}
+
+void BusPage::followWanted()
+{
+    const std::vector<LinkView> &links = m_workbench.snapshot().links;
+    const auto found
+        = std::find_if(links.begin(), links.end(), [this](const LinkView &l) { return l.address == m_wanted; });
+    if (m_wanted.empty() || found == links.end())
+        return;
+    m_wanted.clear(); // first: this comes here again
+    m_bar->setLink(static_cast<int>(found - links.begin()));
+}
+
+void BusPage::applyFilter(const FrameFilter &filter, const FrameFilter &search)
+{
+    m_model->setFilter(filter);
+    m_model->setSearch(search);
+    m_ids->setFilter(search.isEmpty() ? filter : FrameFilter::both(filter, search));
+    if (!m_paused)
+        m_tables->toEnd();
+}
+
+void BusPage::find(bool forward)
+{
+    const auto current = m_tables->current();
+    const int from = current ? *current + (forward ? 1 : -1) : forward ? 0 : m_model->rowCount() - 1;
+    const int found = m_model->findFrom(from, forward);
+    if (found < 0)
+        return;
+    setPaused(true);
+    m_tables->goTo(found);
+}
+
+void BusPage::tick()
+{
+    if (m_model->fetch() && !m_paused)
+        m_tables->toEnd();
+    const LinkView *shown = link();
+    const Instant now = m_workbench.now();
+    if (!shown || now - m_idsAt < idsTime)
+        return;
+    m_idsAt = now;
+    m_ids->refresh(m_workbench.presentOf(shown->address));
+    showState(*shown);
+}
+
+void BusPage::showState(const LinkView &link)
+{
+    const auto bold = [this](const QString &text, const QColor &color) {
+        return QStringLiteral("<b style='color:%1'>%2</b>").arg(color.name(), text);
+    };
+    const Theme &theme = m_theme.theme();
+    const auto count = [](std::uint64_t number) { return formatCount(static_cast<qint64>(number)); };
+    QString state = tr("load %1 &nbsp; frames/s %2 &nbsp; dropped %3 &nbsp; errors %4")
+                        .arg(bold(formatValue(link.load * 100.0, 0, QStringLiteral("%")), theme.text),
+                            bold(formatNumber(m_rate.of(link, m_workbench.now()), 0), theme.text),
+                            bold(count(link.counters.lost), link.counters.lost > 0 ? theme.caution : theme.ok),
+                            bold(count(link.counters.errors), link.counters.errors > 0 ? theme.danger : theme.ok));
+    if (m_model->skipped() > 0)
+        state += QStringLiteral(" &nbsp; ") + tr("not kept %1").arg(bold(count(m_model->skipped()), theme.caution));
+    m_bar->setState(state);
+    m_bar->setResult(
+        tr("%1 of %2 shown")
+            .arg(formatCount(m_model->rowCount()), formatCount(static_cast<qint64>(m_model->kept().size()))));
+    m_side->showFacts(link, *m_ids);
+}
+
+void BusPage::showSelected()
+{
+    const auto current = m_tables->current();
+    if (!current)
+        return m_side->detail().clear();
+    const FrameRow &row = m_model->row(*current);
+    m_side->detail().show(row, m_model->meaning(row), m_model->decoder(), m_model->origin());
+}
+
+Duration BusPage::exportShift() const
+{
+    const LinkView *shown = link();
+    return shown && shown->simulated ? -m_model->origin().time_since_epoch() : m_workbench.unixOffset();
+}
+
+QString BusPage::selectedText() const
+{
+    const LinkView *shown = link();
+    if (!shown)
+        return {};
+    std::string text;
+    for (const int row : m_tables->selected())
+        text += trafficLine(m_model->row(row).record, shown->name, exportShift()) + '\n';
+    return QString::fromStdString(text);
+}
+
+void BusPage::askWhereTo(bool all)
+{
+    auto *dialog = new QFileDialog(this, all ? tr("Export all frames") : tr("Export the frames that are shown"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setNameFilter(tr("candump log (*.log)"));
+    dialog->setDefaultSuffix(QStringLiteral("log"));
+    connect(dialog, &QFileDialog::fileSelected, this, [this, all](const QString &path) { exportTo(path, all); });
+    dialog->open();
+}
+
+void BusPage::exportTo(const QString &path, bool all)
+{
+    const LinkView *shown = link();
+    if (!shown)
+        return;
+    const auto &kept = m_model->kept();
+    const int count = all ? static_cast<int>(kept.size()) : m_model->rowCount();
+    const auto at = [&](int i) -> const TrafficRecord & {
+        return all ? kept[static_cast<std::size_t>(i)].record : m_model->row(i).record;
+    };
+    const QString name = QString::fromStdString(shown->name);
+    const auto written = exportTraffic(path, count, at, shown->name, exportShift());
+    if (!written)
+        m_workbench.report(Severity::Danger, name, qt(written.error().text()));
+    else
+        m_workbench.report(Severity::Info, name, tr("%1 frames written to %2").arg(formatCount(count), path));
 }
 
 void BusPage::showEvent(QShowEvent *event)
@@ -216,7 +309,7 @@ void BusPage::arrange()
 {
     // Where there is room the detail stands right, full height; otherwise beside the identifiers.
     const Theme &theme = m_theme.theme();
-    QSplitter *home = width() >= theme.u(1150) ? m_outer : m_lower;
+    QSplitter *home = width() >= theme.u(1150) ? m_outer : &m_tables->lower();
     if (m_side->parentWidget() == home)
         return;
     home->addWidget(m_side);

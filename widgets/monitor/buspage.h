@@ -4,28 +4,24 @@
 #include "widgets/common/theme.h"
 #include "widgets/common/workbench.h"
 #include "widgets/monitor/framefilter.h"
+#include "widgets/monitor/framerate.h"
 
 #include <QTimer>
 #include <QWidget>
 
-#include <deque>
-#include <map>
-
-class QLabel;
 class QSplitter;
 
 namespace mb {
 
 class Arming;
 class BusBar;
-class BusLoadView;
-class FrameDetail;
+class BusSide;
+class BusTables;
 class FrameModel;
 class IdModel;
 class RecordStrip;
 class ReplayBar;
 class SendPanel;
-class TrafficView;
 
 /// What passes on one link, decoded: every frame in order, every identifier with its rate, the selected frame in detail, the load;
 /// frames are sent by hand here too. Scrolling back pauses the view, never the recording.
@@ -53,21 +49,16 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
-    void buildTables();
-    void buildSide();
-    void buildSideContent(QWidget &content);
+    void buildContent();
+    void buildColumn();
     void buildKeys();
     void followLinks();
     void followWanted();
-    void followLoad();
     void showState(const LinkView &link);
-    [[nodiscard]] QString factsOf(const LinkView &link) const;
     void showSelected();
     void applyFilter(const FrameFilter &filter, const FrameFilter &search);
     void find(bool forward);
-    void toEnd();
     void askWhereTo(bool all);
-    void chooseField(const QPoint &at);
     void arrange();
     [[nodiscard]] const LinkView *link() const;
     [[nodiscard]] Duration exportShift() const;
@@ -82,22 +73,11 @@ private:
     ReplayBar *m_replay = nullptr;
     std::string m_wanted; ///< to be shown once it is there
     QSplitter *m_outer = nullptr;
-    QSplitter *m_lower = nullptr;
-    TrafficView *m_table = nullptr;
-    TrafficView *m_idTable = nullptr;
-    QWidget *m_side = nullptr;
-    FrameDetail *m_detail = nullptr;
-    BusLoadView *m_load = nullptr;
-    QLabel *m_loadCaption = nullptr;
-    QLabel *m_facts = nullptr;
+    BusTables *m_tables = nullptr;
+    BusSide *m_side = nullptr;
     bool m_paused = false;
-    std::map<std::string, std::deque<double>> m_loads; ///< by address of the link
-    Instant m_loadAt{};
     Instant m_idsAt{};
-    Instant m_rateAt{};
-    std::uint64_t m_rateFrames = 0;
-    std::string m_rateLink;
-    double m_rate = 0.0;
+    FrameRate m_rate;
     QTimer m_tick;
 };
 

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/monitor/framefilterparser.h"
 
+#include "widgets/monitor/framefilterterms.h"
+
 #include <QRegularExpression>
 
 namespace mb {
 namespace {
+
+using Join = FilterTree::Join;
 
 /// Words and brackets; blanks around a comparison do not part it.
 QStringList wordsOf(QString text)
@@ -19,15 +23,15 @@ QStringList wordsOf(QString text)
 
 } // namespace
 
-QString FrameFilterParser::parse(const QString &text)
+FilterTree FrameFilterParser::parse(const QString &text)
 {
     m_words = wordsOf(text);
     if (m_words.isEmpty())
         return {};
-    m_filter.m_root = anyOf();
+    m_tree.root = anyOf();
     if (m_problem.isEmpty() && !atEnd())
         fail(tr("')' has no '(' before it"));
-    return m_problem;
+    return std::move(m_tree);
 }
 
 void FrameFilterParser::fail(const QString &problem)
@@ -42,10 +46,10 @@ bool FrameFilterParser::isNext(const char *word) const
     return !atEnd() && m_words[m_next].compare(QLatin1String(word), Qt::CaseInsensitive) == 0;
 }
 
-std::size_t FrameFilterParser::add(FrameFilter::Join join, std::size_t left, std::size_t right)
+std::size_t FrameFilterParser::add(FilterTree::Node node)
 {
-    m_filter.m_nodes.push_back({join, left, right, {}});
-    return m_filter.m_nodes.size() - 1;
+    m_tree.nodes.push_back(std::move(node));
+    return m_tree.nodes.size() - 1;
 }
 
 std::size_t FrameFilterParser::anyOf()
@@ -53,7 +57,7 @@ std::size_t FrameFilterParser::anyOf()
     std::size_t node = allOf();
     while (isNext("or")) {
         ++m_next;
-        node = add(FrameFilter::Join::Or, node, allOf());
+        node = add({Join::Or, node, allOf(), {}});
     }
     return node;
 }
@@ -64,7 +68,7 @@ std::size_t FrameFilterParser::allOf()
     while (!atEnd() && !isNext("or") && !isNext(")")) {
         if (isNext("and"))
             ++m_next;
-        node = add(FrameFilter::Join::And, node, one());
+        node = add({Join::And, node, one(), {}});
     }
     return node;
 }
@@ -79,9 +83,9 @@ std::size_t FrameFilterParser::one()
     }
     QString word = m_words[m_next++];
     if (word.compare(QLatin1String("not"), Qt::CaseInsensitive) == 0 || word == QLatin1String("-"))
-        return add(FrameFilter::Join::Not, one(), 0);
+        return add({Join::Not, one(), 0, {}});
     if (word.size() > 1 && (word[0] == QLatin1Char('-') || word[0] == QLatin1Char('!')))
-        return add(FrameFilter::Join::Not, addTerm(word.mid(1)), 0);
+        return add({Join::Not, addTerm(word.mid(1)), 0, {}});
     if (word != QLatin1String("("))
         return addTerm(word);
     const std::size_t node = anyOf();
@@ -93,28 +97,11 @@ std::size_t FrameFilterParser::one()
 
 std::size_t FrameFilterParser::addTerm(const QString &word)
 {
-    Term term;
-    bool turned = false;
-    const int colon = word.indexOf(QLatin1Char(':'));
-    if (word.startsWith(QLatin1String("field."), Qt::CaseInsensitive)) {
-        readField(word.mid(6), term);
-    } else if (colon < 0 && word.contains(QRegularExpression(QStringLiteral("[<>=]")))) {
-        fail(tr("'%1': a comparison begins with field., such as field.%1").arg(word));
-    } else if (colon < 0) {
-        term.patterns = {'*' + word.toLower().toStdString() + '*'};
-    } else {
-        const QString key = word.left(colon).toLower();
-        const QString value = word.mid(colon + 1);
-        if (value.isEmpty())
-            fail(tr("'%1:' has nothing after the colon").arg(key));
-        else if (key == QLatin1String("dir") || key == QLatin1String("is"))
-            turned = readState(key, value.toLower(), term);
-        else
-            readKeyed(key, value, term);
-    }
-    m_filter.m_nodes.push_back({FrameFilter::Join::Term, 0, 0, std::move(term)});
-    const std::size_t node = m_filter.m_nodes.size() - 1;
-    return turned ? add(FrameFilter::Join::Not, node, 0) : node;
+    const FrameTermReader read(word);
+    if (!read.problem().isEmpty())
+        fail(read.problem());
+    const std::size_t node = add({Join::Term, 0, 0, read.term()});
+    return read.isTurned() ? add({Join::Not, node, 0, {}}) : node;
 }
 
 } // namespace mb

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/monitor/framefilterterms.h"
+
 #include "model/registry.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
-#include "widgets/monitor/framefilterparser.h"
 
 #include <QRegularExpression>
 
@@ -73,7 +74,27 @@ QString withoutPrefix(QString digits)
 
 } // namespace
 
-void FrameFilterParser::readKeyed(const QString &key, const QString &value, Term &term)
+FrameTermReader::FrameTermReader(const QString &word)
+{
+    static const QRegularExpression comparison(QStringLiteral("[<>=]"));
+    const int colon = word.indexOf(QLatin1Char(':'));
+    const QString key = word.left(colon).toLower();
+    const QString value = word.mid(colon + 1);
+    if (word.startsWith(QLatin1String("field."), Qt::CaseInsensitive))
+        readField(word.mid(6));
+    else if (colon < 0 && word.contains(comparison))
+        fail(tr("'%1': a comparison begins with field., such as field.%1").arg(word));
+    else if (colon < 0)
+        m_term.patterns = {'*' + word.toLower().toStdString() + '*'};
+    else if (value.isEmpty())
+        fail(tr("'%1:' has nothing after the colon").arg(key));
+    else if (key == QLatin1String("dir") || key == QLatin1String("is"))
+        readState(key, value.toLower());
+    else
+        readKeyed(key, value);
+}
+
+void FrameTermReader::readKeyed(const QString &key, const QString &value)
 {
     const auto *const known
         = std::find_if(keys.begin(), keys.end(), [&key](const Key &k) { return key == QLatin1String(k.name); });
@@ -85,74 +106,74 @@ void FrameFilterParser::readKeyed(const QString &key, const QString &value, Term
         return;
     }
     switch (known->key) {
-    case IdKey: return readIds(value, term);
-    case FamilyKey: return readFamilies(value, term);
-    case DeviceKey: return readDevices(value, term);
-    case DataKey: return readData(value, term);
-    default: term.test = Test::Message; term.patterns = patternsOf(value);
+    case IdKey: return readIds(value);
+    case FamilyKey: return readFamilies(value);
+    case DeviceKey: return readDevices(value);
+    case DataKey: return readData(value);
+    default: m_term.test = Test::Message; m_term.patterns = patternsOf(value);
     }
 }
 
-void FrameFilterParser::readIds(const QString &value, Term &term)
+void FrameTermReader::readIds(const QString &value)
 {
     static const QRegularExpression shape(QStringLiteral("^[0-9A-Fa-f*?]{1,9}$"));
-    term.test = Test::Id;
+    m_term.test = Test::Id;
     for (const QString &part : value.split(QLatin1Char(','), Qt::SkipEmptyParts)) {
         const QStringList ends = part.split(QStringLiteral(".."));
         const QString from = withoutPrefix(ends.first());
         const QString to = withoutPrefix(ends.last());
         bool fromGood = false;
         bool toGood = false;
-        const FrameFilter::Range range{from.toUInt(&fromGood, 16), to.toUInt(&toGood, 16)};
+        const FilterTerm::Range range{from.toUInt(&fromGood, 16), to.toUInt(&toGood, 16)};
         if (ends.size() <= 2 && fromGood && toGood)
-            term.ranges.push_back(range);
+            m_term.ranges.push_back(range);
         else if (ends.size() == 1 && shape.match(from).hasMatch())
-            term.patterns.push_back(from.toLower().toStdString());
+            m_term.patterns.push_back(from.toLower().toStdString());
         else
             return fail(tr("'%1' is no identifier: hexadecimal such as 0x2061405, 0x2061* or 100..1FF").arg(part));
     }
 }
 
-void FrameFilterParser::readDevices(const QString &value, Term &term)
+void FrameTermReader::readDevices(const QString &value)
 {
-    term.test = Test::Device;
+    m_term.test = Test::Device;
     for (const QString &part : value.split(QLatin1Char(','), Qt::SkipEmptyParts)) {
         const QStringList ends = part.split(QStringLiteral(".."));
         bool fromGood = false;
         bool toGood = false;
-        const FrameFilter::Range range{ends.first().toUInt(&fromGood), ends.last().toUInt(&toGood)};
+        const FilterTerm::Range range{ends.first().toUInt(&fromGood), ends.last().toUInt(&toGood)};
         if (ends.size() > 2 || !fromGood || !toGood)
             return fail(tr("'%1' is no device number: such as 5, 5,7 or 1..9").arg(part));
-        term.ranges.push_back(range);
+        m_term.ranges.push_back(range);
     }
 }
 
-void FrameFilterParser::readData(const QString &value, Term &term)
+void FrameTermReader::readData(const QString &value)
 {
     static const QRegularExpression shape(QStringLiteral("^[0-9A-Fa-f*?]+$"));
-    term.test = Test::Data;
+    m_term.test = Test::Data;
     for (const QString &part : value.split(QLatin1Char(','), Qt::SkipEmptyParts)) {
         if (!shape.match(part).hasMatch())
             return fail(tr("'%1' are no bytes: hexadecimal such as A125*, without blanks").arg(part));
-        term.patterns.push_back(part.toLower().toStdString());
+        m_term.patterns.push_back(part.toLower().toStdString());
     }
 }
 
-void FrameFilterParser::readFamilies(const QString &value, Term &term)
+void FrameTermReader::readFamilies(const QString &value)
 {
-    term.test = Test::Family;
-    term.patterns = patternsOf(value);
+    m_term.test = Test::Family;
+    m_term.patterns = patternsOf(value);
     QStringList known;
     for (const Family *family : families())
         known += qt(family->key);
-    for (const std::string &pattern : term.patterns) {
+    for (const std::string &pattern : m_term.patterns) {
         if (std::none_of(families().begin(), families().end(),
                 [&pattern](const Family *family) { return wildcardMatches(pattern, family->key); }))
             return fail(tr("no family is called '%1'; there is %2").arg(qt(pattern), known.join(QStringLiteral(", "))));
     }
 }
 
-bool FrameFilterParser::readState(const QString &key, const QString &value, Term &term)
+void FrameTermReader::readState(const QString &key, const QString &value)
 {
     struct State {
         const char *name;
@@ -173,15 +194,15 @@ bool FrameFilterParser::readState(const QString &key, const QString &value, Term
                        : tr("'is:%1' is not known; tx, rx, extended, standard, remote, error, unknown, known and "
                             "control are")
                              .arg(value));
-        return false;
+        return;
     }
-    term.test = found->test;
-    return found->turned;
+    m_term.test = found->test;
+    m_turned = found->turned;
 }
 
-void FrameFilterParser::readField(const QString &word, Term &term)
+void FrameTermReader::readField(const QString &word)
 {
-    using Comparison = FrameFilter::Comparison;
+    using Comparison = FilterTerm::Comparison;
     static const QRegularExpression shape(QStringLiteral("^([^<>=!:]*)(?:(>=|<=|!=|==|=|<|>|:)(.*))?$"));
     static const std::map<QString, Comparison> comparisons{{QStringLiteral(">="), Comparison::AtLeast},
         {QStringLiteral("<="), Comparison::AtMost}, {QStringLiteral("!="), Comparison::Differs},
@@ -189,27 +210,27 @@ void FrameFilterParser::readField(const QString &word, Term &term)
         {QStringLiteral(":"), Comparison::Equal}, {QStringLiteral("<"), Comparison::Less},
         {QStringLiteral(">"), Comparison::More}};
     const auto match = shape.match(word);
-    term.test = Test::Field;
-    term.patterns = {match.captured(1).toLower().toStdString()};
+    m_term.test = Test::Field;
+    m_term.patterns = {match.captured(1).toLower().toStdString()};
     if (!match.hasMatch() || match.captured(1).isEmpty())
         return fail(tr("'field.' needs the name of a field, such as field.trgt>100"));
     const QString sign = match.captured(2);
     if (sign.isEmpty())
         return;
-    term.comparison = comparisons.at(sign);
+    m_term.comparison = comparisons.at(sign);
     QString value = match.captured(3);
-    term.percent = value.endsWith(QLatin1Char('%'));
-    if (term.percent)
+    m_term.percent = value.endsWith(QLatin1Char('%'));
+    if (m_term.percent)
         value.chop(1);
     const auto whole = parseInteger(value);
     const auto number = whole ? std::optional<double>(static_cast<double>(*whole)) : parseNumber(value);
     if (!number)
         return fail(value.isEmpty() ? tr("'field.%1%2' needs a number behind it").arg(match.captured(1), sign)
                                     : tr("'%1' is no number").arg(value));
-    term.number = *number;
+    m_term.number = *number;
 }
 
-QString FrameFilterParser::help()
+QString FrameTermReader::help()
 {
     struct Line {
         const char *example;

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/common/theme.h"
+
+#include "model/snapshot.h"
+
+#include <QScrollArea>
+
+#include <deque>
+#include <map>
+
+class QLabel;
+
+namespace mb {
+
+class BusLoadView;
+class FrameDetail;
+class IdModel;
+
+/// Beside the tables of the bus: the frame that is selected, and how loaded the link was during the last minute.
+class BusSide : public QScrollArea {
+    Q_OBJECT
+public:
+    BusSide(const ThemeSource &theme, QWidget *parent);
+
+    [[nodiscard]] FrameDetail &detail() { return *m_detail; }
+    /// Keeps the load of every link, twice a second; whether it did.
+    bool keepLoads(const Snapshot &snapshot);
+    void showLoads(const std::string &link);
+    void showFacts(const LinkView &link, const IdModel &ids);
+
+private:
+    void build(QWidget &content);
+
+    const ThemeSource &m_theme;
+    FrameDetail *m_detail = nullptr;
+    BusLoadView *m_load = nullptr;
+    QLabel *m_caption = nullptr;
+    QLabel *m_facts = nullptr;
+    std::map<std::string, std::deque<double>> m_loads; ///< by address of the link
+    Instant m_keptAt{};
+};
+
+} // namespace mb
