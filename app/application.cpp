@@ -9,6 +9,7 @@
 #include "app/tour.h"
 #include "app/welcome.h"
 #include "model/registry.h"
+#include "widgets/common/applytheme.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/systemtheme.h"
 #include "widgets/control/envelopepanel.h"

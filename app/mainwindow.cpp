@@ -20,6 +20,7 @@
 #include "widgets/common/icons.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/losses.h"
+#include "widgets/common/noticestrip.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/pagekeys.h"
 #include "widgets/common/segmented.h"

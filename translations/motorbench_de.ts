@@ -4318,6 +4318,25 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
 <context>
     <name>mb::Lamp</name>
     <message>
+        <source>Arm button: %1</source>
+        <translation>Scharf-Taste: %1</translation>
+    </message>
+    <message>
+        <source>Press to make it safe again</source>
+        <translation>Drücken zum Sichern</translation>
+    </message>
+    <message>
+        <source>Hold for one second to arm</source>
+        <translation>Eine Sekunde halten zum Scharfschalten</translation>
+    </message>
+    <message>
+        <source>A motor was told to stop and was not seen to. Cut its power, or look at it.</source>
+        <translation>Ein Motor sollte stoppen, und niemand hat ihn stehen sehen. Strom abschalten oder nachsehen.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::LampFace</name>
+    <message>
         <source>SAFE</source>
         <translation>SICHER</translation>
     </message>
@@ -4332,6 +4351,14 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>STOPPED</source>
         <translation>GESTOPPT</translation>
+    </message>
+    <message>
+        <source>STOPPING</source>
+        <translation>STOPPT</translation>
+    </message>
+    <message>
+        <source>MAY STILL TURN</source>
+        <translation>LÄUFT VIELLEICHT</translation>
     </message>
     <message>
         <source>keep holding</source>
@@ -4350,36 +4377,12 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>1 s halten</translation>
     </message>
     <message>
-        <source>Arm button: %1</source>
-        <translation>Scharf-Taste: %1</translation>
-    </message>
-    <message>
-        <source>Press to make it safe again</source>
-        <translation>Drücken zum Sichern</translation>
-    </message>
-    <message>
-        <source>Hold for one second to arm</source>
-        <translation>Eine Sekunde halten zum Scharfschalten</translation>
-    </message>
-    <message>
-        <source>#88 velocity</source>
-        <translation>#88 Drehzahl</translation>
-    </message>
-    <message>
-        <source>STOPPING</source>
-        <translation>STOPPT</translation>
-    </message>
-    <message>
-        <source>MAY STILL TURN</source>
-        <translation>LÄUFT VIELLEICHT</translation>
-    </message>
-    <message>
         <source>cut its power</source>
         <translation>Strom abschalten</translation>
     </message>
     <message>
-        <source>A motor was told to stop and was not seen to. Cut its power, or look at it.</source>
-        <translation>Ein Motor sollte stoppen, und niemand hat ihn stehen sehen. Strom abschalten oder nachsehen.</translation>
+        <source>#88 velocity</source>
+        <translation>#88 Drehzahl</translation>
     </message>
 </context>
 <context>

@@ -4318,6 +4318,25 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
 <context>
     <name>mb::Lamp</name>
     <message>
+        <source>Arm button: %1</source>
+        <translation>Botón Armar: %1</translation>
+    </message>
+    <message>
+        <source>A motor was told to stop and was not seen to. Cut its power, or look at it.</source>
+        <translation>Se ordenó parar a un motor y no se le vio hacerlo. Corte su alimentación o compruébelo.</translation>
+    </message>
+    <message>
+        <source>Press to make it safe again</source>
+        <translation>Pulse para volver a desarmar</translation>
+    </message>
+    <message>
+        <source>Hold for one second to arm</source>
+        <translation>Mantenga pulsado un segundo para armar</translation>
+    </message>
+</context>
+<context>
+    <name>mb::LampFace</name>
+    <message>
         <source>SAFE</source>
         <translation>SEGURO</translation>
     </message>
@@ -4360,22 +4379,6 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     <message>
         <source>cut its power</source>
         <translation>corte su alimentación</translation>
-    </message>
-    <message>
-        <source>Arm button: %1</source>
-        <translation>Botón Armar: %1</translation>
-    </message>
-    <message>
-        <source>A motor was told to stop and was not seen to. Cut its power, or look at it.</source>
-        <translation>Se ordenó parar a un motor y no se le vio hacerlo. Corte su alimentación o compruébelo.</translation>
-    </message>
-    <message>
-        <source>Press to make it safe again</source>
-        <translation>Pulse para volver a desarmar</translation>
-    </message>
-    <message>
-        <source>Hold for one second to arm</source>
-        <translation>Mantenga pulsado un segundo para armar</translation>
     </message>
     <message>
         <source>#88 velocity</source>

@@ -4318,6 +4318,25 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
 <context>
     <name>mb::Lamp</name>
     <message>
+        <source>Arm button: %1</source>
+        <translation>Bouton Armer&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>A motor was told to stop and was not seen to. Cut its power, or look at it.</source>
+        <translation>Un moteur a reçu l’ordre de s’arrêter sans que l’arrêt soit constaté. Coupez son alimentation, ou allez voir.</translation>
+    </message>
+    <message>
+        <source>Press to make it safe again</source>
+        <translation>Appuyer pour désarmer</translation>
+    </message>
+    <message>
+        <source>Hold for one second to arm</source>
+        <translation>Maintenir une seconde pour armer</translation>
+    </message>
+</context>
+<context>
+    <name>mb::LampFace</name>
+    <message>
         <source>SAFE</source>
         <translation>SÛR</translation>
     </message>
@@ -4360,22 +4379,6 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     <message>
         <source>cut its power</source>
         <translation>couper l’alimentation</translation>
-    </message>
-    <message>
-        <source>Arm button: %1</source>
-        <translation>Bouton Armer&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>A motor was told to stop and was not seen to. Cut its power, or look at it.</source>
-        <translation>Un moteur a reçu l’ordre de s’arrêter sans que l’arrêt soit constaté. Coupez son alimentation, ou allez voir.</translation>
-    </message>
-    <message>
-        <source>Press to make it safe again</source>
-        <translation>Appuyer pour désarmer</translation>
-    </message>
-    <message>
-        <source>Hold for one second to arm</source>
-        <translation>Maintenir une seconde pour armer</translation>
     </message>
     <message>
         <source>#88 velocity</source>

@@ -4311,6 +4311,25 @@ Double click or Enter plots it; drag it to a plot.</source>
 <context>
     <name>mb::Lamp</name>
     <message>
+        <source>Arm button: %1</source>
+        <translation>駆動許可ボタン: %1</translation>
+    </message>
+    <message>
+        <source>A motor was told to stop and was not seen to. Cut its power, or look at it.</source>
+        <translation>モータに停止を指令しましたが、停止を確認できていません。電源を切るか、目視で確認してください。</translation>
+    </message>
+    <message>
+        <source>Press to make it safe again</source>
+        <translation>押すと安全状態に戻ります</translation>
+    </message>
+    <message>
+        <source>Hold for one second to arm</source>
+        <translation>1 秒間押し続けると駆動許可します</translation>
+    </message>
+</context>
+<context>
+    <name>mb::LampFace</name>
+    <message>
         <source>SAFE</source>
         <translation>安全</translation>
     </message>
@@ -4353,22 +4372,6 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>cut its power</source>
         <translation>電源を切る</translation>
-    </message>
-    <message>
-        <source>Arm button: %1</source>
-        <translation>駆動許可ボタン: %1</translation>
-    </message>
-    <message>
-        <source>A motor was told to stop and was not seen to. Cut its power, or look at it.</source>
-        <translation>モータに停止を指令しましたが、停止を確認できていません。電源を切るか、目視で確認してください。</translation>
-    </message>
-    <message>
-        <source>Press to make it safe again</source>
-        <translation>押すと安全状態に戻ります</translation>
-    </message>
-    <message>
-        <source>Hold for one second to arm</source>
-        <translation>1 秒間押し続けると駆動許可します</translation>
     </message>
     <message>
         <source>#88 velocity</source>

@@ -4311,6 +4311,25 @@ Double click or Enter plots it; drag it to a plot.</source>
 <context>
     <name>mb::Lamp</name>
     <message>
+        <source>Arm button: %1</source>
+        <translation>解锁按钮：%1</translation>
+    </message>
+    <message>
+        <source>A motor was told to stop and was not seen to. Cut its power, or look at it.</source>
+        <translation>已命令一台电机停止，但未确认其停止。请切断其电源，或前去查看。</translation>
+    </message>
+    <message>
+        <source>Press to make it safe again</source>
+        <translation>按下以恢复安全状态</translation>
+    </message>
+    <message>
+        <source>Hold for one second to arm</source>
+        <translation>按住一秒钟以解锁</translation>
+    </message>
+</context>
+<context>
+    <name>mb::LampFace</name>
+    <message>
         <source>SAFE</source>
         <translation>安全</translation>
     </message>
@@ -4353,22 +4372,6 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>cut its power</source>
         <translation>切断其电源</translation>
-    </message>
-    <message>
-        <source>Arm button: %1</source>
-        <translation>解锁按钮：%1</translation>
-    </message>
-    <message>
-        <source>A motor was told to stop and was not seen to. Cut its power, or look at it.</source>
-        <translation>已命令一台电机停止，但未确认其停止。请切断其电源，或前去查看。</translation>
-    </message>
-    <message>
-        <source>Press to make it safe again</source>
-        <translation>按下以恢复安全状态</translation>
-    </message>
-    <message>
-        <source>Hold for one second to arm</source>
-        <translation>按住一秒钟以解锁</translation>
     </message>
     <message>
         <source>#88 velocity</source>

@@ -4,6 +4,7 @@
 #include "model/axis.h"
 #include "model/registry.h"
 #include "support/windowtests.h"
+#include "widgets/common/applytheme.h"
 #include "widgets/common/banner.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"

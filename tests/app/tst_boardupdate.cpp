@@ -3,6 +3,7 @@
 #include "app/engine.h"
 #include "model/registry.h"
 #include "support/windowtests.h"
+#include "widgets/common/applytheme.h"
 #include "widgets/common/selection.h"
 #include "widgets/common/theme.h"
 #include "widgets/firmware/drawingview.h"

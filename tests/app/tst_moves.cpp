@@ -3,6 +3,7 @@
 #include "askengine.h"
 #include "model/registry.h"
 #include "support/windowtests.h"
+#include "widgets/common/applytheme.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/selection.h"

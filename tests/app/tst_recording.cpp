@@ -4,6 +4,7 @@
 
 #include "support/windowtests.h"
 #include "widgets/common/iconbutton.h"
+#include "widgets/common/noticestrip.h"
 #include "widgets/common/replaybar.h"
 #include "widgets/connection/deviceactions.h"
 #include "widgets/monitor/buspage.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Nothing that may be under the mouse moves because the program has something to say.
 #include "support/windowtests.h"
+#include "widgets/common/noticestrip.h"
 #include "widgets/common/segmented.h"
 #include "widgets/connection/devicetree.h"
 #include "windowbench.h"

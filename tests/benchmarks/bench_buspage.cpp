@@ -4,6 +4,7 @@
 #include "model/registry.h"
 #include "support/fakeworkbench.h"
 #include "transport/qtclock.h"
+#include "widgets/common/applytheme.h"
 #include "widgets/control/arming.h"
 #include "widgets/monitor/busbar.h"
 #include "widgets/monitor/buspage.h"

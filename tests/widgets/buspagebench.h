@@ -2,6 +2,7 @@
 #pragma once
 
 #include "busbench.h"
+#include "widgets/common/applytheme.h"
 #include "widgets/common/holdbutton.h"
 #include "widgets/common/segmented.h"
 #include "widgets/monitor/busbar.h"

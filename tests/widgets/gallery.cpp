@@ -2,10 +2,12 @@
 // gallery DIR: renders every building block in both themes and at 200 % font into DIR.
 #include "gallery.h"
 
+#include "widgets/common/applytheme.h"
 #include "widgets/common/banner.h"
 #include "widgets/common/emptystate.h"
 #include "widgets/common/headerbar.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/noticestrip.h"
 #include "widgets/common/segmented.h"
 
 #include <QApplication>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // plotgallery DIR: every state of the page Plots, in both themes, at 1280×800, at 3840×2160, and at 200 % font.
 #include "plotbench.h"
+#include "widgets/common/applytheme.h"
 
 #include <QDir>
 

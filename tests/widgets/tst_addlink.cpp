@@ -2,6 +2,7 @@
 // Adding a link by choosing: what is listed, what its options make of the address, and what cannot be opened.
 #include "support/windowtests.h"
 #include "transport/backends/gpiolines.h"
+#include "widgets/common/applytheme.h"
 #include "widgets/connection/addlinkdialog.h"
 #include "widgets/connection/linkoptions.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/windowtests.h"
+#include "widgets/common/applytheme.h"
 #include "widgets/common/banner.h"
 #include "widgets/common/card.h"
 #include "widgets/common/emptystate.h"

@@ -2,6 +2,7 @@
 // The Tune page around experiments: what F5 asks for, what comes back, how two trials are compared.
 #include "support/windowtests.h"
 #include "trialbench.h"
+#include "widgets/common/applytheme.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/control/envelopepanel.h"
 #include "widgets/control/gainspanel.h"

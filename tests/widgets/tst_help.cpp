@@ -3,6 +3,7 @@
 #include "model/family.h"
 #include "model/registry.h"
 #include "support/windowtests.h"
+#include "widgets/common/applytheme.h"
 #include "widgets/help/helpbrowser.h"
 #include "widgets/help/helptopics.h"
 #include "widgets/help/helpwindow.h"

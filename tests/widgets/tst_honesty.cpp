@@ -4,6 +4,7 @@
 #include "support/windowtests.h"
 #include "widgets/common/headerbar.h"
 #include "widgets/common/losses.h"
+#include "widgets/common/noticestrip.h"
 #include "widgets/common/valuelabel.h"
 #include "widgets/connection/devicecard.h"
 #include "widgets/connection/devicetree.h"

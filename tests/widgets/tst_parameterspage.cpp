@@ -4,6 +4,7 @@
 
 #include "model/parameterfile.h"
 #include "support/windowtests.h"
+#include "widgets/common/applytheme.h"
 #include "widgets/common/banner.h"
 #include "widgets/common/emptystate.h"
 

@@ -4,6 +4,7 @@
 #include "support/fakedesk.h"
 #include "support/fakeworkbench.h"
 #include "support/windowtests.h"
+#include "widgets/common/applytheme.h"
 #include "widgets/common/holdbutton.h"
 #include "widgets/service/counttiles.h"
 #include "widgets/service/journalcard.h"

@@ -4,6 +4,7 @@
 #include "model/registry.h"
 #include "service/recipematter.h"
 #include "support/windowtests.h"
+#include "widgets/common/applytheme.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/service/recipeeditor.h"
 #include "widgets/service/recipeform.h"

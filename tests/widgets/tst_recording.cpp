@@ -2,6 +2,7 @@
 // The recorder and the replay of the Bus page, against a workbench that only notes what it is told.
 #include "busbench.h"
 #include "support/windowtests.h"
+#include "widgets/common/applytheme.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/replaybar.h"

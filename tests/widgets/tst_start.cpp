@@ -4,6 +4,7 @@
 #include "support/windowtests.h"
 #include "tunebench.h"
 #include "tuning/verdict.h"
+#include "widgets/common/applytheme.h"
 #include "widgets/connection/firstselection.h"
 #include "widgets/connection/startpage.h"
 #include "widgets/start/guide.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/windowtests.h"
+#include "widgets/common/applytheme.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/stateglyph.h"
 #include "widgets/common/systemtheme.h"

@@ -2,6 +2,7 @@
 #include "model/setpointslew.h"
 #include "support/windowtests.h"
 #include "tunebench.h"
+#include "widgets/common/applytheme.h"
 #include "widgets/control/gainunits.h"
 #include "widgets/control/logslider.h"
 #include "widgets/control/resolutionmeter.h"

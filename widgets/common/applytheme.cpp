@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/common/theme.h"
+#include "widgets/common/applytheme.h"
 
 #include <QApplication>
 #include <QFile>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/common/stateglyph.h"
+#include "widgets/common/glyphshapes.h"
 
 #include <QPainter>
 #include <QPainterPath>

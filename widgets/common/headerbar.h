@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/common/banner.h"
 #include "widgets/common/chip.h"
 #include "widgets/common/lamp.h"
 #include "widgets/common/stopbutton.h"
@@ -63,52 +62,6 @@ private:
     Chip *m_recording = nullptr;
     Lamp *m_lamp = nullptr;
     StopButton *m_stop = nullptr;
-};
-
-/// The indigo stripe under the header: simulated and replayed data can never pass as real.
-class DemoStripe : public QWidget {
-    Q_OBJECT
-public:
-    explicit DemoStripe(const ThemeSource &theme, QWidget *parent = nullptr);
-    /// "simulated bench, seed 7", empty without one, and the recordings that are open; the stripe adds the rest.
-    void setSources(const QString &simulated, const QStringList &recordings);
-    /// Nothing simulated, nothing replayed: nothing is painted, and the place stays.
-    bool isEmpty() const { return m_text.isEmpty(); }
-    /// One word, where a notice needs the room.
-    void setCompact(bool compact);
-    QSize sizeHint() const override;
-
-protected:
-    void paintEvent(QPaintEvent *event) override;
-
-private:
-    const ThemeSource &m_theme;
-    QString m_text;
-    QString m_word;
-    bool m_compact = false;
-};
-
-/// The row under the header: what is simulated or replayed, and the notice that matters most. Its height depends on the
-/// window's width and the size of the text only, never on what it shows.
-class NoticeStrip : public QWidget {
-    Q_OBJECT
-public:
-    explicit NoticeStrip(const ThemeSource &theme, QWidget *parent = nullptr);
-    BannerStack &banners() { return *m_banners; }
-    DemoStripe &stripe() { return *m_stripe; }
-    /// Long words do not hold the window wide.
-    QSize minimumSizeHint() const override;
-
-protected:
-    void resizeEvent(QResizeEvent *event) override;
-    void paintEvent(QPaintEvent *event) override;
-
-private:
-    void fit();
-
-    const ThemeSource &m_theme;
-    DemoStripe *m_stripe = nullptr;
-    BannerStack *m_banners = nullptr;
 };
 
 } // namespace mb

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/lamp.h"
 
-#include "widgets/common/icons.h"
 #include "widgets/common/spoken.h"
-#include "widgets/common/stateglyph.h"
 
 #include <QAccessible>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QPainterPath>
 
 namespace mb {
 
@@ -30,7 +27,7 @@ void Lamp::setStatus(const LampStatus &status)
 {
     const LampState before = m_status.state;
     m_status = status;
-    if (m_holding && (live() || !status.armable))
+    if (m_holding && (isLive(m_status) || !status.armable))
         endHold(false);
     updateAccessibleText(before);
     updateGeometry();
@@ -44,52 +41,17 @@ double Lamp::holdProgress() const
     return m_hold <= 0 ? 1.0 : std::min(1.0, static_cast<double>(m_held.elapsed()) / m_hold);
 }
 
-QString Lamp::word() const
-{
-    switch (m_status.state) {
-    case LampState::Safe: return tr("SAFE");
-    case LampState::Armed: return tr("ARMED");
-    case LampState::Moving: return tr("MOVING");
-    case LampState::Stopped: return tr("STOPPED");
-    case LampState::Stopping: return tr("STOPPING");
-    case LampState::MayTurn: return tr("MAY STILL TURN");
-    }
-    return {};
-}
-
-QString Lamp::clock() const
-{
-    if (m_status.state != LampState::Armed || !m_status.remaining)
-        return {};
-    const auto seconds = std::max<qint64>(0, m_status.remaining->count());
-    return QStringLiteral("%1:%2").arg(seconds / 60).arg(seconds % 60, 2, 10, QLatin1Char('0'));
-}
-
-QString Lamp::detail() const
-{
-    if (m_holding)
-        return tr("keep holding");
-    if (!m_status.detail.isEmpty())
-        return m_status.detail;
-    switch (m_status.state) {
-    case LampState::Safe: return m_status.armable ? tr("hold to arm") : tr("nothing to arm");
-    case LampState::Stopped: return tr("hold to re-arm");
-    case LampState::MayTurn: return tr("cut its power");
-    case LampState::Armed:
-    case LampState::Moving:
-    case LampState::Stopping: break;
-    }
-    return {};
-}
-
 void Lamp::updateAccessibleText(LampState before)
 {
+    const LampFace face = this->face();
+    const QString detail = face.detail();
+    const QString clock = face.clock();
     setSpoken(
-        *this, tr("Arm button: %1").arg(word()), clock().isEmpty() ? detail() : clock() + QLatin1Char(' ') + detail());
-    setToolTip(m_status.state == LampState::MayTurn ? detail() + QLatin1Char('\n')
+        *this, tr("Arm button: %1").arg(face.word()), clock.isEmpty() ? detail : clock + QLatin1Char(' ') + detail);
+    setToolTip(m_status.state == LampState::MayTurn ? detail + QLatin1Char('\n')
                 + tr("A motor was told to stop and was not seen to. Cut its power, or look at it.")
-            : live() ? tr("Press to make it safe again")
-                     : tr("Hold for one second to arm"));
+            : isLive(m_status) ? tr("Press to make it safe again")
+                               : tr("Hold for one second to arm"));
     if (before != m_status.state) {
         QAccessibleEvent event(this, QAccessible::Alert);
         QAccessible::updateAccessibility(&event);
@@ -98,7 +60,7 @@ void Lamp::updateAccessibleText(LampState before)
 
 void Lamp::press()
 {
-    if (live() || m_status.state == LampState::MayTurn)
+    if (isLive(m_status) || m_status.state == LampState::MayTurn)
         Q_EMIT disarmRequested();
     else if (m_status.armable)
         beginHold();
@@ -106,7 +68,7 @@ void Lamp::press()
 
 void Lamp::hold()
 {
-    if (!m_holding && !live() && m_status.state != LampState::MayTurn && m_status.armable)
+    if (!m_holding && !isLive(m_status) && m_status.state != LampState::MayTurn && m_status.armable)
         beginHold();
 }
 
@@ -174,159 +136,26 @@ void Lamp::changeEvent(QEvent *event)
     QAbstractButton::changeEvent(event);
 }
 
-int Lamp::textWidth(const QString &word, const QString &time, const QString &detail) const
+LampFace Lamp::face() const
 {
-    const Theme &theme = m_theme.theme();
-    const QFontMetrics bold(theme.font(TextRole::Emphasis, font()));
-    const QFontMetrics caption(theme.font(TextRole::Caption, font()));
-    int width = theme.u(12 + 16 + 8 + 12) + bold.horizontalAdvance(word);
-    if (hasTwoLines() && word == this->word())
-        return std::max(width, theme.u(12 + 16 + 8 + 12) + caption.horizontalAdvance(detail));
-    if (!time.isEmpty())
-        width += theme.u(8) + bold.horizontalAdvance(time);
-    if (!detail.isEmpty())
-        width += theme.u(8) + caption.horizontalAdvance(detail);
-    return width;
-}
-
-int Lamp::contentWidth() const
-{
-    return textWidth(word(), clock(), detail());
+    return {m_theme.theme(), font(), m_status, m_holding};
 }
 
 QSize Lamp::sizeHint() const
 {
-    // Wide enough for the usual texts of every state, so that the lamp keeps its place when the state changes.
-    const int usual = std::max({textWidth(tr("ARMED"), QStringLiteral("8:88"), tr("#88 velocity")),
-        textWidth(tr("STOPPED"), {}, tr("hold to re-arm")), textWidth(tr("SAFE"), {}, tr("nothing to arm"))});
-    return {std::max({m_theme.theme().u(200), usual, contentWidth()}), m_theme.theme().u(40)};
+    return face().preferred();
 }
 
 QSize Lamp::minimumSizeHint() const
 {
-    const Theme &theme = m_theme.theme();
-    const QFontMetrics bold(theme.font(TextRole::Emphasis, font()));
-    const QFontMetrics caption(theme.font(TextRole::Caption, font()));
-    const int words = std::max({bold.horizontalAdvance(tr("SAFE")), bold.horizontalAdvance(tr("MOVING")),
-        bold.horizontalAdvance(tr("STOPPED")), bold.horizontalAdvance(tr("STOPPING")),
-        bold.horizontalAdvance(tr("ARMED")) + theme.u(8) + bold.horizontalAdvance(QStringLiteral("8:88")),
-        caption.horizontalAdvance(tr("hold to arm")), caption.horizontalAdvance(tr("hold to re-arm")),
-        caption.horizontalAdvance(tr("nothing to arm")), caption.horizontalAdvance(tr("keep holding"))});
-    return {theme.u(12 + 16 + 8 + 12) + words, theme.u(40)};
-}
-
-void Lamp::paintFace(QPainter &painter) const
-{
-    const Theme &theme = m_theme.theme();
-    const QRectF box = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
-    QPainterPath face;
-    face.addRoundedRect(box, theme.u(4), theme.u(4));
-    const bool stopped = m_status.state == LampState::Stopped || m_status.state == LampState::Stopping;
-    painter.fillPath(face,
-        live()                                     ? theme.armed
-            : m_status.state == LampState::MayTurn ? theme.stop
-            : m_status.armable                     ? theme.control
-                                                   : theme.head);
-    if (m_holding) {
-        painter.save();
-        painter.setClipRect(QRectF(0, 0, width() * holdProgress(), height()));
-        painter.fillPath(face, theme.armed);
-        painter.restore();
-    }
-    const QColor edge = live()                 ? theme.armed
-        : m_status.state == LampState::MayTurn ? theme.stop
-        : stopped                              ? theme.danger
-        : m_status.armable                     ? theme.outline
-                                               : theme.line;
-    painter.strokePath(face, QPen(edge, stopped ? 2 : 1));
-}
-
-void Lamp::paintMark(QPainter &painter, int x, const QColor &color) const
-{
-    const double side = m_theme.theme().u(16);
-    const QRectF mark(x, (height() - side) / 2.0, side, side);
-    switch (m_status.state) {
-    case LampState::Moving:
-    case LampState::Stopping: paintGlyph(painter, mark, GlyphState::Moving, color); break;
-    case LampState::Stopped: paintGlyph(painter, mark, GlyphState::Fault, color); break;
-    case LampState::MayTurn: paintGlyph(painter, mark, GlyphState::Warning, color); break;
-    case LampState::Safe:
-    case LampState::Armed: paintSymbol(painter, mark, live() ? Symbol::Arm : Symbol::Lock, color); break;
-    }
-}
-
-/// Where one line is too narrow. The word is always whole; a longer detail is in the tooltip and in what is read aloud.
-void Lamp::paintLines(QPainter &painter, const QColor &color, const QColor &detailColor) const
-{
-    const Theme &theme = m_theme.theme();
-    paintMark(painter, theme.u(12), color);
-    const int x = theme.u(12 + 16 + 8);
-    const int room = width() - x - theme.u(4);
-    const QString head = clock().isEmpty() ? word() : word() + QLatin1Char(' ') + clock();
-    const QFont bold = theme.font(TextRole::Emphasis, font());
-    const QFont caption = theme.font(TextRole::Caption, font());
-    const int tall = QFontMetrics(bold).height();
-    const int low = detail().isEmpty() ? 0 : QFontMetrics(caption).height();
-    const int top = (height() - tall - low) / 2;
-    painter.setFont(bold);
-    painter.setPen(color);
-    if (QFontMetrics(bold).horizontalAdvance(head) > room) { // the long word takes both lines
-        painter.drawText(QRect(x, 0, room, height()), Qt::AlignVCenter | Qt::TextWordWrap, head);
-        return;
-    }
-    painter.drawText(QRect(x, top, room, tall), Qt::AlignVCenter, head);
-    painter.setFont(caption);
-    painter.setPen(detailColor);
-    painter.drawText(QRect(x, top + tall, room, low), Qt::AlignVCenter,
-        QFontMetrics(caption).elidedText(detail(), Qt::ElideRight, room));
-}
-
-void Lamp::paintContent(QPainter &painter, const QColor &color, const QColor &detailColor) const
-{
-    if (isNarrow()) {
-        paintLines(painter, color, detailColor);
-        return;
-    }
-    const Theme &theme = m_theme.theme();
-    const QFont bold = theme.font(TextRole::Emphasis, font());
-    const QFont caption = theme.font(TextRole::Caption, font());
-    int x = (width() - contentWidth()) / 2 + theme.u(12);
-    paintMark(painter, x, color);
-    x += theme.u(16 + 8);
-    const auto put = [&](const QString &text, const QFont &textFont, const QColor &textColor) {
-        if (text.isEmpty())
-            return;
-        painter.setFont(textFont);
-        painter.setPen(textColor);
-        painter.drawText(QRect(x, 0, width() - x, height()), Qt::AlignVCenter, text);
-        x += QFontMetrics(textFont).horizontalAdvance(text) + theme.u(8);
-    };
-    put(word(), bold, color);
-    put(clock(), bold, color);
-    put(detail(), caption, detailColor);
+    return face().least();
 }
 
 void Lamp::paintEvent(QPaintEvent *)
 {
-    const Theme &theme = m_theme.theme();
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    paintFace(painter);
-    if (live()) {
-        paintContent(painter, theme.onArmed, theme.onArmed);
-        return;
-    }
-    if (m_status.state == LampState::MayTurn) {
-        paintContent(painter, theme.onFill, theme.onFill);
-        return;
-    }
-    const bool stopped = m_status.state == LampState::Stopped || m_status.state == LampState::Stopping;
-    const QColor word = stopped ? theme.danger : m_status.armable ? theme.text : theme.faint;
-    paintContent(painter, word, m_status.armable ? theme.dim : theme.faint);
-    if (!m_holding)
-        return;
-    painter.setClipRect(QRectF(0, 0, width() * holdProgress(), height()));
-    paintContent(painter, theme.onArmed, theme.onArmed);
+    face().paint(painter, size(), holdProgress());
 }
 
 } // namespace mb

@@ -1,29 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/common/theme.h"
+#include "widgets/common/lampface.h"
 
 #include <QAbstractButton>
 #include <QBasicTimer>
 #include <QElapsedTimer>
 #include <QKeyEvent>
-#include <chrono>
-#include <optional>
 
 namespace mb {
-
-/// Whether energy may flow. Stopped means: was stopped, motion needs a new arming. Stopping: told, and not seen to stand yet.
-/// MayTurn: told, nobody has seen it stand, and nothing of its own stops it.
-enum class LampState { Safe, Armed, Moving, Stopped, Stopping, MayTurn };
-
-/// What the lamp says. `detail` is the small text behind the word ("#5 velocity", "4 motors", "nothing to arm");
-/// empty gives the instruction "hold to arm"; of MayTurn it stands below the word. `remaining` is shown while armed, as m:ss.
-struct LampStatus {
-    LampState state = LampState::Safe;
-    QString detail;
-    std::optional<std::chrono::seconds> remaining;
-    bool armable = true; ///< false: holding does nothing, the lamp is faint
-};
 
 /// The arming lamp: held for a second it fills from the left and then asks for arming; let go early, nothing happens.
 /// It takes no key itself (a key that is held comes by hold()), and Tab never comes here. An assistive "press" starts the same filling, a second one cancels it.
@@ -68,23 +53,11 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
-    bool live() const { return m_status.state == LampState::Armed || m_status.state == LampState::Moving; }
+    [[nodiscard]] LampFace face() const;
     void press();
     void beginHold();
     void endHold(bool complete);
     void updateAccessibleText(LampState before);
-    QString word() const;
-    QString clock() const;
-    QString detail() const;
-    int textWidth(const QString &word, const QString &time, const QString &detail) const;
-    int contentWidth() const;
-    /// "May still turn" is too long for one line beside its detail.
-    bool hasTwoLines() const { return m_status.state == LampState::MayTurn; }
-    bool isNarrow() const { return hasTwoLines() || width() < contentWidth(); }
-    void paintMark(QPainter &painter, int x, const QColor &color) const;
-    void paintLines(QPainter &painter, const QColor &color, const QColor &detailColor) const;
-    void paintFace(QPainter &painter) const;
-    void paintContent(QPainter &painter, const QColor &color, const QColor &detailColor) const;
 
     const ThemeSource &m_theme;
     LampStatus m_status;

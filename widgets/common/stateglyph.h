@@ -1,43 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/common/glyphshapes.h"
 #include "widgets/common/theme.h"
 
 #include <QIcon>
 #include <QWidget>
 
-class QPainter;
-
 namespace mb {
 
-/// The states of devices, values and steps. Each has one shape, one word and one colour everywhere in the program.
-enum class GlyphState {
-    // of a device
-    Online,
-    Moving,
-    Bootloader,
-    Duplicate,
-    Unassigned,
-    Fault,
-    Gone,
-    // of a value
-    Stored,
-    InRam,
-    Edited,
-    OutOfRange,
-    Assumed,
-    Volatile,
-    Busy,
-    // of a step
-    Done,
-    Waiting,
-    Warning,
-    Recording
-};
-inline constexpr int GlyphStateCount = 18;
-
-/// Draws the shape into the square in the middle of `box`; made for 12 units, sharp from 8 upwards.
-void paintGlyph(QPainter &painter, const QRectF &box, GlyphState state, const QColor &color);
 Tone glyphTone(GlyphState state);
 /// Colour of the shape. Moving wears the colour of the lamp, everything else its tone.
 QColor glyphColor(GlyphState state, const Theme &theme);

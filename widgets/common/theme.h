@@ -4,11 +4,8 @@
 #include <QColor>
 #include <QFont>
 #include <QObject>
-#include <QPalette>
 #include <QString>
 #include <array>
-
-class QApplication;
 
 namespace mb {
 
@@ -52,13 +49,6 @@ Theme lightTheme(double bodyPointSize = 10.0);
 
 /// Contrast ratio 1 … 21 of two opaque colours (WCAG 2.1).
 double contrast(const QColor &a, const QColor &b);
-
-QPalette themePalette(const Theme &theme);
-/// Fills a sheet: `@token` is a colour of the theme, `12u` a length, `0.85f` a font size relative to the body,
-/// `@scheme` the word dark or light. An unknown token stays as it is.
-QString fillStyleSheet(const QString &sheet, const Theme &theme);
-/// Palette and sheet (`:/style.qss`) for the whole program. May be called again at any time.
-void applyTheme(QApplication &app, const Theme &theme);
 
 /// Hands the theme to whoever paints by hand. Passed as a constructor argument; must outlive the widgets.
 class ThemeSource : public QObject {
