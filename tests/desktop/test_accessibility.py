@@ -121,6 +121,29 @@ class Walk(unittest.TestCase):
             self.close(program, dialog.name)
 
 
+    def arm(self, program):
+        press("ctrl+3")
+        arm = program.await_("push button", "^Arm button: SAFE$")
+        arm.point()
+        xdo("mousedown", 1)
+        try:
+            wait("armed, and told so", lambda: program.heard("ARMED"))
+        finally:
+            xdo("mouseup", 1)
+
+    def test_the_result_of_a_step_is_announced(self):
+        with Program(PATH, "--demo") as program:
+            program.await_("table cell", "^DMC60C #7").click()
+            self.arm(program)
+            program.await_enabled("push button", "^(Write and )?[Rr]un")
+            for number in 1, 2:  # the second is told like the first
+                since = len(program.heard_from)
+                press("F5")
+                said = wait("what came of the step", lambda: program.heard(
+                    rf"#7: trial #{number}: overshoot \d+(\.\d+)?\s%, settled in \d+\sms", since))
+                print(f"heard '{said}'", flush=True)
+                program.await_enabled("push button", "^(Write and )?[Rr]un")
+
     def test_arming_is_announced_and_live_values_are_not_shouted(self):
         with Program(PATH, "--demo") as program:
             program.await_("table cell", "^DMC60C #7").click()
@@ -133,12 +156,7 @@ class Walk(unittest.TestCase):
             rate = (len(program.heard_from) - since) / (time.monotonic() - begun)
             print(f"{rate:.0f} accessible events a second at rest")
             self.assertLess(rate, MOST_EVENTS)
-            press("ctrl+3")
-            arm = program.find("push button", "^Arm button: SAFE$")
-            arm.point()
-            xdo("mousedown", 1)
-            wait("armed, and told so", lambda: program.heard("ARMED"))
-            xdo("mouseup", 1)
+            self.arm(program)
 
 
 unittest.main(verbosity=2)
