@@ -4,10 +4,12 @@
 A test script begins with `desktop.enter()`, which starts the script anew under Xvfb and dbus-run-session; what it opens there is
 found by what a screen reader is told (`Program.find`), touched by a real mouse and keyboard (xdotool), and waited for with a
 limit. Needs the system's Python, whose gi module speaks to the bus."""
+import collections
 import os
 import re
 import shutil
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
@@ -28,8 +30,8 @@ def enter():
         sys.exit(f"desktop: {', '.join(missing)} missing; scripts/install-packages test installs it")
     reads, writes = os.pipe()
     with tempfile.TemporaryDirectory() as home:
-        server = subprocess.Popen(["Xvfb", "-displayfd", str(writes), "-screen", "0", SCREEN + "x24", "-dpi", "96", "-nolisten", "tcp"],
-                                  pass_fds=[writes], stderr=subprocess.DEVNULL)
+        server = subprocess.Popen(["Xvfb", "-displayfd", str(writes), "-screen", "0", SCREEN + "x24", "-dpi", "96", "-nolisten", "tcp",
+                                   "-fbdir", home], pass_fds=[writes], stderr=subprocess.DEVNULL)
         os.close(writes)
         display = os.read(reads, 16).decode().strip()
         if not display:
@@ -88,6 +90,21 @@ def xdo(*words):
 
 def press(*keys):
     xdo("key", *keys)
+
+
+def colours(left, top, width, height, step=4):
+    """How much of a part of the screen has which colour, 0xRRGGBB to a share: of what the X server shows now."""
+    with open(os.path.join(os.environ["HOME"], "Xvfb_screen0"), "rb") as file:
+        screen = file.read()  # X window dump: a header, a table of colours, rows of 32 bits a pixel
+    header = struct.unpack(">25I", screen[:100])
+    size, order, bits, row, entries = header[0], header[7], header[11], header[12], header[19]
+    assert bits == 32, bits
+    found = collections.Counter()
+    for y in range(top, top + height, step):
+        start = size + 12 * entries + y * row
+        line = struct.unpack(("<" if order == 0 else ">") + f"{row // 4}I", screen[start:start + row])
+        found.update(pixel & 0xffffff for pixel in line[left:left + width:step])
+    return {colour: count / found.total() for colour, count in found.items()}
 
 
 class Node:
