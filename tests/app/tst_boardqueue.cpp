@@ -3,6 +3,7 @@
 #include "cable.h"
 #include "support/windowtests.h"
 #include "unitbench.h"
+#include "widgets/common/applytheme.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/firmware/drawingview.h"
 #include "widgets/firmware/queuebar.h"

@@ -4,6 +4,7 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/control/axespanel.h"
+#include "widgets/control/gainunits.h"
 #include "widgets/control/modepanel.h"
 #include "widgets/control/presentvalue.h"
 #include "widgets/control/tunecolumn.h"
