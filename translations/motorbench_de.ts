@@ -1496,14 +1496,6 @@
         <translation>das Gerät ist weg</translation>
     </message>
     <message>
-        <source>%1 axes</source>
-        <translation>%1 Achsen</translation>
-    </message>
-    <message>
-        <source>axis %1 %2</source>
-        <translation>Achse %1 %2</translation>
-    </message>
-    <message>
         <source>experiment</source>
         <translation>Experiment</translation>
     </message>
@@ -4853,6 +4845,17 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
 </context>
 <context>
+    <name>mb::MotionWords</name>
+    <message>
+        <source>%1 axes</source>
+        <translation>%1 Achsen</translation>
+    </message>
+    <message>
+        <source>axis %1 %2</source>
+        <translation>Achse %1 %2</translation>
+    </message>
+</context>
+<context>
     <name>mb::MovesPanel</name>
     <message>
         <source>Moves together</source>
@@ -6086,6 +6089,41 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     <message>
         <source>stops every motor</source>
         <translation>hält jeden Motor an</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ProfileFields</name>
+    <message>
+        <source>Velocity</source>
+        <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>counts/s</source>
+        <translation>counts/s</translation>
+    </message>
+    <message>
+        <source>Velocity of the profile</source>
+        <translation>Drehzahl des Profils</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>counts/s²</source>
+        <translation>counts/s²</translation>
+    </message>
+    <message>
+        <source>Acceleration of the profile</source>
+        <translation>Beschleunigung des Profils</translation>
+    </message>
+    <message>
+        <source>The profile needs a velocity up to %1 counts/s.</source>
+        <translation>Das Profil braucht eine Drehzahl bis %1 counts/s.</translation>
+    </message>
+    <message>
+        <source>The profile needs an acceleration up to %1 counts/s²; 0 is none.</source>
+        <translation>Das Profil braucht eine Beschleunigung bis %1 counts/s²; 0 ist keine.</translation>
     </message>
 </context>
 <context>
@@ -8150,38 +8188,6 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
         <translation>Sollwert, Schieber</translation>
     </message>
     <message>
-        <source>Range of the set-point, either way</source>
-        <translation>Bereich des Sollwerts, je Richtung</translation>
-    </message>
-    <message>
-        <source>A set-point beyond it is refused: the limit of the hand, not of the drive.</source>
-        <translation>Ein Sollwert darüber wird abgelehnt: Grenze der Bedienung, nicht des Geräts.</translation>
-    </message>
-    <message>
-        <source>at once, as a step</source>
-        <translation>sofort, als Sprung</translation>
-    </message>
-    <message>
-        <source>full range in %1</source>
-        <translation>voller Bereich in %1</translation>
-    </message>
-    <message>
-        <source>How fast the set-point moves</source>
-        <translation>Wie schnell sich der Sollwert ändert</translation>
-    </message>
-    <message>
-        <source>This program moves the set-point no faster, whatever is typed.</source>
-        <translation>Schneller ändert dieses Programm den Sollwert nicht, was auch eingegeben wird.</translation>
-    </message>
-    <message>
-        <source>Range ±</source>
-        <translation>Bereich ±</translation>
-    </message>
-    <message>
-        <source>Moves</source>
-        <translation>Verlauf</translation>
-    </message>
-    <message>
         <source>Ramp, brake, direction, limits</source>
         <translation>Rampe, Bremse, Richtung, Grenzen</translation>
     </message>
@@ -8214,30 +8220,6 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
         <translation>jetzt %1</translation>
     </message>
     <message>
-        <source>Velocity</source>
-        <translation>Drehzahl</translation>
-    </message>
-    <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
-    </message>
-    <message>
-        <source>Velocity of the profile</source>
-        <translation>Drehzahl des Profils</translation>
-    </message>
-    <message>
-        <source>Acceleration</source>
-        <translation>Beschleunigung</translation>
-    </message>
-    <message>
-        <source>counts/s²</source>
-        <translation>counts/s²</translation>
-    </message>
-    <message>
-        <source>Acceleration of the profile</source>
-        <translation>Beschleunigung des Profils</translation>
-    </message>
-    <message>
         <source>Stop and count from 0</source>
         <translation>Stoppen und ab 0 zählen</translation>
     </message>
@@ -8245,13 +8227,40 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
         <source>Stops the motor, and makes where it stands position 0. It starts again with Run only: a motor that runs would jump.</source>
         <translation>Stoppt den Motor und macht die Stelle, an der er steht, zur Position 0. Er läuft erst mit Start wieder an: ein laufender Motor würde springen.</translation>
     </message>
+</context>
+<context>
+    <name>mb::SetPointRange</name>
     <message>
-        <source>The profile needs a velocity up to %1 counts/s.</source>
-        <translation>Das Profil braucht eine Drehzahl bis %1 counts/s.</translation>
+        <source>Range ±</source>
+        <translation>Bereich ±</translation>
     </message>
     <message>
-        <source>The profile needs an acceleration up to %1 counts/s²; 0 is none.</source>
-        <translation>Das Profil braucht eine Beschleunigung bis %1 counts/s²; 0 ist keine.</translation>
+        <source>Moves</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Range of the set-point, either way</source>
+        <translation>Bereich des Sollwerts, je Richtung</translation>
+    </message>
+    <message>
+        <source>A set-point beyond it is refused: the limit of the hand, not of the drive.</source>
+        <translation>Ein Sollwert darüber wird abgelehnt: Grenze der Bedienung, nicht des Geräts.</translation>
+    </message>
+    <message>
+        <source>at once, as a step</source>
+        <translation>sofort, als Sprung</translation>
+    </message>
+    <message>
+        <source>full range in %1</source>
+        <translation>voller Bereich in %1</translation>
+    </message>
+    <message>
+        <source>How fast the set-point moves</source>
+        <translation>Wie schnell sich der Sollwert ändert</translation>
+    </message>
+    <message>
+        <source>This program moves the set-point no faster, whatever is typed.</source>
+        <translation>Schneller ändert dieses Programm den Sollwert nicht, was auch eingegeben wird.</translation>
     </message>
 </context>
 <context>
@@ -9149,6 +9158,25 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
 </context>
 <context>
+    <name>mb::TrialOrders</name>
+    <message>
+        <source>the notebook: %1</source>
+        <translation>das Versuchsbuch: %1</translation>
+    </message>
+    <message>
+        <source>Export trials</source>
+        <translation>Versuche ausgeben</translation>
+    </message>
+    <message>
+        <source>Table (*.csv);;JSON (*.json)</source>
+        <translation>Tabelle (*.csv);;JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>trials written to %1</source>
+        <translation>Versuche nach %1 geschrieben</translation>
+    </message>
+</context>
+<context>
     <name>mb::TrialWords</name>
     <message>
         <source>travel</source>
@@ -9352,19 +9380,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
 </context>
 <context>
-    <name>mb::TrialsView</name>
-    <message>
-        <source>Below the plot</source>
-        <translation>Unter dem Diagramm</translation>
-    </message>
-    <message>
-        <source>Trials</source>
-        <translation>Versuche</translation>
-    </message>
-    <message>
-        <source>Metrics</source>
-        <translation>Kennwerte</translation>
-    </message>
+    <name>mb::TrialsHead</name>
     <message>
         <source>Flip A and B</source>
         <translation>A und B tauschen</translation>
@@ -9382,14 +9398,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Zeit und Wert einpassen</translation>
     </message>
     <message>
-        <source>the notebook: %1</source>
-        <translation>das Versuchsbuch: %1</translation>
-    </message>
-    <message>
-        <source>not kept: %1</source>
-        <translation>nicht aufbewahrt: %1</translation>
-    </message>
-    <message>
         <source>No trial yet. F5 runs the first.</source>
         <translation>Noch kein Versuch. F5 startet den ersten.</translation>
     </message>
@@ -9405,17 +9413,24 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>B #%1; Shift+click on a trial pins it as A</source>
         <translation>B #%1; Umschalt+Klick auf einen Versuch heftet ihn als A an</translation>
     </message>
+</context>
+<context>
+    <name>mb::TrialsView</name>
     <message>
-        <source>Export trials</source>
-        <translation>Versuche ausgeben</translation>
+        <source>Below the plot</source>
+        <translation>Unter dem Diagramm</translation>
     </message>
     <message>
-        <source>Table (*.csv);;JSON (*.json)</source>
-        <translation>Tabelle (*.csv);;JSON (*.json)</translation>
+        <source>Trials</source>
+        <translation>Versuche</translation>
     </message>
     <message>
-        <source>trials written to %1</source>
-        <translation>Versuche nach %1 geschrieben</translation>
+        <source>Metrics</source>
+        <translation>Kennwerte</translation>
+    </message>
+    <message>
+        <source>not kept: %1</source>
+        <translation>nicht aufbewahrt: %1</translation>
     </message>
 </context>
 <context>

@@ -1460,14 +1460,6 @@
 <context>
     <name>mb::Arming</name>
     <message>
-        <source>%1 axes</source>
-        <translation>%1 ejes</translation>
-    </message>
-    <message>
-        <source>axis %1 %2</source>
-        <translation>eje %1 %2</translation>
-    </message>
-    <message>
         <source>%1: cut its power</source>
         <translation>%1: corte su alimentación</translation>
     </message>
@@ -4853,6 +4845,17 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     </message>
 </context>
 <context>
+    <name>mb::MotionWords</name>
+    <message>
+        <source>%1 axes</source>
+        <translation>%1 ejes</translation>
+    </message>
+    <message>
+        <source>axis %1 %2</source>
+        <translation>eje %1 %2</translation>
+    </message>
+</context>
+<context>
     <name>mb::MovesPanel</name>
     <message>
         <source>Moves together</source>
@@ -6086,6 +6089,41 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
     <message>
         <source>stops every motor</source>
         <translation>para todos los motores</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ProfileFields</name>
+    <message>
+        <source>Velocity</source>
+        <translation>Velocidad</translation>
+    </message>
+    <message>
+        <source>counts/s</source>
+        <translation>counts/s</translation>
+    </message>
+    <message>
+        <source>Velocity of the profile</source>
+        <translation>Velocidad del perfil</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Aceleración</translation>
+    </message>
+    <message>
+        <source>counts/s²</source>
+        <translation>counts/s²</translation>
+    </message>
+    <message>
+        <source>Acceleration of the profile</source>
+        <translation>Aceleración del perfil</translation>
+    </message>
+    <message>
+        <source>The profile needs a velocity up to %1 counts/s.</source>
+        <translation>El perfil necesita una velocidad de hasta %1 counts/s.</translation>
+    </message>
+    <message>
+        <source>The profile needs an acceleration up to %1 counts/s²; 0 is none.</source>
+        <translation>El perfil necesita una aceleración de hasta %1 counts/s²; 0 es ninguna.</translation>
     </message>
 </context>
 <context>
@@ -8150,62 +8188,6 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
         <translation>Consigna, deslizador</translation>
     </message>
     <message>
-        <source>Range of the set-point, either way</source>
-        <translation>Rango de la consigna, en ambos sentidos</translation>
-    </message>
-    <message>
-        <source>A set-point beyond it is refused: the limit of the hand, not of the drive.</source>
-        <translation>Una consigna mayor se rechaza: es el límite del mando, no del controlador.</translation>
-    </message>
-    <message>
-        <source>at once, as a step</source>
-        <translation>de inmediato, como escalón</translation>
-    </message>
-    <message>
-        <source>full range in %1</source>
-        <translation>rango completo en %1</translation>
-    </message>
-    <message>
-        <source>How fast the set-point moves</source>
-        <translation>Con qué rapidez varía la consigna</translation>
-    </message>
-    <message>
-        <source>This program moves the set-point no faster, whatever is typed.</source>
-        <translation>Este programa no varía la consigna más rápido, se escriba lo que se escriba.</translation>
-    </message>
-    <message>
-        <source>Range ±</source>
-        <translation>Rango ±</translation>
-    </message>
-    <message>
-        <source>Moves</source>
-        <translation>Variación</translation>
-    </message>
-    <message>
-        <source>Velocity</source>
-        <translation>Velocidad</translation>
-    </message>
-    <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
-    </message>
-    <message>
-        <source>Velocity of the profile</source>
-        <translation>Velocidad del perfil</translation>
-    </message>
-    <message>
-        <source>Acceleration</source>
-        <translation>Aceleración</translation>
-    </message>
-    <message>
-        <source>counts/s²</source>
-        <translation>counts/s²</translation>
-    </message>
-    <message>
-        <source>Acceleration of the profile</source>
-        <translation>Aceleración del perfil</translation>
-    </message>
-    <message>
         <source>Ramp, brake, direction, limits</source>
         <translation>Rampa, freno, sentido, límites</translation>
     </message>
@@ -8220,14 +8202,6 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
     <message>
         <source>Stops the motor, and makes where it stands position 0. It starts again with Run only: a motor that runs would jump.</source>
         <translation>Detiene el motor y hace que su posición actual sea la 0. Solo vuelve a arrancar con Iniciar: un motor en marcha daría un salto.</translation>
-    </message>
-    <message>
-        <source>The profile needs a velocity up to %1 counts/s.</source>
-        <translation>El perfil necesita una velocidad de hasta %1 counts/s.</translation>
-    </message>
-    <message>
-        <source>The profile needs an acceleration up to %1 counts/s²; 0 is none.</source>
-        <translation>El perfil necesita una aceleración de hasta %1 counts/s²; 0 es ninguna.</translation>
     </message>
     <message>
         <source>device</source>
@@ -8263,6 +8237,41 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
     <message>
         <source>There is a derived signal of this name.</source>
         <translation>Ya existe una señal derivada con este nombre.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::SetPointRange</name>
+    <message>
+        <source>Range ±</source>
+        <translation>Rango ±</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>Variación</translation>
+    </message>
+    <message>
+        <source>Range of the set-point, either way</source>
+        <translation>Rango de la consigna, en ambos sentidos</translation>
+    </message>
+    <message>
+        <source>A set-point beyond it is refused: the limit of the hand, not of the drive.</source>
+        <translation>Una consigna mayor se rechaza: es el límite del mando, no del controlador.</translation>
+    </message>
+    <message>
+        <source>at once, as a step</source>
+        <translation>de inmediato, como escalón</translation>
+    </message>
+    <message>
+        <source>full range in %1</source>
+        <translation>rango completo en %1</translation>
+    </message>
+    <message>
+        <source>How fast the set-point moves</source>
+        <translation>Con qué rapidez varía la consigna</translation>
+    </message>
+    <message>
+        <source>This program moves the set-point no faster, whatever is typed.</source>
+        <translation>Este programa no varía la consigna más rápido, se escriba lo que se escriba.</translation>
     </message>
 </context>
 <context>
@@ -9149,6 +9158,25 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
 </context>
 <context>
+    <name>mb::TrialOrders</name>
+    <message>
+        <source>the notebook: %1</source>
+        <translation>el cuaderno: %1</translation>
+    </message>
+    <message>
+        <source>Export trials</source>
+        <translation>Exportar ensayos</translation>
+    </message>
+    <message>
+        <source>Table (*.csv);;JSON (*.json)</source>
+        <translation>Tabla (*.csv);;JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>trials written to %1</source>
+        <translation>ensayos escritos en %1</translation>
+    </message>
+</context>
+<context>
     <name>mb::TrialWords</name>
     <message>
         <source>travel</source>
@@ -9352,19 +9380,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
 </context>
 <context>
-    <name>mb::TrialsView</name>
-    <message>
-        <source>Below the plot</source>
-        <translation>Debajo de la gráfica</translation>
-    </message>
-    <message>
-        <source>Trials</source>
-        <translation>Ensayos</translation>
-    </message>
-    <message>
-        <source>Metrics</source>
-        <translation>Índices</translation>
-    </message>
+    <name>mb::TrialsHead</name>
     <message>
         <source>Flip A and B</source>
         <translation>Intercambiar A y B</translation>
@@ -9382,14 +9398,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>Encajar tiempo y valor</translation>
     </message>
     <message>
-        <source>the notebook: %1</source>
-        <translation>el cuaderno: %1</translation>
-    </message>
-    <message>
-        <source>not kept: %1</source>
-        <translation>no conservado: %1</translation>
-    </message>
-    <message>
         <source>No trial yet. F5 runs the first.</source>
         <translation>Aún no hay ensayos. F5 ejecuta el primero.</translation>
     </message>
@@ -9405,17 +9413,24 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>B #%1; Shift+click on a trial pins it as A</source>
         <translation>B #%1; Mayús+clic en un ensayo lo fija como A</translation>
     </message>
+</context>
+<context>
+    <name>mb::TrialsView</name>
     <message>
-        <source>Export trials</source>
-        <translation>Exportar ensayos</translation>
+        <source>Below the plot</source>
+        <translation>Debajo de la gráfica</translation>
     </message>
     <message>
-        <source>Table (*.csv);;JSON (*.json)</source>
-        <translation>Tabla (*.csv);;JSON (*.json)</translation>
+        <source>Trials</source>
+        <translation>Ensayos</translation>
     </message>
     <message>
-        <source>trials written to %1</source>
-        <translation>ensayos escritos en %1</translation>
+        <source>Metrics</source>
+        <translation>Índices</translation>
+    </message>
+    <message>
+        <source>not kept: %1</source>
+        <translation>no conservado: %1</translation>
     </message>
 </context>
 <context>

@@ -1460,14 +1460,6 @@
 <context>
     <name>mb::Arming</name>
     <message>
-        <source>%1 axes</source>
-        <translation>%1 axes</translation>
-    </message>
-    <message>
-        <source>axis %1 %2</source>
-        <translation>axe %1 %2</translation>
-    </message>
-    <message>
         <source>%1: cut its power</source>
         <translation>%1&#xa0;: couper l’alimentation</translation>
     </message>
@@ -4853,6 +4845,17 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     </message>
 </context>
 <context>
+    <name>mb::MotionWords</name>
+    <message>
+        <source>%1 axes</source>
+        <translation>%1 axes</translation>
+    </message>
+    <message>
+        <source>axis %1 %2</source>
+        <translation>axe %1 %2</translation>
+    </message>
+</context>
+<context>
     <name>mb::MovesPanel</name>
     <message>
         <source>Moves together</source>
@@ -6086,6 +6089,41 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     <message>
         <source>stops every motor</source>
         <translation>arrête tous les moteurs</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ProfileFields</name>
+    <message>
+        <source>Velocity</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>counts/s</source>
+        <translation>counts/s</translation>
+    </message>
+    <message>
+        <source>Velocity of the profile</source>
+        <translation>Vitesse du profil</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Accélération</translation>
+    </message>
+    <message>
+        <source>counts/s²</source>
+        <translation>counts/s²</translation>
+    </message>
+    <message>
+        <source>Acceleration of the profile</source>
+        <translation>Accélération du profil</translation>
+    </message>
+    <message>
+        <source>The profile needs a velocity up to %1 counts/s.</source>
+        <translation>Le profil demande une vitesse jusqu’à %1 counts/s.</translation>
+    </message>
+    <message>
+        <source>The profile needs an acceleration up to %1 counts/s²; 0 is none.</source>
+        <translation>Le profil demande une accélération jusqu’à %1 counts/s² ; 0 signifie aucune.</translation>
     </message>
 </context>
 <context>
@@ -8150,62 +8188,6 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
         <translation>Consigne, curseur</translation>
     </message>
     <message>
-        <source>Range of the set-point, either way</source>
-        <translation>Plage de la consigne, dans chaque sens</translation>
-    </message>
-    <message>
-        <source>A set-point beyond it is refused: the limit of the hand, not of the drive.</source>
-        <translation>Une consigne au-delà est refusée&#xa0;: limite de l’opérateur, pas du variateur.</translation>
-    </message>
-    <message>
-        <source>at once, as a step</source>
-        <translation>immédiatement, en échelon</translation>
-    </message>
-    <message>
-        <source>full range in %1</source>
-        <translation>pleine plage en %1</translation>
-    </message>
-    <message>
-        <source>How fast the set-point moves</source>
-        <translation>Vitesse de variation de la consigne</translation>
-    </message>
-    <message>
-        <source>This program moves the set-point no faster, whatever is typed.</source>
-        <translation>Ce programme ne fait pas varier la consigne plus vite, quelle que soit la saisie.</translation>
-    </message>
-    <message>
-        <source>Range ±</source>
-        <translation>Plage ±</translation>
-    </message>
-    <message>
-        <source>Moves</source>
-        <translation>Variation</translation>
-    </message>
-    <message>
-        <source>Velocity</source>
-        <translation>Vitesse</translation>
-    </message>
-    <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
-    </message>
-    <message>
-        <source>Velocity of the profile</source>
-        <translation>Vitesse du profil</translation>
-    </message>
-    <message>
-        <source>Acceleration</source>
-        <translation>Accélération</translation>
-    </message>
-    <message>
-        <source>counts/s²</source>
-        <translation>counts/s²</translation>
-    </message>
-    <message>
-        <source>Acceleration of the profile</source>
-        <translation>Accélération du profil</translation>
-    </message>
-    <message>
         <source>Ramp, brake, direction, limits</source>
         <translation>Rampe, freinage, sens, limites</translation>
     </message>
@@ -8220,14 +8202,6 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     <message>
         <source>Stops the motor, and makes where it stands position 0. It starts again with Run only: a motor that runs would jump.</source>
         <translation>Arrête le moteur et fait de l’endroit où il se trouve la position 0. Il ne repart qu’avec Lancer&#xa0;: un moteur en marche sauterait.</translation>
-    </message>
-    <message>
-        <source>The profile needs a velocity up to %1 counts/s.</source>
-        <translation>Le profil demande une vitesse jusqu’à %1 counts/s.</translation>
-    </message>
-    <message>
-        <source>The profile needs an acceleration up to %1 counts/s²; 0 is none.</source>
-        <translation>Le profil demande une accélération jusqu’à %1 counts/s²&#x202f;; 0 signifie aucune.</translation>
     </message>
     <message>
         <source>device</source>
@@ -8263,6 +8237,41 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     <message>
         <source>There is a derived signal of this name.</source>
         <translation>Un signal dérivé porte déjà ce nom.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::SetPointRange</name>
+    <message>
+        <source>Range ±</source>
+        <translation>Plage ±</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>Variation</translation>
+    </message>
+    <message>
+        <source>Range of the set-point, either way</source>
+        <translation>Plage de la consigne, dans chaque sens</translation>
+    </message>
+    <message>
+        <source>A set-point beyond it is refused: the limit of the hand, not of the drive.</source>
+        <translation>Une consigne au-delà est refusée : limite de l’opérateur, pas du variateur.</translation>
+    </message>
+    <message>
+        <source>at once, as a step</source>
+        <translation>immédiatement, en échelon</translation>
+    </message>
+    <message>
+        <source>full range in %1</source>
+        <translation>pleine plage en %1</translation>
+    </message>
+    <message>
+        <source>How fast the set-point moves</source>
+        <translation>Vitesse de variation de la consigne</translation>
+    </message>
+    <message>
+        <source>This program moves the set-point no faster, whatever is typed.</source>
+        <translation>Ce programme ne fait pas varier la consigne plus vite, quelle que soit la saisie.</translation>
     </message>
 </context>
 <context>
@@ -9149,6 +9158,25 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
 </context>
 <context>
+    <name>mb::TrialOrders</name>
+    <message>
+        <source>the notebook: %1</source>
+        <translation>le carnet d’essais : %1</translation>
+    </message>
+    <message>
+        <source>Export trials</source>
+        <translation>Exporter les essais</translation>
+    </message>
+    <message>
+        <source>Table (*.csv);;JSON (*.json)</source>
+        <translation>Tableau (*.csv);;JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>trials written to %1</source>
+        <translation>essais écrits dans %1</translation>
+    </message>
+</context>
+<context>
     <name>mb::TrialWords</name>
     <message>
         <source>travel</source>
@@ -9352,19 +9380,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
 </context>
 <context>
-    <name>mb::TrialsView</name>
-    <message>
-        <source>Below the plot</source>
-        <translation>Sous le graphique</translation>
-    </message>
-    <message>
-        <source>Trials</source>
-        <translation>Essais</translation>
-    </message>
-    <message>
-        <source>Metrics</source>
-        <translation>Indicateurs</translation>
-    </message>
+    <name>mb::TrialsHead</name>
     <message>
         <source>Flip A and B</source>
         <translation>Permuter A et B</translation>
@@ -9382,14 +9398,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>Ajuster temps et valeur</translation>
     </message>
     <message>
-        <source>the notebook: %1</source>
-        <translation>le carnet d’essais&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>not kept: %1</source>
-        <translation>non conservé&#xa0;: %1</translation>
-    </message>
-    <message>
         <source>No trial yet. F5 runs the first.</source>
         <translation>Pas encore d’essai. F5 lance le premier.</translation>
     </message>
@@ -9403,19 +9411,26 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>B #%1; Shift+click on a trial pins it as A</source>
-        <translation>B n° %1&#x202f;; Maj+clic sur un essai l’épingle comme A</translation>
+        <translation>B n° %1 ; Maj+clic sur un essai l’épingle comme A</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TrialsView</name>
+    <message>
+        <source>Below the plot</source>
+        <translation>Sous le graphique</translation>
     </message>
     <message>
-        <source>Export trials</source>
-        <translation>Exporter les essais</translation>
+        <source>Trials</source>
+        <translation>Essais</translation>
     </message>
     <message>
-        <source>Table (*.csv);;JSON (*.json)</source>
-        <translation>Tableau (*.csv);;JSON (*.json)</translation>
+        <source>Metrics</source>
+        <translation>Indicateurs</translation>
     </message>
     <message>
-        <source>trials written to %1</source>
-        <translation>essais écrits dans %1</translation>
+        <source>not kept: %1</source>
+        <translation>non conservé&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -9502,14 +9517,14 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>axis %1 moves in another mode; stop it first</source>
-        <translation>l’axe %1 se déplace dans un autre mode ; arrêtez-le d’abord</translation>
+        <translation>l’axe %1 se déplace dans un autre mode&#x202f;; arrêtez-le d’abord</translation>
     </message>
 </context>
 <context>
     <name>mb::TuneColumn</name>
     <message>
         <source>The power limit of axis %1 is unknown: its first motion sets it to %2. Write another under Limits of the axis.</source>
-        <translation>La limite de puissance de l’axe %1 est inconnue : son premier mouvement la fixe à %2. Écrivez-en une autre sous Limites de l’axe.</translation>
+        <translation>La limite de puissance de l’axe %1 est inconnue&#xa0;: son premier mouvement la fixe à %2. Écrivez-en une autre sous Limites de l’axe.</translation>
     </message>
     <message>
         <source>%</source>
@@ -9563,7 +9578,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <name>mb::TuneExperiments</name>
     <message>
         <source>the limits were not kept: %1</source>
-        <translation>les limites n’ont pas été respectées : %1</translation>
+        <translation>les limites n’ont pas été respectées&#xa0;: %1</translation>
     </message>
     <message>
         <source>Experiment</source>
@@ -9676,7 +9691,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>gains not written: %1</source>
-        <translation>gains non écrits : %1</translation>
+        <translation>gains non écrits&#xa0;: %1</translation>
     </message>
     <message>
         <source>Gains of trial #%1</source>
@@ -9688,7 +9703,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>nothing copied: no gain of axis %1 is known for this mode; write it first</source>
-        <translation>rien copié : aucun gain de l’axe %1 n’est connu pour ce mode ; écrivez-le d’abord</translation>
+        <translation>rien copié&#xa0;: aucun gain de l’axe %1 n’est connu pour ce mode&#x202f;; écrivez-le d’abord</translation>
     </message>
     <message>
         <source>Gains and limits of axis %1</source>
@@ -9766,7 +9781,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <name>mb::TuneMotion</name>
     <message>
         <source>position 0 is here; the motor is off until Run</source>
-        <translation>la position 0 est ici ; le moteur est coupé jusqu’à Lancer</translation>
+        <translation>la position 0 est ici&#x202f;; le moteur est coupé jusqu’à Lancer</translation>
     </message>
     <message>
         <source>it has no lamp that could blink</source>
@@ -9774,11 +9789,11 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>not identified: %1</source>
-        <translation>non identifié : %1</translation>
+        <translation>non identifié&#xa0;: %1</translation>
     </message>
     <message>
         <source>disarmed: %1 changed</source>
-        <translation>désarmé : %1 a changé</translation>
+        <translation>désarmé&#xa0;: %1 a changé</translation>
     </message>
     <message>
         <source>Moving</source>
@@ -9802,7 +9817,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>axis %1: %2</source>
-        <translation>axe %1 : %2</translation>
+        <translation>axe %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1, slot %2</source>
@@ -9810,7 +9825,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source> · also moving: axis %1</source>
-        <translation> · aussi en mouvement : axe %1</translation>
+        <translation> · aussi en mouvement&#xa0;: axe %1</translation>
     </message>
 </context>
 <context>

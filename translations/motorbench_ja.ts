@@ -1459,14 +1459,6 @@
 <context>
     <name>mb::Arming</name>
     <message>
-        <source>%1 axes</source>
-        <translation>%1 軸</translation>
-    </message>
-    <message>
-        <source>axis %1 %2</source>
-        <translation>軸 %1 %2</translation>
-    </message>
-    <message>
         <source>%1: cut its power</source>
         <translation>%1: 電源を切ってください</translation>
     </message>
@@ -4846,6 +4838,17 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
 </context>
 <context>
+    <name>mb::MotionWords</name>
+    <message>
+        <source>%1 axes</source>
+        <translation>%1 軸</translation>
+    </message>
+    <message>
+        <source>axis %1 %2</source>
+        <translation>軸 %1 %2</translation>
+    </message>
+</context>
+<context>
     <name>mb::MovesPanel</name>
     <message>
         <source>Moves together</source>
@@ -6079,6 +6082,41 @@ double click or End returns to the present · right click for more</source>
     <message>
         <source>stops every motor</source>
         <translation>すべてのモーターを停止</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ProfileFields</name>
+    <message>
+        <source>Velocity</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>counts/s</source>
+        <translation>counts/s</translation>
+    </message>
+    <message>
+        <source>Velocity of the profile</source>
+        <translation>プロファイルの速度</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>counts/s²</source>
+        <translation>counts/s²</translation>
+    </message>
+    <message>
+        <source>Acceleration of the profile</source>
+        <translation>プロファイルの加速度</translation>
+    </message>
+    <message>
+        <source>The profile needs a velocity up to %1 counts/s.</source>
+        <translation>プロファイルには %1 counts/s 以下の速度が必要です。</translation>
+    </message>
+    <message>
+        <source>The profile needs an acceleration up to %1 counts/s²; 0 is none.</source>
+        <translation>プロファイルには %1 counts/s² 以下の加速度が必要です。0 はなしを表します。</translation>
     </message>
 </context>
 <context>
@@ -8139,62 +8177,6 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <translation>目標値、スライダ</translation>
     </message>
     <message>
-        <source>Range of the set-point, either way</source>
-        <translation>目標値の範囲、両方向</translation>
-    </message>
-    <message>
-        <source>A set-point beyond it is refused: the limit of the hand, not of the drive.</source>
-        <translation>これを超える目標値は拒否します: ドライブではなく手動操作の制限です。</translation>
-    </message>
-    <message>
-        <source>at once, as a step</source>
-        <translation>即時、ステップ状</translation>
-    </message>
-    <message>
-        <source>full range in %1</source>
-        <translation>全範囲を %1 で</translation>
-    </message>
-    <message>
-        <source>How fast the set-point moves</source>
-        <translation>目標値の変化の速さ</translation>
-    </message>
-    <message>
-        <source>This program moves the set-point no faster, whatever is typed.</source>
-        <translation>入力値によらず、このプログラムは目標値をこれより速く変化させません。</translation>
-    </message>
-    <message>
-        <source>Range ±</source>
-        <translation>範囲 ±</translation>
-    </message>
-    <message>
-        <source>Moves</source>
-        <translation>変化</translation>
-    </message>
-    <message>
-        <source>Velocity</source>
-        <translation>速度</translation>
-    </message>
-    <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
-    </message>
-    <message>
-        <source>Velocity of the profile</source>
-        <translation>プロファイルの速度</translation>
-    </message>
-    <message>
-        <source>Acceleration</source>
-        <translation>加速度</translation>
-    </message>
-    <message>
-        <source>counts/s²</source>
-        <translation>counts/s²</translation>
-    </message>
-    <message>
-        <source>Acceleration of the profile</source>
-        <translation>プロファイルの加速度</translation>
-    </message>
-    <message>
         <source>Ramp, brake, direction, limits</source>
         <translation>ランプ、ブレーキ、方向、リミット</translation>
     </message>
@@ -8209,14 +8191,6 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     <message>
         <source>Stops the motor, and makes where it stands position 0. It starts again with Run only: a motor that runs would jump.</source>
         <translation>モータを停止し、その位置を 0 とします。再始動は「実行」でのみ行います: 動作中のモータでは位置が飛ぶためです。</translation>
-    </message>
-    <message>
-        <source>The profile needs a velocity up to %1 counts/s.</source>
-        <translation>プロファイルには %1 counts/s 以下の速度が必要です。</translation>
-    </message>
-    <message>
-        <source>The profile needs an acceleration up to %1 counts/s²; 0 is none.</source>
-        <translation>プロファイルには %1 counts/s² 以下の加速度が必要です。0 はなしを表します。</translation>
     </message>
     <message>
         <source>device</source>
@@ -8252,6 +8226,41 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     <message>
         <source>There is a derived signal of this name.</source>
         <translation>同じ名前の派生信号があります。</translation>
+    </message>
+</context>
+<context>
+    <name>mb::SetPointRange</name>
+    <message>
+        <source>Range ±</source>
+        <translation>範囲 ±</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>変化</translation>
+    </message>
+    <message>
+        <source>Range of the set-point, either way</source>
+        <translation>目標値の範囲、両方向</translation>
+    </message>
+    <message>
+        <source>A set-point beyond it is refused: the limit of the hand, not of the drive.</source>
+        <translation>これを超える目標値は拒否します: ドライブではなく手動操作の制限です。</translation>
+    </message>
+    <message>
+        <source>at once, as a step</source>
+        <translation>即時、ステップ状</translation>
+    </message>
+    <message>
+        <source>full range in %1</source>
+        <translation>全範囲を %1 で</translation>
+    </message>
+    <message>
+        <source>How fast the set-point moves</source>
+        <translation>目標値の変化の速さ</translation>
+    </message>
+    <message>
+        <source>This program moves the set-point no faster, whatever is typed.</source>
+        <translation>入力値によらず、このプログラムは目標値をこれより速く変化させません。</translation>
     </message>
 </context>
 <context>
@@ -9135,6 +9144,25 @@ double click plots it, drag it to a pane or below them</source>
     </message>
 </context>
 <context>
+    <name>mb::TrialOrders</name>
+    <message>
+        <source>the notebook: %1</source>
+        <translation>ノート: %1</translation>
+    </message>
+    <message>
+        <source>Export trials</source>
+        <translation>試行のエクスポート</translation>
+    </message>
+    <message>
+        <source>Table (*.csv);;JSON (*.json)</source>
+        <translation>表 (*.csv);;JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>trials written to %1</source>
+        <translation>試行を %1 に書き出しました</translation>
+    </message>
+</context>
+<context>
     <name>mb::TrialWords</name>
     <message>
         <source>travel</source>
@@ -9338,19 +9366,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
 </context>
 <context>
-    <name>mb::TrialsView</name>
-    <message>
-        <source>Below the plot</source>
-        <translation>プロットの下</translation>
-    </message>
-    <message>
-        <source>Trials</source>
-        <translation>試行</translation>
-    </message>
-    <message>
-        <source>Metrics</source>
-        <translation>指標</translation>
-    </message>
+    <name>mb::TrialsHead</name>
     <message>
         <source>Flip A and B</source>
         <translation>A と B を入替え</translation>
@@ -9368,14 +9384,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>時間と値を全体表示</translation>
     </message>
     <message>
-        <source>the notebook: %1</source>
-        <translation>ノート: %1</translation>
-    </message>
-    <message>
-        <source>not kept: %1</source>
-        <translation>未保存: %1</translation>
-    </message>
-    <message>
         <source>No trial yet. F5 runs the first.</source>
         <translation>試行はまだありません。F5 で最初の試行を実行します。</translation>
     </message>
@@ -9391,17 +9399,24 @@ double click plots it, drag it to a pane or below them</source>
         <source>B #%1; Shift+click on a trial pins it as A</source>
         <translation>B #%1。試行を Shift+クリックすると A として固定します</translation>
     </message>
+</context>
+<context>
+    <name>mb::TrialsView</name>
     <message>
-        <source>Export trials</source>
-        <translation>試行のエクスポート</translation>
+        <source>Below the plot</source>
+        <translation>プロットの下</translation>
     </message>
     <message>
-        <source>Table (*.csv);;JSON (*.json)</source>
-        <translation>表 (*.csv);;JSON (*.json)</translation>
+        <source>Trials</source>
+        <translation>試行</translation>
     </message>
     <message>
-        <source>trials written to %1</source>
-        <translation>試行を %1 に書き出しました</translation>
+        <source>Metrics</source>
+        <translation>指標</translation>
+    </message>
+    <message>
+        <source>not kept: %1</source>
+        <translation>未保存: %1</translation>
     </message>
 </context>
 <context>

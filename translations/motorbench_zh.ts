@@ -1459,14 +1459,6 @@
 <context>
     <name>mb::Arming</name>
     <message>
-        <source>%1 axes</source>
-        <translation>%1 轴</translation>
-    </message>
-    <message>
-        <source>axis %1 %2</source>
-        <translation>轴 %1 %2</translation>
-    </message>
-    <message>
         <source>%1: cut its power</source>
         <translation>%1：切断其电源</translation>
     </message>
@@ -4846,6 +4838,17 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
 </context>
 <context>
+    <name>mb::MotionWords</name>
+    <message>
+        <source>%1 axes</source>
+        <translation>%1 轴</translation>
+    </message>
+    <message>
+        <source>axis %1 %2</source>
+        <translation>轴 %1 %2</translation>
+    </message>
+</context>
+<context>
     <name>mb::MovesPanel</name>
     <message>
         <source>Moves together</source>
@@ -6079,6 +6082,41 @@ double click or End returns to the present · right click for more</source>
     <message>
         <source>stops every motor</source>
         <translation>停止所有电机</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ProfileFields</name>
+    <message>
+        <source>Velocity</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>counts/s</source>
+        <translation>counts/s</translation>
+    </message>
+    <message>
+        <source>Velocity of the profile</source>
+        <translation>轮廓速度</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>counts/s²</source>
+        <translation>counts/s²</translation>
+    </message>
+    <message>
+        <source>Acceleration of the profile</source>
+        <translation>轮廓加速度</translation>
+    </message>
+    <message>
+        <source>The profile needs a velocity up to %1 counts/s.</source>
+        <translation>轮廓需要不超过 %1 counts/s 的速度。</translation>
+    </message>
+    <message>
+        <source>The profile needs an acceleration up to %1 counts/s²; 0 is none.</source>
+        <translation>轮廓需要不超过 %1 counts/s² 的加速度；0 表示无。</translation>
     </message>
 </context>
 <context>
@@ -8139,62 +8177,6 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <translation>设定值，滑块</translation>
     </message>
     <message>
-        <source>Range of the set-point, either way</source>
-        <translation>设定值的范围，正负方向</translation>
-    </message>
-    <message>
-        <source>A set-point beyond it is refused: the limit of the hand, not of the drive.</source>
-        <translation>超出此范围的设定值会被拒绝：这是手动操作的限值，而非驱动器的限值。</translation>
-    </message>
-    <message>
-        <source>at once, as a step</source>
-        <translation>立即，作为阶跃</translation>
-    </message>
-    <message>
-        <source>full range in %1</source>
-        <translation>全范围需 %1</translation>
-    </message>
-    <message>
-        <source>How fast the set-point moves</source>
-        <translation>设定值变化的快慢</translation>
-    </message>
-    <message>
-        <source>This program moves the set-point no faster, whatever is typed.</source>
-        <translation>无论输入什么，本程序都不会更快地改变设定值。</translation>
-    </message>
-    <message>
-        <source>Range ±</source>
-        <translation>范围 ±</translation>
-    </message>
-    <message>
-        <source>Moves</source>
-        <translation>变化率</translation>
-    </message>
-    <message>
-        <source>Velocity</source>
-        <translation>速度</translation>
-    </message>
-    <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
-    </message>
-    <message>
-        <source>Velocity of the profile</source>
-        <translation>轮廓速度</translation>
-    </message>
-    <message>
-        <source>Acceleration</source>
-        <translation>加速度</translation>
-    </message>
-    <message>
-        <source>counts/s²</source>
-        <translation>counts/s²</translation>
-    </message>
-    <message>
-        <source>Acceleration of the profile</source>
-        <translation>轮廓加速度</translation>
-    </message>
-    <message>
         <source>Ramp, brake, direction, limits</source>
         <translation>斜坡、制动、方向、限位</translation>
     </message>
@@ -8209,14 +8191,6 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     <message>
         <source>Stops the motor, and makes where it stands position 0. It starts again with Run only: a motor that runs would jump.</source>
         <translation>停止电机，并将其所在处设为位置 0。只有按“运行”才会再次启动：运行中的电机会跳动。</translation>
-    </message>
-    <message>
-        <source>The profile needs a velocity up to %1 counts/s.</source>
-        <translation>轮廓需要不超过 %1 counts/s 的速度。</translation>
-    </message>
-    <message>
-        <source>The profile needs an acceleration up to %1 counts/s²; 0 is none.</source>
-        <translation>轮廓需要不超过 %1 counts/s² 的加速度；0 表示无。</translation>
     </message>
     <message>
         <source>device</source>
@@ -8252,6 +8226,41 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     <message>
         <source>There is a derived signal of this name.</source>
         <translation>已有同名的派生信号。</translation>
+    </message>
+</context>
+<context>
+    <name>mb::SetPointRange</name>
+    <message>
+        <source>Range ±</source>
+        <translation>范围 ±</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>变化率</translation>
+    </message>
+    <message>
+        <source>Range of the set-point, either way</source>
+        <translation>设定值的范围，正负方向</translation>
+    </message>
+    <message>
+        <source>A set-point beyond it is refused: the limit of the hand, not of the drive.</source>
+        <translation>超出此范围的设定值会被拒绝：这是手动操作的限值，而非驱动器的限值。</translation>
+    </message>
+    <message>
+        <source>at once, as a step</source>
+        <translation>立即，作为阶跃</translation>
+    </message>
+    <message>
+        <source>full range in %1</source>
+        <translation>全范围需 %1</translation>
+    </message>
+    <message>
+        <source>How fast the set-point moves</source>
+        <translation>设定值变化的快慢</translation>
+    </message>
+    <message>
+        <source>This program moves the set-point no faster, whatever is typed.</source>
+        <translation>无论输入什么，本程序都不会更快地改变设定值。</translation>
     </message>
 </context>
 <context>
@@ -9135,6 +9144,25 @@ double click plots it, drag it to a pane or below them</source>
     </message>
 </context>
 <context>
+    <name>mb::TrialOrders</name>
+    <message>
+        <source>the notebook: %1</source>
+        <translation>试验记录本：%1</translation>
+    </message>
+    <message>
+        <source>Export trials</source>
+        <translation>导出试验</translation>
+    </message>
+    <message>
+        <source>Table (*.csv);;JSON (*.json)</source>
+        <translation>表格 (*.csv);;JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>trials written to %1</source>
+        <translation>试验已写入 %1</translation>
+    </message>
+</context>
+<context>
     <name>mb::TrialWords</name>
     <message>
         <source>travel</source>
@@ -9338,19 +9366,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
 </context>
 <context>
-    <name>mb::TrialsView</name>
-    <message>
-        <source>Below the plot</source>
-        <translation>曲线图下方</translation>
-    </message>
-    <message>
-        <source>Trials</source>
-        <translation>试验</translation>
-    </message>
-    <message>
-        <source>Metrics</source>
-        <translation>指标</translation>
-    </message>
+    <name>mb::TrialsHead</name>
     <message>
         <source>Flip A and B</source>
         <translation>交换 A 和 B</translation>
@@ -9368,14 +9384,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>适配时间和数值</translation>
     </message>
     <message>
-        <source>the notebook: %1</source>
-        <translation>试验记录本：%1</translation>
-    </message>
-    <message>
-        <source>not kept: %1</source>
-        <translation>未保留：%1</translation>
-    </message>
-    <message>
         <source>No trial yet. F5 runs the first.</source>
         <translation>尚无试验。按 F5 运行第一次。</translation>
     </message>
@@ -9391,17 +9399,24 @@ double click plots it, drag it to a pane or below them</source>
         <source>B #%1; Shift+click on a trial pins it as A</source>
         <translation>B #%1；Shift+单击试验可将其固定为 A</translation>
     </message>
+</context>
+<context>
+    <name>mb::TrialsView</name>
     <message>
-        <source>Export trials</source>
-        <translation>导出试验</translation>
+        <source>Below the plot</source>
+        <translation>曲线图下方</translation>
     </message>
     <message>
-        <source>Table (*.csv);;JSON (*.json)</source>
-        <translation>表格 (*.csv);;JSON (*.json)</translation>
+        <source>Trials</source>
+        <translation>试验</translation>
     </message>
     <message>
-        <source>trials written to %1</source>
-        <translation>试验已写入 %1</translation>
+        <source>Metrics</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>not kept: %1</source>
+        <translation>未保留：%1</translation>
     </message>
 </context>
 <context>

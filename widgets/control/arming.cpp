@@ -6,6 +6,7 @@
 #include "tuning/frequencyresponse.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/control/motionwords.h"
 #include "widgets/control/trialwords.h"
 
 #include <QPointer>
@@ -27,74 +28,9 @@ Arming::Arming(Workbench &workbench, QObject *parent)
     connect(&workbench, &Workbench::changed, this, &Arming::follow);
 }
 
-QString Arming::nameOf(DeviceId device) const
-{
-    const DeviceView *view = m_workbench.snapshot().device(device);
-    return view ? QStringLiteral("#%1").arg(view->identity.address) : QString();
-}
-
-/// As everywhere but in the lamp, which has little room.
-QString Arming::titled(DeviceId device) const
-{
-    const DeviceView *view = m_workbench.snapshot().device(device);
-    return view ? titleOf(*view) : QString();
-}
-
-/// The mode; of boards the number of axes.
-QString Arming::whatMoves() const
-{
-    const DeviceView *view = m_workbench.snapshot().device(m_device);
-    const auto axes = view ? view->motion.setPoints.size() : 0;
-    if (!view || view->family->capabilities.axes == 1 || axes == 0)
-        return modeText(m_setPoint.mode);
-    if (axes > 1)
-        return tr("%1 axes").arg(axes);
-    const SetPoint &only = view->motion.setPoints.front();
-    return tr("axis %1 %2").arg(only.axis).arg(modeText(only.mode));
-}
-
-const DeviceView *Arming::experimentedWith() const
-{
-    const Snapshot &shot = m_workbench.snapshot();
-    const auto found = std::find_if(shot.devices.begin(), shot.devices.end(), [&shot](const DeviceView &device) {
-        const OperationView *job = shot.operation(device.id);
-        const auto &known = device.family->experiments;
-        return device.motion.running && job && job->status.state == OperationStatus::State::Running
-            && std::any_of(known.begin(), known.end(),
-                [job](const Experiment &experiment) { return experiment.title == job->status.title; });
-    });
-    return found == shot.devices.end() ? nullptr : &*found;
-}
-
 QString Arming::mayTurn() const
 {
-    const Snapshot &shot = m_workbench.snapshot();
-    QStringList names;
-    for (const DeviceView &device : shot.devices) {
-        if (device.mayTurn)
-            names += nameOf(device.id);
-    }
-    for (const std::string &selector : shot.owedStops)
-        names += QString::fromStdString(selector).section(QLatin1Char('/'), -1);
-    return names.join(QStringLiteral(", "));
-}
-
-bool Arming::isStopping() const
-{
-    const auto &all = m_workbench.snapshot().devices;
-    return std::any_of(all.begin(), all.end(),
-        [](const DeviceView &device) { return device.stop == StopState::Stopping && device.stopsMotion; });
-}
-
-/// Whom STOP leaves out, because it could do harm there.
-QString Arming::leftOut() const
-{
-    QStringList names;
-    for (const DeviceView &device : m_workbench.snapshot().devices) {
-        if (!device.mayNotBeStopped.empty())
-            names += nameOf(device.id);
-    }
-    return names.join(QStringLiteral(", "));
+    return namesThatMayTurn(m_workbench.snapshot());
 }
 
 bool Arming::hasMotion() const
@@ -104,19 +40,20 @@ bool Arming::hasMotion() const
         || std::any_of(all.begin(), all.end(), [](const DeviceView &device) { return device.motion.running; });
 }
 
-/// The lamp never says safe or stopped while a motor turns, or may.
+/// The Arm button never says safe or stopped while a motor turns, or may.
 LampStatus Arming::status(DeviceId candidate) const
 {
-    LampStatus status = statusOf(m_workbench.snapshot().device(candidate));
+    const Snapshot &shot = m_workbench.snapshot();
+    LampStatus status = statusOf(shot.device(candidate));
     if (const QString names = mayTurn(); !names.isEmpty()) {
         status.state = LampState::MayTurn;
         status.detail = tr("%1: cut its power").arg(names);
         status.remaining.reset();
         status.armable = false;
-    } else if (const DeviceView *other = m_state == LampState::Moving ? nullptr : experimentedWith()) {
+    } else if (const DeviceView *other = m_state == LampState::Moving ? nullptr : experimentedWith(shot)) {
         status.state = LampState::Moving;
-        status.detail = nameOf(other->id) + QLatin1Char(' ') + tr("experiment");
-    } else if (m_state != LampState::Moving && isStopping()) {
+        status.detail = addressIn(shot, other->id) + QLatin1Char(' ') + tr("experiment");
+    } else if (m_state != LampState::Moving && isStopping(shot)) {
         status.state = LampState::Stopping;
         status.detail = tr("until it is seen");
         status.remaining.reset();
@@ -126,6 +63,7 @@ LampStatus Arming::status(DeviceId candidate) const
 
 LampStatus Arming::statusOf(const DeviceView *view) const
 {
+    const Snapshot &shot = m_workbench.snapshot();
     LampStatus status;
     status.state = m_state;
     status.armable = view && view->mayNotMove.empty() && view->liveness.heard;
@@ -136,14 +74,17 @@ LampStatus Arming::statusOf(const DeviceView *view) const
         else if (!view->busy.empty())
             status.detail = tr("arming off while busy");
         else if (!status.armable)
-            status.detail = tr("%1 cannot be armed").arg(nameOf(view->id));
+            status.detail = tr("%1 cannot be armed").arg(addressIn(shot, view->id));
         break;
     case LampState::Armed:
         status.remaining = std::chrono::duration_cast<std::chrono::seconds>(
             std::max(m_armedUntil - m_workbench.now(), Duration::zero()));
-        status.detail = nameOf(m_device);
+        status.detail = addressIn(shot, m_device);
         break;
-    case LampState::Moving: status.detail = nameOf(m_device) + QLatin1Char(' ') + whatMoves(); break;
+    case LampState::Moving:
+        status.detail
+            = addressIn(shot, m_device) + QLatin1Char(' ') + whatMoves(shot.device(m_device), m_setPoint.mode);
+        break;
     case LampState::Stopped:
         if (!m_leftOut.isEmpty())
             status.detail = tr("not sent to %1").arg(m_leftOut);
@@ -190,7 +131,7 @@ void Arming::disarm()
 {
     if (m_state == LampState::Moving)
         m_workbench.send(orders::StopMotion{m_device});
-    else if (const DeviceView *other = experimentedWith())
+    else if (const DeviceView *other = experimentedWith(m_workbench.snapshot()))
         m_workbench.send(orders::StopMotion{other->id});
     if (m_state != LampState::Safe)
         enter(LampState::Safe);
@@ -216,7 +157,7 @@ void Arming::run(const SetPoint &setPoint, const Glide &glide)
 
 void Arming::refused(const Error &error)
 {
-    m_workbench.report(Severity::Danger, titled(m_device), errorText(error));
+    m_workbench.report(Severity::Danger, titleIn(m_workbench.snapshot(), m_device), errorText(error));
     if (!m_started && m_state == LampState::Moving)
         enter(LampState::Armed);
 }
@@ -287,7 +228,7 @@ void Arming::trialEnded(const Result<void> &ran, const std::string &reason, cons
     if (m_state != LampState::Moving)
         return;
     if (!ran)
-        m_workbench.report(Severity::Danger, titled(m_device), errorText(ran.error()));
+        m_workbench.report(Severity::Danger, titleIn(m_workbench.snapshot(), m_device), errorText(ran.error()));
     const bool calm = !ran || reason == "done" || reason == "interrupted";
     if (calm)
         enter(LampState::Armed);
@@ -335,7 +276,7 @@ void Arming::stop(StopCause cause, const QString &reason)
 {
     m_workbench.stopAll(cause); // first, before anything that could take time
     const bool live = m_state == LampState::Armed || m_state == LampState::Moving;
-    m_leftOut = cause == StopCause::User ? leftOut() : QString();
+    m_leftOut = cause == StopCause::User ? namesLeftOut(m_workbench.snapshot()) : QString();
     m_workbench.report(Severity::Caution, {},
         m_leftOut.isEmpty() ? tr("STOP: %1").arg(reason) : tr("STOP: %1; not sent to %2").arg(reason, m_leftOut));
     if (!live)
@@ -358,8 +299,8 @@ QString Arming::endOf(const MotionView &motion) const
 void Arming::follow()
 {
     if (m_state == LampState::Armed && m_workbench.now() >= m_armedUntil) {
-        m_workbench.report(
-            Severity::Info, titled(m_device), tr("disarmed after %1 min without motion").arg(m_armedTime.count() / 60));
+        m_workbench.report(Severity::Info, titleIn(m_workbench.snapshot(), m_device),
+            tr("disarmed after %1 min without motion").arg(m_armedTime.count() / 60));
         enter(LampState::Safe);
         return;
     }

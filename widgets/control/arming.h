@@ -8,7 +8,7 @@
 
 namespace mb {
 
-/// Whether energy may flow, and to which device: Safe → Armed (by holding the lamp) → Moving → Stopped, which needs a new
+/// Whether energy may flow, and to which device: Safe → Armed (by holding the Arm button) → Moving → Stopped, which needs a new
 /// arming. Everything that moves a motor from the window goes through here. Renews the motion lease from the GUI thread, so
 /// that a window that hangs ends in a stop by the engine.
 class Arming : public QObject {
@@ -23,14 +23,14 @@ public:
         return device == m_device && (m_state == LampState::Armed || m_state == LampState::Moving);
     }
     [[nodiscard]] bool isMoving() const { return m_state == LampState::Moving; }
-    /// For the lamp in the header. `candidate` is the device that holding would arm.
+    /// For the Arm button in the header. `candidate` is the device that holding would arm.
     [[nodiscard]] LampStatus status(DeviceId candidate) const;
     /// Why it was stopped, for people; empty while armed.
     [[nodiscard]] const QString &reason() const { return m_reason; }
     /// Stopped because the user said so: no alarm.
     [[nodiscard]] bool isStoppedByHand() const { return m_state == LampState::Stopped && m_byHand; }
 
-    /// The lamp was held. Refused, with a notice, when the device may not move.
+    /// The Arm button was held. Refused, with a notice, when the device may not move.
     void arm(DeviceId device);
     /// Back to safe; stops first when something moves.
     void disarm();
@@ -71,15 +71,8 @@ private:
     /// `reason` as in Trial, with its detail; an error: nothing has moved.
     void refused(const Error &error);
     void trialEnded(const Result<void> &ran, const std::string &reason, const Message &detail);
-    /// A device that an experiment moves, which was not begun here.
-    [[nodiscard]] const DeviceView *experimentedWith() const;
     void stop(StopCause cause, const QString &reason);
     [[nodiscard]] LampStatus statusOf(const DeviceView *candidate) const;
-    [[nodiscard]] bool isStopping() const;
-    [[nodiscard]] QString leftOut() const;
-    [[nodiscard]] QString nameOf(DeviceId device) const;
-    [[nodiscard]] QString titled(DeviceId device) const;
-    [[nodiscard]] QString whatMoves() const;
     [[nodiscard]] QString endOf(const MotionView &motion) const;
 
     Workbench &m_workbench;

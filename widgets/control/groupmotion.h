@@ -9,8 +9,8 @@
 
 namespace mb {
 
-/// Several devices of one link under one arming: each gets a move that it keeps, then one command starts them all. The lamp is
-/// the lead's; the others live as long as it moves, renewed from the GUI thread as it is. Whoever stops takes the others
+/// Several devices of one link under one arming: each gets a move that it keeps, then one command starts them all. The Arm
+/// button is the lead's; the others live as long as it moves, renewed from the GUI thread as it is. Whoever stops takes the others
 /// with it.
 class GroupMotion : public QObject {
     Q_OBJECT

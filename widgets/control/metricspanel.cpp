@@ -202,14 +202,14 @@ void MetricsPanel::fillDifference(int row, std::string_view key, Detail detail)
     const double before = a.value_or(0.0);
     const double after = b.value_or(0.0);
     const double change = (after - before) * word.scale;
-    const double judged = isSigned ? (std::abs(after) - std::abs(before)) * word.scale : change;
+    const double difference = isSigned ? (std::abs(after) - std::abs(before)) * word.scale : change;
     const auto error = valueOf(m_b->trial.errors, key).value_or(0.0) + valueOf(m_a->trial.errors, key).value_or(0.0);
-    const bool same = std::abs(judged) < std::max(word.same, error * word.scale);
+    const bool same = std::abs(difference) < std::max(word.same, error * word.scale);
     const QString number
         = detail == Detail::WordsOnly ? QString() : formatDifference(change, word.decimals) + QLatin1Char(' ');
     if (same)
         setCell(row, Difference, tr("%1= same").arg(number), Tone::Dim, false);
-    else if (judged < 0.0)
+    else if (difference < 0.0)
         setCell(row, Difference, QStringLiteral("%1▼ %2").arg(number, word.less), Tone::Ok, false);
     else
         setCell(row, Difference, QStringLiteral("%1▲ %2").arg(number, word.more), Tone::Caution, false);

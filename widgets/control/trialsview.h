@@ -2,15 +2,14 @@
 #pragma once
 
 #include "model/family.h"
-#include "tuning/kepttrial.h"
 #include "widgets/common/theme.h"
 #include "widgets/common/trialnotebook.h"
 #include "widgets/common/workbench.h"
+#include "widgets/control/trialpair.h"
 #include "widgets/plots/displayunits.h"
 
 #include <QWidget>
 
-class QLabel;
 class QScrollArea;
 class QStackedWidget;
 
@@ -21,6 +20,7 @@ class MetricsPanel;
 class ResponsePlot;
 class Segmented;
 class TrialList;
+class TrialsHead;
 
 /// What the experiments on one loop have shown: A and B over each other, their metrics, and the notebook below. Reads the
 /// notebook by itself; runs nothing, stages nothing.
@@ -49,14 +49,14 @@ public:
     void pinCurrent();
     void reload();
 
-    [[nodiscard]] const KeptTrial *a() const { return m_a ? &*m_a : nullptr; }
-    [[nodiscard]] const KeptTrial *b() const { return m_b ? &*m_b : nullptr; }
+    [[nodiscard]] const KeptTrial *a() const { return m_pair.a(); }
+    [[nodiscard]] const KeptTrial *b() const { return m_pair.b(); }
     [[nodiscard]] ResponsePlot &plot() { return *m_plot; }
     [[nodiscard]] MetricsPanel &metrics() { return *m_metrics; }
     [[nodiscard]] TrialList &list() { return *m_list; }
     [[nodiscard]] AdvicePanel &advice() { return *m_advice; }
     /// A is shown, because its stimulus is that of B.
-    [[nodiscard]] bool isComparable() const;
+    [[nodiscard]] bool isComparable() const { return m_pair.isComparable(); }
 
 Q_SIGNALS:
     void useRequested(const mb::KeptTrial &kept);
@@ -69,18 +69,15 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
-    QWidget *buildHead();
+    void buildSide();
+    void buildFoot();
     void arrange();
     void showParts(bool beside);
-    void connectList();
     void listed(const std::vector<KeptTrial> &trials);
     void fetch(std::int64_t number, bool asA);
     void draw();
     void drawPlot();
-    void exportAll();
-    void failed(const Result<void> &result);
 
-    Workbench &m_workbench;
     TrialNotebook &m_notebook;
     const ThemeSource &m_theme;
     const Family *m_family = nullptr;
@@ -88,21 +85,18 @@ private:
     int m_axis = 1;
     Mode m_mode = Mode::Off;
     DisplayUnits m_units;
-    std::optional<KeptTrial> m_a;
-    std::optional<KeptTrial> m_b;
-    bool m_pinned = false; ///< somebody chose A
+    TrialPair m_pair;
     bool m_beside = true;
     Shown m_shown = Shown::All;
-    QWidget *m_head = nullptr;
-    QWidget *m_footLine = nullptr;
-    QLabel *m_words = nullptr;
-    Segmented *m_below = nullptr;
-    QStackedWidget *m_foot = nullptr;
-    QScrollArea *m_numbers = nullptr;
-    QWidget *m_side = nullptr;
     ResponsePlot *m_plot = nullptr;
+    TrialsHead *m_head = nullptr;
+    QWidget *m_side = nullptr;
+    QScrollArea *m_numbers = nullptr;
     MetricsPanel *m_metrics = nullptr;
     AdvicePanel *m_advice = nullptr;
+    QWidget *m_footLine = nullptr;
+    Segmented *m_below = nullptr;
+    QStackedWidget *m_foot = nullptr;
     TrialList *m_list = nullptr;
 };
 

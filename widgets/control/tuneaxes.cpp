@@ -5,6 +5,7 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/control/axespanel.h"
+#include "widgets/control/setpointpanel.h"
 #include "widgets/control/tunecolumn.h"
 
 #include <algorithm>
@@ -65,11 +66,10 @@ void TuneAxes::spread()
 void TuneAxes::spreadTo(const DeviceView &view, int axis, const TuneChoice &shown)
 {
     const Mode mode = shown.mode;
-    const auto mine = shown.entered.ranges.find(mode);
-    SetPointPanel::Range range = mine == shown.entered.ranges.end() ? SetPointPanel::Range{} : mine->second;
+    SetPointEntries::Range range = shown.entered.range(mode);
     const double limit = range.limit;
     range.touched = true;
-    if (SetPointPanel::startsAtPresent(mode)) {
+    if (startsAtPresent(mode)) {
         const double here = m_motion.present(view, mode, m_choices.axis()).value_or(0.0);
         const double target = m_column.setPointPanel().target().value_or(0.0);
         range.target = std::round(m_motion.present(view, mode, axis).value_or(0.0) + target - here);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "widgets/common/selection.h"
-#include "widgets/control/setpointpanel.h"
+#include "widgets/control/setpointentries.h"
 #include "widgets/control/stimulusbar.h"
 #include "widgets/parameters/editdesk.h"
 #include "widgets/plots/displayunits.h"
@@ -28,9 +28,9 @@ struct TuneChoice {
     double profiled = 0.0;        ///< counts per revolution that the device's profile had last
     StagedEdits *edits = nullptr; ///< of the device, shared with the other pages
     StimulusChoice stimulus;
-    std::string unit;               ///< who it is in the notebook
-    SetPointPanel::Entered entered; ///< of an axis that is not shown
-    bool ours = false;              ///< the motion was started here
+    std::string unit;        ///< who it is in the notebook
+    SetPointEntries entered; ///< of an axis that is not shown
+    bool ours = false;       ///< the motion was started here
 };
 
 /// The choices of every motor that the Tune page has seen, and which motor it shows. Draws nothing and sends nothing.

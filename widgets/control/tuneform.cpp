@@ -5,6 +5,7 @@
 #include "widgets/control/envelopepanel.h"
 #include "widgets/control/gainspanel.h"
 #include "widgets/control/modepanel.h"
+#include "widgets/control/setpointpanel.h"
 #include "widgets/control/trialsview.h"
 #include "widgets/control/tunecolumn.h"
 #include "widgets/control/tuneplot.h"
@@ -58,7 +59,6 @@ void TuneForm::show(const DeviceView &view, int axis)
     modes.setFamily(*view.family);
     modes.show(chosen.mode, chosen.editedSlot, chosen.runningSlot);
     chosen.mode = modes.mode();
-    setPoint.reset(view.family->capabilities);
     setPoint.setFamily(*view.family);
     setPoint.setMode(chosen.mode);
     if (axis > 0)

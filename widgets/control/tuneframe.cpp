@@ -16,7 +16,7 @@ namespace {
 constexpr int columnWidth = 336;
 constexpr int leastWork = 440;   ///< beside the column
 constexpr int leastHeight = 440; ///< for stimulus, plot and trials below each other
-enum FrameRow { Commands, CommandsLine, Tabs, Stimulus, StimulusLine, Work };
+enum TuneFrameRow { CommandsAt, CommandsLineAt, TabsAt, StimulusAt, StimulusLineAt, WorkAt };
 
 } // namespace
 
@@ -44,16 +44,16 @@ void TuneFrame::setParts(const Parts &parts)
     m_parts = parts;
     m_stimulusLine = separatorLine(Qt::Horizontal, this);
     m_columnLine = separatorLine(Qt::Vertical, this);
-    m_grid->addWidget(parts.commands, Commands, 0, 1, 3);
-    m_grid->addWidget(separatorLine(Qt::Horizontal, this), CommandsLine, 0, 1, 3);
-    m_grid->addWidget(m_tabsRow, Tabs, 0, 1, 3);
-    m_grid->addWidget(parts.stimulus, Stimulus, 0, 1, 3);
-    m_grid->addWidget(m_stimulusLine, StimulusLine, 0, 1, 3);
-    m_grid->addWidget(parts.column, Work, 0);
-    m_grid->addWidget(m_columnLine, Work, 1);
-    m_grid->addWidget(parts.work, Work, 2);
+    m_grid->addWidget(parts.commands, CommandsAt, 0, 1, 3);
+    m_grid->addWidget(separatorLine(Qt::Horizontal, this), CommandsLineAt, 0, 1, 3);
+    m_grid->addWidget(m_tabsRow, TabsAt, 0, 1, 3);
+    m_grid->addWidget(parts.stimulus, StimulusAt, 0, 1, 3);
+    m_grid->addWidget(m_stimulusLine, StimulusLineAt, 0, 1, 3);
+    m_grid->addWidget(parts.column, WorkAt, 0);
+    m_grid->addWidget(m_columnLine, WorkAt, 1);
+    m_grid->addWidget(parts.work, WorkAt, 2);
     m_grid->setColumnStretch(2, 1);
-    m_grid->setRowStretch(Work, 1);
+    m_grid->setRowStretch(WorkAt, 1);
     arrange();
 }
 

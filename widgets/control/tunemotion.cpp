@@ -7,6 +7,7 @@
 #include "widgets/control/gainunits.h"
 #include "widgets/control/modepanel.h"
 #include "widgets/control/presentvalue.h"
+#include "widgets/control/setpointpanel.h"
 #include "widgets/control/tunecolumn.h"
 
 #include <QPointer>
@@ -47,14 +48,11 @@ SetPoint TuneMotion::wanted(const DeviceView &view, int axis) const
     SetPoint setPoint;
     setPoint.axis = axis;
     setPoint.mode = chosen.mode;
-    const auto found = chosen.entered.ranges.find(chosen.mode);
-    const bool entered = found != chosen.entered.ranges.end() && found->second.touched;
-    if (found != chosen.entered.ranges.end())
-        setPoint.target = found->second.target;
-    if (!entered && SetPointPanel::startsAtPresent(chosen.mode)) // so that nothing jumps
+    const SetPointEntries::Range range = chosen.entered.range(chosen.mode);
+    setPoint.target = range.target;
+    if (!range.touched && startsAtPresent(chosen.mode)) // so that nothing jumps
         setPoint.target = std::round(present(view, chosen.mode, axis).value_or(0.0));
-    const bool profiled = chosen.mode == Mode::RampPosition || chosen.mode == Mode::RampVelocity;
-    if (profiled && view.family->capabilities.commandsProfile) {
+    if (isProfiled(view.family, chosen.mode)) {
         setPoint.velocity = chosen.entered.velocity;
         setPoint.acceleration = chosen.entered.acceleration;
     }
@@ -102,7 +100,7 @@ void TuneMotion::startAxis(const DeviceView &view, int axis, bool several)
     const SetPoint wished = wanted(view, axis);
     Glide glide;
     if (wished.mode != Mode::Follow) {
-        glide.rate = axis == m_choices.axis() ? panel.slewRate() : panel.slewRate(chosen.entered, wished.mode);
+        glide.rate = axis == m_choices.axis() ? panel.slewRate() : chosen.entered.slewRate(view.family, wished.mode);
         if (several || wished.mode == Mode::Position || glide.rate > 0.0)
             glide.from = present(view, wished.mode, axis).value_or(0.0);
     }
@@ -191,7 +189,8 @@ void TuneMotion::followForeignRun(const DeviceView &view)
     SetPointPanel &panel = m_column.setPointPanel();
     const bool moving = m_arming.isMoving() && m_arming.device() == view.id && view.motion.running;
     const SetPoint *const told = m_choices.axis() > 0 ? view.motion.on(m_choices.axis()) : &view.motion.setPoint;
-    if (!moving || !told || m_choices.current()->ours || told->mode != panel.mode())
+    const TuneChoice &chosen = *m_choices.current();
+    if (!moving || !told || chosen.ours || told->mode != chosen.mode)
         return;
     if (panel.target() != told->target)
         panel.showTarget(told->target);

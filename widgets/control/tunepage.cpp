@@ -11,6 +11,7 @@
 #include "widgets/control/jogkeys.h"
 #include "widgets/control/jogpanel.h"
 #include "widgets/control/movespanel.h"
+#include "widgets/control/setpointpanel.h"
 #include "widgets/control/trialsview.h"
 #include "widgets/control/tuneaxes.h"
 #include "widgets/control/tunecolumn.h"
@@ -150,8 +151,7 @@ bool TunePage::isLive() const
 
 void TunePage::selectionChanged()
 {
-    const bool live = m_arming.state() == LampState::Armed || m_arming.state() == LampState::Moving;
-    if (live && m_arming.device() != m_selection.device()) {
+    if (m_arming.isArmed(m_arming.device()) && m_arming.device() != m_selection.device()) {
         m_workbench.report(Severity::Info, {}, tr("disarmed: another device is selected"));
         m_arming.disarm();
     }

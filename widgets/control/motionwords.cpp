@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/control/motionwords.h"
+
+#include "widgets/common/devicetext.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace mb {
+namespace {
+
+struct MotionWords {
+    Q_DECLARE_TR_FUNCTIONS(mb::MotionWords)
+};
+
+} // namespace
+
+QString addressIn(const Snapshot &shot, DeviceId device)
+{
+    const DeviceView *const view = shot.device(device);
+    return view ? QStringLiteral("#%1").arg(view->identity.address) : QString();
+}
+
+QString titleIn(const Snapshot &shot, DeviceId device)
+{
+    const DeviceView *const view = shot.device(device);
+    return view ? titleOf(*view) : QString();
+}
+
+QString whatMoves(const DeviceView *view, Mode mode)
+{
+    const auto axes = view ? view->motion.setPoints.size() : 0;
+    if (!view || view->family->capabilities.axes == 1 || axes == 0)
+        return modeText(mode);
+    if (axes > 1)
+        return MotionWords::tr("%1 axes").arg(axes);
+    const SetPoint &only = view->motion.setPoints.front();
+    return MotionWords::tr("axis %1 %2").arg(only.axis).arg(modeText(only.mode));
+}
+
+const DeviceView *experimentedWith(const Snapshot &shot)
+{
+    const auto found = std::find_if(shot.devices.begin(), shot.devices.end(), [&shot](const DeviceView &device) {
+        const OperationView *job = shot.operation(device.id);
+        const auto &known = device.family->experiments;
+        return device.motion.running && job && job->status.state == OperationStatus::State::Running
+            && std::any_of(known.begin(), known.end(),
+                [job](const Experiment &experiment) { return experiment.title == job->status.title; });
+    });
+    return found == shot.devices.end() ? nullptr : &*found;
+}
+
+QString namesThatMayTurn(const Snapshot &shot)
+{
+    QStringList names;
+    for (const DeviceView &device : shot.devices) {
+        if (device.mayTurn)
+            names += addressIn(shot, device.id);
+    }
+    for (const std::string &selector : shot.owedStops)
+        names += QString::fromStdString(selector).section(QLatin1Char('/'), -1);
+    return names.join(QStringLiteral(", "));
+}
+
+QString namesLeftOut(const Snapshot &shot)
+{
+    QStringList names;
+    for (const DeviceView &device : shot.devices) {
+        if (!device.mayNotBeStopped.empty())
+            names += addressIn(shot, device.id);
+    }
+    return names.join(QStringLiteral(", "));
+}
+
+bool isStopping(const Snapshot &shot)
+{
+    return std::any_of(shot.devices.begin(), shot.devices.end(),
+        [](const DeviceView &device) { return device.stop == StopState::Stopping && device.stopsMotion; });
+}
+
+} // namespace mb

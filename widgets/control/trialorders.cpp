@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/control/trialorders.h"
+
+#include "widgets/common/devicetext.h"
+#include "widgets/common/trialnotebook.h"
+#include "widgets/control/triallist.h"
+
+#include <QFileDialog>
+#include <QPointer>
+#include <QStandardPaths>
+
+namespace mb {
+
+TrialOrders::TrialOrders(Workbench &workbench, TrialList &list)
+    : QObject(&list)
+    , m_workbench(workbench)
+    , m_notebook(workbench.trials())
+    , m_list(list)
+{
+    const auto finished = [self = QPointer<TrialOrders>(this)](const Result<void> &result) {
+        if (self)
+            self->failed(result);
+    };
+    connect(&list.model(), &TrialModel::starChosen, this, [this, finished](qint64 number, bool star) {
+        m_notebook.setStar(number, star, finished);
+        Q_EMIT changed();
+    });
+    connect(&list.model(), &TrialModel::noteWritten, this,
+        [this, finished](qint64 number, const QString &note) { m_notebook.setNote(number, note, finished); });
+    connect(&list, &TrialList::deleteRequested, this, [this, finished](qint64 number) {
+        m_notebook.remove(number, finished);
+        Q_EMIT changed();
+    });
+    connect(&list, &TrialList::exportRequested, this, &TrialOrders::exportAll);
+}
+
+void TrialOrders::failed(const Result<void> &result)
+{
+    if (!result)
+        m_workbench.report(Severity::Danger, {}, tr("the notebook: %1").arg(errorText(result.error())));
+}
+
+/// Every trial of this loop; the rest of the notebook is the console's.
+void TrialOrders::exportAll()
+{
+    auto *dialog = new QFileDialog(&m_list, tr("Export trials"),
+        QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation), tr("Table (*.csv);;JSON (*.json)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(QStringLiteral("csv"));
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString &path) {
+        m_notebook.exportTo(
+            path, m_list.model().trials(), [self = QPointer<TrialOrders>(this), path](const Result<void> &result) {
+                if (self && result)
+                    self->m_workbench.report(Severity::Good, {}, TrialOrders::tr("trials written to %1").arg(path));
+                else if (self)
+                    self->failed(result);
+            });
+    });
+    dialog->open();
+}
+
+} // namespace mb
