@@ -3,6 +3,7 @@
 
 #include "model/axis.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/plots/displayunits.h"
 
 namespace mb {
 
