@@ -8229,17 +8229,6 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
     </message>
 </context>
 <context>
-    <name>mb::SignalBook</name>
-    <message>
-        <source>The signal needs a name.</source>
-        <translation>La señal necesita un nombre.</translation>
-    </message>
-    <message>
-        <source>There is a derived signal of this name.</source>
-        <translation>Ya existe una señal derivada con este nombre.</translation>
-    </message>
-</context>
-<context>
     <name>mb::SetPointRange</name>
     <message>
         <source>Range ±</source>
@@ -8272,6 +8261,17 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
     <message>
         <source>This program moves the set-point no faster, whatever is typed.</source>
         <translation>Este programa no varía la consigna más rápido, se escriba lo que se escriba.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::SignalBook</name>
+    <message>
+        <source>The signal needs a name.</source>
+        <translation>La señal necesita un nombre.</translation>
+    </message>
+    <message>
+        <source>There is a derived signal of this name.</source>
+        <translation>Ya existe una señal derivada con este nombre.</translation>
     </message>
 </context>
 <context>

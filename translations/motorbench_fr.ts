@@ -6123,7 +6123,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>The profile needs an acceleration up to %1 counts/s²; 0 is none.</source>
-        <translation>Le profil demande une accélération jusqu’à %1 counts/s² ; 0 signifie aucune.</translation>
+        <translation>Le profil demande une accélération jusqu’à %1 counts/s²&#x202f;; 0 signifie aucune.</translation>
     </message>
 </context>
 <context>
@@ -8229,17 +8229,6 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
 </context>
 <context>
-    <name>mb::SignalBook</name>
-    <message>
-        <source>The signal needs a name.</source>
-        <translation>Le signal doit avoir un nom.</translation>
-    </message>
-    <message>
-        <source>There is a derived signal of this name.</source>
-        <translation>Un signal dérivé porte déjà ce nom.</translation>
-    </message>
-</context>
-<context>
     <name>mb::SetPointRange</name>
     <message>
         <source>Range ±</source>
@@ -8255,7 +8244,7 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>A set-point beyond it is refused: the limit of the hand, not of the drive.</source>
-        <translation>Une consigne au-delà est refusée : limite de l’opérateur, pas du variateur.</translation>
+        <translation>Une consigne au-delà est refusée&#xa0;: limite de l’opérateur, pas du variateur.</translation>
     </message>
     <message>
         <source>at once, as a step</source>
@@ -8272,6 +8261,17 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     <message>
         <source>This program moves the set-point no faster, whatever is typed.</source>
         <translation>Ce programme ne fait pas varier la consigne plus vite, quelle que soit la saisie.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::SignalBook</name>
+    <message>
+        <source>The signal needs a name.</source>
+        <translation>Le signal doit avoir un nom.</translation>
+    </message>
+    <message>
+        <source>There is a derived signal of this name.</source>
+        <translation>Un signal dérivé porte déjà ce nom.</translation>
     </message>
 </context>
 <context>
@@ -9161,7 +9161,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <name>mb::TrialOrders</name>
     <message>
         <source>the notebook: %1</source>
-        <translation>le carnet d’essais : %1</translation>
+        <translation>le carnet d’essais&#xa0;: %1</translation>
     </message>
     <message>
         <source>Export trials</source>
@@ -9411,7 +9411,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>B #%1; Shift+click on a trial pins it as A</source>
-        <translation>B n° %1 ; Maj+clic sur un essai l’épingle comme A</translation>
+        <translation>B n° %1&#x202f;; Maj+clic sur un essai l’épingle comme A</translation>
     </message>
 </context>
 <context>

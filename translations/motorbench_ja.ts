@@ -8218,17 +8218,6 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     </message>
 </context>
 <context>
-    <name>mb::SignalBook</name>
-    <message>
-        <source>The signal needs a name.</source>
-        <translation>信号には名前が必要です。</translation>
-    </message>
-    <message>
-        <source>There is a derived signal of this name.</source>
-        <translation>同じ名前の派生信号があります。</translation>
-    </message>
-</context>
-<context>
     <name>mb::SetPointRange</name>
     <message>
         <source>Range ±</source>
@@ -8261,6 +8250,17 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     <message>
         <source>This program moves the set-point no faster, whatever is typed.</source>
         <translation>入力値によらず、このプログラムは目標値をこれより速く変化させません。</translation>
+    </message>
+</context>
+<context>
+    <name>mb::SignalBook</name>
+    <message>
+        <source>The signal needs a name.</source>
+        <translation>信号には名前が必要です。</translation>
+    </message>
+    <message>
+        <source>There is a derived signal of this name.</source>
+        <translation>同じ名前の派生信号があります。</translation>
     </message>
 </context>
 <context>

@@ -8218,17 +8218,6 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     </message>
 </context>
 <context>
-    <name>mb::SignalBook</name>
-    <message>
-        <source>The signal needs a name.</source>
-        <translation>信号需要名称。</translation>
-    </message>
-    <message>
-        <source>There is a derived signal of this name.</source>
-        <translation>已有同名的派生信号。</translation>
-    </message>
-</context>
-<context>
     <name>mb::SetPointRange</name>
     <message>
         <source>Range ±</source>
@@ -8261,6 +8250,17 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     <message>
         <source>This program moves the set-point no faster, whatever is typed.</source>
         <translation>无论输入什么，本程序都不会更快地改变设定值。</translation>
+    </message>
+</context>
+<context>
+    <name>mb::SignalBook</name>
+    <message>
+        <source>The signal needs a name.</source>
+        <translation>信号需要名称。</translation>
+    </message>
+    <message>
+        <source>There is a derived signal of this name.</source>
+        <translation>已有同名的派生信号。</translation>
     </message>
 </context>
 <context>
