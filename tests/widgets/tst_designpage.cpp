@@ -102,6 +102,7 @@ private Q_SLOTS:
     void aGuardIsAStop();
     void aUnitInItsBootloaderIsNotTried();
     void theColumnScrollsBeforeItIsSqueezed();
+    void wordsBelowACurveContinueOnTheNextLine();
     void everyControlHasAName();
 };
 
@@ -395,6 +396,27 @@ void TestDesignPage::theColumnScrollsBeforeItIsSqueezed()
         for (const QLabel *label : card->findChildren<QLabel *>())
             QVERIFY2(label->height() >= label->minimumSizeHint().height(), qPrintable(label->text()));
     }
+}
+
+void TestDesignPage::wordsBelowACurveContinueOnTheNextLine()
+{
+    const ThemeSource theme(darkTheme(10));
+    CurvePlot plot(theme, QStringLiteral("Step"));
+    plot.resize(900, 300);
+    plot.show();
+    const QString note = QStringLiteral("a step of 386 510 counts/s · measured: 3.2 % over, settled after 509 ms");
+    plot.setNote(note);
+    const auto *const words = qobject_cast<QCPTextElement *>(plot.plot().plotLayout()->element(1, 0));
+    QVERIFY(words);
+    QCOMPARE(words->text(), note);
+    plot.resize(320, 300);
+    QCoreApplication::processEvents();
+    const QStringList lines = words->text().split(QLatin1Char('\n'));
+    QCOMPARE(lines.join(QStringLiteral(" · ")), note); // nothing is lost
+    QCOMPARE(lines.size(), 2);
+    for (const QString &line : lines)
+        QVERIFY2(QFontMetrics(words->font()).horizontalAdvance(line) <= plot.width(), qPrintable(line));
+    QCOMPARE(plot.note(), note);
 }
 
 void TestDesignPage::everyControlHasAName()

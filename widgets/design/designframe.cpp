@@ -4,6 +4,7 @@
 #include "widgets/common/labels.h"
 #include "widgets/common/segmented.h"
 
+#include <QEvent>
 #include <QFrame>
 #include <QGridLayout>
 #include <QScrollArea>
@@ -14,6 +15,7 @@ namespace {
 constexpr int modelWidth = 344;
 constexpr int courseWidth = 252;
 constexpr int leastCurves = 340; ///< between the two
+constexpr int leastStatus = 200; ///< beside the orders
 constexpr int curvesHeight = 420;
 enum FrameRow { Commands, CommandsLine, Tabs, Work };
 
@@ -70,11 +72,29 @@ QSize DesignFrame::minimumSizeHint() const
 void DesignFrame::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
-    const bool compact = width() < m_theme.theme().u(modelWidth + leastCurves + courseWidth);
-    if (compact == m_compact)
+    fold();
+}
+
+bool DesignFrame::event(QEvent *event)
+{
+    if (event->type() == QEvent::LayoutRequest) // other words on the orders
+        fold();
+    return QWidget::event(event);
+}
+
+/// One part at a time where there is no room for three; the status above the orders where there is none beside them.
+void DesignFrame::fold()
+{
+    if (!m_parts.orders)
         return;
+    const Theme &look = m_theme.theme();
+    const bool compact = width() < look.u(modelWidth + leastCurves + courseWidth);
+    const bool stacked = compact || width() < m_parts.orders->sizeHint().width() + look.u(leastStatus);
+    const bool changed = compact != m_compact || stacked != m_stacked;
     m_compact = compact;
-    arrange();
+    m_stacked = stacked;
+    if (changed)
+        arrange();
 }
 
 void DesignFrame::setWidth(QWidget &column, int width) const
@@ -90,7 +110,7 @@ void DesignFrame::arrange()
         return;
     const auto part = static_cast<Part>(m_tabs->current());
     m_commands->addWidget(m_parts.status, 0, 0);
-    m_commands->addWidget(m_parts.orders, m_compact ? 1 : 0, m_compact ? 0 : 1);
+    m_commands->addWidget(m_parts.orders, m_stacked ? 1 : 0, m_stacked ? 0 : 1);
     m_tabsRow->setVisible(m_compact);
     m_lineBefore->setVisible(!m_compact);
     m_lineBehind->setVisible(!m_compact);

@@ -34,12 +34,14 @@ public:
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
+    bool event(QEvent *event) override;
 
 private:
     /// Tabs of the compact arrangement.
     enum class Part { Model, Curves, Course };
 
     void arrange();
+    void fold();
     void setWidth(QWidget &column, int width) const;
 
     const ThemeSource &m_theme;
@@ -52,6 +54,7 @@ private:
     QWidget *m_lineBefore = nullptr;
     QWidget *m_lineBehind = nullptr;
     bool m_compact = false;
+    bool m_stacked = false; ///< the status stands above the orders
 };
 
 } // namespace mb

@@ -8,6 +8,29 @@
 #include <QVBoxLayout>
 
 namespace mb {
+namespace {
+
+constexpr int besideNote = 16; ///< pixels
+
+/// Clause after clause, on as many lines as they need.
+QString inLines(const QString &note, const QFontMetrics &metrics, int width)
+{
+    const QString joint = QStringLiteral(" · ");
+    QString lines;
+    QString line;
+    for (const QString &clause : note.split(joint)) {
+        const QString longer = line.isEmpty() ? clause : line + joint + clause;
+        if (line.isEmpty() || metrics.horizontalAdvance(longer) <= width) {
+            line = longer;
+            continue;
+        }
+        lines += line + QLatin1Char('\n');
+        line = clause;
+    }
+    return lines + line;
+}
+
+} // namespace
 
 CurvePlot::CurvePlot(const ThemeSource &theme, const QString &accessibleName, QWidget *parent)
     : QWidget(parent)
@@ -47,6 +70,17 @@ void CurvePlot::showEvent(QShowEvent *event)
     replotSoon();
 }
 
+void CurvePlot::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    showNote();
+}
+
+void CurvePlot::showNote()
+{
+    m_words->setText(inLines(m_note, QFontMetrics(m_words->font()), width() - besideNote));
+}
+
 void CurvePlot::restyle()
 {
     const Theme &theme = m_theme.theme();
@@ -69,6 +103,7 @@ void CurvePlot::restyle()
     m_plot->legend->setBorderPen(QPen(theme.outline, 1));
     m_words->setFont(caption);
     m_words->setTextColor(theme.dim);
+    showNote();
     QFont big = theme.font(TextRole::Emphasis, font());
     big.setPixelSize(theme.u(72));
     QColor faint = theme.accent;
@@ -143,8 +178,8 @@ void CurvePlot::setCurves(const std::vector<Curve> &curves)
 void CurvePlot::setNote(const QString &note)
 {
     m_note = note;
-    m_words->setText(note);
     setAccessibleDescription(note);
+    showNote();
     replotSoon();
 }
 

@@ -43,11 +43,13 @@ public:
 protected:
     void keyPressEvent(QKeyEvent *event) override;
     void showEvent(QShowEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     void addBand(const Curve &curve);
     void setAxis(QCPAxis &axis, const QString &label, bool logarithmic);
     void replotSoon();
+    void showNote();
     void restyle();
 
     const ThemeSource &m_theme;
