@@ -10,7 +10,7 @@ namespace mb {
 
 class Lamp;
 
-/// Arming without a mouse: Ctrl+Shift+F12 held for as long as the lamp has to be held. Any of the three let go, another window, or
+/// Arming without a mouse: Ctrl+Shift+F12 held for as long as the Arm button has to be held. Any of the three let go, another window, or
 /// a dialog in front ends it, and nothing has happened; while armed it does nothing. Install on the application. GUI thread.
 class ArmKey : public QObject {
     Q_OBJECT

@@ -38,8 +38,8 @@ std::shared_ptr<ChunkStore> historyStore()
 } // namespace
 
 /// What lives in the engine thread, made and destroyed there.
-struct Engine::Room {
-    Room(Engine &owner, std::span<const Family *const> families, bool opensByItself)
+struct Engine::Worker {
+    Worker(Engine &owner, std::span<const Family *const> families, bool opensByItself)
         : engine(owner)
         , workers(owner.m_toEngine)
         , journal(owner.m_store, owner.m_toEngine)
@@ -141,7 +141,7 @@ struct Engine::Room {
     Subscription followedUnits;
 };
 
-/// The engine thread: its body is the room's event loop.
+/// The engine thread: its body is the worker's event loop.
 class Engine::Loop final : public QThread {
 public:
     Loop(Engine &engine, std::span<const Family *const> families, bool opensByItself)
@@ -154,11 +154,11 @@ public:
 private:
     void run() override
     {
-        Room room(m_engine, m_families, m_opensByItself);
-        m_engine.m_room = &room;
+        Worker worker(m_engine, m_families, m_opensByItself);
+        m_engine.m_worker = &worker;
         exec();
         m_engine.m_toEngine.close();
-        m_engine.m_room = nullptr;
+        m_engine.m_worker = nullptr;
     }
 
     Engine &m_engine;
@@ -182,7 +182,7 @@ Engine::Engine(std::span<const Family *const> families, bool opensByItself, QObj
 Engine::~Engine()
 {
     m_toEngine.post([this] {
-        m_room->core.stopAll(StopCause::Program);
+        m_worker->core.stopAll(StopCause::Program);
         QThread::currentThread()->exit();
     });
     m_thread->wait();
@@ -192,13 +192,13 @@ Engine::~Engine()
 
 void Engine::post(std::function<void(EngineCore &)> work)
 {
-    m_toEngine.post([this, work = std::move(work)] { work(m_room->core); });
+    m_toEngine.post([this, work = std::move(work)] { work(m_worker->core); });
 }
 
 void Engine::askService(std::function<Result<void>(ServiceRoom &)> work, std::function<void(Result<void>)> finished)
 {
     m_toEngine.post([this, work = std::move(work), finished = std::move(finished)] {
-        const Result<void> result = work(m_room->service);
+        const Result<void> result = work(m_worker->service);
         if (finished)
             m_toWindow.post([finished, result] { finished(result); });
     });
@@ -208,8 +208,8 @@ void Engine::followService(
     std::function<void(const ServiceView &)> viewed, std::function<void(const service::Visit &)> ended)
 {
     m_toEngine.post([this, viewed = std::move(viewed), ended = std::move(ended)] {
-        m_room->serviceViewed = viewed;
-        m_room->unitEnded = ended;
+        m_worker->serviceViewed = viewed;
+        m_worker->unitEnded = ended;
     });
 }
 
@@ -266,10 +266,10 @@ void Engine::stopAll(StopCause cause)
     if (cause == StopCause::User)
         m_stopLane.press();
     m_toEngine.postUrgent([this, cause] {
-        m_room->core.stopAll(cause);
+        m_worker->core.stopAll(cause);
         if (cause == StopCause::User)
             m_stopLane.served();
-        cause == StopCause::User ? m_room->service.stop() : m_room->service.arm(false);
+        cause == StopCause::User ? m_worker->service.stop() : m_worker->service.arm(false);
     });
 }
 

@@ -64,7 +64,7 @@ public:
     void post(std::function<void(EngineCore &)> work);
 
 private:
-    struct Room;
+    struct Worker;
     class Loop;
 
     void deliver(Order order, Reply::Finished finished) override;
@@ -89,7 +89,7 @@ private:
     TrialStore m_store;
     std::unique_ptr<TrialNotebook> m_notebook;
     std::unique_ptr<SettingsArchive> m_archive;
-    Room *m_room = nullptr; ///< the engine thread's; touched only there
+    Worker *m_worker = nullptr; ///< the engine thread's; touched only there
     std::unique_ptr<Loop> m_thread;
 };
 

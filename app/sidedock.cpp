@@ -12,7 +12,7 @@ QDockWidget *makeSideDock(
     dock->setObjectName(name);
     dock->setTitleBarWidget(new QWidget(dock)); // the content has its own head
     dock->setWidget(content);
-    content->setMinimumSize(1, 1); // on a small screen it is cut before the lamp and STOP are
+    content->setMinimumSize(1, 1); // on a small screen it is cut before the Arm button and STOP are
     dock->setFeatures(QDockWidget::DockWidgetClosable);
     window.addDockWidget(area, dock);
     return dock;

@@ -22,9 +22,9 @@ template <class T> Result<T> done(Task<T> task)
 } // namespace
 
 /// What lives in the store's thread, made and destroyed there.
-class TrialStore::Room {
+class TrialStore::Worker {
 public:
-    explicit Room(TrialStore &store)
+    explicit Worker(TrialStore &store)
         : m_store(store)
         , m_workers(store.m_orders)
         , m_place{hostName(), {}}
@@ -93,13 +93,13 @@ public:
 private:
     void run() override
     {
-        Room room(m_store);
-        m_store.m_room = &room;
+        Worker worker(m_store);
+        m_store.m_worker = &worker;
         QSocketNotifier arrivals(m_store.m_orders.descriptor(), QSocketNotifier::Read);
         connect(&arrivals, &QSocketNotifier::activated, &arrivals, [this] { m_store.m_orders.drain(); });
         exec();
         m_store.m_orders.close();
-        m_store.m_room = nullptr;
+        m_store.m_worker = nullptr;
     }
 
     TrialStore &m_store;
@@ -123,22 +123,22 @@ TrialStore::~TrialStore()
 
 Scope &TrialStore::tasks()
 {
-    return m_room->tasks();
+    return m_worker->tasks();
 }
 
 void TrialStore::post(Work work)
 {
-    m_orders.post([this, work = std::move(work)] { work(m_room->books()); });
+    m_orders.post([this, work = std::move(work)] { work(m_worker->books()); });
 }
 
 void TrialStore::keepJournal(JournalPlace place)
 {
-    m_orders.post([this, place = std::move(place)]() mutable { m_room->keepJournal(std::move(place)); });
+    m_orders.post([this, place = std::move(place)]() mutable { m_worker->keepJournal(std::move(place)); });
 }
 
 void TrialStore::followJournal(std::function<void(int, const Message &)> told)
 {
-    m_orders.post([this, told = std::move(told)] { m_room->followJournal(told); });
+    m_orders.post([this, told = std::move(told)] { m_worker->followJournal(told); });
 }
 
 namespace {

@@ -80,7 +80,7 @@ public:
     }
 
 private:
-    class Room;
+    class Worker;
     class Loop;
 
     [[nodiscard]] Scope &tasks();
@@ -89,7 +89,7 @@ private:
     const Clock &m_clock;
     std::string m_person;
     Mailbox m_orders;
-    Room *m_room = nullptr;       ///< the store's thread only
+    Worker *m_worker = nullptr;   ///< the store's thread only
     std::unique_ptr<Loop> m_loop; ///< last: its thread uses all the others
 };
 

@@ -8,24 +8,24 @@ namespace {
 
 constexpr Duration lookPeriod = std::chrono::seconds(1);
 
-template <class Room, class O>
-concept Takes = requires(Room &room, const O &order, std::function<void(Result<AnswerOf<O>>)> finished)
+template <class Handler, class O>
+concept Takes = requires(Handler &handler, const O &order, std::function<void(Result<AnswerOf<O>>)> finished)
 {
-    room.carryOut(order, finished);
+    handler.carryOut(order, finished);
 };
 
-/// The one room of all that carries this order out does it.
-template <class O, class... Rooms> void giveTo(const O &order, const Reply &reply, Rooms &...rooms)
+/// The one handler of all that carries this order out does it.
+template <class O, class... Handlers> void giveTo(const O &order, const Reply &reply, Handlers &...handlers)
 {
-    static_assert((Takes<Rooms, O> + ...) == 1, "an order has exactly one handler");
-    const auto offer = [&order, &reply]<class Room>(Room &room) {
-        if constexpr (Takes<Room, O>) {
+    static_assert((Takes<Handlers, O> + ...) == 1, "an order has exactly one handler");
+    const auto offer = [&order, &reply]<class Handler>(Handler &handler) {
+        if constexpr (Takes<Handler, O>) {
             const auto finished = reply.as<AnswerOf<O>>();
-            room.carryOut(
+            handler.carryOut(
                 order, finished ? finished : [](const Result<AnswerOf<O>> &) {});
         }
     };
-    (offer(rooms), ...);
+    (offer(handlers), ...);
 }
 
 } // namespace

@@ -70,7 +70,7 @@ std::optional<double> figureOf(const MotorFigures &figures, std::string_view key
     return figures.encoder ? 1.0 : 0.0;
 }
 
-void judge(TestFinding &finding, const SelfTest &test, const Trial &trial, const MotorFigures &figures)
+void evaluate(TestFinding &finding, const SelfTest &test, const Trial &trial, const MotorFigures &figures)
 {
     for (const Acceptance &limit : test.accept) {
         finding.values.push_back(
@@ -133,7 +133,7 @@ Task<TestFinding> runSelfTest(
         finding.failure = failureOf(*trial);
         co_return finding;
     }
-    judge(finding, test, *trial, figures);
+    evaluate(finding, test, *trial, figures);
     co_return finding;
 }
 

@@ -56,7 +56,7 @@ Changes nominal(const Evidence &seen, double duty)
     return changes;
 }
 
-void judgeFeedForward(const Evidence &seen, std::vector<Advice> &all)
+void adviseOnFeedForward(const Evidence &seen, std::vector<Advice> &all)
 {
     const auto product = seen.feedForwardTimesGain();
     if (seen.trial().mode != Mode::Velocity || seen.gain("i") == 0.0 || !product || *product < conflict
@@ -65,7 +65,7 @@ void judgeFeedForward(const Evidence &seen, std::vector<Advice> &all)
     add(all, Cause::FeedForward, *product, *product / conflict, {{seen.key("f"), 0.0}});
 }
 
-void judgeDeadband(const Evidence &seen, std::vector<Advice> &all)
+void adviseOnDeadband(const Evidence &seen, std::vector<Advice> &all)
 {
     const auto left = seen.countsLeft();
     const auto duty = seen.dutyAtEnd();
@@ -78,7 +78,7 @@ void judgeDeadband(const Evidence &seen, std::vector<Advice> &all)
     add(all, Cause::Deadband, std::abs(*left), std::abs(*left) / shortBy, std::move(changes));
 }
 
-void judgeResolution(const Evidence &seen, std::vector<Advice> &all)
+void adviseOnResolution(const Evidence &seen, std::vector<Advice> &all)
 {
     std::string worst;
     double fewest = leastSteps;
@@ -100,7 +100,7 @@ void judgeResolution(const Evidence &seen, std::vector<Advice> &all)
     add(all, Cause::Resolution, fewest, leastSteps / fewest, std::move(changes));
 }
 
-void judgeNoise(const Evidence &seen, std::vector<Advice> &all)
+void adviseOnNoise(const Evidence &seen, std::vector<Advice> &all)
 {
     const auto leap = seen.leapOfOneCount();
     if (!leap || *leap <= mostLeap)
@@ -108,7 +108,7 @@ void judgeNoise(const Evidence &seen, std::vector<Advice> &all)
     add(all, Cause::DerivativeNoise, *leap, *leap / mostLeap, {{seen.key("d"), seen.gain("d") * mostLeap / *leap}});
 }
 
-void judgeRamp(const Evidence &seen, std::vector<Advice> &all)
+void adviseOnRamp(const Evidence &seen, std::vector<Advice> &all)
 {
     const auto time = seen.rampTime();
     const auto rise = seen.trial().metrics.rise;
@@ -117,7 +117,7 @@ void judgeRamp(const Evidence &seen, std::vector<Advice> &all)
     add(all, Cause::Ramp, *time, *time / (slowRamp * *rise), {{seen.key("ramp"), 0.0}});
 }
 
-void judgeLimit(const Evidence &seen, std::vector<Advice> &all)
+void adviseOnLimit(const Evidence &seen, std::vector<Advice> &all)
 {
     const double time = seen.timeAtLimit();
     if (time < leastAtLimit)
@@ -137,7 +137,7 @@ void judgeLimit(const Evidence &seen, std::vector<Advice> &all)
 }
 
 /// A velocity that comes anew only so often is late, too: the rarer cause is the one to name.
-void judgeVelocity(const Evidence &seen, std::vector<Advice> &all)
+void adviseOnVelocity(const Evidence &seen, std::vector<Advice> &all)
 {
     if (seen.trial().mode != Mode::Velocity)
         return;
@@ -150,7 +150,7 @@ void judgeVelocity(const Evidence &seen, std::vector<Advice> &all)
         add(all, Cause::FilterDelay, *late, *late / latestVelocity, changes);
 }
 
-void judgeFriction(const Evidence &seen, std::vector<Advice> &all)
+void adviseOnFriction(const Evidence &seen, std::vector<Advice> &all)
 {
     const auto start = seen.startOfMotion();
     const double usual = std::max(latestMove, seen.trial().metrics.rise.value_or(0.0) / 4.0);
@@ -162,7 +162,7 @@ void judgeFriction(const Evidence &seen, std::vector<Advice> &all)
     add(all, Cause::Friction, std::abs(start->duty), start->time / usual, std::move(changes));
 }
 
-void judgeGravity(const Evidence &seen, std::vector<Advice> &all)
+void adviseOnGravity(const Evidence &seen, std::vector<Advice> &all)
 {
     const auto before = seen.dutyBefore();
     const auto after = seen.dutyAtEnd();
@@ -177,7 +177,7 @@ void judgeGravity(const Evidence &seen, std::vector<Advice> &all)
     add(all, Cause::Gravity, holding, std::abs(holding) / leastHolding, std::move(changes));
 }
 
-void judgeBacklash(const Evidence &seen, std::vector<Advice> &all)
+void adviseOnBacklash(const Evidence &seen, std::vector<Advice> &all)
 {
     const auto swing = seen.swingAtEnd();
     if (seen.trial().mode != Mode::Position || !swing || swing->counts < leastPlay || swing->turns < leastTurns)
@@ -217,9 +217,9 @@ std::vector<Advice> advise(const Family &family, const Trial &trial)
     if (trial.stimulus.profile != Profile::Step && trial.stimulus.profile != Profile::Square)
         return all;
     const Evidence seen(family, trial);
-    for (const auto judge : {judgeFeedForward, judgeDeadband, judgeResolution, judgeNoise, judgeRamp, judgeLimit,
-             judgeVelocity, judgeFriction, judgeGravity, judgeBacklash})
-        judge(seen, all);
+    for (const auto advise : {adviseOnFeedForward, adviseOnDeadband, adviseOnResolution, adviseOnNoise, adviseOnRamp,
+             adviseOnLimit, adviseOnVelocity, adviseOnFriction, adviseOnGravity, adviseOnBacklash})
+        advise(seen, all);
     std::stable_sort(all.begin(), all.end(), [](const Advice &a, const Advice &b) { return a.weight > b.weight; });
     return all;
 }

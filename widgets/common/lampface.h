@@ -17,13 +17,13 @@ namespace mb {
 /// MayTurn: told, nobody has seen it stand, and nothing of its own stops it.
 enum class LampState { Safe, Armed, Moving, Stopped, Stopping, MayTurn };
 
-/// What the lamp says. `detail` is the small text behind the word ("#5 velocity", "4 motors", "nothing to arm");
+/// What the Arm button says. `detail` is the small text behind the word ("#5 velocity", "4 motors", "nothing to arm");
 /// empty gives the instruction "hold to arm"; of MayTurn it stands below the word. `remaining` is shown while armed, as m:ss.
 struct LampStatus {
     LampState state = LampState::Safe;
     QString detail;
     std::optional<std::chrono::seconds> remaining;
-    bool armable = true; ///< false: holding does nothing, the lamp is faint
+    bool armable = true; ///< false: holding does nothing, the Arm button is faint
 };
 
 /// Energy may flow.
@@ -42,7 +42,7 @@ public:
     /// What of the time remains; empty but while armed.
     [[nodiscard]] QString clock() const;
     [[nodiscard]] QString detail() const;
-    /// Wide enough for the usual texts of every state, so that the lamp keeps its place when the state changes.
+    /// Wide enough for the usual texts of every state, so that the Arm button keeps its place when the state changes.
     [[nodiscard]] QSize preferred() const;
     /// For the word above, the detail below.
     [[nodiscard]] QSize least() const;

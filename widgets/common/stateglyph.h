@@ -10,7 +10,7 @@
 namespace mb {
 
 Tone glyphTone(GlyphState state);
-/// Colour of the shape. Moving wears the colour of the lamp, everything else its tone.
+/// Colour of the shape. Moving wears the colour of the Arm button, everything else its tone.
 QColor glyphColor(GlyphState state, const Theme &theme);
 /// The translated word that stands beside the shape ("online", "RAM, not in flash").
 QString glyphWord(GlyphState state);

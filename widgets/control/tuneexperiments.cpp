@@ -20,12 +20,13 @@
 
 namespace mb {
 
-TuneExperiments::TuneExperiments(const Rooms &rooms, const TuneParts &parts, const ThemeSource &theme, QWidget &page)
-    : m_workbench(rooms.workbench)
-    , m_arming(rooms.arming)
-    , m_choices(rooms.choices)
-    , m_motion(rooms.motion)
-    , m_gains(rooms.gains)
+TuneExperiments::TuneExperiments(
+    const Surroundings &surroundings, const TuneParts &parts, const ThemeSource &theme, QWidget &page)
+    : m_workbench(surroundings.workbench)
+    , m_arming(surroundings.arming)
+    , m_choices(surroundings.choices)
+    , m_motion(surroundings.motion)
+    , m_gains(surroundings.gains)
     , m_parts(parts)
     , m_theme(theme)
     , m_page(page)

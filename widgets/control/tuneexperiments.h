@@ -16,7 +16,7 @@ class TuneExperiments : public QObject {
     Q_OBJECT
 public:
     /// What it needs of the page outlives it.
-    struct Rooms {
+    struct Surroundings {
         Workbench &workbench;
         Arming &arming;
         TuneChoices &choices;
@@ -24,7 +24,7 @@ public:
         TuneGains &gains;
     };
     /// `page`: what its dialogs stand above.
-    TuneExperiments(const Rooms &rooms, const TuneParts &parts, const ThemeSource &theme, QWidget &page);
+    TuneExperiments(const Surroundings &surroundings, const TuneParts &parts, const ThemeSource &theme, QWidget &page);
 
     /// Shows stimulus, envelope and trials of the motor in question, and what the envelope says to the stimulus.
     void follow(const DeviceView &view);

@@ -36,7 +36,7 @@ TunePage::TunePage(
 {
     setObjectName(QStringLiteral("tunePage"));
     buildParts(theme);
-    makeRooms(theme);
+    makeParts(theme);
     connectOrders();
     connectChanges();
     makeTuneKeys(*this, {m_parts, m_form.get(), m_motion.get(), m_gains.get(), m_experiments.get(), [this] { run(); }});
@@ -72,14 +72,14 @@ void TunePage::buildParts(const ThemeSource &theme)
     all->addWidget(m_stack);
 }
 
-void TunePage::makeRooms(const ThemeSource &theme)
+void TunePage::makeParts(const ThemeSource &theme)
 {
     m_choices = std::make_unique<TuneChoices>(m_workbench, m_selection);
     m_motion = std::make_unique<TuneMotion>(m_workbench, m_arming, *m_choices, column());
     m_axes = std::make_unique<TuneAxes>(m_workbench, *m_choices, *m_motion, column());
     m_gains = std::make_unique<TuneGains>(m_workbench, m_arming, *m_choices, column());
     m_experiments = std::make_unique<TuneExperiments>(
-        TuneExperiments::Rooms{m_workbench, m_arming, *m_choices, *m_motion, *m_gains}, m_parts, theme, *this);
+        TuneExperiments::Surroundings{m_workbench, m_arming, *m_choices, *m_motion, *m_gains}, m_parts, theme, *this);
     m_form = std::make_unique<TuneForm>(*m_choices, *m_motion, m_parts, m_arming);
 }
 

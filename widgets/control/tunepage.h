@@ -60,7 +60,7 @@ protected:
 
 private:
     void buildParts(const ThemeSource &theme);
-    void makeRooms(const ThemeSource &theme);
+    void makeParts(const ThemeSource &theme);
     void connectOrders();
     void connectChanges();
 

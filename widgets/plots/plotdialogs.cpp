@@ -111,18 +111,18 @@ void askDerived(QWidget &parent, const ThemeSource &theme, const std::vector<Sig
     help->setWordWrap(true);
     column->addWidget(help);
     QPushButton *ok = addButtons(*dialog, *column, DialogText::tr("Add signal"))->button(QDialogButtonBox::Ok);
-    const auto judge = [=] {
+    const auto validate = [=] {
         const QString cause = check(name->text(), formula->text());
         wrong->setText(formula->text().isEmpty() ? QString() : cause);
         ok->setEnabled(cause.isEmpty());
     };
-    QObject::connect(name, &QLineEdit::textChanged, dialog, judge);
-    QObject::connect(formula, &QLineEdit::textChanged, dialog, judge);
+    QObject::connect(name, &QLineEdit::textChanged, dialog, validate);
+    QObject::connect(formula, &QLineEdit::textChanged, dialog, validate);
     QObject::connect(list, &QListWidget::itemActivated, formula,
         [formula](QListWidgetItem *item) { formula->insert(item->text()); });
     QObject::connect(dialog, &QDialog::accepted, &parent,
         [=, done = std::move(done)] { done(name->text(), unit->text(), formula->text()); });
-    judge();
+    validate();
     dialog->resize(theme.theme().u(440), theme.theme().u(420));
     dialog->open();
 }

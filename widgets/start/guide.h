@@ -12,7 +12,7 @@ namespace mb {
 
 struct KeptTrial;
 
-/// Leads through a story. A step counts as done when the snapshot, the lamp or the notebook says that it has happened, however
+/// Leads through a story. A step counts as done when the snapshot, the Arm button or the notebook says that it has happened, however
 /// the user got there; nothing is done for them. GUI thread.
 class Guide : public QObject {
     Q_OBJECT
