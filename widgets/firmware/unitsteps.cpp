@@ -5,6 +5,7 @@
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/common/wraplayout.h"
 #include "widgets/firmware/queuelines.h"
 
 #include <QGridLayout>
@@ -71,13 +72,14 @@ UnitSteps::UnitSteps(const ThemeSource &theme, QWidget *parent)
     for (int i = 0; i < static_cast<int>(m_lines.size()); ++i)
         buildLine(*grid, static_cast<Step>(i));
     column->addLayout(grid);
-    auto *orders = new QHBoxLayout;
+    auto *orders = new QWidget(this);
+    auto *row = new WrapLayout(orders);
+    row->setContentsMargins(0, 0, 0, 0);
     m_skip = new CommandButton(m_theme, tr("Skip this unit"), this);
     m_again = new CommandButton(m_theme, Symbol::Refresh, tr("Do it again"), this);
-    orders->addWidget(m_skip);
-    orders->addWidget(m_again);
-    orders->addStretch(1);
-    column->addLayout(orders);
+    row->addWidget(m_skip);
+    row->addWidget(m_again);
+    column->addWidget(orders);
     connect(m_skip, &QPushButton::clicked, this, [this] { Q_EMIT skipWanted(m_row); });
     connect(m_again, &QPushButton::clicked, this, [this] { Q_EMIT againWanted(m_row); });
     show(nullptr, {}, nullptr);

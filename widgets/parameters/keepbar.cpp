@@ -21,6 +21,8 @@ namespace {
 
 using State = UnconfirmedView::State;
 
+constexpr int leastWords = 360;
+
 QString stateText(const UnconfirmedView &view)
 {
     switch (view.state) {
@@ -37,6 +39,7 @@ QString stateText(const UnconfirmedView &view)
 KeepBar::KeepBar(Workbench &workbench, const ThemeSource &theme, QWidget *parent)
     : QFrame(parent)
     , m_workbench(workbench)
+    , m_theme(theme)
     , m_question(new ElidedLabel({}, this))
     , m_values(new ElidedLabel({}, this))
     , m_time(new QProgressBar(this))
@@ -55,7 +58,7 @@ KeepBar::KeepBar(Workbench &workbench, const ThemeSource &theme, QWidget *parent
     m_time->setFixedHeight(theme.theme().u(8));
     m_keep->setPrimary(true);
     m_keep->setKeyHint(QStringLiteral("Ctrl+Return"));
-    auto *grid = new QGridLayout(this);
+    auto *grid = m_grid = new QGridLayout(this);
     const int edge = theme.theme().u(12);
     grid->setContentsMargins(edge, theme.theme().u(6), edge, theme.theme().u(6));
     grid->setHorizontalSpacing(edge);
@@ -64,8 +67,6 @@ KeepBar::KeepBar(Workbench &workbench, const ThemeSource &theme, QWidget *parent
     grid->addWidget(m_question, 0, 1, 1, 2);
     grid->addWidget(m_time, 1, 1);
     grid->addWidget(m_values, 1, 2);
-    grid->addWidget(m_keep, 0, 3, 2, 1);
-    grid->addWidget(m_back, 0, 4, 2, 1);
     grid->setColumnStretch(1, 1);
     grid->setColumnStretch(2, 2);
     connect(m_keep, &QPushButton::clicked, this, &KeepBar::keep);
@@ -75,7 +76,28 @@ KeepBar::KeepBar(Workbench &workbench, const ThemeSource &theme, QWidget *parent
     key->setContext(Qt::WindowShortcut);
     connect(key, &QShortcut::activated, this, &KeepBar::keep);
     hide();
+    placeButtons();
     follow();
+}
+
+void KeepBar::resizeEvent(QResizeEvent *event)
+{
+    QFrame::resizeEvent(event);
+    placeButtons();
+}
+
+/// Behind the words, or below them where those would have no room.
+void KeepBar::placeButtons()
+{
+    const int buttons = m_keep->sizeHint().width() + m_back->sizeHint().width();
+    const bool below = width() < buttons + m_theme.theme().u(leastWords);
+    if (m_below == below)
+        return;
+    m_below = below;
+    for (CommandButton *button : {m_keep, m_back})
+        m_grid->removeWidget(button);
+    m_grid->addWidget(m_keep, below ? 2 : 0, below ? 1 : 3, below ? 1 : 2, 1);
+    m_grid->addWidget(m_back, below ? 2 : 0, below ? 2 : 4, below ? 1 : 2, 1);
 }
 
 QString KeepBar::question() const

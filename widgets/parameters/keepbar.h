@@ -5,6 +5,9 @@
 
 #include <QFrame>
 
+#include <optional>
+
+class QGridLayout;
 class QProgressBar;
 
 namespace mb {
@@ -24,12 +27,17 @@ public:
     void keep();
     void putBack();
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
+    void placeButtons();
     void follow();
     void showChange(const UnconfirmedView &view, int more);
     [[nodiscard]] const UnconfirmedView *first() const;
 
     Workbench &m_workbench;
+    const ThemeSource &m_theme;
     DeviceId m_device;
     std::int64_t m_change = 0; ///< whose words stand there
     ElidedLabel *m_question;
@@ -37,6 +45,8 @@ private:
     QProgressBar *m_time;
     CommandButton *m_keep;
     CommandButton *m_back;
+    QGridLayout *m_grid = nullptr;
+    std::optional<bool> m_below; ///< the words; nothing: nowhere yet
 };
 
 } // namespace mb
