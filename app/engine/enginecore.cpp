@@ -8,24 +8,24 @@ namespace {
 
 constexpr Duration lookPeriod = std::chrono::seconds(1);
 
-template <class Handler, class O>
-concept Takes = requires(Handler &handler, const O &order, std::function<void(Result<AnswerOf<O>>)> finished)
+template <class Part, class O>
+concept Takes = requires(Part &part, const O &order, std::function<void(Result<AnswerOf<O>>)> finished)
 {
-    handler.carryOut(order, finished);
+    part.carryOut(order, finished);
 };
 
-/// The one handler of all that carries this order out does it.
-template <class O, class... Handlers> void giveTo(const O &order, const Reply &reply, Handlers &...handlers)
+/// The one part of all that carries this order out does it.
+template <class O, class... Parts> void giveTo(const O &order, const Reply &reply, Parts &...parts)
 {
-    static_assert((Takes<Handlers, O> + ...) == 1, "an order has exactly one handler");
-    const auto offer = [&order, &reply]<class Handler>(Handler &handler) {
-        if constexpr (Takes<Handler, O>) {
+    static_assert((Takes<Parts, O> + ...) == 1, "an order has exactly one handler");
+    const auto offer = [&order, &reply]<class Part>(Part &part) {
+        if constexpr (Takes<Part, O>) {
             const auto finished = reply.as<AnswerOf<O>>();
-            handler.carryOut(
+            part.carryOut(
                 order, finished ? finished : [](const Result<AnswerOf<O>> &) {});
         }
     };
-    (offer(handlers), ...);
+    (offer(parts), ...);
 }
 
 } // namespace
