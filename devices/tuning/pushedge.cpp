@@ -61,8 +61,10 @@ Edge edgeOf(const Trace &duty, double ordered, double target, double friction)
     return {half.value_or(ordered), half.value_or(ordered)};
 }
 
-/// By the steps in which the program has led the set-point there; nothing where it has not.
-std::optional<Edge> ledEdge(const Trace &told, double ordered, double target, double friction)
+/// By the steps in which the program has led the set-point there; nothing where it has not. `arrived`: share of its way that a duty has
+/// gone; `moving`: what of that the motor feels.
+template <class Arrived, class Moving>
+std::optional<Edge> ledEdge(const Trace &told, double ordered, const Arrived &arrived, const Moving &moving)
 {
     int between = 0;
     double missing = 0.0;
@@ -73,8 +75,8 @@ std::optional<Edge> ledEdge(const Trace &told, double ordered, double target, do
             continue;
         missing += (1.0 - last) * (told.t[i] - before);
         before = told.t[i];
-        last = movingShare(told.y[i], target, friction);
-        const double share = told.y[i] / target;
+        last = moving(told.y[i]);
+        const double share = arrived(told.y[i]);
         if (share >= wholeShare)
             return between < fewestSteps ? std::nullopt : std::optional(Edge{ordered + missing, told.t[i]});
         between += share >= leastShare ? 1 : 0;
@@ -108,24 +110,11 @@ Edge releaseOf(const Trace &duty, double ordered, double target)
     return {ordered, ordered};
 }
 
-/// As ledEdge().
-std::optional<Edge> ledRelease(const Trace &told, double ordered, double target)
+/// That of the steps, where the output has followed them; else the order of one was lost on its way, and its samples tell.
+Edge followed(const Edge &sampled, const std::optional<Edge> &led, const Trace &duty)
 {
-    double area = 0.0;
-    double before = ordered;
-    double last = 1.0;
-    int between = 0;
-    for (std::size_t i = 0; i < told.size() && told.t[i] <= ordered + edgeSearch; ++i) {
-        if (told.t[i] < ordered)
-            continue;
-        area += last * (told.t[i] - before);
-        before = told.t[i];
-        last = std::clamp(told.y[i] / target, 0.0, 1.0);
-        if (last < leastShare)
-            return between < fewestSteps ? std::nullopt : std::optional(Edge{ordered + area, told.t[i]});
-        between += last < wholeShare ? 1 : 0;
-    }
-    return {};
+    const bool follows = led && std::abs(sampled.whole - led->whole) <= laterSamples * samplePeriod(duty);
+    return follows ? Edge{led->at, sampled.whole} : sampled;
 }
 
 } // namespace
@@ -140,9 +129,9 @@ Edge edgeOf(const Trial &trial, double ordered, double friction)
     const Signal *const told = trial.signal("setpoint");
     if (sampled.whole == sampled.at || !told)
         return sampled;
-    const auto led = ledEdge(told->trace, ordered, target, friction);
-    const bool arrived = led && std::abs(sampled.whole - led->whole) <= laterSamples * samplePeriod(duty->trace);
-    return arrived ? Edge{led->at, sampled.whole} : sampled; // else the order of a step was lost on its way
+    const auto arrived = [target](double y) { return y / target; };
+    const auto moving = [=](double y) { return movingShare(y, target, friction); };
+    return followed(sampled, ledEdge(told->trace, ordered, arrived, moving), duty->trace);
 }
 
 double releaseOf(const Trial &trial, double ordered)
@@ -155,9 +144,8 @@ double releaseOf(const Trial &trial, double ordered)
     const Signal *const told = trial.signal("setpoint");
     if (sampled.whole == sampled.at || !told)
         return sampled.at;
-    const auto led = ledRelease(told->trace, ordered, target);
-    const bool arrived = led && std::abs(sampled.whole - led->whole) <= laterSamples * samplePeriod(duty->trace);
-    return arrived ? led->at : sampled.at;
+    const auto gone = [target](double y) { return 1.0 - std::clamp(y / target, 0.0, 1.0); };
+    return followed(sampled, ledEdge(told->trace, ordered, gone, gone), duty->trace).at;
 }
 
 } // namespace mb::tuning
