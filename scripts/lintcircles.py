@@ -7,9 +7,6 @@ FOLDERS = ("devices/", "widgets/", "app/")
 
 # Circles that are still there, each as the set of its members; they may shrink, and what is gone goes from here.
 KNOWN_UNITS = [
-    {"devices/telemetry/history", "devices/telemetry/historychunk"},
-    {"devices/service/queuebus", "devices/service/servicequeue"},
-    {"devices/tuning/direction", "devices/tuning/experiment", "devices/tuning/experimentrun", "devices/tuning/owedgains"},
     {"devices/tuning/gainrules", "devices/tuning/margins"},
 ]
 KNOWN_FOLDERS = []

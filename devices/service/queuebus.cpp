@@ -31,9 +31,9 @@ bool isEnded(RowState state)
 } // namespace
 
 /// Progress into a row, and into the operation that can be cancelled.
-class ServiceQueue::Bus::Telling final : public Progress {
+class QueueBus::Telling final : public Progress {
 public:
-    Telling(Bus &bus, Row &row)
+    Telling(QueueBus &bus, Row &row)
         : m_bus(bus)
         , m_row(row.shown)
     {
@@ -44,19 +44,19 @@ public:
         m_row.done = done;
         m_row.total = total;
         m_bus.m_operation->step(what, done, total);
-        m_bus.m_queue.m_changed.notify();
+        m_bus.m_run.changed().notify();
     }
     void part(int number, PartState state) override
     {
         m_row.parts[number] = state;
         m_bus.m_operation->part(number, state);
-        m_bus.m_queue.m_changed.notify();
+        m_bus.m_run.changed().notify();
     }
     void log(Severity severity, const Message &text) override
     {
         m_bus.m_operation->log(severity, text);
-        m_row.log = extended(m_row.log, {m_bus.m_queue.m_clock.now(), severity, text});
-        m_bus.m_queue.m_changed.notify();
+        m_row.log = extended(m_row.log, {m_bus.m_run.clock().now(), severity, text});
+        m_bus.m_run.changed().notify();
     }
     void mayInterrupt(bool may) override
     {
@@ -64,53 +64,52 @@ public:
         m_bus.m_operation->mayInterrupt(may);
         if (may && m_bus.m_wantsSkip)
             (void)m_bus.m_operation->cancel();
-        m_bus.m_queue.m_changed.notify();
+        m_bus.m_run.changed().notify();
     }
     void written(const Visit &visit)
     {
         m_row.visit = visit;
-        m_bus.m_queue.m_changed.notify();
+        m_bus.m_run.changed().notify();
     }
 
 private:
-    Bus &m_bus;
+    QueueBus &m_bus;
     QueueRow &m_row;
 };
 
-ServiceQueue::Bus::Bus(ServiceQueue &queue, Session &session, Link &link)
-    : m_queue(queue)
+QueueBus::QueueBus(QueueRun &run, Session &session, Link &link)
+    : m_run(run)
     , m_session(session)
     , m_link(link)
-    , m_rows(session, link,
-          {queue.m_matter.recipe.family, queue.m_earlier, !queue.m_options.units, queue.m_options.onlyChosen},
-          queue.m_lastRow)
+    , m_rows(session, link, {run.matter().recipe.family, run.earlier(), run.isOnce(), run.options().onlyChosen},
+          run.lastRow())
 {
 }
 
-ServiceQueue::Bus::~Bus() = default;
+QueueBus::~QueueBus() = default;
 
-Task<void> ServiceQueue::Bus::run()
+Task<void> QueueBus::run()
 {
     auto looking = look();
     co_await std::move(looking);
-    if (isOnce()) {
+    if (m_run.isOnce()) {
         auto checking = checkAll();
         co_await std::move(checking);
     }
-    while (!m_queue.m_isFinishing && !m_queue.isComplete()) {
+    while (!m_run.isFinishing() && !m_run.isComplete()) {
         if (m_link.state() != LinkState::Open)
             co_return fail(Fault::LinkLost, say("%1: %2", m_link.address().shortName(), m_link.reason()));
-        Row *const row = m_queue.mayBegin() ? m_rows.next() : nullptr;
+        Row *const row = m_run.mayBegin() ? m_rows.next() : nullptr;
         if (row) {
             auto serving = serve(*row);
             co_await std::move(serving);
             continue;
         }
-        if (isOnce() && !m_rows.hasWaiting())
+        if (m_run.isOnce() && !m_rows.hasWaiting())
             break;
         Sleep waiting(m_session.clockOf(m_link), lookAgain);
         co_await waiting;
-        if (isOnce() && !m_rows.isAnyMissing())
+        if (m_run.isOnce() && !m_rows.isAnyMissing())
             continue;
         auto again = look();
         co_await std::move(again);
@@ -120,17 +119,17 @@ Task<void> ServiceQueue::Bus::run()
     co_return {};
 }
 
-Task<void> ServiceQueue::Bus::look()
+Task<void> QueueBus::look()
 {
     auto scanning = m_session.scan(m_link);
     const std::vector<Device *> found = co_await std::move(scanning);
     m_rows.take(found, m_serving);
-    m_queue.m_changed.notify();
+    m_run.changed().notify();
     co_return {};
 }
 
 /// Nobody waits for ever for a unit that the cut has left dead: it has failed, and says where.
-Task<void> ServiceQueue::Bus::giveUpMissing()
+Task<void> QueueBus::giveUpMissing()
 {
     const Instant now = m_session.clockOf(m_link).now();
     for (Row &row : m_rows.all()) {
@@ -142,7 +141,7 @@ Task<void> ServiceQueue::Bus::giveUpMissing()
         visit.remedy = say("look at cable and supply; when it answers again it is served from the beginning");
         visit.evidence = visit.cause;
         visit.steps.push_back({visit.step, 0.0, true, visit.cause});
-        auto writing = m_queue.m_around.journal.write(std::move(visit));
+        auto writing = m_run.around().journal.write(std::move(visit));
         const Visit written = co_await std::move(writing);
         row.missing = false;
         row.gone = true;
@@ -152,7 +151,7 @@ Task<void> ServiceQueue::Bus::giveUpMissing()
 }
 
 /// All of them are looked at before the first is touched.
-Task<void> ServiceQueue::Bus::checkAll()
+Task<void> QueueBus::checkAll()
 {
     for (Row &row : m_rows.all()) {
         if (row.shown.state != RowState::Waiting || !row.shown.visit.id.empty())
@@ -163,15 +162,15 @@ Task<void> ServiceQueue::Bus::checkAll()
     co_return {};
 }
 
-Task<void> ServiceQueue::Bus::check(Row &row)
+Task<void> QueueBus::check(Row &row)
 {
     Device *const device = m_session.find(row.shown.device);
     if (!device)
         co_return {};
     NoProgress unseen;
     row.shown.what = say("Preflight");
-    m_queue.m_changed.notify();
-    auto looking = preflight(*device, m_queue.m_matter, unseen);
+    m_run.changed().notify();
+    auto looking = preflight(*device, m_run.matter(), unseen);
     const Result<void> looked = co_await std::move(looking).attempt();
     if (looked || looked.error().fault == Fault::LinkLost || looked.error().fault == Fault::Timeout)
         co_return {}; // its turn will tell
@@ -180,7 +179,7 @@ Task<void> ServiceQueue::Bus::check(Row &row)
     co_return {};
 }
 
-Task<void> ServiceQueue::Bus::refuse(Row &row, Error error)
+Task<void> QueueBus::refuse(Row &row, Error error)
 {
     const Device *const device = m_session.find(row.shown.device);
     auto opening = openVisit(row, *device);
@@ -189,33 +188,33 @@ Task<void> ServiceQueue::Bus::refuse(Row &row, Error error)
     visit.cause = error.detail;
     visit.remedy = error.help();
     visit.steps.push_back({Step::Preflight, 0.0, true, error.detail});
-    auto writing = m_queue.m_around.journal.write(visit);
+    auto writing = m_run.around().journal.write(visit);
     const Visit written = co_await std::move(writing);
     ended(row, written);
     co_return {};
 }
 
-Task<Visit> ServiceQueue::Bus::openVisit(Row &row, const Device &device)
+Task<Visit> QueueBus::openVisit(Row &row, const Device &device)
 {
     Visit visit;
-    visit.run = m_queue.m_options.run;
-    visit.recipe = m_queue.m_matter.recipe.name;
-    visit.recipeHash = m_queue.m_matter.hash;
-    visit.imageHash = m_queue.m_matter.imageHash;
+    visit.run = m_run.options().run;
+    visit.recipe = m_run.matter().recipe.name;
+    visit.recipeHash = m_run.matter().hash;
+    visit.imageHash = m_run.matter().imageHash;
     visit.unit = row.shown.visit.unit;
     visit.serial = device.identity().serial;
     visit.device = device.selector();
     visit.family = device.identity().family;
     visit.from = device.identity().firmware;
     visit.simulated = m_link.address().isSimulated();
-    visit.station = m_queue.m_options.station;
-    auto opening = m_queue.m_around.journal.open(visit);
+    visit.station = m_run.options().station;
+    auto opening = m_run.around().journal.open(visit);
     Visit opened = co_await std::move(opening);
     row.shown.visit = opened;
     co_return opened;
 }
 
-Task<void> ServiceQueue::Bus::serve(Row &row)
+Task<void> QueueBus::serve(Row &row)
 {
     Device *const device = m_session.find(row.shown.device);
     if (!device) {
@@ -223,7 +222,7 @@ Task<void> ServiceQueue::Bus::serve(Row &row)
         co_return {};
     }
     struct Serving {
-        explicit Serving(Bus &bus)
+        explicit Serving(QueueBus &bus)
             : m_bus(bus)
         {
         }
@@ -231,18 +230,20 @@ Task<void> ServiceQueue::Bus::serve(Row &row)
         Serving &operator=(const Serving &) = delete;
         ~Serving()
         {
+            m_bus.m_run.serving(-1);
             m_bus.m_serving = nullptr;
             m_bus.m_stream = nullptr;
         }
-        Bus &m_bus;
+        QueueBus &m_bus;
     };
     m_serving = &row;
+    m_run.serving(1);
     const Serving serving(*this);
     row.shown.state = RowState::Running;
-    row.shown.startedAt = m_queue.m_clock.now();
+    row.shown.startedAt = m_run.clock().now();
     row.shown.parts.clear();
     ++row.shown.tries;
-    m_queue.m_changed.notify();
+    m_run.changed().notify();
     Visit visit = row.shown.visit;
     if (visit.id.empty()) {
         auto opening = openVisit(row, *device);
@@ -253,7 +254,7 @@ Task<void> ServiceQueue::Bus::serve(Row &row)
     if (!result && result.error().fault == Fault::Cancelled) {
         row.shown.state = RowState::Skipped;
         row.shown.visit.cause = say("left out; it goes on where it was when it is tested again");
-        m_queue.m_changed.notify();
+        m_run.changed().notify();
         co_return {};
     }
     if (!result)
@@ -262,12 +263,12 @@ Task<void> ServiceQueue::Bus::serve(Row &row)
     co_return {};
 }
 
-ServiceSurroundings ServiceQueue::Bus::surroundings(Row &row, Telling &telling)
+ServiceSurroundings QueueBus::surroundings(Row &row, Telling &telling)
 {
-    QueueSurroundings &around = m_queue.m_around;
-    ServiceSurroundings out{m_queue.m_matter, around.journal, around.settings, {}, around.permit, {}, {}};
+    QueueSurroundings &around = m_run.around();
+    ServiceSurroundings out{m_run.matter(), around.journal, around.settings, {}, around.permit, {}, {}};
     out.experiments.journal = around.trials;
-    out.experiments.directions = &m_queue.m_directions;
+    out.experiments.directions = &m_run.directions();
     out.experiments.interruption = m_interruption.get();
     out.experiments.note = [&telling](const Message &text) { telling.log(Severity::Info, text); };
     out.written = [&telling](const Visit &visit) { telling.written(visit); };
@@ -275,12 +276,12 @@ ServiceSurroundings ServiceQueue::Bus::surroundings(Row &row, Telling &telling)
     return out;
 }
 
-Task<Visit> ServiceQueue::Bus::perform(Row &row, Device &device, Visit visit)
+Task<Visit> QueueBus::perform(Row &row, Device &device, Visit visit)
 {
     m_interruption = std::make_unique<tuning::Interruption>();
     m_operation = std::make_unique<Operation>(m_session.clockOf(m_link), say("service"));
     m_wantsSkip = false;
-    m_queue.m_directions.forget(device.selector()); // another motor may hang on it
+    m_run.directions().forget(device.selector()); // another motor may hang on it
     m_stream = &m_session.stream(device);
     Telling telling(*this, row);
     Event done;
@@ -305,27 +306,27 @@ Task<Visit> ServiceQueue::Bus::perform(Row &row, Device &device, Visit visit)
     co_return result;
 }
 
-void ServiceQueue::Bus::ended(Row &row, const Visit &visit)
+void QueueBus::ended(Row &row, const Visit &visit)
 {
     row.shown.visit = visit;
     row.shown.state = stateOf(visit.outcome);
     row.shown.what = {};
     row.shown.mayInterrupt = true;
-    m_queue.count(visit);
+    m_run.count(visit);
 }
 
-bool ServiceQueue::Bus::isReal() const
+bool QueueBus::isReal() const
 {
     return !m_link.address().isSimulated() && !m_link.address().isRecording();
 }
 
-void ServiceQueue::Bus::addRows(std::vector<QueueRow> &rows) const
+void QueueBus::addRows(std::vector<QueueRow> &rows) const
 {
     for (const Row &row : m_rows.all())
         rows.push_back(row.shown);
 }
 
-bool ServiceQueue::Bus::skip(std::uint32_t id)
+bool QueueBus::skip(std::uint32_t id)
 {
     Row *const row = m_rows.find(id);
     if (!row)
@@ -339,13 +340,13 @@ bool ServiceQueue::Bus::skip(std::uint32_t id)
     return true;
 }
 
-bool ServiceQueue::Bus::retry(std::uint32_t id)
+bool QueueBus::retry(std::uint32_t id)
 {
     Row *const row = m_rows.find(id);
     if (!row || row == m_serving || row->shown.state == RowState::Waiting || row->shown.state == RowState::Passed)
         return false;
     if (isEnded(row->shown.state)) {
-        m_queue.uncount(row->shown.visit);
+        m_run.uncount(row->shown.visit);
         Visit again;
         again.unit = row->shown.visit.unit;
         again.serial = row->shown.visit.serial;
@@ -358,7 +359,7 @@ bool ServiceQueue::Bus::retry(std::uint32_t id)
     return true;
 }
 
-bool ServiceQueue::Bus::retryFailed()
+bool QueueBus::retryFailed()
 {
     bool any = false;
     for (const Row &row : m_rows.all()) {
@@ -368,13 +369,13 @@ bool ServiceQueue::Bus::retryFailed()
     return any;
 }
 
-void ServiceQueue::Bus::stop()
+void QueueBus::stop()
 {
     if (m_interruption)
         m_interruption->interrupt();
 }
 
-void ServiceQueue::Bus::renewLease()
+void QueueBus::renewLease()
 {
     if (m_stream)
         m_stream->renew();

@@ -4,17 +4,18 @@
 #include "async/event.h"
 #include "model/operation.h"
 #include "service/busrows.h"
-#include "service/servicequeue.h"
+#include "service/queuerun.h"
 
 namespace mb::service {
 
 /// One bus of a queue: who is on it, and the unit that is being served. Thread of the queue.
-class ServiceQueue::Bus {
+class QueueBus {
 public:
-    Bus(ServiceQueue &queue, Session &session, Link &link);
-    ~Bus();
-    Bus(const Bus &) = delete;
-    Bus &operator=(const Bus &) = delete;
+    /// All of them outlive it.
+    QueueBus(QueueRun &run, Session &session, Link &link);
+    ~QueueBus();
+    QueueBus(const QueueBus &) = delete;
+    QueueBus &operator=(const QueueBus &) = delete;
 
     /// Until there is nothing left to do here. LinkLost, or a journal that cannot be written, ends it.
     [[nodiscard]] Task<void> run();
@@ -45,9 +46,8 @@ private:
     [[nodiscard]] Task<void> giveUpMissing();
     void ended(Row &row, const Visit &visit);
     [[nodiscard]] ServiceSurroundings surroundings(Row &row, Telling &telling);
-    [[nodiscard]] bool isOnce() const { return !m_queue.m_options.units; }
 
-    ServiceQueue &m_queue;
+    QueueRun &m_run;
     Session &m_session;
     Link &m_link;
     BusRows m_rows;

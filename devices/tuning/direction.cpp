@@ -4,7 +4,7 @@
 #include "async/sleep.h"
 #include "model/axis.h"
 #include "model/family.h"
-#include "tuning/experiment.h"
+#include "tuning/experimentplan.h"
 
 #include <cmath>
 

@@ -3,50 +3,13 @@
 
 #include "model/setpointstream.h"
 #include "tuning/direction.h"
-#include "tuning/experimentjournal.h"
-
-#include <functional>
+#include "tuning/experimentplan.h"
 
 namespace mb::tuning {
-
-/// Whether gains that an experiment has written stay in force after it.
-enum class Keep { Never, WhenDone, Always };
-
-/// What an experiment is asked to do. Numbers are in the unit of the mode.
-struct ExperimentPlan {
-    Mode mode = Mode::Velocity;
-    int axis = 1;
-    int slot = 0;
-    std::optional<double> from; ///< nothing: the present position in position mode, else 0
-    double to = 0.0;
-    Profile profile = Profile::Step;
-    std::optional<double> seconds; ///< of the profile; nothing: the usual
-    int repeat = 1;
-    std::optional<double> reach; ///< counts from where it began: a push ends where the motor would stop beyond
-    /// Counts: a push that changes its sign whenever the motor has passed its start by so much the way it is pushed, until it has swung
-    /// nine times; duty mode only.
-    std::optional<double> relay;
-    std::optional<double> rate; ///< samples per second asked for; nothing: the family's usual
-    double noise = 0.0;         ///< σ of what a loop measures, where it is known: no swing of it is taken for one
-    std::vector<ParameterChange> gains; ///< in force while it runs
-    Keep keep = Keep::Never;            ///< and afterwards
-    Envelope limits;                    ///< what the caller allows
-};
 
 /// OutOfRange for what no device of the family could do: a mode without a loop, edges too fine, a parameter that is no part of
 /// an experiment. Needs no device.
 [[nodiscard]] Result<void> checkPlan(const Family &family, const ExperimentPlan &plan);
-
-/// What an experiment shares with who started it, who outlives it. Thread of the session.
-struct ExperimentSurroundings {
-    ExperimentJournal *journal = nullptr; ///< nullptr: nothing is kept, and gains are written with Keep::Always only
-    DirectionBook *directions = nullptr;  ///< of this run of the program
-    Interruption *interruption = nullptr;
-    double rate = 0.0;                         ///< samples per second to ask for; 0: what its family says
-    std::function<void(const Message &)> note; ///< a line for people
-    /// When a hold has ended, before the way back: the trial with what is measured so far. The motor still runs.
-    std::function<void(const Trial &)> measured;
-};
 
 /// One guarded experiment: checks the envelope from where the motor stands, writes the gains given, checks the direction
 /// before the first closed loop of a run, goes to X, follows the stimulus, returns to X, stops, puts back what it changed.
@@ -57,8 +20,5 @@ struct ExperimentSurroundings {
 /// simulated device on a virtual clock.
 [[nodiscard]] Task<Trial> runExperiment(
     Device &device, SetPointStream &stream, ExperimentPlan plan, ExperimentSurroundings surroundings);
-
-/// Of the stream's lease while an experiment runs.
-constexpr Duration experimentLease = std::chrono::seconds(1);
 
 } // namespace mb::tuning

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tuning/experiment.h"
+#include "model/setpointstream.h"
+#include "tuning/direction.h"
+#include "tuning/experimentplan.h"
 
 namespace mb::tuning {
 

@@ -1,27 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "telemetry/history.h"
-
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 
 namespace mb {
 
+/// Whole microseconds on the clock's time line.
+using Micros = std::int64_t;
+/// Where a sample lies on a SampleTape: chunk number and place in the chunk, 2^32 samples, 58 GB. The end is place 0 of
+/// the chunk after the last.
+using TapePosition = std::uint32_t;
+
 /// Extremes of a stretch of samples and where they are first met. Without initialisers: chunks are allocated unwritten,
 /// so that the pages of a channel that is hardly used are never touched.
-struct History::Node {
+struct Extent {
     double low;
     double high;
-    Position lowAt;
-    Position highAt;
+    TapePosition lowAt;
+    TapePosition highAt;
 
-    [[nodiscard]] static Node nothing()
+    [[nodiscard]] static Extent nothing()
     {
         constexpr double infinity = std::numeric_limits<double>::infinity();
         return {infinity, -infinity, 0, 0};
     }
     /// `later` follows what is in the node already.
-    void add(const Node &later)
+    void add(const Extent &later)
     {
         if (later.low < low) {
             low = later.low;
@@ -33,7 +41,7 @@ struct History::Node {
         }
     }
     /// Takes one more sample in, as the only one of a fresh node; whether that changed anything.
-    bool take(bool fresh, Position position, double value)
+    bool take(bool fresh, TapePosition position, double value)
     {
         if (fresh) {
             *this = {value, value, position, position};
@@ -55,13 +63,15 @@ struct History::Node {
 
 /// The 4096 samples that are allocated at a time, or fewer when they span more than 32 bits of microseconds (71
 /// minutes).
-struct History::Chunk {
+struct SampleChunk {
+    static constexpr std::uint32_t size = 4096;
+
     std::size_t firstIndex; ///< number of the first sample in the whole recording
     std::uint32_t count;
-    std::array<double, chunkSize> values;
-    std::array<std::uint32_t, chunkSize> offsets; ///< microseconds since the chunk's start
-    std::array<Node, chunkSize / 16> fine;
-    std::array<Node, chunkSize / 256> coarse;
+    std::array<double, size> values;
+    std::array<std::uint32_t, size> offsets; ///< microseconds since the chunk's start
+    std::array<Extent, size / 16> fine;
+    std::array<Extent, size / 256> coarse;
 
     /// The first place from `least` on whose offset is not below `offset`, or `count`. Guesses as if samples came at
     /// regular times, and searches outwards from there.

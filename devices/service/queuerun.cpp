@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "service/queuerun.h"
+
+#include <QUuid>
+
+#include <utility>
+
+namespace mb::service {
+
+QueueRun::QueueRun(Clock &clock, RecipeMatter matter, QueueSurroundings surroundings, QueueOptions options)
+    : m_clock(clock)
+    , m_matter(std::move(matter))
+    , m_around(std::move(surroundings))
+    , m_options(std::move(options))
+{
+}
+
+Task<void> QueueRun::recall()
+{
+    if (m_options.run.empty()) {
+        m_options.run = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
+        co_return {};
+    }
+    VisitFilter filter;
+    filter.run = m_options.run;
+    auto asking = m_around.journal.visits(std::move(filter));
+    m_earlier = co_await std::move(asking);
+    for (const Visit &visit : m_earlier)
+        change(visit, 1);
+    co_return {};
+}
+
+void QueueRun::count(const Visit &visit)
+{
+    change(visit, 1);
+    if (visit.cause.english().starts_with(numbersUsedUp)) {
+        m_isFinishing = true;
+        m_trouble = Error{Fault::OutOfRange, visit.cause, visit.remedy};
+    }
+    m_unitEnded.notify(visit);
+    m_changed.notify();
+}
+
+void QueueRun::setPausing(bool is)
+{
+    m_isPausing = is;
+    m_changed.notify();
+}
+
+void QueueRun::finish()
+{
+    m_isFinishing = true;
+    m_changed.notify();
+}
+
+bool QueueRun::isComplete() const
+{
+    return m_options.units && *m_options.units > 0 && m_counts.ended() >= *m_options.units;
+}
+
+/// Units that are being served will count too. There is one programmer, one cable to a bootloader and one pair of hands: where the
+/// firmware takes another way in, one unit is served after the other, whatever their buses.
+bool QueueRun::mayBegin() const
+{
+    const bool sharesWayIn = m_matter.recipe.firmware && !m_matter.recipe.firmware->via.empty();
+    return !m_isPausing && !m_isFinishing && !(sharesWayIn && isServing())
+        && (!m_options.units || *m_options.units == 0 || m_counts.ended() + m_serving < *m_options.units);
+}
+
+void QueueRun::setTrouble(const Error &error)
+{
+    if (!m_trouble)
+        m_trouble = error;
+}
+
+void QueueRun::change(const Visit &visit, int by)
+{
+    m_counts.passed += visit.outcome == Outcome::Passed ? by : 0;
+    m_counts.failed += visit.outcome == Outcome::Failed ? by : 0;
+    m_counts.refused += visit.outcome == Outcome::Refused ? by : 0;
+}
+
+} // namespace mb::service
