@@ -2,110 +2,18 @@
 #include "simulation/motormodel.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
 
 namespace mb {
-
 namespace {
 
-constexpr double longestStep = 100e-6;           // s
-constexpr double restSpeed = 0.05;               // rad/s, below which friction may hold the rotor
-constexpr double airTemperature = 25.0;          // °C
-constexpr double copperCoefficient = 0.00393;    // 1/K
-constexpr double magnetCoefficient = -0.002;     // 1/K
-constexpr double kilogramCentimetre = 0.0980665; // N·m
-
-/// The rows of docs/names.md#motor-model hold what vendors print; the rest follows from it as derived there.
-constexpr MotorParameters derive(MotorParameters p)
-{
-    const double speed = p.rotorFreeSpeed();
-    p.resistance = p.nominalVoltage / p.stallCurrent;
-    p.constant = (p.nominalVoltage - p.resistance * p.freeCurrent) / speed;
-    const double noLoad = p.constant * p.freeCurrent;
-    p.friction = 0.8 * noLoad;
-    p.viscosity = 0.2 * noLoad / speed;
-    p.breakaway = 1.2 * p.friction;
-    const double efficiency = p.stallTorque / (p.gearRatio * p.constant * p.stallCurrent);
-    p.torqueLoss = std::max(0.0, 1.0 - efficiency * p.stallCurrent / (p.stallCurrent - p.freeCurrent));
-    return p;
-}
-
-constexpr MotorParameters row(std::string_view name, std::string_view title, double stallTorque, double stallCurrent,
-    double freeCurrent, double freeSpeed, double gearRatio, double inductance, double inertia, int countsPerTurn,
-    std::optional<MotorThermal> thermal = std::nullopt)
-{
-    MotorParameters p;
-    p.name = name;
-    p.title = title;
-    p.stallTorque = stallTorque;
-    p.stallCurrent = stallCurrent;
-    p.freeCurrent = freeCurrent;
-    p.freeSpeed = freeSpeed;
-    p.gearRatio = gearRatio;
-    p.inductance = inductance;
-    p.inertia = inertia;
-    p.countsPerTurn = countsPerTurn;
-    p.thermal = thermal;
-    return derive(p);
-}
-
-constexpr double kgcm = kilogramCentimetre;
-constexpr std::array<MotorParameters, 6> table{
-    row("cim", "CIM", 2.42, 133, 2.7, 5310, 1.0, 60e-6, 7.75e-5, 4096, MotorThermal{55, 0.9, 420, 2.2}),
-    row("775pro", "775pro", 0.71, 134, 0.7, 18730, 1.0, 25e-6, 1.2e-5, 4096, MotorThermal{20, 1.6, 140, 4}),
-    row("rs775", "RS775-125", 0.28, 18, 1.6, 5800, 1.0, 900e-6, 2.0e-5, 4096),
-    row("25d", "Pololu 25D HP12 46.85:1", 15 * kgcm, 5.0, 0.30, 220, 46.85, 1.1e-3, 5.5e-7, 48,
-        MotorThermal{4, 8, 30, 14}),
-    row("25dlp", "Pololu 25D LP12 74.83:1", 7.1 * kgcm, 0.9, 0.06, 75, 74.83, 6.0e-3, 5.5e-7, 48),
-    row("n20", "Pololu N20 HPCB12 75.81:1", 1.0 * kgcm, 0.75, 0.08, 450, 75.81, 5.0e-3, 1.4e-8, 12),
-};
+constexpr double longestStep = 100e-6; // s
+constexpr double restSpeed = 0.05;     // rad/s, below which friction may hold the rotor
 
 constexpr double contactFrequency = 500.0; // rad/s, of rotor and load against each other's teeth
 constexpr double contactDamping = 0.3;
-constexpr double slipBreakaway = 2.5; // times the friction while moving
-constexpr double slipShare = 0.02;    // of the free speed
-
-constexpr MotorParameters withBacklash(MotorParameters motor, std::string_view name, double outputDegrees)
-{
-    motor.name = name;
-    motor.backlash = outputDegrees * std::numbers::pi / 180.0 * motor.gearRatio;
-    return motor;
-}
-
-constexpr MotorParameters withSlip(MotorParameters motor, std::string_view name)
-{
-    motor.name = name;
-    motor.breakaway = slipBreakaway * motor.friction;
-    motor.slipSpeed = slipShare * motor.rotorFreeSpeed();
-    return motor;
-}
-
-constexpr std::array<MotorParameters, 4> awkward{
-    withBacklash(table[0], "cim-backlash", 20.0),
-    withBacklash(table[3], "25d-backlash", 2.0),
-    withSlip(table[0], "cim-slip"),
-    withSlip(table[3], "25d-slip"),
-};
 
 } // namespace
-
-std::span<const MotorParameters> motors()
-{
-    return table;
-}
-
-const MotorParameters *motorByName(std::string_view name)
-{
-    for (const std::span<const MotorParameters> known : {motors(), std::span<const MotorParameters>(awkward)}) {
-        for (const MotorParameters &motor : known) {
-            if (motor.name == name)
-                return &motor;
-        }
-    }
-    return nullptr;
-}
 
 /// Motor and source while the bridge conducts, constant over a step.
 struct MotorModel::Circuit {
@@ -181,14 +89,16 @@ void MotorModel::stepOnce(double duty, Bridge bridge, double seconds)
         drive(bridge == Bridge::Drive ? std::clamp(duty, -1.0, 1.0) : 0.0, seconds);
     if (isTwoMasses())
         dragLoad(seconds);
-    heat(seconds);
+    if (m_parameters.thermal)
+        m_heat.step(*m_parameters.thermal, m_heat.resistance(m_parameters.resistance) * m_current * m_current, seconds);
 }
 
 void MotorModel::drive(double duty, double seconds)
 {
     m_duty = duty;
     const Circuit circuit{duty * m_supply.voltage,
-        resistanceNow() + m_supply.bridgeResistance + duty * duty * m_supply.resistance, constantNow()};
+        m_heat.resistance(m_parameters.resistance) + m_supply.bridgeResistance + duty * duty * m_supply.resistance,
+        m_heat.constant(m_parameters.constant)};
     const double torque = circuit.constant * m_current;
     m_stuck = isHeld(torque);
     if (m_stuck) {
@@ -237,7 +147,7 @@ void MotorModel::slip(const Circuit &circuit, double friction, double seconds)
 /// No current, unless the motor turns so fast that the body diodes conduct.
 void MotorModel::coast(double seconds)
 {
-    if (std::abs(constantNow() * m_speed) > m_supply.voltage) {
+    if (std::abs(m_heat.constant(m_parameters.constant) * m_speed) > m_supply.voltage) {
         drive(std::copysign(1.0, m_speed), seconds);
         if (m_current * m_speed > 0.0)
             m_current = 0.0;
@@ -259,16 +169,6 @@ void MotorModel::coast(double seconds)
     m_speed = m_speed * speed < 0.0 ? 0.0 : speed;
 }
 
-void MotorModel::heat(double seconds)
-{
-    if (!m_parameters.thermal)
-        return;
-    const MotorThermal &thermal = *m_parameters.thermal;
-    const double flow = (m_winding - m_housing) / thermal.windingToHousing;
-    m_winding += seconds * (resistanceNow() * m_current * m_current - flow) / thermal.winding;
-    m_housing += seconds * (flow - (m_housing - airTemperature) / thermal.housingToAir) / thermal.housing;
-}
-
 bool MotorModel::isHeld(double torque) const
 {
     return m_locked
@@ -280,36 +180,6 @@ double MotorModel::directionOf(double torque) const
     return std::copysign(1.0, std::abs(m_speed) < restSpeed ? torque - m_load : m_speed);
 }
 
-double MotorModel::resistanceNow() const
-{
-    return m_parameters.resistance * (1.0 + copperCoefficient * (m_winding - airTemperature));
-}
-
-double MotorModel::constantNow() const
-{
-    return m_parameters.constant * (1.0 + magnetCoefficient * (m_winding - airTemperature));
-}
-
-std::int64_t MotorModel::counts() const
-{
-    if (m_deadCount)
-        return *m_deadCount;
-    return static_cast<std::int64_t>(std::floor(m_encoderOrigin + m_encoderSign * countPosition()));
-}
-
-void MotorModel::setEncoderReversed(bool reversed)
-{
-    const double sign = reversed ? -1.0 : 1.0;
-    m_encoderOrigin += (m_encoderSign - sign) * countPosition();
-    m_encoderSign = sign;
-}
-
-void MotorModel::setEncoderDead(bool dead)
-{
-    if (dead != m_deadCount.has_value())
-        m_deadCount = dead ? std::optional(counts()) : std::nullopt;
-}
-
 bool MotorModel::disturb(std::string_view what, double value)
 {
     if (what == "load-torque")
@@ -317,7 +187,7 @@ bool MotorModel::disturb(std::string_view what, double value)
     else if (what == "stall")
         setLocked(value != 0.0);
     else if (what == "bus-voltage")
-        setSupplyVoltage(value);
+        m_supply.voltage = value;
     else if (what == "bus-resistance")
         m_supply.resistance = value;
     else if (what == "friction")
@@ -327,7 +197,7 @@ bool MotorModel::disturb(std::string_view what, double value)
     else if (what == "encoder-counts")
         m_parameters.countsPerTurn = static_cast<int>(value);
     else if (what == "winding-temperature")
-        setTemperature(value);
+        m_heat.set(value);
     else if (what == "encoder-dead")
         setEncoderDead(value != 0.0);
     else if (what == "encoder-reversed")

@@ -1,61 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "simulation/motorencoder.h"
+#include "simulation/motorheat.h"
+#include "simulation/motorparameters.h"
+
 #include <cstdint>
 #include <numbers>
-#include <optional>
-#include <span>
 #include <string_view>
 
 namespace mb {
-
-/// Two heat stores, winding and housing: J/K and K/W (docs/names.md#motor-model).
-struct MotorThermal {
-    double winding = 0.0;
-    double windingToHousing = 0.0;
-    double housing = 0.0;
-    double housingToAir = 0.0;
-};
-
-/// A motor with its gear, SI units on the rotor side unless it says otherwise (docs/names.md#motor-model).
-struct MotorParameters {
-    std::string_view name; ///< of `motor=`
-    std::string_view title;
-    double nominalVoltage = 12.0;        ///< V
-    double stallTorque = 0.0;            ///< N·m, at the output
-    double stallCurrent = 0.0;           ///< A
-    double freeCurrent = 0.0;            ///< A
-    double freeSpeed = 0.0;              ///< rpm, at the output
-    double gearRatio = 1.0;              ///< rotor turns per output turn
-    double inductance = 0.0;             ///< H
-    double inertia = 0.0;                ///< kg·m², the rotor's
-    int countsPerTurn = 4096;            ///< encoder, per rotor turn
-    std::optional<MotorThermal> thermal; ///< stays at air temperature without
-
-    // Derived: one constant for torque and voltage, so that no energy comes from nowhere; what is missing of the
-    // vendor's stall torque is a loss that grows with torque.
-    double resistance = 0.0; ///< Ohm at 25 °C
-    double constant = 0.0;   ///< V·s/rad and N·m/A at 25 °C
-    double friction = 0.0;   ///< N·m while moving
-    double viscosity = 0.0;  ///< N·m·s/rad
-    double torqueLoss = 0.0; ///< fraction of the torque
-    double breakaway = 0.0;  ///< N·m at rest
-
-    // Of the motors that tests are meant to fail on:
-    double backlash = 0.0;  ///< rad of the rotor, between it and its load as a mass of its own; 0: one mass
-    double slipSpeed = 0.0; ///< rad/s in which friction falls from `breakaway` (Stribeck); 0: at the first move
-
-    [[nodiscard]] constexpr double rotorFreeSpeed() const ///< rad/s
-    {
-        return freeSpeed * 2.0 * std::numbers::pi / 60.0 * gearRatio;
-    }
-};
-
-/// cim, 775pro, rs775, 25d, 25dlp, n20.
-[[nodiscard]] std::span<const MotorParameters> motors();
-/// One of them, or one with what no model of a tuning has: cim-backlash, 25d-backlash (two masses), cim-slip, 25d-slip (friction
-/// that falls with speed). nullptr when there is no such motor.
-[[nodiscard]] const MotorParameters *motorByName(std::string_view name);
 
 /// Battery and bridge between the duty and the motor.
 struct MotorSupply {
@@ -87,36 +41,34 @@ public:
     [[nodiscard]] double speed() const { return m_speed; } ///< rad/s, rotor
     [[nodiscard]] double angle() const { return m_angle; } ///< rad, rotor
     [[nodiscard]] double busVoltage() const { return m_supply.voltage - m_supply.resistance * supplyCurrent(); } ///< V
-    [[nodiscard]] double temperature() const { return m_winding; }        ///< °C, winding
-    [[nodiscard]] double housingTemperature() const { return m_housing; } ///< °C
-    [[nodiscard]] bool isStuck() const { return m_stuck; }                ///< held by friction or locked
+    [[nodiscard]] double temperature() const { return m_heat.winding(); }        ///< °C, winding
+    [[nodiscard]] double housingTemperature() const { return m_heat.housing(); } ///< °C
+    [[nodiscard]] bool isStuck() const { return m_stuck; }                       ///< held by friction or locked
 
     /// What the encoder counts: whole counts, as it is mounted, or as it stood when it died.
-    [[nodiscard]] std::int64_t counts() const;
+    [[nodiscard]] std::int64_t counts() const { return m_encoder.counts(countPosition()); }
     /// Counts per second, and the exact position in counts, of the shaft itself.
     [[nodiscard]] double countSpeed() const { return m_speed * countsPerRadian(); }
     [[nodiscard]] double countPosition() const { return m_angle * countsPerRadian(); }
 
-    void setSupplyVoltage(double volts) { m_supply.voltage = volts; }
     /// N·m at the output, against positive rotation (a weight on a rope).
     void setLoadTorque(double torque);
-    /// rad of the rotor that its load is free in. The load is where the rotor is.
-    void setBacklash(double angle);
     /// Fault: the shaft cannot turn.
     void setLocked(bool locked) { m_locked = locked; }
     /// Fault: the encoder counts the other way round from here on.
-    void setEncoderReversed(bool reversed);
+    void setEncoderReversed(bool reversed) { m_encoder.setReversed(reversed, countPosition()); }
     /// Fault: the encoder stays where it is.
-    void setEncoderDead(bool dead);
+    void setEncoderDead(bool dead) { m_encoder.setDead(dead, countPosition()); }
     /// What Simulator::disturb() can do to any motor: "load-torque" (N·m), "stall" (0 or 1), "bus-voltage" (V), "bus-resistance"
     /// (Ohm, of battery and cables), "friction" (times what the motor has), "backlash" (rad of the rotor), "encoder-counts"
     /// (of a rotor turn), "winding-temperature" (°C), "encoder-dead", "encoder-reversed" (0 or 1); false for anything else.
     bool disturb(std::string_view what, double value);
-    void setTemperature(double celsius) { m_winding = m_housing = celsius; }
 
 private:
     struct Circuit;
 
+    /// rad of the rotor that its load is free in. The load is where the rotor is.
+    void setBacklash(double angle);
     void stepOnce(double duty, Bridge bridge, double seconds);
     void drive(double duty, double seconds);
     void slip(const Circuit &circuit, double friction, double seconds);
@@ -125,11 +77,8 @@ private:
     [[nodiscard]] bool isTwoMasses() const { return m_parameters.backlash > 0.0; }
     /// N·m, moving, without what grows with the torque.
     [[nodiscard]] double frictionNow() const;
-    void heat(double seconds);
     [[nodiscard]] bool isHeld(double torque) const;
     [[nodiscard]] double directionOf(double torque) const;
-    [[nodiscard]] double resistanceNow() const;
-    [[nodiscard]] double constantNow() const;
     [[nodiscard]] double countsPerRadian() const { return m_parameters.countsPerTurn / (2.0 * std::numbers::pi); }
 
     MotorParameters m_parameters;
@@ -145,13 +94,10 @@ private:
     double m_current = 0.0;
     double m_speed = 0.0;
     double m_angle = 0.0;
-    double m_winding = 25.0;
-    double m_housing = 25.0;
+    MotorHeat m_heat;
+    MotorEncoder m_encoder;
     bool m_locked = false;
     bool m_stuck = true;
-    double m_encoderSign = 1.0;
-    double m_encoderOrigin = 0.0; ///< counts
-    std::optional<std::int64_t> m_deadCount;
 };
 
 } // namespace mb

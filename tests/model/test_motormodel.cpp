@@ -201,7 +201,7 @@ TEST(MotorModel, ConductsThroughTheDiodesWhenItCoastsTooFast)
 {
     MotorModel model(plain("cim"), 9.0);
     run(model, 1.0, Bridge::Drive, 1.0);
-    model.setSupplyVoltage(6.0);
+    ASSERT_TRUE(model.disturb("bus-voltage", 6.0));
     model.step(0.0, Bridge::Coast, 5e-3);
     EXPECT_LT(model.current(), 0.0);
     EXPECT_LT(model.supplyCurrent(), 0.0);
