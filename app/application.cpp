@@ -164,9 +164,9 @@ Application::Application(QApplication &qt, const Options &options)
     m_engine = std::make_unique<Engine>(families(), !options.demo);
     if (!options.demo)
         m_engine->post([](EngineCore &core) {
-            core.session().keepProfiles(profileFolder());
+            core.session().memory().keepProfiles(profileFolder());
             core.keepTranscripts(transcriptFolder());
-            core.session().keepScans(scanFolder());
+            core.session().memory().keepScans(scanFolder());
         });
     makeWindow();
     if (const QStringList sides = options.size.split(QLatin1Char('x')); sides.size() == 2)

@@ -9,12 +9,13 @@ Console::Console(Clock &clock, std::span<const Family *const> families, Options 
     : m_options(options)
     , m_output(clock)
     , m_session(clock, families, &m_guardian)
-    , m_remarked(m_session.remarked().add([this](const Link &, const Message &text) { note(text.english()); }))
-    , m_memoryTrouble(m_session.memoryTrouble().add([this](const Message &text) { note(text.english()); }))
-    , m_profileTrouble(m_session.profileTrouble().add([](const Message &text) { complain(text.english()); }))
+    , m_remarked(
+          m_session.linkBook().remarked().add([this](const Link &, const Message &text) { note(text.english()); }))
+    , m_memoryTrouble(m_session.memory().scanTrouble().add([this](const Message &text) { note(text.english()); }))
+    , m_profileTrouble(m_session.memory().profileTrouble().add([](const Message &text) { complain(text.english()); }))
 {
-    m_session.keepProfiles(profileFolder());
-    m_session.keepScans(scanFolder());
+    m_session.memory().keepProfiles(profileFolder());
+    m_session.memory().keepScans(scanFolder());
 }
 
 void Console::note(std::string_view text) const

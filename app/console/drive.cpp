@@ -304,7 +304,7 @@ Task<void> release(Console &console, Device &device)
         auto waiting = keepAlive(console, stream, lookEvery, [] { return false; });
         co_await std::move(waiting);
         if (device.liveness().mode == stream.setPoint().mode)
-            released = console.session().releaseMoves(device);
+            released = console.session().stops().releaseMoves(device);
     }
     co_return released;
 }

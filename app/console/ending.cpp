@@ -34,7 +34,7 @@ void Ending::watchPatiently(Link &link, std::function<bool(const Link &)> mayRet
     };
     m_links.push_back(link.stateChanged().add([look](LinkState) { look(); }));
     look();
-    if (ReplayLink *const recording = Session::replayOf(link)) {
+    if (ReplayLink *const recording = replayOf(link)) {
         m_recordings.push_back(recording);
         m_links.push_back(recording->ended().add([this] { end(Cause::Time); }));
     }

@@ -7,12 +7,12 @@ namespace mb {
 
 EngineLog::EngineLog(Session &session)
     : m_session(session)
-    , m_remarked(session.remarked().add(
+    , m_remarked(session.linkBook().remarked().add(
           [this](const Link &link, const Message &text) { tell(Severity::Caution, link.address().shortName(), text); }))
-    , m_profileTrouble(
-          session.profileTrouble().add([this](const Message &text) { tell(Severity::Danger, std::string(), text); }))
-    , m_memoryTrouble(
-          session.memoryTrouble().add([this](const Message &text) { tell(Severity::Caution, std::string(), text); }))
+    , m_profileTrouble(session.memory().profileTrouble().add(
+          [this](const Message &text) { tell(Severity::Danger, std::string(), text); }))
+    , m_memoryTrouble(session.memory().scanTrouble().add(
+          [this](const Message &text) { tell(Severity::Caution, std::string(), text); }))
 {
 }
 

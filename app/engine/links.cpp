@@ -98,7 +98,7 @@ void Links::carryOut(const orders::CloseLink &order, const Finished &finished)
     m_failed.erase(order.link);
     end(order.link, fail(Fault::Cancelled, say("%1 was closed before it was open", order.link)));
     const auto parsed = LinkAddress::parse(order.link);
-    if (Link *link = parsed ? m_context.session.findLink(*parsed) : nullptr) {
+    if (Link *link = parsed ? m_context.session.linkBook().find(*parsed) : nullptr) {
         if (m_context.operations.isLent(*link)) {
             const Error error{Fault::Unsafe, say("units are served here; the link stays open"), say("end that first")};
             m_context.log.tell(Severity::Caution, link->address().shortName(), error.message());
@@ -149,7 +149,7 @@ void Links::reopenLost()
 {
     for (Link *link : m_context.session.links()) {
         if (link->state() == LinkState::Lost && !link->address().isRecording())
-            m_context.session.reopen(*link);
+            m_context.session.linkBook().reopen(*link);
     }
 }
 
@@ -194,7 +194,7 @@ void Links::dropVanished()
 void Links::openByItself()
 {
     for (const LinkListing &listing : m_listings) {
-        if (listing.link.scheme != "socketcan" || !listing.openable || m_context.session.findLink(listing.link)
+        if (listing.link.scheme != "socketcan" || !listing.openable || m_context.session.linkBook().find(listing.link)
             || m_closedByHand.count(listing.link.text()) > 0)
             continue;
         if (auto link = m_context.session.openLink(listing.link)) {

@@ -78,7 +78,8 @@ void Motion::carryOut(const orders::StopMotion &order, const Finished &finished)
 void Motion::carryOut(const orders::ReleaseMoves &order, const Finished &finished)
 {
     Device *device = m_context.session.find(order.device);
-    finished(device ? m_context.session.releaseMoves(*device) : fail(Fault::Timeout, say("the device is gone")));
+    finished(
+        device ? m_context.session.stops().releaseMoves(*device) : fail(Fault::Timeout, say("the device is gone")));
 }
 
 /// A set-point that goes on would start it again.
@@ -92,7 +93,7 @@ void Motion::carryOut(const orders::ZeroPosition &order, const Finished &finishe
 
 void Motion::carryOut(const orders::DismissStops &, const Finished &finished)
 {
-    m_context.session.dismissStops();
+    m_context.session.stops().dismiss();
     m_context.log.tell(Severity::Info, std::string(),
         say("the motors that were not seen to stand were looked at; their stops are dismissed"));
     finished({});

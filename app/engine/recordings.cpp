@@ -32,7 +32,7 @@ Recordings::~Recordings()
 Link *Recordings::linkUnder(const std::string &address) const
 {
     const auto parsed = LinkAddress::parse(address);
-    return parsed ? m_context.session.findLink(*parsed) : nullptr;
+    return parsed ? m_context.session.linkBook().find(*parsed) : nullptr;
 }
 
 void Recordings::follow(Link &link)
@@ -75,7 +75,7 @@ void Recordings::forget(Link &link)
 
 void Recordings::playWhenKnown(Link &link)
 {
-    ReplayLink *const replay = Session::replayOf(link);
+    ReplayLink *const replay = replayOf(link);
     if (replay && !std::exchange(m_kept[&link].played, true))
         replay->play();
 }
@@ -173,7 +173,7 @@ void Recordings::carryOut(const orders::StopRecording &order, const Finished &fi
 void Recordings::carryOut(const orders::SteerReplay &order, const Finished &finished)
 {
     Link *const open = linkUnder(order.link);
-    ReplayLink *const replay = open ? Session::replayOf(*open) : nullptr;
+    ReplayLink *const replay = open ? replayOf(*open) : nullptr;
     if (!open)
         return finished(fail(Fault::LinkLost, say("the link is not open")));
     if (!replay)

@@ -27,7 +27,7 @@ Scans::~Scans()
 Link *Scans::linkUnder(const std::string &address) const
 {
     const auto parsed = LinkAddress::parse(address);
-    return parsed ? m_context.session.findLink(*parsed) : nullptr;
+    return parsed ? m_context.session.linkBook().find(*parsed) : nullptr;
 }
 
 void Scans::scan(Link &link, ScanExtent extent)

@@ -33,7 +33,7 @@ Snapshot SnapshotPublisher::withoutOperations() const
     }
     shot.unconfirmed = m_provisional.views();
     std::stable_sort(shot.devices.begin(), shot.devices.end(), inOrder);
-    for (const OwedStop &owed : session.owedStops())
+    for (const OwedStop &owed : session.stops().owed())
         shot.owedStops.push_back(owed.device);
     return shot;
 }

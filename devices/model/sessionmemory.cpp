@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Session: what outlives the process.
-#include "model/session.h"
+#include "model/sessionmemory.h"
+
+#include "model/family.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace mb {
 namespace {
@@ -29,12 +31,7 @@ Result<void> rememberIn(const ScanBook &book, const std::string &link, std::vect
 
 } // namespace
 
-void Session::keepProfiles(std::string directory)
-{
-    m_profiles.emplace(std::move(directory));
-}
-
-void Session::recall(Device &device)
+void SessionMemory::recall(Device &device)
 {
     if (!m_profiles || !isKept(device.link()))
         return;
@@ -49,9 +46,8 @@ void Session::recall(Device &device)
         device.setProfile(std::move(*profile));
 }
 
-void Session::keep(const Device &device)
+void SessionMemory::keep(const Device &device)
 {
-    m_changed.notify();
     if (!m_profiles || !isKept(device.link()))
         return;
     if (m_background)
@@ -61,7 +57,7 @@ void Session::keep(const Device &device)
 }
 
 /// In the order in which they were given; until it is on the disk it is read from here.
-void Session::keepInBackground(const std::string &selector, const DeviceProfile &profile)
+void SessionMemory::keepInBackground(const std::string &selector, const DeviceProfile &profile)
 {
     UnsavedProfile &unsaved = m_unsaved[selector];
     unsaved.profile = profile;
@@ -71,43 +67,37 @@ void Session::keepInBackground(const std::string &selector, const DeviceProfile 
         m_profiles->pathOf(selector),
         [book = *m_profiles, selector, profile, kept] { *kept = book.save(selector, profile); },
         [self = std::weak_ptr(m_self), selector, kept] {
-            const auto session = self.lock();
-            if (!session)
+            const auto memory = self.lock();
+            if (!memory)
                 return;
-            const auto written = (*session)->m_unsaved.find(selector);
+            const auto written = (*memory)->m_unsaved.find(selector);
             if (--written->second.writes == 0)
-                (*session)->m_unsaved.erase(written);
+                (*memory)->m_unsaved.erase(written);
             if (!*kept)
-                (*session)->m_profileTrouble.notify(kept->error().message());
+                (*memory)->m_profileTrouble.notify(kept->error().message());
         });
 }
 
-void Session::keepScans(std::string directory)
+void SessionMemory::tellScanTrouble(const std::string &link, const Error &error)
 {
-    m_scans.emplace(std::move(directory));
+    if (m_told.insert(link + error.text()).second)
+        m_scanTrouble.notify(error.message());
 }
 
-void Session::tellMemoryTrouble(const std::string &link, const Error &error)
-{
-    if (m_toldOfMemory.insert(link + error.text()).second)
-        m_memoryTrouble.notify(error.message());
-}
-
-std::vector<Identity> Session::rememberedOn(const Link &link, const Family &family)
+std::vector<Identity> SessionMemory::seenOn(const Link &link, const Family &family)
 {
     if (!m_scans || !family.probe || !isKept(link))
         return {};
     auto all = m_scans->load(link.address().text());
     if (!all) {
-        tellMemoryTrouble(link.address().text(), all.error());
+        tellScanTrouble(link.address().text(), all.error());
         return {};
     }
     std::erase_if(*all, [&family](const Identity &identity) { return identity.family != family.key; });
     return std::move(*all);
 }
 
-/// A scan that finds nobody forgets nobody: as a rule the supply is off.
-void Session::remember(const Link &link, const std::vector<Device *> &seen, bool complete)
+void SessionMemory::remember(const Link &link, const std::vector<Device *> &seen, bool complete)
 {
     if (!m_scans || !isKept(link))
         return;
@@ -125,12 +115,12 @@ void Session::remember(const Link &link, const std::vector<Device *> &seen, bool
     if (!m_background) {
         work();
         if (!*trouble)
-            tellMemoryTrouble(key, trouble->error());
+            tellScanTrouble(key, trouble->error());
         return;
     }
     m_background->run(m_scans->pathOf(key), work, [self = std::weak_ptr(m_self), key, trouble] {
-        if (const auto session = self.lock(); session && !*trouble)
-            (*session)->tellMemoryTrouble(key, trouble->error());
+        if (const auto memory = self.lock(); memory && !*trouble)
+            (*memory)->tellScanTrouble(key, trouble->error());
     });
 }
 

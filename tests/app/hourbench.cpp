@@ -173,7 +173,7 @@ void HourBench::reopen()
             m_samplesBefore += device.telemetry->size({i});
     }
     std::erase_if(m_written, [&address](const auto &entry) { return entry.first.first.starts_with(address + '/'); });
-    Link *const link = m_core.session().findLink(*LinkAddress::parse(address));
+    Link *const link = m_core.session().linkBook().find(*LinkAddress::parse(address));
     m_taps.erase(link);
     m_passed.erase(link);
     m_core.send(orders::CloseLink{address});
@@ -217,7 +217,7 @@ void HourBench::checkLinks(const Snapshot &shot)
 {
     ASSERT_EQ(shot.links.size(), links.size());
     for (const LinkView &link : shot.links) {
-        const auto &[received, sent] = m_passed.at(m_core.session().findLink(*LinkAddress::parse(link.address)));
+        const auto &[received, sent] = m_passed.at(m_core.session().linkBook().find(*LinkAddress::parse(link.address)));
         ASSERT_EQ(link.counters.lost, 0U) << link.address;
         ASSERT_EQ(link.unknown, 0U) << link.address;
         ASSERT_EQ(link.counters.rx, received) << link.address;

@@ -42,7 +42,7 @@ protected:
     }
     [[nodiscard]] bool isOpen(const test::PseudoTerminal &terminal)
     {
-        const Link *link = core.session().findLink(addressOf(terminal));
+        const Link *link = core.session().linkBook().find(addressOf(terminal));
         return link && link->state() == LinkState::Open;
     }
     [[nodiscard]] static bool isHeldByNobody(const test::PseudoTerminal &terminal)
@@ -165,7 +165,7 @@ TEST_F(SlowWork, ALostPortThatHangsIsAskedForOnceAtATime)
 TEST_F(SlowWork, WhatIsKnownOfADeviceIsKeptAlthoughTheDiskTakesItLater)
 {
     const test::TemporaryFolder folder;
-    core.session().keepProfiles(folder.path("profiles"));
+    core.session().memory().keepProfiles(folder.path("profiles"));
     openNow(good);
     motor().setVerdict("direction", "reversed");
     EXPECT_EQ(background.waiting(), 1U);

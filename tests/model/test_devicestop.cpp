@@ -331,7 +331,7 @@ TEST_F(BufferedMoves, BeginTogetherAndAreNotKeptAfterwards)
     prepare(4);
     prepare(5);
     EXPECT_TRUE(node(4).keepsMove());
-    ASSERT_TRUE(bench.session.releaseMoves(node(4)));
+    ASSERT_TRUE(bench.session.stops().releaseMoves(node(4)));
     EXPECT_FALSE(node(4).keepsMove());
     EXPECT_FALSE(node(5).keepsMove());
 }
@@ -343,14 +343,14 @@ TEST_F(BufferedMoves, OfANodeThatWasStoppedIsShownAndDoesNotBeginWithTheOthers)
     bench.clock.advance(500ms);
     EXPECT_TRUE(node(4).keepsMove()) << "a stop does not take it from the node";
     prepare(5);
-    const auto released = bench.session.releaseMoves(node(5));
+    const auto released = bench.session.stops().releaseMoves(node(5));
     ASSERT_FALSE(released);
     EXPECT_EQ(released.error().fault, Fault::Unsafe);
     EXPECT_NE(released.error().text().find("number 4"), std::string::npos);
     bench.clock.advance(500ms);
     EXPECT_FALSE(bench.simulator("supermodified:4")->isOutputOn());
     prepare(4); // a new one takes its place
-    EXPECT_TRUE(bench.session.releaseMoves(node(5)));
+    EXPECT_TRUE(bench.session.stops().releaseMoves(node(5)));
 }
 
 TEST_F(Stopping, MovesAreReleasedOnlyUnderGuard)

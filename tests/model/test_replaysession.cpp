@@ -98,7 +98,7 @@ struct Playback {
     {
         const auto opened = session.openLink(*LinkAddress::parse(address));
         EXPECT_TRUE(opened) << (opened ? "" : opened.error().text());
-        link = Session::replayOf(**opened);
+        link = replayOf(**opened);
         auto found = test::run(clock, session.scan(*link));
         EXPECT_TRUE(found) << (found ? "" : found.error().text());
         devices = found.value_or(std::vector<Device *>{});

@@ -100,8 +100,8 @@ const Family &quickFamily()
 struct Program {
     explicit Program(const std::string &directory)
     {
-        session.keepScans(directory);
-        told = session.memoryTrouble().add([this](const Message &text) { troubles.push_back(text.english()); });
+        session.memory().keepScans(directory);
+        told = session.memory().scanTrouble().add([this](const Message &text) { troubles.push_back(text.english()); });
     }
     void scan(const std::string &link)
     {

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/linkbook.h"
+
+#include "transport/linkcatalog.h"
+#include "transport/linkidentity.h"
+#include "transport/seriallink.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace mb {
+
+LinkBook::LinkBook(Clock &clock, std::span<const Family *const> families)
+    : m_clock(clock)
+    , m_families(families)
+{
+}
+
+Result<LinkBook::Entry> LinkBook::make(const LinkAddress &address)
+{
+    Entry made;
+    if (address.isSimulated()) {
+        auto bench = Bench::create(address, m_clock, m_families);
+        if (!bench)
+            return fail(bench.error());
+        made.bench = std::move(*bench);
+        made.link = made.bench->hostLink();
+        return made;
+    }
+    auto link = createLink(address, m_clock);
+    if (!link)
+        return fail(link.error());
+    made.link = std::move(*link);
+    made.link->setBackground(m_background);
+    return made;
+}
+
+Result<Link *> LinkBook::open(const LinkAddress &address)
+{
+    if (Link *known = find(address)) {
+        const bool wasOpen = known->state() == LinkState::Open;
+        if (auto opened = known->open(); !opened)
+            return fail(opened.error());
+        if (!wasOpen)
+            remark(*known);
+        return known;
+    }
+    auto made = make(address);
+    if (!made)
+        return fail(made.error());
+    if (auto opened = made->link->open(); !opened)
+        return fail(opened.error());
+    return &enlist(std::move(*made));
+}
+
+Task<Link *> LinkBook::openSoon(LinkAddress address)
+{
+    if (Link *const known = find(address)) {
+        const bool wasOpen = known->state() == LinkState::Open;
+        auto opening = known->openSoon();
+        co_await std::move(opening);
+        if (!wasOpen)
+            remark(*known);
+        co_return known;
+    }
+    auto made = make(address);
+    if (!made)
+        co_return fail(made.error());
+    auto opening = made->link->openSoon();
+    co_await std::move(opening);
+    co_return &enlist(std::move(*made));
+}
+
+void LinkBook::reopen(Link &link)
+{
+    for (Entry &open : m_links) {
+        if (open.link.get() != &link || link.isOpening())
+            continue;
+        if (!open.opening)
+            open.opening = std::make_unique<Scope>(m_clock);
+        open.opening->spawn<void>(link.openSoon());
+    }
+}
+
+/// Of an open link. Who follows its state here hears of a change before all who listen for themselves: they begin to ask at once.
+Link &LinkBook::enlist(Entry made)
+{
+    m_links.push_back(std::move(made));
+    Entry &entry = m_links.back();
+    Link &link = *entry.link;
+    tellOpened(entry);
+    entry.state = link.stateChanged().add([this, &entry](LinkState state) {
+        if (state == LinkState::Open)
+            tellOpened(entry);
+        else if (state == LinkState::Lost)
+            m_lost.notify(*entry.link);
+        m_changed.notify();
+    });
+    entry.batch = link.batchEnded().add([this] { m_batchEnded.notify(); });
+    m_changed.notify();
+    remark(link);
+    return link;
+}
+
+void LinkBook::tellOpened(Entry &entry)
+{
+    const std::string line = linkIdentity(entry.link->address());
+    const bool same = entry.line.empty() || entry.line == line;
+    entry.line = line;
+    m_opened.notify(*entry.link, same);
+}
+
+void LinkBook::remark(const Link &link)
+{
+    if (link.kind() != LinkKind::Serial)
+        return;
+    if (const Message &text = static_cast<const SerialLink &>(link).remark(); !text.empty())
+        m_remarked.notify(link, text);
+}
+
+void LinkBook::close(Link &link)
+{
+    std::erase_if(m_links, [&link](const Entry &entry) { return entry.link.get() == &link; });
+    m_changed.notify();
+}
+
+std::vector<Link *> LinkBook::all() const
+{
+    std::vector<Link *> all;
+    for (const Entry &open : m_links)
+        all.push_back(open.link.get());
+    return all;
+}
+
+Link *LinkBook::find(const LinkAddress &address) const
+{
+    const auto open
+        = std::find_if(m_links.begin(), m_links.end(), [&](const Entry &o) { return o.link->address() == address; });
+    return open == m_links.end() ? nullptr : open->link.get();
+}
+
+Bench *LinkBook::bench(const Link &link) const
+{
+    const Entry *const entry = entryOf(link);
+    return entry ? entry->bench.get() : nullptr;
+}
+
+Clock &LinkBook::clockOf(Link &link) const
+{
+    if (ReplayLink *const recording = replayOf(link))
+        return recording->timeLine();
+    Bench *const simulated = bench(link);
+    return simulated ? simulated->clock() : m_clock;
+}
+
+std::string LinkBook::lineOf(const Link &link) const
+{
+    const Entry *const entry = entryOf(link);
+    return entry ? entry->line : std::string();
+}
+
+const LinkBook::Entry *LinkBook::entryOf(const Link &link) const
+{
+    const auto entry
+        = std::find_if(m_links.begin(), m_links.end(), [&](const Entry &e) { return e.link.get() == &link; });
+    return entry == m_links.end() ? nullptr : &*entry;
+}
+
+ReplayLink *replayOf(Link &link)
+{
+    return link.address().isRecording() ? dynamic_cast<ReplayLink *>(&link) : nullptr;
+}
+
+} // namespace mb

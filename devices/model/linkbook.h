@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "async/listeners.h"
+#include "async/scope.h"
+#include "model/bench.h"
+#include "model/family.h"
+#include "transport/backends/replay.h"
+#include "transport/link.h"
+
+#include <list>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace mb {
+
+/// The links of a session, with the benches behind simulated ones. Thread of the session.
+class LinkBook {
+public:
+    LinkBook(Clock &clock, std::span<const Family *const> families);
+    LinkBook(const LinkBook &) = delete;
+    LinkBook &operator=(const LinkBook &) = delete;
+
+    /// What may block is done there, of links made from now on. Outlives this.
+    void setBackground(Background *background) { m_background = background; }
+    /// Opens a link, or yields the one that is open under this address.
+    [[nodiscard]] Result<Link *> open(const LinkAddress &address);
+    /// open() for a thread that must not wait for a driver (Link::openSoon).
+    [[nodiscard]] Task<Link *> openSoon(LinkAddress address);
+    /// The same for a lost link that may be back; its state tells what comes of it.
+    void reopen(Link &link);
+    void close(Link &link);
+
+    [[nodiscard]] std::vector<Link *> all() const;
+    [[nodiscard]] Link *find(const LinkAddress &address) const;
+    /// The bench behind a simulated link; nullptr for others.
+    [[nodiscard]] Bench *bench(const Link &link) const;
+    /// The time that devices of a link live on: the session's, but for a recording and for a simulated bench its own.
+    [[nodiscard]] Clock &clockOf(Link &link) const;
+    /// Which line is behind it since it was opened last (linkIdentity); empty for a link that is not here.
+    [[nodiscard]] std::string lineOf(const Link &link) const;
+
+    /// A link is open, for the first time or again, and nothing was sent there yet; `same`: the same line as before is behind it.
+    [[nodiscard]] Listeners<Link &, bool /*same*/> &opened() { return m_opened; }
+    /// A link is lost.
+    [[nodiscard]] Listeners<Link &> &lost() { return m_lost; }
+    /// A batch of what a link has received was handed out.
+    [[nodiscard]] Listeners<> &batchEnded() { return m_batchEnded; }
+    /// A link was opened, and its user should know something about it, told in one clause.
+    [[nodiscard]] Listeners<const Link &, const Message &> &remarked() { return m_remarked; }
+    /// Links came, went or changed.
+    [[nodiscard]] Listeners<> &changed() { return m_changed; }
+
+private:
+    struct Entry {
+        std::unique_ptr<Bench> bench;
+        std::unique_ptr<Link> link;
+        std::string line;
+        Subscription state;
+        Subscription batch;
+        std::unique_ptr<Scope> opening; ///< again
+    };
+    [[nodiscard]] Result<Entry> make(const LinkAddress &address);
+    Link &enlist(Entry made);
+    void tellOpened(Entry &entry);
+    void remark(const Link &link);
+    [[nodiscard]] const Entry *entryOf(const Link &link) const;
+
+    Clock &m_clock;
+    std::span<const Family *const> m_families;
+    Background *m_background = nullptr;
+    Listeners<Link &, bool> m_opened;
+    Listeners<Link &> m_lost;
+    Listeners<> m_batchEnded;
+    Listeners<const Link &, const Message &> m_remarked;
+    Listeners<> m_changed;
+    std::list<Entry> m_links; // an element is destroyed whole, in the reverse order of its members
+};
+
+/// The replay behind a `replay:` link; nullptr for others.
+[[nodiscard]] ReplayLink *replayOf(Link &link);
+
+} // namespace mb

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/devicebook.h"
+#include "model/linkbook.h"
+#include "model/owedstops.h"
+
+namespace mb {
+
+/// STOP for all devices of a session, and its follow-up across links that close, are lost and come back. Thread of the session.
+class SessionStops {
+public:
+    /// Links and devices outlive it.
+    SessionStops(Clock &clock, LinkBook &links, DeviceBook &devices, MotionGuard *guard);
+    SessionStops(const SessionStops &) = delete;
+    SessionStops &operator=(const SessionStops &) = delete;
+
+    /// Stops every stream. By the user also every device for which its family has a harmless stop (Device::mayStop), moving or
+    /// not; by the program only what it has moved. Each is followed up (Device::stopping), also over a link that is lost: that is
+    /// opened again as soon as it can be, and its first frames are the stops. Waits for nothing.
+    void stopAll(StopCause cause);
+    /// Stops what was driven on a link that is about to be closed; what is not seen to stand by then is owed.
+    void beforeClose(const Link &link);
+    /// Its devices are gone: what is owed on this line is the guardians' again.
+    void leave(const std::string &line) { m_owed.leave(line); }
+    [[nodiscard]] const std::list<OwedStop> &owed() const { return m_owed.all(); }
+    /// The user has looked at the motors: nothing is owed any more.
+    void dismiss();
+    /// Starts the buffered moves of every device on the link of `lead` at the same moment. Unsafe when one of them is not
+    /// guarded, or keeps a move whose motion was stopped before it began.
+    [[nodiscard]] Result<void> releaseMoves(Device &lead);
+
+private:
+    void linkOpened(Link &link, bool same);
+    void stopChanged(Device &device);
+    void retryOwing();
+    [[nodiscard]] bool isOwing(const Link &link) const;
+
+    LinkBook &m_links;
+    DeviceBook &m_devices;
+    OwedStops m_owed;
+    Timer m_retry;
+    Subscription m_opened;
+    Subscription m_lost;
+    Subscription m_added;
+    Subscription m_stopChanged;
+};
+
+} // namespace mb
