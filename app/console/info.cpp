@@ -230,8 +230,8 @@ Result<std::vector<Kept>> parseAll(const Family &family, const std::vector<std::
 Result<void> keep(Console &console, Device &device, const std::vector<Kept> &all)
 {
     for (const Kept &kept : all) {
-        const auto done
-            = kept.key == "dialect" ? device.setDialect(kept.text) : device.calibrate(kept.key, kept.number);
+        const auto done = kept.key == "dialect" ? device.knowledge().setDialect(kept.text)
+                                                : device.knowledge().calibrate(kept.key, kept.number);
         if (!done)
             return done;
         if (kept.key == "dialect" && !kept.text.empty())

@@ -39,7 +39,8 @@ void DeviceJobs::carryOut(const orders::ClearFaults &order, const Finished &fini
 void DeviceJobs::carryOut(const orders::Calibrate &order, const Finished &finished)
 {
     Device *device = m_context.session.find(order.device);
-    finished(device ? device->calibrate(order.key, order.value) : fail(Fault::Timeout, say("the device is gone")));
+    finished(device ? device->knowledge().calibrate(order.key, order.value)
+                    : fail(Fault::Timeout, say("the device is gone")));
 }
 
 void DeviceJobs::carryOut(const orders::SetDialect &order, const Finished &finished)
@@ -48,7 +49,7 @@ void DeviceJobs::carryOut(const orders::SetDialect &order, const Finished &finis
     if (device && m_context.session.stream(*device).isRunning())
         finished(fail(Fault::Unsafe, say("stop the motor before its dialect is changed")));
     else
-        finished(device ? device->setDialect(order.key) : fail(Fault::Timeout, say("the device is gone")));
+        finished(device ? device->knowledge().setDialect(order.key) : fail(Fault::Timeout, say("the device is gone")));
 }
 
 } // namespace mb

@@ -15,16 +15,21 @@ constexpr Duration inputsToldEvery = std::chrono::milliseconds(50);
 } // namespace
 
 Device::Device(const Family &family, Link &link, Clock &clock, Identity identity)
-    : m_family(family)
+    : DeviceDriver(family)
+    , m_family(family)
     , m_link(link)
     , m_clock(clock)
-    , m_probedDialect(identity.dialect)
-    , m_probedDetail(identity.detail)
     , m_identity(std::move(identity))
     , m_parameters(family.parameters)
+    , m_knowledge(family, m_parameters, m_identity)
     , m_telemetry(std::make_shared<Telemetry>(family.channels))
     , m_guard(*this)
     , m_stop(*this)
+    , m_profileApplied(m_knowledge.applied().add([this] {
+        m_identity = m_knowledge.shown(std::move(m_identity));
+        doProfileChanged();
+        m_changed.notify();
+    }))
 {
 }
 
@@ -35,139 +40,21 @@ bool Device::hasWatchdog() const
     return m_family.capabilities.watchdog;
 }
 
-namespace {
-
-const DialectChoice *dialectOf(const Family &family, std::string_view key)
-{
-    const auto found = std::find_if(
-        family.dialects.begin(), family.dialects.end(), [key](const DialectChoice &row) { return row.key == key; });
-    return found == family.dialects.end() ? nullptr : &*found;
-}
-
-} // namespace
-
 void Device::setIdentity(Identity identity)
 {
     if (identity == m_identity)
         return;
-    if (identity.dialect.empty() && !m_probedDialect.empty() && identity.state == DeviceState::Online) {
-        identity.dialect = m_probedDialect; // what was proven once is not taken away by a scan that could not prove it
-        identity.detail = m_probedDetail;
-    }
-    m_probedDialect = identity.dialect;
-    m_probedDetail = identity.detail;
-    identity = shown(std::move(identity));
+    identity = m_knowledge.probed(std::move(identity));
     if (identity == m_identity)
         return;
     m_identity = std::move(identity);
     m_changed.notify();
 }
 
-/// With the dialect that the user chose, and what that means.
-Identity Device::shown(Identity probed) const
-{
-    probed.dialect = m_probedDialect;
-    probed.detail = m_probedDetail;
-    const DialectChoice *chosen = dialectOf(m_family, m_profile.dialect);
-    if (!chosen || chosen->key == m_probedDialect)
-        return probed;
-    probed.dialect = chosen->key;
-    const Message warning = Message::label(chosen->warning);
-    probed.detail = m_probedDialect.empty()
-        ? say("Dialect %1 was chosen by hand, none was proven. %2", chosen->key, warning)
-        : say("Dialect %1 was chosen by hand, the unit answered as %2. %3", chosen->key, m_probedDialect, warning);
-    return probed;
-}
-
-void Device::setProfile(DeviceProfile profile)
-{
-    m_profile = std::move(profile);
-    for (const auto &[key, raw] : m_profile.written) {
-        const auto index = findParameter(m_family.parameters, key);
-        if (!index || !isLegal(m_parameters.parameter(*index), raw) || m_profile.lost.contains(key))
-            continue;
-        if (m_parameters.parameter(*index).access == Access::WriteOnly)
-            m_parameters.setWritten(*index, raw);
-    }
-    applyProfile();
-}
-
-void Device::applyProfile()
-{
-    m_identity = shown(std::move(m_identity));
-    doProfileChanged();
-    m_changed.notify();
-}
-
-Result<void> Device::calibrate(std::string_view key, std::optional<double> value)
-{
-    const auto row = std::find_if(m_family.calibrations.begin(), m_family.calibrations.end(),
-        [key](const Calibration &candidate) { return candidate.key == key; });
-    if (row == m_family.calibrations.end())
-        return fail(Fault::Unsupported, say("%1 has no '%2' to be set", m_family.key, key));
-    const auto isValue = [value](const Choice &choice) { return static_cast<double>(choice.raw) == value; };
-    if (value && !row->choices.empty() && std::none_of(row->choices.begin(), row->choices.end(), isValue)) {
-        Message legal;
-        for (const Choice &choice : row->choices) {
-            const Message one = say("%1 (%2)", choice.raw, Message::label(choice.label));
-            legal = legal.empty() ? one : say("%1, %2", legal, one);
-        }
-        return fail(Fault::OutOfRange, say("%1: legal is %2", key, legal));
-    }
-    if (value && (!std::isfinite(*value) || *value < row->minimum || *value > row->maximum))
-        return fail(Fault::OutOfRange, say("%1: legal is %2 … %3", key, row->minimum, row->maximum));
-    if (value)
-        m_profile.calibration[std::string(key)] = *value;
-    else
-        m_profile.calibration.erase(std::string(key));
-    applyProfile();
-    m_profileChanged.notify();
-    return {};
-}
-
-Result<void> Device::setDialect(std::string_view key)
-{
-    if (!key.empty() && !dialectOf(m_family, key)) {
-        std::string known;
-        for (const DialectChoice &row : m_family.dialects)
-            known += (known.empty() ? "" : ", ") + std::string(row.key);
-        return fail(known.empty() ? Fault::Unsupported : Fault::OutOfRange,
-            say("%1 has no dialect '%2'", m_family.key, key), known.empty() ? Message() : say("it has %1", known));
-    }
-    m_profile.dialect = key;
-    applyProfile();
-    m_profileChanged.notify();
-    return {};
-}
-
-void Device::assume(ParameterIndex index, std::int64_t raw)
-{
-    m_parameters.setWritten(index, raw);
-    const std::string key(m_parameters.parameter(index).key);
-    m_profile.written[key] = raw;
-    m_profile.lost.erase(key);
-    m_profileChanged.notify();
-}
-
 void Device::settingsLost()
 {
-    m_parameters.forgetAll();
-    for (const auto &[key, raw] : m_profile.written)
-        m_profile.lost.insert(key);
-    m_profileChanged.notify();
+    m_knowledge.settingsLost();
     m_changed.notify();
-}
-
-void Device::setCounter(const std::string &key, std::int64_t value)
-{
-    m_profile.counters[key] = value;
-    m_profileChanged.notify();
-}
-
-void Device::setVerdict(const std::string &key, std::string verdict)
-{
-    m_profile.verdicts[key] = std::move(verdict);
-    m_profileChanged.notify();
 }
 
 void Device::setLiveness(const Liveness &liveness)
@@ -218,7 +105,7 @@ Task<std::int64_t> Device::write(ParameterIndex index, std::int64_t raw)
     const Result<std::int64_t> inForce = co_await std::move(task).attempt();
     const bool forgotten = !m_family.capabilities.keepsSettings && parameter.nature == Nature::Setting;
     if (inForce && (parameter.access == Access::WriteOnly || forgotten))
-        assume(index, *inForce);
+        m_knowledge.assume(index, *inForce);
     else if (inForce && parameter.nature != Nature::Counter)
         m_parameters.setWritten(index, *inForce);
     if (inForce && m_family.capabilities.storesAtOnce)
@@ -304,11 +191,6 @@ Result<void> Device::mayStop() const
     return doMayStop();
 }
 
-Result<void> Device::doReleaseMoves()
-{
-    return fail(Fault::Unsupported, say("%1 has no buffered moves", m_family.title));
-}
-
 Task<void> Device::restart()
 {
     if (!m_busy.empty())
@@ -317,17 +199,6 @@ Task<void> Device::restart()
     auto restarting = doRestart();
     co_await std::move(restarting);
     co_return {};
-}
-
-Task<void> Device::doRestart()
-{
-    co_return fail(
-        Fault::Unsupported, say("%1 cannot be restarted from here", m_family.title), say("switch it off and on"));
-}
-
-Task<void> Device::doZeroPosition()
-{
-    co_return fail(Fault::Unsupported, say("%1 has no command that zeroes its position", m_family.title));
 }
 
 void Device::stop()

@@ -3,8 +3,9 @@
 
 #include "async/progress.h"
 #include "async/task.h"
+#include "model/devicedriver.h"
 #include "model/deviceguard.h"
-#include "model/deviceprofile.h"
+#include "model/deviceknowledge.h"
 #include "model/devicestop.h"
 #include "model/identity.h"
 #include "model/livestate.h"
@@ -20,13 +21,6 @@
 namespace mb {
 
 struct Family;
-
-struct FaultRecord {
-    std::string key; ///< over_current, …; stable, for JSON
-    bool active = false;
-    bool sticky = false;
-    std::optional<std::int64_t> count;
-};
 
 /// One of several axes of a device.
 struct AxisLiveness {
@@ -51,7 +45,7 @@ struct Liveness {
 
 /// One controller. Engine thread only, but for `telemetry()`, whose readers may be anywhere. Tasks it returns must end or be
 /// destroyed before it; one of its tasks at a time.
-class Device : public Stoppable {
+class Device : public Stoppable, protected DeviceDriver {
 public:
     Device(const Device &) = delete;
     Device &operator=(const Device &) = delete;
@@ -111,17 +105,8 @@ public:
     [[nodiscard]] DeviceGuard &guard() { return m_guard; }
 
     /// What this program knows of the device that the device cannot tell.
-    [[nodiscard]] const DeviceProfile &profile() const { return m_profile; }
-    /// What a file kept. Write-only parameters become assumed, those that a reset took stay unknown.
-    void setProfile(DeviceProfile profile);
-    /// A number that only its user knows, in the unit of the row (Family::calibrations); nothing makes it unknown again.
-    [[nodiscard]] Result<void> calibrate(std::string_view key, std::optional<double> value);
-    /// Speaks this dialect (Family::dialects) whatever the scan found; empty: as the scan finds it.
-    [[nodiscard]] Result<void> setDialect(std::string_view key);
-    /// Keeps what a check of this device found out, such as "direction"; shown, never relied on.
-    void setVerdict(const std::string &key, std::string verdict);
-    /// The profile is to be kept.
-    [[nodiscard]] Listeners<> &profileChanged() { return m_profileChanged; }
+    [[nodiscard]] DeviceKnowledge &knowledge() { return m_knowledge; }
+    [[nodiscard]] const DeviceProfile &profile() const { return m_knowledge.profile(); }
 
     /// Why this device must not be driven now: duplicate, bootloader, foreign master, update …, or success.
     [[nodiscard]] Result<void> mayMove() const;
@@ -170,56 +155,16 @@ protected:
     void setLiveness(const Liveness &liveness, const LiveStates &states, Instant time);
     void setStates(const LiveStates &states, Instant time) { setLiveness(m_liveness, states, time); }
     [[nodiscard]] Instant stoppedAt() const { return m_stoppedAt; }
-    /// For families: a write-only parameter is known to have been set to this, by us or by somebody we heard.
-    void assume(ParameterIndex index, std::int64_t raw);
-    /// For families whose devices keep nothing: something was written that is believed to be in force.
-    [[nodiscard]] bool holdsSettings() const { return m_profile.lost.size() < m_profile.written.size(); }
-    /// The same: a reset was noticed. Everything is unknown, what was written is lost until it is written again.
+    /// For families whose devices keep nothing: a reset was noticed.
     void settingsLost();
-    /// For families: a counter of the profile.
-    void setCounter(const std::string &key, std::int64_t value);
 
 private:
-    [[nodiscard]] Identity shown(Identity probed) const;
-    void applyProfile();
-
-    virtual Task<void> doRefresh() = 0;
-    virtual Task<std::int64_t> doRead(ParameterIndex index) = 0;
-    virtual Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) = 0;
-    virtual Task<bool> doStore(Progress &progress) = 0;
-    virtual Task<std::vector<FaultRecord>> doReadFaults() = 0;
-    virtual Task<std::vector<FaultRecord>> doClearFaults() = 0;
-    virtual Task<void> doIdentify() = 0;
-    virtual Task<void> doRestart();
-    virtual Task<void> doRename(std::string name) = 0;
-    virtual Task<void> doRenumber(int address) = 0;
-    virtual Task<void> doSetRate(ChannelIndex channel, double hertz) = 0;
-    /// A family's own reasons besides those that all have.
-    [[nodiscard]] virtual Result<void> doMayMove() const { return {}; }
-    /// Calibration or dialect are others.
-    virtual void doProfileChanged() { }
-    [[nodiscard]] virtual Result<void> doCheck(const SetPoint &setPoint) const = 0;
-    [[nodiscard]] virtual Message doCaution(const SetPoint &) const { return {}; }
-    virtual Result<void> doCommand(const SetPoint &setPoint) = 0;
-    [[nodiscard]] virtual bool doOffers(ParameterIndex) const { return true; }
-    virtual Result<void> doReleaseMoves();
-    virtual Task<void> doZeroPosition();
-    virtual void doStop() = 0;
-    /// Families that repeat a stop by themselves do nothing here.
-    virtual void doRepeatStop() { doStop(); }
-    /// A family's own reasons why a stop may do harm.
-    [[nodiscard]] virtual Result<void> doMayStop() const { return {}; }
-    [[nodiscard]] virtual StopScript doStopScript() const { return {}; }
-    [[nodiscard]] virtual bool doIsSeenStopped() const = 0;
-
     const Family &m_family;
     Link &m_link;
     Clock &m_clock;
-    std::string m_probedDialect; ///< what the scan said, where the user chose another
-    Message m_probedDetail;
     Identity m_identity;
-    DeviceProfile m_profile;
     ParameterStore m_parameters;
+    DeviceKnowledge m_knowledge;
     std::shared_ptr<Telemetry> m_telemetry;
     Liveness m_liveness;
     LiveStates m_states;
@@ -227,13 +172,13 @@ private:
     Instant m_statesToldAt{};
     Listeners<Instant> m_statesChanged;
     Listeners<> m_changed;
-    Listeners<> m_profileChanged;
     Message m_busy;
     Instant m_stoppedAt{};
     bool m_keepsMove = false;
     const std::atomic<bool> *m_stopGate = nullptr;
     DeviceGuard m_guard;
     DeviceStop m_stop;
+    Subscription m_profileApplied;
 };
 
 } // namespace mb

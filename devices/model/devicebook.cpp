@@ -85,7 +85,7 @@ void DeviceBook::open(Entry &entry, Link &link, const Family &family, const Iden
         device.telemetry()->keepIn(m_store);
     m_memory.recall(device);
     entry.changed = device.changed().add([this] { m_changed.notify(); });
-    entry.profileChanged = device.profileChanged().add([this, &device] {
+    entry.profileChanged = device.knowledge().changed().add([this, &device] {
         m_changed.notify();
         m_memory.keep(device);
     });

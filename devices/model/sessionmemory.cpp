@@ -36,14 +36,14 @@ void SessionMemory::recall(Device &device)
     if (!m_profiles || !isKept(device.link()))
         return;
     if (const auto unsaved = m_unsaved.find(device.selector()); unsaved != m_unsaved.end()) {
-        device.setProfile(unsaved->second.profile);
+        device.knowledge().setProfile(unsaved->second.profile);
         return;
     }
     auto profile = m_profiles->load(device.selector());
     if (!profile)
         m_profileTrouble.notify(profile.error().message());
     else if (!profile->isEmpty())
-        device.setProfile(std::move(*profile));
+        device.knowledge().setProfile(std::move(*profile));
 }
 
 void SessionMemory::keep(const Device &device)

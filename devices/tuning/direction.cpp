@@ -57,7 +57,7 @@ std::string verdictKey(const Device &device, int axis)
 
 tl::unexpected<Error> wrong(Device &device, int axis, std::optional<Trip> &trip, Guard guard, Message detail)
 {
-    device.setVerdict(verdictKey(device, axis), guard == Guard::NoMotion ? "no motion" : "reversed");
+    device.knowledge().setVerdict(verdictKey(device, axis), guard == Guard::NoMotion ? "no motion" : "reversed");
     trip = Trip{guard, detail, device.clock().now()};
     return fail(Fault::Unsafe, std::move(detail));
 }
@@ -100,7 +100,7 @@ Task<double> checkDirection(Device &device, SetPointStream &stream, TrialRecorde
         if (interruption.isRequested() || stream.end() != SetPointStream::End::Stopped)
             co_return fail(Fault::Unsafe, stream.reason());
         if (moved >= enough) {
-            device.setVerdict(verdictKey(device, axis), "agrees");
+            device.knowledge().setVerdict(verdictKey(device, axis), "agrees");
             co_return pushed;
         }
     }

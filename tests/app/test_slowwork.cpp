@@ -167,7 +167,7 @@ TEST_F(SlowWork, WhatIsKnownOfADeviceIsKeptAlthoughTheDiskTakesItLater)
     const test::TemporaryFolder folder;
     core.session().memory().keepProfiles(folder.path("profiles"));
     openNow(good);
-    motor().setVerdict("direction", "reversed");
+    motor().knowledge().setVerdict("direction", "reversed");
     EXPECT_EQ(background.waiting(), 1U);
     EXPECT_FALSE(std::filesystem::exists(folder.path("profiles")));
     core.send(orders::CloseLink{addressOf(good).text()});

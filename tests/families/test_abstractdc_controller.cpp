@@ -84,7 +84,7 @@ TEST_F(AbstractDcController, AnUnprovenDialectIsWatchedButNotDriven)
     clock.advance(500ms);
     EXPECT_TRUE(sentOf("067").empty());
     EXPECT_TRUE(sentOf("0CB").empty());
-    ASSERT_TRUE(device->setDialect("F"));
+    ASSERT_TRUE(device->knowledge().setDialect("F"));
     EXPECT_NE(device->identity().detail.english().find("chosen by hand"), std::string::npos);
     clock.advance(200ms);
     EXPECT_TRUE(device->command(setPoint(Mode::Duty, 0.5)));
@@ -276,7 +276,7 @@ TEST_F(AbstractDcController, AnotherRunOfTheProgramKnowsThatThePowerCycleIsOwed)
     const DeviceProfile kept = device->profile();
     open(3, &dialectF);
     EXPECT_TRUE(device->mayMove());
-    device->setProfile(kept);
+    device->knowledge().setProfile(kept);
     EXPECT_FALSE(device->mayMove());
     powerCycle(drive, clock);
     EXPECT_TRUE(device->mayMove());
@@ -350,7 +350,7 @@ TEST_F(AbstractDcController, CurrentIsCountsUntilTheUserKnowsBetter)
         clock.advance(20ms);
     }
     EXPECT_NEAR(latest("current"), 100.0, 5.0) << "5 A, 20 counts each";
-    ASSERT_TRUE(device->calibrate("amperes_per_count", 0.05));
+    ASSERT_TRUE(device->knowledge().calibrate("amperes_per_count", 0.05));
     EXPECT_EQ(device->telemetry()->channels()[channel("current").value].unit, "A");
     clock.advance(500ms);
     EXPECT_NEAR(latest("current"), 5.0, 0.25);
@@ -365,7 +365,7 @@ TEST_F(AbstractDcController, TheSetPointOfACurrentIsRecordedAsItWasSent)
     (void)write("current.p", 0);
     ASSERT_TRUE(device->command(setPoint(Mode::Current, 40.0))) << "counts, while nobody knows better";
     EXPECT_EQ(latest("setpoint"), 40.0);
-    ASSERT_TRUE(device->calibrate("amperes_per_count", 0.05));
+    ASSERT_TRUE(device->knowledge().calibrate("amperes_per_count", 0.05));
     clock.advance(2s);
     ASSERT_TRUE(device->command(setPoint(Mode::Current, 3.0)));
     EXPECT_NEAR(latest("setpoint"), 3.0, 1e-9);

@@ -175,15 +175,15 @@ TEST_P(Contract, AChosenDialectIsShownWithItsWarningAndForgottenAgain)
 {
     Device *device = online();
     ASSERT_NE(device, nullptr);
-    EXPECT_FALSE(device->setDialect("no such dialect"));
+    EXPECT_FALSE(device->knowledge().setDialect("no such dialect"));
     const std::string probed = device->identity().dialect;
     for (const DialectChoice &choice : family().dialects) {
-        ASSERT_TRUE(device->setDialect(choice.key)) << choice.key;
+        ASSERT_TRUE(device->knowledge().setDialect(choice.key)) << choice.key;
         EXPECT_EQ(device->identity().dialect, choice.key);
         EXPECT_FALSE(choice.warning.empty());
         EXPECT_EQ(device->identity().detail.english().find(choice.warning) != std::string::npos, choice.key != probed);
     }
-    ASSERT_TRUE(device->setDialect({}));
+    ASSERT_TRUE(device->knowledge().setDialect({}));
     EXPECT_EQ(device->identity().dialect, probed);
 }
 
@@ -191,13 +191,13 @@ TEST_P(Contract, CalibrationsAreCheckedKeptAndForgotten)
 {
     Device *device = online();
     ASSERT_NE(device, nullptr);
-    EXPECT_FALSE(device->calibrate("no_such_key", 1.0));
+    EXPECT_FALSE(device->knowledge().calibrate("no_such_key", 1.0));
     for (const Calibration &row : family().calibrations) {
         EXPECT_FALSE(row.label.empty() || row.help.empty()) << row.key;
-        EXPECT_FALSE(device->calibrate(row.key, row.maximum * 2.0)) << row.key;
-        ASSERT_TRUE(device->calibrate(row.key, row.minimum)) << row.key;
+        EXPECT_FALSE(device->knowledge().calibrate(row.key, row.maximum * 2.0)) << row.key;
+        ASSERT_TRUE(device->knowledge().calibrate(row.key, row.minimum)) << row.key;
         EXPECT_EQ(device->profile().calibrated(row.key), row.minimum);
-        ASSERT_TRUE(device->calibrate(row.key, std::nullopt)) << row.key;
+        ASSERT_TRUE(device->knowledge().calibrate(row.key, std::nullopt)) << row.key;
         EXPECT_EQ(device->profile().calibrated(row.key, -1.0), -1.0);
     }
 }
@@ -209,12 +209,12 @@ TEST_P(Contract, AChoiceOfACalibrationIsOneOfItsRows)
     for (const Calibration &row : family().calibrations) {
         for (const Choice &choice : row.choices) {
             EXPECT_FALSE(choice.label.empty()) << row.key;
-            EXPECT_TRUE(device->calibrate(row.key, static_cast<double>(choice.raw))) << row.key;
+            EXPECT_TRUE(device->knowledge().calibrate(row.key, static_cast<double>(choice.raw))) << row.key;
         }
         if (!row.choices.empty()) {
-            EXPECT_FALSE(device->calibrate(row.key, row.minimum + 0.5)) << row.key;
+            EXPECT_FALSE(device->knowledge().calibrate(row.key, row.minimum + 0.5)) << row.key;
         }
-        ASSERT_TRUE(device->calibrate(row.key, std::nullopt)) << row.key;
+        ASSERT_TRUE(device->knowledge().calibrate(row.key, std::nullopt)) << row.key;
     }
 }
 

@@ -52,7 +52,7 @@ struct QuadQuad2DrvReset : testing::Test {
     std::unique_ptr<Device> anotherRun(const DeviceProfile &kept)
     {
         auto again = device->family().open(*bench.link, bench.clock, device->identity());
-        again->setProfile(kept);
+        again->knowledge().setProfile(kept);
         return again;
     }
     SimulatedSession bench;

@@ -246,7 +246,7 @@ TEST(QuadQuad2DrvExperiment, ABoardThatWantsItsVelocityTargetShiftedIsTold)
     const auto report = bench.find(withPower(0.25), operation);
     ASSERT_FALSE(report);
     EXPECT_NE(report.error().text().find("times 4096"), std::string::npos) << report.error().text();
-    ASSERT_TRUE(bench.device->calibrate(calibration::targetShift, calibration::shiftedTarget));
+    ASSERT_TRUE(bench.device->knowledge().calibrate(calibration::targetShift, calibration::shiftedTarget));
     Operation again(bench.clock, say("scales"));
     const auto found = bench.find(withPower(0.25), again);
     ASSERT_TRUE(found) << found.error().text();
@@ -277,7 +277,7 @@ TEST(QuadQuad2DrvExperiment, APolarityMeansTheSameOnBothKindsOfBoards)
 {
     for (const bool library : {true, false}) {
         Board bench(library ? "quadquad2drv:0" : "quadquad2drv:0,inputs=datasheet");
-        ASSERT_TRUE(bench.device->calibrate(
+        ASSERT_TRUE(bench.device->knowledge().calibrate(
             calibration::inputReading, library ? calibration::asLibrary : calibration::asDataSheet));
         NoProgress progress;
         ASSERT_TRUE(run(bench.clock,
@@ -298,7 +298,7 @@ TEST(QuadQuad2DrvExperiment, AnotherReadingWritesTheInputsAgain)
     ASSERT_TRUE(
         run(bench.clock, writeParameters(*bench.device, {{indexOf(0, AxisParameter::InputMode), 1}}, progress)));
     bench.sent.clear();
-    ASSERT_TRUE(bench.device->calibrate(calibration::inputReading, calibration::asDataSheet));
+    ASSERT_TRUE(bench.device->knowledge().calibrate(calibration::inputReading, calibration::asDataSheet));
     bench.clock.advance(200ms);
     EXPECT_TRUE(bench.hasSent(setInputMode(1, {0x09, 0, 0}))) << "active high, as the data sheet says it";
 }
@@ -306,8 +306,8 @@ TEST(QuadQuad2DrvExperiment, AnotherReadingWritesTheInputsAgain)
 TEST(QuadQuad2DrvExperiment, OnlyTheListedReadingsAreLegal)
 {
     Board bench("quadquad2drv:0");
-    EXPECT_EQ(bench.device->calibrate(calibration::targetShift, 5.0).error().fault, Fault::OutOfRange);
-    EXPECT_TRUE(bench.device->calibrate(calibration::targetShift, 12.0));
+    EXPECT_EQ(bench.device->knowledge().calibrate(calibration::targetShift, 5.0).error().fault, Fault::OutOfRange);
+    EXPECT_TRUE(bench.device->knowledge().calibrate(calibration::targetShift, 12.0));
 }
 
 TEST(QuadQuad2DrvExperiment, AVelocityTargetIsPlainUntilItsSettingSaysOtherwiseAndNeverChangesInMotion)
@@ -319,7 +319,7 @@ TEST(QuadQuad2DrvExperiment, AVelocityTargetIsPlainUntilItsSettingSaysOtherwiseA
     ASSERT_TRUE(bench.stream().start(setPoint, 60s));
     bench.clock.advance(200ms);
     EXPECT_TRUE(bench.hasSent(setVelocityTarget(1, 1000.0, {.velocityTargetShifted = false})));
-    ASSERT_TRUE(bench.device->calibrate(calibration::targetShift, calibration::shiftedTarget));
+    ASSERT_TRUE(bench.device->knowledge().calibrate(calibration::targetShift, calibration::shiftedTarget));
     bench.clock.advance(500ms);
     EXPECT_FALSE(bench.hasSent(setVelocityTarget(1, 1000.0, {.velocityTargetShifted = true})));
     bench.stream().stop();

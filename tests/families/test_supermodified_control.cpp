@@ -409,7 +409,7 @@ TEST(SupermodifiedControl, CurrentIsACountUntilTheUserSaysWhatItIsWorth)
     bench.clock.advance(2s);
     const double counts = raw->telemetry()->latest(current)->value;
     EXPECT_GT(counts, 5.0);
-    ASSERT_TRUE(raw->calibrate("amperes_per_count", 0.01));
+    ASSERT_TRUE(raw->knowledge().calibrate("amperes_per_count", 0.01));
     EXPECT_EQ(raw->telemetry()->channels()[current.value].unit, "A");
     bench.clock.advance(200ms);
     EXPECT_NEAR(raw->telemetry()->latest(current)->value, counts * 0.01, 0.5 * counts * 0.01);

@@ -277,7 +277,7 @@ TEST(Stop, OfAnOldDriveSendsNothingThatMayStartIt)
     SimulatedSession bench;
     bench.scan();
     Device &drive = *bench.device(3, "abstractdc");
-    ASSERT_TRUE(drive.setDialect("LL"));
+    ASSERT_TRUE(drive.knowledge().setDialect("LL"));
     EXPECT_FALSE(drive.mayStop());
     const SentFrames sent(*bench.link);
     bench.session.stopAll(StopCause::User);

@@ -285,11 +285,11 @@ TEST(Autotune, TunesAnAxisOfACalibratedBoard)
         ExperimentBench bench("sim:spi", "quadquad2drv", 0);
         using namespace quadquad2drv;
         using namespace quadquad2drv::simulation;
-        ASSERT_TRUE(bench.device->calibrate(calibration::velocityP, gain::velocityP));
-        ASSERT_TRUE(bench.device->calibrate(calibration::velocityI, gain::velocityI));
-        ASSERT_TRUE(bench.device->calibrate(calibration::positionP, gain::positionP));
-        ASSERT_TRUE(bench.device->calibrate(calibration::positionI, gain::positionI));
-        ASSERT_TRUE(bench.device->calibrate(calibration::positionD, gain::positionD));
+        ASSERT_TRUE(bench.device->knowledge().calibrate(calibration::velocityP, gain::velocityP));
+        ASSERT_TRUE(bench.device->knowledge().calibrate(calibration::velocityI, gain::velocityI));
+        ASSERT_TRUE(bench.device->knowledge().calibrate(calibration::positionP, gain::positionP));
+        ASSERT_TRUE(bench.device->knowledge().calibrate(calibration::positionI, gain::positionI));
+        ASSERT_TRUE(bench.device->knowledge().calibrate(calibration::positionD, gain::positionD));
         for (const auto &[key, value] : {std::pair("ch2.limit.power", 0.8), std::pair("history.length", 8.0)}) {
             const ParameterChange change = bench.change(key, value);
             ASSERT_TRUE(test::run(bench.bench.clock, bench.device->write(change.index, change.raw))) << key;

@@ -20,8 +20,8 @@ Result<TuneReport> tuneBoard(ExperimentBench &bench)
 {
     using namespace quadquad2drv;
     using namespace quadquad2drv::simulation;
-    EXPECT_TRUE(bench.device->calibrate(calibration::velocityP, gain::velocityP));
-    EXPECT_TRUE(bench.device->calibrate(calibration::velocityI, gain::velocityI));
+    EXPECT_TRUE(bench.device->knowledge().calibrate(calibration::velocityP, gain::velocityP));
+    EXPECT_TRUE(bench.device->knowledge().calibrate(calibration::velocityI, gain::velocityI));
     for (const auto &[key, value] : {std::pair("ch2.limit.power", 0.8), std::pair("history.length", 8.0)}) {
         const ParameterChange change = bench.change(key, value);
         Result<std::int64_t> written = fail(Fault::Timeout);

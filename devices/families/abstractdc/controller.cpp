@@ -46,9 +46,9 @@ Controller::Controller(const Family &family, CanLink &link, Clock &clock, Identi
     : Device(family, link, clock, std::move(identity))
     , m_can(link)
     , m_logs(link, clock, telemetry(), profile(), owner())
-    , m_debt(profile(), [this](std::int64_t owed) { setCounter(std::string(counter::powerCycle), owed); })
-    , m_desk(
-          *this, link, m_logs, m_debt, [this](const std::string &key, std::int64_t value) { setCounter(key, value); })
+    , m_debt(profile(), [this](std::int64_t owed) { knowledge().setCounter(std::string(counter::powerCycle), owed); })
+    , m_desk(*this, link, m_logs, m_debt,
+          [this](const std::string &key, std::int64_t value) { knowledge().setCounter(key, value); })
     , m_received(link.received().add([this](const CanFrame &frame) { onFrame(frame, false); }))
     , m_identityChanged(changed().add([this] { speak(); }))
 {
@@ -239,7 +239,7 @@ void Controller::onFrame(const CanFrame &frame, bool ours)
         updateLiveness();
     } else if (const auto settings = decodeSettings(*m_logs.dialect(), identity().address, frame)) {
         if (const auto index = parameterOf(settings->loop, settings->field))
-            assume(*index, settings->value);
+            knowledge().assume(*index, settings->value);
     }
 }
 
@@ -295,7 +295,7 @@ void Controller::settingsErased()
 {
     m_desk.erased();
     for (std::uint16_t i = 0; i < parameterTable().size(); ++i)
-        assume({i}, fieldOf(parameterTable()[i]) == Field::Averaging ? 1 : 0);
+        knowledge().assume({i}, fieldOf(parameterTable()[i]) == Field::Averaging ? 1 : 0);
 }
 
 Task<std::vector<FaultRecord>> Controller::doReadFaults()

@@ -40,7 +40,8 @@ Controller::Controller(const Family &known, SpiLink &link, Clock &clock, Identit
     : Device(known, link, clock, std::move(identity))
     , m_spi(link)
     , m_port(link, clock)
-    , m_layout(link, m_port, {[this] { return holdsSettings(); }, [this] { onReset(); }, [this] { schedulePoll(); }})
+    , m_layout(link, m_port,
+          {[this] { return knowledge().holdsSettings(); }, [this] { onReset(); }, [this] { schedulePoll(); }})
     , m_settings(parameters(), profile())
     , m_sense(telemetry())
     , m_orders(clock, m_port, m_layout, [this] { stop(); })

@@ -119,7 +119,7 @@ Task<ExperimentReport> findInputReading(Device &device, SetPointStream &, Experi
     const bool high = options.answer == 0;
     const bool bitZeroIsHigh = active[0] == high;
     const int reading = bitZeroIsHigh ? calibration::asLibrary : calibration::asDataSheet;
-    if (auto kept = board.calibrate(calibration::inputReading, reading); !kept)
+    if (auto kept = board.knowledge().calibrate(calibration::inputReading, reading); !kept)
         co_return fail(kept.error());
     ExperimentReport report;
     report.found.emplace_back(calibration::inputReading, reading);

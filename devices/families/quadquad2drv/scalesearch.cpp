@@ -49,7 +49,7 @@ Task<ExperimentReport> ScaleSearch::run()
     auto finishing = m_trial.finish();
     co_await std::move(finishing);
     for (const auto &[key, scale] : m_report.found) {
-        if (auto kept = m_board.calibrate(key, scale); !kept)
+        if (auto kept = m_board.knowledge().calibrate(key, scale); !kept)
             co_return fail(kept.error());
     }
     co_return m_report;

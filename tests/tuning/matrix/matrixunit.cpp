@@ -110,7 +110,7 @@ void MatrixUnit::prepare()
         {calibration::velocityI, gain::velocityI}, {calibration::positionP, gain::positionP},
         {calibration::positionI, gain::positionI}, {calibration::positionD, gain::positionD}}};
     for (const auto &[key, scale] : scales)
-        EXPECT_TRUE(m_device->calibrate(key, scale));
+        EXPECT_TRUE(m_device->knowledge().calibrate(key, scale));
     for (const auto &[key, value] : {std::pair("ch1.limit.power", 0.8), std::pair("history.length", 8.0)}) {
         const auto index = findParameter(m_device->parameters().table(), key);
         EXPECT_TRUE(run(m_clock, m_device->write(*index, *toRaw(m_device->parameters().parameter(*index), value))))

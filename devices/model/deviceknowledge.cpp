@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/deviceknowledge.h"
+
+#include "model/family.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace mb {
+namespace {
+
+const DialectChoice *dialectOf(const Family &family, std::string_view key)
+{
+    const auto found = std::find_if(
+        family.dialects.begin(), family.dialects.end(), [key](const DialectChoice &row) { return row.key == key; });
+    return found == family.dialects.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+DeviceKnowledge::DeviceKnowledge(const Family &family, ParameterStore &parameters, const Identity &identity)
+    : m_family(family)
+    , m_parameters(parameters)
+    , m_probedDialect(identity.dialect)
+    , m_probedDetail(identity.detail)
+{
+}
+
+Identity DeviceKnowledge::probed(Identity identity)
+{
+    if (identity.dialect.empty() && !m_probedDialect.empty() && identity.state == DeviceState::Online) {
+        identity.dialect = m_probedDialect; // what was proven once is not taken away by a scan that could not prove it
+        identity.detail = m_probedDetail;
+    }
+    m_probedDialect = identity.dialect;
+    m_probedDetail = identity.detail;
+    return shown(std::move(identity));
+}
+
+/// With the dialect that the user chose, and what that means.
+Identity DeviceKnowledge::shown(Identity probed) const
+{
+    probed.dialect = m_probedDialect;
+    probed.detail = m_probedDetail;
+    const DialectChoice *chosen = dialectOf(m_family, m_profile.dialect);
+    if (!chosen || chosen->key == m_probedDialect)
+        return probed;
+    probed.dialect = chosen->key;
+    const Message warning = Message::label(chosen->warning);
+    probed.detail = m_probedDialect.empty()
+        ? say("Dialect %1 was chosen by hand, none was proven. %2", chosen->key, warning)
+        : say("Dialect %1 was chosen by hand, the unit answered as %2. %3", chosen->key, m_probedDialect, warning);
+    return probed;
+}
+
+void DeviceKnowledge::setProfile(DeviceProfile profile)
+{
+    m_profile = std::move(profile);
+    for (const auto &[key, raw] : m_profile.written) {
+        const auto index = findParameter(m_family.parameters, key);
+        if (!index || !isLegal(m_parameters.parameter(*index), raw) || m_profile.lost.contains(key))
+            continue;
+        if (m_parameters.parameter(*index).access == Access::WriteOnly)
+            m_parameters.setWritten(*index, raw);
+    }
+    m_applied.notify();
+}
+
+Result<void> DeviceKnowledge::calibrate(std::string_view key, std::optional<double> value)
+{
+    const auto row = std::find_if(m_family.calibrations.begin(), m_family.calibrations.end(),
+        [key](const Calibration &candidate) { return candidate.key == key; });
+    if (row == m_family.calibrations.end())
+        return fail(Fault::Unsupported, say("%1 has no '%2' to be set", m_family.key, key));
+    const auto isValue = [value](const Choice &choice) { return static_cast<double>(choice.raw) == value; };
+    if (value && !row->choices.empty() && std::none_of(row->choices.begin(), row->choices.end(), isValue)) {
+        Message legal;
+        for (const Choice &choice : row->choices) {
+            const Message one = say("%1 (%2)", choice.raw, Message::label(choice.label));
+            legal = legal.empty() ? one : say("%1, %2", legal, one);
+        }
+        return fail(Fault::OutOfRange, say("%1: legal is %2", key, legal));
+    }
+    if (value && (!std::isfinite(*value) || *value < row->minimum || *value > row->maximum))
+        return fail(Fault::OutOfRange, say("%1: legal is %2 … %3", key, row->minimum, row->maximum));
+    if (value)
+        m_profile.calibration[std::string(key)] = *value;
+    else
+        m_profile.calibration.erase(std::string(key));
+    m_applied.notify();
+    m_changed.notify();
+    return {};
+}
+
+Result<void> DeviceKnowledge::setDialect(std::string_view key)
+{
+    if (!key.empty() && !dialectOf(m_family, key)) {
+        std::string known;
+        for (const DialectChoice &row : m_family.dialects)
+            known += (known.empty() ? "" : ", ") + std::string(row.key);
+        return fail(known.empty() ? Fault::Unsupported : Fault::OutOfRange,
+            say("%1 has no dialect '%2'", m_family.key, key), known.empty() ? Message() : say("it has %1", known));
+    }
+    m_profile.dialect = key;
+    m_applied.notify();
+    m_changed.notify();
+    return {};
+}
+
+void DeviceKnowledge::assume(ParameterIndex index, std::int64_t raw)
+{
+    m_parameters.setWritten(index, raw);
+    const std::string key(m_parameters.parameter(index).key);
+    m_profile.written[key] = raw;
+    m_profile.lost.erase(key);
+    m_changed.notify();
+}
+
+void DeviceKnowledge::settingsLost()
+{
+    m_parameters.forgetAll();
+    for (const auto &[key, raw] : m_profile.written)
+        m_profile.lost.insert(key);
+    m_changed.notify();
+}
+
+void DeviceKnowledge::setCounter(const std::string &key, std::int64_t value)
+{
+    m_profile.counters[key] = value;
+    m_changed.notify();
+}
+
+void DeviceKnowledge::setVerdict(const std::string &key, std::string verdict)
+{
+    m_profile.verdicts[key] = std::move(verdict);
+    m_changed.notify();
+}
+
+} // namespace mb

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "async/listeners.h"
+#include "model/deviceprofile.h"
+#include "model/identity.h"
+#include "model/parameterstore.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace mb {
+
+struct Family;
+
+/// What this program knows of a device that the device cannot tell: its profile, and what follows from it. Engine thread.
+class DeviceKnowledge {
+public:
+    /// `parameters` of the device outlive it.
+    DeviceKnowledge(const Family &family, ParameterStore &parameters, const Identity &identity);
+    DeviceKnowledge(const DeviceKnowledge &) = delete;
+    DeviceKnowledge &operator=(const DeviceKnowledge &) = delete;
+
+    [[nodiscard]] const DeviceProfile &profile() const { return m_profile; }
+    /// What a file kept. Write-only parameters become assumed, those that a reset took stay unknown.
+    void setProfile(DeviceProfile profile);
+    /// A number that only its user knows, in the unit of the row (Family::calibrations); nothing makes it unknown again.
+    [[nodiscard]] Result<void> calibrate(std::string_view key, std::optional<double> value);
+    /// Speaks this dialect (Family::dialects) whatever the scan found; empty: as the scan finds it.
+    [[nodiscard]] Result<void> setDialect(std::string_view key);
+    /// Keeps what a check of this device found out, such as "direction"; shown, never relied on.
+    void setVerdict(const std::string &key, std::string verdict);
+    void setCounter(const std::string &key, std::int64_t value);
+
+    /// A write-only parameter is known to have been set to this, by us or by somebody we heard.
+    void assume(ParameterIndex index, std::int64_t raw);
+    /// For devices that keep nothing: something was written that is believed to be in force.
+    [[nodiscard]] bool holdsSettings() const { return m_profile.lost.size() < m_profile.written.size(); }
+    /// The same: a reset was noticed. Everything is unknown, what was written is lost until it is written again.
+    void settingsLost();
+
+    /// Of what a scan has found, what is shown: with the dialect that was proven before or that the user chose, and what that means.
+    [[nodiscard]] Identity probed(Identity identity);
+    [[nodiscard]] Identity shown(Identity identity) const;
+
+    /// The profile is to be kept.
+    [[nodiscard]] Listeners<> &changed() { return m_changed; }
+    /// Calibration or dialect are others.
+    [[nodiscard]] Listeners<> &applied() { return m_applied; }
+
+private:
+    const Family &m_family;
+    ParameterStore &m_parameters;
+    DeviceProfile m_profile;
+    std::string m_probedDialect; ///< what the scan said, where the user chose another
+    Message m_probedDetail;
+    Listeners<> m_changed;
+    Listeners<> m_applied;
+};
+
+} // namespace mb
