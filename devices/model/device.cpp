@@ -154,7 +154,7 @@ Result<void> Device::command(const SetPoint &setPoint)
         return fail(Fault::Unsafe, m_guard.reason());
     if (isStopPressed())
         return fail(Fault::Unsafe, say("STOP was pressed"));
-    if (auto checked = doCheck(setPoint); !checked)
+    if (auto checked = check(setPoint); !checked)
         return checked;
     if (auto sent = doCommand(setPoint); !sent)
         return sent;

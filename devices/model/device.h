@@ -45,7 +45,7 @@ struct Liveness {
 
 /// One controller. Engine thread only, but for `telemetry()`, whose readers may be anywhere. Tasks it returns must end or be
 /// destroyed before it; one of its tasks at a time.
-class Device : public Stoppable, protected DeviceDriver {
+class Device : public Stoppable, public DeviceDriver {
 public:
     Device(const Device &) = delete;
     Device &operator=(const Device &) = delete;
@@ -73,34 +73,17 @@ public:
     /// Any of states() changed, with the time of the frame that told it; as often as frames come.
     [[nodiscard]] Listeners<Instant> &statesChanged() { return m_statesChanged; }
 
-    /// False for a parameter of the family's table that this device's dialect does not have.
-    [[nodiscard]] bool offers(ParameterIndex index) const { return doOffers(index); }
-
-    /// Versions and descriptors from the device itself.
-    [[nodiscard]] Task<void> refresh() { return doRefresh(); }
     /// Raw value in force; the store follows. Unsupported for a write-only parameter.
     [[nodiscard]] Task<std::int64_t> read(ParameterIndex index);
     /// Writes, and yields what the device says is in force (for a write-only one, what was sent). For a Counter, the
     /// value before it was cleared. Does not compare: see parametertransfer.h.
     [[nodiscard]] Task<std::int64_t> write(ParameterIndex index, std::int64_t raw);
-    /// Makes what was written survive a power cycle and proves it where the device can: true; false where it cannot.
-    [[nodiscard]] Task<bool> store(Progress &progress) { return doStore(progress); }
-    [[nodiscard]] Task<std::vector<FaultRecord>> readFaults() { return doReadFaults(); }
-    /// Reads and clears sticky faults and counters; yields what they were.
-    [[nodiscard]] Task<std::vector<FaultRecord>> clearFaults() { return doClearFaults(); }
-    /// Blinks, or Unsupported.
-    [[nodiscard]] Task<void> identify() { return doIdentify(); }
     /// Stops the motor and restarts the device (Capabilities::restart); ends when it has answered again. Unsafe while busy.
     [[nodiscard]] Task<void> restart();
-    [[nodiscard]] Task<void> rename(std::string name) { return doRename(std::move(name)); }
-    /// Gives the device another address; on success identity() has it, proved by the device's answer from there.
-    [[nodiscard]] Task<void> renumber(int address) { return doRenumber(address); }
-    /// Asks for this many samples per second of a channel, as near as the device can; 0 returns to what it was.
-    [[nodiscard]] Task<void> setRate(ChannelIndex channel, double hertz) { return doSetRate(channel, hertz); }
 
     /// What stops this device when this process, or its engine thread, cannot: sent by the guardian and by the stop lane
     /// (docs/architecture.md).
-    [[nodiscard]] StopScript stopScript() const override { return doStopScript(); }
+    [[nodiscard]] StopScript stopScript() const override { return {}; }
     /// Who stops the motor if this program dies. A device without a watchdog takes commands only while it stands.
     [[nodiscard]] DeviceGuard &guard() { return m_guard; }
 
@@ -110,10 +93,6 @@ public:
 
     /// Why this device must not be driven now: duplicate, bootloader, foreign master, update …, or success.
     [[nodiscard]] Result<void> mayMove() const;
-    /// Checks the set-point against what the device can do: OutOfRange or Unsupported, nothing sent.
-    [[nodiscard]] Result<void> check(const SetPoint &setPoint) const { return doCheck(setPoint); }
-    /// What the user should know before it is sent although it is legal, as one clause; empty most of the time.
-    [[nodiscard]] Message caution(const SetPoint &setPoint) const { return doCaution(setPoint); }
     /// One control frame, now. Unsafe while a guard is needed and does not stand. Must be repeated within the device's watchdog time: SetPointStream does.
     [[nodiscard]] Result<void> command(const SetPoint &setPoint);
     /// Starts the buffered moves of every device on this link at the same moment (Capabilities::bufferedMoves). Unsafe while a
@@ -131,17 +110,12 @@ public:
     [[nodiscard]] Result<void> mayStop() const override;
     [[nodiscard]] DeviceStop &stopping() { return m_stop; }
     [[nodiscard]] const DeviceStop &stopping() const { return m_stop; }
-    /// The same stop once more; telemetry that is younger than the first counts.
-    void repeatStop() override { doRepeatStop(); }
+    /// The same stop once more; telemetry that is younger than the first counts. Families that repeat a stop by themselves do
+    /// nothing here.
+    void repeatStop() override { doStop(); }
     /// While it is true nothing drives the device: STOP was pressed, and this thread has not come to it yet. Outlives the device.
     void setStopGate(const std::atomic<bool> *gate) { m_stopGate = gate; }
     [[nodiscard]] bool isStopPressed() const { return m_stopGate && *m_stopGate; }
-    /// Seen by telemetry that is younger than the call to stop(): output off.
-    [[nodiscard]] bool isSeenStopped() const override { return doIsSeenStopped(); }
-
-    /// Stops the motor, waits until the device has acknowledged that, and makes the present position 0 (Capabilities::
-    /// zeroPosition). The motor stays off. Unsafe when the stop is not acknowledged: nothing was zeroed then.
-    [[nodiscard]] Task<void> zeroPosition() { return doZeroPosition(); }
 
     /// While an update runs nothing else may talk to the device.
     void setBusy(Message why) { m_busy = std::move(why); }

@@ -21,7 +21,7 @@ Task<void> DeviceDriver::doRestart()
         Fault::Unsupported, say("%1 cannot be restarted from here", m_family.title), say("switch it off and on"));
 }
 
-Task<void> DeviceDriver::doZeroPosition()
+Task<void> DeviceDriver::zeroPosition()
 {
     co_return fail(Fault::Unsupported, say("%1 has no command that zeroes its position", m_family.title));
 }

@@ -24,45 +24,53 @@ struct FaultRecord {
     std::optional<std::int64_t> count;
 };
 
-/// What a family implements of a device: Device calls it, after the checks that all families have in common, and says there what
-/// each has to do. Engine thread.
+/// What a family implements of a device, besides Stoppable. What is public is asked as it stands; the rest Device calls, after the
+/// checks that all families have in common, and says there what each has to do. Engine thread.
 class DeviceDriver {
 public:
     DeviceDriver(const DeviceDriver &) = delete;
     DeviceDriver &operator=(const DeviceDriver &) = delete;
 
+    /// False for a parameter of the family's table that this device's dialect does not have.
+    [[nodiscard]] virtual bool offers(ParameterIndex) const { return true; }
+    /// Versions and descriptors from the device itself.
+    [[nodiscard]] virtual Task<void> refresh() = 0;
+    /// Makes what was written survive a power cycle and proves it where the device can: true; false where it cannot.
+    [[nodiscard]] virtual Task<bool> store(Progress &progress) = 0;
+    [[nodiscard]] virtual Task<std::vector<FaultRecord>> readFaults() = 0;
+    /// Reads and clears sticky faults and counters; yields what they were.
+    [[nodiscard]] virtual Task<std::vector<FaultRecord>> clearFaults() = 0;
+    /// Blinks, or Unsupported.
+    [[nodiscard]] virtual Task<void> identify() = 0;
+    [[nodiscard]] virtual Task<void> rename(std::string name) = 0;
+    /// Gives the device another address; on success identity() has it, proved by the device's answer from there.
+    [[nodiscard]] virtual Task<void> renumber(int address) = 0;
+    /// Asks for this many samples per second of a channel, as near as the device can; 0 returns to what it was.
+    [[nodiscard]] virtual Task<void> setRate(ChannelIndex channel, double hertz) = 0;
+    /// Checks the set-point against what the device can do: OutOfRange or Unsupported, nothing sent.
+    [[nodiscard]] virtual Result<void> check(const SetPoint &setPoint) const = 0;
+    /// What the user should know before it is sent although it is legal, as one clause; empty most of the time.
+    [[nodiscard]] virtual Message caution(const SetPoint &) const { return {}; }
+    /// Stops the motor, waits until the device has acknowledged that, and makes the present position 0 (Capabilities::
+    /// zeroPosition). The motor stays off. Unsafe when the stop is not acknowledged: nothing was zeroed then.
+    [[nodiscard]] virtual Task<void> zeroPosition();
+
 protected:
     explicit DeviceDriver(const Family &family);
-    virtual ~DeviceDriver() = default;
+    ~DeviceDriver() = default;
 
-    virtual Task<void> doRefresh() = 0;
     virtual Task<std::int64_t> doRead(ParameterIndex index) = 0;
     virtual Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) = 0;
-    virtual Task<bool> doStore(Progress &progress) = 0;
-    virtual Task<std::vector<FaultRecord>> doReadFaults() = 0;
-    virtual Task<std::vector<FaultRecord>> doClearFaults() = 0;
-    virtual Task<void> doIdentify() = 0;
     virtual Task<void> doRestart();
-    virtual Task<void> doRename(std::string name) = 0;
-    virtual Task<void> doRenumber(int address) = 0;
-    virtual Task<void> doSetRate(ChannelIndex channel, double hertz) = 0;
     /// A family's own reasons besides those that all have.
     [[nodiscard]] virtual Result<void> doMayMove() const { return {}; }
     /// Calibration or dialect are others.
     virtual void doProfileChanged() { }
-    [[nodiscard]] virtual Result<void> doCheck(const SetPoint &setPoint) const = 0;
-    [[nodiscard]] virtual Message doCaution(const SetPoint &) const { return {}; }
     virtual Result<void> doCommand(const SetPoint &setPoint) = 0;
-    [[nodiscard]] virtual bool doOffers(ParameterIndex) const { return true; }
     virtual Result<void> doReleaseMoves();
-    virtual Task<void> doZeroPosition();
     virtual void doStop() = 0;
-    /// Families that repeat a stop by themselves do nothing here.
-    virtual void doRepeatStop() { doStop(); }
     /// A family's own reasons why a stop may do harm.
     [[nodiscard]] virtual Result<void> doMayStop() const { return {}; }
-    [[nodiscard]] virtual StopScript doStopScript() const { return {}; }
-    [[nodiscard]] virtual bool doIsSeenStopped() const = 0;
 
 private:
     const Family &m_family;

@@ -21,8 +21,9 @@ public:
     [[nodiscard]] virtual bool isHeard() const = 0;
     /// It was seen to move.
     [[nodiscard]] virtual bool isMoving() const = 0;
-    /// See Device.
+    /// By telemetry that is younger than the call to stop(): output off.
     [[nodiscard]] virtual bool isSeenStopped() const = 0;
+    /// See Device.
     [[nodiscard]] virtual Result<void> mayStop() const = 0;
     [[nodiscard]] virtual StopScript stopScript() const = 0;
     virtual void stop() = 0;

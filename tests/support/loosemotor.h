@@ -67,17 +67,17 @@ public:
 
 private:
     template <class T> static Task<T> no() { co_return fail(Fault::Unsupported); }
-    Task<void> doRefresh() override { return no<void>(); }
+    Task<void> refresh() override { return no<void>(); }
     Task<std::int64_t> doRead(ParameterIndex) override { return no<std::int64_t>(); }
     Task<std::int64_t> doWrite(ParameterIndex, std::int64_t) override { return no<std::int64_t>(); }
-    Task<bool> doStore(Progress &) override { return no<bool>(); }
-    Task<std::vector<FaultRecord>> doReadFaults() override { return no<std::vector<FaultRecord>>(); }
-    Task<std::vector<FaultRecord>> doClearFaults() override { return no<std::vector<FaultRecord>>(); }
-    Task<void> doIdentify() override { return no<void>(); }
-    Task<void> doRename(std::string) override { return no<void>(); }
-    Task<void> doRenumber(int) override { return no<void>(); }
-    Task<void> doSetRate(ChannelIndex, double) override { return no<void>(); }
-    [[nodiscard]] Result<void> doCheck(const SetPoint &) const override { return {}; }
+    Task<bool> store(Progress &) override { return no<bool>(); }
+    Task<std::vector<FaultRecord>> readFaults() override { return no<std::vector<FaultRecord>>(); }
+    Task<std::vector<FaultRecord>> clearFaults() override { return no<std::vector<FaultRecord>>(); }
+    Task<void> identify() override { return no<void>(); }
+    Task<void> rename(std::string) override { return no<void>(); }
+    Task<void> renumber(int) override { return no<void>(); }
+    Task<void> setRate(ChannelIndex, double) override { return no<void>(); }
+    [[nodiscard]] Result<void> check(const SetPoint &) const override { return {}; }
     /// It counts as moving at once, which its listeners hear from inside the command.
     Result<void> doCommand(const SetPoint &) override
     {
@@ -95,8 +95,8 @@ private:
         now.moving = moving;
         setLiveness(now);
     }
-    [[nodiscard]] StopScript doStopScript() const override { return script; }
-    [[nodiscard]] bool doIsSeenStopped() const override { return seenStopped; }
+    [[nodiscard]] StopScript stopScript() const override { return script; }
+    [[nodiscard]] bool isSeenStopped() const override { return seenStopped; }
 
     CanLink &m_link;
 };

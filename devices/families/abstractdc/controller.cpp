@@ -109,7 +109,7 @@ Result<void> Controller::doMayMove() const
     return {};
 }
 
-Result<void> Controller::doCheck(const SetPoint &setPoint) const
+Result<void> Controller::check(const SetPoint &setPoint) const
 {
     const auto command = commandOf(setPoint, profile());
     if (!command)
@@ -117,7 +117,7 @@ Result<void> Controller::doCheck(const SetPoint &setPoint) const
     return {};
 }
 
-Message Controller::doCaution(const SetPoint &setPoint) const
+Message Controller::caution(const SetPoint &setPoint) const
 {
     const auto command = commandOf(setPoint, profile());
     if (!command || knowsGains(parameters(), command->loop))
@@ -195,7 +195,7 @@ Result<void> Controller::doMayStop() const
     return {};
 }
 
-StopScript Controller::doStopScript() const
+StopScript Controller::stopScript() const
 {
     StopScript script;
     const auto frames = stopFrames(identity().address);
@@ -211,7 +211,7 @@ StopScript Controller::doStopScript() const
     return script;
 }
 
-bool Controller::doIsSeenStopped() const
+bool Controller::isSeenStopped() const
 {
     return m_logs.isHeard() && m_logs.motion().standsSince(std::max(stoppedAt(), m_sentAt));
 }
@@ -269,7 +269,7 @@ void Controller::updateLiveness()
 
 // What asks and waits
 
-Task<void> Controller::doRefresh()
+Task<void> Controller::refresh()
 {
     auto asking = m_desk.expectAnswer();
     co_await std::move(asking);
@@ -298,34 +298,34 @@ void Controller::settingsErased()
         knowledge().assume({i}, fieldOf(parameterTable()[i]) == Field::Averaging ? 1 : 0);
 }
 
-Task<std::vector<FaultRecord>> Controller::doReadFaults()
+Task<std::vector<FaultRecord>> Controller::readFaults()
 {
     co_return m_logs.output().records();
 }
 
-Task<std::vector<FaultRecord>> Controller::doClearFaults()
+Task<std::vector<FaultRecord>> Controller::clearFaults()
 {
     auto records = m_logs.output().records();
     m_logs.output().clearCounts();
     co_return records;
 }
 
-Task<void> Controller::doIdentify()
+Task<void> Controller::identify()
 {
     co_return fail(Fault::Unsupported, say("an Abstract DC Drive has no lamp to blink"));
 }
 
-Task<void> Controller::doRename(std::string)
+Task<void> Controller::rename(std::string)
 {
     co_return fail(Fault::Unsupported, say("an Abstract DC Drive has no name"));
 }
 
-Task<void> Controller::doRenumber(int)
+Task<void> Controller::renumber(int)
 {
     co_return fail(Fault::Unsupported, say("the offset of an Abstract DC Drive is compiled into its firmware"));
 }
 
-Task<void> Controller::doSetRate(ChannelIndex channel, double hertz)
+Task<void> Controller::setRate(ChannelIndex channel, double hertz)
 {
     co_return m_logs.wish(channel, hertz);
 }

@@ -20,27 +20,27 @@ public:
 
 private:
     // Device, what asks and waits
-    Task<void> doRefresh() override;
+    Task<void> refresh() override;
     Task<std::int64_t> doRead(ParameterIndex index) override;
     Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) override;
-    Task<bool> doStore(Progress &progress) override { return m_desk.store(progress); }
-    Task<std::vector<FaultRecord>> doReadFaults() override;
-    Task<std::vector<FaultRecord>> doClearFaults() override;
-    Task<void> doIdentify() override;
-    Task<void> doRename(std::string name) override;
-    Task<void> doRenumber(int address) override;
-    Task<void> doSetRate(ChannelIndex channel, double hertz) override;
+    Task<bool> store(Progress &progress) override { return m_desk.store(progress); }
+    Task<std::vector<FaultRecord>> readFaults() override;
+    Task<std::vector<FaultRecord>> clearFaults() override;
+    Task<void> identify() override;
+    Task<void> rename(std::string name) override;
+    Task<void> renumber(int address) override;
+    Task<void> setRate(ChannelIndex channel, double hertz) override;
 
     // Device, at once
     [[nodiscard]] Result<void> doMayMove() const override;
     void doProfileChanged() override;
-    [[nodiscard]] Result<void> doCheck(const SetPoint &setPoint) const override;
-    [[nodiscard]] Message doCaution(const SetPoint &setPoint) const override;
+    [[nodiscard]] Result<void> check(const SetPoint &setPoint) const override;
+    [[nodiscard]] Message caution(const SetPoint &setPoint) const override;
     Result<void> doCommand(const SetPoint &setPoint) override;
     void doStop() override;
     [[nodiscard]] Result<void> doMayStop() const override;
-    [[nodiscard]] StopScript doStopScript() const override;
-    [[nodiscard]] bool doIsSeenStopped() const override;
+    [[nodiscard]] StopScript stopScript() const override;
+    [[nodiscard]] bool isSeenStopped() const override;
 
     // What the bus tells, and what follows from it
     [[nodiscard]] LogSense::Owner owner();

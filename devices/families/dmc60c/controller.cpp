@@ -70,7 +70,7 @@ Presence::Owner Controller::owner()
 
 // What asks and waits
 
-Task<void> Controller::doRefresh()
+Task<void> Controller::refresh()
 {
     const std::optional<int> before = m_presence.session();
     auto first = m_orders.versions();
@@ -95,7 +95,7 @@ Task<void> Controller::doRefresh()
     co_return {};
 }
 
-Task<void> Controller::doIdentify()
+Task<void> Controller::identify()
 {
     auto task = m_orders.ask({Command::FlashLEDs});
     co_await std::move(task);
@@ -117,12 +117,12 @@ Task<void> Controller::doRestart()
             say("without an application its bootloader is silent (scan shows it)"));
     if (!reply)
         co_return fail(reply.error());
-    auto refreshing = doRefresh();
+    auto refreshing = refresh();
     co_await std::move(refreshing);
     co_return {};
 }
 
-Task<void> Controller::doRename(std::string name)
+Task<void> Controller::rename(std::string name)
 {
     auto bytes = toLatin1(name);
     if (!bytes)
@@ -143,7 +143,7 @@ Task<void> Controller::doRename(std::string name)
     co_return {};
 }
 
-Task<void> Controller::doRenumber(int address)
+Task<void> Controller::renumber(int address)
 {
     if (address < 1 || address > maxDeviceNumber)
         co_return fail(Fault::OutOfRange, say("a device number is 1 … 63"));
@@ -184,7 +184,7 @@ Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
 
 // Control
 
-Result<void> Controller::doCheck(const SetPoint &setPoint) const
+Result<void> Controller::check(const SetPoint &setPoint) const
 {
     const auto control = controlFor(setPoint, identity().address);
     if (!control)
@@ -226,7 +226,7 @@ void Controller::doStop()
     telemetry()->breakLine(channel::setPoint);
 }
 
-StopScript Controller::doStopScript() const
+StopScript Controller::stopScript() const
 {
     StopStep step;
     step.frame = encodeControl(identity().address, Control{});
@@ -235,7 +235,7 @@ StopScript Controller::doStopScript() const
     return {{std::move(step)}};
 }
 
-bool Controller::doIsSeenStopped() const
+bool Controller::isSeenStopped() const
 {
     return m_presence.heardAt() > stoppedAt() && m_sense.isIdle();
 }

@@ -173,7 +173,7 @@ void Controller::resetAsLastResort()
 }
 
 /// README.md#stopping: the board has no watchdog. A transfer may come in the middle of another one, so it is sent three times.
-StopScript Controller::doStopScript() const
+StopScript Controller::stopScript() const
 {
     StopStep off;
     off.bytes = setControlMode(allAxes, ControlMode::Off);
@@ -182,14 +182,14 @@ StopScript Controller::doStopScript() const
     return {{off}};
 }
 
-bool Controller::doIsSeenStopped() const
+bool Controller::isSeenStopped() const
 {
     return m_stopProof.isConfirmed() && m_heard && m_motionAt && *m_motionAt > stoppedAt();
 }
 
 // What asks and waits
 
-Task<void> Controller::doRefresh()
+Task<void> Controller::refresh()
 {
     auto asking = m_port.request(getRequest(PacketId::GetVersion));
     const Packet reply = co_await std::move(asking);
@@ -252,18 +252,18 @@ Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
     co_return inForce;
 }
 
-Task<bool> Controller::doStore(Progress &)
+Task<bool> Controller::store(Progress &)
 {
     co_return fail(Fault::Unsupported, say("the board keeps nothing without power"),
         say("the values stay with this program and are written again after a reset"));
 }
 
-Task<std::vector<FaultRecord>> Controller::doReadFaults()
+Task<std::vector<FaultRecord>> Controller::readFaults()
 {
     co_return m_sense.records();
 }
 
-Task<void> Controller::doIdentify()
+Task<void> Controller::identify()
 {
     co_return fail(Fault::Unsupported, say("the board cannot blink"));
 }
@@ -274,22 +274,22 @@ Task<void> Controller::doRestart()
         co_return pulsed;
     m_layout.forget();
     co_await Sleep(clock(), startTime);
-    auto refreshing = doRefresh();
+    auto refreshing = refresh();
     co_await std::move(refreshing);
     co_return {};
 }
 
-Task<void> Controller::doRename(std::string)
+Task<void> Controller::rename(std::string)
 {
     co_return fail(Fault::Unsupported, say("the board has no name"));
 }
 
-Task<void> Controller::doRenumber(int)
+Task<void> Controller::renumber(int)
 {
     co_return fail(Fault::Unsupported, say("the board has no number: chip select tells boards apart"));
 }
 
-Task<void> Controller::doSetRate(ChannelIndex channel, double hertz)
+Task<void> Controller::setRate(ChannelIndex channel, double hertz)
 {
     auto setting = m_layout.setRate(channel, hertz);
     if (const bool another = co_await std::move(setting); !another)

@@ -30,25 +30,25 @@ public:
 
 private:
     // Device, what asks and waits
-    Task<void> doRefresh() override;
+    Task<void> refresh() override;
     Task<std::int64_t> doRead(ParameterIndex index) override;
     Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) override;
-    Task<bool> doStore(Progress &progress) override;
-    Task<std::vector<FaultRecord>> doReadFaults() override;
-    Task<std::vector<FaultRecord>> doClearFaults() override { return doReadFaults(); }
-    Task<void> doIdentify() override;
+    Task<bool> store(Progress &progress) override;
+    Task<std::vector<FaultRecord>> readFaults() override;
+    Task<std::vector<FaultRecord>> clearFaults() override { return readFaults(); }
+    Task<void> identify() override;
     Task<void> doRestart() override;
-    Task<void> doRename(std::string name) override;
-    Task<void> doRenumber(int address) override;
-    Task<void> doSetRate(ChannelIndex channel, double hertz) override;
+    Task<void> rename(std::string name) override;
+    Task<void> renumber(int address) override;
+    Task<void> setRate(ChannelIndex channel, double hertz) override;
     void doProfileChanged() override;
 
     // Device, at once
-    [[nodiscard]] Result<void> doCheck(const SetPoint &setPoint) const override { return checkSetPoint(setPoint); }
+    [[nodiscard]] Result<void> check(const SetPoint &setPoint) const override { return checkSetPoint(setPoint); }
     Result<void> doCommand(const SetPoint &setPoint) override;
     void doStop() override;
-    [[nodiscard]] bool doIsSeenStopped() const override;
-    [[nodiscard]] StopScript doStopScript() const override;
+    [[nodiscard]] bool isSeenStopped() const override;
+    [[nodiscard]] StopScript stopScript() const override;
 
     // What the board tells, and what follows from silence
     void onPacket(const Packet &packet, Instant time);

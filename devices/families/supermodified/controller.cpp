@@ -74,12 +74,12 @@ Controller::~Controller()
 
 // Control
 
-bool Controller::doOffers(ParameterIndex index) const
+bool Controller::offers(ParameterIndex index) const
 {
     return m_settings.offers(index);
 }
 
-Result<void> Controller::doCheck(const SetPoint &setPoint) const
+Result<void> Controller::check(const SetPoint &setPoint) const
 {
     return m_motion.check(setPoint);
 }
@@ -92,7 +92,7 @@ Result<void> Controller::doMayMove() const
     return {};
 }
 
-Message Controller::doCaution(const SetPoint &setPoint) const
+Message Controller::caution(const SetPoint &setPoint) const
 {
     return m_motion.caution(setPoint);
 }
@@ -121,7 +121,7 @@ void Controller::doStop()
     updateLiveness();
 }
 
-bool Controller::doIsSeenStopped() const
+bool Controller::isSeenStopped() const
 {
     const auto acknowledged = m_motion.stoppedAt();
     return !m_motion.isStopping() && acknowledged && *acknowledged >= stoppedAt();
@@ -129,7 +129,7 @@ bool Controller::doIsSeenStopped() const
 
 /// What was asked last is answered first, because bytes that collide can lock D1 and D2 up; then zeros end the half of a frame
 /// that a dying program left there: else the node would take the stop for the rest of it.
-StopScript Controller::doStopScript() const
+StopScript Controller::stopScript() const
 {
     const auto onWire = [this](std::size_t bytes) {
         const auto time = std::chrono::nanoseconds(std::chrono::seconds(10)) * bytes / m_node.baudrate;
@@ -244,7 +244,7 @@ void Controller::updateLiveness()
 
 // What asks and waits
 
-Task<void> Controller::doRefresh()
+Task<void> Controller::refresh()
 {
     auto asking = interview(*m_line, m_node);
     const Interview said = co_await std::move(asking);
@@ -258,21 +258,21 @@ Task<void> Controller::doRefresh()
 }
 
 /// A set is answered after its EEPROM was written (README.md#time-outs), so there is nothing left to prove.
-Task<bool> Controller::doStore(Progress &)
+Task<bool> Controller::store(Progress &)
 {
     parameters().setAllStored();
     co_return true;
 }
 
 /// Errors come by themselves, in place of answers; a reading makes sure that none waits.
-Task<std::vector<FaultRecord>> Controller::doReadFaults()
+Task<std::vector<FaultRecord>> Controller::readFaults()
 {
     auto task = m_settings.talk(asking(m_node, Command::GetPosition));
     (void)co_await std::move(task);
     co_return m_codes.records();
 }
 
-Task<std::vector<FaultRecord>> Controller::doClearFaults()
+Task<std::vector<FaultRecord>> Controller::clearFaults()
 {
     if (m_node.dialect == Dialect::D3) {
         auto resetting = m_settings.talk(asking(m_node, Command::ResetErrors));
@@ -291,11 +291,11 @@ Task<std::vector<FaultRecord>> Controller::doClearFaults()
 
 /// README.md#start: a motor that runs would jump to where its old set-point is now. One that stands does not, and Start takes 0 for its
 /// set-point afterwards.
-Task<void> Controller::doZeroPosition()
+Task<void> Controller::zeroPosition()
 {
     stop();
     const Instant limit = clock().now() + stopLimit;
-    while (!doIsSeenStopped()) {
+    while (!isSeenStopped()) {
         if (clock().now() >= limit || m_serial.state() != LinkState::Open)
             co_return fail(Fault::Unsafe,
                 say("the stop was not acknowledged, so the position was not reset: a motor that runs would jump"));
@@ -316,17 +316,17 @@ Task<void> Controller::doZeroPosition()
 
 // Identity and rates
 
-Task<void> Controller::doIdentify()
+Task<void> Controller::identify()
 {
     co_return fail(Fault::Unsupported, say("a Supermodified cannot blink"));
 }
 
-Task<void> Controller::doRename(std::string)
+Task<void> Controller::rename(std::string)
 {
     co_return fail(Fault::Unsupported, say("a Supermodified has no name"));
 }
 
-Task<void> Controller::doRenumber(int address)
+Task<void> Controller::renumber(int address)
 {
     if (address < lowestNode || address > highestNode)
         co_return fail(Fault::OutOfRange, say("a node id is 1 … 127"));
@@ -335,7 +335,7 @@ Task<void> Controller::doRenumber(int address)
     co_return {};
 }
 
-Task<void> Controller::doSetRate(ChannelIndex channel, double hertz)
+Task<void> Controller::setRate(ChannelIndex channel, double hertz)
 {
     if (!std::isfinite(hertz) || hertz < 0.0)
         co_return fail(Fault::OutOfRange, say("a rate is a positive number, or 0 for the usual one"));

@@ -28,29 +28,29 @@ public:
 
 private:
     // Device, what asks and waits
-    Task<void> doRefresh() override;
+    Task<void> refresh() override;
     Task<std::int64_t> doRead(ParameterIndex index) override { return m_settings.read(index); }
     Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) override { return m_settings.write(index, raw); }
-    Task<bool> doStore(Progress &progress) override;
-    Task<std::vector<FaultRecord>> doReadFaults() override;
-    Task<std::vector<FaultRecord>> doClearFaults() override;
-    Task<void> doIdentify() override;
-    Task<void> doRename(std::string name) override;
-    Task<void> doRenumber(int address) override;
-    Task<void> doSetRate(ChannelIndex channel, double hertz) override;
-    Task<void> doZeroPosition() override;
+    Task<bool> store(Progress &progress) override;
+    Task<std::vector<FaultRecord>> readFaults() override;
+    Task<std::vector<FaultRecord>> clearFaults() override;
+    Task<void> identify() override;
+    Task<void> rename(std::string name) override;
+    Task<void> renumber(int address) override;
+    Task<void> setRate(ChannelIndex channel, double hertz) override;
+    Task<void> zeroPosition() override;
 
     // Device, at once
     [[nodiscard]] Result<void> doMayMove() const override;
-    [[nodiscard]] bool doOffers(ParameterIndex index) const override;
-    [[nodiscard]] Result<void> doCheck(const SetPoint &setPoint) const override;
-    [[nodiscard]] Message doCaution(const SetPoint &setPoint) const override;
+    [[nodiscard]] bool offers(ParameterIndex index) const override;
+    [[nodiscard]] Result<void> check(const SetPoint &setPoint) const override;
+    [[nodiscard]] Message caution(const SetPoint &setPoint) const override;
     Result<void> doCommand(const SetPoint &setPoint) override;
     Result<void> doReleaseMoves() override;
     void doStop() override;
-    void doRepeatStop() override { } // Motion repeats it until it is acknowledged
-    [[nodiscard]] StopScript doStopScript() const override;
-    [[nodiscard]] bool doIsSeenStopped() const override;
+    void repeatStop() override { } // Motion repeats it until it is acknowledged
+    [[nodiscard]] StopScript stopScript() const override;
+    [[nodiscard]] bool isSeenStopped() const override;
 
     // What the node says, and what follows
     void onAnswer(const Result<Frame> &reply);

@@ -70,7 +70,7 @@ private:
         co_return valueOf(frame, address())->raw;
     }
 
-    Task<void> doRefresh() override
+    Task<void> refresh() override
     {
         CanInbox::Match match = [unit = address()](const CanFrame &frame) { return hereOf(frame, unit).has_value(); };
         auto asking = answer(ask(Message::Who, 0), std::move(match));
@@ -87,7 +87,7 @@ private:
         const auto number = static_cast<std::uint8_t>(parameters().parameter(index).id);
         return value(writeParameter(address(), {number, static_cast<std::int32_t>(raw)}), index);
     }
-    Task<bool> doStore(Progress &) override
+    Task<bool> store(Progress &) override
     {
         CanInbox::Match match = [unit = address()](const CanFrame &frame) { return hereOf(frame, unit).has_value(); };
         auto asking = answer(ask(Message::Store, address()), std::move(match));
@@ -95,17 +95,17 @@ private:
         (void)frame;
         co_return true;
     }
-    Task<std::vector<FaultRecord>> doReadFaults() override
+    Task<std::vector<FaultRecord>> readFaults() override
     {
         co_return std::vector{FaultRecord{"stalled", m_status.stalled, false, std::nullopt}};
     }
-    Task<std::vector<FaultRecord>> doClearFaults() override { return doReadFaults(); }
-    Task<void> doIdentify() override { co_return fail(Fault::Unsupported, say("it has no light")); }
-    Task<void> doRename(std::string) override { co_return fail(Fault::Unsupported, say("it has no name")); }
-    Task<void> doRenumber(int) override { co_return fail(Fault::Unsupported, say("its number is soldered")); }
-    Task<void> doSetRate(ChannelIndex, double) override { co_return {}; } // it has one
+    Task<std::vector<FaultRecord>> clearFaults() override { return readFaults(); }
+    Task<void> identify() override { co_return fail(Fault::Unsupported, say("it has no light")); }
+    Task<void> rename(std::string) override { co_return fail(Fault::Unsupported, say("it has no name")); }
+    Task<void> renumber(int) override { co_return fail(Fault::Unsupported, say("its number is soldered")); }
+    Task<void> setRate(ChannelIndex, double) override { co_return {}; } // it has one
 
-    Result<void> doCheck(const SetPoint &setPoint) const override
+    Result<void> check(const SetPoint &setPoint) const override
     {
         if (setPoint.mode != Mode::Duty && setPoint.mode != Mode::Position && setPoint.mode != Mode::Off)
             return fail(Fault::Unsupported, say("it has duty and position only"));
@@ -115,7 +115,7 @@ private:
     }
     Result<void> doCommand(const SetPoint &setPoint) override
     {
-        if (auto legal = doCheck(setPoint); !legal)
+        if (auto legal = check(setPoint); !legal)
             return legal;
         const bool duty = setPoint.mode == Mode::Duty;
         const auto raw = static_cast<std::int32_t>(std::lround(setPoint.target * (duty ? fullDuty : 1.0)));
@@ -128,7 +128,7 @@ private:
         (void)m_can.send(drive(address(), Drive::Off, 0), Priority::Urgent);
         telemetry()->breakLine(channel::setPoint);
     }
-    StopScript doStopScript() const override
+    StopScript stopScript() const override
     {
         StopStep step;
         step.frame = drive(address(), Drive::Off, 0);
@@ -136,7 +136,7 @@ private:
         step.attempts = 3;
         return {{std::move(step)}};
     }
-    bool doIsSeenStopped() const override { return m_statusAt > stoppedAt() && m_status.duty == 0.0; }
+    bool isSeenStopped() const override { return m_statusAt > stoppedAt() && m_status.duty == 0.0; }
 
     CanLink &m_can;
     Status m_status;
