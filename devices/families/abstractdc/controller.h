@@ -18,11 +18,7 @@ public:
     /// The settings pages are blank, by order of this program.
     void settingsErased();
 
-private:
-    // Device, what asks and waits
     Task<void> refresh() override;
-    Task<std::int64_t> doRead(ParameterIndex index) override;
-    Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) override;
     Task<bool> store(Progress &progress) override { return m_desk.store(progress); }
     Task<std::vector<FaultRecord>> readFaults() override;
     Task<std::vector<FaultRecord>> clearFaults() override;
@@ -30,17 +26,22 @@ private:
     Task<void> rename(std::string name) override;
     Task<void> renumber(int address) override;
     Task<void> setRate(ChannelIndex channel, double hertz) override;
+    [[nodiscard]] Result<void> check(const SetPoint &setPoint) const override;
+    [[nodiscard]] Message caution(const SetPoint &setPoint) const override;
+    [[nodiscard]] StopScript stopScript() const override;
+    [[nodiscard]] bool isSeenStopped() const override;
+
+private:
+    // Device, what asks and waits
+    Task<std::int64_t> doRead(ParameterIndex index) override;
+    Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) override;
 
     // Device, at once
     [[nodiscard]] Result<void> doMayMove() const override;
     void doProfileChanged() override;
-    [[nodiscard]] Result<void> check(const SetPoint &setPoint) const override;
-    [[nodiscard]] Message caution(const SetPoint &setPoint) const override;
     Result<void> doCommand(const SetPoint &setPoint) override;
     void doStop() override;
     [[nodiscard]] Result<void> doMayStop() const override;
-    [[nodiscard]] StopScript stopScript() const override;
-    [[nodiscard]] bool isSeenStopped() const override;
 
     // What the bus tells, and what follows from it
     [[nodiscard]] LogSense::Owner owner();

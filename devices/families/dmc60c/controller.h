@@ -19,26 +19,27 @@ class Controller final : public Device {
 public:
     Controller(const Family &family, CanLink &link, Clock &clock, Identity identity);
 
-private:
-    // Device, what asks and waits
     Task<void> refresh() override;
-    Task<std::int64_t> doRead(ParameterIndex index) override;
-    Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) override;
     Task<bool> store(Progress &progress) override { return m_desk.store(progress); }
     Task<std::vector<FaultRecord>> readFaults() override { return m_desk.faults(false); }
     Task<std::vector<FaultRecord>> clearFaults() override { return m_desk.faults(true); }
     Task<void> identify() override;
-    Task<void> doRestart() override;
     Task<void> rename(std::string name) override;
     Task<void> renumber(int address) override;
     Task<void> setRate(ChannelIndex channel, double hertz) override { return m_rates.set(channel, hertz); }
-
-    // Device, at once
     [[nodiscard]] Result<void> check(const SetPoint &setPoint) const override;
-    Result<void> doCommand(const SetPoint &setPoint) override;
-    void doStop() override;
     [[nodiscard]] StopScript stopScript() const override;
     [[nodiscard]] bool isSeenStopped() const override;
+
+private:
+    // Device, what asks and waits
+    Task<std::int64_t> doRead(ParameterIndex index) override;
+    Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) override;
+    Task<void> doRestart() override;
+
+    // Device, at once
+    Result<void> doCommand(const SetPoint &setPoint) override;
+    void doStop() override;
 
     // What the bus tells, and what follows from it
     void onFrame(const CanFrame &frame);

@@ -28,27 +28,28 @@ public:
     void putBack(std::vector<Bytes> requests);
     /// @}
 
-private:
-    // Device, what asks and waits
     Task<void> refresh() override;
-    Task<std::int64_t> doRead(ParameterIndex index) override;
-    Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) override;
     Task<bool> store(Progress &progress) override;
     Task<std::vector<FaultRecord>> readFaults() override;
     Task<std::vector<FaultRecord>> clearFaults() override { return readFaults(); }
     Task<void> identify() override;
-    Task<void> doRestart() override;
     Task<void> rename(std::string name) override;
     Task<void> renumber(int address) override;
     Task<void> setRate(ChannelIndex channel, double hertz) override;
+    [[nodiscard]] Result<void> check(const SetPoint &setPoint) const override { return checkSetPoint(setPoint); }
+    [[nodiscard]] bool isSeenStopped() const override;
+    [[nodiscard]] StopScript stopScript() const override;
+
+private:
+    // Device, what asks and waits
+    Task<std::int64_t> doRead(ParameterIndex index) override;
+    Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) override;
+    Task<void> doRestart() override;
     void doProfileChanged() override;
 
     // Device, at once
-    [[nodiscard]] Result<void> check(const SetPoint &setPoint) const override { return checkSetPoint(setPoint); }
     Result<void> doCommand(const SetPoint &setPoint) override;
     void doStop() override;
-    [[nodiscard]] bool isSeenStopped() const override;
-    [[nodiscard]] StopScript stopScript() const override;
 
     // What the board tells, and what follows from silence
     void onPacket(const Packet &packet, Instant time);

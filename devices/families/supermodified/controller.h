@@ -26,11 +26,7 @@ public:
     /// A motor of this or of another node of the line is driven.
     [[nodiscard]] bool isLineDriving() const { return m_line->driven().any(); }
 
-private:
-    // Device, what asks and waits
     Task<void> refresh() override;
-    Task<std::int64_t> doRead(ParameterIndex index) override { return m_settings.read(index); }
-    Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) override { return m_settings.write(index, raw); }
     Task<bool> store(Progress &progress) override;
     Task<std::vector<FaultRecord>> readFaults() override;
     Task<std::vector<FaultRecord>> clearFaults() override;
@@ -39,18 +35,23 @@ private:
     Task<void> renumber(int address) override;
     Task<void> setRate(ChannelIndex channel, double hertz) override;
     Task<void> zeroPosition() override;
-
-    // Device, at once
-    [[nodiscard]] Result<void> doMayMove() const override;
     [[nodiscard]] bool offers(ParameterIndex index) const override;
     [[nodiscard]] Result<void> check(const SetPoint &setPoint) const override;
     [[nodiscard]] Message caution(const SetPoint &setPoint) const override;
+    [[nodiscard]] StopScript stopScript() const override;
+    [[nodiscard]] bool isSeenStopped() const override;
+
+private:
+    // Device, what asks and waits
+    Task<std::int64_t> doRead(ParameterIndex index) override { return m_settings.read(index); }
+    Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) override { return m_settings.write(index, raw); }
+
+    // Device, at once
+    [[nodiscard]] Result<void> doMayMove() const override;
     Result<void> doCommand(const SetPoint &setPoint) override;
     Result<void> doReleaseMoves() override;
     void doStop() override;
     void repeatStop() override { } // Motion repeats it until it is acknowledged
-    [[nodiscard]] StopScript stopScript() const override;
-    [[nodiscard]] bool isSeenStopped() const override;
 
     // What the node says, and what follows
     void onAnswer(const Result<Frame> &reply);
