@@ -1347,27 +1347,27 @@
     </message>
     <message>
         <source>A gain has only %1 steps of its integer; it cannot be set finely.</source>
-        <translation>Ein Faktor hat nur %1 Stufen seiner Ganzzahl; er lässt sich nicht fein einstellen.</translation>
+        <translation>Eine Verstärkung hat nur %1 Stufen ihrer Ganzzahl; sie lässt sich nicht fein einstellen.</translation>
     </message>
     <message>
         <source>One count of the sensor moves the duty by %1 % through D; 10 % is the most that is quiet.</source>
-        <translation>Ein Schritt des Gebers ändert die Stellgröße über D um %1 %; ruhig bleibt es bis 10 %.</translation>
+        <translation>Ein Schritt des Gebers ändert den Tastgrad über D um %1 %; ruhig bleibt es bis 10 %.</translation>
     </message>
     <message>
         <source>The drive&apos;s ramp takes %1 to full duty, which is slower than this loop.</source>
-        <translation>Die Rampe des Reglers braucht %1 bis zur vollen Stellgröße und ist damit langsamer als dieser Regelkreis.</translation>
+        <translation>Die Rampe des Reglers braucht %1 bis zum vollen Tastgrad und ist damit langsamer als dieser Regelkreis.</translation>
     </message>
     <message>
         <source>The duty was at its limit for %1: the loop cannot go faster there.</source>
-        <translation>Die Stellgröße war %1 lang an ihrer Grenze: schneller kann der Regelkreis dort nicht.</translation>
+        <translation>Der Tastgrad war %1 lang an seiner Grenze: schneller kann der Regelkreis dort nicht.</translation>
     </message>
     <message>
         <source>The duty was at its limit for %1 while I went on; that is paid back as overshoot.</source>
-        <translation>Die Stellgröße war %1 lang an ihrer Grenze, während I weiterlief; das wird als Überschwingen zurückgezahlt.</translation>
+        <translation>Der Tastgrad war %1 lang an seiner Grenze, während I weiterlief; das wird als Überschwingen zurückgezahlt.</translation>
     </message>
     <message>
         <source>The measured velocity is %1 late; the gains are too lively for that.</source>
-        <translation>Die gemessene Geschwindigkeit kommt %1 zu spät; dafür sind die Faktoren zu lebhaft.</translation>
+        <translation>Die gemessene Geschwindigkeit kommt %1 zu spät; dafür sind die Verstärkungen zu lebhaft.</translation>
     </message>
     <message>
         <source>The velocity comes anew every %1 only; a loop cannot be quicker than that.</source>
@@ -1375,11 +1375,11 @@
     </message>
     <message>
         <source>It moved late, at %1 % duty: friction holds it until then.</source>
-        <translation>Er bewegte sich spät, bei %1 % Stellgröße: so lange hält ihn die Reibung.</translation>
+        <translation>Er bewegte sich spät, bei %1 % Tastgrad: so lange hält ihn die Reibung.</translation>
     </message>
     <message>
         <source>It takes %1 % duty to stay in place: a load pulls one way.</source>
-        <translation>Er braucht %1 % Stellgröße, um stehen zu bleiben: eine Last zieht in eine Richtung.</translation>
+        <translation>Er braucht %1 % Tastgrad, um stehen zu bleiben: eine Last zieht in eine Richtung.</translation>
     </message>
     <message>
         <source>It swings by %1 counts without end: play between motor and load.</source>
@@ -1526,7 +1526,7 @@
     <message>
         <source>%1 guard, %2</source>
         <comment>guard and what tripped it</comment>
-        <translation>Wächter %1, %2</translation>
+        <translation>Überwachung %1, %2</translation>
     </message>
 </context>
 <context>
@@ -1675,7 +1675,7 @@
     </message>
     <message>
         <source>%1 steps, both ways in turn, from %2 to %3 %4, with the gains in force. The motor turns; each step keeps inside the limits of the page.</source>
-        <translation>%1 Sprünge, abwechselnd in beide Richtungen, von %2 bis %3 %4, mit den geltenden Faktoren. Der Motor dreht; jeder Sprung bleibt in den Grenzen der Seite.</translation>
+        <translation>%1 Sprünge, abwechselnd in beide Richtungen, von %2 bis %3 %4, mit den geltenden Verstärkungen. Der Motor dreht; jeder Sprung bleibt in den Grenzen der Seite.</translation>
     </message>
     <message>
         <source>Step %1 of %2: to %3 %4. STOP ends it.</source>
@@ -2370,7 +2370,7 @@
     </message>
     <message>
         <source>Trial #%1 on %2 was cut before it put its gains back</source>
-        <translation>Versuch #%1 an %2 brach ab, bevor er seine Faktoren zurückgab</translation>
+        <translation>Versuch #%1 an %2 brach ab, bevor er seine Verstärkungen zurückgab</translation>
     </message>
     <message>
         <source>Before it: %1. The motor must stand.</source>
@@ -2497,7 +2497,7 @@
     </message>
     <message>
         <source>Autotune</source>
-        <translation>Selbst einstellen</translation>
+        <translation>Selbst abstimmen</translation>
     </message>
     <message>
         <source>Identifies, writes the chosen set and proves it, in one go</source>
@@ -2529,11 +2529,11 @@
     </message>
     <message>
         <source>This family has no loop that can be tuned.</source>
-        <translation>Diese Familie hat keinen Regelkreis, der sich einstellen lässt.</translation>
+        <translation>Diese Familie hat keinen Regelkreis, der sich abstimmen lässt.</translation>
     </message>
     <message>
         <source>Tuning</source>
-        <translation>Einstellung läuft</translation>
+        <translation>Abstimmung läuft</translation>
     </message>
     <message>
         <source>STOP ends it; what was changed is put back.</source>
@@ -2545,7 +2545,7 @@
     </message>
     <message>
         <source>Stop the motion before the motor is tuned.</source>
-        <translation>Die Bewegung anhalten, bevor der Motor eingestellt wird.</translation>
+        <translation>Die Bewegung anhalten, bevor der Motor abgestimmt wird.</translation>
     </message>
     <message>
         <source>Busy</source>
@@ -2569,7 +2569,7 @@
     </message>
     <message>
         <source>No tuning here</source>
-        <translation>Hier nicht einstellbar</translation>
+        <translation>Hier nicht abstimmbar</translation>
     </message>
     <message>
         <source>No device selected</source>
@@ -2640,7 +2640,7 @@
     </message>
     <message>
         <source>What the gains will do appears here, before they are written.</source>
-        <translation>Was die Faktoren tun werden, steht hier, bevor sie geschrieben sind.</translation>
+        <translation>Was die Verstärkungen tun werden, steht hier, bevor sie geschrieben sind.</translation>
     </message>
 </context>
 <context>
@@ -2941,7 +2941,7 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
     <message>
         <source>Greatest change of the output in duty per second, kept by the drive. 0 is immediate; 2 takes 0.5 s from 0 to 100 %.</source>
-        <translation>Größte Änderung des Ausgangs in Tastgrad pro Sekunde, vom Gerät eingehalten. 0 ist sofort; 2 braucht 0.5 s von 0 auf 100 %.</translation>
+        <translation>Größte Änderung des Ausgangs in Tastgrad pro Sekunde, vom Gerät eingehalten. 0 ist sofort; 2 braucht 0,5 s von 0 auf 100 %.</translation>
     </message>
     <message>
         <source>duty/s, 0 = none</source>
@@ -3079,7 +3079,7 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
     <message>
         <source>Duty</source>
-        <translation>Stellgröße</translation>
+        <translation>Tastgrad</translation>
     </message>
     <message>
         <source>Envelope</source>
@@ -3193,7 +3193,7 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
     <message>
         <source>Nothing bounds the motor: enter travel, duty, and what else is empty here.</source>
-        <translation>Nichts begrenzt den Motor: Weg, Stellgröße und was hier sonst leer ist, eingeben.</translation>
+        <translation>Nichts begrenzt den Motor: Weg, Tastgrad und was hier sonst leer ist, eingeben.</translation>
     </message>
     <message>
         <source>Enter where the loop is to go.</source>
@@ -3313,7 +3313,7 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
     <message>
         <source>Selected unit</source>
-        <translation>Gewählte Einheit</translation>
+        <translation>Gewähltes Gerät</translation>
     </message>
     <message>
         <source>Queue of units</source>
@@ -3481,7 +3481,7 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
     <message>
         <source>One decade either way. ← → 2 %, with Shift 0.2 %, with Ctrl 20 %</source>
-        <translation>Eine Dekade je Richtung. ← → 2 %, mit Umschalt 0.2 %, mit Strg 20 %</translation>
+        <translation>Eine Dekade je Richtung. ← → 2 %, mit Umschalt 0,2 %, mit Strg 20 %</translation>
     </message>
     <message>
         <source>stored</source>
@@ -3548,7 +3548,7 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
     <message>
         <source>G · ← → 2 % · Shift 0.2 %</source>
-        <translation>G · ← → 2 % · Umsch 0.2 %</translation>
+        <translation>G · ← → 2 % · Umsch 0,2 %</translation>
     </message>
     <message>
         <source>Gains, slot %1</source>
@@ -3906,7 +3906,7 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
     <message>
         <source>The last frame; bytes that changed within 0.7 s are marked</source>
-        <translation>Der letzte Frame; Bytes, die sich innerhalb von 0.7 s geändert haben, sind markiert</translation>
+        <translation>Der letzte Frame; Bytes, die sich innerhalb von 0,7 s geändert haben, sind markiert</translation>
     </message>
     <message>
         <source>id</source>
@@ -4703,7 +4703,7 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
     <message>
         <source>Share of the hold in which the duty was at its limit</source>
-        <translation>Anteil der Haltezeit mit der Stellgröße an ihrer Grenze</translation>
+        <translation>Anteil der Haltezeit mit dem Tastgrad an seiner Grenze</translation>
     </message>
     <message>
         <source>ILIM</source>
@@ -4767,7 +4767,7 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
     <message>
         <source>The duty was at its limit while I went on; that is paid back as overshoot</source>
-        <translation>Der Tastgrad war am Anschlag, während I weiterlief; das rächt sich als Überschwingen</translation>
+        <translation>Der Tastgrad war an seiner Grenze, während I weiterlief; das wird als Überschwingen zurückgezahlt</translation>
     </message>
 </context>
 <context>
@@ -4801,7 +4801,7 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
     <message>
         <source>Nobody has identified this motor yet. Identify pushes it both ways with a part of the duty, inside the limits below, and changes no gain.</source>
-        <translation>Dieser Motor ist noch nicht vermessen. Vermessen stößt ihn in beide Richtungen mit einem Teil des Tastgrads an, innerhalb der Grenzen unten, und ändert keinen Faktor.</translation>
+        <translation>Dieser Motor ist noch nicht vermessen. Vermessen stößt ihn in beide Richtungen mit einem Teil des Tastgrads an, innerhalb der Grenzen unten, und ändert keine Verstärkung.</translation>
     </message>
     <message>
         <source>good fit</source>
@@ -6301,7 +6301,7 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     </message>
     <message>
         <source>Pause after this unit</source>
-        <translation>Nach dieser Einheit anhalten</translation>
+        <translation>Nach diesem Gerät anhalten</translation>
     </message>
     <message>
         <source>Go on</source>
@@ -6329,7 +6329,7 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     </message>
     <message>
         <source>Pauses after this unit</source>
-        <translation>Hält nach dieser Einheit an</translation>
+        <translation>Hält nach diesem Gerät an</translation>
     </message>
     <message>
         <source>Paused</source>
@@ -6342,13 +6342,13 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     <message numerus="yes">
         <source>Ended with %n unit(s) to go</source>
         <translation>
-            <numerusform>Beendet, %n Einheit steht noch aus</numerusform>
-            <numerusform>Beendet, %n Einheiten stehen noch aus</numerusform>
+            <numerusform>Beendet, %n Gerät steht noch aus</numerusform>
+            <numerusform>Beendet, %n Geräte stehen noch aus</numerusform>
         </translation>
     </message>
     <message>
         <source>Ended: %1 of %2 units</source>
-        <translation>Beendet: %1 von %2 Einheiten</translation>
+        <translation>Beendet: %1 von %2 Geräten</translation>
     </message>
     <message>
         <source>Nothing running</source>
@@ -6387,7 +6387,7 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     </message>
     <message>
         <source>Tick the units first.</source>
-        <translation>Zuerst die Einheiten ankreuzen.</translation>
+        <translation>Zuerst die Geräte ankreuzen.</translation>
     </message>
     <message>
         <source>Save what was done</source>
@@ -6399,7 +6399,7 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     </message>
     <message>
         <source>the units are in %1</source>
-        <translation>die Einheiten sind in %1</translation>
+        <translation>die Geräte sind in %1</translation>
     </message>
     <message>
         <source>The last queue of this recipe was cut off: %1 done, %2 open</source>
@@ -6407,15 +6407,15 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     </message>
     <message>
         <source>What has ended stays as it is; ticked units are taken along.</source>
-        <translation>Was beendet ist, bleibt so; angekreuzte Einheiten werden mitgenommen.</translation>
+        <translation>Was beendet ist, bleibt so; angekreuzte Geräte werden mitgenommen.</translation>
     </message>
     <message>
         <source>One unit at a time on a bus, buses side by side. Real units keep this computer awake. The journal is on disk: after a crash the queue goes on.</source>
-        <translation>Auf einem Bus eine Einheit nach der anderen, Busse nebeneinander. Echte Einheiten halten diesen Rechner wach. Das Journal liegt auf der Platte: nach einem Absturz geht es weiter.</translation>
+        <translation>Auf einem Bus ein Gerät nach dem anderen, Busse nebeneinander. Echte Geräte halten diesen Rechner wach. Das Journal liegt auf der Platte: nach einem Absturz geht es weiter.</translation>
     </message>
     <message>
         <source>Every unit is backed up before and compared afterwards; the journal has it.</source>
-        <translation>Jede Einheit wird vorher gesichert und danach verglichen; das Journal hält es fest.</translation>
+        <translation>Jedes Gerät wird vorher gesichert und danach verglichen; das Journal hält es fest.</translation>
     </message>
     <message>
         <source>recipe checked</source>
@@ -7202,7 +7202,7 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     </message>
     <message>
         <source>stopped by the guard “%1”</source>
-        <translation>gestoppt vom Wächter „%1“</translation>
+        <translation>gestoppt von der Überwachung „%1“</translation>
     </message>
     <message>
         <source>DEMO: this unit is simulated. Nothing here was measured on a motor.</source>
@@ -7510,7 +7510,7 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     </message>
     <message>
         <source>Tuning of the %1 loop</source>
-        <translation>Einstellung des Regelkreises: %1</translation>
+        <translation>Abstimmung des Regelkreises: %1</translation>
     </message>
     <message>
         <source>trials %1</source>
@@ -7752,7 +7752,7 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     </message>
     <message>
         <source>Tuning</source>
-        <translation>Einstellung</translation>
+        <translation>Abstimmung</translation>
     </message>
     <message>
         <source>Journal</source>
@@ -7862,7 +7862,7 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     </message>
     <message>
         <source>%1: duty at %2 % limit, %3</source>
-        <translation>%1: Stellgröße an der Grenze %2 %, %3</translation>
+        <translation>%1: Tastgrad an der Grenze %2 %, %3</translation>
     </message>
     <message>
         <source>%1: current at its limit, %2</source>
@@ -8826,7 +8826,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>autotune</source>
-        <translation>Autotune</translation>
+        <translation>selbst abgestimmt</translation>
     </message>
     <message>
         <source>recipe</source>
@@ -9016,11 +9016,11 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>Stages the gains of the quickest clean trial with no more than 5 % overshoot; runs nothing.</source>
-        <translation>Merkt die Faktoren des schnellsten sauberen Versuchs mit höchstens 5 % Überschwingen vor; startet nichts.</translation>
+        <translation>Merkt die Verstärkungen des schnellsten sauberen Versuchs mit höchstens 5 % Überschwingen vor; startet nichts.</translation>
     </message>
     <message>
         <source>Use these gains</source>
-        <translation>Diese Faktoren nehmen</translation>
+        <translation>Diese Verstärkungen nehmen</translation>
     </message>
     <message>
         <source>Export the trials as CSV or JSON</source>
@@ -9036,7 +9036,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>Every experiment appears here with its gains and what became of it.</source>
-        <translation>Jeder Versuch erscheint hier mit seinen Faktoren und dem, was daraus wurde.</translation>
+        <translation>Jeder Versuch erscheint hier mit seinen Verstärkungen und dem, was daraus wurde.</translation>
     </message>
     <message numerus="yes">
         <source>%n, every run is kept</source>
@@ -9150,11 +9150,11 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>Stages the gains of this trial; nothing is written yet.</source>
-        <translation>Merkt die Faktoren dieses Versuchs vor; geschrieben wird noch nichts.</translation>
+        <translation>Merkt die Verstärkungen dieses Versuchs vor; geschrieben wird noch nichts.</translation>
     </message>
     <message>
         <source>Use the gains of trial #%1</source>
-        <translation>Die Faktoren von Versuch #%1 nehmen</translation>
+        <translation>Die Verstärkungen von Versuch #%1 nehmen</translation>
     </message>
 </context>
 <context>
@@ -9192,7 +9192,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>duty</source>
-        <translation>Stellgröße</translation>
+        <translation>Tastgrad</translation>
     </message>
     <message>
         <source>energy</source>
@@ -9377,6 +9377,30 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>saturated %1 %</source>
         <translation>gesättigt %1 %</translation>
+    </message>
+    <message>
+        <source>lateness</source>
+        <translation>Verspätung</translation>
+    </message>
+    <message>
+        <source>sleep</source>
+        <translation>Schlafzustand</translation>
+    </message>
+    <message>
+        <source>restart</source>
+        <translation>Neustart</translation>
+    </message>
+    <message>
+        <source>foreign master</source>
+        <translation>anderer Master</translation>
+    </message>
+    <message>
+        <source>missing guardian</source>
+        <translation>Wächter fehlt</translation>
+    </message>
+    <message>
+        <source>refusal</source>
+        <translation>Ablehnung</translation>
     </message>
 </context>
 <context>
@@ -9695,7 +9719,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>Gains of trial #%1</source>
-        <translation>Faktoren von Versuch #%1</translation>
+        <translation>Verstärkungen von Versuch #%1</translation>
     </message>
     <message>
         <source>What the adviser proposes</source>
@@ -9722,7 +9746,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>goes to the first gain</source>
-        <translation>geht zum ersten Faktor</translation>
+        <translation>geht zur ersten Verstärkung</translation>
     </message>
     <message>
         <source>swaps the gain slots; disarms</source>
@@ -9762,7 +9786,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>on a gain&apos;s slider: 2 %, with Shift 0.2 %, with Ctrl 20 %; the wheel does the same by 2 %</source>
-        <translation>am Schieber eines Faktors: 2 %, mit Umschalt 0.2 %, mit Strg 20 %; das Mausrad ändert um 2 %</translation>
+        <translation>am Schieber einer Verstärkung: 2 %, mit Umschalt 0,2 %, mit Strg 20 %; das Mausrad ändert um 2 %</translation>
     </message>
     <message>
         <source>writes a report of the trials that are shown</source>
@@ -9852,7 +9876,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>Choose one in the list at the left; its loop is tuned here.</source>
-        <translation>Links in der Liste eines wählen; hier wird sein Regler eingestellt.</translation>
+        <translation>Links in der Liste eines wählen; hier wird sein Regler abgestimmt.</translation>
     </message>
     <message>
         <source>Open a link, or the simulated bench from the menu, to drive a motor.</source>
@@ -10006,7 +10030,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>3  Write and prove: the gains are written, two steps in each direction are measured.</source>
-        <translation>3  Schreiben und beweisen: die Faktoren werden geschrieben, je zwei Sprünge in jede Richtung gemessen.</translation>
+        <translation>3  Schreiben und beweisen: die Verstärkungen werden geschrieben, je zwei Sprünge in jede Richtung gemessen.</translation>
     </message>
     <message>
         <source>4  They stay if they do what was predicted; else everything is put back and the reason said.</source>
@@ -10014,7 +10038,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>1  Identify: pushes with a part of the duty, both ways. No gain is changed.</source>
-        <translation>1  Vermessen: Stöße mit einem Teil des Tastgrads in beide Richtungen. Kein Faktor wird geändert.</translation>
+        <translation>1  Vermessen: Stöße mit einem Teil des Tastgrads in beide Richtungen. Keine Verstärkung wird geändert.</translation>
     </message>
 </context>
 <context>
@@ -10039,11 +10063,11 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <name>mb::UnitSteps</name>
     <message>
         <source>Steps of this unit</source>
-        <translation>Schritte dieser Einheit</translation>
+        <translation>Schritte dieses Geräts</translation>
     </message>
     <message>
         <source>Skip this unit</source>
-        <translation>Diese Einheit auslassen</translation>
+        <translation>Dieses Gerät auslassen</translation>
     </message>
     <message>
         <source>Do it again</source>
@@ -10051,7 +10075,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>No unit selected</source>
-        <translation>Keine Einheit gewählt</translation>
+        <translation>Kein Gerät gewählt</translation>
     </message>
 </context>
 <context>
@@ -10486,8 +10510,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>die Rampe ist 0 (sofort) oder ein positiver Tastgrad pro Sekunde</translation>
     </message>
     <message>
-        <source>This unit has no number yet; assign one from 1 to 62.</source>
-        <translation>Dieses Gerät hat noch keine Nummer; eine von 1 bis 62 zuweisen.</translation>
+        <source>This unit has no number yet; assign one from 1 to 63.</source>
+        <translation>Dieses Gerät hat noch keine Nummer; eine von 1 bis 63 zuweisen.</translation>
     </message>
     <message>
         <source>This unit has no number and no application; assign a number, then update its firmware.</source>
@@ -10931,7 +10955,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>Greatest change of output in a loop of 500 µs; 16 takes 1.024 s from 0 to 100 %. Lower is slower, but 0 is no ramp.</source>
-        <translation>Größte Änderung des Ausgangs je Zyklus von 500 µs; 16 braucht 1.024 s von 0 auf 100 %. Kleiner ist langsamer, aber 0 ist keine Rampe.</translation>
+        <translation>Größte Änderung des Ausgangs je Zyklus von 500 µs; 16 braucht 1,024 s von 0 auf 100 %. Kleiner ist langsamer, aber 0 ist keine Rampe.</translation>
     </message>
     <message>
         <source>Greatest forward output, 32767 = 100 %.</source>
@@ -11099,7 +11123,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>Supply below 5.75 V for 5 s. Writing anything but 0 reads the count and clears it.</source>
-        <translation>Versorgung 5 s lang unter 5.75 V. Schreiben eines Werts ungleich 0 liest den Zähler und löscht ihn.</translation>
+        <translation>Versorgung 5 s lang unter 5,75 V. Schreiben eines Werts ungleich 0 liest den Zähler und löscht ihn.</translation>
     </message>
     <message>
         <source>Gate driver count</source>
@@ -11715,7 +11739,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>Of the telemetry, in units of 40.96 µs: 244 is 10 ms, 49 is 2 ms, 0 is off.</source>
-        <translation>Der Telemetrie, in Einheiten von 40.96 µs: 244 ist 10 ms, 49 ist 2 ms, 0 ist aus.</translation>
+        <translation>Der Telemetrie, in Einheiten von 40,96 µs: 244 ist 10 ms, 49 ist 2 ms, 0 ist aus.</translation>
     </message>
     <message>
         <source>What a stream packet has besides: bit 0 timing, bit 1 number of skipped periods.</source>
@@ -11723,11 +11747,11 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>Edges, times four, over which velocity is measured: fewer is faster and coarser. 8 is good for tuning.</source>
-        <translation>Flanken, mal vier, über die die Drehzahl gemessen wird: weniger ist schneller und gröber. 8 ist gut zum Einstellen.</translation>
+        <translation>Flanken, mal vier, über die die Drehzahl gemessen wird: weniger ist schneller und gröber. 8 ist gut zum Abstimmen.</translation>
     </message>
     <message>
         <source>Longest time over which velocity is measured: 2 to this power, times 0.64 µs; 20 is 671 ms.</source>
-        <translation>Längste Zeit, über die die Drehzahl gemessen wird: 2 hoch diese Zahl, mal 0.64 µs; 20 ist 671 ms.</translation>
+        <translation>Längste Zeit, über die die Drehzahl gemessen wird: 2 hoch diese Zahl, mal 0,64 µs; 20 ist 671 ms.</translation>
     </message>
     <message>
         <source>Position P</source>
@@ -11867,11 +11891,11 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>D1, D2: 1/16711680 of full output per count of error and loop of 1.024 ms. The bound of the integral follows P at the next restart only.</source>
-        <translation>D1, D2: 1/16711680 des vollen Ausgangs je count Abweichung und Zyklus von 1.024 ms. Die Grenze des Integrals folgt P erst beim nächsten Neustart.</translation>
+        <translation>D1, D2: 1/16711680 des vollen Ausgangs je count Abweichung und Zyklus von 1,024 ms. Die Grenze des Integrals folgt P erst beim nächsten Neustart.</translation>
     </message>
     <message>
         <source>D1, D2: 1/65280 of full output per count that the error changes in one loop of 1.024 ms.</source>
-        <translation>D1, D2: 1/65280 des vollen Ausgangs je count, um den sich die Abweichung in einem Zyklus von 1.024 ms ändert.</translation>
+        <translation>D1, D2: 1/65280 des vollen Ausgangs je count, um den sich die Abweichung in einem Zyklus von 1,024 ms ändert.</translation>
     </message>
     <message>
         <source>Acceleration</source>
@@ -12259,7 +12283,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>Put a jumper on AUX1 and AUX2. The serial adapter has 3.3 V levels, its TX goes to RX and its RX to TX; the board gets 3.3 V only.</source>
-        <translation>Eine Steckbrücke auf AUX1 und AUX2 stecken. Der serielle Adapter hat 3.3-V-Pegel, sein TX geht an RX und sein RX an TX; die Platine erhält nur 3.3 V.</translation>
+        <translation>Eine Steckbrücke auf AUX1 und AUX2 stecken. Der serielle Adapter hat 3,3-V-Pegel, sein TX geht an RX und sein RX an TX; die Platine erhält nur 3,3 V.</translation>
     </message>
     <message>
         <source>Reset the board</source>
@@ -13067,7 +13091,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>%1 has no loop &apos;%2&apos; that can be tuned</source>
-        <translation>%1 hat keinen Regler &apos;%2&apos;, der sich einstellen lässt</translation>
+        <translation>%1 hat keinen Regler &apos;%2&apos;, der sich abstimmen lässt</translation>
     </message>
     <message>
         <source>%1 has no loop that can be tried</source>
@@ -13475,7 +13499,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>Autotune</source>
-        <translation>Selbst einstellen</translation>
+        <translation>Selbst abstimmen</translation>
     </message>
     <message>
         <source>CAN high is not connected</source>
@@ -14107,7 +14131,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>check the jumper AUX1–AUX2, the crossed wires TX and RX, and the 3.3 V levels, then reset the board</source>
-        <translation>die Steckbrücke AUX1–AUX2, die gekreuzten Leitungen TX und RX und die 3.3-V-Pegel prüfen, dann die Platine zurücksetzen</translation>
+        <translation>die Steckbrücke AUX1–AUX2, die gekreuzten Leitungen TX und RX und die 3,3-V-Pegel prüfen, dann die Platine zurücksetzen</translation>
     </message>
     <message>
         <source>check the path</source>
@@ -14167,7 +14191,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>current %1 A is above 1.5 × %2 A</source>
-        <translation>Strom %1 A liegt über 1.5 × %2 A</translation>
+        <translation>Strom %1 A liegt über 1,5 × %2 A</translation>
     </message>
     <message>
         <source>current was above %1 A for %2</source>
@@ -14294,8 +14318,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>weniger als 16 zusammenhängende Werte</translation>
     </message>
     <message>
-        <source>find its gain scales first: Overview, Gain scales</source>
-        <translation>zuerst die Skalierung der Verstärkungen bestimmen: Übersicht, Skalierung</translation>
+        <source>find its gain scales first: Overview, Find the gain scales</source>
+        <translation>zuerst die Skalierung der Verstärkungen ermitteln: Übersicht, „Skalierung der Verstärkungen ermitteln“</translation>
     </message>
     <message>
         <source>form error</source>
@@ -14463,7 +14487,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>it took longer than 1.5 × %1 s</source>
-        <translation>es dauerte länger als 1.5 × %1 s</translation>
+        <translation>es dauerte länger als 1,5 × %1 s</translation>
     </message>
     <message>
         <source>it was put aside as %1, and what it kept of the device is unknown again</source>
@@ -15007,7 +15031,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>see that nothing is loose; a stronger load than it was built for cannot be tuned</source>
-        <translation>prüfen, ob nichts lose ist; eine stärkere Last, als er verträgt, lässt sich nicht einstellen</translation>
+        <translation>prüfen, ob nichts lose ist; eine stärkere Last, als er verträgt, lässt sich nicht abstimmen</translation>
     </message>
     <message>
         <source>see that the motor is connected</source>
@@ -15059,7 +15083,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>speed %1 counts/s is above 1.2 × %2 counts/s</source>
-        <translation>Geschwindigkeit %1 counts/s liegt über 1.2 × %2 counts/s</translation>
+        <translation>Geschwindigkeit %1 counts/s liegt über 1,2 × %2 counts/s</translation>
     </message>
     <message>
         <source>speed is 10000 to 10000000 Hz, not &apos;%1&apos;</source>
@@ -15715,7 +15739,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>the tuning is not in the notebook: %1</source>
-        <translation>die Einstellung ist nicht im Notizbuch: %1</translation>
+        <translation>die Abstimmung ist nicht im Notizbuch: %1</translation>
     </message>
     <message>
         <source>the two directions differ by %1, at most 10 %</source>
@@ -15903,7 +15927,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>to be trusted up to %1 Hz, as far as ten samples a swing and a coherence of 0.9</source>
-        <translation>vertrauenswürdig bis %1 Hz, soweit zehn Messwerte je Schwingung und eine Kohärenz von 0.9 reichen</translation>
+        <translation>vertrauenswürdig bis %1 Hz, soweit zehn Messwerte je Schwingung und eine Kohärenz von 0,9 reichen</translation>
     </message>
     <message>
         <source>too few samples for a sine of %1 Hz</source>
@@ -15935,11 +15959,11 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>tune it by hand with &apos;motorbenchctl step&apos;</source>
-        <translation>ihn von Hand mit &apos;motorbenchctl step&apos; einstellen</translation>
+        <translation>ihn von Hand mit &apos;motorbenchctl step&apos; abstimmen</translation>
     </message>
     <message>
         <source>tuning %1: %2</source>
-        <translation>Einstellung %1: %2</translation>
+        <translation>Abstimmung %1: %2</translation>
     </message>
     <message>
         <source>undone: %1</source>
@@ -16127,7 +16151,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>%1 belongs to the unit that the file was saved from</source>
-        <translation>%1 gehört zu der Einheit, von der die Datei stammt</translation>
+        <translation>%1 gehört zu dem Gerät, von dem die Datei stammt</translation>
     </message>
     <message>
         <source>%1 could not be measured</source>
@@ -16463,11 +16487,11 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>adapter, 3.3 V</source>
-        <translation>Adapter, 3.3 V</translation>
+        <translation>Adapter, 3,3 V</translation>
     </message>
     <message>
         <source>Drawing: the jumper connects AUX1 and AUX2; adapter TX to board RX, RX to TX, 3.3 V, GND</source>
-        <translation>Zeichnung: die Steckbrücke verbindet AUX1 und AUX2; TX des Adapters an RX der Platine, RX an TX, 3.3 V, GND</translation>
+        <translation>Zeichnung: die Steckbrücke verbindet AUX1 und AUX2; TX des Adapters an RX der Platine, RX an TX, 3,3 V, GND</translation>
     </message>
     <message>
         <source>Drawing: the jumper between AUX1 and AUX2 is taken out</source>
@@ -16843,7 +16867,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>%1 is for no unit that is here and takes firmware over its own link</source>
-        <translation>%1 ist für keine Einheit, die hier ist und Firmware über ihren eigenen Anschluss nimmt</translation>
+        <translation>%1 ist für kein Gerät, das hier ist und Firmware über seinen eigenen Anschluss nimmt</translation>
     </message>
     <message>
         <source>%1 is not open, or something runs there</source>
@@ -16859,11 +16883,11 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>this unit was never served, so there is nothing for a label</source>
-        <translation>diese Einheit war nie in Bearbeitung; für ein Etikett gibt es nichts</translation>
+        <translation>dieses Gerät war nie in Bearbeitung; für ein Etikett gibt es nichts</translation>
     </message>
     <message>
         <source>units are served here; the link stays open</source>
-        <translation>hier werden Einheiten bearbeitet; der Anschluss bleibt offen</translation>
+        <translation>hier werden Geräte bearbeitet; der Anschluss bleibt offen</translation>
     </message>
     <message>
         <source>write a page</source>

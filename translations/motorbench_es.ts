@@ -2401,7 +2401,7 @@
     </message>
     <message>
         <source>units an hour</source>
-        <translation>unidades por hora</translation>
+        <translation>equipos por hora</translation>
     </message>
 </context>
 <context>
@@ -2887,7 +2887,7 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     </message>
     <message>
         <source>belongs to one unit, copied only if you tick it</source>
-        <translation>propio de una unidad, solo se copia si se marca</translation>
+        <translation>propio de un equipo, solo se copia si se marca</translation>
     </message>
     <message>
         <source>assumed: it cannot be read</source>
@@ -3001,7 +3001,7 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     </message>
     <message>
         <source>Greatest change of the output in duty per second, kept by the drive. 0 is immediate; 2 takes 0.5 s from 0 to 100 %.</source>
-        <translation>Variación máxima de la salida en ciclo de trabajo por segundo, respetada por el controlador. 0 es inmediata; 2 tarda 0.5 s de 0 a 100 %.</translation>
+        <translation>Variación máxima de la salida en ciclo de trabajo por segundo, respetada por el controlador. 0 es inmediata; 2 tarda 0,5 s de 0 a 100 %.</translation>
     </message>
     <message>
         <source>duty/s, 0 = none</source>
@@ -3489,7 +3489,7 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     </message>
     <message>
         <source>One decade either way. ← → 2 %, with Shift 0.2 %, with Ctrl 20 %</source>
-        <translation>Una década en cada sentido. ← → 2 %, con Mayús 0.2 %, con Ctrl 20 %</translation>
+        <translation>Una década en cada sentido. ← → 2 %, con Mayús 0,2 %, con Ctrl 20 %</translation>
     </message>
     <message>
         <source>stored</source>
@@ -3548,7 +3548,7 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     </message>
     <message>
         <source>G · ← → 2 % · Shift 0.2 %</source>
-        <translation>G · ← → 2 % · Mayús 0.2 %</translation>
+        <translation>G · ← → 2 % · Mayús 0,2 %</translation>
     </message>
     <message>
         <source>Gains, slot %1</source>
@@ -3672,7 +3672,7 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     </message>
     <message>
         <source>Check the guardian</source>
-        <translation>Comprobar el guardián</translation>
+        <translation>Comprobar el vigilante</translation>
     </message>
     <message>
         <source>%1 cannot be started: %2</source>
@@ -3906,7 +3906,7 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     </message>
     <message>
         <source>The last frame; bytes that changed within 0.7 s are marked</source>
-        <translation>La última trama; los bytes que cambiaron hace menos de 0.7 s están marcados</translation>
+        <translation>La última trama; los bytes que cambiaron hace menos de 0,7 s están marcados</translation>
     </message>
     <message>
         <source>id</source>
@@ -4118,7 +4118,7 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     <name>mb::JournalCard</name>
     <message>
         <source>Journal</source>
-        <translation>Registro</translation>
+        <translation>Diario</translation>
     </message>
     <message>
         <source>Change…</source>
@@ -4126,7 +4126,7 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     </message>
     <message>
         <source>Change the journal</source>
-        <translation>Cambiar el registro</translation>
+        <translation>Cambiar el diario</translation>
     </message>
     <message>
         <source>On this computer</source>
@@ -5950,7 +5950,7 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
     </message>
     <message>
         <source>Guardian</source>
-        <translation>Guardián</translation>
+        <translation>Vigilante</translation>
     </message>
 </context>
 <context>
@@ -6815,7 +6815,7 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
     </message>
     <message>
         <source>Save them where the unit does not by itself</source>
-        <translation>Guardarlos si la unidad no lo hace por sí misma</translation>
+        <translation>Guardarlos si el equipo no lo hace por sí mismo</translation>
     </message>
     <message>
         <source>First number to give</source>
@@ -8583,7 +8583,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <name>mb::StationDialog</name>
     <message>
         <source>Journal of this station</source>
-        <translation>Registro de esta estación</translation>
+        <translation>Diario de esta estación</translation>
     </message>
     <message>
         <source>Name of this station</source>
@@ -8595,7 +8595,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
     <message>
         <source>Without a server the journal is in the file of this computer alone. With one, every entry is there first and delivered as soon as the server answers; numbers come in blocks of five.</source>
-        <translation>Sin servidor, el registro está solo en el archivo de este equipo. Con servidor, cada entrada está primero ahí y se entrega en cuanto el servidor responde; los números llegan en bloques de cinco.</translation>
+        <translation>Sin servidor, el diario está solo en el archivo de este ordenador. Con servidor, cada entrada está primero ahí y se entrega en cuanto el servidor responde; los números llegan en bloques de cinco.</translation>
     </message>
 </context>
 <context>
@@ -8667,7 +8667,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
     <message>
         <source>to and fro, 0.5 Hz</source>
-        <translation>de un lado a otro, 0.5 Hz</translation>
+        <translation>de un lado a otro, 0,5 Hz</translation>
     </message>
     <message>
         <source>evenly there and back</source>
@@ -8679,7 +8679,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
     <message>
         <source>0.1 to 15 Hz in 30 s</source>
-        <translation>de 0.1 a 15 Hz en 30 s</translation>
+        <translation>de 0,1 a 15 Hz en 30 s</translation>
     </message>
     <message>
         <source>random bits of 125 ms</source>
@@ -8747,7 +8747,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
     <message>
         <source>time</source>
-        <translation>hora</translation>
+        <translation>duración</translation>
     </message>
     <message>
         <source>Enter where the loop is to go.</source>
@@ -8759,7 +8759,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
     <message>
         <source>The time is 0.001 to %1 s.</source>
-        <translation>El tiempo es de 0.001 a %1 s.</translation>
+        <translation>La duración es de 0,001 a %1 s.</translation>
     </message>
 </context>
 <context>
@@ -9220,7 +9220,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
     <message>
         <source>time</source>
-        <translation>hora</translation>
+        <translation>tiempo</translation>
     </message>
     <message>
         <source>link</source>
@@ -9377,6 +9377,30 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>saturated %1 %</source>
         <translation>saturado %1 %</translation>
+    </message>
+    <message>
+        <source>lateness</source>
+        <translation>retraso</translation>
+    </message>
+    <message>
+        <source>sleep</source>
+        <translation>suspensión</translation>
+    </message>
+    <message>
+        <source>restart</source>
+        <translation>reinicio</translation>
+    </message>
+    <message>
+        <source>foreign master</source>
+        <translation>otro maestro</translation>
+    </message>
+    <message>
+        <source>missing guardian</source>
+        <translation>sin vigilante</translation>
+    </message>
+    <message>
+        <source>refusal</source>
+        <translation>rechazo</translation>
     </message>
 </context>
 <context>
@@ -9774,7 +9798,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
     <message>
         <source>on a gain&apos;s slider: 2 %, with Shift 0.2 %, with Ctrl 20 %; the wheel does the same by 2 %</source>
-        <translation>en el deslizador de una ganancia: 2 %, con Mayús 0.2 %, con Ctrl 20 %; la rueda hace lo mismo con 2 %</translation>
+        <translation>en el deslizador de una ganancia: 2 %, con Mayús 0,2 %, con Ctrl 20 %; la rueda hace lo mismo con 2 %</translation>
     </message>
 </context>
 <context>
@@ -10731,7 +10755,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
     <message>
         <source>Greatest change of output in a loop of 500 µs; 16 takes 1.024 s from 0 to 100 %. Lower is slower, but 0 is no ramp.</source>
-        <translation>Variación máxima de la salida en un ciclo de lazo de 500 µs; 16 tarda 1.024 s de 0 a 100 %. Menor es más lento, pero 0 es sin rampa.</translation>
+        <translation>Variación máxima de la salida en un ciclo de lazo de 500 µs; 16 tarda 1,024 s de 0 a 100 %. Menor es más lento, pero 0 es sin rampa.</translation>
     </message>
     <message>
         <source>Greatest forward output, 32767 = 100 %.</source>
@@ -10899,7 +10923,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
     <message>
         <source>Supply below 5.75 V for 5 s. Writing anything but 0 reads the count and clears it.</source>
-        <translation>Alimentación por debajo de 5.75 V durante 5 s. Escribir algo distinto de 0 lee la cuenta y la borra.</translation>
+        <translation>Alimentación por debajo de 5,75 V durante 5 s. Escribir algo distinto de 0 lee la cuenta y la borra.</translation>
     </message>
     <message>
         <source>Gate driver count</source>
@@ -11151,11 +11175,11 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
     <message>
         <source>adapter, 3.3 V</source>
-        <translation>adaptador, 3.3 V</translation>
+        <translation>adaptador, 3,3 V</translation>
     </message>
     <message>
         <source>Drawing: the jumper connects AUX1 and AUX2; adapter TX to board RX, RX to TX, 3.3 V, GND</source>
-        <translation>Dibujo: el puente conecta AUX1 y AUX2; TX del adaptador a RX de la placa, RX a TX, 3.3 V, GND</translation>
+        <translation>Dibujo: el puente conecta AUX1 y AUX2; TX del adaptador a RX de la placa, RX a TX, 3,3 V, GND</translation>
     </message>
     <message>
         <source>Drawing: the jumper between AUX1 and AUX2 is taken out</source>
@@ -11203,7 +11227,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
     <message>
         <source>Put a jumper on AUX1 and AUX2. The serial adapter has 3.3 V levels, its TX goes to RX and its RX to TX; the board gets 3.3 V only.</source>
-        <translation>Ponga un puente entre AUX1 y AUX2. El adaptador serie tiene niveles de 3.3 V, su TX va a RX y su RX a TX; la placa recibe solo 3.3 V.</translation>
+        <translation>Ponga un puente entre AUX1 y AUX2. El adaptador serie tiene niveles de 3,3 V, su TX va a RX y su RX a TX; la placa recibe solo 3,3 V.</translation>
     </message>
     <message>
         <source>Reset the board</source>
@@ -11363,7 +11387,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
     <message>
         <source>Of the telemetry, in units of 40.96 µs: 244 is 10 ms, 49 is 2 ms, 0 is off.</source>
-        <translation>De la telemetría, en unidades de 40.96 µs: 244 son 10 ms, 49 son 2 ms, 0 es apagado.</translation>
+        <translation>De la telemetría, en unidades de 40,96 µs: 244 son 10 ms, 49 son 2 ms, 0 es apagado.</translation>
     </message>
     <message>
         <source>What a stream packet has besides: bit 0 timing, bit 1 number of skipped periods.</source>
@@ -11375,7 +11399,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
     <message>
         <source>Longest time over which velocity is measured: 2 to this power, times 0.64 µs; 20 is 671 ms.</source>
-        <translation>Tiempo máximo en el que se mide la velocidad: 2 elevado a este número, por 0.64 µs; 20 son 671 ms.</translation>
+        <translation>Tiempo máximo en el que se mide la velocidad: 2 elevado a este número, por 0,64 µs; 20 son 671 ms.</translation>
     </message>
     <message>
         <source>Position P</source>
@@ -11707,11 +11731,11 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
     <message>
         <source>D1, D2: 1/16711680 of full output per count of error and loop of 1.024 ms. The bound of the integral follows P at the next restart only.</source>
-        <translation>D1, D2: 1/16711680 de la salida plena por cuenta de error y ciclo de lazo de 1.024 ms. El límite de la integral solo sigue a P en el próximo reinicio.</translation>
+        <translation>D1, D2: 1/16711680 de la salida plena por cuenta de error y ciclo de lazo de 1,024 ms. El límite de la integral solo sigue a P en el próximo reinicio.</translation>
     </message>
     <message>
         <source>D1, D2: 1/65280 of full output per count that the error changes in one loop of 1.024 ms.</source>
-        <translation>D1, D2: 1/65280 de la salida plena por cada cuenta que el error varía en un ciclo de lazo de 1.024 ms.</translation>
+        <translation>D1, D2: 1/65280 de la salida plena por cada cuenta que el error varía en un ciclo de lazo de 1,024 ms.</translation>
     </message>
     <message>
         <source>Acceleration</source>
@@ -13090,8 +13114,8 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>Este equipo no tiene número ni aplicación; asígnele un número y después actualice su firmware.</translation>
     </message>
     <message>
-        <source>This unit has no number yet; assign one from 1 to 62.</source>
-        <translation>Este equipo aún no tiene número; asígnele uno de 1 a 62.</translation>
+        <source>This unit has no number yet; assign one from 1 to 63.</source>
+        <translation>Este equipo aún no tiene número; asígnele uno de 1 a 63.</translation>
     </message>
     <message>
         <source>Undo a write</source>
@@ -13695,7 +13719,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
     <message>
         <source>check the jumper AUX1–AUX2, the crossed wires TX and RX, and the 3.3 V levels, then reset the board</source>
-        <translation>compruebe el puente AUX1–AUX2, los cables TX y RX cruzados y los niveles de 3.3 V; después reinicie la placa</translation>
+        <translation>compruebe el puente AUX1–AUX2, los cables TX y RX cruzados y los niveles de 3,3 V; después reinicie la placa</translation>
     </message>
     <message>
         <source>check the path</source>
@@ -13775,7 +13799,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
     <message>
         <source>current %1 A is above 1.5 × %2 A</source>
-        <translation>la corriente %1 A supera 1.5 × %2 A</translation>
+        <translation>la corriente %1 A supera 1,5 × %2 A</translation>
     </message>
     <message>
         <source>current was above %1 A for %2</source>
@@ -13926,8 +13950,8 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>averiguarla solo escuchando</translation>
     </message>
     <message>
-        <source>find its gain scales first: Overview, Gain scales</source>
-        <translation>halle antes sus escalas de ganancia: Resumen, Escalas de ganancia</translation>
+        <source>find its gain scales first: Overview, Find the gain scales</source>
+        <translation>halle antes sus escalas de ganancia: Resumen, «Hallar las escalas de ganancia»</translation>
     </message>
     <message>
         <source>find the sender that fills it, on the Bus page or with &apos;motorbenchctl monitor&apos;</source>
@@ -14171,7 +14195,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
     <message>
         <source>it took longer than 1.5 × %1 s</source>
-        <translation>tardó más de 1.5 × %1 s</translation>
+        <translation>tardó más de 1,5 × %1 s</translation>
     </message>
     <message>
         <source>it was put aside as %1, and what it kept of the device is unknown again</source>
@@ -15063,7 +15087,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
     <message>
         <source>speed %1 counts/s is above 1.2 × %2 counts/s</source>
-        <translation>la velocidad %1 counts/s supera 1.2 × %2 counts/s</translation>
+        <translation>la velocidad %1 counts/s supera 1,2 × %2 counts/s</translation>
     </message>
     <message>
         <source>speed is 10000 to 10000000 Hz, not &apos;%1&apos;</source>
@@ -16379,7 +16403,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
     <message>
         <source>to be trusted up to %1 Hz, as far as ten samples a swing and a coherence of 0.9</source>
-        <translation>fiable hasta %1 Hz, hasta donde alcanzan diez muestras por oscilación y una coherencia de 0.9</translation>
+        <translation>fiable hasta %1 Hz, hasta donde alcanzan diez muestras por oscilación y una coherencia de 0,9</translation>
     </message>
     <message>
         <source>too few samples for a sine of %1 Hz</source>
@@ -16723,11 +16747,11 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
     <message>
         <source>this unit is for motors of more current</source>
-        <translation>esta unidad es para motores de más corriente</translation>
+        <translation>este equipo es para motores de más corriente</translation>
     </message>
     <message>
         <source>%1 %2 is unusual: %3 units have %4 to %5</source>
-        <translation>%1 %2 es inusual: %3 unidades tienen de %4 a %5</translation>
+        <translation>%1 %2 es inusual: %3 equipos tienen de %4 a %5</translation>
     </message>
     <message>
         <source>%1 besides those of the recipe differ from the backup</source>
@@ -16883,7 +16907,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
     <message>
         <source>left before the station was armed</source>
-        <translation>se salió antes de armar el puesto</translation>
+        <translation>se salió antes de armar la estación</translation>
     </message>
     <message>
         <source>look at cable and supply; when it answers again it is served from the beginning</source>
@@ -16891,11 +16915,11 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
     <message>
         <source>the unit was taken off while it waited for the station to be armed</source>
-        <translation>se retiró la unidad mientras esperaba a que se armara el puesto</translation>
+        <translation>se retiró el equipo mientras esperaba a que se armara la estación</translation>
     </message>
     <message>
         <source>waits until the station is armed</source>
-        <translation>espera a que se arme el puesto</translation>
+        <translation>espera a que se arme la estación</translation>
     </message>
     <message>
         <source>a step of %1 stands in noise of %2, at most %3; the mean of %4 tells it</source>

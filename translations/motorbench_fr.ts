@@ -301,7 +301,7 @@
     </message>
     <message>
         <source>Save</source>
-        <translation>Enregistrer</translation>
+        <translation>Sauvegarder</translation>
     </message>
     <message>
         <source>Derived signal</source>
@@ -3001,7 +3001,7 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     </message>
     <message>
         <source>Greatest change of the output in duty per second, kept by the drive. 0 is immediate; 2 takes 0.5 s from 0 to 100 %.</source>
-        <translation>Variation maximale de la sortie en rapport cyclique par seconde, respectée par le variateur. 0&#xa0;: immédiat&#x202f;; 2&#xa0;: 0.5 s de 0 à 100 %.</translation>
+        <translation>Variation maximale de la sortie en rapport cyclique par seconde, respectée par le variateur. 0&#xa0;: immédiat&#x202f;; 2&#xa0;: 0,5 s de 0 à 100 %.</translation>
     </message>
     <message>
         <source>duty/s, 0 = none</source>
@@ -3489,7 +3489,7 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     </message>
     <message>
         <source>One decade either way. ← → 2 %, with Shift 0.2 %, with Ctrl 20 %</source>
-        <translation>Une décade de part et d’autre. ← → 2 %, avec Maj 0.2 %, avec Ctrl 20 %</translation>
+        <translation>Une décade de part et d’autre. ← → 2 %, avec Maj 0,2 %, avec Ctrl 20 %</translation>
     </message>
     <message>
         <source>stored</source>
@@ -3548,7 +3548,7 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     </message>
     <message>
         <source>G · ← → 2 % · Shift 0.2 %</source>
-        <translation>G · ← → 2 % · Maj 0.2 %</translation>
+        <translation>G · ← → 2 % · Maj 0,2 %</translation>
     </message>
     <message>
         <source>Gains, slot %1</source>
@@ -3906,7 +3906,7 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     </message>
     <message>
         <source>The last frame; bytes that changed within 0.7 s are marked</source>
-        <translation>La dernière trame&#x202f;; les octets modifiés depuis moins de 0.7 s sont marqués</translation>
+        <translation>La dernière trame&#x202f;; les octets modifiés depuis moins de 0,7 s sont marqués</translation>
     </message>
     <message>
         <source>id</source>
@@ -4520,7 +4520,7 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     </message>
     <message>
         <source>Save log…</source>
-        <translation>Enregistrer le journal…</translation>
+        <translation>Sauvegarder le journal…</translation>
     </message>
     <message>
         <source>Nothing yet</source>
@@ -4536,7 +4536,7 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     </message>
     <message>
         <source>Save the log</source>
-        <translation>Enregistrer le journal</translation>
+        <translation>Sauvegarder le journal</translation>
     </message>
     <message>
         <source>Text (*.log *.txt)</source>
@@ -4544,7 +4544,7 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     </message>
     <message>
         <source>log saved to %1</source>
-        <translation>journal enregistré dans %1</translation>
+        <translation>journal sauvegardé dans %1</translation>
     </message>
 </context>
 <context>
@@ -5623,11 +5623,11 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     <name>mb::PlotLayoutBook</name>
     <message>
         <source>Save layout</source>
-        <translation>Enregistrer la disposition</translation>
+        <translation>Sauvegarder la disposition</translation>
     </message>
     <message>
         <source>Save layout as…</source>
-        <translation>Enregistrer la disposition sous…</translation>
+        <translation>Sauvegarder la disposition sous…</translation>
     </message>
     <message>
         <source>Reset</source>
@@ -5750,7 +5750,7 @@ L’enregistrement continue entre-temps.</translation>
     </message>
     <message>
         <source>Layouts: save, restore, reset</source>
-        <translation>Dispositions&#xa0;: enregistrer, restaurer, réinitialiser</translation>
+        <translation>Dispositions&#xa0;: sauvegarder, restaurer, réinitialiser</translation>
     </message>
     <message>
         <source>Export</source>
@@ -6208,7 +6208,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     <name>mb::ProjectDesk</name>
     <message>
         <source>Save the machine into a folder</source>
-        <translation>Enregistrer la machine dans un dossier</translation>
+        <translation>Sauvegarder la machine dans un dossier</translation>
     </message>
     <message>
         <source>Open the folder of a machine</source>
@@ -6217,8 +6217,8 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     <message numerus="yes">
         <source>%n unit(s) saved into %1</source>
         <translation>
-            <numerusform>%n appareil enregistré dans %1</numerusform>
-            <numerusform>%n appareils enregistrés dans %1</numerusform>
+            <numerusform>%n appareil sauvegardé dans %1</numerusform>
+            <numerusform>%n appareils sauvegardés dans %1</numerusform>
         </translation>
     </message>
     <message>
@@ -6317,7 +6317,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>Save CSV…</source>
-        <translation>Enregistrer en CSV…</translation>
+        <translation>Sauvegarder en CSV…</translation>
     </message>
     <message>
         <source>Start</source>
@@ -6391,7 +6391,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>Save what was done</source>
-        <translation>Enregistrer ce qui a été fait</translation>
+        <translation>Sauvegarder ce qui a été fait</translation>
     </message>
     <message>
         <source>Table (*.csv)</source>
@@ -6643,7 +6643,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>Comparison and proof</source>
-        <translation>Comparaison et preuve</translation>
+        <translation>Comparaison et vérification</translation>
     </message>
     <message>
         <source>Done</source>
@@ -6686,7 +6686,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>The device should have stored by itself. Its own proof takes up to 20 s.</source>
-        <translation>L’appareil devrait avoir mémorisé de lui-même. Sa propre preuve prend jusqu’à 20 s.</translation>
+        <translation>L’appareil devrait avoir mémorisé de lui-même. Sa propre vérification prend jusqu’à 20 s.</translation>
     </message>
     <message>
         <source>%1 more.</source>
@@ -6748,7 +6748,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>The file that is saved, line by line</source>
-        <translation>Le fichier enregistré, ligne par ligne</translation>
+        <translation>Le fichier sauvegardé, ligne par ligne</translation>
     </message>
     <message>
         <source>What is wrong with the recipe</source>
@@ -6760,7 +6760,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>Save recipe</source>
-        <translation>Enregistrer la recette</translation>
+        <translation>Sauvegarder la recette</translation>
     </message>
     <message>
         <source>Recipe %1</source>
@@ -6776,7 +6776,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>This recipe is not saved.</source>
-        <translation>Cette recette n’est pas enregistrée.</translation>
+        <translation>Cette recette n’est pas sauvegardée.</translation>
     </message>
     <message>
         <source>Discard it</source>
@@ -6803,7 +6803,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>Firmware file</source>
-        <translation>Fichier de micrologiciel</translation>
+        <translation>Fichier de firmware</translation>
     </message>
     <message>
         <source>Other way in</source>
@@ -6815,7 +6815,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>Save them where the unit does not by itself</source>
-        <translation>Les enregistrer si l’appareil ne le fait pas lui-même</translation>
+        <translation>Les mémoriser si l’appareil ne le fait pas lui-même</translation>
     </message>
     <message>
         <source>First number to give</source>
@@ -6987,7 +6987,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation>Enregistrer</translation>
+        <translation>Sauvegarder</translation>
     </message>
     <message>
         <source>Keeps everything that devices send, beginning with the last %1.
@@ -7780,7 +7780,7 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>Save CSV…</source>
-        <translation>Enregistrer en CSV…</translation>
+        <translation>Sauvegarder en CSV…</translation>
     </message>
     <message>
         <source>The entries of the journal that are listed, as a table</source>
@@ -7788,7 +7788,7 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>Save the journal</source>
-        <translation>Enregistrer le journal</translation>
+        <translation>Sauvegarder le journal</translation>
     </message>
     <message>
         <source>Table (*.csv)</source>
@@ -8747,7 +8747,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>time</source>
-        <translation>heure</translation>
+        <translation>durée</translation>
     </message>
     <message>
         <source>Enter where the loop is to go.</source>
@@ -9220,7 +9220,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>time</source>
-        <translation>heure</translation>
+        <translation>temps</translation>
     </message>
     <message>
         <source>link</source>
@@ -9377,6 +9377,30 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>saturated %1 %</source>
         <translation>saturé %1 %</translation>
+    </message>
+    <message>
+        <source>lateness</source>
+        <translation>retard</translation>
+    </message>
+    <message>
+        <source>sleep</source>
+        <translation>veille</translation>
+    </message>
+    <message>
+        <source>restart</source>
+        <translation>redémarrage</translation>
+    </message>
+    <message>
+        <source>foreign master</source>
+        <translation>autre maître</translation>
+    </message>
+    <message>
+        <source>missing guardian</source>
+        <translation>gardien absent</translation>
+    </message>
+    <message>
+        <source>refusal</source>
+        <translation>refus</translation>
     </message>
 </context>
 <context>
@@ -9774,7 +9798,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>on a gain&apos;s slider: 2 %, with Shift 0.2 %, with Ctrl 20 %; the wheel does the same by 2 %</source>
-        <translation>sur le curseur d’un gain&#xa0;: 2 %, avec Maj 0.2 %, avec Ctrl 20 %&#x202f;; la molette fait de même par 2 %</translation>
+        <translation>sur le curseur d’un gain&#xa0;: 2 %, avec Maj 0,2 %, avec Ctrl 20 %&#x202f;; la molette fait de même par 2 %</translation>
     </message>
 </context>
 <context>
@@ -10204,7 +10228,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>Save log…</source>
-        <translation>Enregistrer le journal…</translation>
+        <translation>Sauvegarder le journal…</translation>
     </message>
     <message>
         <source>Log of the update</source>
@@ -10212,7 +10236,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>Save the log of the update</source>
-        <translation>Enregistrer le journal de la mise à jour</translation>
+        <translation>Sauvegarder le journal de la mise à jour</translation>
     </message>
     <message>
         <source>Text (*.log *.txt)</source>
@@ -10292,7 +10316,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>Save the machine into a folder…</source>
-        <translation>Enregistrer la machine dans un dossier…</translation>
+        <translation>Sauvegarder la machine dans un dossier…</translation>
     </message>
     <message>
         <source>Commands…</source>
@@ -10731,7 +10755,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>Greatest change of output in a loop of 500 µs; 16 takes 1.024 s from 0 to 100 %. Lower is slower, but 0 is no ramp.</source>
-        <translation>Variation maximale de la sortie par cycle de 500 µs&#x202f;; 16 met 1.024 s de 0 à 100 %. Plus petit est plus lent, mais 0 est sans rampe.</translation>
+        <translation>Variation maximale de la sortie par cycle de 500 µs&#x202f;; 16 met 1,024 s de 0 à 100 %. Plus petit est plus lent, mais 0 est sans rampe.</translation>
     </message>
     <message>
         <source>Greatest forward output, 32767 = 100 %.</source>
@@ -10899,7 +10923,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>Supply below 5.75 V for 5 s. Writing anything but 0 reads the count and clears it.</source>
-        <translation>Alimentation sous 5.75 V pendant 5 s. Écrire autre chose que 0 lit le compteur et l’efface.</translation>
+        <translation>Alimentation sous 5,75 V pendant 5 s. Écrire autre chose que 0 lit le compteur et l’efface.</translation>
     </message>
     <message>
         <source>Gate driver count</source>
@@ -11151,11 +11175,11 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>adapter, 3.3 V</source>
-        <translation>adaptateur, 3.3 V</translation>
+        <translation>adaptateur, 3,3 V</translation>
     </message>
     <message>
         <source>Drawing: the jumper connects AUX1 and AUX2; adapter TX to board RX, RX to TX, 3.3 V, GND</source>
-        <translation>Schéma&#xa0;: le cavalier relie AUX1 et AUX2&#x202f;; TX de l’adaptateur à RX de la carte, RX à TX, 3.3 V, GND</translation>
+        <translation>Schéma&#xa0;: le cavalier relie AUX1 et AUX2&#x202f;; TX de l’adaptateur à RX de la carte, RX à TX, 3,3 V, GND</translation>
     </message>
     <message>
         <source>Drawing: the jumper between AUX1 and AUX2 is taken out</source>
@@ -11203,7 +11227,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>Put a jumper on AUX1 and AUX2. The serial adapter has 3.3 V levels, its TX goes to RX and its RX to TX; the board gets 3.3 V only.</source>
-        <translation>Posez un cavalier sur AUX1 et AUX2. L’adaptateur série a des niveaux de 3.3 V, son TX va à RX et son RX à TX&#x202f;; la carte ne reçoit que 3.3 V.</translation>
+        <translation>Posez un cavalier sur AUX1 et AUX2. L’adaptateur série a des niveaux de 3,3 V, son TX va à RX et son RX à TX&#x202f;; la carte ne reçoit que 3,3 V.</translation>
     </message>
     <message>
         <source>Reset the board</source>
@@ -11363,7 +11387,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>Of the telemetry, in units of 40.96 µs: 244 is 10 ms, 49 is 2 ms, 0 is off.</source>
-        <translation>De la télémétrie, en unités de 40.96 µs&#xa0;: 244 fait 10 ms, 49 fait 2 ms, 0 est l’arrêt.</translation>
+        <translation>De la télémétrie, en unités de 40,96 µs&#xa0;: 244 fait 10 ms, 49 fait 2 ms, 0 est l’arrêt.</translation>
     </message>
     <message>
         <source>What a stream packet has besides: bit 0 timing, bit 1 number of skipped periods.</source>
@@ -11375,7 +11399,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>Longest time over which velocity is measured: 2 to this power, times 0.64 µs; 20 is 671 ms.</source>
-        <translation>Temps maximal sur lequel la vitesse est mesurée&#xa0;: 2 à cette puissance, fois 0.64 µs&#x202f;; 20 fait 671 ms.</translation>
+        <translation>Temps maximal sur lequel la vitesse est mesurée&#xa0;: 2 à cette puissance, fois 0,64 µs&#x202f;; 20 fait 671 ms.</translation>
     </message>
     <message>
         <source>Position P</source>
@@ -11707,11 +11731,11 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>D1, D2: 1/16711680 of full output per count of error and loop of 1.024 ms. The bound of the integral follows P at the next restart only.</source>
-        <translation>D1, D2&#xa0;: 1/16711680 de la pleine sortie par count d’erreur et cycle de 1.024 ms. La borne de l’intégrale ne suit P qu’au prochain redémarrage.</translation>
+        <translation>D1, D2&#xa0;: 1/16711680 de la pleine sortie par count d’erreur et cycle de 1,024 ms. La borne de l’intégrale ne suit P qu’au prochain redémarrage.</translation>
     </message>
     <message>
         <source>D1, D2: 1/65280 of full output per count that the error changes in one loop of 1.024 ms.</source>
-        <translation>D1, D2&#xa0;: 1/65280 de la pleine sortie par count de variation de l’erreur en un cycle de 1.024 ms.</translation>
+        <translation>D1, D2&#xa0;: 1/65280 de la pleine sortie par count de variation de l’erreur en un cycle de 1,024 ms.</translation>
     </message>
     <message>
         <source>Acceleration</source>
@@ -13003,7 +13027,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>Saved</source>
-        <translation>Enregistré</translation>
+        <translation>Mémorisé</translation>
     </message>
     <message>
         <source>Saving the %1 loop</source>
@@ -13090,8 +13114,8 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>Cet appareil n’a ni numéro ni application&#x202f;; attribuez un numéro, puis mettez à jour son firmware.</translation>
     </message>
     <message>
-        <source>This unit has no number yet; assign one from 1 to 62.</source>
-        <translation>Cet appareil n’a pas encore de numéro&#x202f;; attribuez-en un de 1 à 62.</translation>
+        <source>This unit has no number yet; assign one from 1 to 63.</source>
+        <translation>Cet appareil n’a pas encore de numéro ; attribuez-en un de 1 à 63.</translation>
     </message>
     <message>
         <source>Undo a write</source>
@@ -13695,7 +13719,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>check the jumper AUX1–AUX2, the crossed wires TX and RX, and the 3.3 V levels, then reset the board</source>
-        <translation>vérifiez le cavalier AUX1–AUX2, les fils TX et RX croisés et les niveaux de 3.3 V, puis réinitialisez la carte</translation>
+        <translation>vérifiez le cavalier AUX1–AUX2, les fils TX et RX croisés et les niveaux de 3,3 V, puis réinitialisez la carte</translation>
     </message>
     <message>
         <source>check the path</source>
@@ -13775,7 +13799,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>current %1 A is above 1.5 × %2 A</source>
-        <translation>le courant %1 A est supérieur à 1.5 × %2 A</translation>
+        <translation>le courant %1 A est supérieur à 1,5 × %2 A</translation>
     </message>
     <message>
         <source>current was above %1 A for %2</source>
@@ -13926,8 +13950,8 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>le trouver par simple écoute</translation>
     </message>
     <message>
-        <source>find its gain scales first: Overview, Gain scales</source>
-        <translation>trouvez d’abord ses échelles de gain&#xa0;: Vue d’ensemble, Échelles de gain</translation>
+        <source>find its gain scales first: Overview, Find the gain scales</source>
+        <translation>trouvez d’abord ses échelles de gain : Vue d’ensemble, « Trouver les échelles de gain »</translation>
     </message>
     <message>
         <source>find the sender that fills it, on the Bus page or with &apos;motorbenchctl monitor&apos;</source>
@@ -14171,7 +14195,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>it took longer than 1.5 × %1 s</source>
-        <translation>il a duré plus de 1.5 × %1 s</translation>
+        <translation>il a duré plus de 1,5 × %1 s</translation>
     </message>
     <message>
         <source>it was put aside as %1, and what it kept of the device is unknown again</source>
@@ -14659,7 +14683,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>nothing was saved</source>
-        <translation>rien n’a été enregistré</translation>
+        <translation>rien n’a été sauvegardé</translation>
     </message>
     <message>
         <source>nothing was written</source>
@@ -14959,7 +14983,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>save it as ASC and take that</source>
-        <translation>enregistrez-le en ASC et utilisez celui-ci</translation>
+        <translation>sauvegardez-le en ASC et utilisez celui-ci</translation>
     </message>
     <message>
         <source>scan again, or choose its dialect by hand</source>
@@ -15063,7 +15087,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>speed %1 counts/s is above 1.2 × %2 counts/s</source>
-        <translation>la vitesse %1 counts/s est supérieure à 1.2 × %2 counts/s</translation>
+        <translation>la vitesse %1 counts/s est supérieure à 1,2 × %2 counts/s</translation>
     </message>
     <message>
         <source>speed is 10000 to 10000000 Hz, not &apos;%1&apos;</source>
@@ -16379,7 +16403,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>to be trusted up to %1 Hz, as far as ten samples a swing and a coherence of 0.9</source>
-        <translation>fiable jusqu’à %1 Hz, tant que dix échantillons par oscillation et une cohérence de 0.9 le permettent</translation>
+        <translation>fiable jusqu’à %1 Hz, tant que dix échantillons par oscillation et une cohérence de 0,9 le permettent</translation>
     </message>
     <message>
         <source>too few samples for a sine of %1 Hz</source>
@@ -16667,7 +16691,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>drive it by duty, or try its I with &apos;motorbenchctl step&apos;: not every build of the firmware runs it</source>
-        <translation>pilotez-le par rapport cyclique, ou essayez son I avec «&#xa0;motorbenchctl step&#xa0;»&#xa0;: toutes les versions du micrologiciel ne le calculent pas</translation>
+        <translation>pilotez-le par rapport cyclique, ou essayez son I avec «&#xa0;motorbenchctl step&#xa0;»&#xa0;: toutes les versions du firmware ne le calculent pas</translation>
     </message>
     <message>
         <source>friction takes %1 duty, and %2 may push: too little for a motor to swing</source>
@@ -16767,11 +16791,11 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>firmware</source>
-        <translation>micrologiciel</translation>
+        <translation>firmware</translation>
     </message>
     <message>
         <source>firmware %1</source>
-        <translation>micrologiciel %1</translation>
+        <translation>firmware %1</translation>
     </message>
     <message>
         <source>its flash has it</source>
@@ -16795,7 +16819,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>nothing had to be stored</source>
-        <translation>rien n&apos;était à enregistrer</translation>
+        <translation>rien n’était à mémoriser</translation>
     </message>
     <message>
         <source>number</source>
@@ -16823,7 +16847,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>proof</source>
-        <translation>preuve</translation>
+        <translation>vérification</translation>
     </message>
     <message>
         <source>read back</source>

@@ -91,7 +91,7 @@
     </message>
     <message>
         <source>position 0 is here; the motor is off</source>
-        <translation>現在位置を 0 としました。モータはオフです</translation>
+        <translation>現在位置を 0 としました。モーターはオフです</translation>
     </message>
     <message>
         <source>Copy %1</source>
@@ -526,7 +526,7 @@
     </message>
     <message>
         <source>direction; error, remote, extended, standard, unknown, known; makes a motor move</source>
-        <translation>方向。error、remote、extended、standard、unknown、known。モータを動かすもの</translation>
+        <translation>方向。error、remote、extended、standard、unknown、known。モーターを動かすもの</translation>
     </message>
     <message>
         <source>a bare word: part of a message, family or identifier</source>
@@ -744,7 +744,7 @@
     </message>
     <message>
         <source>A board with four geared motors.</source>
-        <translation>ギヤモータ 4 台付きの基板。</translation>
+        <translation>ギヤモーター 4 台付きの基板。</translation>
     </message>
     <message>
         <source>CAN interfaces</source>
@@ -1050,7 +1050,7 @@
     </message>
     <message>
         <source>On the page Parameters switch the current limit on (search: current_limit), set it to what the motor may have, and write.</source>
-        <translation>「パラメータ」ページで電流制限をオンにし (検索: current_limit)、モータの許容値に設定して書き込みます。</translation>
+        <translation>「パラメータ」ページで電流制限をオンにし (検索: current_limit)、モーターの許容値に設定して書き込みます。</translation>
     </message>
     <message>
         <source>Hold the Arm button at the top for one second (or Ctrl+Shift+F12).</source>
@@ -1138,7 +1138,7 @@
     </message>
     <message>
         <source>Press %2: the motor steps to a speed and back, and the overshoot is measured.</source>
-        <translation>%2 を押します: モータがある速度までステップ応答して戻り、オーバーシュートが測定されます。</translation>
+        <translation>%2 を押します: モーターがある速度までステップ応答して戻り、オーバーシュートが測定されます。</translation>
     </message>
     <message>
         <source>Press %2 on the page Design: the program finds gains and proves them. Tamed: a step overshoots by 5 % at most.</source>
@@ -1261,7 +1261,7 @@
     </message>
     <message>
         <source>Tunes and services brushed-DC motor controllers. Free software under the GNU General Public License, version 3 or later, without any warranty.</source>
-        <translation>ブラシ付き DC モータコントローラの調整と保守を行います。GNU General Public License バージョン 3 以降によるフリーソフトウェアであり、いかなる保証もありません。</translation>
+        <translation>ブラシ付き DC モーターコントローラの調整と保守を行います。GNU General Public License バージョン 3 以降によるフリーソフトウェアであり、いかなる保証もありません。</translation>
     </message>
     <message>
         <source>Versions and licences</source>
@@ -1382,7 +1382,7 @@
     </message>
     <message>
         <source>It swings by %1 counts without end: play between motor and load.</source>
-        <translation>%1 カウントの振れが止まりません: モータと負荷の間に遊びがあります。</translation>
+        <translation>%1 カウントの振れが止まりません: モーターと負荷の間に遊びがあります。</translation>
     </message>
     <message>
         <source>Stage %1</source>
@@ -1673,7 +1673,7 @@
     </message>
     <message>
         <source>%1 steps, both ways in turn, from %2 to %3 %4, with the gains in force. The motor turns; each step keeps inside the limits of the page.</source>
-        <translation>%1 回のステップを両方向交互に、%2 から %3 %4 まで、現在のゲインで行います。モータが回転します。各ステップはページの制限内に収まります。</translation>
+        <translation>%1 回のステップを両方向交互に、%2 から %3 %4 まで、現在のゲインで行います。モーターが回転します。各ステップはページの制限内に収まります。</translation>
     </message>
     <message>
         <source>Step %1 of %2: to %3 %4. STOP ends it.</source>
@@ -1748,7 +1748,7 @@
     </message>
     <message>
         <source>The motor turns in a moment</source>
-        <translation>まもなくモータが回転します</translation>
+        <translation>まもなくモーターが回転します</translation>
     </message>
     <message>
         <source>Safe to unplug</source>
@@ -1831,11 +1831,11 @@
     </message>
     <message>
         <source>Magnitude of loop and motor</source>
-        <translation>制御ループとモータのゲイン特性</translation>
+        <translation>制御ループとモーターのゲイン特性</translation>
     </message>
     <message>
         <source>Phase of loop and motor</source>
-        <translation>制御ループとモータの位相特性</translation>
+        <translation>制御ループとモーターの位相特性</translation>
     </message>
     <message>
         <source>Hz</source>
@@ -1855,11 +1855,11 @@
     </message>
     <message>
         <source>motor ÷ gain</source>
-        <translation>モータ ÷ ゲイン</translation>
+        <translation>モーター ÷ ゲイン</translation>
     </message>
     <message>
         <source>motor ÷ gain, measured</source>
-        <translation>モータ ÷ ゲイン、実測</translation>
+        <translation>モーター ÷ ゲイン、実測</translation>
     </message>
 </context>
 <context>
@@ -2368,7 +2368,7 @@
     </message>
     <message>
         <source>Before it: %1. The motor must stand.</source>
-        <translation>試行前: %1。モータが停止している必要があります。</translation>
+        <translation>試行前: %1。モーターが停止している必要があります。</translation>
     </message>
     <message>
         <source>Put them back</source>
@@ -2441,11 +2441,11 @@
     </message>
     <message>
         <source>Demo  ·  %1  ·  no real motor is connected</source>
-        <translation>デモ  ·  %1  ·  実物のモータは接続されていません</translation>
+        <translation>デモ  ·  %1  ·  実物のモーターは接続されていません</translation>
     </message>
     <message>
         <source>Replay  ·  %1  ·  shows what was recorded, moves no motor</source>
-        <translation>再生  ·  %1  ·  記録の表示のみ、モータは動きません</translation>
+        <translation>再生  ·  %1  ·  記録の表示のみ、モーターは動きません</translation>
     </message>
     <message>
         <source>Replay</source>
@@ -2539,7 +2539,7 @@
     </message>
     <message>
         <source>identifies the motor</source>
-        <translation>モータを同定します</translation>
+        <translation>モーターを同定します</translation>
     </message>
     <message>
         <source>writes a report of what is shown</source>
@@ -2567,7 +2567,7 @@
     </message>
     <message>
         <source>Stop the motion before the motor is tuned.</source>
-        <translation>モータを調整する前に動作を停止してください。</translation>
+        <translation>モーターを調整する前に動作を停止してください。</translation>
     </message>
     <message>
         <source>Busy</source>
@@ -2579,7 +2579,7 @@
     </message>
     <message>
         <source>The motor turns both ways as soon as you say so.</source>
-        <translation>指示すると、ただちにモータが両方向に回転します。</translation>
+        <translation>指示すると、ただちにモーターが両方向に回転します。</translation>
     </message>
     <message>
         <source>Not armed</source>
@@ -2822,7 +2822,7 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
     <message>
         <source>Open the simulated bench; no real motor is connected to it</source>
-        <translation>シミュレーションベンチを開きます。実物のモータは接続されません</translation>
+        <translation>シミュレーションベンチを開きます。実物のモーターは接続されません</translation>
     </message>
     <message>
         <source>Show 1 new device</source>
@@ -2885,7 +2885,7 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
     <message>
         <source>belongs to one unit, copied only if you tick it</source>
-        <translation>このユニット固有の値です。チェックした場合だけコピーされます</translation>
+        <translation>この機器固有の値です。チェックした場合だけコピーされます</translation>
     </message>
     <message>
         <source>assumed: it cannot be read</source>
@@ -2955,11 +2955,11 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
     <message>
         <source>Reverse motor</source>
-        <translation>モータ反転</translation>
+        <translation>モーター反転</translation>
     </message>
     <message>
         <source>Forward output turns the motor the other way. Changing it disarms.</source>
-        <translation>正転出力でモータが逆方向に回ります。変更すると駆動許可が解除されます。</translation>
+        <translation>正転出力でモーターが逆方向に回ります。変更すると駆動許可が解除されます。</translation>
     </message>
     <message>
         <source>Reverse sensor</source>
@@ -2983,7 +2983,7 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
     <message>
         <source>The motor runs past the forward limit. Changing it disarms.</source>
-        <translation>モータは正転リミットを越えて動きます。変更すると駆動許可が解除されます。</translation>
+        <translation>モーターは正転リミットを越えて動きます。変更すると駆動許可が解除されます。</translation>
     </message>
     <message>
         <source>Reverse limit off</source>
@@ -2991,7 +2991,7 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
     <message>
         <source>The motor runs past the reverse limit. Changing it disarms.</source>
-        <translation>モータは逆転リミットを越えて動きます。変更すると駆動許可が解除されます。</translation>
+        <translation>モーターは逆転リミットを越えて動きます。変更すると駆動許可が解除されます。</translation>
     </message>
     <message>
         <source>Ramp of the output, duty per second</source>
@@ -3023,7 +3023,7 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
     <message>
         <source>motor reversed</source>
-        <translation>モータ反転</translation>
+        <translation>モーター反転</translation>
     </message>
     <message>
         <source>sensor reversed</source>
@@ -3112,7 +3112,7 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
     <message>
         <source>Of which motor</source>
-        <translation>対象モータ</translation>
+        <translation>対象モーター</translation>
     </message>
     <message>
         <source>Most power</source>
@@ -3148,7 +3148,7 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
     <message>
         <source>Hold to turn the motor</source>
-        <translation>長押しでモータを回転</translation>
+        <translation>長押しでモーターを回転</translation>
     </message>
     <message>
         <source>Begin</source>
@@ -3168,7 +3168,7 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
     <message>
         <source>Cancelled. The motor is stopped; gains and limits are as they were.</source>
-        <translation>キャンセルしました。モータは停止し、ゲインと制限は元のままです。</translation>
+        <translation>キャンセルしました。モーターは停止し、ゲインと制限は元のままです。</translation>
     </message>
 </context>
 <context>
@@ -3191,7 +3191,7 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
     <message>
         <source>Nothing bounds the motor: enter travel, duty, and what else is empty here.</source>
-        <translation>モータに制限がありません: 移動量、デューティなど、空欄の項目を入力してください。</translation>
+        <translation>モーターに制限がありません: 移動量、デューティなど、空欄の項目を入力してください。</translation>
     </message>
     <message>
         <source>Enter where the loop is to go.</source>
@@ -3661,7 +3661,7 @@ Double click or Enter plots it; drag it to a plot.</source>
     <name>mb::GuardianCheck</name>
     <message>
         <source>stops a motor when this program is killed or hangs</source>
-        <translation>このプログラムが強制終了したり固まったりしたとき、モータを止めます</translation>
+        <translation>このプログラムが強制終了したり固まったりしたとき、モーターを止めます</translation>
     </message>
     <message>
         <source>Check</source>
@@ -3669,7 +3669,7 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
     <message>
         <source>Check the guardian</source>
-        <translation>ガーディアンを確認</translation>
+        <translation>監視プロセスを確認</translation>
     </message>
     <message>
         <source>%1 cannot be started: %2</source>
@@ -4113,7 +4113,7 @@ Double click or Enter plots it; drag it to a plot.</source>
     <name>mb::JournalCard</name>
     <message>
         <source>Journal</source>
-        <translation>記録</translation>
+        <translation>ジャーナル</translation>
     </message>
     <message>
         <source>Change…</source>
@@ -4121,7 +4121,7 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
     <message>
         <source>Change the journal</source>
-        <translation>記録を変更</translation>
+        <translation>ジャーナルを変更</translation>
     </message>
     <message>
         <source>On this computer</source>
@@ -4158,7 +4158,7 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
     <message>
         <source>they go back as soon as the motor stands</source>
-        <translation>モータが停止しだい元の値に戻ります</translation>
+        <translation>モーターが停止しだい元の値に戻ります</translation>
     </message>
     <message>
         <source>Keep</source>
@@ -4191,7 +4191,7 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
     <message>
         <source>%1 stops every motor, always.</source>
-        <translation>%1 は常に全モータを停止します。</translation>
+        <translation>%1 は常に全モーターを停止します。</translation>
     </message>
     <message>
         <source>%1 is taken, %2: %3. Give that another key first.</source>
@@ -4206,11 +4206,11 @@ Double click or Enter plots it; drag it to a plot.</source>
     <name>mb::KeyDesk</name>
     <message>
         <source>stop every motor</source>
-        <translation>全モータを停止します</translation>
+        <translation>全モーターを停止します</translation>
     </message>
     <message>
         <source>stops every motor, unless words can be typed where the focus is</source>
-        <translation>全モータを停止します (フォーカスが文字入力中の場合を除く)</translation>
+        <translation>全モーターを停止します (フォーカスが文字入力中の場合を除く)</translation>
     </message>
     <message>
         <source>presses the button or ticks the box that has the focus</source>
@@ -4308,7 +4308,7 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
     <message>
         <source>A motor was told to stop and was not seen to. Cut its power, or look at it.</source>
-        <translation>モータに停止を指令しましたが、停止を確認できていません。電源を切るか、目視で確認してください。</translation>
+        <translation>モーターに停止を指令しましたが、停止を確認できていません。電源を切るか、目視で確認してください。</translation>
     </message>
     <message>
         <source>Press to make it safe again</source>
@@ -4405,7 +4405,7 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
     <message>
         <source>the computer&apos;s own RS-485 port</source>
-        <translation>コンピュータ内蔵の RS-485 ポート</translation>
+        <translation>コンピューター内蔵の RS-485 ポート</translation>
     </message>
     <message>
         <source>RS-485</source>
@@ -4413,7 +4413,7 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
     <message>
         <source>Lets the kernel switch the driver of a port on the computer&apos;s board. Adapters on USB switch by themselves: leave it off.</source>
-        <translation>コンピュータ基板上のポートのドライバ切替えをカーネルに任せます。USB アダプタは自動で切り替わるため、オフのままにしてください。</translation>
+        <translation>コンピューター基板上のポートのドライバ切替えをカーネルに任せます。USB アダプタは自動で切り替わるため、オフのままにしてください。</translation>
     </message>
     <message>
         <source>Clock</source>
@@ -4460,7 +4460,7 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
     <message>
         <source>%1 has this link too. Agree who drives: two masters on one motor disturb each other.</source>
-        <translation>%1 もこのリンクを使用しています。どちらが駆動するか決めてください: 1 台のモータに 2 つのマスタがあると干渉します。</translation>
+        <translation>%1 もこのリンクを使用しています。どちらが駆動するか決めてください: 1 台のモーターに 2 つのマスタがあると干渉します。</translation>
     </message>
     <message>
         <source>%1 has this port. Close it there, then reconnect.</source>
@@ -4794,7 +4794,7 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
     <message>
         <source>Nobody has identified this motor yet. Identify pushes it both ways with a part of the duty, inside the limits below, and changes no gain.</source>
-        <translation>このモータはまだ同定されていません。「同定」は下の制限内でデューティの一部を使ってモータを両方向に動かします。ゲインは変更しません。</translation>
+        <translation>このモーターはまだ同定されていません。「同定」は下の制限内でデューティの一部を使ってモーターを両方向に動かします。ゲインは変更しません。</translation>
     </message>
     <message>
         <source>good fit</source>
@@ -4888,7 +4888,7 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
     <message>
         <source>Switches the motors on where they stand, and gives each its move to keep.</source>
-        <translation>各モータを現在位置でオンにし、動作指令を渡して保持させます。</translation>
+        <translation>各モーターを現在位置でオンにし、動作指令を渡して保持させます。</translation>
     </message>
     <message>
         <source>Start</source>
@@ -4912,7 +4912,7 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
     <message>
         <source>Brakes to a halt and holds the position. The motors stay on; STOP switches them off.</source>
-        <translation>減速停止して位置を保持します。モータはオンのままです。STOP でオフになります。</translation>
+        <translation>減速停止して位置を保持します。モーターはオンのままです。STOP でオフになります。</translation>
     </message>
     <message>
         <source>%1 takes part</source>
@@ -4968,7 +4968,7 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
     <message>
         <source>Prepare switches the motors on where they stand; nothing turns before Start.</source>
-        <translation>「準備」は各モータを現在位置でオンにします。「開始」まで何も回転しません。</translation>
+        <translation>「準備」は各モーターを現在位置でオンにします。「開始」まで何も回転しません。</translation>
     </message>
     <message>
         <source>not prepared: &apos;%1&apos; is no number of counts</source>
@@ -5943,7 +5943,7 @@ double click or End returns to the present · right click for more</source>
     </message>
     <message>
         <source>Guardian</source>
-        <translation>ガーディアン</translation>
+        <translation>監視プロセス</translation>
     </message>
 </context>
 <context>
@@ -6049,7 +6049,7 @@ double click or End returns to the present · right click for more</source>
     </message>
     <message>
         <source>The self-test turns the motor: %1</source>
-        <translation>セルフテストでモータが回転します: %1</translation>
+        <translation>セルフテストでモーターが回転します: %1</translation>
     </message>
     <message>
         <source>not started: open a link first</source>
@@ -6402,7 +6402,7 @@ double click or End returns to the present · right click for more</source>
     </message>
     <message>
         <source>One unit at a time on a bus, buses side by side. Real units keep this computer awake. The journal is on disk: after a crash the queue goes on.</source>
-        <translation>1 つのバスで 1 台ずつ、バスは並行に処理します。実機の処理中はコンピュータをスリープさせません。ジャーナルはディスクにあり、異常終了後も続きから再開します。</translation>
+        <translation>1 つのバスで 1 台ずつ、バスは並行に処理します。実機の処理中はコンピューターをスリープさせません。ジャーナルはディスクにあり、異常終了後も続きから再開します。</translation>
     </message>
     <message>
         <source>Every unit is backed up before and compared afterwards; the journal has it.</source>
@@ -6418,11 +6418,11 @@ double click or End returns to the present · right click for more</source>
     </message>
     <message>
         <source>all motors stopped</source>
-        <translation>全モータ停止</translation>
+        <translation>全モーター停止</translation>
     </message>
     <message>
         <source>a motor is moving</source>
-        <translation>モータが動いています</translation>
+        <translation>モーターが動いています</translation>
     </message>
     <message>
         <source>no other master</source>
@@ -6535,7 +6535,7 @@ double click or End returns to the present · right click for more</source>
     <name>mb::QueueSide</name>
     <message>
         <source>The self-test turns the motor: %1. Hold Arm in the header once the queue runs.</source>
-        <translation>セルフテストはモータを回します: %1。キューの開始後、ヘッダの駆動許可ボタンを長押ししてください。</translation>
+        <translation>セルフテストはモーターを回します: %1。キューの開始後、ヘッダの駆動許可ボタンを長押ししてください。</translation>
     </message>
 </context>
 <context>
@@ -6602,7 +6602,7 @@ double click or End returns to the present · right click for more</source>
     </message>
     <message>
         <source>motor is moving</source>
-        <translation>モータ動作中</translation>
+        <translation>モーター動作中</translation>
     </message>
     <message>
         <source>another master drives it</source>
@@ -6806,7 +6806,7 @@ double click or End returns to the present · right click for more</source>
     </message>
     <message>
         <source>Save them where the unit does not by itself</source>
-        <translation>ユニットが自動で保存しない場合は保存する</translation>
+        <translation>機器が自動で保存しない場合は保存する</translation>
     </message>
     <message>
         <source>First number to give</source>
@@ -6814,7 +6814,7 @@ double click or End returns to the present · right click for more</source>
     </message>
     <message>
         <source>Self-test: the motor turns</source>
-        <translation>セルフテスト: モータが回転します</translation>
+        <translation>セルフテスト: モーターが回転します</translation>
     </message>
     <message>
         <source>Loop</source>
@@ -7015,7 +7015,7 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     </message>
     <message>
         <source>Shows what was recorded. Nothing is sent, no motor moves.</source>
-        <translation>記録内容を表示します。何も送信せず、モータも動きません。</translation>
+        <translation>記録内容を表示します。何も送信せず、モーターも動きません。</translation>
     </message>
     <message>
         <source>Play</source>
@@ -7197,7 +7197,7 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     </message>
     <message>
         <source>DEMO: this unit is simulated. Nothing here was measured on a motor.</source>
-        <translation>デモ: この機器はシミュレーションです。実際のモータで測定した値はありません。</translation>
+        <translation>デモ: この機器はシミュレーションです。実際のモーターで測定した値はありません。</translation>
     </message>
     <message>
         <source>Report on %1</source>
@@ -7305,7 +7305,7 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     </message>
     <message>
         <source>motor seen stopped</source>
-        <translation>モータの停止を確認</translation>
+        <translation>モーターの停止を確認</translation>
     </message>
     <message>
         <source>stop not confirmed</source>
@@ -8095,7 +8095,7 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     </message>
     <message>
         <source>Makes a motor move: %1</source>
-        <translation>モータが動きます: %1</translation>
+        <translation>モーターが動きます: %1</translation>
     </message>
     <message>
         <source>ended</source>
@@ -8170,7 +8170,7 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     </message>
     <message>
         <source>Enter applies it while the motor runs; it never starts one.</source>
-        <translation>Enter でモータ動作中に適用します。モータを始動することはありません。</translation>
+        <translation>Enter でモーター動作中に適用します。モーターを始動することはありません。</translation>
     </message>
     <message>
         <source>Set-point, slider</source>
@@ -8190,7 +8190,7 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     </message>
     <message>
         <source>Stops the motor, and makes where it stands position 0. It starts again with Run only: a motor that runs would jump.</source>
-        <translation>モータを停止し、その位置を 0 とします。再始動は「実行」でのみ行います: 動作中のモータでは位置が飛ぶためです。</translation>
+        <translation>モーターを停止し、その位置を 0 とします。再始動は「実行」でのみ行います: 動作中のモーターでは位置が飛ぶためです。</translation>
     </message>
     <message>
         <source>device</source>
@@ -8442,7 +8442,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>Try with a simulated motor</source>
-        <translation>シミュレーションモータで試す</translation>
+        <translation>シミュレーションモーターで試す</translation>
     </message>
     <message>
         <source>Open the simulated bench</source>
@@ -8458,7 +8458,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>Firmware on this computer</source>
-        <translation>このコンピュータ上のファームウェア</translation>
+        <translation>このコンピューター上のファームウェア</translation>
     </message>
     <message>
         <source>Folder…</source>
@@ -8572,7 +8572,7 @@ double click plots it, drag it to a pane or below them</source>
     <name>mb::StationDialog</name>
     <message>
         <source>Journal of this station</source>
-        <translation>このステーションの記録</translation>
+        <translation>このステーションのジャーナル</translation>
     </message>
     <message>
         <source>Name of this station</source>
@@ -8584,7 +8584,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>Without a server the journal is in the file of this computer alone. With one, every entry is there first and delivered as soon as the server answers; numbers come in blocks of five.</source>
-        <translation>サーバーがなければ、記録はこのコンピューターのファイルだけにあります。あれば、各項目はまずそこに書かれ、サーバーが応答し次第渡されます。番号は 5 個ずつ割り当てられます。</translation>
+        <translation>サーバーがなければ、ジャーナルはこのコンピューターのファイルだけにあります。あれば、各項目はまずそこに書かれ、サーバーが応答し次第渡されます。番号は 5 個ずつ割り当てられます。</translation>
     </message>
 </context>
 <context>
@@ -8684,7 +8684,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>Where the experiment begins and ends; empty: where the motor is, or 0</source>
-        <translation>実験の開始および終了の値。空欄: モータの現在値または 0</translation>
+        <translation>実験の開始および終了の値。空欄: モーターの現在値または 0</translation>
     </message>
     <message>
         <source>To</source>
@@ -8736,7 +8736,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>time</source>
-        <translation>時刻</translation>
+        <translation>時間</translation>
     </message>
     <message>
         <source>Enter where the loop is to go.</source>
@@ -8763,11 +8763,11 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>Stop every motor</source>
-        <translation>全モータを停止</translation>
+        <translation>全モーターを停止</translation>
     </message>
     <message>
         <source>Stop every motor  Space, Esc, Pause</source>
-        <translation>全モータを停止  Space、Esc、Pause</translation>
+        <translation>全モーターを停止  Space、Esc、Pause</translation>
     </message>
 </context>
 <context>
@@ -8799,7 +8799,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>Measures the motor by sines and draws it over its model, as far as it may be trusted</source>
-        <translation>正弦波でモータを測定し、信頼できる範囲でモデルに重ねて描きます</translation>
+        <translation>正弦波でモーターを測定し、信頼できる範囲でモデルに重ねて描きます</translation>
     </message>
 </context>
 <context>
@@ -9206,7 +9206,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>time</source>
-        <translation>時刻</translation>
+        <translation>時間</translation>
     </message>
     <message>
         <source>link</source>
@@ -9363,6 +9363,30 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>saturated %1 %</source>
         <translation>飽和 %1 %</translation>
+    </message>
+    <message>
+        <source>lateness</source>
+        <translation>遅延</translation>
+    </message>
+    <message>
+        <source>sleep</source>
+        <translation>スリープ</translation>
+    </message>
+    <message>
+        <source>restart</source>
+        <translation>再起動</translation>
+    </message>
+    <message>
+        <source>foreign master</source>
+        <translation>別のマスタ</translation>
+    </message>
+    <message>
+        <source>missing guardian</source>
+        <translation>監視プロセスなし</translation>
+    </message>
+    <message>
+        <source>refusal</source>
+        <translation>拒否</translation>
     </message>
 </context>
 <context>
@@ -9756,7 +9780,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>held: moves the armed motor gently forwards or backwards</source>
-        <translation>長押し: 駆動許可中のモータを正方向または逆方向にゆっくり動かします</translation>
+        <translation>長押し: 駆動許可中のモーターを正方向または逆方向にゆっくり動かします</translation>
     </message>
     <message>
         <source>on a gain&apos;s slider: 2 %, with Shift 0.2 %, with Ctrl 20 %; the wheel does the same by 2 %</source>
@@ -9767,7 +9791,7 @@ double click plots it, drag it to a pane or below them</source>
     <name>mb::TuneMotion</name>
     <message>
         <source>position 0 is here; the motor is off until Run</source>
-        <translation>現在位置を 0 としました。「実行」までモータはオフです</translation>
+        <translation>現在位置を 0 としました。「実行」までモーターはオフです</translation>
     </message>
     <message>
         <source>it has no lamp that could blink</source>
@@ -9826,7 +9850,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>It cannot drive a motor until it has firmware. Write an image on the Firmware page.</source>
-        <translation>ファームウェアがないとモータを駆動できません。「ファームウェア」ページでイメージを書き込んでください。</translation>
+        <translation>ファームウェアがないとモーターを駆動できません。「ファームウェア」ページでイメージを書き込んでください。</translation>
     </message>
     <message>
         <source>Select a device</source>
@@ -9842,7 +9866,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>Open a link, or the simulated bench from the menu, to drive a motor.</source>
-        <translation>モータを駆動するには、リンク、またはメニューからシミュレーションベンチを開いてください。</translation>
+        <translation>モーターを駆動するには、リンク、またはメニューからシミュレーションベンチを開いてください。</translation>
     </message>
     <message>
         <source>No device</source>
@@ -9976,7 +10000,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>Working: the motor turns</source>
-        <translation>実行中: モータが回転します</translation>
+        <translation>実行中: モーターが回転します</translation>
     </message>
     <message>
         <source>STOP ends it at any moment; what was changed is put back.</source>
@@ -10124,11 +10148,11 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>motor is moving</source>
-        <translation>モータ動作中</translation>
+        <translation>モーター動作中</translation>
     </message>
     <message>
         <source>motor stopped</source>
-        <translation>モータ停止</translation>
+        <translation>モーター停止</translation>
     </message>
     <message>
         <source>no other master, number unique</source>
@@ -10565,7 +10589,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>Output (255 = 100 %) per unit of error, times the divisor. Above 32767 the output wraps to full reverse: the program keeps set-points close enough to the motor for that.</source>
-        <translation>偏差 1 単位あたりの出力 (255 = 100 %) × 除数。32767 を超えると出力が逆転最大に反転します: そのためプログラムは目標値をモータの現在値の近くに保ちます。</translation>
+        <translation>偏差 1 単位あたりの出力 (255 = 100 %) × 除数。32767 を超えると出力が逆転最大に反転します: そのためプログラムは目標値をモーターの現在値の近くに保ちます。</translation>
     </message>
     <message>
         <source>Output per unit of error and millisecond, times the divisor. Each step of 20 ms is cut to a whole number, so small gains do nothing, and nothing limits the sum.</source>
@@ -10825,7 +10849,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>The factory value suits most motors.</source>
-        <translation>ほとんどのモータには工場出荷時の値が適します。</translation>
+        <translation>ほとんどのモーターには工場出荷時の値が適します。</translation>
     </message>
     <message>
         <source>The live count. Written only while the output is off.</source>
@@ -11161,7 +11185,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>The maker does not tell what a raw gain is worth. The motor of one axis is turned to and fro for one to two minutes, with the power that you allow here: first with constant power, then with one gain alone at a time, which grows until the motor moves. The shaft must turn freely, some turns each way, and nobody may touch it. Gains and limits are put back at the end.</source>
-        <translation>ゲインの生値の意味をメーカーは公開していません。1 軸のモータを、ここで許可した出力で 1 ～ 2 分間往復させます: まず一定出力で、次にゲインを 1 つずつ、モータが動くまで増やします。シャフトは各方向に数回転、自由に回れる必要があり、誰も触れてはいけません。ゲインと制限は最後に元に戻します。</translation>
+        <translation>ゲインの生値の意味をメーカーは公開していません。1 軸のモーターを、ここで許可した出力で 1 ～ 2 分間往復させます: まず一定出力で、次にゲインを 1 つずつ、モーターが動くまで増やします。シャフトは各方向に数回転、自由に回れる必要があり、誰も触れてはいけません。ゲインと制限は最後に元に戻します。</translation>
     </message>
     <message>
         <source>Find the input polarity</source>
@@ -11345,7 +11369,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>The encoder&apos;s counter. Writing it moves the zero, not the motor.</source>
-        <translation>エンコーダのカウンタ。書き込むとモータではなく原点が移動します。</translation>
+        <translation>エンコーダのカウンタ。書き込むとモーターではなく原点が移動します。</translation>
     </message>
     <message>
         <source>Of the telemetry, in units of 40.96 µs: 244 is 10 ms, 49 is 2 ms, 0 is off.</source>
@@ -11549,7 +11573,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>the motor stalled</source>
-        <translation>モータがストールしました</translation>
+        <translation>モーターがストールしました</translation>
     </message>
     <message>
         <source>the position left its range upwards</source>
@@ -11573,7 +11597,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>not possible while the motor is not started</source>
-        <translation>モータが始動していない間は実行できません</translation>
+        <translation>モーターが始動していない間は実行できません</translation>
     </message>
     <message>
         <source>data bytes where none belong</source>
@@ -12105,7 +12129,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>%1 has no such limit of its own, so nothing bounds the motor</source>
-        <translation>%1 自身にはその制限がなく、モータは何にも制限されません</translation>
+        <translation>%1 自身にはその制限がなく、モーターは何にも制限されません</translation>
     </message>
     <message>
         <source>%1 has not told where it stands</source>
@@ -13076,8 +13100,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>この機器には番号もアプリケーションもありません。番号を割り当ててからファームウェアを更新してください。</translation>
     </message>
     <message>
-        <source>This unit has no number yet; assign one from 1 to 62.</source>
-        <translation>この機器にはまだ番号がありません。1 から 62 の番号を割り当ててください。</translation>
+        <source>This unit has no number yet; assign one from 1 to 63.</source>
+        <translation>この機器にはまだ番号がありません。1 から 63 の番号を割り当ててください。</translation>
     </message>
     <message>
         <source>Undo a write</source>
@@ -13253,11 +13277,11 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>a motor is driven on this line</source>
-        <translation>この回線ではモータを駆動中です</translation>
+        <translation>この回線ではモーターを駆動中です</translation>
     </message>
     <message>
         <source>a motor is driven on this line at %1 bit/s, and this node has another rate</source>
-        <translation>この回線では %1 bit/s でモータを駆動中で、このノードは通信速度が異なります</translation>
+        <translation>この回線では %1 bit/s でモーターを駆動中で、このノードは通信速度が異なります</translation>
     </message>
     <message>
         <source>a name has 1 to 64 characters</source>
@@ -13289,7 +13313,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>a push moved the motor by fewer than 50 counts</source>
-        <translation>パルスによるモータの動きが 50 counts 未満です</translation>
+        <translation>パルスによるモーターの動きが 50 counts 未満です</translation>
     </message>
     <message>
         <source>a push of %1 duty drew %2 A, more than half of what is allowed</source>
@@ -13297,7 +13321,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>a ramp of duty never got the motor going</source>
-        <translation>デューティのランプではモータが動き出しませんでした</translation>
+        <translation>デューティのランプではモーターが動き出しませんでした</translation>
     </message>
     <message>
         <source>a rate is a positive number, or 0 for the usual one</source>
@@ -13313,7 +13337,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>a relative move was not answered, and is never sent twice: look where the motor stands</source>
-        <translation>相対移動に応答がありません。相対移動は二度送信しません: モータの位置を確認してください</translation>
+        <translation>相対移動に応答がありません。相対移動は二度送信しません: モーターの位置を確認してください</translation>
     </message>
     <message>
         <source>a reserved bit</source>
@@ -13769,7 +13793,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>cut the power if the motor still turns</source>
-        <translation>モータがまだ回転している場合は電源を切ってください</translation>
+        <translation>モーターがまだ回転している場合は電源を切ってください</translation>
     </message>
     <message>
         <source>delete it, the value says the same</source>
@@ -13885,11 +13909,11 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>exchange the wires of the motor or the phases of the encoder</source>
-        <translation>モータの配線またはエンコーダの相を入れ替えてください</translation>
+        <translation>モーターの配線またはエンコーダの相を入れ替えてください</translation>
     </message>
     <message>
         <source>exchange the wires of the motor or the phases of the encoder before any loop is closed</source>
-        <translation>閉ループ制御を始める前に、モータの配線またはエンコーダの相を入れ替えてください</translation>
+        <translation>閉ループ制御を始める前に、モーターの配線またはエンコーダの相を入れ替えてください</translation>
     </message>
     <message>
         <source>exchange the wires, or the sign of the divisor</source>
@@ -13912,8 +13936,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>受信のみで調べてください</translation>
     </message>
     <message>
-        <source>find its gain scales first: Overview, Gain scales</source>
-        <translation>先にゲインスケールを測定してください: 「概要」の「ゲインスケール」</translation>
+        <source>find its gain scales first: Overview, Find the gain scales</source>
+        <translation>先にゲインスケールを測定してください: 「概要」の「ゲインスケールの測定」</translation>
     </message>
     <message>
         <source>find the sender that fills it, on the Bus page or with &apos;motorbenchctl monitor&apos;</source>
@@ -14025,7 +14049,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>in position mode a new counter would make the motor jump</source>
-        <translation>位置モードで新しいカウンタ値にすると、モータの位置が飛びます</translation>
+        <translation>位置モードで新しいカウンタ値にすると、モーターの位置が飛びます</translation>
     </message>
     <message>
         <source>install %1</source>
@@ -14141,7 +14165,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>it may rest %1 short of its target, less does not move its motor</source>
-        <translation>目標の %1 手前で止まることがあります。それ未満ではモータが動きません</translation>
+        <translation>目標の %1 手前で止まることがあります。それ未満ではモーターが動きません</translation>
     </message>
     <message>
         <source>it overshot by %1, predicted were %2</source>
@@ -14201,11 +14225,11 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>its motor is turning or driven already</source>
-        <translation>モータがすでに回転中または駆動中です</translation>
+        <translation>モーターがすでに回転中または駆動中です</translation>
     </message>
     <message>
         <source>its motor moves</source>
-        <translation>モータが動作中です</translation>
+        <translation>モーターが動作中です</translation>
     </message>
     <message>
         <source>its position is not known yet</source>
@@ -14321,7 +14345,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>look at the plug and the polarity of encoder and motor, then test again</source>
-        <translation>コネクタと、エンコーダおよびモータの極性を確認して再試験してください</translation>
+        <translation>コネクタと、エンコーダおよびモーターの極性を確認して再試験してください</translation>
     </message>
     <message>
         <source>look at the wiring of the input</source>
@@ -14333,7 +14357,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>look whether something brakes or limits the motor</source>
-        <translation>モータにブレーキや制限がかかっていないか確認してください</translation>
+        <translation>モーターにブレーキや制限がかかっていないか確認してください</translation>
     </message>
     <message>
         <source>looking at the status bit</source>
@@ -14365,7 +14389,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>lowering it needs a stopped motor</source>
-        <translation>小さくするにはモータの停止が必要です</translation>
+        <translation>小さくするにはモーターの停止が必要です</translation>
     </message>
     <message>
         <source>made way for an order</source>
@@ -14473,11 +14497,11 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>no gain of the position loop turns the motor</source>
-        <translation>位置ループのどのゲインでもモータが回転しません</translation>
+        <translation>位置ループのどのゲインでもモーターが回転しません</translation>
     </message>
     <message>
         <source>no gain of the velocity loop turns the motor</source>
-        <translation>速度ループのどのゲインでもモータが回転しません</translation>
+        <translation>速度ループのどのゲインでもモーターが回転しません</translation>
     </message>
     <message>
         <source>no guardian came within two seconds</source>
@@ -14497,7 +14521,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>no number: server silent</source>
-        <translation>番号なし: サーバが応答しません</translation>
+        <translation>番号なし: サーバーが応答しません</translation>
     </message>
     <message>
         <source>no object at the top</source>
@@ -14593,7 +14617,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>nobody watches over this self-test, and it moves the motor</source>
-        <translation>モータを動かすこのセルフテストを監視する者がいません</translation>
+        <translation>モーターを動かすこのセルフテストを監視する者がいません</translation>
     </message>
     <message>
         <source>node %1 does not answer</source>
@@ -14953,7 +14977,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>see that motor and load are those of the recipe, then test again</source>
-        <translation>モータと負荷がレシピどおりであることを確認して再試験してください</translation>
+        <translation>モーターと負荷がレシピどおりであることを確認して再試験してください</translation>
     </message>
     <message>
         <source>see that nothing is loose and that steps look alike</source>
@@ -14969,15 +14993,15 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>see that the motor is connected</source>
-        <translation>モータが接続されていることを確認してください</translation>
+        <translation>モーターが接続されていることを確認してください</translation>
     </message>
     <message>
         <source>see that the server runs; entries wait here until it does</source>
-        <translation>サーバの動作を確認してください。項目はそれまでここで待機します</translation>
+        <translation>サーバーの動作を確認してください。項目はそれまでここで待機します</translation>
     </message>
     <message>
         <source>see that this is the motor and the encoder of the recipe, then test again</source>
-        <translation>モータとエンコーダがレシピどおりであることを確認して再試験してください</translation>
+        <translation>モーターとエンコーダがレシピどおりであることを確認して再試験してください</translation>
     </message>
     <message>
         <source>see whether a load always pulls one way</source>
@@ -15109,27 +15133,27 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>stop the motor before an experiment begins</source>
-        <translation>実験を始める前にモータを停止してください</translation>
+        <translation>実験を始める前にモーターを停止してください</translation>
     </message>
     <message>
         <source>stop the motor before its dialect is changed</source>
-        <translation>ダイアレクトを変更する前にモータを停止してください</translation>
+        <translation>ダイアレクトを変更する前にモーターを停止してください</translation>
     </message>
     <message>
         <source>stop the motor first</source>
-        <translation>先にモータを停止してください</translation>
+        <translation>先にモーターを停止してください</translation>
     </message>
     <message>
         <source>stop the motor first: the drive stands still while it writes its flash</source>
-        <translation>先にモータを停止してください: フラッシュの書込み中、ドライブは動作しません</translation>
+        <translation>先にモーターを停止してください: フラッシュの書込み中、ドライブは動作しません</translation>
     </message>
     <message>
         <source>stop the motors before settings are written again</source>
-        <translation>設定を再書込みする前にモータを停止してください</translation>
+        <translation>設定を再書込みする前にモーターを停止してください</translation>
     </message>
     <message>
         <source>stop the motors first</source>
-        <translation>先にモータを停止してください</translation>
+        <translation>先にモーターを停止してください</translation>
     </message>
     <message>
         <source>stopped</source>
@@ -15365,7 +15389,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>the computer slept</source>
-        <translation>コンピュータがスリープしました</translation>
+        <translation>コンピューターがスリープしました</translation>
     </message>
     <message>
         <source>the controller lost frames to send</source>
@@ -15461,7 +15485,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>the device says that the motor is not started; it may have lost its supply</source>
-        <translation>機器によるとモータが始動していません。電源が失われた可能性があります</translation>
+        <translation>機器によるとモーターが始動していません。電源が失われた可能性があります</translation>
     </message>
     <message>
         <source>the device&apos;s rate was not put back: %1</source>
@@ -15601,11 +15625,11 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>the guardian has sent the stop, which nothing on this link confirms; look whether the motor stands</source>
-        <translation>監視プロセスが停止を送信しましたが、このリンクでは確認されません。モータが停止しているか目視で確認してください</translation>
+        <translation>監視プロセスが停止を送信しましたが、このリンクでは確認されません。モーターが停止しているか目視で確認してください</translation>
     </message>
     <message>
         <source>the guardian has stopped the motor</source>
-        <translation>監視プロセスがモータを停止しました</translation>
+        <translation>監視プロセスがモーターを停止しました</translation>
     </message>
     <message>
         <source>the guardian is of another version</source>
@@ -15617,15 +15641,15 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>the guardian stopped the motor because this program was held up</source>
-        <translation>このプログラムが停滞したため、監視プロセスがモータを停止しました</translation>
+        <translation>このプログラムが停滞したため、監視プロセスがモーターを停止しました</translation>
     </message>
     <message>
         <source>the guardian tried in vain to stop the motor; it may still turn: cut its power</source>
-        <translation>監視プロセスがモータの停止を試みましたが失敗しました。まだ回転している可能性があります: 電源を切ってください</translation>
+        <translation>監視プロセスがモーターの停止を試みましたが失敗しました。まだ回転している可能性があります: 電源を切ってください</translation>
     </message>
     <message>
         <source>the guardian tried to stop the motor because this program was held up, without an answer</source>
-        <translation>このプログラムが停滞したため、監視プロセスがモータの停止を試みましたが、応答がありません</translation>
+        <translation>このプログラムが停滞したため、監視プロセスがモーターの停止を試みましたが、応答がありません</translation>
     </message>
     <message>
         <source>the history does not have this write: %1</source>
@@ -15665,11 +15689,11 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>the journal on the server was made by a newer version of this program</source>
-        <translation>サーバ上のジャーナルは、このプログラムの新しいバージョンで作成されました</translation>
+        <translation>サーバー上のジャーナルは、このプログラムの新しいバージョンで作成されました</translation>
     </message>
     <message>
         <source>the journal&apos;s server: %1</source>
-        <translation>ジャーナルのサーバ: %1</translation>
+        <translation>ジャーナルのサーバー: %1</translation>
     </message>
     <message>
         <source>the jumper is still in: take it out, then reset the board</source>
@@ -15709,7 +15733,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>the loop drives the motor the wrong way</source>
-        <translation>制御ループがモータを逆方向に駆動しています</translation>
+        <translation>制御ループがモーターを逆方向に駆動しています</translation>
     </message>
     <message>
         <source>the loop swings itself up: %1 swings, each larger than the last or with full duty</source>
@@ -15729,47 +15753,47 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>the motor did not follow a step: stalled, or the encoder is dead</source>
-        <translation>モータがステップに追従しませんでした: ストール、またはエンコーダの故障です</translation>
+        <translation>モーターがステップに追従しませんでした: ストール、またはエンコーダの故障です</translation>
     </message>
     <message>
         <source>the motor did not move at up to %1 % duty (%2 counts): stalled, or the encoder is dead</source>
-        <translation>デューティ %1 % までモータが動きませんでした (%2 counts): ストール、またはエンコーダの故障です</translation>
+        <translation>デューティ %1 % までモーターが動きませんでした (%2 counts): ストール、またはエンコーダの故障です</translation>
     </message>
     <message>
         <source>the motor did not move when it was sent 20 counts up (%1 counts): stalled, or the encoder is dead</source>
-        <translation>正方向 20 counts の指令でモータが動きませんでした (%1 counts): ストール、またはエンコーダの故障です</translation>
+        <translation>正方向 20 counts の指令でモーターが動きませんでした (%1 counts): ストール、またはエンコーダの故障です</translation>
     </message>
     <message>
         <source>the motor did not turn at two of the powers</source>
-        <translation>2 種類の出力でモータが回転しませんでした</translation>
+        <translation>2 種類の出力でモーターが回転しませんでした</translation>
     </message>
     <message>
         <source>the motor did not turn at up to %1 duty: stalled, or the encoder is dead</source>
-        <translation>デューティ %1 までモータが回転しませんでした: ストール、またはエンコーダの故障です</translation>
+        <translation>デューティ %1 までモーターが回転しませんでした: ストール、またはエンコーダの故障です</translation>
     </message>
     <message>
         <source>the motor did not turn the way it was pushed</source>
-        <translation>モータがパルスの方向に回転しませんでした</translation>
+        <translation>モーターがパルスの方向に回転しませんでした</translation>
     </message>
     <message>
         <source>the motor gives %1 counts/s per power unit, friction takes %2 units, it follows within %3 ms</source>
-        <translation>モータは出力 1 単位あたり %1 counts/s、摩擦は %2 単位、追従は %3 ms 以内です</translation>
+        <translation>モーターは出力 1 単位あたり %1 counts/s、摩擦は %2 単位、追従は %3 ms 以内です</translation>
     </message>
     <message>
         <source>the motor is not seen to stand</source>
-        <translation>モータの停止を確認できません</translation>
+        <translation>モーターの停止を確認できません</translation>
     </message>
     <message>
         <source>the motor ran faster than the power limit allows</source>
-        <translation>モータが出力制限から見込まれる速度を超えました</translation>
+        <translation>モーターが出力制限から見込まれる速度を超えました</translation>
     </message>
     <message>
         <source>the motor reversed during a sine of %1 Hz: friction is in it</source>
-        <translation>%1 Hz の正弦波でモータが反転しました: 摩擦の影響が含まれます</translation>
+        <translation>%1 Hz の正弦波でモーターが反転しました: 摩擦の影響が含まれます</translation>
     </message>
     <message>
         <source>the motor took the heat of %1 s at %2 A, 10 s are allowed; let it cool</source>
-        <translation>モータが %2 A で %1 s 相当の熱を受けました。許容は 10 s です。冷ましてください</translation>
+        <translation>モーターが %2 A で %1 s 相当の熱を受けました。許容は 10 s です。冷ましてください</translation>
     </message>
     <message>
         <source>the motor turned too short a time below the power limit to be measured</source>
@@ -15777,27 +15801,27 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>the motor turns differently in both directions</source>
-        <translation>モータの回転が方向によって異なります</translation>
+        <translation>モーターの回転が方向によって異なります</translation>
     </message>
     <message>
         <source>the motor was not seen to stand</source>
-        <translation>モータの停止を確認できませんでした</translation>
+        <translation>モーターの停止を確認できませんでした</translation>
     </message>
     <message>
         <source>the motor was stopped</source>
-        <translation>モータを停止しました</translation>
+        <translation>モーターを停止しました</translation>
     </message>
     <message>
         <source>the motor was stopped: %1</source>
-        <translation>モータを停止しました: %1</translation>
+        <translation>モーターを停止しました: %1</translation>
     </message>
     <message>
         <source>the motors that were not seen to stand were looked at; their stops are dismissed</source>
-        <translation>停止を確認できなかったモータは目視で確認されました。停止の警告を取り下げます</translation>
+        <translation>停止を確認できなかったモーターは目視で確認されました。停止の警告を取り下げます</translation>
     </message>
     <message>
         <source>the motors were told to stop, and are not seen to stand</source>
-        <translation>モータに停止を指令しましたが、停止を確認できません</translation>
+        <translation>モーターに停止を指令しましたが、停止を確認できません</translation>
     </message>
     <message>
         <source>the name was written, but the device answers &apos;%1&apos;</source>
@@ -15841,7 +15865,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>the position is not known yet, so nothing would keep the motor from jumping</source>
-        <translation>位置がまだ不明なため、モータの位置飛びを防げません</translation>
+        <translation>位置がまだ不明なため、モーターの位置飛びを防げません</translation>
     </message>
     <message>
         <source>the position is written only while the output is off</source>
@@ -16021,7 +16045,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>the stop was not acknowledged, so the position was not reset: a motor that runs would jump</source>
-        <translation>停止が確認応答されなかったため、位置をリセットしていません: 動作中のモータでは位置が飛ぶためです</translation>
+        <translation>停止が確認応答されなかったため、位置をリセットしていません: 動作中のモーターでは位置が飛ぶためです</translation>
     </message>
     <message>
         <source>the stream settings have an unexpected length</source>
@@ -16225,7 +16249,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>there is not enough room to identify the motor: its limits leave pushes of %1 duty only</source>
-        <translation>モータの同定には余裕が足りません: 制限によりデューティ %1 のパルスしか使えません</translation>
+        <translation>モーターの同定には余裕が足りません: 制限によりデューティ %1 のパルスしか使えません</translation>
     </message>
     <message>
         <source>there is not enough room: its limits leave steps of %1 counts</source>
@@ -16257,11 +16281,11 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>this computer has no driver for PostgreSQL</source>
-        <translation>このコンピュータには PostgreSQL のドライバがありません</translation>
+        <translation>このコンピューターには PostgreSQL のドライバがありません</translation>
     </message>
     <message>
         <source>this computer is not kept awake while motors are driven or firmware is written: %1; switch its automatic suspend off meanwhile</source>
-        <translation>モータの駆動中やファームウェアの書込み中にこのコンピュータのスリープを防止できません: %1。その間は自動サスペンドをオフにしてください</translation>
+        <translation>モーターの駆動中やファームウェアの書込み中にこのコンピューターのスリープを防止できません: %1。その間は自動サスペンドをオフにしてください</translation>
     </message>
     <message>
         <source>this device has no experiment &apos;%1&apos;</source>
@@ -16325,11 +16349,11 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>this program was held up for %1 ms, longer than the motor goes without a set-point</source>
-        <translation>このプログラムが %1 ms 停滞しました。モータが目標値なしで動作を続ける時間を超えています</translation>
+        <translation>このプログラムが %1 ms 停滞しました。モーターが目標値なしで動作を続ける時間を超えています</translation>
     </message>
     <message>
         <source>this program was held up for so long that the guardian may have stopped the motor</source>
-        <translation>このプログラムが長く停滞したため、監視プロセスがモータを停止した可能性があります</translation>
+        <translation>このプログラムが長く停滞したため、監視プロセスがモーターを停止した可能性があります</translation>
     </message>
     <message>
         <source>this takes too long</source>
@@ -16357,7 +16381,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>this unit has no number yet, and without one its motor may not be driven</source>
-        <translation>この機器にはまだ番号がなく、番号がないモータは駆動できません</translation>
+        <translation>この機器にはまだ番号がなく、番号がないモーターは駆動できません</translation>
     </message>
     <message>
         <source>this unit waits in its bootloader, and the recipe has no firmware for it</source>
@@ -16405,7 +16429,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>turning the motor with several powers</source>
-        <translation>各種の出力でモータを回転中</translation>
+        <translation>各種の出力でモーターを回転中</translation>
     </message>
     <message>
         <source>undone: %1</source>
@@ -16497,7 +16521,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>was not seen to stop: the motor may still turn, cut its power</source>
-        <translation>停止を確認できません: モータがまだ回転している可能性があります。電源を切ってください</translation>
+        <translation>停止を確認できません: モーターがまだ回転している可能性があります。電源を切ってください</translation>
     </message>
     <message>
         <source>was seen to stand</source>
@@ -16549,7 +16573,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>without it nothing would stop this motor if the program died: install it there</source>
-        <translation>これがないと、プログラムが異常終了した場合にこのモータを停止させる手段がありません: そこにインストールしてください</translation>
+        <translation>これがないと、プログラムが異常終了した場合にこのモーターを停止させる手段がありません: そこにインストールしてください</translation>
     </message>
     <message>
         <source>write %1</source>
@@ -16709,7 +16733,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>this unit is for motors of more current</source>
-        <translation>このユニットはより大きな電流のモーター用です</translation>
+        <translation>この機器はより大きな電流のモーター用です</translation>
     </message>
     <message>
         <source>%1 %2 is unusual: %3 units have %4 to %5</source>
@@ -16877,7 +16901,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>the unit was taken off while it waited for the station to be armed</source>
-        <translation>ステーションの駆動許可を待っている間にユニットが外されました</translation>
+        <translation>ステーションの駆動許可を待っている間に機器が外されました</translation>
     </message>
     <message>
         <source>waits until the station is armed</source>

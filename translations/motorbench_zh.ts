@@ -2230,7 +2230,7 @@
     </message>
     <message>
         <source>The journal knows where it stood, and the queue can be gone on with.</source>
-        <translation>日志记录了进度，队列可以继续。</translation>
+        <translation>日志簿记录了进度，队列可以继续。</translation>
     </message>
     <message>
         <source>Cancel the queue and close</source>
@@ -4113,7 +4113,7 @@ Double click or Enter plots it; drag it to a plot.</source>
     <name>mb::JournalCard</name>
     <message>
         <source>Journal</source>
-        <translation>日志</translation>
+        <translation>日志簿</translation>
     </message>
     <message>
         <source>Change…</source>
@@ -4121,7 +4121,7 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
     <message>
         <source>Change the journal</source>
-        <translation>更改日志</translation>
+        <translation>更改日志簿</translation>
     </message>
     <message>
         <source>On this computer</source>
@@ -6402,11 +6402,11 @@ double click or End returns to the present · right click for more</source>
     </message>
     <message>
         <source>One unit at a time on a bus, buses side by side. Real units keep this computer awake. The journal is on disk: after a crash the queue goes on.</source>
-        <translation>每条总线一次一台，各总线并行。处理真实设备时计算机不休眠。日志在磁盘上：崩溃后队列可继续。</translation>
+        <translation>每条总线一次一台，各总线并行。处理真实设备时计算机不休眠。日志簿在磁盘上：崩溃后队列可继续。</translation>
     </message>
     <message>
         <source>Every unit is backed up before and compared afterwards; the journal has it.</source>
-        <translation>每台设备事先备份、事后比较；日志均有记录。</translation>
+        <translation>每台设备事先备份、事后比较；日志簿均有记录。</translation>
     </message>
     <message>
         <source>recipe checked</source>
@@ -6842,7 +6842,7 @@ double click or End returns to the present · right click for more</source>
     </message>
     <message>
         <source>Gain slot</source>
-        <translation>增益组</translation>
+        <translation>增益槽</translation>
     </message>
     <message>
         <source>Travel at most, counts</source>
@@ -7746,7 +7746,7 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     </message>
     <message>
         <source>Journal</source>
-        <translation>日志</translation>
+        <translation>日志簿</translation>
     </message>
     <message>
         <source>Note on this entry</source>
@@ -7754,7 +7754,7 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     </message>
     <message>
         <source>Note on this entry of the journal</source>
-        <translation>此日志条目的备注</translation>
+        <translation>此日志簿条目的备注</translation>
     </message>
     <message>
         <source>Size of the report</source>
@@ -7774,11 +7774,11 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     </message>
     <message>
         <source>The entries of the journal that are listed, as a table</source>
-        <translation>将列出的日志条目存为表格</translation>
+        <translation>将列出的日志簿条目存为表格</translation>
     </message>
     <message>
         <source>Save the journal</source>
-        <translation>保存日志</translation>
+        <translation>保存日志簿</translation>
     </message>
     <message>
         <source>Table (*.csv)</source>
@@ -7786,7 +7786,7 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     </message>
     <message>
         <source>the journal is in %1</source>
-        <translation>日志在 %1</translation>
+        <translation>日志簿在 %1</translation>
     </message>
 </context>
 <context>
@@ -8572,7 +8572,7 @@ double click plots it, drag it to a pane or below them</source>
     <name>mb::StationDialog</name>
     <message>
         <source>Journal of this station</source>
-        <translation>本工位的日志</translation>
+        <translation>本工位的日志簿</translation>
     </message>
     <message>
         <source>Name of this station</source>
@@ -8584,7 +8584,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>Without a server the journal is in the file of this computer alone. With one, every entry is there first and delivered as soon as the server answers; numbers come in blocks of five.</source>
-        <translation>没有服务器时，日志只在这台计算机的文件中。有服务器时，每条记录先写在那里，服务器一应答就送达；编号每次分配五个。</translation>
+        <translation>没有服务器时，日志簿只在这台计算机的文件中。有服务器时，每条记录先写在那里，服务器一应答就送达；编号每次分配五个。</translation>
     </message>
 </context>
 <context>
@@ -9363,6 +9363,30 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>saturated %1 %</source>
         <translation>饱和 %1 %</translation>
+    </message>
+    <message>
+        <source>lateness</source>
+        <translation>延误</translation>
+    </message>
+    <message>
+        <source>sleep</source>
+        <translation>休眠</translation>
+    </message>
+    <message>
+        <source>restart</source>
+        <translation>重新启动</translation>
+    </message>
+    <message>
+        <source>foreign master</source>
+        <translation>其他主站</translation>
+    </message>
+    <message>
+        <source>missing guardian</source>
+        <translation>无守护进程</translation>
+    </message>
+    <message>
+        <source>refusal</source>
+        <translation>拒绝</translation>
     </message>
 </context>
 <context>
@@ -13076,8 +13100,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>此设备没有编号也没有应用程序；请分配编号，然后更新其固件。</translation>
     </message>
     <message>
-        <source>This unit has no number yet; assign one from 1 to 62.</source>
-        <translation>此设备尚无编号；请分配 1 到 62 之间的编号。</translation>
+        <source>This unit has no number yet; assign one from 1 to 63.</source>
+        <translation>此设备尚无编号；请分配 1 到 63 之间的编号。</translation>
     </message>
     <message>
         <source>Undo a write</source>
@@ -13912,8 +13936,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>仅通过监听来查找</translation>
     </message>
     <message>
-        <source>find its gain scales first: Overview, Gain scales</source>
-        <translation>先求取其增益比例：“概览”、“增益比例”</translation>
+        <source>find its gain scales first: Overview, Find the gain scales</source>
+        <translation>先求取其增益比例：“概览”、“求取增益比例”</translation>
     </message>
     <message>
         <source>find the sender that fills it, on the Bus page or with &apos;motorbenchctl monitor&apos;</source>
@@ -14481,11 +14505,11 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>no guardian came within two seconds</source>
-        <translation>两秒内没有守护程序出现</translation>
+        <translation>两秒内没有守护进程出现</translation>
     </message>
     <message>
         <source>no guardian can be started: %1</source>
-        <translation>无法启动守护程序：%1</translation>
+        <translation>无法启动守护进程：%1</translation>
     </message>
     <message>
         <source>no history is kept here</source>
@@ -15589,43 +15613,43 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>the guardian does not answer</source>
-        <translation>守护程序无应答</translation>
+        <translation>守护进程无应答</translation>
     </message>
     <message>
         <source>the guardian does not stand by yet</source>
-        <translation>守护程序尚未待命</translation>
+        <translation>守护进程尚未待命</translation>
     </message>
     <message>
         <source>the guardian ended unexpectedly</source>
-        <translation>守护程序意外结束</translation>
+        <translation>守护进程意外结束</translation>
     </message>
     <message>
         <source>the guardian has sent the stop, which nothing on this link confirms; look whether the motor stands</source>
-        <translation>守护程序已发送停止命令，此链路上无法对其确认；请查看电机是否静止</translation>
+        <translation>守护进程已发送停止命令，此链路上无法对其确认；请查看电机是否静止</translation>
     </message>
     <message>
         <source>the guardian has stopped the motor</source>
-        <translation>守护程序已停止电机</translation>
+        <translation>守护进程已停止电机</translation>
     </message>
     <message>
         <source>the guardian is of another version</source>
-        <translation>守护程序的版本不同</translation>
+        <translation>守护进程的版本不同</translation>
     </message>
     <message>
         <source>the guardian sent the stop because this program was held up, not confirmed</source>
-        <translation>因本程序被延误，守护程序已发送停止命令，未得到确认</translation>
+        <translation>因本程序被延误，守护进程已发送停止命令，未得到确认</translation>
     </message>
     <message>
         <source>the guardian stopped the motor because this program was held up</source>
-        <translation>因本程序被延误，守护程序已停止电机</translation>
+        <translation>因本程序被延误，守护进程已停止电机</translation>
     </message>
     <message>
         <source>the guardian tried in vain to stop the motor; it may still turn: cut its power</source>
-        <translation>守护程序尝试停止电机未果；它可能仍在转动：请切断其电源</translation>
+        <translation>守护进程尝试停止电机未果；它可能仍在转动：请切断其电源</translation>
     </message>
     <message>
         <source>the guardian tried to stop the motor because this program was held up, without an answer</source>
-        <translation>因本程序被延误，守护程序尝试停止电机，无应答</translation>
+        <translation>因本程序被延误，守护进程尝试停止电机，无应答</translation>
     </message>
     <message>
         <source>the history does not have this write: %1</source>
@@ -16017,7 +16041,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>the stop script of this device is not one that a guardian can carry out</source>
-        <translation>此设备的停止脚本不是守护程序能够执行的</translation>
+        <translation>此设备的停止脚本不是守护进程能够执行的</translation>
     </message>
     <message>
         <source>the stop was not acknowledged, so the position was not reset: a motor that runs would jump</source>
@@ -16329,7 +16353,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>this program was held up for so long that the guardian may have stopped the motor</source>
-        <translation>本程序被延误过久，守护程序可能已停止电机</translation>
+        <translation>本程序被延误过久，守护进程可能已停止电机</translation>
     </message>
     <message>
         <source>this takes too long</source>

@@ -134,7 +134,7 @@ Result<void> checkScales(const Family &family, const DeviceProfile &profile, Mod
         const bool ofThisLoop = row.key.starts_with(std::string(toString(loop)) + '.') && row.key.ends_with(".scale");
         if (ofThisLoop && profile.calibrated(row.key) <= 0.0)
             return fail(Fault::OutOfRange, say("what a raw gain of this board puts out is not known (%1)", row.key),
-                say("find its gain scales first: Overview, Gain scales"));
+                say("find its gain scales first: Overview, Find the gain scales"));
     }
     return {};
 }

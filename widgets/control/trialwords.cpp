@@ -21,7 +21,8 @@ struct Named {
     const char *text;
 };
 
-constexpr std::array<Named, 15> reasons{{
+/// What tuning::nameEnding() gives as the reason of a trial.
+constexpr std::array<Named, 21> reasons{{
     {"travel", QT_TRANSLATE_NOOP("mb::TrialWords", "travel")},
     {"speed", QT_TRANSLATE_NOOP("mb::TrialWords", "speed")},
     {"current", QT_TRANSLATE_NOOP("mb::TrialWords", "current")},
@@ -35,6 +36,12 @@ constexpr std::array<Named, 15> reasons{{
     {"time", QT_TRANSLATE_NOOP("mb::TrialWords", "time")},
     {"link", QT_TRANSLATE_NOOP("mb::TrialWords", "link")},
     {"user", QT_TRANSLATE_NOOP("mb::TrialWords", "user")},
+    {"late", QT_TRANSLATE_NOOP("mb::TrialWords", "lateness")},
+    {"slept", QT_TRANSLATE_NOOP("mb::TrialWords", "sleep")},
+    {"device restarted", QT_TRANSLATE_NOOP("mb::TrialWords", "restart")},
+    {"foreign master", QT_TRANSLATE_NOOP("mb::TrialWords", "foreign master")},
+    {"unguarded", QT_TRANSLATE_NOOP("mb::TrialWords", "missing guardian")},
+    {"refused", QT_TRANSLATE_NOOP("mb::TrialWords", "refusal")},
     {"interrupted", QT_TRANSLATE_NOOP("mb::TrialWords", "interrupted")},
     {"done", QT_TRANSLATE_NOOP("mb::TrialWords", "done")},
 }};

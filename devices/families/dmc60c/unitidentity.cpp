@@ -47,7 +47,7 @@ Message detailOf(DeviceState state, bool hasApplication)
     switch (state) {
     case DeviceState::Unassigned:
         return hasApplication
-            ? say("This unit has no number yet; assign one from 1 to 62.")
+            ? say("This unit has no number yet; assign one from 1 to 63.")
             : say("This unit has no number and no application; assign a number, then update its firmware.");
     case DeviceState::Bootloader:
         return hasApplication ? say("The bootloader runs; restart the unit or update its firmware.")
