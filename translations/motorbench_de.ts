@@ -1691,7 +1691,7 @@
     </message>
     <message>
         <source>Done: %1 trials in the notebook.</source>
-        <translation>Fertig: %1 Versuche im Notizbuch.</translation>
+        <translation>Fertig: %1 Versuche im Versuchsbuch.</translation>
     </message>
     <message>
         <source>Ended before all steps were run.</source>
@@ -2597,15 +2597,15 @@
     </message>
     <message>
         <source>Gain slot</source>
-        <translation>Parametersatz</translation>
+        <translation>Slot der Verstärkungen</translation>
     </message>
     <message>
         <source>slot 0</source>
-        <translation>Satz 0</translation>
+        <translation>Slot 0</translation>
     </message>
     <message>
         <source>slot 1</source>
-        <translation>Satz 1</translation>
+        <translation>Slot 1</translation>
     </message>
     <message>
         <source>own</source>
@@ -3044,7 +3044,7 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
     <message>
         <source>failed</source>
-        <translation>Fehler</translation>
+        <translation>nicht bestanden</translation>
     </message>
     <message>
         <source>refused</source>
@@ -3552,7 +3552,7 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
     <message>
         <source>Gains, slot %1</source>
-        <translation>Regler, Slot %1</translation>
+        <translation>Verstärkungen, Slot %1</translation>
     </message>
     <message>
         <source>Hide limits of the loop</source>
@@ -3795,7 +3795,7 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
     <message>
         <source>Recording</source>
-        <translation>Aufzeichnung</translation>
+        <translation>Aufnahme</translation>
     </message>
 </context>
 <context>
@@ -5843,7 +5843,7 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     </message>
     <message>
         <source>records, or ends the recording</source>
-        <translation>zeichnet auf oder beendet die Aufzeichnung</translation>
+        <translation>nimmt auf oder beendet die Aufnahme</translation>
     </message>
     <message>
         <source>in the plots: less or more time</source>
@@ -5902,7 +5902,7 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     </message>
     <message>
         <source>Notebook, recordings</source>
-        <translation>Versuchsbuch, Aufzeichnungen</translation>
+        <translation>Versuchsbuch, Aufnahmen</translation>
     </message>
     <message>
         <source>Settings, layouts</source>
@@ -5993,7 +5993,7 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     </message>
     <message>
         <source>Open recipe…</source>
-        <translation>Rezept öffnen …</translation>
+        <translation>Rezept öffnen…</translation>
     </message>
     <message>
         <source>Hold to arm self-tests</source>
@@ -6851,7 +6851,7 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     </message>
     <message>
         <source>Gain slot</source>
-        <translation>Reglersatz</translation>
+        <translation>Slot der Verstärkungen</translation>
     </message>
     <message>
         <source>Travel at most, counts</source>
@@ -7218,7 +7218,7 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     </message>
     <message>
         <source>There are no trials of this unit in the notebook.</source>
-        <translation>Im Notizbuch stehen keine Versuche dieses Geräts.</translation>
+        <translation>Im Versuchsbuch stehen keine Versuche dieses Geräts.</translation>
     </message>
     <message>
         <source>s since the edge</source>
@@ -7294,7 +7294,7 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     </message>
     <message>
         <source>gain slot %1</source>
-        <translation>Parametersatz %1</translation>
+        <translation>Slot %1</translation>
     </message>
     <message>
         <source>firmware %1</source>
@@ -10304,7 +10304,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>Open recording…</source>
-        <translation>Aufzeichnung öffnen …</translation>
+        <translation>Aufnahme öffnen…</translation>
     </message>
     <message>
         <source>Open the simulated bench</source>
@@ -10336,11 +10336,11 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>Open a recording</source>
-        <translation>Eine Aufzeichnung öffnen</translation>
+        <translation>Eine Aufnahme öffnen</translation>
     </message>
     <message>
         <source>All recordings (*.log *.asc *.txt *.mcap *.csv)</source>
-        <translation>Alle Aufzeichnungen (*.log *.asc *.txt *.mcap *.csv)</translation>
+        <translation>Alle Aufnahmen (*.log *.asc *.txt *.mcap *.csv)</translation>
     </message>
     <message>
         <source>Frames: candump and Vector ASC logs (*.log *.asc *.txt)</source>
@@ -10380,7 +10380,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>opens a recording</source>
-        <translation>öffnet eine Aufzeichnung</translation>
+        <translation>öffnet eine Aufnahme</translation>
     </message>
     <message>
         <source>quits</source>
@@ -13719,7 +13719,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>a DMC60C has the gain slots 0 and 1</source>
-        <translation>ein DMC60C hat die Verstärkungssätze 0 und 1</translation>
+        <translation>ein DMC60C hat die Slots 0 und 1</translation>
     </message>
     <message>
         <source>a DMC60C is simulated on a CAN link</source>
@@ -13871,7 +13871,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>a scan of the recording lists who does</source>
-        <translation>eine Suche in der Aufzeichnung nennt, wer es tut</translation>
+        <translation>eine Suche in der Aufnahme nennt, wer es tut</translation>
     </message>
     <message>
         <source>a step from the wrong place could be far too large</source>
@@ -14183,7 +14183,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>copy the recording to another one</source>
-        <translation>die Aufzeichnung auf eine andere kopieren</translation>
+        <translation>die Aufnahme auf eine andere kopieren</translation>
     </message>
     <message>
         <source>current</source>
@@ -14343,7 +14343,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>give --keep, or a notebook that can be written</source>
-        <translation>--keep angeben, oder ein Notizbuch, das sich schreiben lässt</translation>
+        <translation>--keep angeben, oder ein Versuchsbuch, das sich schreiben lässt</translation>
     </message>
     <message>
         <source>give a longer --time</source>
@@ -14355,7 +14355,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>give a recording, or --help for what else there is</source>
-        <translation>eine Aufzeichnung angeben, oder --help für alles Weitere</translation>
+        <translation>eine Aufnahme angeben, oder --help für alles Weitere</translation>
     </message>
     <message>
         <source>give another --to</source>
@@ -14455,7 +14455,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>it is a recording</source>
-        <translation>es ist eine Aufzeichnung</translation>
+        <translation>es ist eine Aufnahme</translation>
     </message>
     <message>
         <source>it is not proven which codes this drive speaks</source>
@@ -15443,7 +15443,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>the gains were not put back: %1; the notebook has them, &apos;motorbenchctl trials&apos; lists what is owed</source>
-        <translation>die Verstärkungen wurden nicht zurückgeschrieben: %1; das Notizbuch hat sie, &apos;motorbenchctl trials&apos; nennt das Geschuldete</translation>
+        <translation>die Verstärkungen wurden nicht zurückgeschrieben: %1; das Versuchsbuch hat sie, &apos;motorbenchctl trials&apos; nennt das Geschuldete</translation>
     </message>
     <message>
         <source>the history does not have this write: %1</source>
@@ -15739,7 +15739,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>the tuning is not in the notebook: %1</source>
-        <translation>die Abstimmung ist nicht im Notizbuch: %1</translation>
+        <translation>die Abstimmung ist nicht im Versuchsbuch: %1</translation>
     </message>
     <message>
         <source>the two directions differ by %1, at most 10 %</source>
@@ -16555,7 +16555,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>%1 is no recording</source>
-        <translation>%1 ist keine Aufzeichnung</translation>
+        <translation>%1 ist keine Aufnahme</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no journal that stations share</source>
@@ -16811,7 +16811,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>not kept: there is no notebook</source>
-        <translation>nicht aufgehoben: es gibt kein Notizbuch</translation>
+        <translation>nicht aufgehoben: es gibt kein Versuchsbuch</translation>
     </message>
     <message>
         <source>nothing can be read in the bootloader</source>

@@ -2393,7 +2393,7 @@
     </message>
     <message>
         <source>refused before start</source>
-        <translation>rechazadas antes de empezar</translation>
+        <translation>rechazados antes de empezar</translation>
     </message>
     <message>
         <source>mean time</source>
@@ -6525,7 +6525,7 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
     </message>
     <message>
         <source>Step</source>
-        <translation>Escalón</translation>
+        <translation>Paso</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -6851,7 +6851,7 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
     </message>
     <message>
         <source>Gain slot</source>
-        <translation>Juego de ganancias</translation>
+        <translation>Ranura de ganancias</translation>
     </message>
     <message>
         <source>Travel at most, counts</source>
@@ -10118,7 +10118,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
     <message>
         <source>Step</source>
-        <translation>Escalón</translation>
+        <translation>Paso</translation>
     </message>
     <message>
         <source>Progress of the update</source>
@@ -16839,7 +16839,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
     <message>
         <source>passed</source>
-        <translation>aprobada</translation>
+        <translation>superado</translation>
     </message>
     <message>
         <source>preflight</source>

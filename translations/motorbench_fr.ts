@@ -2393,7 +2393,7 @@
     </message>
     <message>
         <source>refused before start</source>
-        <translation>refusés avant le début</translation>
+        <translation>refusés avant le départ</translation>
     </message>
     <message>
         <source>mean time</source>
@@ -6525,7 +6525,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>Step</source>
-        <translation>Échelon</translation>
+        <translation>Étape</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -10118,7 +10118,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>Step</source>
-        <translation>Échelon</translation>
+        <translation>Étape</translation>
     </message>
     <message>
         <source>Progress of the update</source>

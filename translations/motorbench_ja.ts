@@ -6516,7 +6516,7 @@ double click or End returns to the present · right click for more</source>
     </message>
     <message>
         <source>Step</source>
-        <translation>ステップ</translation>
+        <translation>手順</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -6818,7 +6818,7 @@ double click or End returns to the present · right click for more</source>
     </message>
     <message>
         <source>Loop</source>
-        <translation>ループ</translation>
+        <translation>制御ループ</translation>
     </message>
     <message>
         <source>From</source>
@@ -6842,7 +6842,7 @@ double click or End returns to the present · right click for more</source>
     </message>
     <message>
         <source>Gain slot</source>
-        <translation>ゲインのスロット</translation>
+        <translation>ゲインスロット</translation>
     </message>
     <message>
         <source>Travel at most, counts</source>
@@ -7337,7 +7337,7 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     </message>
     <message>
         <source>Loop</source>
-        <translation>ループ</translation>
+        <translation>制御ループ</translation>
     </message>
     <message>
         <source>Stimulus</source>
@@ -8716,7 +8716,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>Repeats</source>
-        <translation>繰返し</translation>
+        <translation>繰り返し</translation>
     </message>
     <message>
         <source>Each repeat starts a little later between two samples: together they show what is finer than the telemetry</source>
@@ -10104,7 +10104,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>Step</source>
-        <translation>ステップ</translation>
+        <translation>手順</translation>
     </message>
     <message>
         <source>Progress of the update</source>
@@ -16841,7 +16841,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>self-test</source>
-        <translation>自己試験</translation>
+        <translation>セルフテスト</translation>
     </message>
     <message>
         <source>snapshot %1 has %2 values</source>

@@ -6516,7 +6516,7 @@ double click or End returns to the present · right click for more</source>
     </message>
     <message>
         <source>Step</source>
-        <translation>阶跃</translation>
+        <translation>步骤</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -6818,7 +6818,7 @@ double click or End returns to the present · right click for more</source>
     </message>
     <message>
         <source>Loop</source>
-        <translation>控制环</translation>
+        <translation>回路</translation>
     </message>
     <message>
         <source>From</source>
@@ -10104,7 +10104,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>Step</source>
-        <translation>阶跃</translation>
+        <translation>步骤</translation>
     </message>
     <message>
         <source>Progress of the update</source>
@@ -16825,7 +16825,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>passed</source>
-        <translation>通过</translation>
+        <translation>合格</translation>
     </message>
     <message>
         <source>preflight</source>
