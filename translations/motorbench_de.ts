@@ -2459,6 +2459,17 @@
     </message>
 </context>
 <context>
+    <name>mb::DesignBook</name>
+    <message>
+        <source>%1 waits in its bootloader.</source>
+        <translation>%1 wartet im Bootloader.</translation>
+    </message>
+    <message>
+        <source>This family has no loop that can be tuned.</source>
+        <translation>Diese Familie hat keinen Regelkreis, der sich abstimmen lässt.</translation>
+    </message>
+</context>
+<context>
     <name>mb::DesignFrame</name>
     <message>
         <source>Part of the page</source>
@@ -2478,7 +2489,7 @@
     </message>
 </context>
 <context>
-    <name>mb::DesignPage</name>
+    <name>mb::DesignOrders</name>
     <message>
         <source>Loop</source>
         <translation>Regelkreis</translation>
@@ -2492,6 +2503,22 @@
         <translation>Position</translation>
     </message>
     <message>
+        <source>Current</source>
+        <translation>Strom</translation>
+    </message>
+    <message>
+        <source>Gain slot</source>
+        <translation>Slot der Verstärkungen</translation>
+    </message>
+    <message>
+        <source>slot 0</source>
+        <translation>Slot 0</translation>
+    </message>
+    <message>
+        <source>slot 1</source>
+        <translation>Slot 1</translation>
+    </message>
+    <message>
         <source>Identify</source>
         <translation>Vermessen</translation>
     </message>
@@ -2500,13 +2527,16 @@
         <translation>Selbst abstimmen</translation>
     </message>
     <message>
-        <source>Identifies, writes the chosen set and proves it, in one go</source>
-        <translation>Vermisst, schreibt den gewählten Satz und beweist ihn, in einem Zug</translation>
-    </message>
-    <message>
         <source>Write and prove</source>
         <translation>Schreiben und beweisen</translation>
     </message>
+    <message>
+        <source>Identifies, writes the chosen set and proves it, in one go</source>
+        <translation>Vermisst, schreibt den gewählten Satz und beweist ihn, in einem Zug</translation>
+    </message>
+</context>
+<context>
+    <name>mb::DesignPage</name>
     <message>
         <source>Proposals</source>
         <translation>Vorschläge</translation>
@@ -2522,14 +2552,6 @@
     <message>
         <source>identifies the motor</source>
         <translation>vermisst den Motor</translation>
-    </message>
-    <message>
-        <source>%1 waits in its bootloader.</source>
-        <translation>%1 wartet im Bootloader.</translation>
-    </message>
-    <message>
-        <source>This family has no loop that can be tuned.</source>
-        <translation>Diese Familie hat keinen Regelkreis, der sich abstimmen lässt.</translation>
     </message>
     <message>
         <source>Tuning</source>
@@ -2594,26 +2616,6 @@
     <message>
         <source>writes a report of what is shown</source>
         <translation>schreibt einen Bericht über das, was zu sehen ist</translation>
-    </message>
-    <message>
-        <source>Gain slot</source>
-        <translation>Slot der Verstärkungen</translation>
-    </message>
-    <message>
-        <source>slot 0</source>
-        <translation>Slot 0</translation>
-    </message>
-    <message>
-        <source>slot 1</source>
-        <translation>Slot 1</translation>
-    </message>
-    <message>
-        <source>own</source>
-        <translation>eigener</translation>
-    </message>
-    <message>
-        <source>Current</source>
-        <translation>Strom</translation>
     </message>
 </context>
 <context>
@@ -6287,6 +6289,13 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     <message>
         <source>%1 = 0</source>
         <translation>%1 = 0</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ProposalList</name>
+    <message>
+        <source>own</source>
+        <translation>eigener</translation>
     </message>
 </context>
 <context>
@@ -10510,10 +10519,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>die Rampe ist 0 (sofort) oder ein positiver Tastgrad pro Sekunde</translation>
     </message>
     <message>
-        <source>This unit has no number yet; assign one from 1 to 63.</source>
-        <translation>Dieses Gerät hat noch keine Nummer; eine von 1 bis 63 zuweisen.</translation>
-    </message>
-    <message>
         <source>This unit has no number and no application; assign a number, then update its firmware.</source>
         <translation>Dieses Gerät hat weder Nummer noch Anwendung; Nummer zuweisen, dann Firmware aktualisieren.</translation>
     </message>
@@ -14318,10 +14323,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>weniger als 16 zusammenhängende Werte</translation>
     </message>
     <message>
-        <source>find its gain scales first: Overview, Find the gain scales</source>
-        <translation>zuerst die Skalierung der Verstärkungen ermitteln: Übersicht, „Skalierung der Verstärkungen ermitteln“</translation>
-    </message>
-    <message>
         <source>form error</source>
         <translation>Formfehler</translation>
     </message>
@@ -16972,6 +16973,14 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>within its limits, at attempt %1: samples were lost before</source>
         <translation>in seinen Grenzen, beim Versuch %1: vorher gingen Messwerte verloren</translation>
+    </message>
+    <message>
+        <source>This unit has no number yet; assign one from 1 to 63.</source>
+        <translation>Dieses Gerät hat noch keine Nummer; eine von 1 bis 63 zuweisen.</translation>
+    </message>
+    <message>
+        <source>find its gain scales first: Overview, Find the gain scales</source>
+        <translation>zuerst die Skalierung der Verstärkungen ermitteln: Übersicht, „Skalierung der Verstärkungen ermitteln“</translation>
     </message>
 </context>
 </TS>

@@ -2459,6 +2459,17 @@
     </message>
 </context>
 <context>
+    <name>mb::DesignBook</name>
+    <message>
+        <source>%1 waits in its bootloader.</source>
+        <translation>%1 espera en su bootloader.</translation>
+    </message>
+    <message>
+        <source>This family has no loop that can be tuned.</source>
+        <translation>Esta familia no tiene ningún lazo que se pueda ajustar.</translation>
+    </message>
+</context>
+<context>
     <name>mb::DesignFrame</name>
     <message>
         <source>Part of the page</source>
@@ -2478,7 +2489,7 @@
     </message>
 </context>
 <context>
-    <name>mb::DesignPage</name>
+    <name>mb::DesignOrders</name>
     <message>
         <source>Loop</source>
         <translation>Lazo</translation>
@@ -2516,13 +2527,16 @@
         <translation>Autoajuste</translation>
     </message>
     <message>
-        <source>Identifies, writes the chosen set and proves it, in one go</source>
-        <translation>Identifica, escribe el juego elegido y lo verifica, todo seguido</translation>
-    </message>
-    <message>
         <source>Write and prove</source>
         <translation>Escribir y verificar</translation>
     </message>
+    <message>
+        <source>Identifies, writes the chosen set and proves it, in one go</source>
+        <translation>Identifica, escribe el juego elegido y lo verifica, todo seguido</translation>
+    </message>
+</context>
+<context>
+    <name>mb::DesignPage</name>
     <message>
         <source>the limits were not kept: %1</source>
         <translation>los límites no se conservaron: %1</translation>
@@ -2546,14 +2560,6 @@
     <message>
         <source>writes a report of what is shown</source>
         <translation>escribe un informe de lo mostrado</translation>
-    </message>
-    <message>
-        <source>%1 waits in its bootloader.</source>
-        <translation>%1 espera en su bootloader.</translation>
-    </message>
-    <message>
-        <source>This family has no loop that can be tuned.</source>
-        <translation>Esta familia no tiene ningún lazo que se pueda ajustar.</translation>
     </message>
     <message>
         <source>Tuning</source>
@@ -2610,10 +2616,6 @@
     <message>
         <source>DEMO</source>
         <translation>DEMO</translation>
-    </message>
-    <message>
-        <source>own</source>
-        <translation>propia</translation>
     </message>
 </context>
 <context>
@@ -6287,6 +6289,13 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
     <message>
         <source>Proposal: %1</source>
         <translation>Propuesta: %1</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ProposalList</name>
+    <message>
+        <source>own</source>
+        <translation>propia</translation>
     </message>
 </context>
 <context>

@@ -2459,6 +2459,17 @@
     </message>
 </context>
 <context>
+    <name>mb::DesignBook</name>
+    <message>
+        <source>%1 waits in its bootloader.</source>
+        <translation>%1 attend dans son bootloader.</translation>
+    </message>
+    <message>
+        <source>This family has no loop that can be tuned.</source>
+        <translation>Cette famille n’a pas de boucle réglable.</translation>
+    </message>
+</context>
+<context>
     <name>mb::DesignFrame</name>
     <message>
         <source>Part of the page</source>
@@ -2478,7 +2489,7 @@
     </message>
 </context>
 <context>
-    <name>mb::DesignPage</name>
+    <name>mb::DesignOrders</name>
     <message>
         <source>Loop</source>
         <translation>Boucle</translation>
@@ -2516,13 +2527,16 @@
         <translation>Autoréglage</translation>
     </message>
     <message>
-        <source>Identifies, writes the chosen set and proves it, in one go</source>
-        <translation>Identifie, écrit le jeu choisi et le vérifie, en une seule fois</translation>
-    </message>
-    <message>
         <source>Write and prove</source>
         <translation>Écrire et vérifier</translation>
     </message>
+    <message>
+        <source>Identifies, writes the chosen set and proves it, in one go</source>
+        <translation>Identifie, écrit le jeu choisi et le vérifie, en une seule fois</translation>
+    </message>
+</context>
+<context>
+    <name>mb::DesignPage</name>
     <message>
         <source>the limits were not kept: %1</source>
         <translation>les limites n’ont pas été respectées&#xa0;: %1</translation>
@@ -2546,14 +2560,6 @@
     <message>
         <source>writes a report of what is shown</source>
         <translation>écrit un rapport de ce qui est affiché</translation>
-    </message>
-    <message>
-        <source>%1 waits in its bootloader.</source>
-        <translation>%1 attend dans son bootloader.</translation>
-    </message>
-    <message>
-        <source>This family has no loop that can be tuned.</source>
-        <translation>Cette famille n’a pas de boucle réglable.</translation>
     </message>
     <message>
         <source>Tuning</source>
@@ -2610,10 +2616,6 @@
     <message>
         <source>DEMO</source>
         <translation>DÉMO</translation>
-    </message>
-    <message>
-        <source>own</source>
-        <translation>propre</translation>
     </message>
 </context>
 <context>
@@ -6287,6 +6289,13 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     <message>
         <source>Proposal: %1</source>
         <translation>Proposition&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ProposalList</name>
+    <message>
+        <source>own</source>
+        <translation>propre</translation>
     </message>
 </context>
 <context>

@@ -2457,6 +2457,17 @@
     </message>
 </context>
 <context>
+    <name>mb::DesignBook</name>
+    <message>
+        <source>%1 waits in its bootloader.</source>
+        <translation>%1 はブートローダで待機しています。</translation>
+    </message>
+    <message>
+        <source>This family has no loop that can be tuned.</source>
+        <translation>このファミリには調整できる制御ループがありません。</translation>
+    </message>
+</context>
+<context>
     <name>mb::DesignFrame</name>
     <message>
         <source>Part of the page</source>
@@ -2476,7 +2487,7 @@
     </message>
 </context>
 <context>
-    <name>mb::DesignPage</name>
+    <name>mb::DesignOrders</name>
     <message>
         <source>Loop</source>
         <translation>制御ループ</translation>
@@ -2514,13 +2525,16 @@
         <translation>オートチューニング</translation>
     </message>
     <message>
-        <source>Identifies, writes the chosen set and proves it, in one go</source>
-        <translation>同定、選択した組の書込み、検証を一括で行います</translation>
-    </message>
-    <message>
         <source>Write and prove</source>
         <translation>書込みと検証</translation>
     </message>
+    <message>
+        <source>Identifies, writes the chosen set and proves it, in one go</source>
+        <translation>同定、選択した組の書込み、検証を一括で行います</translation>
+    </message>
+</context>
+<context>
+    <name>mb::DesignPage</name>
     <message>
         <source>the limits were not kept: %1</source>
         <translation>制限が保持されませんでした: %1</translation>
@@ -2544,14 +2558,6 @@
     <message>
         <source>writes a report of what is shown</source>
         <translation>表示内容のレポートを書き出します</translation>
-    </message>
-    <message>
-        <source>%1 waits in its bootloader.</source>
-        <translation>%1 はブートローダで待機しています。</translation>
-    </message>
-    <message>
-        <source>This family has no loop that can be tuned.</source>
-        <translation>このファミリには調整できる制御ループがありません。</translation>
     </message>
     <message>
         <source>Tuning</source>
@@ -2608,10 +2614,6 @@
     <message>
         <source>DEMO</source>
         <translation>デモ</translation>
-    </message>
-    <message>
-        <source>own</source>
-        <translation>独自</translation>
     </message>
 </context>
 <context>
@@ -6279,6 +6281,13 @@ double click or End returns to the present · right click for more</source>
     <message>
         <source>Proposal: %1</source>
         <translation>候補: %1</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ProposalList</name>
+    <message>
+        <source>own</source>
+        <translation>独自</translation>
     </message>
 </context>
 <context>

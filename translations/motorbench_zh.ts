@@ -2457,6 +2457,17 @@
     </message>
 </context>
 <context>
+    <name>mb::DesignBook</name>
+    <message>
+        <source>%1 waits in its bootloader.</source>
+        <translation>%1 在其引导程序中等待。</translation>
+    </message>
+    <message>
+        <source>This family has no loop that can be tuned.</source>
+        <translation>此系列没有可整定的回路。</translation>
+    </message>
+</context>
+<context>
     <name>mb::DesignFrame</name>
     <message>
         <source>Part of the page</source>
@@ -2476,7 +2487,7 @@
     </message>
 </context>
 <context>
-    <name>mb::DesignPage</name>
+    <name>mb::DesignOrders</name>
     <message>
         <source>Loop</source>
         <translation>回路</translation>
@@ -2514,13 +2525,16 @@
         <translation>自整定</translation>
     </message>
     <message>
-        <source>Identifies, writes the chosen set and proves it, in one go</source>
-        <translation>一次完成辨识、写入所选参数组并验证</translation>
-    </message>
-    <message>
         <source>Write and prove</source>
         <translation>写入并验证</translation>
     </message>
+    <message>
+        <source>Identifies, writes the chosen set and proves it, in one go</source>
+        <translation>一次完成辨识、写入所选参数组并验证</translation>
+    </message>
+</context>
+<context>
+    <name>mb::DesignPage</name>
     <message>
         <source>the limits were not kept: %1</source>
         <translation>限值未被保留：%1</translation>
@@ -2544,14 +2558,6 @@
     <message>
         <source>writes a report of what is shown</source>
         <translation>为所显示内容生成报告</translation>
-    </message>
-    <message>
-        <source>%1 waits in its bootloader.</source>
-        <translation>%1 在其引导程序中等待。</translation>
-    </message>
-    <message>
-        <source>This family has no loop that can be tuned.</source>
-        <translation>此系列没有可整定的回路。</translation>
     </message>
     <message>
         <source>Tuning</source>
@@ -2608,10 +2614,6 @@
     <message>
         <source>DEMO</source>
         <translation>演示</translation>
-    </message>
-    <message>
-        <source>own</source>
-        <translation>自定</translation>
     </message>
 </context>
 <context>
@@ -6279,6 +6281,13 @@ double click or End returns to the present · right click for more</source>
     <message>
         <source>Proposal: %1</source>
         <translation>建议方案：%1</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ProposalList</name>
+    <message>
+        <source>own</source>
+        <translation>自定</translation>
     </message>
 </context>
 <context>

@@ -1,29 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tuning/proposals.h"
-#include "widgets/common/selection.h"
 #include "widgets/control/arming.h"
 #include "widgets/control/statusline.h"
+#include "widgets/design/designbook.h"
 
 #include <QWidget>
 
-#include <map>
-
 class QStackedWidget;
-class QVBoxLayout;
 
 namespace mb {
 
-class CommandButton;
+class DesignOrders;
 class DesignPlots;
 class EmptyState;
 class EnvelopePanel;
 class ModelPanel;
-class OwnProposal;
-class ProposalCard;
+class ProposalList;
 class ReportOrder;
-class Segmented;
 class SweepPanel;
 class TuningSteps;
 
@@ -54,7 +48,7 @@ public:
 
     [[nodiscard]] EnvelopePanel &envelope() { return *m_envelope; }
     /// Of the motor and loop that are shown; nullptr: nothing is known yet.
-    [[nodiscard]] const tuning::TuneReport *report() const;
+    [[nodiscard]] const tuning::TuneReport *report() const { return m_book.report(); }
     /// What Write and prove would write; nullptr: there is nothing yet.
     [[nodiscard]] const tuning::Proposal *chosen() const;
 
@@ -62,74 +56,36 @@ protected:
     void showEvent(QShowEvent *event) override;
 
 private:
-    struct Place {
-        DeviceId device;
-        int axis = 1;
-        Mode loop = Mode::Velocity;
-        friend auto operator<=>(const Place &, const Place &) = default;
-    };
-    /// What a person has chosen for one of them.
-    struct Choice {
-        tuning::Aim aim = tuning::Aim::Normal;
-        bool own = false;      ///< the two sliders instead of the aim
-        double response = 0.0; ///< s; 0: nobody has moved them yet
-        double ms = 0.0;
-        int slot = 0;
-    };
-    QWidget *buildOrders();
-    QWidget *buildColumn();
-    QWidget *buildSide();
+    void buildContent(const ThemeSource &theme);
+    QWidget *buildColumn(const ThemeSource &theme);
+    QWidget *buildSide(const ThemeSource &theme);
+    void connectOrders();
     void buildKeys();
 
-    [[nodiscard]] const DeviceView *device() const;
-    [[nodiscard]] Place place() const;
-    [[nodiscard]] Choice choice() const;
-    [[nodiscard]] QString whyNot(const DeviceView &view) const;
-    [[nodiscard]] tuning::TunePlan plan() const;
-    [[nodiscard]] tuning::ProposalBasis basisOf(const DeviceView &view) const;
     void run(tuning::TunePlan plan);
-    void ended(const Place &place, const Result<tuning::TuneReport> &report);
+    void ended(const DesignPlace &place, const Result<tuning::TuneReport> &report);
     void follow();
     void followDevice(const DeviceView &view, const QString &whyNot);
     void followLimits(const DeviceView &view);
     void showReport();
-    void showCards(const DeviceView &view);
-    void designAll(const DeviceView &view);
-    void designOwn();
-    void ownWished();
-    void showChosen();
 
     Workbench &m_workbench;
-    Selection &m_selection;
     Arming &m_arming;
-    const ThemeSource &m_theme;
-    std::map<Place, tuning::TuneReport> m_reports;
-    std::map<Place, Choice> m_choices;
-    std::map<std::pair<DeviceId, int>, tuning::FrequencyResponse>
-        m_responses;                               ///< of a device and axis, whatever the loop
-    std::vector<tuning::Proposal> m_designed;      ///< of the report and slot that are shown
-    std::optional<tuning::Proposal> m_ownDesigned; ///< of the sliders
-    Envelope m_inForce;                            ///< what the step may use
-    Mode m_loop = Mode::Velocity;
-    DeviceId m_limitsOf;          ///< whose limits stand in the panel
-    std::optional<Place> m_shown; ///< whose report is on the page
+    DesignBook m_book;
+    Envelope m_inForce;                 ///< what the step may use
+    DeviceId m_limitsOf;                ///< whose limits stand in the panel
+    std::optional<DesignPlace> m_shown; ///< whose report is on the page
     QStackedWidget *m_stack = nullptr;
     EmptyState *m_empty = nullptr;
+    DesignOrders *m_orders = nullptr;
     StatusLine *m_status = nullptr;
-    Segmented *m_loops = nullptr;
-    Segmented *m_slots = nullptr;
-    CommandButton *m_identify = nullptr;
-    CommandButton *m_autotune = nullptr;
-    CommandButton *m_prove = nullptr;
-    ModelPanel *m_model = nullptr;
-    SweepPanel *m_sweep = nullptr;
-    EnvelopePanel *m_envelope = nullptr;
-    QVBoxLayout *m_cards = nullptr;
-    std::vector<ProposalCard *> m_proposals;
-    OwnProposal *m_own = nullptr;
     DesignPlots *m_plots = nullptr;
+    ModelPanel *m_model = nullptr;
+    EnvelopePanel *m_envelope = nullptr;
     TuningSteps *m_steps = nullptr;
-    ReportOrder *m_order = nullptr;
+    ProposalList *m_proposals = nullptr;
+    SweepPanel *m_sweep = nullptr;
+    ReportOrder *m_report = nullptr;
 };
 
 } // namespace mb

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/design/designbook.h"
+
+#include "widgets/common/devicetext.h"
+
+#include <algorithm>
+
+namespace mb {
+
+DesignPlace DesignBook::place() const
+{
+    return {m_selection.device(), std::max(m_selection.axis(), 1), m_loop};
+}
+
+DesignChoice DesignBook::choice() const
+{
+    const auto found = m_choices.find(place());
+    return found == m_choices.end() ? DesignChoice() : found->second;
+}
+
+const tuning::TuneReport *DesignBook::report() const
+{
+    const auto found = m_reports.find(place());
+    return found == m_reports.end() ? nullptr : &found->second;
+}
+
+/// A proof brings none, and neither does what was stopped before it had one.
+void DesignBook::keep(const DesignPlace &place, tuning::TuneReport report)
+{
+    const auto before = m_reports.find(place);
+    if (before != m_reports.end() && !report.motor) {
+        report.motor = before->second.motor;
+        report.plant = before->second.plant;
+        report.scale = before->second.scale;
+        report.gates = before->second.gates;
+        report.proposals = before->second.proposals; // the three; what was proven may be the sliders' own
+    }
+    m_reports[place] = std::move(report);
+}
+
+std::vector<tuning::FrequencyPoint> DesignBook::response() const
+{
+    const auto found = m_responses.find({place().device, place().axis});
+    return found == m_responses.end() ? std::vector<tuning::FrequencyPoint>() : found->second.points;
+}
+
+void DesignBook::keepResponse(const tuning::FrequencyResponse &response)
+{
+    m_responses[{place().device, place().axis}] = response;
+}
+
+QString DesignBook::whyNot(const DeviceView &view) const
+{
+    if (view.identity.state == DeviceState::Bootloader)
+        return tr("%1 waits in its bootloader.").arg(titleOf(view));
+    if (!view.family->trials)
+        return tr("This family has no loop that can be tuned.");
+    tuning::TunePlan wanted;
+    wanted.loop = m_loop;
+    wanted.axis = place().axis;
+    const auto possible = tuning::checkTuning(*view.family, wanted);
+    return possible ? QString() : errorText(possible.error());
+}
+
+tuning::TunePlan DesignBook::plan() const
+{
+    tuning::TunePlan plan;
+    plan.loop = m_loop;
+    plan.axis = place().axis;
+    const DesignChoice now = choice();
+    plan.aim = now.own ? tuning::Aim::Normal : now.aim;
+    plan.slot = now.slot;
+    if (now.own) {
+        plan.response = now.response;
+        plan.ms = now.ms;
+    }
+    return plan;
+}
+
+tuning::ProposalBasis DesignBook::basisOf(const DeviceView &view, const Envelope &inForce) const
+{
+    return {*view.family, view.profile, m_loop, place().axis, choice().slot, report()->plant, inForce, report()->scale,
+        report()->taking};
+}
+
+} // namespace mb

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/design/designorders.h"
+
+#include "widgets/common/iconbutton.h"
+#include "widgets/common/segmented.h"
+#include "widgets/common/wraplayout.h"
+
+#include <QSignalBlocker>
+
+#include <algorithm>
+#include <array>
+
+namespace mb {
+namespace {
+
+constexpr std::array designedLoops{Mode::Velocity, Mode::Position, Mode::Current}; // in the order of the choice
+
+} // namespace
+
+DesignOrders::DesignOrders(const ThemeSource &theme, QWidget *parent)
+    : QWidget(parent)
+    , m_loops(new Segmented(tr("Loop"), {tr("Velocity"), tr("Position"), tr("Current")}, this))
+    , m_slots(new Segmented(tr("Gain slot"), {tr("slot 0"), tr("slot 1")}, this))
+    , m_identify(new CommandButton(theme, tr("Identify"), this))
+    , m_autotune(new CommandButton(theme, tr("Autotune"), this))
+    , m_prove(new CommandButton(theme, Symbol::Play, tr("Write and prove"), this))
+{
+    m_identify->setKeyHint(QStringLiteral("Shift+F6"));
+    m_autotune->setKeyHint(QStringLiteral("F6"));
+    m_autotune->setToolTip(tr("Identifies, writes the chosen set and proves it, in one go"));
+    m_prove->setPrimary(true);
+    m_prove->setKeyHint(QStringLiteral("F5"));
+    auto *row = new WrapLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(theme.theme().u(8));
+    for (QWidget *part : std::initializer_list<QWidget *>{m_loops, m_slots, m_identify, m_autotune, m_prove})
+        row->addWidget(part);
+    connect(m_loops, &Segmented::currentChanged, this,
+        [this](int index) { Q_EMIT loopChosen(designedLoops.at(static_cast<std::size_t>(index))); });
+    connect(m_slots, &Segmented::currentChanged, this, &DesignOrders::slotChosen);
+    connect(m_identify, &QPushButton::clicked, this, &DesignOrders::identifyRequested);
+    connect(m_autotune, &QPushButton::clicked, this, &DesignOrders::autotuneRequested);
+    connect(m_prove, &QPushButton::clicked, this, &DesignOrders::proveRequested);
+}
+
+void DesignOrders::follow(const DesignBook &book, const Family &family, bool mayRun, bool mayProve)
+{
+    const QSignalBlocker noLoop(m_loops), noSlot(m_slots); // nobody chooses here
+    const auto *const loop = std::find(designedLoops.begin(), designedLoops.end(), book.loop());
+    m_loops->setCurrent(static_cast<int>(loop - designedLoops.begin()));
+    m_slots->setVisible(family.capabilities.gainSlots > 1);
+    m_slots->setCurrent(book.choice().slot);
+    m_identify->setEnabled(mayRun);
+    m_autotune->setEnabled(mayRun);
+    m_prove->setEnabled(mayRun && mayProve);
+}
+
+} // namespace mb

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/common/theme.h"
+#include "widgets/design/designbook.h"
+
+#include <QWidget>
+
+namespace mb {
+
+class CommandButton;
+class Segmented;
+
+/// The row of orders of the Design page: which loop, which slot, and the three buttons. Decides nothing. GUI thread.
+class DesignOrders : public QWidget {
+    Q_OBJECT
+public:
+    DesignOrders(const ThemeSource &theme, QWidget *parent);
+
+    /// Shows what is chosen for the motor in question; `mayRun`: its motor may be pushed, `mayProve`: there is something to write.
+    void follow(const DesignBook &book, const Family &family, bool mayRun, bool mayProve);
+
+Q_SIGNALS:
+    void loopChosen(mb::Mode loop);
+    void slotChosen(int slot);
+    void identifyRequested();
+    void autotuneRequested();
+    void proveRequested();
+
+private:
+    Segmented *m_loops = nullptr;
+    Segmented *m_slots = nullptr;
+    CommandButton *m_identify = nullptr;
+    CommandButton *m_autotune = nullptr;
+    CommandButton *m_prove = nullptr;
+};
+
+} // namespace mb

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/design/proposallist.h"
+
+#include "widgets/design/designplots.h"
+#include "widgets/design/ownproposal.h"
+#include "widgets/design/proposalcard.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace mb {
+
+ProposalList::ProposalList(DesignBook &book, DesignPlots &plots, const ThemeSource &theme, QWidget *parent)
+    : QWidget(parent)
+    , m_book(book)
+    , m_plots(plots)
+    , m_theme(theme)
+    , m_own(new OwnProposal(theme, this))
+    , m_column(new QVBoxLayout(this))
+{
+    m_column->setContentsMargins(0, 0, 0, 0);
+    m_column->setSpacing(theme.theme().u(8));
+    m_own->hide();
+    connect(m_own, &OwnProposal::wished, this, &ProposalList::ownWished);
+    connect(m_own, &Card::activated, this, &ProposalList::ownWished);
+}
+
+const tuning::Proposal *ProposalList::chosen() const
+{
+    const DesignChoice now = m_book.choice();
+    if (now.own)
+        return m_ownDesigned ? &*m_ownDesigned : nullptr;
+    const auto found = std::find_if(m_designed.begin(), m_designed.end(),
+        [&now](const tuning::Proposal &proposal) { return proposal.aim == now.aim; });
+    return found == m_designed.end() ? nullptr : &*found;
+}
+
+void ProposalList::chooseAim(tuning::Aim aim)
+{
+    DesignChoice &now = m_book.choose();
+    now.aim = aim;
+    now.own = false;
+    showChosen();
+}
+
+void ProposalList::chooseOwn(double response, double ms)
+{
+    DesignChoice &now = m_book.choose();
+    now.own = true;
+    now.response = response;
+    now.ms = ms;
+    designOwn();
+    showChosen();
+}
+
+void ProposalList::ownWished()
+{
+    chooseOwn(m_own->response(), m_own->ms());
+}
+
+void ProposalList::showReport()
+{
+    for (ProposalCard *card : std::exchange(m_cards, {}))
+        delete card;
+    m_designed.clear();
+    m_ownDesigned.reset();
+    if (const DeviceView *const view = m_book.device(); view && m_book.report()) {
+        designAll(*view);
+        for (const tuning::Proposal &proposal : m_designed) {
+            auto *card = new ProposalCard(m_theme, *view->family, proposal, this);
+            connect(card, &Card::activated, this, [this, aim = proposal.aim] { chooseAim(aim); });
+            m_column->addWidget(card);
+            m_cards.push_back(card);
+        }
+    }
+    m_own->setVisible(!m_designed.empty());
+    showChosen();
+}
+
+/// What the engine proposed; the same gains in another slot.
+void ProposalList::designAll(const DeviceView &view)
+{
+    const tuning::TuneReport &known = *m_book.report();
+    m_designed = known.proposals;
+    if (known.slot != m_book.choice().slot && known.plant.gain > 0.0) {
+        m_designed.clear();
+        const tuning::ProposalBasis basis = m_book.basisOf(view, m_inForce);
+        for (const tuning::Proposal &proposal : known.proposals) {
+            if (auto moved = tuning::movedTo(basis, proposal))
+                m_designed.push_back(std::move(*moved));
+        }
+    }
+    designOwn();
+}
+
+/// Of the sliders; they begin where the normal proposal is.
+void ProposalList::designOwn()
+{
+    const DeviceView *const view = m_book.device();
+    const tuning::TuneReport *const known = m_book.report();
+    m_ownDesigned.reset();
+    if (!view || !known || !(known->plant.gain > 0.0))
+        return;
+    const double usual = tuning::responseOf(m_book.loop(), tuning::Aim::Normal, known->plant);
+    const DesignChoice now = m_book.choice();
+    const double response = now.response > 0.0 ? now.response : usual;
+    const double ms = now.ms > 0.0 ? now.ms : tuning::msBoundsOf({}).model;
+    const auto proposal = tuning::proposalFor(m_book.basisOf(*view, m_inForce), {tuning::Aim::Normal, response, ms});
+    m_own->setWish(response, ms, usual);
+    m_own->show(proposal);
+    if (proposal)
+        m_ownDesigned = *proposal;
+}
+
+void ProposalList::showChosen()
+{
+    const tuning::Proposal *const proposal = chosen();
+    const DesignChoice now = m_book.choice();
+    for (ProposalCard *card : m_cards)
+        card->setChosen(proposal && !now.own && card->aim() == proposal->aim);
+    m_own->setChosen(proposal && now.own);
+    const DeviceView *const view = m_book.device();
+    if (!proposal || !view)
+        return m_plots.clear();
+    m_plots.setMeasured(m_book.response());
+    m_plots.show(
+        *m_book.report(), *proposal, now.own ? tr("own") : aimText(proposal->aim), m_book.basisOf(*view, m_inForce));
+}
+
+} // namespace mb

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/common/theme.h"
+#include "widgets/design/designbook.h"
+
+#include <QVBoxLayout>
+
+namespace mb {
+
+class DesignPlots;
+class OwnProposal;
+class ProposalCard;
+
+/// The sets of gains that a motor may have: those that the engine proposed, one card each, and that of the two sliders. One of
+/// them is chosen; the plots show what it will do. Nothing is searched for here, that takes longer than a frame. GUI thread.
+class ProposalList : public QWidget {
+    Q_OBJECT
+public:
+    /// Has the cards in it; the plots stand elsewhere on the page.
+    ProposalList(DesignBook &book, DesignPlots &plots, const ThemeSource &theme, QWidget *parent);
+
+    /// The set of the two sliders, to be put where there is a place for it.
+    [[nodiscard]] OwnProposal &own() { return *m_own; }
+    /// What a step may use; proposals are designed for it from now on.
+    void setInForce(const Envelope &inForce) { m_inForce = inForce; }
+    /// Another report, motor or slot.
+    void showReport();
+    /// Draws the one that is chosen.
+    void showChosen();
+    void chooseAim(tuning::Aim aim);
+    /// The set of the two sliders instead: response in s, largest sensitivity. Designed on the model that is known.
+    void chooseOwn(double response, double ms);
+    /// nullptr: there is nothing yet.
+    [[nodiscard]] const tuning::Proposal *chosen() const;
+
+private:
+    void designAll(const DeviceView &view);
+    void designOwn();
+    void ownWished();
+
+    DesignBook &m_book;
+    DesignPlots &m_plots;
+    const ThemeSource &m_theme;
+    Envelope m_inForce;
+    std::vector<tuning::Proposal> m_designed;      ///< of the report and slot that are shown
+    std::optional<tuning::Proposal> m_ownDesigned; ///< of the sliders
+    std::vector<ProposalCard *> m_cards;
+    OwnProposal *m_own = nullptr;
+    QVBoxLayout *m_column = nullptr;
+};
+
+} // namespace mb
