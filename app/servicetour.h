@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/mainwindow.h"
-#include "app/tourscript.h"
-#include "model/family.h"
+#include "app/tourstage.h"
 
 #include <QTemporaryDir>
 
@@ -13,11 +11,13 @@ class QueueBoard;
 struct QueueLine;
 
 /// What the tour sees of service: values that wait for somebody to keep them, a queue of units, the verdict in production, the
-/// journal. The script outlives this. GUI thread.
-class ServiceTour : public QObject {
-    Q_OBJECT
+/// journal. The stage outlives this. GUI thread.
+class ServiceTour {
 public:
-    ServiceTour(Workbench &workbench, MainWindow &window, TourScript &script, QObject *parent);
+    explicit ServiceTour(TourStage &stage)
+        : m_stage(stage)
+    {
+    }
 
     void planKeeping();
     void planQueue();
@@ -26,19 +26,16 @@ public:
     void planJournal();
 
 private:
-    [[nodiscard]] const DeviceView *unit(int DemoUnits::*which) const;
-    [[nodiscard]] QString image() const;
+    [[nodiscard]] const DeviceView *unit() const;
     [[nodiscard]] QueueBoard &board() const;
     [[nodiscard]] bool isOver() const;
     void loosen();
     void enterProduction();
     void beginStrict();
     [[nodiscard]] const QueueLine *strictLine() const;
-    void showVerdict(const QString &name);
+    void showVerdict(const char *name);
 
-    Workbench &m_workbench;
-    MainWindow &m_window;
-    TourScript &m_tour;
+    TourStage &m_stage;
     QTemporaryDir m_folder; ///< of the recipe that a unit fails
 };
 

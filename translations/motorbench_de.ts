@@ -4847,6 +4847,21 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
 </context>
 <context>
+    <name>mb::MotionTour</name>
+    <message>
+        <source>acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>counts/s²</source>
+        <translation>counts/s²</translation>
+    </message>
+    <message>
+        <source>at speed</source>
+        <translation>auf Drehzahl</translation>
+    </message>
+</context>
+<context>
     <name>mb::MotionWords</name>
     <message>
         <source>%1 axes</source>
@@ -8882,22 +8897,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
 </context>
 <context>
-    <name>mb::Tour</name>
+    <name>mb::TourStage</name>
     <message>
         <source>tour</source>
         <translation>Rundgang</translation>
-    </message>
-    <message>
-        <source>acceleration</source>
-        <translation>Beschleunigung</translation>
-    </message>
-    <message>
-        <source>counts/s²</source>
-        <translation>counts/s²</translation>
-    </message>
-    <message>
-        <source>at speed</source>
-        <translation>auf Drehzahl</translation>
     </message>
 </context>
 <context>

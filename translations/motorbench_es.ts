@@ -4847,6 +4847,21 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     </message>
 </context>
 <context>
+    <name>mb::MotionTour</name>
+    <message>
+        <source>acceleration</source>
+        <translation>aceleración</translation>
+    </message>
+    <message>
+        <source>counts/s²</source>
+        <translation>counts/s²</translation>
+    </message>
+    <message>
+        <source>at speed</source>
+        <translation>a velocidad</translation>
+    </message>
+</context>
+<context>
     <name>mb::MotionWords</name>
     <message>
         <source>%1 axes</source>
@@ -8882,22 +8897,10 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
 </context>
 <context>
-    <name>mb::Tour</name>
+    <name>mb::TourStage</name>
     <message>
         <source>tour</source>
         <translation>recorrido guiado</translation>
-    </message>
-    <message>
-        <source>acceleration</source>
-        <translation>aceleración</translation>
-    </message>
-    <message>
-        <source>counts/s²</source>
-        <translation>counts/s²</translation>
-    </message>
-    <message>
-        <source>at speed</source>
-        <translation>a velocidad</translation>
     </message>
 </context>
 <context>

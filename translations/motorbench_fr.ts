@@ -4847,6 +4847,21 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     </message>
 </context>
 <context>
+    <name>mb::MotionTour</name>
+    <message>
+        <source>acceleration</source>
+        <translation>accélération</translation>
+    </message>
+    <message>
+        <source>counts/s²</source>
+        <translation>counts/s²</translation>
+    </message>
+    <message>
+        <source>at speed</source>
+        <translation>à vitesse</translation>
+    </message>
+</context>
+<context>
     <name>mb::MotionWords</name>
     <message>
         <source>%1 axes</source>
@@ -8882,22 +8897,10 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
 </context>
 <context>
-    <name>mb::Tour</name>
+    <name>mb::TourStage</name>
     <message>
         <source>tour</source>
         <translation>visite</translation>
-    </message>
-    <message>
-        <source>acceleration</source>
-        <translation>accélération</translation>
-    </message>
-    <message>
-        <source>counts/s²</source>
-        <translation>counts/s²</translation>
-    </message>
-    <message>
-        <source>at speed</source>
-        <translation>à vitesse</translation>
     </message>
 </context>
 <context>

@@ -4840,6 +4840,21 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
 </context>
 <context>
+    <name>mb::MotionTour</name>
+    <message>
+        <source>acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>counts/s²</source>
+        <translation>counts/s²</translation>
+    </message>
+    <message>
+        <source>at speed</source>
+        <translation>恒速</translation>
+    </message>
+</context>
+<context>
     <name>mb::MotionWords</name>
     <message>
         <source>%1 axes</source>
@@ -8869,22 +8884,10 @@ double click plots it, drag it to a pane or below them</source>
     </message>
 </context>
 <context>
-    <name>mb::Tour</name>
+    <name>mb::TourStage</name>
     <message>
         <source>tour</source>
         <translation>导览</translation>
-    </message>
-    <message>
-        <source>acceleration</source>
-        <translation>加速度</translation>
-    </message>
-    <message>
-        <source>counts/s²</source>
-        <translation>counts/s²</translation>
-    </message>
-    <message>
-        <source>at speed</source>
-        <translation>恒速</translation>
     </message>
 </context>
 <context>
