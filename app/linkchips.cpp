@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/linkchips.h"
 
+#include "widgets/common/demostripe.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/headerbar.h"
 #include "widgets/common/losses.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/monitor/recordstrip.h"
@@ -12,6 +14,7 @@
 #include <optional>
 
 namespace mb {
+namespace {
 
 LinkStatus chipOf(const LinkView &link, const Snapshot &shot)
 {
@@ -39,6 +42,7 @@ LinkStatus chipOf(const LinkView &link, const Snapshot &shot)
     return chip;
 }
 
+/// Of the recording of frames that runs longest; empty when none does.
 QString recordingTime(const Snapshot &shot)
 {
     std::optional<Instant> since;
@@ -50,6 +54,25 @@ QString recordingTime(const Snapshot &shot)
         return {};
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(shot.time - *since).count();
     return QCoreApplication::translate("mb::MainWindow", "REC %1").arg(formatClock(std::max<qint64>(seconds, 0)));
+}
+
+} // namespace
+
+void showLinks(HeaderBar &header, DemoStripe &stripe, const Snapshot &shot)
+{
+    std::vector<LinkStatus> chips;
+    bool simulated = false;
+    QStringList recordings;
+    for (const LinkView &link : shot.links) {
+        chips.push_back(chipOf(link, shot));
+        simulated = simulated || link.simulated;
+        if (link.replay)
+            recordings += qt(link.name);
+    }
+    header.setLinks(chips);
+    header.setRecording(recordingTime(shot));
+    stripe.setSources(
+        simulated ? QCoreApplication::translate("mb::MainWindow", "simulated bench") : QString(), recordings);
 }
 
 } // namespace mb

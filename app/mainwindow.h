@@ -10,11 +10,6 @@
 
 #include <QMainWindow>
 
-#include <functional>
-#include <vector>
-
-class QDockWidget;
-class QLabel;
 class QStackedWidget;
 
 namespace mb {
@@ -23,15 +18,14 @@ class BannerStack;
 class Closing;
 class Conditions;
 class DemoStripe;
-class DeviceLine;
 class HeaderBar;
 class HelpDesk;
-class LiveStateBar;
-class PageKeys;
-class PageTabs;
+class PageStack;
 class ProductionFace;
 class ServiceDesk;
+class SideDocks;
 class StationLamp;
+class WindowKeys;
 class WindowMenu;
 
 /// The one window: header with links, lamp and STOP; devices at the left; pages; inspector at the right; status bar.
@@ -69,31 +63,18 @@ Q_SIGNALS:
     void projectWanted(bool open);
 
 protected:
-    void showEvent(QShowEvent *event) override;
-    bool eventFilter(QObject *watched, QEvent *event) override;
     void closeEvent(QCloseEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
 
 private:
     void buildHeader();
     void buildMenu();
-    void buildDevices();
+    void buildDocks();
     void buildPages();
-    void buildInspector();
-    void buildStatus();
-    void buildActions();
-    void addPage(const QString &title, std::function<QWidget *(QWidget *)> make);
+    void addPages();
     QWidget *makeOverview(QWidget *parent);
-    void makePages(int from);
     void follow();
-    void followLinks(const Snapshot &shot);
-    void followPages();
-    void followLine();
-    void listCommands();
     void followInspector();
-    void showNotice(const Notice &notice);
-    void showFootprint();
-    void whenDeactivated();
 
     Workbench &m_workbench;
     ThemeSource &m_theme;
@@ -103,26 +84,16 @@ private:
     Closing *m_closing = nullptr;
     HelpDesk *m_help = nullptr;
     HeaderBar *m_header = nullptr;
-    WindowMenu *m_menu = nullptr;
     DemoStripe *m_stripe = nullptr;
-    QDockWidget *m_devices = nullptr;
-    QDockWidget *m_inspector = nullptr;
-    bool m_inspectorUseful = false;
-    PageTabs *m_tabs = nullptr;
     BannerStack *m_banners = nullptr;
     Conditions *m_conditions = nullptr;
-    PageKeys *m_keys = nullptr;
-    DeviceLine *m_line = nullptr;
-    LiveStateBar *m_states = nullptr;
-    QStackedWidget *m_pages = nullptr;
+    WindowMenu *m_menu = nullptr;
+    StationLamp *m_station = nullptr;
+    SideDocks *m_docks = nullptr;
+    PageStack *m_pages = nullptr;
     QStackedWidget *m_faces = nullptr; ///< the pages, or production
     ProductionFace *m_production = nullptr;
-    StationLamp *m_station = nullptr;
-    std::vector<std::function<QWidget *(QWidget *)>> m_makers; ///< by place in m_pages
-    QLabel *m_message = nullptr;
-    QLabel *m_footprint = nullptr;
-    QTimer m_messageTime;
-    QTimer m_footprintTime;
+    WindowKeys *m_keys = nullptr;
 };
 
 } // namespace mb

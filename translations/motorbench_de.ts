@@ -4560,14 +4560,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>Schaltfläche</translation>
     </message>
     <message>
-        <source>Devices</source>
-        <translation>Geräte</translation>
-    </message>
-    <message>
-        <source>Pages</source>
-        <translation>Seiten</translation>
-    </message>
-    <message>
         <source>Overview</source>
         <translation>Übersicht</translation>
     </message>
@@ -4596,10 +4588,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>Protokoll</translation>
     </message>
     <message>
-        <source>Inspector</source>
-        <translation>Inspektor</translation>
-    </message>
-    <message>
         <source>needs a device; open a link first</source>
         <translation>braucht ein Gerät; zuerst eine Verbindung öffnen</translation>
     </message>
@@ -4610,10 +4598,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>simulated bench</source>
         <translation>simulierter Prüfstand</translation>
-    </message>
-    <message>
-        <source>samples %1   lost %2   memory %3</source>
-        <translation>Werte %1   verloren %2   Speicher %3</translation>
     </message>
     <message>
         <source>the window lost the focus</source>
@@ -4632,18 +4616,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>%1: %2 Bytes empfangen, %3 gesendet, %4 verworfen, %5 Fehler</translation>
     </message>
     <message>
-        <source>shows page %1</source>
-        <translation>zeigt die Seite %1</translation>
-    </message>
-    <message>
-        <source>shows or hides the devices</source>
-        <translation>zeigt oder verbirgt die Geräte</translation>
-    </message>
-    <message>
-        <source>shows or hides the inspector</source>
-        <translation>zeigt oder verbirgt den Inspektor</translation>
-    </message>
-    <message>
         <source>Design</source>
         <translation>Entwurf</translation>
     </message>
@@ -4652,24 +4624,8 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>Die Einstellungen gelten, wenn nichts mehr scharf ist: dann noch einmal wählen.</translation>
     </message>
     <message>
-        <source>Window</source>
-        <translation>Fenster</translation>
-    </message>
-    <message>
-        <source>Menu</source>
-        <translation>Menü</translation>
-    </message>
-    <message>
         <source>Reports</source>
         <translation>Berichte</translation>
-    </message>
-    <message>
-        <source>shows these keys; once more, the help for this page</source>
-        <translation>zeigt diese Tasten; noch einmal, die Hilfe zu dieser Seite</translation>
-    </message>
-    <message>
-        <source>production: unit after unit, full screen; and back</source>
-        <translation>Produktion: Gerät um Gerät, ganzer Bildschirm; und zurück</translation>
     </message>
 </context>
 <context>
@@ -5176,6 +5132,13 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>page %1: not in the image</source>
         <translation>Seite %1: nicht im Image</translation>
+    </message>
+</context>
+<context>
+    <name>mb::PageStack</name>
+    <message>
+        <source>Pages</source>
+        <translation>Seiten</translation>
     </message>
 </context>
 <context>
@@ -8288,6 +8251,25 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     </message>
 </context>
 <context>
+    <name>mb::SideDocks</name>
+    <message>
+        <source>Devices</source>
+        <translation>Geräte</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>Inspektor</translation>
+    </message>
+    <message>
+        <source>shows or hides the devices</source>
+        <translation>zeigt oder verbirgt die Geräte</translation>
+    </message>
+    <message>
+        <source>shows or hides the inspector</source>
+        <translation>zeigt oder verbirgt den Inspektor</translation>
+    </message>
+</context>
+<context>
     <name>mb::SignalBook</name>
     <message>
         <source>The signal needs a name.</source>
@@ -8643,6 +8625,13 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>Arm button</source>
         <translation>Scharf-Taste</translation>
+    </message>
+</context>
+<context>
+    <name>mb::StatusBar</name>
+    <message>
+        <source>samples %1   lost %2   memory %3</source>
+        <translation>Werte %1   verloren %2   Speicher %3</translation>
     </message>
 </context>
 <context>
@@ -10306,6 +10295,29 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>Folder with firmware</source>
         <translation>Ordner mit Firmware</translation>
+    </message>
+</context>
+<context>
+    <name>mb::WindowKeys</name>
+    <message>
+        <source>shows these keys; once more, the help for this page</source>
+        <translation>zeigt diese Tasten; noch einmal, die Hilfe zu dieser Seite</translation>
+    </message>
+    <message>
+        <source>production: unit after unit, full screen; and back</source>
+        <translation>Produktion: Gerät um Gerät, ganzer Bildschirm; und zurück</translation>
+    </message>
+    <message>
+        <source>shows page %1</source>
+        <translation>zeigt die Seite %1</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>Menü</translation>
     </message>
 </context>
 <context>

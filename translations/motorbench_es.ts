@@ -4580,14 +4580,6 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <translation>botón</translation>
     </message>
     <message>
-        <source>Devices</source>
-        <translation>Dispositivos</translation>
-    </message>
-    <message>
-        <source>Pages</source>
-        <translation>Páginas</translation>
-    </message>
-    <message>
         <source>Overview</source>
         <translation>Resumen</translation>
     </message>
@@ -4624,48 +4616,12 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <translation>Informes</translation>
     </message>
     <message>
-        <source>Inspector</source>
-        <translation>Inspector</translation>
-    </message>
-    <message>
-        <source>shows these keys; once more, the help for this page</source>
-        <translation>muestra estas teclas; otra vez, la ayuda de esta página</translation>
-    </message>
-    <message>
-        <source>production: unit after unit, full screen; and back</source>
-        <translation>producción: equipo tras equipo, a pantalla completa; y vuelta</translation>
-    </message>
-    <message>
-        <source>shows page %1</source>
-        <translation>muestra la página %1</translation>
-    </message>
-    <message>
-        <source>shows or hides the devices</source>
-        <translation>muestra u oculta los dispositivos</translation>
-    </message>
-    <message>
-        <source>shows or hides the inspector</source>
-        <translation>muestra u oculta el inspector</translation>
-    </message>
-    <message>
-        <source>Window</source>
-        <translation>Ventana</translation>
-    </message>
-    <message>
-        <source>Menu</source>
-        <translation>Menú</translation>
-    </message>
-    <message>
         <source>needs a device; open a link first</source>
         <translation>necesita un dispositivo; abra antes un enlace</translation>
     </message>
     <message>
         <source>simulated bench</source>
         <translation>banco simulado</translation>
-    </message>
-    <message>
-        <source>samples %1   lost %2   memory %3</source>
-        <translation>muestras %1   perdidas %2   memoria %3</translation>
     </message>
     <message>
         <source>the window lost the focus</source>
@@ -5176,6 +5132,13 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     <message>
         <source>page %1: not in the image</source>
         <translation>página %1: no está en la imagen</translation>
+    </message>
+</context>
+<context>
+    <name>mb::PageStack</name>
+    <message>
+        <source>Pages</source>
+        <translation>Páginas</translation>
     </message>
 </context>
 <context>
@@ -8288,6 +8251,25 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
     </message>
 </context>
 <context>
+    <name>mb::SideDocks</name>
+    <message>
+        <source>Devices</source>
+        <translation>Dispositivos</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>Inspector</translation>
+    </message>
+    <message>
+        <source>shows or hides the devices</source>
+        <translation>muestra u oculta los dispositivos</translation>
+    </message>
+    <message>
+        <source>shows or hides the inspector</source>
+        <translation>muestra u oculta el inspector</translation>
+    </message>
+</context>
+<context>
     <name>mb::SignalBook</name>
     <message>
         <source>The signal needs a name.</source>
@@ -8643,6 +8625,13 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>Arm button</source>
         <translation>botón Armar</translation>
+    </message>
+</context>
+<context>
+    <name>mb::StatusBar</name>
+    <message>
+        <source>samples %1   lost %2   memory %3</source>
+        <translation>muestras %1   perdidas %2   memoria %3</translation>
     </message>
 </context>
 <context>
@@ -10306,6 +10295,29 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>Folder with firmware</source>
         <translation>Carpeta con firmware</translation>
+    </message>
+</context>
+<context>
+    <name>mb::WindowKeys</name>
+    <message>
+        <source>shows these keys; once more, the help for this page</source>
+        <translation>muestra estas teclas; otra vez, la ayuda de esta página</translation>
+    </message>
+    <message>
+        <source>production: unit after unit, full screen; and back</source>
+        <translation>producción: equipo tras equipo, a pantalla completa; y vuelta</translation>
+    </message>
+    <message>
+        <source>shows page %1</source>
+        <translation>muestra la página %1</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Ventana</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>Menú</translation>
     </message>
 </context>
 <context>

@@ -4580,14 +4580,6 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <translation>bouton</translation>
     </message>
     <message>
-        <source>Devices</source>
-        <translation>Appareils</translation>
-    </message>
-    <message>
-        <source>Pages</source>
-        <translation>Pages</translation>
-    </message>
-    <message>
         <source>Overview</source>
         <translation>Vue d’ensemble</translation>
     </message>
@@ -4624,48 +4616,12 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <translation>Rapports</translation>
     </message>
     <message>
-        <source>Inspector</source>
-        <translation>Inspecteur</translation>
-    </message>
-    <message>
-        <source>shows these keys; once more, the help for this page</source>
-        <translation>affiche ces touches&#x202f;; encore une fois, l’aide de cette page</translation>
-    </message>
-    <message>
-        <source>production: unit after unit, full screen; and back</source>
-        <translation>production&#xa0;: appareil après appareil, plein écran&#x202f;; et retour</translation>
-    </message>
-    <message>
-        <source>shows page %1</source>
-        <translation>affiche la page %1</translation>
-    </message>
-    <message>
-        <source>shows or hides the devices</source>
-        <translation>affiche ou masque les appareils</translation>
-    </message>
-    <message>
-        <source>shows or hides the inspector</source>
-        <translation>affiche ou masque l’inspecteur</translation>
-    </message>
-    <message>
-        <source>Window</source>
-        <translation>Fenêtre</translation>
-    </message>
-    <message>
-        <source>Menu</source>
-        <translation>Menu</translation>
-    </message>
-    <message>
         <source>needs a device; open a link first</source>
         <translation>nécessite un appareil&#x202f;; ouvrez d’abord une liaison</translation>
     </message>
     <message>
         <source>simulated bench</source>
         <translation>banc simulé</translation>
-    </message>
-    <message>
-        <source>samples %1   lost %2   memory %3</source>
-        <translation>échantillons %1   perdus %2   mémoire %3</translation>
     </message>
     <message>
         <source>the window lost the focus</source>
@@ -5176,6 +5132,13 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     <message>
         <source>page %1: not in the image</source>
         <translation>page %1&#xa0;: absente de l’image</translation>
+    </message>
+</context>
+<context>
+    <name>mb::PageStack</name>
+    <message>
+        <source>Pages</source>
+        <translation>Pages</translation>
     </message>
 </context>
 <context>
@@ -8288,6 +8251,25 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
 </context>
 <context>
+    <name>mb::SideDocks</name>
+    <message>
+        <source>Devices</source>
+        <translation>Appareils</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>Inspecteur</translation>
+    </message>
+    <message>
+        <source>shows or hides the devices</source>
+        <translation>affiche ou masque les appareils</translation>
+    </message>
+    <message>
+        <source>shows or hides the inspector</source>
+        <translation>affiche ou masque l’inspecteur</translation>
+    </message>
+</context>
+<context>
     <name>mb::SignalBook</name>
     <message>
         <source>The signal needs a name.</source>
@@ -8643,6 +8625,13 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>Arm button</source>
         <translation>bouton Armer</translation>
+    </message>
+</context>
+<context>
+    <name>mb::StatusBar</name>
+    <message>
+        <source>samples %1   lost %2   memory %3</source>
+        <translation>échantillons %1   perdus %2   mémoire %3</translation>
     </message>
 </context>
 <context>
@@ -10306,6 +10295,29 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>Folder with firmware</source>
         <translation>Dossier des firmwares</translation>
+    </message>
+</context>
+<context>
+    <name>mb::WindowKeys</name>
+    <message>
+        <source>shows these keys; once more, the help for this page</source>
+        <translation>affiche ces touches&#x202f;; encore une fois, l’aide de cette page</translation>
+    </message>
+    <message>
+        <source>production: unit after unit, full screen; and back</source>
+        <translation>production&#xa0;: appareil après appareil, plein écran&#x202f;; et retour</translation>
+    </message>
+    <message>
+        <source>shows page %1</source>
+        <translation>affiche la page %1</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenêtre</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>Menu</translation>
     </message>
 </context>
 <context>

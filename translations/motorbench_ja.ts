@@ -4573,14 +4573,6 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>ボタン</translation>
     </message>
     <message>
-        <source>Devices</source>
-        <translation>機器</translation>
-    </message>
-    <message>
-        <source>Pages</source>
-        <translation>ページ</translation>
-    </message>
-    <message>
         <source>Overview</source>
         <translation>概要</translation>
     </message>
@@ -4617,48 +4609,12 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>レポート</translation>
     </message>
     <message>
-        <source>Inspector</source>
-        <translation>インスペクタ</translation>
-    </message>
-    <message>
-        <source>shows these keys; once more, the help for this page</source>
-        <translation>キー一覧を表示します。もう一度押すとこのページのヘルプを表示します</translation>
-    </message>
-    <message>
-        <source>production: unit after unit, full screen; and back</source>
-        <translation>生産: 機器を次々に処理、全画面表示。もう一度で戻ります</translation>
-    </message>
-    <message>
-        <source>shows page %1</source>
-        <translation>「%1」ページを表示します</translation>
-    </message>
-    <message>
-        <source>shows or hides the devices</source>
-        <translation>機器の表示/非表示を切り替えます</translation>
-    </message>
-    <message>
-        <source>shows or hides the inspector</source>
-        <translation>インスペクタの表示/非表示を切り替えます</translation>
-    </message>
-    <message>
-        <source>Window</source>
-        <translation>ウィンドウ</translation>
-    </message>
-    <message>
-        <source>Menu</source>
-        <translation>メニュー</translation>
-    </message>
-    <message>
         <source>needs a device; open a link first</source>
         <translation>機器が必要です。先にリンクを開いてください</translation>
     </message>
     <message>
         <source>simulated bench</source>
         <translation>シミュレーションベンチ</translation>
-    </message>
-    <message>
-        <source>samples %1   lost %2   memory %3</source>
-        <translation>サンプル %1   欠落 %2   メモリ %3</translation>
     </message>
     <message>
         <source>the window lost the focus</source>
@@ -5169,6 +5125,13 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>page %1: not in the image</source>
         <translation>ページ %1: イメージになし</translation>
+    </message>
+</context>
+<context>
+    <name>mb::PageStack</name>
+    <message>
+        <source>Pages</source>
+        <translation>ページ</translation>
     </message>
 </context>
 <context>
@@ -8277,6 +8240,25 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     </message>
 </context>
 <context>
+    <name>mb::SideDocks</name>
+    <message>
+        <source>Devices</source>
+        <translation>機器</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>インスペクタ</translation>
+    </message>
+    <message>
+        <source>shows or hides the devices</source>
+        <translation>機器の表示/非表示を切り替えます</translation>
+    </message>
+    <message>
+        <source>shows or hides the inspector</source>
+        <translation>インスペクタの表示/非表示を切り替えます</translation>
+    </message>
+</context>
+<context>
     <name>mb::SignalBook</name>
     <message>
         <source>The signal needs a name.</source>
@@ -8632,6 +8614,13 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>Arm button</source>
         <translation>駆動許可ボタン</translation>
+    </message>
+</context>
+<context>
+    <name>mb::StatusBar</name>
+    <message>
+        <source>samples %1   lost %2   memory %3</source>
+        <translation>サンプル %1   欠落 %2   メモリ %3</translation>
     </message>
 </context>
 <context>
@@ -10292,6 +10281,29 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>Folder with firmware</source>
         <translation>ファームウェアのフォルダ</translation>
+    </message>
+</context>
+<context>
+    <name>mb::WindowKeys</name>
+    <message>
+        <source>shows these keys; once more, the help for this page</source>
+        <translation>キー一覧を表示します。もう一度押すとこのページのヘルプを表示します</translation>
+    </message>
+    <message>
+        <source>production: unit after unit, full screen; and back</source>
+        <translation>生産: 機器を次々に処理、全画面表示。もう一度で戻ります</translation>
+    </message>
+    <message>
+        <source>shows page %1</source>
+        <translation>「%1」ページを表示します</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>ウィンドウ</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>メニュー</translation>
     </message>
 </context>
 <context>

@@ -4573,14 +4573,6 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>按钮</translation>
     </message>
     <message>
-        <source>Devices</source>
-        <translation>设备</translation>
-    </message>
-    <message>
-        <source>Pages</source>
-        <translation>页面</translation>
-    </message>
-    <message>
         <source>Overview</source>
         <translation>概览</translation>
     </message>
@@ -4617,48 +4609,12 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>报告</translation>
     </message>
     <message>
-        <source>Inspector</source>
-        <translation>检查器</translation>
-    </message>
-    <message>
-        <source>shows these keys; once more, the help for this page</source>
-        <translation>显示这些按键；再按一次显示此页面的帮助</translation>
-    </message>
-    <message>
-        <source>production: unit after unit, full screen; and back</source>
-        <translation>生产：逐台处理设备，全屏；以及返回</translation>
-    </message>
-    <message>
-        <source>shows page %1</source>
-        <translation>显示页面“%1”</translation>
-    </message>
-    <message>
-        <source>shows or hides the devices</source>
-        <translation>显示或隐藏设备列表</translation>
-    </message>
-    <message>
-        <source>shows or hides the inspector</source>
-        <translation>显示或隐藏检查器</translation>
-    </message>
-    <message>
-        <source>Window</source>
-        <translation>窗口</translation>
-    </message>
-    <message>
-        <source>Menu</source>
-        <translation>菜单</translation>
-    </message>
-    <message>
         <source>needs a device; open a link first</source>
         <translation>需要设备；请先打开链路</translation>
     </message>
     <message>
         <source>simulated bench</source>
         <translation>仿真台架</translation>
-    </message>
-    <message>
-        <source>samples %1   lost %2   memory %3</source>
-        <translation>采样 %1   丢失 %2   内存 %3</translation>
     </message>
     <message>
         <source>the window lost the focus</source>
@@ -5169,6 +5125,13 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>page %1: not in the image</source>
         <translation>第 %1 页：不在映像中</translation>
+    </message>
+</context>
+<context>
+    <name>mb::PageStack</name>
+    <message>
+        <source>Pages</source>
+        <translation>页面</translation>
     </message>
 </context>
 <context>
@@ -8277,6 +8240,25 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     </message>
 </context>
 <context>
+    <name>mb::SideDocks</name>
+    <message>
+        <source>Devices</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>检查器</translation>
+    </message>
+    <message>
+        <source>shows or hides the devices</source>
+        <translation>显示或隐藏设备列表</translation>
+    </message>
+    <message>
+        <source>shows or hides the inspector</source>
+        <translation>显示或隐藏检查器</translation>
+    </message>
+</context>
+<context>
     <name>mb::SignalBook</name>
     <message>
         <source>The signal needs a name.</source>
@@ -8632,6 +8614,13 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>Arm button</source>
         <translation>解锁按钮</translation>
+    </message>
+</context>
+<context>
+    <name>mb::StatusBar</name>
+    <message>
+        <source>samples %1   lost %2   memory %3</source>
+        <translation>采样 %1   丢失 %2   内存 %3</translation>
     </message>
 </context>
 <context>
@@ -10292,6 +10281,29 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>Folder with firmware</source>
         <translation>固件文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>mb::WindowKeys</name>
+    <message>
+        <source>shows these keys; once more, the help for this page</source>
+        <translation>显示这些按键；再按一次显示此页面的帮助</translation>
+    </message>
+    <message>
+        <source>production: unit after unit, full screen; and back</source>
+        <translation>生产：逐台处理设备，全屏；以及返回</translation>
+    </message>
+    <message>
+        <source>shows page %1</source>
+        <translation>显示页面“%1”</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>窗口</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>菜单</translation>
     </message>
 </context>
 <context>

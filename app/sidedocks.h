@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/settings.h"
+#include "widgets/common/selection.h"
+#include "widgets/common/theme.h"
+#include "widgets/common/workbench.h"
+
+#include <vector>
+
+class QDockWidget;
+class QMainWindow;
+
+namespace mb {
+
+class DeviceTree;
+class PageKeys;
+
+/// What stands at the sides of the pages and can be closed: the devices at the left, the inspector of the selected one at the right.
+/// Lives as long as its window. GUI thread.
+class SideDocks : public QObject {
+    Q_OBJECT
+public:
+    SideDocks(
+        Workbench &workbench, Selection &selection, const ThemeSource &theme, Settings &settings, QMainWindow &window);
+
+    [[nodiscard]] DeviceTree &devices() { return *m_tree; }
+    [[nodiscard]] std::vector<QDockWidget *> all() const { return {m_devices, m_inspector}; }
+    /// F9 and F10, into the table of the window.
+    void addTo(PageKeys &keys);
+    /// Shows the inspector on the overview, where there is room for it, and hides it elsewhere. F10 is respected until that changes.
+    void follow(bool overview);
+
+private:
+    void buildDevices();
+    void buildInspector(Selection &selection, const ThemeSource &theme);
+    QDockWidget *addDock(const QString &name, const QString &title, QWidget *content, Qt::DockWidgetArea area);
+
+    Workbench &m_workbench;
+    const ThemeSource &m_theme;
+    Settings &m_settings;
+    QMainWindow &m_window;
+    DeviceTree *m_tree = nullptr;
+    QDockWidget *m_devices = nullptr;
+    QDockWidget *m_inspector = nullptr;
+    bool m_useful = false; ///< the inspector
+};
+
+} // namespace mb

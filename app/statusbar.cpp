@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/statusbar.h"
+
+#include "app/footprint.h"
+#include "widgets/common/labels.h"
+#include "widgets/common/losses.h"
+#include "widgets/common/numberformat.h"
+#include "widgets/common/spoken.h"
+
+#include <QDateTime>
+
+namespace mb {
+namespace {
+
+constexpr std::chrono::seconds messageTime{8}, footprintTime{1};
+
+} // namespace
+
+StatusBar::StatusBar(Workbench &workbench, const ThemeSource &theme, QWidget *parent)
+    : QStatusBar(parent)
+    , m_workbench(workbench)
+    , m_message(new ElidedLabel({}, this))
+    , m_footprint(textLabel({}, TextRole::Caption, Tone::Dim, this))
+{
+    setSizeGripEnabled(false);
+    setMinimumWidth(1);
+    const int edge = theme.theme().u(12);
+    m_message->setContentsMargins(edge, 0, 0, 0);
+    m_footprint->setContentsMargins(0, 0, edge, 0);
+    m_footprint->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+    addWidget(m_message, 1);
+    addPermanentWidget(m_footprint);
+    m_messageTime.setSingleShot(true);
+    connect(&m_messageTime, &QTimer::timeout, m_message, [label = m_message] {
+        label->clear();
+        setSpoken(*label, {}, {});
+    });
+    connect(&workbench, &Workbench::noticed, this, &StatusBar::showNotice);
+    connect(&m_footprintTime, &QTimer::timeout, this, &StatusBar::showFootprint);
+    m_footprintTime.start(footprintTime);
+    showFootprint();
+}
+
+void StatusBar::showNotice(const Notice &notice)
+{
+    const auto seconds
+        = std::chrono::duration_cast<std::chrono::seconds>(notice.time.time_since_epoch() + m_workbench.unixOffset());
+    const QString time = QDateTime::fromSecsSinceEpoch(seconds.count()).toString(QStringLiteral("HH:mm:ss"));
+    const QString words = (notice.device.isEmpty() ? QString() : notice.device + QStringLiteral(": ")) + notice.text;
+    m_message->setText(time + QLatin1Char(' ') + words);
+    announce(*m_message, words);
+    setTone(*m_message,
+        notice.severity == Severity::Danger        ? Tone::Danger
+            : notice.severity == Severity::Caution ? Tone::Caution
+                                                   : Tone::Text);
+    if (notice.severity == Severity::Danger)
+        m_messageTime.stop();
+    else
+        m_messageTime.start(messageTime);
+}
+
+void StatusBar::showFootprint()
+{
+    const auto [samples, lost] = samplesOn(m_workbench.snapshot());
+    m_footprint->setText(tr("samples %1   lost %2   memory %3")
+                             .arg(formatCount(static_cast<qint64>(samples)), formatCount(static_cast<qint64>(lost)),
+                                 formatBytes(residentBytes())));
+}
+
+} // namespace mb
