@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/engine.h"
 
-#include "app/engine/serviceroom.h"
+#include "app/engine/servicejobs.h"
 #include "app/folders/account.h"
 #include "app/folders/userfolders.h"
 #include "app/guardian/client/guardianclient.h"
@@ -122,7 +122,7 @@ struct Engine::Worker {
     StoredSettings settingsLog;
     StoredService serviceJournal;
     EngineCore core;
-    ServiceRoom service;
+    ServiceJobs service;
     bool serviceChanged = false;
     std::function<void(const ServiceView &)> serviceViewed; ///< called in the window's thread
     std::function<void(const service::Visit &)> unitEnded;
@@ -195,7 +195,7 @@ void Engine::post(std::function<void(EngineCore &)> work)
     m_toEngine.post([this, work = std::move(work)] { work(m_worker->core); });
 }
 
-void Engine::askService(std::function<Result<void>(ServiceRoom &)> work, std::function<void(Result<void>)> finished)
+void Engine::askService(std::function<Result<void>(ServiceJobs &)> work, std::function<void(Result<void>)> finished)
 {
     m_toEngine.post([this, work = std::move(work), finished = std::move(finished)] {
         const Result<void> result = work(m_worker->service);

@@ -15,7 +15,7 @@ class QSocketNotifier;
 
 namespace mb {
 
-class ServiceRoom;
+class ServiceJobs;
 struct ServiceView;
 
 /// The door between the two threads, and the only one. Orders are posted to the engine thread's mailbox; snapshots, notices
@@ -43,7 +43,7 @@ public:
     [[nodiscard]] const std::vector<Notice> &notices() const override { return m_notices; }
 
     /// The service of units: `work` runs on the engine thread, `finished` hears of it here.
-    void askService(std::function<Result<void>(ServiceRoom &)> work, std::function<void(Result<void>)> finished);
+    void askService(std::function<Result<void>(ServiceJobs &)> work, std::function<void(Result<void>)> finished);
     /// From now on, here: every view that is another, at most 30 times a second, and every unit that has ended.
     void followService(
         std::function<void(const ServiceView &)> viewed, std::function<void(const service::Visit &)> ended);

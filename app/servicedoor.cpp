@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/servicedoor.h"
 
-#include "app/engine/serviceroom.h"
+#include "app/engine/servicejobs.h"
 #include "app/folders/account.h"
 #include "storage/visitjson.h"
 
@@ -69,8 +69,8 @@ void ServiceDoor::keepJournal(const std::string &server, const std::string &stat
         place.server = std::move(*parsed);
     }
     m_engine.askService(
-        [engine = &m_engine, place](ServiceRoom &room) {
-            const Result<void> taken = room.setStation(place.station);
+        [engine = &m_engine, place](ServiceJobs &jobs) {
+            const Result<void> taken = jobs.setStation(place.station);
             if (taken)
                 engine->keepJournal(place); // before any unit of this station is written down
             return taken;
@@ -89,47 +89,47 @@ void ServiceDoor::keepJournal(const std::string &server, const std::string &stat
 
 void ServiceDoor::begin(const Plan &plan, Finished finished)
 {
-    m_engine.askService([plan](ServiceRoom &room) { return room.begin(plan); }, std::move(finished));
+    m_engine.askService([plan](ServiceJobs &jobs) { return jobs.begin(plan); }, std::move(finished));
 }
 
 void ServiceDoor::pause(bool on)
 {
-    m_engine.askService([on](ServiceRoom &room) -> Result<void> { return room.pause(on), Result<void>(); }, {});
+    m_engine.askService([on](ServiceJobs &jobs) -> Result<void> { return jobs.pause(on), Result<void>(); }, {});
 }
 
 void ServiceDoor::skip(std::uint32_t row)
 {
-    m_engine.askService([row](ServiceRoom &room) -> Result<void> { return room.skip(row), Result<void>(); }, {});
+    m_engine.askService([row](ServiceJobs &jobs) -> Result<void> { return jobs.skip(row), Result<void>(); }, {});
 }
 
 void ServiceDoor::retry(std::uint32_t row)
 {
-    m_engine.askService([row](ServiceRoom &room) -> Result<void> { return room.retry(row), Result<void>(); }, {});
+    m_engine.askService([row](ServiceJobs &jobs) -> Result<void> { return jobs.retry(row), Result<void>(); }, {});
 }
 
 void ServiceDoor::retryFailed()
 {
-    m_engine.askService([](ServiceRoom &room) -> Result<void> { return room.retryFailed(), Result<void>(); }, {});
+    m_engine.askService([](ServiceJobs &jobs) -> Result<void> { return jobs.retryFailed(), Result<void>(); }, {});
 }
 
 void ServiceDoor::cancel()
 {
-    m_engine.askService([](ServiceRoom &room) -> Result<void> { return room.cancel(), Result<void>(); }, {});
+    m_engine.askService([](ServiceJobs &jobs) -> Result<void> { return jobs.cancel(), Result<void>(); }, {});
 }
 
 void ServiceDoor::finish()
 {
-    m_engine.askService([](ServiceRoom &room) -> Result<void> { return room.finish(), Result<void>(); }, {});
+    m_engine.askService([](ServiceJobs &jobs) -> Result<void> { return jobs.finish(), Result<void>(); }, {});
 }
 
 void ServiceDoor::arm(bool on)
 {
-    m_engine.askService([on](ServiceRoom &room) -> Result<void> { return room.arm(on), Result<void>(); }, {});
+    m_engine.askService([on](ServiceJobs &jobs) -> Result<void> { return jobs.arm(on), Result<void>(); }, {});
 }
 
 void ServiceDoor::renew()
 {
-    m_engine.askService([](ServiceRoom &room) -> Result<void> { return room.renew(), Result<void>(); }, {});
+    m_engine.askService([](ServiceJobs &jobs) -> Result<void> { return jobs.renew(), Result<void>(); }, {});
 }
 
 void ServiceDoor::findCut(const service::RecipeMatter &matter, CutFound found)

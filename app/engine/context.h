@@ -12,10 +12,10 @@ class EngineLog;
 class Operations;
 class Session;
 
-/// Tells whoever gave an order what came of it; never empty where a room is handed one by EngineCore.
+/// Tells whoever gave an order what came of it; never empty where a part of the engine is handed one by EngineCore.
 using Finished = std::function<void(Result<void>)>;
 
-/// What the rooms of the engine share. Outlives them; engine thread.
+/// What the parts of the engine share. Outlives them; engine thread.
 struct EngineContext {
     Clock &clock;
     Session &session;

@@ -10,7 +10,7 @@
 
 namespace mb {
 
-/// The engine thread's half of the door: the session, and rooms by responsibility that carry out orders and look after what goes on
+/// The engine thread's half of the door: the session, and parts by responsibility that carry out orders and look after what goes on
 /// by itself. Knows no Qt and no thread, so that tests drive it on a virtual clock.
 class EngineCore {
 public:
@@ -22,7 +22,7 @@ public:
     /// Stops every motor; whoever waits for an answer has one.
     ~EngineCore();
 
-    /// Does what was ordered, and sees that it is answered (widgets/orders): by the room that has a carryOut() for it.
+    /// Does what was ordered, and sees that it is answered (widgets/orders): by the part that has a carryOut() for it.
     void carryOut(const Order &order, const Reply &reply);
     /// The same, as Workbench::send() has it.
     template <class O> void send(O order, std::function<void(Result<AnswerOf<O>>)> finished = {})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/engine/serviceroom.h"
+#include "app/engine/servicejobs.h"
 
 #include <algorithm>
 
@@ -26,7 +26,7 @@ private:
 
 } // namespace
 
-ServiceRoom::ServiceRoom(EngineCore &core, Surroundings surroundings)
+ServiceJobs::ServiceJobs(EngineCore &core, Surroundings surroundings)
     : m_core(core)
     , m_around(std::move(surroundings))
     , m_armedUntil(core.session().clock())
@@ -34,12 +34,12 @@ ServiceRoom::ServiceRoom(EngineCore &core, Surroundings surroundings)
     m_sessionChanged = core.session().changed().add([this] { followLinks(); });
 }
 
-ServiceRoom::~ServiceRoom()
+ServiceJobs::~ServiceJobs()
 {
     leave();
 }
 
-Result<void> ServiceRoom::begin(const ServiceDesk::Plan &plan)
+Result<void> ServiceJobs::begin(const ServiceDesk::Plan &plan)
 {
     if (isRunning())
         return fail(Fault::Unsafe, say("units are served already"), say("end that first"));
@@ -76,7 +76,7 @@ Result<void> ServiceRoom::begin(const ServiceDesk::Plan &plan)
     return {};
 }
 
-Result<void> ServiceRoom::setStation(std::string name)
+Result<void> ServiceJobs::setStation(std::string name)
 {
     if (isRunning())
         return fail(Fault::Unsafe, say("units are served already"), say("end that first"));
@@ -85,7 +85,7 @@ Result<void> ServiceRoom::setStation(std::string name)
 }
 
 /// All of them or none.
-Result<void> ServiceRoom::lendAll()
+Result<void> ServiceJobs::lendAll()
 {
     std::vector<Link *> lent;
     for (const std::string &address : m_links) {
@@ -103,14 +103,14 @@ Result<void> ServiceRoom::lendAll()
     return {};
 }
 
-void ServiceRoom::giveBack()
+void ServiceJobs::giveBack()
 {
     for (const std::string &address : m_links)
         m_core.takeBack(address);
 }
 
 /// A link that was closed takes its queue along: nothing can be done again there, and what is known stays in sight.
-void ServiceRoom::followLinks()
+void ServiceJobs::followLinks()
 {
     if (!m_queue)
         return;
@@ -127,7 +127,7 @@ void ServiceRoom::followLinks()
     m_changed.notify();
 }
 
-void ServiceRoom::leave()
+void ServiceJobs::leave()
 {
     m_station.armed = false;
     m_armedUntil.stop();
@@ -137,14 +137,14 @@ void ServiceRoom::leave()
     m_lent.clear();
 }
 
-void ServiceRoom::queueChanged()
+void ServiceJobs::queueChanged()
 {
     choose();
     m_changed.notify();
 }
 
 /// Of what is found the chosen are taken, the others stay left out.
-void ServiceRoom::choose()
+void ServiceJobs::choose()
 {
     if (!m_chosen)
         return;
@@ -155,20 +155,20 @@ void ServiceRoom::choose()
     }
 }
 
-void ServiceRoom::pause(bool on)
+void ServiceJobs::pause(bool on)
 {
     if (m_queue)
         on ? m_queue->pause() : m_queue->resume();
 }
 
-void ServiceRoom::skip(std::uint32_t row)
+void ServiceJobs::skip(std::uint32_t row)
 {
     if (m_queue)
         m_queue->skip(row);
 }
 
 /// A queue that has ended gets its links back for it, if anything comes of the order.
-void ServiceRoom::again(const std::function<void()> &order)
+void ServiceJobs::again(const std::function<void()> &order)
 {
     if (!m_queue)
         return;
@@ -183,17 +183,17 @@ void ServiceRoom::again(const std::function<void()> &order)
     m_changed.notify();
 }
 
-void ServiceRoom::retry(std::uint32_t row)
+void ServiceJobs::retry(std::uint32_t row)
 {
     again([this, row] { m_queue->retry(row); });
 }
 
-void ServiceRoom::retryFailed()
+void ServiceJobs::retryFailed()
 {
     again([this] { m_queue->retryFailed(); });
 }
 
-void ServiceRoom::cancel()
+void ServiceJobs::cancel()
 {
     arm(false);
     if (!isRunning())
@@ -206,7 +206,7 @@ void ServiceRoom::cancel()
     }
 }
 
-void ServiceRoom::finish()
+void ServiceJobs::finish()
 {
     arm(false);
     m_station.leaving = true;
@@ -214,7 +214,7 @@ void ServiceRoom::finish()
         m_queue->finish();
 }
 
-void ServiceRoom::stop()
+void ServiceJobs::stop()
 {
     arm(false);
     m_station.leaving = true;
@@ -222,14 +222,14 @@ void ServiceRoom::stop()
         m_queue->stop();
 }
 
-void ServiceRoom::arm(bool on)
+void ServiceJobs::arm(bool on)
 {
     m_station.armed = on && isRunning() && m_queue->matter().recipe.test;
     restartArmedTime();
     m_changed.notify();
 }
 
-void ServiceRoom::restartArmedTime()
+void ServiceJobs::restartArmedTime()
 {
     m_station.end = m_core.session().clock().now() + armedTime;
     if (m_station.armed)
@@ -238,13 +238,13 @@ void ServiceRoom::restartArmedTime()
         m_armedUntil.stop();
 }
 
-void ServiceRoom::renew()
+void ServiceJobs::renew()
 {
     if (m_queue)
         m_queue->renewLease();
 }
 
-void ServiceRoom::ended(const service::Visit &visit)
+void ServiceJobs::ended(const service::Visit &visit)
 {
     if (visit.outcome == service::Outcome::Failed)
         arm(false);
@@ -254,7 +254,7 @@ void ServiceRoom::ended(const service::Visit &visit)
 }
 
 /// Three seconds in which everybody is told, and somebody can still say no: then it waits again.
-Task<void> ServiceRoom::beforeMotion(const Device &device, const service::SelfTest &, Progress &progress)
+Task<void> ServiceJobs::beforeMotion(const Device &device, const service::SelfTest &, Progress &progress)
 {
     do {
         auto waiting = untilArmed(device, progress);
@@ -270,7 +270,7 @@ Task<void> ServiceRoom::beforeMotion(const Device &device, const service::SelfTe
 }
 
 /// Everything else is done by then, and nothing is lost while it waits.
-Task<void> ServiceRoom::untilArmed(const Device &device, Progress &progress)
+Task<void> ServiceJobs::untilArmed(const Device &device, Progress &progress)
 {
     const Counted waiting(m_station.waiting);
     const bool isFollowed = device.liveness().heard;
@@ -292,7 +292,7 @@ Task<void> ServiceRoom::untilArmed(const Device &device, Progress &progress)
     co_return {};
 }
 
-ServiceView ServiceRoom::view() const
+ServiceView ServiceJobs::view() const
 {
     if (!m_queue)
         return m_last;

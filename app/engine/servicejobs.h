@@ -11,7 +11,7 @@ namespace mb {
 
 /// Units that are served in the engine's session: the queue, and who may let their motors turn. The links are lent to it, so that
 /// the engine asks nothing there meanwhile. Knows no thread; thread of the session.
-class ServiceRoom final : private service::MotionPermit {
+class ServiceJobs final : private service::MotionPermit {
 public:
     struct Surroundings {
         service::ServiceJournal &journal;
@@ -19,8 +19,8 @@ public:
         tuning::ExperimentJournal *trials = nullptr;
         std::string station;
     };
-    ServiceRoom(EngineCore &core, Surroundings surroundings);
-    ~ServiceRoom() override;
+    ServiceJobs(EngineCore &core, Surroundings surroundings);
+    ~ServiceJobs() override;
 
     /// As ServiceDesk::begin(). Timeout when a link is not there, or busy.
     [[nodiscard]] Result<void> begin(const ServiceDesk::Plan &plan);

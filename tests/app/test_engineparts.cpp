@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rooms of the engine by themselves, without EngineCore: each needs a session, a log and the operations.
+// Parts of the engine by themselves, without EngineCore: each needs a session, a log and the operations.
 #include "app/engine/devicejobs.h"
 #include "app/engine/rates.h"
 #include "app/engine/scans.h"
@@ -17,9 +17,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-class EngineRooms : public testing::Test {
+class EngineParts : public testing::Test {
 protected:
-    EngineRooms()
+    EngineParts()
     {
         link = session.openLink(*LinkAddress::parse("sim:can")).value();
         recordings.follow(*link);
@@ -65,7 +65,7 @@ protected:
     Link *link = nullptr;
 };
 
-TEST_F(EngineRooms, ARateForADeviceThatIsBusyIsSetOnceItIsFreeAndAnsweredThen)
+TEST_F(EngineParts, ARateForADeviceThatIsBusyIsSetOnceItIsFreeAndAnsweredThen)
 {
     Rates rates(context);
     std::vector<Result<void>> blinked;
@@ -85,7 +85,7 @@ TEST_F(EngineRooms, ARateForADeviceThatIsBusyIsSetOnceItIsFreeAndAnsweredThen)
     EXPECT_EQ(first.size() + second.size(), 2U);
 }
 
-TEST_F(EngineRooms, ARestoredRateIsWhatWasAskedForBefore)
+TEST_F(EngineParts, ARestoredRateIsWhatWasAskedForBefore)
 {
     Rates rates(context);
     std::vector<Result<void>> answers;
@@ -101,7 +101,7 @@ TEST_F(EngineRooms, ARestoredRateIsWhatWasAskedForBefore)
     EXPECT_NEAR(device(5).telemetry()->rate(velocity()), 100.0, 10.0);
 }
 
-TEST_F(EngineRooms, ADeviceHasOneJobAtATimeAndWhoIsRefusedIsTold)
+TEST_F(EngineParts, ADeviceHasOneJobAtATimeAndWhoIsRefusedIsTold)
 {
     std::vector<Result<void>> first;
     std::vector<Result<void>> refused;
@@ -116,7 +116,7 @@ TEST_F(EngineRooms, ADeviceHasOneJobAtATimeAndWhoIsRefusedIsTold)
     EXPECT_EQ(operations.jobs().size(), 2U);
 }
 
-TEST_F(EngineRooms, WhatBeganByItselfMakesWayForAnOrder)
+TEST_F(EngineParts, WhatBeganByItselfMakesWayForAnOrder)
 {
     std::vector<Result<void>> byItself;
     std::vector<Result<void>> ordered;
@@ -131,7 +131,7 @@ TEST_F(EngineRooms, WhatBeganByItselfMakesWayForAnOrder)
     EXPECT_TRUE(ordered.front());
 }
 
-TEST_F(EngineRooms, AScanIsShownWhileItRunsAndEndsWhenItIsCancelled)
+TEST_F(EngineParts, AScanIsShownWhileItRunsAndEndsWhenItIsCancelled)
 {
     std::vector<Result<void>> answers;
     EXPECT_FALSE(isScanning());
@@ -147,7 +147,7 @@ TEST_F(EngineRooms, AScanIsShownWhileItRunsAndEndsWhenItIsCancelled)
         std::find(lines.begin(), lines.end(), "sim:can: the search was cancelled; what it found stays"), lines.end());
 }
 
-TEST_F(EngineRooms, AnOperationIsPublishedAgainOnlyWhenItHasChanged)
+TEST_F(EngineParts, AnOperationIsPublishedAgainOnlyWhenItHasChanged)
 {
     Links links(context, motion, recordings, scans, false);
     SnapshotPublisher publisher(context, links, provisional);
@@ -188,7 +188,7 @@ TEST_F(EngineRooms, AnOperationIsPublishedAgainOnlyWhenItHasChanged)
     EXPECT_TRUE(merged(std::move(shown), publisher.changes()).operations.empty());
 }
 
-TEST_F(EngineRooms, AStopReachesEveryMotorAndEndsWhatMoves)
+TEST_F(EngineParts, AStopReachesEveryMotorAndEndsWhatMoves)
 {
     std::vector<Result<void>> answers;
     SetPoint half;
