@@ -1,62 +1,108 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/engine/rates.h"
 
+#include "app/engine/operations.h"
+
+#include <algorithm>
+
 namespace mb {
 namespace {
 
-constexpr Duration ratesAgain = std::chrono::milliseconds(100);
+/// A page that appears reads first.
+constexpr Duration betweenRates = std::chrono::milliseconds(100);
 
 } // namespace
 
-Rates::Rates(const EngineContext &context)
-    : m_context(context)
-    , m_again(context.clock)
+void Rates::carryOut(const orders::WishRates &order, const Finished &finished)
 {
-}
-
-void Rates::carryOut(const orders::SetRate &order, const Finished &finished)
-{
-    const Place place{order.device, order.channel};
-    m_wished[place] = order.hertz;
-    set(place, order.hertz, finished);
-}
-
-void Rates::set(const Place &place, double hertz, const Finished &finished)
-{
-    if (m_context.operations.has(place.first)) { // it began after the window had seen that the device is free
-        Waiting &waiting = m_waiting[place];
-        waiting.hertz = hertz;
-        waiting.finished.push_back(finished);
-        m_again.startIn(ratesAgain, [this] { setWaiting(); });
-        return;
+    std::map<Place, double> wanted;
+    for (const RateWish &wish : order.wishes) {
+        if (wish.hertz <= 0.0)
+            continue;
+        double &hertz = wanted[{wish.device, wish.channel}];
+        hertz = std::max(hertz, wish.hertz);
     }
-    m_context.operations.begin<void>(
-        place.first, say("Set telemetry rate"),
-        [channel = place.second, hertz](Device &device, Progress &) { return device.setRate(channel, hertz); },
-        [this, id = place.first, finished](Operations::Job &, const Result<void> &result) {
-            if (!result && result.error().fault != Fault::Unsupported) // then it stays as it is
-                m_context.log.tell(Severity::Caution, id, say("Set telemetry rate: %1", result.error().message()));
-            finished(result);
-        },
-        finished);
-}
-
-void Rates::setWaiting()
-{
-    for (const auto &[place, waiting] : std::exchange(m_waiting, {})) {
-        set(place, waiting.hertz, [all = waiting.finished](const Result<void> &result) {
-            for (const Finished &finished : all)
-                finished(result);
-        });
-    }
+    if (wanted.empty())
+        m_wishes.erase(order.wisher);
+    else
+        m_wishes[order.wisher] = std::move(wanted);
+    wait();
+    finished({});
 }
 
 void Rates::restore(DeviceId device)
 {
-    for (const auto &[place, hertz] : std::map(m_wished)) {
-        if (place.first == device && hertz > 0.0)
-            set(place, hertz, [](const Result<void> &) {});
+    std::erase_if(m_inForce, [device](const auto &one) { return one.first.first == device; });
+    setNext();
+}
+
+/// Of each channel the highest.
+std::map<Rates::Place, double> Rates::wished() const
+{
+    std::map<Place, double> most;
+    for (const auto &[wisher, wishes] : m_wishes) {
+        for (const auto &[place, hertz] : wishes)
+            most[place] = std::max(most[place], hertz);
     }
+    return most;
+}
+
+/// What is not in force yet, of devices that are there.
+std::map<Rates::Place, double> Rates::open() const
+{
+    std::map<Place, double> found = wished();
+    for (const auto &[place, hertz] : m_inForce)
+        found.try_emplace(place, 0.0);
+    std::erase_if(found, [this](const auto &one) {
+        const auto present = m_inForce.find(one.first);
+        return one.second == (present == m_inForce.end() ? 0.0 : present->second)
+            || !m_context.session.find(one.first.first);
+    });
+    return found;
+}
+
+bool Rates::isFree(DeviceId id) const
+{
+    const Device *device = m_context.session.find(id);
+    return device->liveness().heard && device->busy().empty() && !m_context.operations.has(id);
+}
+
+void Rates::wait()
+{
+    if (!m_next.isActive())
+        m_next.startIn(betweenRates, [this] { setNext(); });
+}
+
+void Rates::setNext()
+{
+    std::erase_if(m_inForce, [this](const auto &one) { return !m_context.session.find(one.first.first); });
+    const std::map<Place, double> waiting = open();
+    if (waiting.empty())
+        return;
+    wait();
+    for (const bool faster : {true, false}) {
+        const auto chosen = std::find_if(waiting.begin(), waiting.end(),
+            [&](const auto &one) { return (one.second > 0.0) == faster && isFree(one.first.first); });
+        if (chosen != waiting.end())
+            return set(chosen->first, chosen->second);
+    }
+}
+
+void Rates::set(const Place &place, double hertz)
+{
+    if (hertz > 0.0)
+        m_inForce[place] = hertz;
+    else
+        m_inForce.erase(place);
+    m_context.operations.begin<void>(
+        place.first, say("Set telemetry rate"),
+        [channel = place.second, hertz](Device &device, Progress &) { return device.setRate(channel, hertz); },
+        [this](const Operations::Job &job, const Result<void> &result) {
+            if (!result && result.error().fault != Fault::Unsupported) // then it stays as it is
+                m_context.log.tell(
+                    Severity::Caution, job.device, say("Set telemetry rate: %1", result.error().message()));
+        },
+        [](const Result<void> &) {});
 }
 
 } // namespace mb

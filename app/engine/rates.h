@@ -1,37 +1,50 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/engine/operations.h"
+#include "app/engine/context.h"
 #include "widgets/orders/deviceorders.h"
 
 #include <map>
 
 namespace mb {
 
-/// How often devices send telemetry, as the window has asked for it last. A rate is an operation of the device: what is asked for
-/// while it is busy waits for it. Engine thread.
+/// How often devices send their telemetry: the one place where the wishes for it meet. Engine thread.
+///
+/// Who asks: each page that draws a device (widgets/common/pagerates.h), under a number of its own, by orders::WishRates.
+/// Who wins: of several wishes for a channel the highest, so nobody's wish lowers another's. Where channels come in one frame, the
+/// family sends it for the fastest of them (telemetry/framerate.h). An experiment has the device to itself and rates of its own
+/// while it runs, whatever pages wish (tuning/experimentrun.h); afterwards the wishes hold again.
+/// How a wish ends: the same one wishes without it, and a page that is hidden or closed wishes nothing. Then the next highest holds,
+/// or the device's own rate where nobody is left.
+///
+/// Each rate is an operation of its device, so they are set one after the other, each while its device is free, what somebody waits to
+/// see before what nobody does. A rate that a device refuses is told in the log, and not asked for again.
 class Rates {
 public:
-    explicit Rates(const EngineContext &context);
+    explicit Rates(const EngineContext &context)
+        : m_context(context)
+        , m_next(context.clock)
+    {
+    }
 
-    void carryOut(const orders::SetRate &order, const Finished &finished);
-    /// An experiment had rates of its own: what was asked for before holds again.
+    void carryOut(const orders::WishRates &order, const Finished &finished);
+    /// An experiment had rates of its own in this device.
     void restore(DeviceId device);
 
 private:
     using Place = std::pair<DeviceId, ChannelIndex>;
-    struct Waiting {
-        double hertz = 0.0;
-        std::vector<Finished> finished;
-    };
 
-    void set(const Place &place, double hertz, const Finished &finished);
-    void setWaiting();
+    [[nodiscard]] std::map<Place, double> wished() const;
+    [[nodiscard]] std::map<Place, double> open() const;
+    [[nodiscard]] bool isFree(DeviceId device) const;
+    void wait();
+    void setNext();
+    void set(const Place &place, double hertz);
 
     EngineContext m_context;
-    std::map<Place, double> m_wished; ///< asked for last; a trial has rates of its own meanwhile
-    std::map<Place, Waiting> m_waiting;
-    Timer m_again;
+    std::map<std::uint64_t, std::map<Place, double>> m_wishes; ///< by who wishes
+    std::map<Place, double> m_inForce;                         ///< what the devices were asked for
+    Timer m_next;
 };
 
 } // namespace mb

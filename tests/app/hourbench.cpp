@@ -150,7 +150,8 @@ void HourBench::chooseRate()
     do
         channel = static_cast<std::uint16_t>(number(0, std::ssize(view.family->channels) - 1));
     while (view.family->channels[channel].quantity == Quantity::SetPoint);
-    m_core.send(orders::SetRate{view.id, {channel}, rates.at(static_cast<std::size_t>(number(0, rates.size() - 1)))});
+    const double hertz = rates.at(static_cast<std::size_t>(number(0, rates.size() - 1)));
+    m_core.send(orders::WishRates{100ULL * view.id.value + channel, {{view.id, {channel}, hertz}}});
     pass(1s);
 }
 

@@ -111,9 +111,9 @@ template <> orders::SetDialect example(const Place &place)
     return {place.id, "F"};
 }
 
-template <> orders::SetRate example(const Place &place)
+template <> orders::WishRates example(const Place &place)
 {
-    return {place.id, {0}, 100.0};
+    return {1, {{place.id, {0}, 100.0}}};
 }
 
 template <> orders::StartMotion example(const Place &place)

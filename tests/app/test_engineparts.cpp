@@ -47,6 +47,15 @@ protected:
         return [&answers](Result<void> result) { answers.push_back(std::move(result)); };
     }
 
+    /// Somebody's wish for the velocity of #5; 0: no more.
+    void wish(Rates &rates, std::uint64_t wisher, double hertz) const
+    {
+        std::vector<Result<void>> answers;
+        const std::vector<RateWish> wishes{{id(5), velocity(), hertz}};
+        rates.carryOut(orders::WishRates{wisher, hertz > 0.0 ? wishes : std::vector<RateWish>()}, into(answers));
+        EXPECT_EQ(answers.size(), 1U);
+    }
+
     VirtualClock clock;
     Session session{clock, families()};
     EngineLog log{session};
@@ -65,40 +74,63 @@ protected:
     Link *link = nullptr;
 };
 
-TEST_F(EngineParts, ARateForADeviceThatIsBusyIsSetOnceItIsFreeAndAnsweredThen)
+TEST_F(EngineParts, ARateForADeviceThatIsBusyIsSetOnceItIsFree)
 {
     Rates rates(context);
     std::vector<Result<void>> blinked;
-    std::vector<Result<void>> first;
-    std::vector<Result<void>> second;
     jobs.carryOut(orders::Identify{id(5)}, into(blinked));
     ASSERT_TRUE(operations.has(id(5)));
-    rates.carryOut(orders::SetRate{id(5), velocity(), 50.0}, into(first));
-    rates.carryOut(orders::SetRate{id(5), velocity(), 100.0}, into(second));
-    clock.advance(1ms);
-    EXPECT_TRUE(first.empty() && second.empty());
-    ASSERT_TRUE(clock.runUntil([&] { return !first.empty() && !second.empty(); }, 20s));
-    EXPECT_EQ(blinked.size(), 1U);
-    EXPECT_TRUE(first.front() && second.front());
+    wish(rates, 1, 50.0);
+    wish(rates, 1, 100.0);
+    ASSERT_TRUE(clock.runUntil([&] { return !blinked.empty(); }, 20s));
+    EXPECT_EQ(operations.jobs().size(), 1U) << "nothing was set before";
     clock.advance(3s);
+    EXPECT_TRUE(blinked.front());
+    EXPECT_EQ(operations.jobs().size(), 2U);
     EXPECT_NEAR(device(5).telemetry()->rate(velocity()), 100.0, 10.0) << "what was asked for last";
-    EXPECT_EQ(first.size() + second.size(), 2U);
 }
 
 TEST_F(EngineParts, ARestoredRateIsWhatWasAskedForBefore)
 {
     Rates rates(context);
     std::vector<Result<void>> answers;
-    rates.carryOut(orders::SetRate{id(5), velocity(), 100.0}, into(answers));
-    ASSERT_TRUE(clock.runUntil([&] { return !operations.has(id(5)); }, 20s));
+    wish(rates, 1, 100.0);
+    clock.advance(1s);
     operations.begin(
         id(5), say("An experiment"), [this](Device &unit, Progress &) { return unit.setRate(velocity(), 10.0); },
         into(answers));
-    ASSERT_TRUE(clock.runUntil([&] { return answers.size() == 2; }, 20s));
+    ASSERT_TRUE(clock.runUntil([&] { return answers.size() == 1; }, 20s));
     rates.restore(id(5));
     ASSERT_TRUE(operations.has(id(5)));
     clock.advance(5s);
     EXPECT_NEAR(device(5).telemetry()->rate(velocity()), 100.0, 10.0);
+}
+
+TEST_F(EngineParts, TheHighestWishHoldsAndWhoEndsGivesItBack)
+{
+    Rates rates(context);
+    clock.advance(3s);
+    const double own = device(5).telemetry()->rate(velocity());
+    const auto rate = [this] {
+        clock.advance(4s);
+        return device(5).telemetry()->rate(velocity());
+    };
+    constexpr std::uint64_t recording = 1;
+    constexpr std::uint64_t plot = 2;
+    wish(rates, recording, 200.0);
+    wish(rates, plot, 100.0);
+    EXPECT_NEAR(rate(), 200.0, 10.0);
+    wish(rates, plot, 50.0);
+    EXPECT_NEAR(rate(), 200.0, 10.0) << "a lower wish never lowers another's";
+    wish(rates, plot, 100.0);
+    wish(rates, recording, 0.0);
+    EXPECT_NEAR(rate(), 100.0, 10.0) << "who ends gives the rate back to the next";
+    wish(rates, plot, 0.0);
+    EXPECT_NEAR(rate(), own, 0.1 * own) << "and the last one to the device";
+    const std::size_t settings = operations.jobs().size();
+    wish(rates, plot, 0.0);
+    clock.advance(1s);
+    EXPECT_EQ(operations.jobs().size(), settings);
 }
 
 TEST_F(EngineParts, ADeviceHasOneJobAtATimeAndWhoIsRefusedIsTold)

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is on screen is asked for faster, and nothing else; one mechanism for the pages.
+// What is on screen is wished for faster, and nothing else; who wins is tests/app/test_engineparts.
 #include "support/windowtests.h"
 #include "tunebench.h"
-#include "widgets/common/ratekeeper.h"
 #include "widgets/plots/plotspage.h"
 
 #include <QTest>
@@ -48,18 +47,20 @@ struct RatesBench {
         tune->resize(1208, 760);
         workbench.publish();
     }
-    /// Rates that the devices were left with.
+    /// What all pages wish together; the engine decides by the highest (app/engine/rates.h).
     [[nodiscard]] Asked asked() const
     {
-        Asked last;
-        for (const auto &call : workbench.given<orders::SetRate>()) {
-            const auto key = std::string(dmc60c().channels[call.channel.value].key);
-            if (call.hertz > 0.0)
-                last[{call.device.value, key}] = call.hertz;
-            else
-                last.erase({call.device.value, key});
+        std::map<std::uint64_t, std::vector<RateWish>> last;
+        for (const auto &order : workbench.given<orders::WishRates>())
+            last[order.wisher] = order.wishes;
+        Asked highest;
+        for (const auto &[wisher, wishes] : last) {
+            for (const RateWish &wish : wishes) {
+                double &hertz = highest[{wish.device.value, std::string(dmc60c().channels[wish.channel.value].key)}];
+                hertz = std::max(hertz, wish.hertz);
+            }
         }
-        return last;
+        return highest;
     }
 };
 
@@ -73,7 +74,6 @@ private Q_SLOTS:
     void aDerivedSignalNeedsItsIngredients();
     void nothingIsAskedForOfADeviceWhoseRatesAreASetting();
     void theFasterOfTwoPagesCountsAndTheOtherRemains();
-    void aBusyDeviceIsAskedOnceItIsFree();
 };
 
 void TestRates::whatIsPlottedIsFastWhileItIsSeen()
@@ -92,10 +92,10 @@ void TestRates::whatIsPlottedIsFastWhileItIsSeen()
     QTRY_COMPARE(bench.asked(), others);
     bench.plots->hide();
     QTRY_VERIFY(bench.asked().empty());
-    const auto calls = bench.workbench.given<orders::SetRate>().size();
+    const auto calls = bench.workbench.given<orders::WishRates>().size();
     bench.workbench.publish();
     QTest::qWait(250);
-    QCOMPARE(bench.workbench.given<orders::SetRate>().size(), calls);
+    QCOMPARE(bench.workbench.given<orders::WishRates>().size(), calls);
 }
 
 void TestRates::aShorterWindowAsksForMore()
@@ -151,18 +151,6 @@ void TestRates::theFasterOfTwoPagesCountsAndTheOtherRemains()
     QTRY_COMPARE(bench.asked()[std::pair(1U, std::string("velocity"))], 20.0);
     bench.plots.reset();
     QTRY_VERIFY(bench.asked().empty());
-}
-
-void TestRates::aBusyDeviceIsAskedOnceItIsFree()
-{
-    RatesBench bench;
-    bench.workbench.device(0).busy = say("firmware update");
-    bench.plots->show();
-    QTest::qWait(250);
-    QVERIFY(bench.asked().empty());
-    bench.workbench.device(0).busy = {};
-    bench.workbench.publish();
-    QTRY_COMPARE(bench.asked().size(), 4U);
 }
 
 MB_WINDOW_TEST(TestRates);

@@ -94,15 +94,16 @@ void TestTunePage::telemetryIsFastWhileArmedAndShownAndPutBack()
 {
     TuneBench bench;
     bench.workbench.publish();
-    QVERIFY(bench.workbench.given<orders::SetRate>().empty());
+    QVERIFY(bench.workbench.given<orders::WishRates>().empty());
     bench.arm();
-    QTRY_COMPARE(bench.workbench.given<orders::SetRate>().size(), 3U);
-    QCOMPARE(bench.workbench.given<orders::SetRate>().at(0).hertz, 100.0);
-    QCOMPARE(bench.workbench.given<orders::SetRate>().at(2).hertz, 50.0);
+    QTRY_COMPARE(bench.workbench.given<orders::WishRates>().size(), 1U);
+    const std::vector<RateWish> wishes = bench.workbench.given<orders::WishRates>().front().wishes;
+    QCOMPARE(wishes.size(), 3U);
+    QCOMPARE(wishes.at(0).hertz, 100.0);
+    QCOMPARE(wishes.at(2).hertz, 50.0);
     bench.page->hide();
-    QTRY_COMPARE(bench.workbench.given<orders::SetRate>().size(), 6U);
-    for (int i = 3; i < 6; ++i)
-        QCOMPARE(bench.workbench.given<orders::SetRate>().at(static_cast<std::size_t>(i)).hertz, 0.0);
+    QTRY_COMPARE(bench.workbench.given<orders::WishRates>().size(), 2U);
+    QVERIFY(bench.workbench.given<orders::WishRates>().back().wishes.empty());
 }
 
 void TestTunePage::gainsAreReadOnceWhenTheyAreNotKnown()

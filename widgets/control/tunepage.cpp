@@ -4,7 +4,6 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/emptystate.h"
 #include "widgets/common/iconbutton.h"
-#include "widgets/common/ratekeeper.h"
 #include "widgets/control/axespanel.h"
 #include "widgets/control/gainspanel.h"
 #include "widgets/control/gainswriterow.h"
@@ -174,14 +173,14 @@ void TunePage::follow()
 
 void TunePage::wishRates(const DeviceView *view)
 {
-    std::vector<RateKeeper::Wish> wishes;
-    if (view && isVisible() && isLive() && (m_arming.isArmed(view->id) || RateKeeper::isFree(*view))) {
+    std::vector<RateWish> wishes;
+    if (view && isVisible() && isLive() && (m_arming.isArmed(view->id) || PageRates::isFree(*view))) {
         for (const ChannelRate &rate : view->family->watched) {
             if (const auto channel = findChannel(view->family->channels, rate.channel))
                 wishes.push_back({view->id, *channel, rate.hertz});
         }
     }
-    RateKeeper::of(m_workbench).wish(this, wishes);
+    m_rates.wish(std::move(wishes));
 }
 
 void TunePage::followDevice(const DeviceView &view)

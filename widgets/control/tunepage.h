@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/common/pagerates.h"
 #include "widgets/common/selection.h"
 #include "widgets/control/arming.h"
 #include "widgets/control/statusline.h"
@@ -73,6 +74,7 @@ private:
     void zero();
 
     Workbench &m_workbench;
+    PageRates m_rates{m_workbench};
     Selection &m_selection;
     Arming &m_arming;
     QStackedWidget *m_stack = nullptr;

@@ -6,6 +6,19 @@
 
 #include <optional>
 #include <string>
+#include <vector>
+
+namespace mb {
+
+/// Samples per second of one channel that somebody would see.
+struct RateWish {
+    DeviceId device;
+    ChannelIndex channel;
+    double hertz = 0.0;
+    friend bool operator==(const RateWish &, const RateWish &) = default;
+};
+
+} // namespace mb
 
 /// Orders to a device that concern who and how it is. Timeout when it is gone; those that talk to it are operations: Unsafe
 /// while another one has it.
@@ -45,11 +58,11 @@ struct SetDialect {
     std::string key; ///< empty: what the scan found
 };
 
-/// Telemetry while a page shows the device. What is asked for while it is busy is done once it is free, and answered then.
-struct SetRate {
-    DeviceId device;
-    ChannelIndex channel;
-    double hertz = 0.0; ///< samples per second wished for; 0 returns to the device's own
+/// Telemetry as often as somebody would see it, instead of all that the same one wished for before; no wishes: it sees nothing any
+/// more. Answered at once: what becomes of wishes is in app/engine/rates.h.
+struct WishRates {
+    std::uint64_t wisher = 0; ///< who; a number of its own
+    std::vector<RateWish> wishes;
 };
 
 } // namespace mb::orders

@@ -20,7 +20,7 @@ using Order = std::variant<orders::OpenLink, orders::CloseLink, orders::ScanLink
     orders::CancelScan, orders::SendFrame, orders::ReadParameters, orders::WriteParameters, orders::StoreParameters,
     orders::RewriteSettings, orders::RestoreParameters, orders::UndoWrite, orders::KeepChange, orders::PutBackChange,
     orders::TakeSnapshot, orders::Identify, orders::Rename, orders::Renumber, orders::ClearFaults, orders::Calibrate,
-    orders::SetDialect, orders::SetRate, orders::StartMotion, orders::UpdateMotion, orders::RenewMotion,
+    orders::SetDialect, orders::WishRates, orders::StartMotion, orders::UpdateMotion, orders::RenewMotion,
     orders::StopMotion, orders::ReleaseMoves, orders::ZeroPosition, orders::DismissStops, orders::RunExperiment,
     orders::RunTrial, orders::RunTuning, orders::RunSweep, orders::PayGains, orders::DismissGains,
     orders::UpdateFirmware, orders::CancelOperation, orders::StartRecording, orders::StopRecording,

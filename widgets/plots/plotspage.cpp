@@ -5,7 +5,6 @@
 #include "widgets/common/emptystate.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/pagekeys.h"
-#include "widgets/common/ratekeeper.h"
 #include "widgets/common/replaybar.h"
 #include "widgets/plots/analysisviews.h"
 #include "widgets/plots/exportbar.h"
@@ -36,15 +35,15 @@ constexpr double narrowestWindow = 0.01;
 constexpr std::array<double, 5> rateSteps{20.0, 50.0, 100.0, 200.0, 500.0};
 
 /// What is plotted comes as often as the screen can show it, and not more often.
-std::vector<RateKeeper::Wish> wishesOf(const Workbench &workbench, const PlotBoard &board, const PlotStack &stack)
+std::vector<RateWish> wishesOf(const Workbench &workbench, const PlotBoard &board, const PlotStack &stack)
 {
-    std::vector<RateKeeper::Wish> wishes;
+    std::vector<RateWish> wishes;
     const double columns = std::max(stack.width(), 1) / std::max(stack.view().window(), narrowestWindow);
     const auto step = std::find_if(rateSteps.begin(), rateSteps.end(), [&](double rate) { return rate >= columns; });
     const double hertz = step == rateSteps.end() ? rateSteps.back() : *step;
     const auto add = [&](const Signal &signal) {
         const DeviceView *device = workbench.snapshot().device(signal.device);
-        if (device && device->telemetry && RateKeeper::isFree(*device))
+        if (device && device->telemetry && PageRates::isFree(*device))
             wishes.push_back({signal.device, signal.channel, hertz});
     };
     for (const PlotBoard::Trace &trace : board.traces())
@@ -246,7 +245,7 @@ void PlotsPage::follow()
     if (!isVisible())
         return;
     m_board->followRates();
-    RateKeeper::of(m_workbench).wish(this, wishesOf(m_workbench, *m_board, *m_stack));
+    m_rates.wish(wishesOf(m_workbench, *m_board, *m_stack));
     m_panel->showRows();
     m_bar->recording().follow();
 }
@@ -386,7 +385,7 @@ void PlotsPage::hideEvent(QHideEvent *event)
 {
     m_tick.stop();
     QWidget::hideEvent(event);
-    RateKeeper::of(m_workbench).wish(this, {});
+    m_rates.wish({});
 }
 
 } // namespace mb

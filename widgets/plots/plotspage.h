@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/common/pagerates.h"
 #include "widgets/plots/plotlayoutbook.h"
 #include "widgets/plots/triggercontrol.h"
 
@@ -69,6 +70,7 @@ private:
     void refreshView(double now);
 
     Workbench &m_workbench;
+    PageRates m_rates{m_workbench};
     const ThemeSource &m_theme;
     std::uint64_t m_drawn = 0;
     double m_drawnAt = 0.0;

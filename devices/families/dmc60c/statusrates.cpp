@@ -31,7 +31,7 @@ Task<void> StatusRates::set(ChannelIndex channel, double hertz)
     if (!std::isfinite(hertz) || hertz < 0.0)
         co_return fail(Fault::OutOfRange, say("a rate is a positive number, or 0 for the usual one"));
     const Parameter &row = parameterTable()[parameterWithId(*number)->value];
-    RateWishes &wishes = m_wishes[*number];
+    FrameRate &wishes = m_wishes[*number];
     wishes.set(channel, hertz);
     hertz = wishes.highest(); // of what comes in one frame
     const auto usual = m_usual.find(*number);

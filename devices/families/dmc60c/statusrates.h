@@ -2,7 +2,7 @@
 #pragma once
 
 #include "families/dmc60c/parameterdesk.h"
-#include "telemetry/ratewishes.h"
+#include "telemetry/framerate.h"
 
 #include <map>
 
@@ -24,7 +24,7 @@ public:
 private:
     ParameterDesk &m_desk;
     ParameterStore &m_known;
-    std::map<std::uint8_t, RateWishes> m_wishes;   ///< by status frame
+    std::map<std::uint8_t, FrameRate> m_wishes;    ///< by status frame
     std::map<std::uint8_t, std::uint32_t> m_usual; ///< what set() goes back to, ms
     std::map<std::uint8_t, std::uint32_t> m_wanted;
 };

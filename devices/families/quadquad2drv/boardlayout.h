@@ -2,7 +2,7 @@
 #pragma once
 
 #include "families/quadquad2drv/packetport.h"
-#include "telemetry/ratewishes.h"
+#include "telemetry/framerate.h"
 
 #include <functional>
 
@@ -51,7 +51,7 @@ private:
     SpiLink &m_link;
     PacketPort &m_port;
     Owner m_owner;
-    RateWishes m_wishes;
+    FrameRate m_wishes;
     std::uint16_t m_streamPeriod = 0;
     bool m_told = false;       ///< a stream of ours runs, unless the board was reset
     bool m_changed = false;    ///< we told the board something that a reset undoes

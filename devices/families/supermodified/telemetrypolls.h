@@ -3,7 +3,7 @@
 
 #include "families/supermodified/node.h"
 #include "families/supermodified/velocityestimate.h"
-#include "telemetry/ratewishes.h"
+#include "telemetry/framerate.h"
 #include "telemetry/telemetry.h"
 
 #include <vector>
@@ -54,7 +54,7 @@ private:
         int channels = 1;
         double idle = 0.0;   ///< Hz
         double driven = 0.0; ///< Hz, while the motor is driven
-        RateWishes wishes{};
+        FrameRate wishes{};
         LinePolls::Key key = 0;
         bool refused = false; ///< the last answer was an error
     };
