@@ -2,11 +2,13 @@
 #include "app/console/stage.h"
 
 #include "app/console/simulationclock.h"
+#include "async/sleep.h"
 
 namespace mb::console {
 namespace {
 
 constexpr Duration leaseRenewal = std::chrono::milliseconds(100);
+constexpr Duration masterListen = std::chrono::milliseconds(150); // another master sends at least this often
 
 } // namespace
 
@@ -28,7 +30,36 @@ Session &Stage::session()
 
 Task<Device *> Stage::find(Target target)
 {
-    return connectIn(m_console, session(), std::move(target));
+    auto connecting = connectIn(m_console, session(), std::move(target));
+    Device *const device = co_await std::move(connecting);
+    if (auto application = needsApplication(*device); !application)
+        co_return fail(application.error());
+    Sleep listening(device->clock(), masterListen);
+    co_await listening;
+    co_return device;
+}
+
+namespace {
+
+Task<int> performOnDevice(Stage &stage, Target target, const Performance &performance)
+{
+    auto finding = stage.find(std::move(target));
+    Device *const device = co_await std::move(finding);
+    auto performing = performance(stage.session(), *device);
+    co_return co_await std::move(performing).attempt();
+}
+
+} // namespace
+
+Task<int> performOn(Console &console, Target target, Performance performance)
+{
+    const Subscription patient = console.interrupted().add([] {});
+    Stage stage(console, target.selector.link);
+    auto performing = performOnDevice(stage, std::move(target), performance);
+    const Result<int> performed = co_await std::move(performing).attempt();
+    Sleep leaving(console.clock(), Duration::zero()); // a session is never ended from inside its own work
+    co_await leaving;
+    co_return performed;
 }
 
 LeaseRenewal::LeaseRenewal(Clock &clock, SetPointStream &stream)

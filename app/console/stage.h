@@ -8,6 +8,7 @@
 #include "model/setpointstream.h"
 #include "tuning/experiment.h"
 
+#include <functional>
 #include <memory>
 
 namespace mb::console {
@@ -19,6 +20,7 @@ public:
     ~Stage();
 
     [[nodiscard]] Session &session();
+    /// In its application, and listened to long enough that another master was heard.
     [[nodiscard]] Task<Device *> find(Target target);
 
 private:
@@ -26,6 +28,11 @@ private:
     std::unique_ptr<Clock> m_clock;
     std::unique_ptr<Session> m_session;
 };
+
+/// What a verb does with the device that it names, on a stage of its own.
+using Performance = std::function<Task<int>(Session &, Device &)>;
+/// A signal ends it through its own stop.
+[[nodiscard]] Task<int> performOn(Console &console, Target target, Performance performance);
 
 /// From this program's own loop: if that hangs, the stream stops the motor.
 class LeaseRenewal {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/assignments.h"
+#include "app/console/experimentoptions.h"
 #include "app/console/notebook.h"
 #include "app/console/samplestream.h"
 #include "app/console/stage.h"
@@ -18,16 +19,14 @@
 namespace mb::console {
 namespace {
 
-using namespace std::chrono_literals;
 using namespace tuning;
 
-constexpr Duration masterListen = 150ms; // another master sends at least this often
-constexpr double anyNumber = 1e12;
 constexpr double longestTime = 3600.0;
 constexpr int mostRepeats = 100;
 
 struct Arguments {
     std::string device;
+    ExperimentOptions where;
     std::string mode;
     std::string to;
     std::string from;
@@ -36,12 +35,6 @@ struct Arguments {
     std::string repeat;
     std::vector<std::string> gains;
     bool keep = false;
-    std::string axis;
-    std::string slot;
-    std::string travel;
-    std::string speed;
-    std::string current;
-    std::string duty;
     bool samples = false;
     std::string save;
     bool yes = false;
@@ -96,31 +89,25 @@ Result<void> parseNumbers(const Family &family, const Arguments &a, ExperimentPl
     const auto to = parseNumber("--to", a.to, -anyNumber, anyNumber);
     const auto from = optional("--from", a.from, -anyNumber, anyNumber);
     const auto seconds = optional("--time", a.seconds, 0.001, longestTime);
-    const auto travel = optional("--travel", a.travel, 0.0, anyNumber);
-    const auto speed = optional("--speed", a.speed, 0.0, anyNumber);
-    const auto current = optional("--current", a.current, 0.0, 1e4);
-    const auto duty = optional("--duty", a.duty, 0.0, 1.0);
     const auto repeat = a.repeat.empty() ? Result<int>(1) : parseInteger("--repeat", a.repeat, 1, mostRepeats);
-    const auto axis = a.axis.empty() ? Result<int>(1) : parseInteger("--axis", a.axis, 1, family.capabilities.axes);
-    const auto slot
-        = a.slot.empty() ? Result<int>(0) : parseInteger("--slot", a.slot, 0, family.capabilities.gainSlots - 1);
-    for (const Result<std::optional<double>> *number : {&from, &seconds, &travel, &speed, &current, &duty}) {
+    const auto where = a.where.parse(family);
+    for (const Result<std::optional<double>> *number : {&from, &seconds}) {
         if (!*number)
             return fail(number->error());
     }
-    for (const Result<int> *number : {&repeat, &axis, &slot}) {
-        if (!*number)
-            return fail(number->error());
-    }
+    if (!repeat)
+        return fail(repeat.error());
+    if (!where)
+        return fail(where.error());
     if (!to)
         return fail(to.error());
     plan.to = *to;
     plan.from = *from;
     plan.seconds = *seconds;
-    plan.limits = Envelope{*travel, *speed, *current, *duty};
+    plan.limits = where->limits;
     plan.repeat = *repeat;
-    plan.axis = *axis;
-    plan.slot = *slot;
+    plan.axis = where->axis;
+    plan.slot = where->slot;
     return {};
 }
 
@@ -201,34 +188,28 @@ Task<Numbers> numbersBefore(Device &device, std::vector<ParameterChange> changes
     co_return known;
 }
 
-Task<int> performOn(Console &console, Stage &stage, Plan plan)
+Task<int> perform(Console &console, Session &session, Device &device, Plan plan)
 {
-    auto finding = stage.find(plan.target);
-    Device *const device = co_await std::move(finding);
-    if (auto application = needsApplication(*device); !application)
-        co_return fail(application.error());
-    Sleep listening(device->clock(), masterListen);
-    co_await listening;
     Notebook notebook(console);
-    auto settling = notebook.settleOwed(*device, plan.yes);
+    auto settling = notebook.settleOwed(device, plan.yes);
     co_await std::move(settling);
     Result<Trial> trial;
     Numbers before;
     if (plan.experiment.keep == Keep::Always && notebook.settings()) {
-        auto asking = numbersBefore(*device, plan.experiment.gains);
+        auto asking = numbersBefore(device, plan.experiment.gains);
         before = co_await std::move(asking);
     }
     {
         std::optional<SampleStream> samples;
         if (plan.samples)
-            samples.emplace(console, *device, Watched{.channels = {}, .states = {}, .driven = true});
-        auto running = experiment(console, stage.session(), *device, plan, notebook);
+            samples.emplace(console, device, Watched{.channels = {}, .states = {}, .driven = true});
+        auto running = experiment(console, session, device, plan, notebook);
         trial = co_await std::move(running).attempt();
     }
     if (!trial)
         co_return fail(trial.error());
     if (!before.empty()) {
-        auto noting = settings::keepReplaced(*device, before, settings::Origin::Console, *notebook.settings());
+        auto noting = settings::keepReplaced(device, before, settings::Origin::Console, *notebook.settings());
         if (const auto noted = co_await std::move(noting).attempt(); !noted)
             console.note("the history does not have this write: " + noted.error().text());
     }
@@ -245,13 +226,9 @@ Task<int> step(Console &console, Arguments arguments)
     const auto plan = check(console, arguments);
     if (!plan)
         co_return fail(plan.error());
-    const Subscription patient = console.interrupted().add([] {}); // a signal ends this verb through its own stop
-    Stage stage(console, plan->target.selector.link);
-    auto performing = performOn(console, stage, *plan);
-    const Result<int> performed = co_await std::move(performing).attempt();
-    Sleep leaving(console.clock(), Duration::zero()); // a session is never ended from inside its own work
-    co_await leaving;
-    co_return performed;
+    auto performing = performOn(console, plan->target,
+        [&](Session &session, Device &device) { return perform(console, session, device, *plan); });
+    co_return co_await std::move(performing).attempt();
 }
 
 } // namespace
@@ -268,12 +245,7 @@ Job declareStep(CLI::App &arguments)
     arguments.add_option("--repeat", a->repeat, "How often; each with its samples a little later");
     arguments.add_option("--set", a->gains, "KEY=VALUE in force meanwhile; may be repeated")->allow_extra_args(false);
     arguments.add_flag("--keep", a->keep, "Leave what --set has written");
-    arguments.add_option("--axis", a->axis, "1…, on boards with several");
-    arguments.add_option("--slot", a->slot, "Gain set, 0…");
-    arguments.add_option("--travel", a->travel, "Most counts either side of where it stands");
-    arguments.add_option("--speed", a->speed, "Most counts/s");
-    arguments.add_option("--current", a->current, "Most A");
-    arguments.add_option("--duty", a->duty, "Most duty, 0…1");
+    a->where.declare(arguments, "Gain set, 0…");
     arguments.add_flag("--samples", a->samples, "Print the samples as watch does, before the result");
     arguments.add_flag("--yes", a->yes, "Put back first, without asking, what an earlier experiment could not");
     arguments.add_option("--save", a->save, "Keep result and samples in a file: .csv the samples alone");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/experimentoptions.h"
 #include "app/console/notebook.h"
 #include "app/console/progressline.h"
 #include "app/console/stage.h"
@@ -14,26 +15,18 @@
 namespace mb::console {
 namespace {
 
-using namespace std::chrono_literals;
 using namespace tuning;
 
-constexpr Duration masterListen = 150ms; // another master sends at least this often
-constexpr double anyNumber = 1e12;
 constexpr double leastMs = 1.1;
 constexpr double mostMs = 2.5;
 
 struct Arguments {
     std::string device;
+    ExperimentOptions where;
     std::string loop;
-    std::string axis;
-    std::string slot;
     std::string aim;
     std::string response;
     std::string damping;
-    std::string travel;
-    std::string speed;
-    std::string current;
-    std::string duty;
     std::string save;
     bool propose = false;
     bool store = false;
@@ -85,36 +78,6 @@ Result<void> parseAim(const Arguments &a, TunePlan &plan)
     return {};
 }
 
-Result<void> parseLimits(const Family &family, const Arguments &a, TunePlan &plan)
-{
-    struct Limit {
-        std::string_view name;
-        const std::string &text;
-        double most;
-        std::optional<double> Envelope::*into;
-    };
-    for (const Limit &limit : {Limit{"--travel", a.travel, anyNumber, &Envelope::travel},
-             Limit{"--speed", a.speed, anyNumber, &Envelope::speed},
-             Limit{"--current", a.current, 1e4, &Envelope::current}, Limit{"--duty", a.duty, 1.0, &Envelope::duty}}) {
-        if (limit.text.empty())
-            continue;
-        const auto number = parseNumber(limit.name, limit.text, 0.0, limit.most);
-        if (!number)
-            return fail(number.error());
-        plan.limits.*limit.into = *number;
-    }
-    const auto axis = a.axis.empty() ? Result<int>(1) : parseInteger("--axis", a.axis, 1, family.capabilities.axes);
-    const auto slot
-        = a.slot.empty() ? Result<int>(0) : parseInteger("--slot", a.slot, 0, family.capabilities.gainSlots - 1);
-    if (!axis)
-        return fail(axis.error());
-    if (!slot)
-        return fail(slot.error());
-    plan.axis = *axis;
-    plan.slot = *slot;
-    return {};
-}
-
 /// Everything that can be wrong before a device is asked.
 Result<Plan> check(const Console &console, const Arguments &a)
 {
@@ -132,8 +95,12 @@ Result<Plan> check(const Console &console, const Arguments &a)
         return fail(loop.error());
     if (auto aim = parseAim(a, plan.tuning); !aim)
         return fail(aim.error());
-    if (auto limits = parseLimits(family, a, plan.tuning); !limits)
-        return fail(limits.error());
+    const auto where = a.where.parse(family);
+    if (!where)
+        return fail(where.error());
+    plan.tuning.axis = where->axis;
+    plan.tuning.slot = where->slot;
+    plan.tuning.limits = where->limits;
     if (auto possible = checkTuning(family, plan.tuning); !possible)
         return fail(possible.error());
     return plan;
@@ -173,31 +140,25 @@ Task<void> storeGains(Console &console, Device &device, TuneReport &report)
     co_return {};
 }
 
-Task<int> performOn(Console &console, Stage &stage, Plan plan)
+Task<int> perform(Console &console, Session &session, Device &device, Plan plan)
 {
-    auto finding = stage.find(plan.target);
-    Device *const device = co_await std::move(finding);
-    if (auto application = needsApplication(*device); !application)
-        co_return fail(application.error());
-    Sleep listening(device->clock(), masterListen);
-    co_await listening;
     Notebook notebook(console);
-    auto settling = notebook.settleOwed(*device, plan.yes);
+    auto settling = notebook.settleOwed(device, plan.yes);
     co_await std::move(settling);
     if (!plan.tuning.propose) {
-        auto keeping = notebook.keepBefore(*device, settings::Occasion::Tuning);
+        auto keeping = notebook.keepBefore(device, settings::Occasion::Tuning);
         co_await std::move(keeping);
     }
-    auto tuning = tuneOn(console, stage.session(), *device, plan, notebook);
+    auto tuning = tuneOn(console, session, device, plan, notebook);
     Result<TuneReport> report = co_await std::move(tuning).attempt();
     if (!report)
         co_return fail(report.error());
     if (report->result == TuneResult::Kept && notebook.settings()) {
-        auto noting = settings::keepReplaced(*device, report->before, settings::Origin::Tuning, *notebook.settings());
+        auto noting = settings::keepReplaced(device, report->before, settings::Origin::Tuning, *notebook.settings());
         (void)co_await std::move(noting).attempt();
     }
     if (plan.store && report->result == TuneResult::Kept) {
-        auto storing = storeGains(console, *device, *report);
+        auto storing = storeGains(console, device, *report);
         co_await std::move(storing);
     }
     printTuning(console, *report);
@@ -213,13 +174,9 @@ Task<int> tune(Console &console, Arguments arguments)
     const auto plan = check(console, arguments);
     if (!plan)
         co_return fail(plan.error());
-    const Subscription patient = console.interrupted().add([] {}); // a signal ends this verb through its own stop
-    Stage stage(console, plan->target.selector.link);
-    auto performing = performOn(console, stage, *plan);
-    const Result<int> performed = co_await std::move(performing).attempt();
-    Sleep leaving(console.clock(), Duration::zero()); // a session is never ended from inside its own work
-    co_await leaving;
-    co_return performed;
+    auto performing = performOn(console, plan->target,
+        [&](Session &session, Device &device) { return perform(console, session, device, *plan); });
+    co_return co_await std::move(performing).attempt();
 }
 
 } // namespace
@@ -232,12 +189,7 @@ Job declareTune(CLI::App &arguments)
     arguments.add_option("--aim", a->aim, "calm, normal or brisk; normal otherwise");
     arguments.add_option("--response", a->response, "Seconds of the closed loop, instead of an aim");
     arguments.add_option("--damping", a->damping, "Largest sensitivity Ms, with --response");
-    arguments.add_option("--axis", a->axis, "1…, on boards with several");
-    arguments.add_option("--slot", a->slot, "Gain set the result belongs to, 0…");
-    arguments.add_option("--travel", a->travel, "Most counts either side of where it stands");
-    arguments.add_option("--speed", a->speed, "Most counts/s");
-    arguments.add_option("--current", a->current, "Most A");
-    arguments.add_option("--duty", a->duty, "Most duty, 0…1");
+    a->where.declare(arguments, "Gain set the result belongs to, 0…");
     arguments.add_flag("--propose", a->propose, "End before a gain is written");
     arguments.add_flag("--store", a->store, "Wait until the unit has stored what is kept");
     arguments.add_flag("--keep", a->keep, "Also where nobody knows what it replaces");

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/experimentoptions.h"
+
+#include "app/console/target.h"
+
+#include <CLI/CLI.hpp>
+
+namespace mb::console {
+
+void ExperimentOptions::declare(CLI::App &arguments, const std::string &slotHelp)
+{
+    arguments.add_option("--axis", axis, "1…, on boards with several");
+    arguments.add_option("--slot", slot, slotHelp);
+    arguments.add_option("--travel", travel, "Most counts either side of where it stands");
+    arguments.add_option("--speed", speed, "Most counts/s");
+    arguments.add_option("--current", current, "Most A");
+    arguments.add_option("--duty", duty, "Most duty, 0…1");
+}
+
+Result<ExperimentOptions::Values> ExperimentOptions::parse(const Family &family) const
+{
+    struct Limit {
+        std::string_view name;
+        const std::string &text;
+        double most;
+        std::optional<double> Envelope::*into;
+    };
+    Values values;
+    for (const Limit &limit :
+        {Limit{"--travel", travel, anyNumber, &Envelope::travel}, Limit{"--speed", speed, anyNumber, &Envelope::speed},
+            Limit{"--current", current, 1e4, &Envelope::current}, Limit{"--duty", duty, 1.0, &Envelope::duty}}) {
+        if (limit.text.empty())
+            continue;
+        const auto number = parseNumber(limit.name, limit.text, 0.0, limit.most);
+        if (!number)
+            return fail(number.error());
+        values.limits.*limit.into = *number;
+    }
+    const auto whichAxis = axis.empty() ? Result<int>(1) : parseInteger("--axis", axis, 1, family.capabilities.axes);
+    const auto whichSlot
+        = slot.empty() ? Result<int>(0) : parseInteger("--slot", slot, 0, family.capabilities.gainSlots - 1);
+    for (const Result<int> *number : {&whichAxis, &whichSlot}) {
+        if (!*number)
+            return fail(number->error());
+    }
+    values.axis = *whichAxis;
+    values.slot = *whichSlot;
+    return values;
+}
+
+} // namespace mb::console
