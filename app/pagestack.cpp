@@ -8,7 +8,7 @@
 #include "widgets/control/arming.h"
 #include "widgets/parameters/keepbar.h"
 
-#include <QEvent>
+#include <QResizeEvent>
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QStackedWidget>
@@ -151,7 +151,8 @@ bool PageStack::eventFilter(QObject *watched, QEvent *event)
 void PageStack::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
-    followLine();
+    if (event->size().height() != event->oldSize().height())
+        followLine();
 }
 
 void PageStack::followTab()
