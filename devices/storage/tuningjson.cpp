@@ -24,11 +24,13 @@ template <class T> using Numbers = std::vector<std::pair<const char *, double T:
 
 const Numbers<PlantModel> plantNumbers{{"gain", &PlantModel::gain}, {"tau", &PlantModel::tau},
     {"delay", &PlantModel::delay}, {"friction", &PlantModel::friction}, {"braking", &PlantModel::braking},
-    {"stall_current", &PlantModel::stallCurrent}, {"back_duty", &PlantModel::backDuty}, {"noise", &PlantModel::noise}};
+    {"stall_current", &PlantModel::stallCurrent}, {"back_duty", &PlantModel::backDuty}, {"noise", &PlantModel::noise},
+    {"sag", &PlantModel::sag}, {"warming", &PlantModel::warming}};
 const Numbers<ContinuousGains> gainNumbers{
     {"p", &ContinuousGains::p}, {"i", &ContinuousGains::i}, {"d", &ContinuousGains::d}, {"f", &ContinuousGains::f}};
 const Numbers<PushFit> pushNumbers{{"tau", &PushFit::tau}, {"tau_error", &PushFit::tauError},
-    {"delay", &PushFit::delay}, {"delay_error", &PushFit::delayError}, {"cost", &PushFit::cost}};
+    {"delay", &PushFit::delay}, {"delay_error", &PushFit::delayError}, {"cost", &PushFit::cost},
+    {"sag", &PushFit::sag}, {"warming", &PushFit::warming}};
 const Numbers<GainFit> lineNumbers{{"gain", &GainFit::gain}, {"gain_error", &GainFit::gainError},
     {"friction", &GainFit::friction}, {"friction_error", &GainFit::frictionError}, {"offset", &GainFit::offset},
     {"forward", &GainFit::forward}, {"reverse", &GainFit::reverse}};

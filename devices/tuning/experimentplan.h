@@ -32,6 +32,7 @@ struct ExperimentPlan {
     /// nine times; duty mode only.
     std::optional<double> relay;
     std::optional<double> rate; ///< samples per second asked for; nothing: the family's usual
+    double rest = 0.0;          ///< s that each way back takes at least
     double noise = 0.0;         ///< σ of what a loop measures, where it is known: no swing of it is taken for one
     std::vector<ParameterChange> gains; ///< in force while it runs
     Keep keep = Keep::Never;            ///< and afterwards

@@ -378,7 +378,7 @@ Task<void> ExperimentRun::followOnce(double dither)
         m_holds.emplace_back(begin, back);
     setTarget(stimulus.from);
     tellMeasured();
-    const Instant limit = back + ofSeconds(std::min(stimulus.length(), longestReturn));
+    const Instant limit = back + ofSeconds(std::max(std::min(stimulus.length(), longestReturn), m_plan.rest));
     while (!isOver() && clock.now() < limit && !hasReturned(back)) {
         Sleep nap(clock, ofSeconds(m_beat));
         co_await nap;
@@ -417,7 +417,7 @@ bool ExperimentRun::hasReturned(Instant since) const
     if (m_plan.mode == Mode::Duty && stimulus.from == 0.0)
         return m_recorder.isStill(since, standsSpan);
     const double width = settledWidth * std::abs(stimulus.to - stimulus.from);
-    return m_recorder.isSettled(since, leastHold, returnedShare, width);
+    return m_recorder.isSettled(since, std::max(leastHold, ofSeconds(m_plan.rest)), returnedShare, width);
 }
 
 void ExperimentRun::tellMeasured() const

@@ -2,6 +2,7 @@
 #include "tuning/gainsearch.h"
 
 #include "tuning/margins.h"
+#include "tuning/pushfit.h"
 
 #include <algorithm>
 #include <array>
@@ -20,6 +21,7 @@ constexpr double passesOfDelay = 20.0;
 constexpr double mostPasses = 1200.0;       ///< of one step
 constexpr double quickestOfSetPoints = 2.0; ///< natural frequency over theirs, about
 constexpr double longerSteps = 2.0;         ///< of an integral that adds whole steps: where it rests shows late
+constexpr double restOfCounts = 1.5;        ///< s, until a velocity that waits for its counts is known to be 0
 constexpr int restingPasses = 25;           ///< of a loop without an integral, after which nothing happens any more
 
 /// A motor that is not quite as thought, and what it may overshoot by.
@@ -52,6 +54,19 @@ constexpr std::array<Doubt, 8> wholeDoubts{{
     {0.995, 0.99, 1.08, 0.01, 0.12},
     {1.015, 1.0, 0.9, 0.01, 0.12},
 }};
+/// So is where a velocity that is counted over a few edges finds the next of them.
+constexpr std::array<Doubt, 8> countedDoubts{{
+    {1.0, 1.0, 1.0, 0.0, 0.16},
+    {1.0, 1.06, 1.1, 0.02, 0.12},
+    {1.015, 0.97, 0.9, 0.02, 0.12},
+    {1.004, 1.01, 1.03, 0.01, 0.12},
+    {0.996, 0.99, 0.97, 0.01, 0.12},
+    {1.008, 1.02, 1.0, 0.01, 0.12},
+    {0.992, 0.98, 1.05, 0.01, 0.12},
+    {1.002, 1.03, 0.95, 0.01, 0.12},
+}};
+constexpr double heatOfATuning = 0.8; ///< as PushRecord::heat
+constexpr double mostOvershootWhenWarm = 0.02;
 constexpr double overshootPrice = 40.0; ///< of the integral, for each unit beyond
 constexpr double near = 4.0;            ///< counts beside a target that nobody asks to be mended
 constexpr double never = std::numeric_limits<double>::infinity();
@@ -71,9 +86,10 @@ struct Found {
 
 std::span<const Doubt> doubtsOf(const SearchTask &task)
 {
-    return task.shape.integralStep > 0.0 ? std::span<const Doubt>(wholeDoubts)
-        : task.isProven                  ? std::span<const Doubt>(smallDoubts)
-                                         : std::span<const Doubt>(doubts);
+    return task.shape.integralStep > 0.0  ? std::span<const Doubt>(wholeDoubts)
+        : task.shape.windowCounts > 0.0   ? std::span<const Doubt>(countedDoubts)
+        : task.isProven                   ? std::span<const Doubt>(smallDoubts)
+                                          : std::span<const Doubt>(doubts);
 }
 
 /// Of each step.
@@ -91,6 +107,7 @@ public:
         , m_task(task)
         , m_start(start)
         , m_seconds(secondsOf(plant, start.response, task))
+        , m_rest(task.shape.windowCounts > 0.0 ? restOfCounts : 0.0)
         , m_doubts(doubtsOf(task))
         , m_near(loop == Mode::Position ? near / std::abs(task.step) : 0.0)
     {
@@ -231,7 +248,20 @@ private:
             if (sum >= most)
                 return never;
         }
+        if (m_plant.warming > 0.0 && m_loop == Mode::Velocity)
+            beyond = std::max(beyond, overshootWhenWarm(gains) - mostOvershootWhenWarm);
         return sum * (1.0 + overshootPrice * beyond);
+    }
+
+    /// After about a minute of steps: what a tuning leaves, and what its user sees next.
+    [[nodiscard]] double overshootWhenWarm(const ContinuousGains &gains) const
+    {
+        PlantModel plant = m_plant;
+        plant.tau *= 1.0 + heatOfATuning * m_plant.warming;
+        plant.gain *= 1.0 + speedOfWarming * heatOfATuning * m_plant.warming;
+        double overshoot = 0.0;
+        (void)steps(plant, gains, never, overshoot);
+        return overshoot;
     }
 
     /// From rest, back, and once more: what the proof does. The mean of both integrals.
@@ -244,7 +274,8 @@ private:
         for (const bool up : {true, false, true}) {
             const double target = up ? m_task.step : 0.0;
             int still = 0;
-            for (double t = period; t < m_seconds; t += period) {
+            const double seconds = up ? m_seconds : std::max(m_seconds, m_rest);
+            for (double t = period; t < seconds; t += period) {
                 const double before = simulated.value();
                 (void)simulated.pass(target);
                 const double value = simulated.value() / m_task.step;
@@ -294,6 +325,7 @@ private:
     SearchTask m_task;
     const Design &m_start;
     double m_seconds;
+    double m_rest; ///< s, of the way back, at least
     std::span<const Doubt> m_doubts;
     double m_near;
 };

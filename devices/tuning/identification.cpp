@@ -22,6 +22,8 @@ constexpr double nearLimit = 0.98;
 constexpr double brokenGrowth = 1.5; ///< times what is usual
 constexpr double leastPause = 0.04;  ///< s
 constexpr double sameSize = 0.15;
+constexpr double heatOfItself = 0.25;  ///< of what a push and the brake after it leave in the winding, while it speeds up
+constexpr double heatThatStays = 0.95; ///< until the next one
 
 /// While the duty still grows, nothing is fitted.
 Trace without(const Trace &trace, double from, double to)
@@ -126,9 +128,13 @@ Result<MotorFound> identify(const std::vector<Trial> &pushes)
     }
     for (int pass = 0; pass < 2; ++pass) {
         std::vector<PushRecord> records;
+        double heat = 0.0;
         for (const Trial &trial : pushes) {
-            for (PushRecord &record : pushesOf(trial, found.line.friction))
+            for (PushRecord &record : pushesOf(trial, found.line.friction)) {
+                record.heat = heat + heatOfItself * record.duty * record.duty;
+                heat = heatThatStays * (heat + record.duty * record.duty);
                 records.push_back(std::move(record));
+            }
         }
         leaveOutBroken(records);
         std::vector<double> duties;
@@ -147,7 +153,9 @@ Result<MotorFound> identify(const std::vector<Trial> &pushes)
             const auto more = rollOutsOf(trial, *fit, line->friction);
             rolls.insert(rolls.end(), more.begin(), more.end());
         }
-        found.braking = brakingOf(rolls, fit->tau, line->gain * line->friction).value_or(1.0);
+        const double warm = 1.0 + fit->warming * heat / heatThatStays;
+        found.braking
+            = brakingOf(rolls, fit->tau * sagged(fit->sag, 0.0) * warm, line->gain * line->friction).value_or(1.0);
         if (!growsSlowly(pushes))
             break;
     }

@@ -10,167 +10,10 @@
 namespace mb::tuning {
 namespace {
 
-constexpr std::size_t leastFitSamples = 8;
-constexpr std::size_t mostFitSamples = 400; ///< of a record; more tell nothing new
-constexpr double leastPushMove = 50.0;      ///< counts
-constexpr double shortestFitTau = 0.003;
-constexpr double longestFitTau = 1.5;
-constexpr double longestDelay = 0.08;
-constexpr int tauSteps = 60;
-constexpr int delaySteps = 33;
-constexpr double latestOrder = 0.15; ///< s
-constexpr double lateStep = 0.0005;
-constexpr double lateOrder = 0.008;
-constexpr double halfCount = 0.5;
-constexpr double stampError = 0.001; ///< s, of a busy computer's time stamps
-constexpr double startedShare = 0.1; ///< of the last speed: a ramp counts from there
-
-Trace thinned(const Trace &trace)
-{
-    if (trace.size() <= mostFitSamples)
-        return trace;
-    Trace few;
-    const double step = static_cast<double>(trace.size()) / mostFitSamples;
-    for (double at = 0.0; at < static_cast<double>(trace.size()); at += step)
-        few.add(trace.t[static_cast<std::size_t>(at)], trace.y[static_cast<std::size_t>(at)]);
-    return few;
-}
-
-struct Projected {
-    double speed = 0.0;
-    double residual = 0.0;
-};
-
-/// For a given τ and delay, speed and place of one record are a linear fit.
-Projected project(const Trace &trace, double tau, double delay)
-{
-    double s = 0.0, sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0, syy = 0.0;
-    const double y0 = trace.y.front();
-    for (std::size_t i = 0; i < trace.size(); ++i) {
-        const double t = std::max(trace.t[i] - delay, 0.0);
-        const double x = t - tau * (1.0 - std::exp(-t / tau));
-        const double y = trace.y[i] - y0;
-        s += 1.0;
-        sx += x;
-        sy += y;
-        sxx += x * x;
-        sxy += x * y;
-        syy += y * y;
-    }
-    const double determinant = s * sxx - sx * sx;
-    if (determinant <= 0.0)
-        return {0.0, syy};
-    const double speed = (s * sxy - sx * sy) / determinant;
-    const double place = (sy - speed * sx) / s;
-    return {speed, std::max(syy - speed * sxy - place * sy, 0.0)};
-}
-
-/// Sum of squares over all records, in (half counts)².
-double costOf(std::span<const Trace> traces, double tau, double delay)
-{
-    double sum = 0.0;
-    for (const Trace &trace : traces)
-        sum += project(trace, tau, delay).residual / (halfCount * halfCount);
-    return sum;
-}
-
-struct Point2 {
-    double tau = 0.0;
-    double delay = 0.0;
-    double cost = 0.0;
-};
-
-Point2 coarse(std::span<const Trace> traces)
-{
-    Point2 best{0.0, 0.0, -1.0};
-    const double ratio = std::pow(longestFitTau / shortestFitTau, 1.0 / (tauSteps - 1));
-    double tau = shortestFitTau;
-    for (int i = 0; i < tauSteps; ++i, tau *= ratio) {
-        for (int k = 0; k < delaySteps; ++k) {
-            const double delay = longestDelay * k / (delaySteps - 1);
-            const double cost = costOf(traces, tau, delay);
-            if (best.cost < 0.0 || cost < best.cost)
-                best = {tau, delay, cost};
-        }
-    }
-    return best;
-}
-
-/// Walks downhill along the axes and the valley of equal τ + delay.
-Point2 refined(std::span<const Trace> traces, Point2 best)
-{
-    constexpr std::array<std::array<double, 2>, 6> ways{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, -1}, {-1, 1}}};
-    double wide = 0.06;
-    double late = 0.002;
-    for (int round = 0; round < 200 && wide > 1e-4; ++round) {
-        bool better = false;
-        for (const auto &way : ways) {
-            const double tau = best.tau * (1.0 + way[0] * wide);
-            const double delay = std::clamp(best.delay + way[1] * late, 0.0, longestDelay);
-            const double cost = costOf(traces, tau, delay);
-            if (cost < best.cost) {
-                best = {tau, delay, cost};
-                better = true;
-            }
-        }
-        if (!better) {
-            wide /= 2.0;
-            late /= 2.0;
-        }
-    }
-    return best;
-}
-
-/// When this record alone begins, for a given τ.
-double ownDelay(const Trace &trace, double tau)
-{
-    double best = 0.0;
-    double least = -1.0;
-    for (double delay = 0.0; delay <= latestOrder; delay += lateStep) {
-        const double residual = project(trace, tau, delay).residual;
-        if (least < 0.0 || residual < least) {
-            least = residual;
-            best = delay;
-        }
-    }
-    return best;
-}
-
-/// Takes back what single records are later than the others: the frame of their order was lost, and the next one moved the motor.
-/// Whether there were any.
-bool align(std::vector<Trace> &traces, double tau)
-{
-    std::vector<double> delays;
-    for (const Trace &trace : traces)
-        delays.push_back(ownDelay(trace, tau));
-    const double usual = median(delays);
-    bool any = false;
-    for (std::size_t i = 0; i < traces.size(); ++i) {
-        const double late = delays[i] - usual;
-        if (late < lateOrder)
-            continue;
-        any = true;
-        for (double &t : traces[i].t)
-            t -= late;
-    }
-    return any;
-}
-
-/// Two standard errors of τ and delay from the curvature of the cost.
-std::pair<double, double> uncertainty(std::span<const Trace> traces, const Point2 &best, std::size_t samples)
-{
-    const double a = 0.01 * best.tau;
-    const double b = 0.001;
-    const auto cost = [&](double x, double y) { return costOf(traces, best.tau + x, std::max(best.delay + y, -0.01)); };
-    const double tt = (cost(a, 0) + cost(-a, 0) - 2.0 * best.cost) / (a * a);
-    const double dd = (cost(0, b) + cost(0, -b) - 2.0 * best.cost) / (b * b);
-    const double td = (cost(a, b) - cost(a, -b) - cost(-a, b) + cost(-a, -b)) / (4.0 * a * b);
-    const double determinant = tt * dd - td * td;
-    if (determinant <= 0.0 || samples < 10)
-        return {0.1 * best.tau, 0.01};
-    const double variance = best.cost / static_cast<double>(samples - 2 - 2 * traces.size());
-    return {2.0 * std::sqrt(2.0 * variance * dd / determinant), 2.0 * std::sqrt(2.0 * variance * tt / determinant)};
-}
+constexpr std::size_t leastRampSamples = 8;
+constexpr std::size_t mostRampSamples = 400; ///< of a ramp; more tell nothing new
+constexpr double leastRampMove = 50.0;      ///< counts
+constexpr double startedShare = 0.1;        ///< of the last speed: a ramp counts from there
 
 double slopeAround(const Trace &trace, std::size_t at, double half)
 {
@@ -199,9 +42,9 @@ double dutyIntegral(const Trace &duty, double time)
 /// Rows of ∫u dt = friction·s·(t−t0) + (1/gain)·[(θ−θ0) + τ(v−v0)]; false where the ramp never got going.
 bool addRamp(const RampRecord &ramp, double tau, LeastSquares<2> &fit)
 {
-    const Trace position = thinned(ramp.position);
+    const Trace position = thinned(ramp.position, mostRampSamples);
     const double half = std::max(0.1, 4.0 * samplePeriod(position));
-    if (position.size() < leastFitSamples || std::abs(position.y.back() - position.y.front()) < leastPushMove)
+    if (position.size() < leastRampSamples || std::abs(position.y.back() - position.y.front()) < leastRampMove)
         return false;
     const double sign = position.y.back() > position.y.front() ? 1.0 : -1.0;
     std::vector<double> speed(position.size());
@@ -209,12 +52,12 @@ bool addRamp(const RampRecord &ramp, double tau, LeastSquares<2> &fit)
         speed[i] = slopeAround(position, i, half);
     const auto end = static_cast<std::size_t>(
         std::lower_bound(position.t.begin(), position.t.end(), position.t.back() - half) - position.t.begin());
-    if (end < leastFitSamples)
+    if (end < leastRampSamples)
         return false;
     std::size_t begin = 0;
     while (begin < end && sign * speed[begin] < startedShare * std::abs(speed[end - 1]))
         ++begin;
-    if (end - begin < leastFitSamples)
+    if (end - begin < leastRampSamples)
         return false;
     const double before = dutyIntegral(ramp.duty, position.t[begin]);
     for (std::size_t i = begin + 1; i < end; ++i) {
@@ -242,40 +85,6 @@ double GainFit::asymmetry() const
 {
     const double mean = 0.5 * (forward + reverse);
     return mean > 0.0 && forward > 0.0 && reverse > 0.0 ? std::abs(forward - reverse) / mean : 0.0;
-}
-
-Result<PushFit> fitPushes(std::span<const PushRecord> records)
-{
-    std::vector<Trace> traces;
-    std::size_t samples = 0;
-    for (const PushRecord &record : records) {
-        if (record.position.size() < leastFitSamples)
-            return fail(Fault::OutOfRange, say("a push has fewer than 8 positions"),
-                say("push longer, or ask for faster samples"));
-        if (std::abs(record.position.y.back() - record.position.y.front()) < leastPushMove)
-            return fail(
-                Fault::OutOfRange, say("a push moved the motor by fewer than 50 counts"), say("push harder or longer"));
-        traces.push_back(thinned(record.position));
-        samples += traces.back().size();
-    }
-    if (traces.empty())
-        return fail(Fault::OutOfRange, say("there is no push to fit"));
-    Point2 best = refined(traces, coarse(traces));
-    if (align(traces, best.tau))
-        best = refined(traces, coarse(traces));
-    const auto [tauError, delayError] = uncertainty(traces, best, samples);
-    PushFit fit{best.tau, best.delay, tauError, delayError, {}, 0.0};
-    double expected = 0.0; // sum of squares that whole counts and late time stamps make
-    double left = 0.0;
-    for (const Trace &trace : traces) {
-        const Projected projected = project(trace, best.tau, best.delay);
-        const double blur = projected.speed * stampError;
-        expected += static_cast<double>(trace.size()) * (halfCount * halfCount + blur * blur);
-        left += projected.residual;
-        fit.speeds.push_back(projected.speed);
-    }
-    fit.cost = left / expected;
-    return fit;
 }
 
 Result<GainFit> fitGain(std::span<const double> duties, std::span<const double> speeds)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/prediction.h"
 
+#include "tuning/plateau.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -34,6 +36,8 @@ Prediction predictStep(Mode loop, const PlantModel &plant, const ContinuousGains
         }
     }
     result.metrics = readResponse(result.measured, to, loop == Mode::Current ? 0.0 : leastShownMove).metrics;
+    if (shape.windowCounts > 0.0)
+        result.metrics.settle = settledWidely(result.measured, to);
     if (plant.stallCurrent > 0.0)
         result.metrics.peakCurrent = peak;
     return result;

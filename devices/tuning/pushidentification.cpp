@@ -31,6 +31,7 @@ constexpr double nearlyFull = 0.96;    ///< of the duty limit
 constexpr double speedReserve = 1.3;   ///< friction takes a smaller share of a stronger push
 constexpr int pushRepeats = 2;
 constexpr double loopDelays = 1.5;        ///< periods of the device's loop
+constexpr double orderWaits = 0.5;        ///< of them, until an order is looked at that nobody has seen carried out
 constexpr double mostCurrentDoubt = 0.15; ///< of what the motor draws at standstill
 
 /// Of a push, where travel is given: what it does beyond is not known yet.
@@ -151,8 +152,11 @@ Result<void> PushIdentification::conclude(AutotuneRun &run) const
     if (!found)
         return fail(found.error());
     const double loop = run.device().family().loop->cycle;
-    PlantModel plant{found->line.gain, found->pushes.tau, found->pushes.delay + loopDelays * loop, found->line.friction,
-        found->braking};
+    const double waited = m_pushes.front().signal("duty") ? 0.0 : orderWaits * loop;
+    PlantModel plant{found->line.gain, found->pushes.tau,
+        std::max(found->pushes.delay - waited, 0.0) + loopDelays * loop, found->line.friction, found->braking};
+    plant.sag = found->pushes.sag;
+    plant.warming = found->pushes.warming;
     if (const auto ohm = drawnBy(m_pushes)) {
         plant.stallCurrent = ohm->gain;
         plant.backDuty = ohm->back;

@@ -54,7 +54,8 @@ std::vector<RollOut> rollOutsOf(const Trial &trial, const PushFit &fit, double f
         const auto rest = restOf(position->trace, end, until);
         const Trace pushed = position->trace.part(begin, std::min(end, hold.to), begin);
         LeastSquares<2> squares;
-        const auto way = [&fit](double t) { return t - fit.tau * (1.0 - std::exp(-t / fit.tau)); };
+        const double tau = fit.tau * sagged(fit.sag, target);
+        const auto way = [tau](double t) { return t - tau * (1.0 - std::exp(-t / tau)); };
         for (std::size_t k = 0; k < pushed.size(); ++k)
             squares.add({1.0, way(pushed.t[k])}, pushed.y[k]);
         const auto line = squares.solve();
@@ -63,7 +64,7 @@ std::vector<RollOut> rollOutsOf(const Trial &trial, const PushFit &fit, double f
         const auto [from, speed] = line->values;
         const double at = from + speed * way(end - begin);
         const double sign = target > 0.0 ? 1.0 : -1.0;
-        const RollOut roll{sign * speed * (1.0 - std::exp(-(end - begin) / fit.tau)), sign * (*rest - at)};
+        const RollOut roll{sign * speed * (1.0 - std::exp(-(end - begin) / tau)), sign * (*rest - at)};
         if (roll.speed > 0.0 && roll.distance >= leastRoll)
             rolls.push_back(roll);
     }

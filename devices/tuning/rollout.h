@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tuning/plantfit.h"
+#include "tuning/pushfit.h"
 #include "tuning/trial.h"
 
 #include <optional>

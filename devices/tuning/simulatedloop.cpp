@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/simulatedloop.h"
 
+#include "tuning/pushfit.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,6 +14,15 @@ constexpr double breakawayShare = 1.2;      ///< of the friction while it moves
 /// Passes of the plant's delay that are not waited for: half of one is what an output held from pass to pass is late already, and one
 /// is counted for a loop that may put out in the next pass what it has measured in this one, which these do at once.
 constexpr double promptPasses = 1.5;
+
+constexpr double shortShare = 0.2; ///< of a lag, in which e^−x is a fraction to 1e-7
+
+/// Of a speed, after so many lags.
+inline double keptAfter(double lags)
+{
+    const double square = lags * lags / 12.0;
+    return lags < shortShare ? (1.0 - 0.5 * lags + square) / (1.0 + 0.5 * lags + square) : std::exp(-lags);
+}
 
 double wholeSteps(double value, double step)
 {
@@ -112,10 +123,11 @@ double SimulatedLoop::advance(double duty, double seconds)
     const double sign = m_speed != 0.0 ? std::copysign(1.0, m_speed) : std::copysign(1.0, duty);
     const bool brakes = (m_plant.gain * duty - m_speed) * sign < 0.0;
     const double stronger = brakes ? m_plant.braking : 1.0;
-    const double tau = m_plant.tau / stronger;
+    const double longer = m_plant.sag == 0.0 ? 1.0 : sagged(m_plant.sag, duty);
+    const double tau = m_plant.tau * longer / stronger;
     const double ends = m_plant.gain * (duty - sign * m_plant.friction / stronger);
-    const bool whole = seconds == m_shape.period;
-    double kept = whole ? (brakes ? m_braked : m_kept) : std::exp(-seconds / tau);
+    const bool isKnown = m_plant.sag == 0.0 && seconds == m_shape.period;
+    double kept = isKnown ? (brakes ? m_braked : m_kept) : keptAfter(seconds / tau);
     double left = 0.0;
     if (m_speed * (ends + (m_speed - ends) * kept) < 0.0) {
         kept = ends / (ends - m_speed); // it stands

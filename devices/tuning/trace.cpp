@@ -33,6 +33,17 @@ double samplePeriod(const Trace &trace)
     return median(std::move(steps));
 }
 
+Trace thinned(const Trace &trace, std::size_t most)
+{
+    if (trace.size() <= most)
+        return trace;
+    Trace few;
+    const double step = static_cast<double>(trace.size()) / static_cast<double>(most);
+    for (double at = 0.0; at < static_cast<double>(trace.size()); at += step)
+        few.add(trace.t[static_cast<std::size_t>(at)], trace.y[static_cast<std::size_t>(at)]);
+    return few;
+}
+
 double valueAt(const Trace &trace, double time)
 {
     const auto above = std::upper_bound(trace.t.begin(), trace.t.end(), time);

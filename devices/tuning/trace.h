@@ -27,6 +27,8 @@ struct Trace {
 [[nodiscard]] double median(std::vector<double> values);
 /// Median step of time; 0 for fewer than two samples.
 [[nodiscard]] double samplePeriod(const Trace &trace);
+/// At most about so many of its samples, from all of it.
+[[nodiscard]] Trace thinned(const Trace &trace, std::size_t most);
 /// The value at a time between samples; the first or last beyond them. Not for an empty trace.
 [[nodiscard]] double valueAt(const Trace &trace, double time);
 

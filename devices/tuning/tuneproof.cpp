@@ -5,6 +5,7 @@
 #include "tuning/autotunerun.h"
 #include "tuning/envelope.h"
 #include "tuning/gains.h"
+#include "tuning/plateau.h"
 #include "tuning/proof.h"
 #include "tuning/tunedesign.h"
 
@@ -21,6 +22,8 @@ constexpr double proofCreeps = 2.0;    ///< times of the integral, in which it c
 constexpr double slowProof = 1.2;      ///< s, that a slow one waits at most beyond what was predicted
 constexpr double proofRest = 0.3;      ///< s longer
 constexpr double leastProof = 0.7;     ///< s
+constexpr double countedProof = 2.0;   ///< s, of a velocity that is counted over edges: swinging grows slowly
+constexpr double countedRest = 1.5;    ///< s, until such a velocity is known to be 0, and the integral is at rest
 constexpr double longestProof = 5.0;   ///< s
 constexpr double unknownSettle = 1.5;  ///< s, where none was predicted
 constexpr double currentSettles = 4.0; ///< of a current loop
@@ -65,8 +68,9 @@ double TuneProof::hold() const
         return std::clamp(currentSettles * settle, leastCurrent, longestCurrent);
     const ContinuousGains &gains = report.proposed.made;
     const double creeps = m_run.plan().loop == Mode::Velocity && gains.i > 0.0 ? gains.p / gains.i : 0.0;
+    const double least = report.predicted->shape.windowCounts > 0.0 ? countedProof : leastProof;
     return std::clamp(std::max(std::min(proofSettles * settle, settle + slowProof), proofCreeps * creeps) + proofRest,
-        leastProof, longestProof);
+        least, longestProof);
 }
 
 /// As many as take the noise out of a current; of other loops two, or one where the time is short.
@@ -123,6 +127,7 @@ ExperimentPlan TuneProof::planOf(double sign) const
     plan.slot = m_slot;
     plan.repeat = repeats();
     plan.seconds = hold();
+    plan.rest = m_run.report().predicted->shape.windowCounts > 0.0 ? countedRest : 0.0;
     plan.noise = m_run.report().plant.noise;
     plan.gains = inProvingSlot();
     plan.keep = m_mayStay ? Keep::Always : Keep::Never;
@@ -133,6 +138,19 @@ ExperimentPlan TuneProof::planOf(double sign) const
             : loop == Mode::Position ? say("proving: a step of %1 counts", std::round(step))
                                      : say("proving: a step of %1 counts/s", std::round(step)));
     return plan;
+}
+
+/// What the steps so far did, against what was predicted.
+Message TuneProof::judge()
+{
+    TuneReport &report = m_run.report();
+    report.measured = worseOf(report.proof);
+    if (report.predicted->shape.windowCounts > 0.0)
+        report.measured.settle = settledWidely(report.proof.back());
+    Message wrong = judgeProof(report.measured, report.predicted->metrics, m_design.step(), resting());
+    if (wrong.empty() && m_run.plan().loop == Mode::Velocity)
+        wrong = judgeRest(swingOf(report.proof.back()), *report.predicted, m_design.step());
+    return wrong;
 }
 
 Task<void> TuneProof::prove()
@@ -151,8 +169,7 @@ Task<void> TuneProof::prove()
         report.proof.push_back(co_await std::move(running));
         if (m_run.isOver())
             co_return {};
-        report.measured = worseOf(report.proof);
-        const Message wrong = judgeProof(report.measured, report.predicted->metrics, m_design.step(), resting());
+        const Message wrong = judge();
         if (!wrong.empty()) { // what fails one way needs no proof the other way
             report.result = TuneResult::RolledBack;
             report.evidence = joined(wrong, m_design.before());

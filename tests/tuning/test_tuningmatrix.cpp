@@ -71,7 +71,7 @@ TEST(TuningMatrix, APushWhoseOrderWasLostOnItsWayIsLeftOut)
 
 TEST(TuningMatrix, WhatProvedToBeWrongAboutAMotorMakesItsGainsBetter)
 {
-    const MatrixRow row = tuneCell(cellOf("dmc60c", "cim", Mode::Velocity, 3, 0.0), Compare::All);
+    const MatrixRow row = tuneCell(cellOf("dmc60c", "cim", Mode::Velocity, 4, 0.0), Compare::All);
     ASSERT_EQ(row.result, "kept") << textOf(row);
     EXPECT_NE(row.reason.find("left more error"), std::string::npos) << row.reason;
     ASSERT_TRUE(row.kept && row.best);

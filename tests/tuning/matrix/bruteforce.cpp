@@ -21,6 +21,7 @@ constexpr double moreGain = 1.2;
 constexpr double moreDelay = 1.3;
 constexpr double mostOvershoot = 0.05;
 constexpr double noiseShare = 0.1;
+constexpr double strongestError = 3.0 * 1.001;
 constexpr double quickestOfSetPoints = 2.0; ///< natural frequency times their period
 
 /// Looks at gains, keeps the best.
@@ -36,7 +37,7 @@ public:
     }
     void look(const ContinuousGains &gains)
     {
-        if (!isWithinBounds(m_cell, m_truth, gains))
+        if (!isWithinBounds(m_cell, m_truth, gains, m_probe.step()))
             return;
         const auto scaled = tuning::scaleGains(m_probe.device(), m_cell.loop, 1, 0, gains);
         if (!scaled)
@@ -104,7 +105,7 @@ bool answersSetPoints(const Cell &cell, const tuning::PlantModel &truth, const C
 
 void lookAtVelocities(Search &search, const tuning::PlantModel &truth)
 {
-    for (double response = 0.4; response <= 5.0; response *= 1.25) {
+    for (double response = 0.4; response <= 12.0; response *= 1.25) {
         const double p = truth.tau / (truth.gain * truth.delay * (1.0 + response));
         for (double share = 0.25; share <= 4.0; share *= 1.35)
             search.look({p, p / (share * truth.tau), 0.0, 0.0});
@@ -128,9 +129,9 @@ void lookAtPositions(Search &search, const tuning::PlantModel &truth, bool withI
 
 } // namespace
 
-bool isWithinBounds(const Cell &cell, const tuning::PlantModel &truth, const ContinuousGains &gains)
+bool isWithinBounds(const Cell &cell, const tuning::PlantModel &truth, const ContinuousGains &gains, double step)
 {
-    if (gains.p <= 0.0 || gains.d / cycleOf(cell) > noiseShare * 1.001)
+    if (gains.p <= 0.0 || gains.p * step > strongestError || gains.d / cycleOf(cell) > noiseShare * 1.001)
         return false;
     tuning::PlantModel off = truth;
     off.gain *= moreGain;

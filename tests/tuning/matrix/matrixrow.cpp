@@ -188,7 +188,7 @@ MatrixRow tuneCell(const Cell &cell, Compare compare)
     }
     row.reason = report->evidence.english();
     row.keptGains = report->proposed.made;
-    row.isWithin = isWithinBounds(cell, row.truth, row.keptGains);
+    row.isWithin = isWithinBounds(cell, row.truth, row.keptGains, row.step);
     if (compare != Compare::Nothing)
         compareWithOthers(row, *report, unit.journal().completed, compare == Compare::All);
     return row;

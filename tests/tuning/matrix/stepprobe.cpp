@@ -19,8 +19,16 @@ constexpr double lookSeconds = 1e-3;
 constexpr double restShare = 2e-3; ///< of the step, in a tenth of a second
 constexpr int mostWaits = 100;
 constexpr double band = 0.05;
+constexpr double longRest = 2.0; ///< s
 constexpr double stableBand = 0.3;
 constexpr double goodEnough = 4.0; ///< counts beside a target that nobody asks to be mended
+
+/// s between two steps, at least. A QuadQuad2Drv takes a motor for moving until it has waited 0.67 s for its next edge, and its integral
+/// with it: it creeps back before it rests.
+double restOf(const Cell &cell)
+{
+    return cell.family == "quadquad2drv" && cell.loop == Mode::Velocity ? longRest : 0.0;
+}
 
 } // namespace
 
@@ -89,7 +97,7 @@ std::optional<ShaftResponse> StepProbe::run(const std::vector<ParameterChange> &
         worse.isStable = worse.isStable && seen.isStable;
         if (!m_unit->stream().update(setPoint(origin)))
             return std::nullopt;
-        clock.advance(std::chrono::milliseconds(std::lround(1e3 * m_seconds)));
+        clock.advance(std::chrono::milliseconds(std::lround(1e3 * std::max(m_seconds, restOf(m_cell)))));
     }
     m_unit->stream().stop();
     return worse;

@@ -26,6 +26,7 @@ public:
     [[nodiscard]] std::optional<ShaftResponse> run() { return run({}); }
     [[nodiscard]] Device &device() { return m_unit->device(); }
     [[nodiscard]] int runs() const { return m_runs; }
+    [[nodiscard]] double step() const { return m_step; }
 
 private:
     [[nodiscard]] bool comeToRest();

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tuning/prediction.h"
+#include "tuning/trial.h"
+
+#include <optional>
+
+namespace mb::tuning {
+
+/// Of the step, in which a velocity has settled that is counted over so few edges that one of them leaves a narrower band.
+constexpr double wideBand = 0.05;
+
+/// Seconds from t = 0 until `response`, on its way from 0 to `target`, stays within wideBand; nothing where it does not.
+[[nodiscard]] std::optional<double> settledWidely(const Trace &response, double target);
+/// The same of the holds of a velocity trial, the worst of them.
+[[nodiscard]] std::optional<double> settledWidely(const Trial &trial);
+
+/// σ of what is measured about its own line while it should rest, of the step: the second half of each hold, the worst of them.
+[[nodiscard]] double swingOf(const Trial &trial);
+[[nodiscard]] double swingOf(const Prediction &predicted, double step);
+
+/// Empty where a loop rests as it was predicted to; else how it swings. A loop whose sensor stands on one side of a play that its load
+/// is on the other side of may do so for as long as it is driven, and its edges and averages hardly show it.
+[[nodiscard]] Message judgeRest(double measured, const Prediction &predicted, double step);
+
+} // namespace mb::tuning

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tuning/pushfit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace mb::tuning {
+namespace {
+
+constexpr std::size_t leastFitSamples = 8;
+constexpr std::size_t mostFitSamples = 400; ///< of a record; more tell nothing new
+constexpr double leastPushMove = 50.0;      ///< counts
+constexpr double shortestFitTau = 0.003;
+constexpr double longestFitTau = 1.5;
+constexpr double longestDelay = 0.08;
+constexpr int tauSteps = 60;
+constexpr int delaySteps = 33;
+constexpr double latestOrder = 0.15; ///< s
+constexpr double lateStep = 0.0005;
+constexpr double lateOrder = 0.008;
+constexpr double halfCount = 0.5;
+constexpr double stampError = 0.001; ///< s, of a busy computer's time stamps
+constexpr double wholePush = 3.0; ///< lags that a push lasts that tells its lag by itself
+constexpr double mostSag = 0.8;
+constexpr double mostWarming = 0.4;
+constexpr double clearlyLess = 0.75; ///< of the squares that are left over: the pushes tell sag and warming
+
+struct Push {
+    Trace trace;
+    double duty = 0.0;
+    double heat = 0.0;
+};
+
+/// What is searched; speeds and places follow from it.
+struct Point {
+    double tau = 0.0;
+    double delay = 0.0;
+    double sag = 0.0;
+    double warming = 0.0;
+    double cost = -1.0;
+
+    [[nodiscard]] double tauOf(const Push &push) const
+    {
+        return tau * sagged(sag, push.duty) * (1.0 + warming * push.heat);
+    }
+};
+
+struct Projected {
+    double speed = 0.0;
+    double residual = 0.0;
+};
+
+/// For a given τ and delay, speed and place of one record are a linear fit.
+Projected project(const Trace &trace, double tau, double delay)
+{
+    double s = 0.0, sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0, syy = 0.0;
+    const double y0 = trace.y.front();
+    for (std::size_t i = 0; i < trace.size(); ++i) {
+        const double t = std::max(trace.t[i] - delay, 0.0);
+        const double x = t - tau * (1.0 - std::exp(-t / tau));
+        const double y = trace.y[i] - y0;
+        s += 1.0;
+        sx += x;
+        sy += y;
+        sxx += x * x;
+        sxy += x * y;
+        syy += y * y;
+    }
+    const double determinant = s * sxx - sx * sx;
+    if (determinant <= 0.0)
+        return {0.0, syy};
+    const double speed = (s * sxy - sx * sy) / determinant;
+    const double place = (sy - speed * sx) / s;
+    return {speed, std::max(syy - speed * sxy - place * sy, 0.0)};
+}
+
+/// Sum of squares over all records, in (half counts)².
+double costOf(std::span<const Push> pushes, const Point &at)
+{
+    double sum = 0.0;
+    for (const Push &push : pushes)
+        sum += project(push.trace, at.tauOf(push), at.delay).residual / (halfCount * halfCount);
+    return sum;
+}
+
+Point coarse(std::span<const Push> pushes)
+{
+    Point best;
+    const double ratio = std::pow(longestFitTau / shortestFitTau, 1.0 / (tauSteps - 1));
+    double tau = shortestFitTau;
+    for (int i = 0; i < tauSteps; ++i, tau *= ratio) {
+        for (int k = 0; k < delaySteps; ++k) {
+            Point point{tau, longestDelay * k / (delaySteps - 1)};
+            point.cost = costOf(pushes, point);
+            if (best.cost < 0.0 || point.cost < best.cost)
+                best = point;
+        }
+    }
+    return best;
+}
+
+/// Walks downhill along the axes, and the valleys of equal τ + delay and of equal lags of a warm motor.
+Point refined(std::span<const Push> pushes, Point best, bool changes)
+{
+    struct Way {
+        double tau;
+        double delay;
+        double sag;
+        double warming;
+    };
+    static constexpr std::array<Way, 12> ways{{{1, 0, 0, 0}, {-1, 0, 0, 0}, {0, 1, 0, 0}, {0, -1, 0, 0}, {1, -1, 0, 0},
+        {-1, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, -1, 0}, {0, 0, 0, 1}, {0, 0, 0, -1}, {-1, 0, 0, 1}, {1, 0, 0, -1}}};
+    const std::size_t used = changes ? ways.size() : 6;
+    double wide = 0.06;
+    double late = 0.002;
+    for (int round = 0; round < 200 && wide > 1e-4; ++round) {
+        bool better = false;
+        for (std::size_t i = 0; i < used; ++i) {
+            const Way &way = ways[i];
+            Point point{best.tau * (1.0 + way.tau * wide), std::clamp(best.delay + way.delay * late, 0.0, longestDelay),
+                std::clamp(best.sag + way.sag * 4.0 * wide, 0.0, mostSag),
+                std::clamp(best.warming + way.warming * 2.0 * wide, 0.0, mostWarming)};
+            point.cost = costOf(pushes, point);
+            if (point.cost < best.cost) {
+                best = point;
+                better = true;
+            }
+        }
+        if (!better) {
+            wide /= 2.0;
+            late /= 2.0;
+        }
+    }
+    return best;
+}
+
+/// When this record alone begins, for a given τ.
+double ownDelay(const Trace &trace, double tau)
+{
+    double best = 0.0;
+    double least = -1.0;
+    for (double delay = 0.0; delay <= latestOrder; delay += lateStep) {
+        const double residual = project(trace, tau, delay).residual;
+        if (least < 0.0 || residual < least) {
+            least = residual;
+            best = delay;
+        }
+    }
+    return best;
+}
+
+/// Takes back what single records are later than the others: the frame of their order was lost, and the next one moved the motor.
+/// Whether there were any.
+bool align(std::vector<Push> &pushes, double tau)
+{
+    std::vector<double> delays;
+    for (const Push &push : pushes)
+        delays.push_back(ownDelay(push.trace, tau));
+    const double usual = median(delays);
+    bool any = false;
+    for (std::size_t i = 0; i < pushes.size(); ++i) {
+        const double late = delays[i] - usual;
+        if (late < lateOrder)
+            continue;
+        any = true;
+        for (double &t : pushes[i].trace.t)
+            t -= late;
+    }
+    return any;
+}
+
+/// One lag for all; where the pushes clearly tell that it changes with duty and heat, that too.
+Point fitted(std::vector<Push> &pushes)
+{
+    Point best = refined(pushes, coarse(pushes), false);
+    if (align(pushes, best.tau))
+        best = refined(pushes, coarse(pushes), false);
+    const bool isWhole = std::all_of(
+        pushes.begin(), pushes.end(), [&](const Push &push) { return push.trace.t.back() >= wholePush * best.tau; });
+    if (!isWhole)
+        return best;
+    const Point changing = refined(pushes, best, true);
+    return changing.cost < clearlyLess * best.cost ? changing : best;
+}
+
+/// Two standard errors of τ and delay from the curvature of the cost.
+std::pair<double, double> uncertainty(std::span<const Push> pushes, const Point &best, std::size_t samples)
+{
+    const double a = 0.01 * best.tau;
+    const double b = 0.001;
+    const auto cost = [&](double x, double y) {
+        return costOf(pushes, {best.tau + x, std::max(best.delay + y, -0.01), best.sag, best.warming});
+    };
+    const double tt = (cost(a, 0) + cost(-a, 0) - 2.0 * best.cost) / (a * a);
+    const double dd = (cost(0, b) + cost(0, -b) - 2.0 * best.cost) / (b * b);
+    const double td = (cost(a, b) - cost(a, -b) - cost(-a, b) + cost(-a, -b)) / (4.0 * a * b);
+    const double determinant = tt * dd - td * td;
+    if (determinant <= 0.0 || samples < 10)
+        return {0.1 * best.tau, 0.01};
+    const double variance = best.cost / static_cast<double>(samples - 2 - 2 * pushes.size());
+    return {2.0 * std::sqrt(2.0 * variance * dd / determinant), 2.0 * std::sqrt(2.0 * variance * tt / determinant)};
+}
+
+} // namespace
+
+Result<PushFit> fitPushes(std::span<const PushRecord> records)
+{
+    std::vector<Push> pushes;
+    std::size_t samples = 0;
+    for (const PushRecord &record : records) {
+        if (record.position.size() < leastFitSamples)
+            return fail(Fault::OutOfRange, say("a push has fewer than 8 positions"),
+                say("push longer, or ask for faster samples"));
+        if (std::abs(record.position.y.back() - record.position.y.front()) < leastPushMove)
+            return fail(
+                Fault::OutOfRange, say("a push moved the motor by fewer than 50 counts"), say("push harder or longer"));
+        pushes.push_back({thinned(record.position, mostFitSamples), record.duty, record.heat});
+        samples += pushes.back().trace.size();
+    }
+    if (pushes.empty())
+        return fail(Fault::OutOfRange, say("there is no push to fit"));
+    const Point best = fitted(pushes);
+    const auto [tauError, delayError] = uncertainty(pushes, best, samples);
+    PushFit fit{best.tau, best.delay, tauError, delayError, {}, 0.0, best.sag, best.warming};
+    double expected = 0.0; // sum of squares that whole counts and late time stamps make
+    double left = 0.0;
+    for (const Push &push : pushes) {
+        const Projected projected = project(push.trace, best.tauOf(push), best.delay);
+        const double blur = projected.speed * stampError;
+        expected += static_cast<double>(push.trace.size()) * (halfCount * halfCount + blur * blur);
+        left += projected.residual;
+        fit.speeds.push_back(projected.speed / (1.0 + speedOfWarming * best.warming * push.heat));
+    }
+    fit.cost = left / expected;
+    return fit;
+}
+
+} // namespace mb::tuning

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A motor on a battery with a resistance of its own, whose winding warms from push to push.
+#include "simulation/motormodel.h"
+#include "tuning/plantfit.h"
+#include "tuning/simulatedloop.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace mb::tuning {
+namespace {
+
+constexpr double fine = 0.0005;
+constexpr double load = 7.0;
+
+/// Of this motor at 25 °C, at a duty.
+double lagOf(const MotorParameters &motor, double duty, double supply)
+{
+    const double kept = motor.constant * (1.0 - motor.torqueLoss);
+    const double resistance = motor.resistance + 0.005 + duty * duty * supply;
+    return resistance * motor.inertia * load / kept / (motor.constant + resistance * motor.viscosity / kept);
+}
+
+/// Pushes of two sizes both ways, twice each, each braked to a stop before the next; one motor makes them all.
+std::vector<PushRecord> pushes(const MotorParameters &parameters, double supply, double seconds)
+{
+    MotorModel motor(parameters, load, MotorSupply{12.0, supply, 0.005});
+    std::vector<PushRecord> records;
+    double heat = 0.0;
+    for (int i = 0; i < 8; ++i) {
+        PushRecord record;
+        record.duty = (i / 2 % 2 == 0 ? 1.0 : -1.0) * (i < 4 ? 0.4 : 0.24);
+        record.heat = heat + 0.25 * record.duty * record.duty;
+        heat += record.duty * record.duty;
+        int step = 0;
+        for (double t = 0.0; t < seconds; t += fine, ++step) {
+            if (step % 20 == 0)
+                record.position.add(t, static_cast<double>(motor.counts()));
+            motor.step(record.duty, Bridge::Drive, fine);
+        }
+        motor.step(0.0, Bridge::Brake, 1.2);
+        records.push_back(std::move(record));
+    }
+    return records;
+}
+
+Result<GainFit> lineOf(const std::vector<PushRecord> &records, const PushFit &fit)
+{
+    std::vector<double> duties;
+    for (const PushRecord &record : records)
+        duties.push_back(record.duty);
+    return fitGain(duties, fit.speeds);
+}
+
+TEST(PushFit, TellsASaggingSupplyAndAWarmingWindingFromTheMotor)
+{
+    for (const char *const name : {"cim", "775pro"}) {
+        for (const double supply : {0.02, 0.05}) {
+            const MotorParameters &motor = *motorByName(name);
+            const double tau = lagOf(motor, dutyOfLag, supply);
+            const auto records = pushes(motor, supply, 5.0 * tau);
+            const auto fit = fitPushes(records);
+            ASSERT_TRUE(fit) << fit.error().text();
+            const double whole = lagOf(motor, 1.0, supply);
+            std::printf("%s, %.2f Ohm: lag %.4f s of %.4f s, at full duty %.4f s of %.4f s, warming %.3f\n", name,
+                supply, fit->tau, tau, fit->tau * sagged(fit->sag, 1.0), whole, fit->warming);
+            EXPECT_NEAR(fit->tau, tau, 0.02 * tau) << name << ' ' << supply; // 7 % more with one lag for all
+            EXPECT_NEAR(fit->tau * sagged(fit->sag, 1.0), whole, 0.08 * whole) << name << ' ' << supply;
+            EXPECT_GT(fit->warming, 0.0);
+            const auto line = lineOf(records, *fit);
+            ASSERT_TRUE(line) << line.error().text();
+            const double friction
+                = (motor.resistance + 0.005) * motor.friction / motor.constant / (1.0 - motor.torqueLoss) / 12.0;
+            EXPECT_NEAR(line->friction, friction, 0.003) << name << ' ' << supply;
+        }
+    }
+}
+
+TEST(PushFit, AMotorWithoutAnyOfItHasOneLag)
+{
+    const MotorParameters &motor = *motorByName("rs775"); // which has no heat, and 40 times the resistance
+    const auto fit = fitPushes(pushes(motor, 0.0, 5.0 * lagOf(motor, dutyOfLag, 0.0)));
+    ASSERT_TRUE(fit) << fit.error().text();
+    EXPECT_LT(fit->sag, 0.01);
+    EXPECT_LT(fit->warming, 0.01);
+}
+
+TEST(SimulatedLoop, ALargeDutySpeedsAMotorOnAWeakBatteryUpLater)
+{
+    PlantModel plant{10'000.0, 0.1, 0.001, 0.0};
+    plant.sag = 0.5;
+    LoopShape shape;
+    shape.period = 0.0005;
+    const auto after = [&](double duty, double seconds) {
+        SimulatedLoop loop(Mode::Velocity, plant, {1e6, 0.0, 0.0, 0.0}, shape, 0.0); // at its limit
+        LoopShape limited = shape;
+        limited.mostDuty = duty;
+        loop = SimulatedLoop(Mode::Velocity, plant, {1e6, 0.0, 0.0, 0.0}, limited, 0.0);
+        for (double t = 0.0; t < seconds - 1e-9; t += shape.period)
+            (void)loop.pass(1e9);
+        return loop.value() / (10'000.0 * duty);
+    };
+    EXPECT_NEAR(after(dutyOfLag, 0.1), 1.0 - std::exp(-1.0), 1e-3);
+    EXPECT_NEAR(after(1.0, 0.1), 1.0 - std::exp(-1.0 / sagged(0.5, 1.0)), 1e-3);
+}
+
+} // namespace
+} // namespace mb::tuning
