@@ -7666,6 +7666,50 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
         <source>The first %1 of %2.</source>
         <translation>Die ersten %1 von %2.</translation>
     </message>
+    <message>
+        <source>Counts/s per duty</source>
+        <translation>Counts/s je Aussteuerung</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>Coherence</source>
+        <translation>Kohärenz</translation>
+    </message>
+    <message>
+        <source>Believed</source>
+        <translation>Geglaubt</translation>
+    </message>
+    <message>
+        <source>magnitude of the motor, dB</source>
+        <translation>Betrag des Motors, dB</translation>
+    </message>
+    <message>
+        <source>phase of the motor, °</source>
+        <translation>Phase des Motors, °</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>Magnitude and phase of the motor, measured and of its model</source>
+        <translation>Betrag und Phase des Motors, gemessen und nach seinem Modell</translation>
+    </message>
+    <message>
+        <source>Frequency response of the motor</source>
+        <translation>Frequenzgang des Motors</translation>
+    </message>
+    <message>
+        <source>Sines of duty around a speed at which it never reverses, the last on %1. Believed and drawn are %2 of %3: ten samples make a swing, and the sine explains 0.9 of the movement at least (coherence).</source>
+        <translation>Sinusse der Aussteuerung um eine Drehzahl, bei der er nie umkehrt, der letzte am %1. Geglaubt und gezeichnet werden %2 von %3: zehn Messwerte je Schwingung, und der Sinus erklärt mindestens 0.9 der Bewegung (Kohärenz).</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -16988,6 +17032,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>within its limits, at attempt %1: samples were lost before</source>
         <translation>in seinen Grenzen, beim Versuch %1: vorher gingen Messwerte verloren</translation>
+    </message>
+    <message>
+        <source>its speed goes on swinging by %1 where it should rest, whole counts alone would make %2</source>
+        <translation>seine Drehzahl schwingt um %1 weiter, wo sie ruhen sollte, ganze Counts allein ergäben %2</translation>
     </message>
     <message>
         <source>This unit has no number yet; assign one from 1 to 63.</source>

@@ -7666,6 +7666,50 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
         <source>The first %1 of %2.</source>
         <translation>Los primeros %1 de %2.</translation>
     </message>
+    <message>
+        <source>Counts/s per duty</source>
+        <translation>Cuentas/s por ciclo de trabajo</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Fase</translation>
+    </message>
+    <message>
+        <source>Coherence</source>
+        <translation>Coherencia</translation>
+    </message>
+    <message>
+        <source>Believed</source>
+        <translation>Fiable</translation>
+    </message>
+    <message>
+        <source>magnitude of the motor, dB</source>
+        <translation>magnitud del motor, dB</translation>
+    </message>
+    <message>
+        <source>phase of the motor, °</source>
+        <translation>fase del motor, °</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>modelo</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>medido</translation>
+    </message>
+    <message>
+        <source>Magnitude and phase of the motor, measured and of its model</source>
+        <translation>Magnitud y fase del motor, medidas y según su modelo</translation>
+    </message>
+    <message>
+        <source>Frequency response of the motor</source>
+        <translation>Respuesta en frecuencia del motor</translation>
+    </message>
+    <message>
+        <source>Sines of duty around a speed at which it never reverses, the last on %1. Believed and drawn are %2 of %3: ten samples make a swing, and the sine explains 0.9 of the movement at least (coherence).</source>
+        <translation>Senos de ciclo de trabajo en torno a una velocidad a la que nunca se invierte, el último el %1. Fiables y dibujados son %2 de %3: diez muestras por oscilación, y el seno explica al menos 0.9 del movimiento (coherencia).</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -16996,6 +17040,10 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>within its limits, at attempt %1: samples were lost before</source>
         <translation>dentro de sus límites, en el intento %1: antes se perdieron muestras</translation>
+    </message>
+    <message>
+        <source>its speed goes on swinging by %1 where it should rest, whole counts alone would make %2</source>
+        <translation>su velocidad sigue oscilando un %1 donde debería reposar, las cuentas enteras por sí solas darían %2</translation>
     </message>
 </context>
 </TS>

@@ -7666,6 +7666,50 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
         <source>The first %1 of %2.</source>
         <translation>Les %1 premiers sur %2.</translation>
     </message>
+    <message>
+        <source>Counts/s per duty</source>
+        <translation>Points/s par rapport cyclique</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>Coherence</source>
+        <translation>Cohérence</translation>
+    </message>
+    <message>
+        <source>Believed</source>
+        <translation>Retenu</translation>
+    </message>
+    <message>
+        <source>magnitude of the motor, dB</source>
+        <translation>gain du moteur, dB</translation>
+    </message>
+    <message>
+        <source>phase of the motor, °</source>
+        <translation>phase du moteur, °</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>modèle</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>mesuré</translation>
+    </message>
+    <message>
+        <source>Magnitude and phase of the motor, measured and of its model</source>
+        <translation>Gain et phase du moteur, mesurés et selon son modèle</translation>
+    </message>
+    <message>
+        <source>Frequency response of the motor</source>
+        <translation>Réponse fréquentielle du moteur</translation>
+    </message>
+    <message>
+        <source>Sines of duty around a speed at which it never reverses, the last on %1. Believed and drawn are %2 of %3: ten samples make a swing, and the sine explains 0.9 of the movement at least (coherence).</source>
+        <translation>Sinusoïdes de rapport cyclique autour d’une vitesse à laquelle il ne s’inverse jamais, la dernière le %1. Retenues et tracées : %2 sur %3. Dix mesures par oscillation, et la sinusoïde explique au moins 0.9 du mouvement (cohérence).</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -16996,6 +17040,10 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>within its limits, at attempt %1: samples were lost before</source>
         <translation>dans ses limites, à l’essai %1&#xa0;: des échantillons avaient été perdus avant</translation>
+    </message>
+    <message>
+        <source>its speed goes on swinging by %1 where it should rest, whole counts alone would make %2</source>
+        <translation>sa vitesse continue d’osciller de %1 alors qu’elle devrait se stabiliser, les points entiers seuls donneraient %2</translation>
     </message>
 </context>
 </TS>

@@ -7656,6 +7656,50 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <source>The first %1 of %2.</source>
         <translation>%2 個のうち最初の %1 個。</translation>
     </message>
+    <message>
+        <source>Counts/s per duty</source>
+        <translation>デューティあたりカウント/s</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>位相</translation>
+    </message>
+    <message>
+        <source>Coherence</source>
+        <translation>コヒーレンス</translation>
+    </message>
+    <message>
+        <source>Believed</source>
+        <translation>信頼できる</translation>
+    </message>
+    <message>
+        <source>magnitude of the motor, dB</source>
+        <translation>モータのゲイン、dB</translation>
+    </message>
+    <message>
+        <source>phase of the motor, °</source>
+        <translation>モータの位相、°</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>モデル</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>測定値</translation>
+    </message>
+    <message>
+        <source>Magnitude and phase of the motor, measured and of its model</source>
+        <translation>モータのゲインと位相、測定値とモデル</translation>
+    </message>
+    <message>
+        <source>Frequency response of the motor</source>
+        <translation>モータの周波数応答</translation>
+    </message>
+    <message>
+        <source>Sines of duty around a speed at which it never reverses, the last on %1. Believed and drawn are %2 of %3: ten samples make a swing, and the sine explains 0.9 of the movement at least (coherence).</source>
+        <translation>反転しない速度を中心とするデューティの正弦波、最後は %1。信頼して描いたのは %3 個中 %2 個：1 周期に 10 サンプルあり、正弦波が動きの 0.9 以上を説明するもの（コヒーレンス）。</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -16982,6 +17026,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>within its limits, at attempt %1: samples were lost before</source>
         <translation>%1 回目の試行で限度内: それまでの試行ではサンプルが欠落しました</translation>
+    </message>
+    <message>
+        <source>its speed goes on swinging by %1 where it should rest, whole counts alone would make %2</source>
+        <translation>静定すべきところで速度が %1 振れ続けています。整数カウントだけなら %2 です</translation>
     </message>
 </context>
 </TS>

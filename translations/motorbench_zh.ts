@@ -7656,6 +7656,50 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <source>The first %1 of %2.</source>
         <translation>%2 个中的前 %1 个。</translation>
     </message>
+    <message>
+        <source>Counts/s per duty</source>
+        <translation>每单位占空比的计数/s</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>相位</translation>
+    </message>
+    <message>
+        <source>Coherence</source>
+        <translation>相干性</translation>
+    </message>
+    <message>
+        <source>Believed</source>
+        <translation>可信</translation>
+    </message>
+    <message>
+        <source>magnitude of the motor, dB</source>
+        <translation>电机幅值，dB</translation>
+    </message>
+    <message>
+        <source>phase of the motor, °</source>
+        <translation>电机相位，°</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>实测</translation>
+    </message>
+    <message>
+        <source>Magnitude and phase of the motor, measured and of its model</source>
+        <translation>电机的幅值与相位，实测值与模型值</translation>
+    </message>
+    <message>
+        <source>Frequency response of the motor</source>
+        <translation>电机的频率响应</translation>
+    </message>
+    <message>
+        <source>Sines of duty around a speed at which it never reverses, the last on %1. Believed and drawn are %2 of %3: ten samples make a swing, and the sine explains 0.9 of the movement at least (coherence).</source>
+        <translation>围绕不会反转的速度施加的占空比正弦波，最后一次在 %1。可信并绘出的为 %3 个中的 %2 个：每个周期有十个采样，且正弦波至少解释 0.9 的运动（相干性）。</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -16982,6 +17026,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>within its limits, at attempt %1: samples were lost before</source>
         <translation>第 %1 次尝试时在限值内：此前有采样丢失</translation>
+    </message>
+    <message>
+        <source>its speed goes on swinging by %1 where it should rest, whole counts alone would make %2</source>
+        <translation>在应当稳定时其速度仍持续摆动 %1，仅由整数计数引起的为 %2</translation>
     </message>
 </context>
 </TS>

@@ -3,6 +3,7 @@
 
 #include "files/qttext.h"
 #include "report/htmltext.h"
+#include "report/sweepsection.h"
 #include "report/trialsection.h"
 #include "report/tuningsection.h"
 #include "report/unitsection.h"
@@ -62,6 +63,8 @@ QString unitHtml(const ReportUnit &unit, const Report &report, bool first)
     };
     for (const KeptTuning &tuning : unit.tunings)
         html += newPage(tuningHtml(tuning, unit, report));
+    if (const QString sweep = sweepHtml(unit); !sweep.isEmpty())
+        html += newPage(sweep);
     for (const KeptTrial &trial : unit.trials)
         html += newPage(trialHtml(trial, unit, report));
     if (const QString history = historyHtml(unit); !history.isEmpty())

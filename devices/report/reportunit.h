@@ -27,6 +27,7 @@ struct ReportUnit {
     std::vector<ParameterStore::Entry> parameters; ///< in table order; empty: nobody has read them
     std::vector<KeptTuning> tunings;               ///< in full, the trials of their proof with signals
     std::vector<KeptTrial> trials;                 ///< in full, with signals
+    std::vector<KeptTrial> sines;                  ///< of a frequency response, the newest, with signals
     std::vector<KeptTrial> history;                ///< every trial of the unit, one line each
     std::vector<service::Visit> visits;            ///< every service of it, oldest first
 };

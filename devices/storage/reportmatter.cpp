@@ -41,6 +41,25 @@ template <class Item, class Place> std::vector<Item> newestOf(const std::vector<
     return last;
 }
 
+/// The sines that were made last, one after the other, each quicker than the one before; of those that were asked for, where any were.
+std::vector<KeptTrial> newestSweep(const std::vector<KeptTrial> &history, const std::vector<std::int64_t> &asked)
+{
+    std::vector<KeptTrial> sines;
+    for (const KeptTrial &kept : history) {
+        const tuning::Stimulus &stimulus = kept.trial.stimulus;
+        const bool isSine = kept.trial.mode == Mode::Duty && stimulus.profile == tuning::Profile::Sine
+            && kept.trial.reason == "done" && (asked.empty() || isIn(asked, kept.number));
+        if (!isSine)
+            continue;
+        const bool goesOn = !sines.empty() && stimulus.period < sines.back().trial.stimulus.period
+            && kept.trial.axis == sines.back().trial.axis;
+        if (!goesOn)
+            sines.clear();
+        sines.push_back(kept);
+    }
+    return sines;
+}
+
 /// History, and what of it stands in full: what was asked for, or the newest of each loop.
 Result<void> fill(TrialBook &book, ReportUnit &unit, const ReportWish &wish)
 {
@@ -84,6 +103,11 @@ Result<void> fill(TrialBook &book, ReportUnit &unit, const ReportWish &wish)
     unit.trials = asked.empty()
         ? newestOf(full, [](const KeptTrial &kept) { return std::tuple(kept.trial.mode, kept.trial.axis); })
         : std::move(full);
+    unit.sines = newestSweep(unit.history, asked);
+    for (KeptTrial &kept : unit.sines) {
+        if (auto added = addSignals(book, kept.trial); !added)
+            return added;
+    }
     for (KeptTrial &kept : unit.trials) {
         if (auto added = addSignals(book, kept.trial); !added)
             return added;

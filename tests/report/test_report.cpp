@@ -153,6 +153,53 @@ TEST(Report, WhatIsNotKnownIsADashAndNeverNought)
     EXPECT_TRUE(html.mid(row, 120).contains(QStringLiteral("–"))) << html.mid(row, 120).toStdString();
 }
 
+/// What a motor without friction answers to a sine of duty, 200 times a second.
+KeptTrial sine(double hertz)
+{
+    constexpr double gain = 105'000.0;
+    constexpr double tau = 0.168;
+    KeptTrial kept;
+    kept.time = 1.7e9;
+    kept.trial.mode = Mode::Duty;
+    kept.trial.reason = "done";
+    kept.trial.stimulus = *Stimulus::make(Profile::Sine, 0.15, 0.35, 6.0 / hertz, 0.001);
+    Trace position;
+    Trace duty;
+    double speed = gain * 0.25;
+    double place = 0.0;
+    for (int i = -1000; i < static_cast<int>(6.0 / hertz / 0.0005); ++i) {
+        const double push = i < 0 ? 0.25 : kept.trial.stimulus.at(0.0005 * i);
+        if (i % 10 == 0) {
+            position.add(0.0005 * i, std::floor(place));
+            duty.add(0.0005 * i, push);
+        }
+        speed += 0.0005 / tau * (gain * push - speed);
+        place += 0.0005 * speed;
+    }
+    kept.trial.signals = {{"position", "counts", position}, {"duty", "fraction", duty}};
+    return kept;
+}
+
+TEST(Report, TellsTheFrequencyResponseWithItsCoherenceBesideTheModel)
+{
+    Report report = reportOf(true);
+    ReportUnit &unit = report.units.front();
+    EXPECT_FALSE(htmlOf(report).contains(QStringLiteral("Frequency response"))) << "none was made";
+    unit.sines = {sine(0.5), sine(2.0), sine(24.0)};
+    const QString html = htmlOf(report);
+    EXPECT_TRUE(html.contains(QStringLiteral("Frequency response of the motor")));
+    EXPECT_TRUE(html.contains(QStringLiteral("2 of 3"))) << "24 Hz has fewer than ten samples a swing";
+    EXPECT_EQ(html.count(QStringLiteral("<svg ")), 4); // the proof, the loop, the motor, the trial
+    const int begin = html.indexOf(QStringLiteral("Coherence"));
+    ASSERT_GT(begin, 0);
+    const QString table = html.mid(begin, html.indexOf(QStringLiteral("</table>"), begin) - begin);
+    EXPECT_EQ(table.count(QStringLiteral(">yes<")), 2) << table.toStdString();
+    EXPECT_EQ(table.count(QStringLiteral(">no<")), 1) << table.toStdString();
+    EXPECT_TRUE(table.contains(QStringLiteral("1.000"))) << table.toStdString();
+    unit.tunings.clear(); // nobody knows its lag
+    EXPECT_FALSE(htmlOf(report).contains(QStringLiteral("Frequency response")));
+}
+
 TEST(SvgPlot, ThinsACurveOutButKeepsASpikeOfOneSample)
 {
     SvgPlot plot;

@@ -37,9 +37,10 @@ protected:
         keep("7", Mode::Velocity);
         keep("5", Mode::Position);
     }
-    void keep(const std::string &address, Mode mode)
+    void keep(const std::string &address, Mode mode, const tuning::Stimulus &stimulus = {})
     {
         Trial trial;
+        trial.stimulus = stimulus;
         trial.device = "sim:can/dmc60c:" + address;
         trial.unit = "simulated dmc60c SN" + address;
         trial.firmware = "1.23";
@@ -99,6 +100,23 @@ TEST_F(Reports, ATrialOfATuningBringsTheTuningWithTheSignalsOfItsProof)
         ASSERT_EQ(units[0].tunings[0].report.proof.size(), 1U);
         EXPECT_EQ(units[0].tunings[0].report.proof[0].signals.size(), 1U);
     }
+}
+
+TEST_F(Reports, TheNewestSinesOfAUnitAreItsFrequencyResponse)
+{
+    const auto sine = [](double hertz) {
+        return *tuning::Stimulus::make(tuning::Profile::Sine, 0.1, 0.3, 6.0 / hertz, 0.001);
+    };
+    for (const double hertz : {0.5, 1.0, 2.0, 0.6, 1.2}) // one sweep, and a newer one
+        keep("9", Mode::Duty, sine(hertz));
+    keep("9", Mode::Velocity);
+    const auto units = of({{}, "simulated dmc60c SN9", false});
+    ASSERT_EQ(units.size(), 1U);
+    ASSERT_EQ(units[0].sines.size(), 2U);
+    EXPECT_NEAR(units[0].sines[0].trial.stimulus.period, 1.0 / 0.6, 1e-6);
+    EXPECT_NEAR(units[0].sines[1].trial.stimulus.period, 1.0 / 1.2, 1e-6);
+    EXPECT_EQ(units[0].sines[1].trial.signals.size(), 1U);
+    EXPECT_EQ(units[0].trials.size(), 1U) << "a sine is no step of a loop";
 }
 
 TEST_F(Reports, OfAUnitTheNewestTrialOfEachLoopStandsBesideItsTunings)
