@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/gainrules.h"
 
+#include "async/message.h"
 #include "tuning/margins.h"
 
 #include <algorithm>

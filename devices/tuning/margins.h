@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tuning/gainrules.h"
+#include "model/setpoint.h"
+#include "tuning/plantmodel.h"
 
 #include <complex>
 
