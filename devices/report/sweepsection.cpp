@@ -96,8 +96,8 @@ QString sweepHtml(const ReportUnit &unit)
     const auto points = plant ? pointsOf(unit, *plant) : std::vector<FrequencyPoint>();
     if (points.size() < 2)
         return {};
-    const auto believed = std::count_if(
-        points.begin(), points.end(), [](const FrequencyPoint &point) { return point.trusted; });
+    const auto believed
+        = std::count_if(points.begin(), points.end(), [](const FrequencyPoint &point) { return point.trusted; });
     return heading(2, ReportText::tr("Frequency response of the motor"))
         + paragraph(ReportText::tr("Sines of duty around a speed at which it never reverses, the last on %1. Believed "
                                    "and drawn are %2 of %3: ten samples make a swing, and the sine explains 0.9 of "

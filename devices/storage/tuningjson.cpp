@@ -29,8 +29,8 @@ const Numbers<PlantModel> plantNumbers{{"gain", &PlantModel::gain}, {"tau", &Pla
 const Numbers<ContinuousGains> gainNumbers{
     {"p", &ContinuousGains::p}, {"i", &ContinuousGains::i}, {"d", &ContinuousGains::d}, {"f", &ContinuousGains::f}};
 const Numbers<PushFit> pushNumbers{{"tau", &PushFit::tau}, {"tau_error", &PushFit::tauError},
-    {"delay", &PushFit::delay}, {"delay_error", &PushFit::delayError}, {"cost", &PushFit::cost},
-    {"sag", &PushFit::sag}, {"warming", &PushFit::warming}};
+    {"delay", &PushFit::delay}, {"delay_error", &PushFit::delayError}, {"cost", &PushFit::cost}, {"sag", &PushFit::sag},
+    {"warming", &PushFit::warming}};
 const Numbers<GainFit> lineNumbers{{"gain", &GainFit::gain}, {"gain_error", &GainFit::gainError},
     {"friction", &GainFit::friction}, {"friction_error", &GainFit::frictionError}, {"offset", &GainFit::offset},
     {"forward", &GainFit::forward}, {"reverse", &GainFit::reverse}};

@@ -86,10 +86,10 @@ struct Found {
 
 std::span<const Doubt> doubtsOf(const SearchTask &task)
 {
-    return task.shape.integralStep > 0.0  ? std::span<const Doubt>(wholeDoubts)
-        : task.shape.windowCounts > 0.0   ? std::span<const Doubt>(countedDoubts)
-        : task.isProven                   ? std::span<const Doubt>(smallDoubts)
-                                          : std::span<const Doubt>(doubts);
+    return task.shape.integralStep > 0.0 ? std::span<const Doubt>(wholeDoubts)
+        : task.shape.windowCounts > 0.0  ? std::span<const Doubt>(countedDoubts)
+        : task.isProven                  ? std::span<const Doubt>(smallDoubts)
+                                         : std::span<const Doubt>(doubts);
 }
 
 /// Of each step.

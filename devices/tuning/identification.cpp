@@ -22,7 +22,8 @@ constexpr double nearLimit = 0.98;
 constexpr double brokenGrowth = 1.5; ///< times what is usual
 constexpr double leastPause = 0.04;  ///< s
 constexpr double sameSize = 0.15;
-constexpr double heatOfItself = 0.25;  ///< of what a push and the brake after it leave in the winding, while it speeds up
+constexpr double heatOfItself
+    = 0.25; ///< of what a push and the brake after it leave in the winding, while it speeds up
 constexpr double heatThatStays = 0.95; ///< until the next one
 
 /// While the duty still grows, nothing is fitted.

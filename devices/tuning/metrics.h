@@ -50,6 +50,11 @@ struct Response {
 [[nodiscard]] Response readResponse(
     const Trace &measured, std::optional<double> target, double leastMove, int repeats = 1);
 
+/// Of the step, in which a velocity has settled that is counted over so few edges that one of them leaves a narrower band.
+constexpr double wideBand = 0.05;
+/// Seconds from t = 0 until `response`, on its way from 0 to `target`, stays within wideBand; nothing where it does not.
+[[nodiscard]] std::optional<double> settledWidely(const Trace &response, double target);
+
 /// ± of each metric that all runs have, at 95 %: two standard errors of the mean. Nothing for fewer than two runs.
 [[nodiscard]] Metrics errorsOf(const std::vector<Metrics> &runs);
 

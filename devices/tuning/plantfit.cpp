@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t leastRampSamples = 8;
 constexpr std::size_t mostRampSamples = 400; ///< of a ramp; more tell nothing new
-constexpr double leastRampMove = 50.0;      ///< counts
-constexpr double startedShare = 0.1;        ///< of the last speed: a ramp counts from there
+constexpr double leastRampMove = 50.0;       ///< counts
+constexpr double startedShare = 0.1;         ///< of the last speed: a ramp counts from there
 
 double slopeAround(const Trace &trace, std::size_t at, double half)
 {

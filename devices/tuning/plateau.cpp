@@ -31,17 +31,6 @@ double deviationOf(const Trace &trace)
 
 } // namespace
 
-std::optional<double> settledWidely(const Trace &response, double target)
-{
-    double settled = 0.0;
-    for (std::size_t i = 0; i < response.size(); ++i) {
-        if (response.t[i] >= 0.0 && std::abs(response.y[i] - target) > wideBand * std::abs(target))
-            settled = response.t[i];
-    }
-    const bool ends = !response.isEmpty() && settled < response.t.back();
-    return ends ? std::optional(settled) : std::nullopt;
-}
-
 std::optional<double> settledWidely(const Trial &trial)
 {
     const Signal *const measured = trial.signal(measuredOf(trial.mode));

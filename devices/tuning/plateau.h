@@ -8,12 +8,7 @@
 
 namespace mb::tuning {
 
-/// Of the step, in which a velocity has settled that is counted over so few edges that one of them leaves a narrower band.
-constexpr double wideBand = 0.05;
-
-/// Seconds from t = 0 until `response`, on its way from 0 to `target`, stays within wideBand; nothing where it does not.
-[[nodiscard]] std::optional<double> settledWidely(const Trace &response, double target);
-/// The same of the holds of a velocity trial, the worst of them.
+/// As metrics.h has it, of the holds of a velocity trial, the worst of them.
 [[nodiscard]] std::optional<double> settledWidely(const Trial &trial);
 
 /// σ of what is measured about its own line while it should rest, of the step: the second half of each hold, the worst of them.

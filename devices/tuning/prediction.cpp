@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/prediction.h"
 
-#include "tuning/plateau.h"
-
 #include <algorithm>
 #include <cmath>
 

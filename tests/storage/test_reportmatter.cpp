@@ -104,9 +104,8 @@ TEST_F(Reports, ATrialOfATuningBringsTheTuningWithTheSignalsOfItsProof)
 
 TEST_F(Reports, TheNewestSinesOfAUnitAreItsFrequencyResponse)
 {
-    const auto sine = [](double hertz) {
-        return *tuning::Stimulus::make(tuning::Profile::Sine, 0.1, 0.3, 6.0 / hertz, 0.001);
-    };
+    const auto sine
+        = [](double hertz) { return *tuning::Stimulus::make(tuning::Profile::Sine, 0.1, 0.3, 6.0 / hertz, 0.001); };
     for (const double hertz : {0.5, 1.0, 2.0, 0.6, 1.2}) // one sweep, and a newer one
         keep("9", Mode::Duty, sine(hertz));
     keep("9", Mode::Velocity);

@@ -77,8 +77,7 @@ TEST(Plateau, SettlesInABandThatIsWiderThanACount)
 TEST(Plateau, AMotorThatSwingsInItsPlayIsNotLeftSwinging)
 {
     for (const double rate : {0.0, 50.0}) {
-        const MatrixRow row
-            = tuneCell(cellOf("quadquad2drv", "cim", Mode::Velocity, 4, rate), Compare::Kept);
+        const MatrixRow row = tuneCell(cellOf("quadquad2drv", "cim", Mode::Velocity, 4, rate), Compare::Kept);
         std::printf("  %s, %s\n", row.result.c_str(), row.reason.c_str());
         EXPECT_TRUE(row.stopped);
         if (row.result != "kept") {
