@@ -31,17 +31,19 @@ double deviationOf(const Trace &trace)
 
 } // namespace
 
-std::optional<double> settledWidely(const Trial &trial)
+std::optional<double> settledWidely(const std::vector<Trial> &trials)
 {
-    const Signal *const measured = trial.signal(measuredOf(trial.mode));
     std::optional<double> worst;
-    for (const Span &hold : trial.holds) {
-        const auto settled = measured
-            ? settledWidely(measured->trace.part(hold.from, hold.to, hold.from), trial.stimulus.to)
-            : std::nullopt;
-        if (!settled)
-            return std::nullopt;
-        worst = std::max(worst.value_or(0.0), *settled);
+    for (const Trial &trial : trials) {
+        const Signal *const measured = trial.signal(measuredOf(trial.mode));
+        for (const Span &hold : trial.holds) {
+            const auto settled = measured
+                ? settledWidely(measured->trace.part(hold.from, hold.to, hold.from), trial.stimulus.to)
+                : std::nullopt;
+            if (!settled)
+                return std::nullopt;
+            worst = std::max(worst.value_or(0.0), *settled);
+        }
     }
     return worst;
 }

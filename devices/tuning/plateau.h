@@ -5,11 +5,12 @@
 #include "tuning/trial.h"
 
 #include <optional>
+#include <vector>
 
 namespace mb::tuning {
 
-/// As metrics.h has it, of the holds of a velocity trial, the worst of them.
-[[nodiscard]] std::optional<double> settledWidely(const Trial &trial);
+/// As metrics.h has it, of the holds of velocity trials, the worst of them.
+[[nodiscard]] std::optional<double> settledWidely(const std::vector<Trial> &trials);
 
 /// σ of what is measured about its own line while it should rest, of the step: the second half of each hold, the worst of them.
 [[nodiscard]] double swingOf(const Trial &trial);

@@ -146,7 +146,7 @@ Message TuneProof::judge()
     TuneReport &report = m_run.report();
     report.measured = worseOf(report.proof);
     if (report.predicted->shape.windowCounts > 0.0)
-        report.measured.settle = settledWidely(report.proof.back());
+        report.measured.settle = settledWidely(report.proof);
     Message wrong = judgeProof(report.measured, report.predicted->metrics, m_design.step(), resting());
     if (wrong.empty() && m_run.plan().loop == Mode::Velocity)
         wrong = judgeRest(swingOf(report.proof.back()), *report.predicted, m_design.step());

@@ -64,7 +64,7 @@ TEST(Plateau, ASwingBesideTheCountsIsNamed)
 TEST(Plateau, SettlesInABandThatIsWiderThanACount)
 {
     EXPECT_NEAR(settledWidely(response(0.0), step).value_or(0.0), 0.095, 0.01);
-    EXPECT_NEAR(settledWidely(trialOf(response(0.0))).value_or(0.0), 0.095, 0.01);
+    EXPECT_NEAR(settledWidely(std::vector{trialOf(response(0.0))}).value_or(0.0), 0.095, 0.01);
     EXPECT_GT(settledWidely(response(0.2), step).value_or(seconds), 1.9);
     Trace rising;
     rising.add(0.0, 0.0);
