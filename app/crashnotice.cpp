@@ -3,6 +3,7 @@
 
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/stateglyph.h"
 
 #include <QClipboard>
@@ -10,7 +11,6 @@
 #include <QDialogButtonBox>
 #include <QFile>
 #include <QGuiApplication>
-#include <QHBoxLayout>
 #include <QPlainTextEdit>
 
 #include <algorithm>
@@ -24,9 +24,8 @@ CrashNotice::CrashNotice(const QString &words, const QString &report, const Them
     setObjectName(QStringLiteral("crashNotice"));
     setAccessibleName(tr("The program ended unexpectedly"));
     setStyleProperty(*this, "banner", QStringLiteral("caution"));
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(theme.theme().u(12), theme.theme().u(6), theme.theme().u(12), theme.theme().u(6));
-    row->setSpacing(theme.theme().u(12));
+    auto *row = layoutIn<QHBoxLayout>(
+        this, theme.theme().u(12), {theme.theme().u(12), theme.theme().u(6), theme.theme().u(12), theme.theme().u(6)});
     row->addWidget(new StateGlyph(theme, GlyphState::Warning, this));
     auto *text = textLabel(words, TextRole::Body, Tone::Text, this);
     text->setWordWrap(true);

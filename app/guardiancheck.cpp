@@ -2,9 +2,9 @@
 #include "app/guardiancheck.h"
 
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/spoken.h"
 
-#include <QHBoxLayout>
 #include <QProcess>
 #include <QPushButton>
 
@@ -22,8 +22,7 @@ GuardianCheck::GuardianCheck(const QString &program, QWidget *parent)
     , m_ask(new QPushButton(tr("Check"), this))
     , m_process(new QProcess(this))
 {
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto *row = layoutIn<QHBoxLayout>(this);
     row->addWidget(m_words, 1);
     row->addWidget(m_ask);
     m_words->setWordWrap(true);

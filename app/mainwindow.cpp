@@ -17,6 +17,7 @@
 #include "widgets/common/banner.h"
 #include "widgets/common/headerbar.h"
 #include "widgets/common/icons.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/noticestrip.h"
 #include "widgets/connection/devicetree.h"
 #include "widgets/connection/overviewpage.h"
@@ -33,7 +34,6 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QStackedWidget>
-#include <QVBoxLayout>
 
 namespace mb {
 MainWindow::MainWindow(Workbench &workbench, ThemeSource &theme, Settings &settings, QWidget *parent)
@@ -73,9 +73,7 @@ MainWindow::~MainWindow() = default;
 void MainWindow::buildHeader()
 {
     auto *top = new QWidget(this);
-    auto *column = new QVBoxLayout(top);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto *column = layoutIn<QVBoxLayout>(top, 0);
     m_header = new HeaderBar(m_theme, top);
     auto *strip = new NoticeStrip(m_theme, top); // nothing below moves when a notice comes or goes
     m_stripe = &strip->stripe();

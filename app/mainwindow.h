@@ -28,7 +28,7 @@ class StationLamp;
 class WindowKeys;
 class WindowMenu;
 
-/// The one window: header with links, lamp and STOP; devices at the left; pages; inspector at the right; status bar.
+/// The one window: header with links, Arm button and STOP; devices at the left; pages; inspector at the right; status bar.
 /// Composes, decides nothing about devices.
 class MainWindow : public QMainWindow {
     Q_OBJECT

@@ -2,6 +2,7 @@
 #include "app/pagestack.h"
 
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/segmented.h"
 #include "widgets/connection/deviceline.h"
 #include "widgets/connection/livestatebar.h"
@@ -13,7 +14,6 @@
 #include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QTimer>
-#include <QVBoxLayout>
 #include <QWindow>
 
 namespace mb {
@@ -40,9 +40,7 @@ PageStack::PageStack(
     setMinimumSize(1, 1); // as the docks
     m_tabs->setAccessibleName(tr("Pages"));
     m_tabsRow->addWidget(m_tabs, 1);
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto *column = layoutIn<QVBoxLayout>(this, 0);
     column->addLayout(m_tabsRow);
     column->addWidget(separatorLine(Qt::Horizontal, this));
     column->addWidget(m_line);

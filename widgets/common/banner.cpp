@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/banner.h"
 
+#include "widgets/common/layoutin.h"
 #include "widgets/common/stateglyph.h"
 
-#include <QGridLayout>
-#include <QHBoxLayout>
 #include <QPainter>
 #include <QPushButton>
 
@@ -143,9 +142,7 @@ BannerStack::BannerStack(const ThemeSource &theme, QWidget *parent)
     , m_theme(theme)
 {
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-    m_row = new QHBoxLayout(this);
-    m_row->setContentsMargins(0, 0, 0, 0);
-    m_row->setSpacing(theme.theme().u(8));
+    m_row = layoutIn<QHBoxLayout>(this, theme.theme().u(8));
     m_more = linkButton({}, this);
     m_more->setObjectName(QStringLiteral("moreNotices"));
     m_more->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);

@@ -2,9 +2,8 @@
 #include "widgets/common/keystrip.h"
 
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/wraplayout.h"
-
-#include <QHBoxLayout>
 
 namespace mb {
 
@@ -16,9 +15,7 @@ KeyStrip::KeyStrip(const ThemeSource &theme, const std::vector<Key> &keys, QWidg
     line->setSpacing(theme.theme().u(18));
     for (const Key &key : keys) {
         auto *pair = new QWidget(this);
-        auto *row = new QHBoxLayout(pair);
-        row->setContentsMargins(0, 0, 0, 0);
-        row->setSpacing(theme.theme().u(8));
+        auto *row = layoutIn<QHBoxLayout>(pair, theme.theme().u(8));
         row->addWidget(badge(key.cap, Tone::Text, pair));
         row->addWidget(textLabel(key.does, TextRole::Caption, Tone::Dim, pair));
         line->addWidget(pair);

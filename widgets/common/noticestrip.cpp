@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/noticestrip.h"
 
-#include <QHBoxLayout>
+#include "widgets/common/layoutin.h"
+
 #include <QPainter>
 
 namespace mb {
@@ -18,9 +19,7 @@ NoticeStrip::NoticeStrip(const ThemeSource &theme, QWidget *parent)
     , m_banners(new BannerStack(theme, this))
 {
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(0);
+    auto *row = layoutIn<QHBoxLayout>(this, 0);
     row->addWidget(m_stripe);
     row->addWidget(m_banners, 1);
     connect(m_banners, &BannerStack::countChanged, this, &NoticeStrip::fit);

@@ -2,10 +2,10 @@
 #include "widgets/common/segmented.h"
 
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 
 #include <QButtonGroup>
 #include <QCursor>
-#include <QHBoxLayout>
 #include <QPainter>
 #include <QStyleOptionToolButton>
 #include <QStylePainter>
@@ -58,9 +58,7 @@ Segmented::Segmented(const QString &accessibleName, QWidget *parent)
     setAccessibleName(accessibleName);
     setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
     m_group = new QButtonGroup(this);
-    m_row = new QHBoxLayout(this);
-    m_row->setContentsMargins(0, 0, 0, 0);
-    m_row->setSpacing(0);
+    m_row = layoutIn<QHBoxLayout>(this, 0);
     connect(m_group, &QButtonGroup::idToggled, this, [this](int id, bool on) {
         if (on)
             Q_EMIT currentChanged(id);

@@ -3,6 +3,7 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/connection/linkoptions.h"
 
 #include <QCheckBox>
@@ -12,7 +13,6 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTreeWidget>
-#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -82,9 +82,7 @@ void AddLinkDialog::buildList(const std::vector<LinkChoice> &choices, const Them
 QWidget *AddLinkDialog::buildDetail(const ThemeSource &theme)
 {
     auto *detail = new QWidget(this);
-    auto *column = new QVBoxLayout(detail);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(theme.theme().u(8));
+    auto *column = layoutIn<QVBoxLayout>(detail, theme.theme().u(8));
     m_name = textLabel({}, TextRole::Title, Tone::Text, detail);
     m_words = textLabel({}, TextRole::Body, Tone::Dim, detail);
     m_command = textLabel({}, TextRole::Raw, Tone::Text, detail);

@@ -5,6 +5,7 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/losses.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/sparkline.h"
@@ -12,8 +13,6 @@
 #include "widgets/common/stateglyph.h"
 #include "widgets/common/valuelabel.h"
 #include "widgets/connection/axisrows.h"
-
-#include <QHBoxLayout>
 
 #include <cmath>
 
@@ -48,9 +47,7 @@ void DeviceCard::buildLive()
 {
     const Theme &theme = m_theme.theme();
     m_live = new QWidget(this);
-    auto *column = new QVBoxLayout(m_live);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(theme.u(6));
+    auto *column = layoutIn<QVBoxLayout>(m_live, theme.u(6));
     auto *row = new QHBoxLayout;
     row->setSpacing(theme.u(8));
     const auto add = [&](std::size_t place, const QString &caption, const QString &unit, const QString &widest) {
@@ -79,8 +76,7 @@ void DeviceCard::buildLive()
 void DeviceCard::buildNote()
 {
     m_note = new QWidget(this);
-    auto *column = new QVBoxLayout(m_note);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto *column = layoutIn<QVBoxLayout>(m_note);
     m_noteCause = textLabel({}, TextRole::Body, Tone::Text, m_note);
     m_noteRemedy = textLabel({}, TextRole::Body, Tone::Dim, m_note);
     m_noteCause->setWordWrap(true);

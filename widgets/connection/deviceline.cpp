@@ -5,10 +5,9 @@
 #include "widgets/common/axistext.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/valuelabel.h"
-
-#include <QHBoxLayout>
 
 namespace mb {
 namespace {
@@ -30,9 +29,7 @@ DeviceLine::DeviceLine(Workbench &workbench, Selection &selection, const ThemeSo
 {
     setAccessibleName(tr("Selected device"));
     setMinimumHeight(theme.theme().u(40));
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(theme.theme().u(16), 0, theme.theme().u(16), 0);
-    row->setSpacing(theme.theme().u(8));
+    auto *row = layoutIn<QHBoxLayout>(this, theme.theme().u(8), {theme.theme().u(16), 0, theme.theme().u(16), 0});
     buildIdentity(*row);
     buildValues(*row);
     connect(&workbench, &Workbench::changed, this, &DeviceLine::follow);
@@ -56,9 +53,7 @@ void DeviceLine::buildIdentity(QHBoxLayout &row)
 void DeviceLine::buildValues(QHBoxLayout &row)
 {
     m_values = new QWidget(this);
-    auto *values = new QHBoxLayout(m_values);
-    values->setContentsMargins(0, 0, 0, 0);
-    values->setSpacing(m_theme.theme().u(12));
+    auto *values = layoutIn<QHBoxLayout>(m_values, m_theme.theme().u(12));
     const auto add = [&](const QString &caption, const QString &unit, const QString &widest) {
         auto *label = new ValueLabel(m_theme, ValueLabel::Look::Line, caption, unit, m_values);
         label->setWidest(widest);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/connection/devicetree.h"
 
+#include "widgets/common/layoutin.h"
 #include "widgets/common/wraplayout.h"
 
 #include "widgets/common/emptystate.h"
@@ -12,11 +13,9 @@
 #include "widgets/connection/devicedelegate.h"
 #include "widgets/connection/scanstrip.h"
 
-#include <QHBoxLayout>
 #include <QMenu>
 #include <QPainter>
 #include <QTreeView>
-#include <QVBoxLayout>
 
 namespace mb {
 namespace {
@@ -58,9 +57,7 @@ DeviceTree::DeviceTree(Workbench &workbench, Selection &selection, const ThemeSo
 {
     setObjectName(QStringLiteral("devices"));
     setAccessibleName(tr("Devices"));
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto *column = layoutIn<QVBoxLayout>(this, 0);
     buildHead(*column);
     buildTree(*column);
     buildFoot(*column);
@@ -79,9 +76,7 @@ void DeviceTree::buildHead(QVBoxLayout &column)
     const Theme &theme = m_theme.theme();
     auto *head = new QWidget(this);
     head->setFixedHeight(theme.u(36));
-    auto *row = new QHBoxLayout(head);
-    row->setContentsMargins(theme.u(12), 0, theme.u(4), 0);
-    row->setSpacing(0);
+    auto *row = layoutIn<QHBoxLayout>(head, 0, {theme.u(12), 0, theme.u(4), 0});
     row->addWidget(new SectionLabel(tr("Devices"), head));
     row->addStretch();
     m_rescan = new IconButton(m_theme, Symbol::Refresh, tr("Scan again"), head);

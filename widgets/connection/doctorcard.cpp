@@ -4,10 +4,10 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 
 #include <QClipboard>
 #include <QGuiApplication>
-#include <QHBoxLayout>
 
 #include <algorithm>
 
@@ -25,9 +25,7 @@ DoctorCard::DoctorCard(Workbench &workbench, const ThemeSource &theme, bool all,
     if (all)
         addHeadWidget(textLabel(tr("looks by itself"), TextRole::Caption, Tone::Dim, this));
     auto *rows = new QWidget(this);
-    m_column = new QVBoxLayout(rows);
-    m_column->setContentsMargins(0, 0, 0, 0);
-    m_column->setSpacing(theme.theme().u(12));
+    m_column = layoutIn<QVBoxLayout>(rows, theme.theme().u(12));
     body().addWidget(rows);
     setVisible(all);
 }
@@ -90,8 +88,7 @@ QWidget *DoctorCard::makeRow(const Row &row)
 {
     const int gap = m_theme.theme().u(12);
     auto *widget = new QWidget(this);
-    auto *grid = new QGridLayout(widget);
-    grid->setContentsMargins(0, 0, 0, 0);
+    auto *grid = layoutIn<QGridLayout>(widget);
     grid->setHorizontalSpacing(gap);
     grid->setVerticalSpacing(m_theme.theme().u(4));
     const bool healthy = row.diagnosis.isHealthy();

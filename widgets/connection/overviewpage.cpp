@@ -3,6 +3,7 @@
 
 #include "widgets/common/card.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/losses.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/valuelabel.h"
@@ -10,7 +11,6 @@
 #include "widgets/connection/doctorcard.h"
 #include "widgets/connection/startpage.h"
 
-#include <QGridLayout>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QStackedWidget>
@@ -32,8 +32,7 @@ OverviewPage::OverviewPage(Workbench &workbench, Selection &selection, const The
 {
     setObjectName(QStringLiteral("overviewPage"));
     setAccessibleName(tr("Overview"));
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto *column = layoutIn<QVBoxLayout>(this);
     m_states = new QStackedWidget(this);
     column->addWidget(m_states);
     buildCards();
@@ -50,9 +49,7 @@ void OverviewPage::buildCards()
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_canvas = new QWidget(scroll);
-    auto *column = new QVBoxLayout(m_canvas);
-    column->setContentsMargins(theme.u(12), theme.u(12), theme.u(12), theme.u(12));
-    column->setSpacing(theme.u(8));
+    auto *column = layoutIn<QVBoxLayout>(m_canvas, theme.u(8), {theme.u(12), theme.u(12), theme.u(12), theme.u(12)});
     m_linkGrid = new QGridLayout;
     m_linkGrid->setSpacing(theme.u(8));
     m_deviceGrid = new QGridLayout;

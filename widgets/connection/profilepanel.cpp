@@ -3,19 +3,18 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberfield.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/connection/experimentdialog.h"
 
 #include <QAbstractButton>
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPointer>
 #include <QPushButton>
-#include <QVBoxLayout>
 
 namespace mb {
 
@@ -26,9 +25,7 @@ ProfilePanel::ProfilePanel(Workbench &workbench, const ThemeSource &theme, QWidg
 {
     setObjectName(QStringLiteral("profilePanel"));
     setAccessibleName(tr("What only you know"));
-    m_column = new QVBoxLayout(this);
-    m_column->setContentsMargins(0, 0, 0, 0);
-    m_column->setSpacing(theme.theme().u(6));
+    m_column = layoutIn<QVBoxLayout>(this, theme.theme().u(6));
     setVisible(false);
 }
 
@@ -40,9 +37,7 @@ void ProfilePanel::rebuild(const Family &family)
     m_dialects = nullptr;
     m_content = new QWidget(this);
     m_column->addWidget(m_content);
-    auto *column = new QVBoxLayout(m_content);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(m_theme.theme().u(6));
+    auto *column = layoutIn<QVBoxLayout>(m_content, m_theme.theme().u(6));
     column->addWidget(separatorLine(Qt::Horizontal, m_content));
     column->addWidget(new SectionLabel(tr("What only you know"), m_content));
     if (!family.dialects.empty())

@@ -4,8 +4,8 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 
-#include <QHBoxLayout>
 #include <QProgressBar>
 
 #include <algorithm>
@@ -18,9 +18,7 @@ ScanStrip::ScanStrip(Workbench &workbench, const ThemeSource &theme, QWidget *pa
 {
     setObjectName(QStringLiteral("scanStrip"));
     const Theme &t = theme.theme();
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(t.u(8), t.u(6), t.u(8), 0);
-    column->setSpacing(t.u(4));
+    auto *column = layoutIn<QVBoxLayout>(this, t.u(4), {t.u(8), t.u(6), t.u(8), 0});
     m_step = new ElidedLabel({}, this);
     setTextRole(*m_step, TextRole::Caption);
     setTone(*m_step, Tone::Dim);

@@ -2,11 +2,10 @@
 #include "widgets/connection/startpage.h"
 
 #include "widgets/common/iconbutton.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/connection/doctorcard.h"
 #include "widgets/start/storycard.h"
 
-#include <QBoxLayout>
-#include <QGridLayout>
 #include <QPushButton>
 #include <QResizeEvent>
 
@@ -42,9 +41,7 @@ StartPage::StartPage(Workbench &workbench, const ThemeSource &theme, QWidget *pa
 QWidget *StartPage::buildMain(Workbench &workbench)
 {
     auto *main = new QWidget(this);
-    m_column = new QVBoxLayout(main);
-    m_column->setContentsMargins(0, 0, 0, 0);
-    m_column->setSpacing(m_theme.theme().u(12));
+    m_column = layoutIn<QVBoxLayout>(main, m_theme.theme().u(12));
     m_doctor = new DoctorCard(workbench, m_theme, true, main);
     m_column->addWidget(m_doctor);
     auto *row = new QHBoxLayout;
@@ -86,9 +83,7 @@ void StartPage::buildStories(QBoxLayout &column, QWidget &parent)
 QWidget *StartPage::buildSide()
 {
     auto *side = new QWidget(this);
-    auto *column = new QVBoxLayout(side);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(m_theme.theme().u(12));
+    auto *column = layoutIn<QVBoxLayout>(side, m_theme.theme().u(12));
     m_recent = new ListCard(m_theme, tr("Continue"), side);
     m_recent->setObjectName(QStringLiteral("recent"));
     m_firmware = new ListCard(m_theme, tr("Firmware on this computer"), side);

@@ -2,12 +2,12 @@
 #include "widgets/control/advicepanel.h"
 
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/control/wrappedlabel.h"
 
 #include <QCoreApplication>
 #include <QPushButton>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
@@ -88,9 +88,7 @@ AdvicePanel::AdvicePanel(const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
     , m_theme(theme)
 {
-    m_column = new QVBoxLayout(this);
-    m_column->setContentsMargins(0, 0, 0, 0);
-    m_column->setSpacing(theme.theme().u(4));
+    m_column = layoutIn<QVBoxLayout>(this, theme.theme().u(4));
     hide();
 }
 

@@ -3,10 +3,10 @@
 
 #include "widgets/common/axistext.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 
 #include <QButtonGroup>
 #include <QCheckBox>
-#include <QGridLayout>
 #include <QMenu>
 #include <QPushButton>
 #include <QToolButton>
@@ -22,9 +22,7 @@ AxesPanel::AxesPanel(const ThemeSource &theme, QWidget *parent)
 {
     setObjectName(QStringLiteral("axesPanel"));
     setAccessibleName(tr("Axes"));
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(theme.theme().u(4));
+    auto *column = layoutIn<QVBoxLayout>(this, theme.theme().u(4));
     auto *head = new QHBoxLayout;
     head->addWidget(new SectionLabel(tr("Axes"), this));
     head->addStretch(1);

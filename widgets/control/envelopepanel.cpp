@@ -3,12 +3,12 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberfield.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/control/savedlimits.h"
 #include "widgets/control/wrappedlabel.h"
 
-#include <QGridLayout>
 #include <QPushButton>
 
 #include <cmath>
@@ -37,15 +37,12 @@ EnvelopePanel::EnvelopePanel(const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
     , m_theme(theme)
 {
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(theme.theme().u(4));
+    auto *column = layoutIn<QVBoxLayout>(this, theme.theme().u(4));
     m_head = linkButton(tr("Envelope"), this);
     m_head->setCheckable(true);
     m_words = wrappedLabel({}, TextRole::Caption, Tone::Dim, this);
     m_box = new QWidget(this);
-    auto *grid = new QGridLayout(m_box);
-    grid->setContentsMargins(0, 0, 0, 0);
+    auto *grid = layoutIn<QGridLayout>(m_box);
     grid->setHorizontalSpacing(theme.theme().u(8));
     grid->setVerticalSpacing(theme.theme().u(4));
     for (std::size_t i = 0; i < bounds.size(); ++i) {

@@ -3,6 +3,7 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberfield.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/control/gainunits.h"
@@ -11,7 +12,6 @@
 #include "widgets/control/wrappedlabel.h"
 #include "widgets/parameters/leap.h"
 
-#include <QGridLayout>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QWheelEvent>
@@ -51,8 +51,7 @@ GainRow::GainRow(const ThemeSource &theme, Kind kind, StagedEdits &edits, Parame
     , m_index(index)
     , m_parameter(edits.parameter(index))
 {
-    auto *grid = new QGridLayout(this);
-    grid->setContentsMargins(0, theme.theme().u(4), 0, theme.theme().u(4));
+    auto *grid = layoutIn<QGridLayout>(this, -1, {0, theme.theme().u(4), 0, theme.theme().u(4)});
     grid->setHorizontalSpacing(theme.theme().u(4));
     grid->setVerticalSpacing(theme.theme().u(2));
     grid->setColumnStretch(2, 1);
@@ -96,9 +95,7 @@ void GainRow::buildFirstLine(QGridLayout &grid)
     m_revert = new IconButton(m_theme, Symbol::Undo, tr("Revert %1").arg(tableText(m_parameter.label)), this);
     auto *left = new QWidget(this);
     left->setFixedWidth(theme.u(gain ? nameWidth : boundNameWidth));
-    auto *names = new QVBoxLayout(left);
-    names->setContentsMargins(0, 0, 0, 0);
-    names->setSpacing(0);
+    auto *names = layoutIn<QVBoxLayout>(left, 0);
     names->addWidget(name);
     if (gain)
         grid.addWidget(m_unit, 0, 2);
@@ -115,8 +112,7 @@ void GainRow::buildSecondLine(QGridLayout &grid)
 {
     const Theme &theme = m_theme.theme();
     m_detail = new QWidget(this);
-    auto *inner = new QGridLayout(m_detail);
-    inner->setContentsMargins(theme.u(nameWidth + 4), 0, 0, 0);
+    auto *inner = layoutIn<QGridLayout>(m_detail, -1, {theme.u(nameWidth + 4), 0, 0, 0});
     inner->setHorizontalSpacing(theme.u(10));
     inner->setVerticalSpacing(0);
     m_slider = new LogSlider(m_theme, m_detail);

@@ -2,12 +2,12 @@
 #include "widgets/control/gainspanel.h"
 
 #include "widgets/common/devicetext.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/control/gainunits.h"
 #include "widgets/control/wrappedlabel.h"
 #include "widgets/parameters/leap.h"
 
-#include <QHBoxLayout>
 #include <QPushButton>
 
 #include <algorithm>
@@ -19,9 +19,7 @@ GainsPanel::GainsPanel(const ThemeSource &theme, QWidget *parent)
     , m_theme(theme)
 {
     const int gap = theme.theme().u(4);
-    m_column = new QVBoxLayout(this);
-    m_column->setContentsMargins(0, 0, 0, 0);
-    m_column->setSpacing(gap);
+    m_column = layoutIn<QVBoxLayout>(this, gap);
     auto *head = new QHBoxLayout;
     m_title = new SectionLabel(tr("Gains"), this);
     head->addWidget(m_title);
@@ -68,13 +66,9 @@ void GainsPanel::rebuild()
     m_rows.clear();
     const int gap = m_theme.theme().u(2);
     m_content = new QWidget(this);
-    auto *rows = new QVBoxLayout(m_content);
-    rows->setContentsMargins(0, 0, 0, 0);
-    rows->setSpacing(gap);
+    auto *rows = layoutIn<QVBoxLayout>(m_content, gap);
     m_bounds = new QWidget(m_content);
-    auto *bounds = new QVBoxLayout(m_bounds);
-    bounds->setContentsMargins(0, 0, 0, 0);
-    bounds->setSpacing(0);
+    auto *bounds = layoutIn<QVBoxLayout>(m_bounds, 0);
     const GainSet set = gainSet(*m_family, m_mode, m_slot, m_axis);
     for (const ParameterIndex index : set.gains) {
         m_rows.push_back(new GainRow(m_theme, GainRow::Kind::Gain, *m_edits, index, m_content));

@@ -2,8 +2,7 @@
 #include "widgets/control/gainswriterow.h"
 
 #include "widgets/common/iconbutton.h"
-
-#include <QHBoxLayout>
+#include "widgets/common/layoutin.h"
 
 namespace mb {
 
@@ -11,9 +10,7 @@ GainsWriteRow::GainsWriteRow(const ThemeSource &source, QWidget *parent)
     : QWidget(parent)
 {
     const Theme &theme = source.theme();
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(theme.u(12), theme.u(8), theme.u(12), theme.u(8));
-    row->setSpacing(theme.u(8));
+    auto *row = layoutIn<QHBoxLayout>(this, theme.u(8), {theme.u(12), theme.u(8), theme.u(12), theme.u(8)});
     m_write = new CommandButton(source, tr("Write gains"), this);
     m_write->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_write->setObjectName(QStringLiteral("writeGains"));

@@ -2,9 +2,8 @@
 #include "widgets/control/jogpanel.h"
 
 #include "widgets/common/iconbutton.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/control/jogkeys.h"
-
-#include <QHBoxLayout>
 
 namespace mb {
 
@@ -13,9 +12,7 @@ JogPanel::JogPanel(JogKeys &jog, const ThemeSource &theme, QWidget *parent)
     , m_jog(jog)
     , m_theme(theme)
 {
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(theme.theme().u(8));
+    auto *row = layoutIn<QHBoxLayout>(this, theme.theme().u(8));
     m_backwards = button(false, tr("Nudge −"), QStringLiteral("K"));
     m_forwards = button(true, tr("Nudge +"), QStringLiteral("J"));
     m_backwards->setAccessibleName(tr("Nudge backwards"));

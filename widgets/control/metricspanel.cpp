@@ -3,6 +3,7 @@
 
 #include "tuning/metrics.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/wraplayout.h"
 #include "widgets/control/trialwords.h"
@@ -10,7 +11,6 @@
 #include <QHeaderView>
 #include <QResizeEvent>
 #include <QTableWidget>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <array>
@@ -52,9 +52,7 @@ MetricsPanel::MetricsPanel(const ThemeSource &theme, QWidget *parent)
     , m_theme(theme)
 {
     const Theme &look = theme.theme();
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(look.u(10), look.u(6), look.u(10), look.u(6));
-    column->setSpacing(look.u(6));
+    auto *column = layoutIn<QVBoxLayout>(this, look.u(6), {look.u(10), look.u(6), look.u(10), look.u(6)});
     auto *head = new QHBoxLayout;
     m_repeats = textLabel({}, TextRole::Caption, Tone::Dim, this);
     head->addWidget(new SectionLabel(tr("Metrics"), this));

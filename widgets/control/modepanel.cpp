@@ -3,10 +3,10 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/control/slotpanel.h"
 
 #include <QButtonGroup>
-#include <QGridLayout>
 #include <QLabel>
 #include <QToolButton>
 
@@ -38,13 +38,10 @@ QString titled(const QString &text)
 ModePanel::ModePanel(const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
 {
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(8);
+    auto *column = layoutIn<QVBoxLayout>(this, 8);
     m_buttons = new QWidget(this);
     m_buttons->setAccessibleName(tr("Mode"));
-    auto *grid = new QGridLayout(m_buttons);
-    grid->setContentsMargins(0, 0, 0, 0);
+    auto *grid = layoutIn<QGridLayout>(m_buttons);
     grid->setHorizontalSpacing(0);
     grid->setVerticalSpacing(4);
     m_group = new QButtonGroup(this);

@@ -4,13 +4,13 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberfield.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/control/wrappedlabel.h"
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QGridLayout>
 #include <QLineEdit>
 
 namespace mb {
@@ -28,15 +28,11 @@ MovesPanel::MovesPanel(Workbench &workbench, Arming &arming, const ThemeSource &
     , m_group(workbench, arming)
 {
     setObjectName(QStringLiteral("movesPanel"));
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(theme.theme().u(6));
+    auto *column = layoutIn<QVBoxLayout>(this, theme.theme().u(6));
     column->addWidget(new SectionLabel(tr("Moves together"), this));
     buildKind();
     m_table = new QWidget(this);
-    m_grid = new QGridLayout(m_table);
-    m_grid->setContentsMargins(0, 0, 0, 0);
-    m_grid->setSpacing(theme.theme().u(6));
+    m_grid = layoutIn<QGridLayout>(m_table, theme.theme().u(6));
     m_grid->setColumnStretch(2, 1);
     column->addWidget(m_table);
     m_hint = wrappedLabel({}, TextRole::Caption, Tone::Dim, this);

@@ -2,10 +2,10 @@
 #include "widgets/control/profilefields.h"
 
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberfield.h"
 #include "widgets/common/numberformat.h"
 
-#include <QGridLayout>
 #include <QLabel>
 
 namespace mb {
@@ -14,8 +14,7 @@ ProfileFields::ProfileFields(const ThemeSource &source, QWidget *parent)
     : QWidget(parent)
 {
     const Theme &theme = source.theme();
-    m_grid = new QGridLayout(this);
-    m_grid->setContentsMargins(0, 0, 0, 0);
+    m_grid = layoutIn<QGridLayout>(this);
     m_grid->setHorizontalSpacing(theme.u(8));
     m_grid->setVerticalSpacing(theme.u(4));
     m_velocity = field(theme, tr("Velocity"), tr("counts/s"), tr("Velocity of the profile"));

@@ -3,11 +3,10 @@
 
 #include "tuning/envelope.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/plots/fixedtrace.h"
 #include "widgets/plots/plotstack.h"
-
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
@@ -86,8 +85,7 @@ ResponsePlot::ResponsePlot(const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
     , m_theme(theme)
 {
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto *column = layoutIn<QVBoxLayout>(this);
     m_stack = new PlotStack(theme, this);
     m_stack->setObjectName(QStringLiteral("responseStack"));
     m_stack->view().setLive(false);

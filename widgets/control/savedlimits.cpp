@@ -2,10 +2,10 @@
 #include "widgets/control/savedlimits.h"
 
 #include "widgets/common/iconbutton.h"
+#include "widgets/common/layoutin.h"
 
 #include <QComboBox>
 #include <QCompleter>
-#include <QHBoxLayout>
 #include <QLineEdit>
 
 namespace mb {
@@ -13,9 +13,7 @@ namespace mb {
 SavedLimits::SavedLimits(const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
 {
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(theme.theme().u(8));
+    auto *row = layoutIn<QHBoxLayout>(this, theme.theme().u(8));
     m_names = new QComboBox(this);
     m_names->setEditable(true);
     m_names->setInsertPolicy(QComboBox::NoInsert);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/control/setpointpanel.h"
 
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberfield.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/control/driveoptions.h"
@@ -8,7 +9,6 @@
 #include "widgets/control/setpointrange.h"
 #include "widgets/control/wrappedlabel.h"
 
-#include <QHBoxLayout>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSlider>
@@ -27,9 +27,7 @@ SetPointPanel::SetPointPanel(const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
     , m_theme(theme)
 {
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(theme.theme().u(4));
+    auto *column = layoutIn<QVBoxLayout>(this, theme.theme().u(4));
     auto *head = new QHBoxLayout;
     head->addWidget(new SectionLabel(tr("Set-point"), this));
     m_now = textLabel({}, TextRole::Caption, Tone::Dim, this);
@@ -57,9 +55,7 @@ QWidget *SetPointPanel::buildTarget()
 {
     const Theme &theme = m_theme.theme();
     auto *box = new QWidget(this);
-    auto *row = new QHBoxLayout(box);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(theme.u(8));
+    auto *row = layoutIn<QHBoxLayout>(box, theme.u(8));
     m_field = new NumberField(box);
     m_field->setFixedWidth(theme.u(104));
     m_field->setAccessibleName(tr("Set-point"));

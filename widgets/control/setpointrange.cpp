@@ -2,12 +2,12 @@
 #include "widgets/control/setpointrange.h"
 
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberfield.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/control/setpointentries.h"
 
 #include <QComboBox>
-#include <QGridLayout>
 #include <QLabel>
 
 namespace mb {
@@ -19,8 +19,7 @@ SetPointRange::SetPointRange(const ThemeSource &source, QWidget *parent)
     , m_slew(new QComboBox(this))
 {
     const Theme &theme = source.theme();
-    auto *grid = new QGridLayout(this);
-    grid->setContentsMargins(0, 0, 0, 0);
+    auto *grid = layoutIn<QGridLayout>(this);
     grid->setHorizontalSpacing(theme.u(8));
     grid->setVerticalSpacing(theme.u(4));
     grid->setColumnStretch(2, 1);

@@ -2,11 +2,11 @@
 #include "widgets/control/slotpanel.h"
 
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/segmented.h"
 #include "widgets/common/stateglyph.h"
 #include "widgets/control/wrappedlabel.h"
 
-#include <QHBoxLayout>
 #include <QPushButton>
 
 #include <utility>
@@ -24,9 +24,7 @@ Segmented *slotChoice(const QString &name, int count, QWidget *parent)
 
 QHBoxLayout *plainRow(QWidget *box)
 {
-    auto *row = new QHBoxLayout(box);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(8);
+    auto *row = layoutIn<QHBoxLayout>(box, 8);
     return row;
 }
 
@@ -36,8 +34,7 @@ SlotPanel::SlotPanel(const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
     , m_theme(theme)
 {
-    m_column = new QVBoxLayout(this);
-    m_column->setContentsMargins(0, 0, 0, 0);
+    m_column = layoutIn<QVBoxLayout>(this);
     hide();
 }
 
@@ -45,9 +42,7 @@ void SlotPanel::setCount(int count)
 {
     delete std::exchange(m_content, new QWidget(this));
     m_count = count;
-    auto *column = new QVBoxLayout(m_content);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(4);
+    auto *column = layoutIn<QVBoxLayout>(m_content, 4);
     m_joinedRow = buildJoined();
     m_apartRow = buildApart();
     m_noteRow = buildNote();

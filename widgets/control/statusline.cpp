@@ -2,18 +2,15 @@
 #include "widgets/control/statusline.h"
 
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/theme.h"
-
-#include <QHBoxLayout>
 
 namespace mb {
 
 StatusLine::StatusLine(const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
 {
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(theme.theme().u(8));
+    auto *row = layoutIn<QHBoxLayout>(this, theme.theme().u(8));
     m_glyph = new StateGlyph(theme, GlyphState::Gone, this);
     m_cause = new ElidedLabel({}, this);
     setTextRole(*m_cause, TextRole::Emphasis);

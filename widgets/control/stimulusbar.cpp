@@ -2,13 +2,13 @@
 #include "widgets/control/stimulusbar.h"
 
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberfield.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/stateglyph.h"
 #include "widgets/control/trialwords.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QPainter>
 #include <QStandardItemModel>
 
@@ -68,8 +68,7 @@ StimulusBar::StimulusBar(const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
     , m_theme(theme)
 {
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto *column = layoutIn<QVBoxLayout>(this);
     column->addWidget(buildRow());
     connect(m_kind, qOverload<int>(&QComboBox::activated), this, &StimulusBar::read);
     connect(m_repeat, qOverload<int>(&QComboBox::activated), this, &StimulusBar::read);
@@ -93,9 +92,7 @@ QWidget *StimulusBar::buildRow()
 {
     const Theme &theme = m_theme.theme();
     auto *box = new QWidget(this);
-    auto *row = new QHBoxLayout(box);
-    row->setContentsMargins(theme.u(12), theme.u(6), theme.u(12), theme.u(6));
-    row->setSpacing(theme.u(8));
+    auto *row = layoutIn<QHBoxLayout>(box, theme.u(8), {theme.u(12), theme.u(6), theme.u(12), theme.u(6)});
     m_kind = new QComboBox(box);
     m_kind->setAccessibleName(tr("Stimulus"));
     m_from = field(tr("From"), tr("Where the experiment begins and ends; empty: where the motor is, or 0"));

@@ -3,6 +3,7 @@
 
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/segmented.h"
 #include "widgets/common/wraplayout.h"
 
@@ -10,7 +11,6 @@
 #include <QHeaderView>
 #include <QMenu>
 #include <QTableView>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <array>
@@ -35,9 +35,7 @@ TrialList::TrialList(const ThemeSource &theme, QWidget *parent)
     , m_theme(theme)
     , m_model(new TrialModel(theme, this))
 {
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto *column = layoutIn<QVBoxLayout>(this, 0);
     m_table = new QTableView(this);
     m_head = buildHead();
     column->addWidget(m_head);

@@ -3,10 +3,10 @@
 
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/control/trialpair.h"
 #include "widgets/plots/plotstack.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 
 namespace mb {
@@ -16,8 +16,7 @@ TrialsHead::TrialsHead(PlotStack &stack, const ThemeSource &source, QWidget *par
     , m_words(textLabel({}, TextRole::Caption, Tone::Dim, this))
 {
     const Theme &theme = source.theme();
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(theme.u(12), theme.u(2), theme.u(8), theme.u(2));
+    auto *row = layoutIn<QHBoxLayout>(this, -1, {theme.u(12), theme.u(2), theme.u(8), theme.u(2)});
     row->addWidget(m_words, 1);
     const auto add = [&](Symbol symbol, const QString &text, const QString &key) {
         auto *button = new IconButton(source, symbol, text, this);

@@ -4,6 +4,7 @@
 #include "tuning/verdict.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/segmented.h"
 #include "widgets/control/advicepanel.h"
 #include "widgets/control/metricspanel.h"
@@ -12,7 +13,6 @@
 #include "widgets/control/trialorders.h"
 #include "widgets/control/trialshead.h"
 
-#include <QHBoxLayout>
 #include <QPointer>
 #include <QScrollArea>
 #include <QStackedWidget>
@@ -38,9 +38,7 @@ TrialsView::TrialsView(Workbench &workbench, const ThemeSource &theme, QWidget *
     , m_notebook(workbench.trials())
     , m_theme(theme)
 {
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto *column = layoutIn<QVBoxLayout>(this, 0);
     m_plot = new ResponsePlot(theme, this);
     m_head = new TrialsHead(m_plot->stack(), theme, this);
     column->addWidget(m_head);
@@ -64,9 +62,7 @@ TrialsView::TrialsView(Workbench &workbench, const ThemeSource &theme, QWidget *
 void TrialsView::buildSide()
 {
     m_side = new QWidget(this);
-    auto *side = new QHBoxLayout(m_side);
-    side->setContentsMargins(0, 0, 0, 0);
-    side->setSpacing(0);
+    auto *side = layoutIn<QHBoxLayout>(m_side, 0);
     side->addWidget(separatorLine(Qt::Vertical, m_side));
     m_numbers = new QScrollArea(m_side); // so that they never ask for more height than there is
     m_numbers->setWidgetResizable(true);

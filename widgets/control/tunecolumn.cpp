@@ -4,6 +4,7 @@
 #include "model/axis.h"
 #include "widgets/common/calmwheel.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/control/axespanel.h"
 #include "widgets/control/driveoptions.h"
@@ -18,7 +19,6 @@
 
 #include <QScrollArea>
 #include <QScrollBar>
-#include <QVBoxLayout>
 
 namespace mb {
 
@@ -26,9 +26,7 @@ TuneColumn::TuneColumn(Workbench &workbench, Arming &arming, JogKeys &jog, const
     : QWidget(parent)
     , m_theme(theme)
 {
-    auto *all = new QVBoxLayout(this);
-    all->setContentsMargins(0, 0, 0, 0);
-    all->setSpacing(0);
+    auto *all = layoutIn<QVBoxLayout>(this, 0);
     auto *scroll = new QScrollArea(this);
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -68,15 +66,11 @@ void TuneColumn::buildPanels(Workbench &workbench, Arming &arming, JogKeys &jog,
 void TuneColumn::layOut(QWidget &panels, const QScrollBar &bar)
 {
     const Theme &theme = m_theme.theme();
-    auto *live = new QVBoxLayout(m_live);
-    live->setContentsMargins(0, 0, 0, 0);
-    live->setSpacing(theme.u(8));
+    auto *live = layoutIn<QVBoxLayout>(m_live, theme.u(8));
     for (QWidget *const part :
         {static_cast<QWidget *>(m_setPoint), static_cast<QWidget *>(m_jog), static_cast<QWidget *>(m_firstPower)})
         live->addWidget(part);
-    auto *column = new QVBoxLayout(&panels);
-    column->setContentsMargins(theme.u(12), theme.u(10), theme.u(12), theme.u(10));
-    column->setSpacing(theme.u(8));
+    auto *column = layoutIn<QVBoxLayout>(&panels, theme.u(8), {theme.u(12), theme.u(10), theme.u(12), theme.u(10)});
     column->addWidget(m_axes);
     column->addWidget(m_axesLine);
     column->addWidget(m_modes);

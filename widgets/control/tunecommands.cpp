@@ -2,10 +2,9 @@
 #include "widgets/control/tunecommands.h"
 
 #include "widgets/common/iconbutton.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/segmented.h"
 #include "widgets/common/spoken.h"
-
-#include <QHBoxLayout>
 
 namespace mb {
 
@@ -13,9 +12,7 @@ TuneCommands::TuneCommands(const ThemeSource &source, QWidget *parent)
     : QWidget(parent)
 {
     const Theme &theme = source.theme();
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(theme.u(12), theme.u(6), theme.u(12), theme.u(6));
-    row->setSpacing(theme.u(8));
+    auto *row = layoutIn<QHBoxLayout>(this, theme.u(8), {theme.u(12), theme.u(6), theme.u(12), theme.u(6)});
     m_status = new StatusLine(source, this);
     m_stop = new CommandButton(source, Symbol::Stop, tr("Stop motion"), this);
     m_stop->setToolTip(tr("Ends the motion and stays armed. STOP, Esc and Pause stop everything."));

@@ -2,11 +2,11 @@
 #include "widgets/control/tuneframe.h"
 
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/segmented.h"
 #include "widgets/control/trialsview.h"
 
 #include <QFrame>
-#include <QGridLayout>
 
 #include <algorithm>
 
@@ -24,12 +24,10 @@ TuneFrame::TuneFrame(const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
     , m_theme(theme)
 {
-    m_grid = new QGridLayout(this);
-    m_grid->setContentsMargins(0, 0, 0, 0);
-    m_grid->setSpacing(0);
+    m_grid = layoutIn<QGridLayout>(this, 0);
     m_tabsRow = new QWidget(this);
-    auto *row = new QHBoxLayout(m_tabsRow);
-    row->setContentsMargins(theme.theme().u(12), theme.theme().u(4), theme.theme().u(12), theme.theme().u(4));
+    auto *row = layoutIn<QHBoxLayout>(
+        m_tabsRow, -1, {theme.theme().u(12), theme.theme().u(4), theme.theme().u(12), theme.theme().u(4)});
     m_tabs = new Segmented(
         tr("Part of the page"), {tr("Set-up"), tr("Plot"), tr("Metrics"), tr("Trials"), tr("Live")}, m_tabsRow);
     m_tabs->setCurrent(static_cast<int>(Part::Response));

@@ -4,6 +4,7 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/emptystate.h"
 #include "widgets/common/iconbutton.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/control/axespanel.h"
 #include "widgets/control/gainspanel.h"
 #include "widgets/control/gainswriterow.h"
@@ -22,7 +23,6 @@
 #include "widgets/control/tuneplot.h"
 
 #include <QStackedWidget>
-#include <QVBoxLayout>
 
 namespace mb {
 
@@ -66,8 +66,7 @@ void TunePage::buildParts(const ThemeSource &theme)
     m_frame->setParts({m_parts.commands, m_parts.stimulus, m_parts.column, m_work, m_parts.trials});
     m_stack->addWidget(m_empty);
     m_stack->addWidget(m_frame);
-    auto *all = new QVBoxLayout(this);
-    all->setContentsMargins(0, 0, 0, 0);
+    auto *all = layoutIn<QVBoxLayout>(this);
     all->addWidget(m_stack);
 }
 

@@ -6,6 +6,7 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberfield.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/segmented.h"
@@ -13,7 +14,6 @@
 #include "widgets/common/workbench.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLineEdit>
 #include <QMenu>
 
@@ -59,9 +59,7 @@ TunePlot::TunePlot(Workbench &workbench, const ThemeSource &theme, QWidget *pare
     , m_workbench(workbench)
     , m_theme(theme)
 {
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto *column = layoutIn<QVBoxLayout>(this, 0);
     m_stack = new PlotStack(theme, this);
     m_stack->setObjectName(QStringLiteral("tuneStack"));
     column->addWidget(buildBar());
@@ -77,9 +75,7 @@ QWidget *TunePlot::buildBar()
 {
     const Theme &theme = m_theme.theme();
     auto *bar = new QWidget(this);
-    auto *row = new QHBoxLayout(bar);
-    row->setContentsMargins(theme.u(12), theme.u(6), theme.u(12), theme.u(6));
-    row->setSpacing(theme.u(8));
+    auto *row = layoutIn<QHBoxLayout>(bar, theme.u(8), {theme.u(12), theme.u(6), theme.u(12), theme.u(6)});
     buildUnits(*row);
     row->addStretch(1);
     buildView(*row);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/design/bodeplot.h"
 
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/plots/curveplot.h"
-
-#include <QVBoxLayout>
 
 #include <cmath>
 #include <numbers>
@@ -77,9 +76,7 @@ BodePlot::BodePlot(const ThemeSource &theme, QWidget *parent)
     m_phase->setAxes(tr("Hz"), tr("phase, °"), false, true);
     m_phase->setWatermark({});
     m_phase->setLegendPlace(Qt::AlignBottom | Qt::AlignLeft);
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto *column = layoutIn<QVBoxLayout>(this, 0);
     column->addWidget(m_magnitude, 4);
     column->addWidget(m_phase, 3);
 }

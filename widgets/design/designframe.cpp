@@ -2,11 +2,11 @@
 #include "widgets/design/designframe.h"
 
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/segmented.h"
 
 #include <QEvent>
 #include <QFrame>
-#include <QGridLayout>
 #include <QScrollArea>
 
 namespace mb {
@@ -26,16 +26,13 @@ DesignFrame::DesignFrame(const ThemeSource &theme, QWidget *parent)
     , m_theme(theme)
 {
     const Theme &look = theme.theme();
-    m_grid = new QGridLayout(this);
-    m_grid->setContentsMargins(0, 0, 0, 0);
-    m_grid->setSpacing(0);
+    m_grid = layoutIn<QGridLayout>(this, 0);
     m_commands = new QGridLayout;
     m_commands->setContentsMargins(look.u(12), look.u(6), look.u(12), look.u(6));
     m_commands->setSpacing(look.u(8));
     m_commands->setColumnStretch(0, 1);
     m_tabsRow = new QWidget(this);
-    auto *row = new QHBoxLayout(m_tabsRow);
-    row->setContentsMargins(look.u(12), look.u(4), look.u(12), look.u(4));
+    auto *row = layoutIn<QHBoxLayout>(m_tabsRow, -1, {look.u(12), look.u(4), look.u(12), look.u(4)});
     m_tabs = new Segmented(tr("Part of the page"), {tr("Model"), tr("Curves"), tr("Course")}, m_tabsRow);
     row->addWidget(m_tabs);
     row->addStretch(1);

@@ -6,6 +6,7 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/emptystate.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/pagekeys.h"
 #include "widgets/control/envelopepanel.h"
 #include "widgets/control/experimentplan.h"
@@ -22,7 +23,6 @@
 
 #include <QPointer>
 #include <QStackedWidget>
-#include <QVBoxLayout>
 
 #include <utility>
 
@@ -62,8 +62,7 @@ void DesignPage::buildContent(const ThemeSource &theme)
     content->setParts({m_status, m_orders, column, m_plots, buildSide(theme)});
     m_stack->addWidget(m_empty);
     m_stack->addWidget(content);
-    auto *all = new QVBoxLayout(this);
-    all->setContentsMargins(0, 0, 0, 0);
+    auto *all = layoutIn<QVBoxLayout>(this);
     all->addWidget(m_stack);
 }
 

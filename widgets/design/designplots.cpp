@@ -2,11 +2,10 @@
 #include "widgets/design/designplots.h"
 
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/design/bodeplot.h"
 #include "widgets/design/stepcurves.h"
 #include "widgets/plots/curveplot.h"
-
-#include <QVBoxLayout>
 
 namespace mb {
 namespace {
@@ -23,9 +22,7 @@ QString unitWord(Mode loop)
 DesignPlots::DesignPlots(const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
 {
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto *column = layoutIn<QVBoxLayout>(this, 0);
     m_bode = new BodePlot(theme, this);
     m_step = new CurvePlot(theme, tr("Step, predicted and measured"), this);
     m_step->setLegendPlace(Qt::AlignBottom | Qt::AlignRight);

@@ -3,12 +3,10 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/stateglyph.h"
 #include "widgets/control/wrappedlabel.h"
-
-#include <QGridLayout>
-#include <QHBoxLayout>
 
 #include <algorithm>
 
@@ -34,9 +32,7 @@ ModelPanel::ModelPanel(const ThemeSource &theme, QWidget *parent)
     , m_theme(theme)
 {
     const Theme &look = theme.theme();
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(look.u(6));
+    auto *column = layoutIn<QVBoxLayout>(this, look.u(6));
     auto *head = new QHBoxLayout;
     head->addWidget(new SectionLabel(tr("Model"), this));
     head->addStretch(1);
@@ -67,8 +63,7 @@ void ModelPanel::addGates(const std::vector<tuning::Gate> &gates)
 {
     for (const tuning::Gate &gate : gates) {
         auto *line = new QWidget(m_box);
-        auto *row = new QHBoxLayout(line);
-        row->setContentsMargins(0, 0, 0, 0);
+        auto *row = layoutIn<QHBoxLayout>(line);
         row->addWidget(
             new StateGlyph(m_theme, gate.passed ? GlyphState::Done : GlyphState::Warning, line), 0, Qt::AlignTop);
         row->addWidget(
@@ -82,8 +77,7 @@ void ModelPanel::setReport(const tuning::TuneReport *report)
 {
     delete m_grid;
     qDeleteAll(m_box->findChildren<QWidget *>(QString(), Qt::FindDirectChildrenOnly));
-    m_grid = new QGridLayout(m_box);
-    m_grid->setContentsMargins(0, 0, 0, 0);
+    m_grid = layoutIn<QGridLayout>(m_box);
     m_grid->setVerticalSpacing(m_theme.theme().u(3));
     m_grid->setHorizontalSpacing(m_theme.theme().u(10));
     m_grid->setColumnStretch(UnitColumn, 1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/design/scrollcolumn.h"
 
-#include <QVBoxLayout>
+#include "widgets/common/layoutin.h"
 
 namespace mb {
 
@@ -14,9 +14,7 @@ ScrollColumn::ScrollColumn(const Theme &theme, QWidget *parent)
     setFocusPolicy(Qt::NoFocus);
     m_content = new QWidget(this);
     m_content->setProperty("transparent", true);
-    m_rows = new QVBoxLayout(m_content);
-    m_rows->setContentsMargins(theme.u(12), theme.u(10), theme.u(12), theme.u(10));
-    m_rows->setSpacing(theme.u(10));
+    m_rows = layoutIn<QVBoxLayout>(m_content, theme.u(10), {theme.u(12), theme.u(10), theme.u(12), theme.u(10)});
     m_rows->setSizeConstraint(QLayout::SetMinimumSize);
     setWidget(m_content);
 }

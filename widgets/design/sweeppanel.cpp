@@ -5,11 +5,11 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/control/wrappedlabel.h"
 
 #include <QPointer>
-#include <QVBoxLayout>
 
 namespace mb {
 namespace {
@@ -31,9 +31,7 @@ SweepPanel::SweepPanel(Arming &arming, const ThemeSource &theme, QWidget *parent
     : QWidget(parent)
     , m_arming(arming)
 {
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(theme.theme().u(4));
+    auto *column = layoutIn<QVBoxLayout>(this, theme.theme().u(4));
     m_button = new CommandButton(theme, tr("Frequency response"), this);
     m_button->setToolTip(tr("Measures the motor by sines and draws it over its model, as far as it may be trusted"));
     m_words = wrappedLabel({}, TextRole::Caption, Tone::Dim, this);

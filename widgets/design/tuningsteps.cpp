@@ -3,10 +3,9 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/stateglyph.h"
 #include "widgets/control/wrappedlabel.h"
-
-#include <QVBoxLayout>
 
 namespace mb {
 namespace {
@@ -37,9 +36,7 @@ TuningSteps::TuningSteps(const ThemeSource &theme, QWidget *parent)
     , m_theme(theme)
 {
     const Theme &look = theme.theme();
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(look.u(8));
+    auto *column = layoutIn<QVBoxLayout>(this, look.u(8));
     column->addWidget(new SectionLabel(tr("What happens"), this));
     auto *row = new QHBoxLayout;
     m_glyph = new StateGlyph(theme, GlyphState::Waiting, this);

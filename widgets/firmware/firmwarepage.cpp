@@ -2,13 +2,13 @@
 #include "widgets/firmware/firmwarepage.h"
 
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/pagekeys.h"
 #include "widgets/common/segmented.h"
 #include "widgets/firmware/queueboard.h"
 #include "widgets/firmware/unitupdate.h"
 
 #include <QDragEnterEvent>
-#include <QHBoxLayout>
 #include <QMimeData>
 #include <QStackedWidget>
 #include <QUrl>
@@ -24,9 +24,7 @@ FirmwarePage::FirmwarePage(Workbench &workbench, Selection &selection, const The
     setObjectName(QStringLiteral("firmwarePage"));
     setAccessibleName(tr("Firmware"));
     setAcceptDrops(true);
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto *column = layoutIn<QVBoxLayout>(this, 0);
     m_faces = new QStackedWidget(this);
     m_unit = new UnitUpdate(workbench, selection, theme, m_faces);
     m_faces->addWidget(m_unit);
@@ -39,8 +37,7 @@ void FirmwarePage::setService(ServiceDesk &desk, std::span<const Family *const> 
 {
     const Theme &theme = m_theme.theme();
     auto *head = new QWidget(this);
-    auto *row = new QHBoxLayout(head);
-    row->setContentsMargins(theme.u(16), theme.u(8), theme.u(16), 0);
+    auto *row = layoutIn<QHBoxLayout>(head, -1, {theme.u(16), theme.u(8), theme.u(16), 0});
     m_which = new Segmented(tr("What is updated"), {tr("Selected unit"), tr("Queue of units")}, head);
     row->addWidget(m_which);
     row->addStretch(1);

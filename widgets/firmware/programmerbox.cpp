@@ -3,9 +3,9 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 
 #include <algorithm>
 
@@ -23,9 +23,7 @@ ProgrammerBox::ProgrammerBox(const ThemeSource &theme, QWidget *parent)
     m_port->setObjectName(QStringLiteral("programmerPort"));
     m_port->setMinimumWidth(theme.theme().u(280));
     m_at = textLabel(tr("at"), TextRole::Body, Tone::Dim, this);
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(theme.theme().u(8));
+    auto *row = layoutIn<QHBoxLayout>(this, theme.theme().u(8));
     row->addWidget(m_programmer, 2);
     row->addWidget(m_at);
     row->addWidget(m_port, 3);

@@ -5,6 +5,7 @@
 #include "widgets/common/banner.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/firmware/queuebar.h"
 #include "widgets/firmware/queuehead.h"
@@ -23,7 +24,6 @@
 #include <QSplitter>
 #include <QStyledItemDelegate>
 #include <QTableView>
-#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -56,9 +56,7 @@ QueueBoard::QueueBoard(ServiceDesk &desk, Workbench &workbench, Selection &selec
     , m_families(families)
     , m_theme(theme)
 {
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto *column = layoutIn<QVBoxLayout>(this, 0);
     column->addWidget(m_head = new QueueHead(theme, this));
     column->addWidget(separatorLine(Qt::Horizontal, this));
     column->addWidget(m_checks = new UpdateChecks(theme, QueueChecks, this));
@@ -98,9 +96,7 @@ QWidget *QueueBoard::buildTable(QWidget *parent)
 {
     const Theme &theme = m_theme.theme();
     auto *area = new QWidget(parent);
-    auto *column = new QVBoxLayout(area);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto *column = layoutIn<QVBoxLayout>(area, 0);
     m_every = new QCheckBox(area);
     m_every->setAccessibleName(tr("Every unit of this family"));
     m_every->setContentsMargins(theme.u(16), 0, 0, 0);

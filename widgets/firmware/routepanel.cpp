@@ -3,16 +3,15 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/wraplayout.h"
 #include "widgets/firmware/programmerbox.h"
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QVBoxLayout>
 
 namespace mb {
 
@@ -21,9 +20,8 @@ RoutePanel::RoutePanel(const ThemeSource &theme, QWidget *parent)
     , m_theme(theme)
 {
     setObjectName(QStringLiteral("updateRoute"));
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(theme.theme().u(16), theme.theme().u(10), theme.theme().u(16), theme.theme().u(10));
-    column->setSpacing(theme.theme().u(8));
+    auto *column = layoutIn<QVBoxLayout>(
+        this, theme.theme().u(8), {theme.theme().u(16), theme.theme().u(10), theme.theme().u(16), theme.theme().u(10)});
     auto *row = new QHBoxLayout;
     row->setSpacing(theme.theme().u(12));
     row->addWidget(new SectionLabel(tr("Way in"), this));
@@ -125,8 +123,7 @@ void RoutePanel::buildFields(const UpdateRoute &route)
     row->setContentsMargins(0, 0, 0, 0);
     for (const UpdateSetting &setting : route.settings) {
         auto *pair = new QWidget(m_settings);
-        auto *line = new QHBoxLayout(pair);
-        line->setContentsMargins(0, 0, m_theme.theme().u(8), 0);
+        auto *line = layoutIn<QHBoxLayout>(pair, -1, {0, 0, m_theme.theme().u(8), 0});
         auto *value = new QComboBox(pair);
         value->setAccessibleName(tableText(setting.label));
         value->setToolTip(tableText(setting.help));

@@ -3,11 +3,9 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/stateglyph.h"
 #include "widgets/firmware/drawingview.h"
-
-#include <QGridLayout>
-#include <QVBoxLayout>
 
 namespace mb {
 
@@ -17,9 +15,7 @@ StepsPanel::StepsPanel(const ThemeSource &theme, QWidget *parent)
 {
     setObjectName(QStringLiteral("updateSteps"));
     setAccessibleName(tr("Steps of the update"));
-    m_column = new QVBoxLayout(this);
-    m_column->setContentsMargins(0, 0, 0, 0);
-    m_column->setSpacing(theme.theme().u(10));
+    m_column = layoutIn<QVBoxLayout>(this, theme.theme().u(10));
     m_column->addWidget(new SectionLabel(tr("Steps"), this));
     m_drawing = new DrawingView(theme, this);
     setVisible(false);
@@ -39,8 +35,7 @@ void StepsPanel::rebuild()
     delete m_list;
     m_rows.clear();
     m_list = new QWidget(this);
-    auto *grid = new QGridLayout(m_list);
-    grid->setContentsMargins(0, 0, 0, 0);
+    auto *grid = layoutIn<QGridLayout>(m_list);
     grid->setHorizontalSpacing(m_theme.theme().u(8));
     grid->setVerticalSpacing(m_theme.theme().u(1));
     grid->setColumnStretch(1, 1);

@@ -4,11 +4,10 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/wraplayout.h"
 #include "widgets/firmware/queuelines.h"
-
-#include <QGridLayout>
 
 namespace mb {
 namespace {
@@ -57,9 +56,7 @@ UnitSteps::UnitSteps(const ThemeSource &theme, QWidget *parent)
     , m_theme(theme)
 {
     setAccessibleName(tr("Steps of this unit"));
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, theme.theme().u(4), 0, theme.theme().u(4));
-    column->setSpacing(theme.theme().u(4));
+    auto *column = layoutIn<QVBoxLayout>(this, theme.theme().u(4), {0, theme.theme().u(4), 0, theme.theme().u(4)});
     m_title = new ElidedLabel({}, this);
     setTextRole(*m_title, TextRole::Title);
     m_serial = textLabel({}, TextRole::Raw, Tone::Dim, this);

@@ -4,6 +4,7 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/updates.h"
 #include "widgets/firmware/pagemap.h"
@@ -15,7 +16,6 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QProgressBar>
 #include <QSplitter>
 
@@ -66,9 +66,7 @@ UnitUpdate::UnitUpdate(Workbench &workbench, Selection &selection, const ThemeSo
     , m_selection(selection)
     , m_theme(theme)
 {
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto *column = layoutIn<QVBoxLayout>(this, 0);
     buildImage(*column);
     column->addWidget(m_route = new RoutePanel(theme, this));
     column->addWidget(m_checks = new UpdateChecks(theme, Checks, this));

@@ -4,11 +4,11 @@
 #include "files/filebytes.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/theme.h"
 
 #include <QDateTime>
 #include <QFileDialog>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QPushButton>
 #include <QTableWidget>
@@ -25,9 +25,7 @@ UpdateLog::UpdateLog(Workbench &workbench, const ThemeSource &theme, QWidget *pa
 void UpdateLog::build()
 {
     const Theme &theme = m_theme.theme();
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto *column = layoutIn<QVBoxLayout>(this, 0);
     auto *head = new QHBoxLayout;
     head->setContentsMargins(theme.u(16), theme.u(6), theme.u(8), theme.u(6));
     head->addWidget(new SectionLabel(tr("Log"), this));

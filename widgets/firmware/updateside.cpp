@@ -3,10 +3,9 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/firmware/pagemap.h"
 #include "widgets/firmware/stepspanel.h"
-
-#include <QVBoxLayout>
 
 namespace mb {
 
@@ -19,9 +18,7 @@ UpdateSide::UpdateSide(const ThemeSource &theme, QWidget *parent)
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto *panel = new QWidget(this);
     setWidget(panel);
-    auto *column = new QVBoxLayout(panel);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(theme.theme().u(8));
+    auto *column = layoutIn<QVBoxLayout>(panel, theme.theme().u(8));
     column->addWidget(buildSafety(panel));
     m_column = new QVBoxLayout;
     m_column->setContentsMargins(theme.theme().u(16), 0, theme.theme().u(16), theme.theme().u(12));
@@ -40,9 +37,7 @@ QFrame *UpdateSide::buildSafety(QWidget *parent)
 {
     const Theme &theme = m_theme.theme();
     m_safety = new QFrame(parent);
-    auto *words = new QVBoxLayout(m_safety);
-    words->setContentsMargins(theme.u(16), theme.u(12), theme.u(16), theme.u(12));
-    words->setSpacing(theme.u(2));
+    auto *words = layoutIn<QVBoxLayout>(m_safety, theme.u(2), {theme.u(16), theme.u(12), theme.u(16), theme.u(12)});
     m_title = textLabel({}, TextRole::Emphasis, Tone::Ok, m_safety);
     m_title->setWordWrap(true);
     m_text = textLabel({}, TextRole::Caption, Tone::Dim, m_safety);
@@ -55,9 +50,7 @@ QFrame *UpdateSide::buildSafety(QWidget *parent)
 QWidget *UpdateSide::buildPages(QWidget *parent)
 {
     auto *area = new QWidget(parent);
-    auto *column = new QVBoxLayout(area);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(m_theme.theme().u(8));
+    auto *column = layoutIn<QVBoxLayout>(area, m_theme.theme().u(8));
     column->addWidget(new SectionLabel(tr("Flash pages"), area));
     m_map = new PageMap(m_theme, area);
     column->addWidget(m_map);

@@ -3,6 +3,7 @@
 
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/searchfield.h"
 #include "widgets/common/segmented.h"
 #include "widgets/common/wraplayout.h"
@@ -10,7 +11,6 @@
 #include <QLabel>
 #include <QMenu>
 #include <QShortcut>
-#include <QVBoxLayout>
 #include <QWhatsThis>
 
 #include <algorithm>
@@ -59,8 +59,7 @@ void BusBar::buildState(QVBoxLayout &column)
     m_send = new CommandButton(m_theme, Symbol::FrameSend, tr("Send frame…"), this);
     m_send->setCheckable(true);
     auto *extra = new QWidget(this);
-    m_extra = new QHBoxLayout(extra);
-    m_extra->setContentsMargins(0, 0, 0, 0);
+    m_extra = layoutIn<QHBoxLayout>(extra);
     row->addWidget(extra);
     for (QWidget *button : std::initializer_list<QWidget *>{m_pause, clear, save, m_send})
         row->addWidget(button);

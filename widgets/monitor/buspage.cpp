@@ -4,6 +4,7 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/pagekeys.h"
 #include "widgets/common/replaybar.h"
@@ -21,7 +22,6 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QFileDialog>
-#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -61,9 +61,7 @@ BusPage::BusPage(Workbench &workbench, Arming &arming, const ThemeSource &theme,
 void BusPage::buildColumn()
 {
     const Theme &theme = m_theme.theme();
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto *column = layoutIn<QVBoxLayout>(this, 0);
     m_send->hide();
     auto *panel = new QVBoxLayout;
     panel->setContentsMargins(theme.u(12), 0, theme.u(12), 0);

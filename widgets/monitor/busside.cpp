@@ -3,6 +3,7 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/monitor/busloadview.h"
 #include "widgets/monitor/framedetail.h"
@@ -10,7 +11,6 @@
 #include "widgets/monitor/idmodel.h"
 
 #include <QScrollBar>
-#include <QVBoxLayout>
 
 namespace mb {
 namespace {
@@ -39,9 +39,7 @@ BusSide::BusSide(const ThemeSource &theme, QWidget *parent)
 void BusSide::build(QWidget &content)
 {
     const Theme &theme = m_theme.theme();
-    auto *column = new QVBoxLayout(&content);
-    column->setContentsMargins(0, 0, 0, theme.u(8));
-    column->setSpacing(theme.u(4));
+    auto *column = layoutIn<QVBoxLayout>(&content, theme.u(4), {0, 0, 0, theme.u(8)});
     m_detail = new FrameDetail(m_theme, &content);
     m_load = new BusLoadView(m_theme, &content);
     m_caption = textLabel({}, TextRole::Caption, Tone::Dim, &content);

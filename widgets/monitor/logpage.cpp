@@ -7,17 +7,16 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/emptystate.h"
 #include "widgets/common/iconbutton.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/searchfield.h"
 #include "widgets/common/segmented.h"
 #include "widgets/monitor/noticemodel.h"
 
 #include <QFileDialog>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QSortFilterProxyModel>
 #include <QStackedWidget>
 #include <QTableView>
-#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -69,9 +68,7 @@ LogPage::LogPage(Workbench &workbench, const ThemeSource &theme, QWidget *parent
 {
     setObjectName(QStringLiteral("logPage"));
     setAccessibleName(tr("Log"));
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    (void)layoutIn<QVBoxLayout>(this, 0); // that bar and table are added to
     buildBar();
     buildTable();
 }

@@ -3,11 +3,11 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/parameters/leap.h"
 
 #include <QCheckBox>
-#include <QGridLayout>
 #include <QMouseEvent>
 #include <QPainter>
 
@@ -23,8 +23,7 @@ ChangeRow::ChangeRow(const ThemeSource &theme, QWidget *parent)
     , m_theme(theme)
 {
     const Theme &t = theme.theme();
-    auto *grid = new QGridLayout(this);
-    grid->setContentsMargins(t.u(12), t.u(6), t.u(12), t.u(7));
+    auto *grid = layoutIn<QGridLayout>(this, -1, {t.u(12), t.u(6), t.u(12), t.u(7)});
     grid->setHorizontalSpacing(t.u(2));
     grid->setVerticalSpacing(t.u(2));
     m_check = new QCheckBox(this);

@@ -4,14 +4,13 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/parameters/changerow.h"
 #include "widgets/parameters/ramblock.h"
 #include "widgets/parameters/readstatus.h"
 
-#include <QHBoxLayout>
 #include <QProgressBar>
 #include <QScrollArea>
-#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -40,9 +39,7 @@ ChangesPanel::ChangesPanel(
     setAttribute(Qt::WA_StyledBackground);
     setProperty("surface", QStringLiteral("window"));
     setAccessibleName(tr("Changes to write"));
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto *column = layoutIn<QVBoxLayout>(this, 0);
     m_head = buildHead();
     column->addWidget(m_head);
     column->addWidget(separatorLine(Qt::Horizontal, this));
@@ -55,8 +52,7 @@ QWidget *ChangesPanel::buildHead()
 {
     const Theme &t = m_theme.theme();
     auto *head = new QWidget(this);
-    auto *row = new QHBoxLayout(head);
-    row->setContentsMargins(t.u(12), t.u(8), t.u(12), t.u(8));
+    auto *row = layoutIn<QHBoxLayout>(head, -1, {t.u(12), t.u(8), t.u(12), t.u(8)});
     row->addWidget(new SectionLabel(tr("Changes to write"), head));
     row->addStretch();
     auto *order = textLabel(tr("order is chosen for you"), TextRole::Caption, Tone::Dim, head);
@@ -77,9 +73,7 @@ QWidget *ChangesPanel::buildBody()
     area->setFocusPolicy(Qt::NoFocus);
     area->setMinimumHeight(t.u(40));
     auto *list = surface("window", area);
-    m_column = new QVBoxLayout(list);
-    m_column->setContentsMargins(0, 0, 0, 0);
-    m_column->setSpacing(0);
+    m_column = layoutIn<QVBoxLayout>(list, 0);
     m_empty = textLabel(
         tr("Nothing is staged. Edit a value in the table, or import a file."), TextRole::Caption, Tone::Dim, list);
     m_empty->setWordWrap(true);
@@ -98,9 +92,7 @@ QWidget *ChangesPanel::buildFoot()
 {
     const Theme &t = m_theme.theme();
     auto *foot = new QWidget(this);
-    auto *column = new QVBoxLayout(foot);
-    column->setContentsMargins(t.u(12), t.u(10), t.u(12), t.u(12));
-    column->setSpacing(t.u(8));
+    auto *column = layoutIn<QVBoxLayout>(foot, t.u(8), {t.u(12), t.u(10), t.u(12), t.u(12)});
     m_note = textLabel({}, TextRole::Caption, Tone::Dim, foot);
     m_note->setWordWrap(true);
     m_step = textLabel({}, TextRole::Caption, Tone::Text, foot);

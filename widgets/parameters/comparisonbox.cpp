@@ -2,12 +2,12 @@
 #include "widgets/parameters/comparisonbox.h"
 
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/parameters/axisparameters.h"
 #include "widgets/parameters/editdesk.h"
 
 #include <QComboBox>
 #include <QDateTime>
-#include <QHBoxLayout>
 #include <QLabel>
 
 #include <algorithm>
@@ -25,8 +25,7 @@ ComparisonBox::ComparisonBox(Workbench &workbench, Selection &selection, Paramet
     , m_selection(selection)
     , m_model(model)
 {
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto *row = layoutIn<QHBoxLayout>(this);
     auto *with = new QLabel(tr("Compare with"), this);
     setTextRole(*with, TextRole::Caption);
     setTone(*with, Tone::Dim);

@@ -5,15 +5,14 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/segmented.h"
 #include "widgets/parameters/differencetable.h"
 #include "widgets/parameters/stagededits.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QPointer>
 #include <QSplitter>
-#include <QVBoxLayout>
 
 namespace mb {
 namespace {
@@ -28,9 +27,7 @@ HistoryPanel::HistoryPanel(Workbench &workbench, const ThemeSource &theme, QWidg
     , m_theme(theme)
 {
     setObjectName(QStringLiteral("historyPanel"));
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto *column = layoutIn<QVBoxLayout>(this, 0);
     column->addWidget(buildBar());
     column->addWidget(separatorLine(Qt::Horizontal, this));
     auto *splitter = new QSplitter(Qt::Horizontal, this);
@@ -51,9 +48,7 @@ QWidget *HistoryPanel::buildBar()
 {
     const Theme &t = m_theme.theme();
     auto *bar = new QWidget(this);
-    auto *row = new QHBoxLayout(bar);
-    row->setContentsMargins(t.u(12), t.u(4), t.u(12), t.u(8));
-    row->setSpacing(t.u(8));
+    auto *row = layoutIn<QHBoxLayout>(bar, t.u(8), {t.u(12), t.u(4), t.u(12), t.u(8)});
     const auto chooser = [&](const QString &letter, const QString &name) {
         row->addWidget(textLabel(letter, TextRole::Emphasis, Tone::Accent, bar));
         auto *box = new QComboBox(bar);
@@ -78,8 +73,7 @@ QWidget *HistoryPanel::buildFoot()
 {
     const Theme &t = m_theme.theme();
     auto *foot = new QWidget(this);
-    auto *row = new QHBoxLayout(foot);
-    row->setContentsMargins(t.u(12), t.u(8), t.u(12), t.u(8));
+    auto *row = layoutIn<QHBoxLayout>(foot, -1, {t.u(12), t.u(8), t.u(12), t.u(8)});
     m_ticked = textLabel({}, TextRole::Body, Tone::Dim, foot);
     m_restore = new CommandButton(m_theme, Symbol::Undo, tr("Restore what is ticked"), foot);
     row->addWidget(m_ticked, 1);

@@ -3,10 +3,8 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/wraplayout.h"
-
-#include <QHBoxLayout>
-#include <QVBoxLayout>
 
 namespace mb {
 
@@ -17,14 +15,11 @@ ParameterFoot::ParameterFoot(const ThemeSource &theme, QWidget *parent)
     const Theme &t = theme.theme();
     setAttribute(Qt::WA_StyledBackground);
     setProperty("surface", QStringLiteral("window"));
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto *column = layoutIn<QVBoxLayout>(this, 0);
     m_help = textLabel({}, TextRole::Caption, Tone::Dim, this);
     m_help->setIndent(0);
     auto *about = new QWidget(this); // a style sheet takes the margins of a label for its own
-    auto *line = new QHBoxLayout(about);
-    line->setContentsMargins(t.u(12), t.u(6), t.u(12), t.u(6));
+    auto *line = layoutIn<QHBoxLayout>(about, -1, {t.u(12), t.u(6), t.u(12), t.u(6)});
     line->addWidget(m_help);
     m_help->setAccessibleName(tr("What the parameter does"));
     column->addWidget(separatorLine(Qt::Horizontal, this));
@@ -65,9 +60,7 @@ ParameterFoot::Count ParameterFoot::addCount(GlyphState state)
 {
     Count count;
     count.box = new QWidget(this);
-    auto *row = new QHBoxLayout(count.box);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(m_theme.theme().u(6));
+    auto *row = layoutIn<QHBoxLayout>(count.box, m_theme.theme().u(6));
     count.text = new QLabel(count.box);
     setTextRole(*count.text, TextRole::Caption);
     row->addWidget(new StateGlyph(m_theme, state, count.box));

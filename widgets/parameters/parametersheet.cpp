@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameters/parametersheet.h"
 
-#include <QVBoxLayout>
+#include "widgets/common/layoutin.h"
 
 namespace mb {
 namespace {
@@ -17,9 +17,7 @@ ParameterSheet::ParameterSheet(
     setChildrenCollapsible(false);
     setHandleWidth(1);
     auto *left = new QWidget(this);
-    auto *rows = new QVBoxLayout(left);
-    rows->setContentsMargins(0, 0, 0, 0);
-    rows->setSpacing(0);
+    auto *rows = layoutIn<QVBoxLayout>(left, 0);
     m_view = new ParameterView(theme, model, left);
     m_foot = new ParameterFoot(theme, left);
     rows->addWidget(m_view, 1);

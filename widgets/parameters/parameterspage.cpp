@@ -4,6 +4,7 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/emptystate.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/pagekeys.h"
 #include "widgets/parameters/editdesk.h"
 #include "widgets/parameters/historypanel.h"
@@ -14,7 +15,6 @@
 #include "widgets/parameters/parametertools.h"
 
 #include <QStackedWidget>
-#include <QVBoxLayout>
 
 namespace mb {
 namespace {
@@ -23,9 +23,7 @@ constexpr int besideFrom = 900; ///< narrower than this the panel goes below the
 
 QVBoxLayout *plainColumn(QWidget *widget)
 {
-    auto *column = new QVBoxLayout(widget);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto *column = layoutIn<QVBoxLayout>(widget, 0);
     return column;
 }
 

@@ -4,13 +4,12 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/parameters/changerow.h"
 
-#include <QGridLayout>
 #include <QProgressBar>
 #include <QTimer>
-#include <QVBoxLayout>
 
 namespace mb {
 namespace {
@@ -36,9 +35,7 @@ RamBlock::RamBlock(const ThemeSource &theme, std::function<Instant()> now, QWidg
 void RamBlock::build()
 {
     const Theme &t = m_theme.theme();
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(t.u(12), t.u(12), t.u(12), t.u(12));
-    column->setSpacing(t.u(6));
+    auto *column = layoutIn<QVBoxLayout>(this, t.u(6), {t.u(12), t.u(12), t.u(12), t.u(12)});
     auto *head = new QHBoxLayout;
     head->addWidget(new SectionLabel(tr("In RAM, not in flash"), this));
     head->addStretch();

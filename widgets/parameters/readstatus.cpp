@@ -2,9 +2,9 @@
 #include "widgets/parameters/readstatus.h"
 
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
 
-#include <QHBoxLayout>
 #include <QProgressBar>
 
 #include <algorithm>
@@ -30,9 +30,7 @@ ReadStatus::ReadStatus(const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
 {
     const Theme &t = theme.theme();
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(t.u(8));
+    auto *row = layoutIn<QHBoxLayout>(this, t.u(8));
     m_glyph = new StateGlyph(theme, GlyphState::Waiting, this);
     m_text = new QLabel(this);
     setTextRole(*m_text, TextRole::Caption);

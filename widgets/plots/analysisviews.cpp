@@ -3,13 +3,13 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/plots/plotanalysis.h"
 
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
 #include <QFileDialog>
-#include <QHBoxLayout>
 #include <QMenu>
 
 namespace mb {
@@ -74,8 +74,7 @@ AgainstView::AgainstView(PlotStack &stack, PlotBoard &board, const ThemeSource &
     row->addWidget(textLabel(tr("against"), TextRole::Caption, Tone::Dim, this));
     row->addWidget(m_across);
     row->addStretch(1);
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto *column = layoutIn<QVBoxLayout>(this);
     column->addLayout(row);
     column->addWidget(m_plot, 1);
     for (QComboBox *box : {m_across, m_upwards})
@@ -124,8 +123,7 @@ SpectrumView::SpectrumView(PlotStack &stack, PlotBoard &board, const ThemeSource
     , m_board(board)
     , m_plot(new CurvePlot(theme, tr("Spectrum"), this))
 {
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto *column = layoutIn<QVBoxLayout>(this);
     column->addWidget(m_plot);
     m_plot->setAxes(tr("frequency, Hz"), tr("amplitude"), true);
 }

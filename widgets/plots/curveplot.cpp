@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/curveplot.h"
 
+#include "widgets/common/layoutin.h"
 #include "widgets/plots/picturefile.h"
 #include "widgets/plots/plottickers.h"
 
 #include <QKeyEvent>
-#include <QVBoxLayout>
 
 namespace mb {
 namespace {
@@ -49,8 +49,7 @@ CurvePlot::CurvePlot(const ThemeSource &theme, const QString &accessibleName, QW
     m_mark = new QCPItemText(m_plot);
     m_mark->position->setType(QCPItemPosition::ptAxisRectRatio);
     m_mark->position->setCoords(0.5, 0.5);
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(2, 2, 2, 2);
+    auto *column = layoutIn<QVBoxLayout>(this, -1, {2, 2, 2, 2});
     column->addWidget(m_plot);
     connect(m_plot, &QCustomPlot::mouseDoubleClick, this, &CurvePlot::fit);
     connect(&theme, &ThemeSource::changed, this, &CurvePlot::restyle);

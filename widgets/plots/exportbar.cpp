@@ -4,13 +4,13 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/plots/exportjob.h"
 #include "widgets/plots/exportmatter.h"
 #include "widgets/plots/plotboard.h"
 #include "widgets/plots/plotdialogs.h"
 
-#include <QHBoxLayout>
 #include <QProgressBar>
 
 namespace mb {
@@ -24,8 +24,8 @@ ExportBar::ExportBar(
     , m_job(new ExportJob(this))
     , m_progress(new QProgressBar(this))
 {
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(theme.theme().u(12), theme.theme().u(4), theme.theme().u(12), theme.theme().u(4));
+    auto *row = layoutIn<QHBoxLayout>(
+        this, -1, {theme.theme().u(12), theme.theme().u(4), theme.theme().u(12), theme.theme().u(4)});
     m_progress->setRange(0, 100);
     m_progress->setAccessibleName(tr("Progress of the export"));
     auto *cancel = new CommandButton(theme, tr("Cancel"), this);

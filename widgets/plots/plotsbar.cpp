@@ -2,12 +2,12 @@
 #include "widgets/plots/plotsbar.h"
 
 #include "widgets/common/iconbutton.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/segmented.h"
 #include "widgets/plots/recordingcontrol.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QMenu>
 
 #include <array>
@@ -47,9 +47,8 @@ PlotsBar::PlotsBar(
     , m_pause(new CommandButton(theme, Symbol::Pause, tr("Pause view"), this))
     , m_recording(new RecordingControl(workbench, theme, this))
 {
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(theme.theme().u(12), theme.theme().u(6), theme.theme().u(12), theme.theme().u(6));
-    row->setSpacing(theme.theme().u(8));
+    auto *row = layoutIn<QHBoxLayout>(
+        this, theme.theme().u(8), {theme.theme().u(12), theme.theme().u(6), theme.theme().u(12), theme.theme().u(6)});
     m_pause->setKeyHint(QStringLiteral("P"));
     m_pause->setTextVariants({tr("Pause view"), tr("Follow live")});
     m_pause->setToolTip(tr("The recording goes on."));

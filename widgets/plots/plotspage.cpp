@@ -4,6 +4,7 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/emptystate.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/pagekeys.h"
 #include "widgets/common/replaybar.h"
 #include "widgets/plots/analysisviews.h"
@@ -15,7 +16,6 @@
 #include "widgets/plots/tracepanel.h"
 
 #include <QDropEvent>
-#include <QGridLayout>
 #include <QMenu>
 #include <QMimeData>
 #include <QStackedWidget>
@@ -79,8 +79,7 @@ PlotsPage::PlotsPage(Workbench &workbench, Selection &selection, const ThemeSour
     m_pages->addWidget(new EmptyState(theme, Symbol::Wave, tr("No device yet"),
         tr("Open a link, or the simulated bench from the menu; its signals appear here."), m_pages));
     m_pages->addWidget(buildContent());
-    auto *all = new QVBoxLayout(this);
-    all->setContentsMargins(0, 0, 0, 0);
+    auto *all = layoutIn<QVBoxLayout>(this);
     m_replay = new ReplayBar(workbench, theme, this);
     all->setSpacing(0);
     all->addWidget(m_replay);
@@ -94,9 +93,7 @@ PlotsPage::PlotsPage(Workbench &workbench, Selection &selection, const ThemeSour
 QWidget *PlotsPage::buildContent()
 {
     auto *content = new QWidget(m_pages);
-    auto *grid = new QGridLayout(content);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setSpacing(0);
+    auto *grid = layoutIn<QGridLayout>(content, 0);
     grid->addWidget(buildPlots(), 2, 0);
     m_bar = new PlotsBar(
         m_workbench, *m_stack, m_theme, [this](QMenu &menu) { m_layoutBook.fillMenu(menu, *this); },
@@ -114,9 +111,7 @@ QWidget *PlotsPage::buildContent()
 QWidget *PlotsPage::buildPlots()
 {
     auto *area = new QWidget(this);
-    auto *column = new QVBoxLayout(area);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto *column = layoutIn<QVBoxLayout>(area, 0);
     m_trigger = new TriggerControl(*m_stack, *m_board, m_theme, area);
     m_plots = new QStackedWidget(area);
     m_stack->setObjectName(QStringLiteral("plotsStack"));

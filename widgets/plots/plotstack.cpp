@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/plotstack.h"
 
+#include "widgets/common/layoutin.h"
 #include "widgets/plots/fixedtrace.h"
 
 #include <QAccessible>
@@ -8,7 +9,6 @@
 #include <QMenu>
 #include <QPainter>
 #include <QTimer>
-#include <QVBoxLayout>
 
 namespace mb {
 namespace {
@@ -32,8 +32,7 @@ PlotStack::PlotStack(const ThemeSource &theme, QWidget *parent)
     setAccessibleName(tr("Plot"));
     m_plot->setFocusPolicy(Qt::NoFocus);
     m_plot->setContextMenuPolicy(Qt::NoContextMenu);
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(2, 2, 2, 2);
+    auto *column = layoutIn<QVBoxLayout>(this, -1, {2, 2, 2, 2});
     column->addWidget(m_plot);
     connectParts();
     touch();

@@ -3,6 +3,7 @@
 
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/workbench.h"
 #include "widgets/plots/recorder.h"
@@ -10,7 +11,6 @@
 
 #include <QDateTime>
 #include <QDir>
-#include <QHBoxLayout>
 #include <cmath>
 
 namespace mb {
@@ -21,9 +21,7 @@ RecordingControl::RecordingControl(Workbench &workbench, const ThemeSource &them
     , m_button(new CommandButton(theme, Symbol::Record, tr("Record"), this))
     , m_words(textLabel({}, TextRole::Caption, Tone::Dim, this))
 {
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(theme.theme().u(8));
+    auto *row = layoutIn<QHBoxLayout>(this, theme.theme().u(8));
     m_button->setKeyHint(QStringLiteral("R"));
     m_button->setTextVariants({tr("Record"), tr("Save")});
     m_words->hide();

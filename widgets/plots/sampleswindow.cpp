@@ -4,6 +4,7 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/pagekeys.h"
 #include "widgets/plots/recordedtraces.h"
@@ -11,7 +12,6 @@
 
 #include <QFile>
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QListWidget>
 #include <QMenu>
 #include <QSignalBlocker>
@@ -61,8 +61,7 @@ SamplesWindow::SamplesWindow(const QString &path, const ThemeSource &theme, QWid
 void SamplesWindow::build(const QString &path, const ThemeSource &theme)
 {
     const int space = theme.theme().u(edge);
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(space, space, space, space);
+    auto *column = layoutIn<QVBoxLayout>(this, -1, {space, space, space, space});
     auto *head = new QHBoxLayout;
     m_state = textLabel(tr("Reading %1").arg(path), TextRole::Body, Tone::Dim, this);
     m_state->setWordWrap(true);

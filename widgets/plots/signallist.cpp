@@ -3,9 +3,9 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/plots/displayunits.h"
 
-#include <QHBoxLayout>
 #include <QListWidget>
 #include <QMenu>
 #include <QMimeData>
@@ -71,9 +71,7 @@ SignalList::SignalList(const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
     , m_theme(theme)
 {
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto *column = layoutIn<QVBoxLayout>(this, 0);
     auto *head = new QHBoxLayout;
     head->setContentsMargins(theme.theme().u(12), theme.theme().u(8), theme.theme().u(12), theme.theme().u(4));
     head->addWidget(new SectionLabel(tr("Add a signal"), this));

@@ -3,10 +3,9 @@
 
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 
 #include <QContextMenuEvent>
-#include <QGridLayout>
-#include <QHBoxLayout>
 #include <QPainter>
 
 #include <algorithm>
@@ -51,8 +50,8 @@ public:
     Entry(const ThemeSource &theme, TraceList &list)
         : QWidget(&list)
     {
-        auto *grid = new QGridLayout(this);
-        grid->setContentsMargins(theme.theme().u(12), theme.theme().u(4), theme.theme().u(8), theme.theme().u(6));
+        auto *grid = layoutIn<QGridLayout>(
+            this, -1, {theme.theme().u(12), theme.theme().u(4), theme.theme().u(8), theme.theme().u(6)});
         grid->setHorizontalSpacing(theme.theme().u(8));
         grid->setVerticalSpacing(0);
         m_swatch = new Swatch(theme, this);
@@ -125,9 +124,7 @@ TraceList::TraceList(const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
     , m_theme(theme)
 {
-    m_column = new QVBoxLayout(this);
-    m_column->setContentsMargins(0, 0, 0, 0);
-    m_column->setSpacing(0);
+    m_column = layoutIn<QVBoxLayout>(this, 0);
     m_column->addStretch(1);
     setAccessibleName(tr("Traces"));
 }

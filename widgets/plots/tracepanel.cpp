@@ -3,10 +3,10 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/plots/tracelist.h"
 
-#include <QHBoxLayout>
 #include <QMenu>
 #include <QScrollArea>
 
@@ -32,9 +32,7 @@ TracePanel::TracePanel(
 {
     const auto u = [&theme](int size) { return theme.theme().u(size); };
     setFixedWidth(u(sideWidth));
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto *column = layoutIn<QVBoxLayout>(this, 0);
     auto *head = new QHBoxLayout;
     head->setContentsMargins(u(12), u(8), u(12), u(8));
     head->addWidget(new SectionLabel(tr("Traces"), this));

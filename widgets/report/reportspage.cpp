@@ -6,6 +6,7 @@
 #include "widgets/common/emptystate.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/pagekeys.h"
 #include "widgets/common/searchfield.h"
 #include "widgets/common/segmented.h"
@@ -17,7 +18,6 @@
 #include <QAbstractTextDocumentLayout>
 #include <QComboBox>
 #include <QFileDialog>
-#include <QHBoxLayout>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPointer>
@@ -46,15 +46,12 @@ ReportsPage::ReportsPage(Workbench &workbench, const ThemeSource &theme, QWidget
     m_states->addWidget(new EmptyState(theme, Symbol::Document, tr("Nothing to report yet"),
         tr("The cards of units, their tunings and their trials appear here."), m_states));
     auto *both = new QWidget(m_states);
-    auto *row = new QHBoxLayout(both);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(0);
+    auto *row = layoutIn<QHBoxLayout>(both, 0);
     row->addWidget(buildList());
     row->addWidget(separatorLine(Qt::Vertical, both));
     row->addWidget(buildPreview(), 1);
     m_states->addWidget(both);
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto *column = layoutIn<QVBoxLayout>(this);
     column->addWidget(m_states);
     addKeys();
     connect(&workbench, &Workbench::changed, this, &ReportsPage::follow);
@@ -66,9 +63,7 @@ QWidget *ReportsPage::buildList()
     const Theme &theme = m_theme.theme();
     auto *side = new QWidget(m_states);
     side->setFixedWidth(theme.u(listWidth));
-    auto *column = new QVBoxLayout(side);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto *column = layoutIn<QVBoxLayout>(side, 0);
     auto *head = new QHBoxLayout;
     head->setContentsMargins(theme.u(12), theme.u(10), theme.u(12), theme.u(10));
     m_search = new SearchField(m_theme, tr("Search the reports"), side);
@@ -96,9 +91,7 @@ QWidget *ReportsPage::buildPreview()
 {
     const Theme &theme = m_theme.theme();
     auto *area = new QWidget(m_states);
-    auto *column = new QVBoxLayout(area);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto *column = layoutIn<QVBoxLayout>(area, 0);
     auto *row = new QHBoxLayout;
     row->setContentsMargins(theme.u(12), theme.u(8), theme.u(12), theme.u(8));
     row->setSpacing(theme.u(8));

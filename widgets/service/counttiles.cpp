@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/service/counttiles.h"
 
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/stateglyph.h"
 #include "widgets/service/verdictof.h"
 
-#include <QHBoxLayout>
 #include <QPainter>
 
 namespace mb {
@@ -85,9 +85,7 @@ CountTiles::CountTiles(const ThemeSource &theme, QWidget *parent)
           new Tile(theme, GlyphState::Warning, tr("refused before start"), this),
           new Tile(theme, GlyphState::Waiting, tr("mean time"), this), new Tile(theme, {}, tr("units an hour"), this)}
 {
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(theme.theme().u(12));
+    auto *row = layoutIn<QHBoxLayout>(this, theme.theme().u(12));
     for (Tile *tile : m_tiles)
         row->addWidget(tile, 1);
 }

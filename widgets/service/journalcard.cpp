@@ -4,11 +4,11 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/stateglyph.h"
 #include "widgets/service/servicedesk.h"
 #include "widgets/service/stationdialog.h"
 
-#include <QHBoxLayout>
 #include <QUrl>
 
 namespace mb {
@@ -17,8 +17,7 @@ JournalCard::JournalCard(ServiceDesk &desk, const ThemeSource &theme, QWidget *p
     : QWidget(parent)
     , m_desk(desk)
 {
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto *column = layoutIn<QVBoxLayout>(this);
     column->addWidget(new SectionLabel(tr("Journal"), this));
     auto *row = new QHBoxLayout;
     row->setSpacing(theme.theme().u(10));

@@ -7,12 +7,12 @@
 #include "widgets/common/holdbutton.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/wraplayout.h"
 #include "widgets/service/recipetext.h"
 #include "widgets/service/servicedesk.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLineEdit>
 
 namespace mb {
@@ -21,9 +21,7 @@ ProductionHead::ProductionHead(const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
     , m_theme(theme)
 {
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto *column = layoutIn<QVBoxLayout>(this, 0);
     auto *facts = new QHBoxLayout;
     const int edge = theme.theme().u(16);
     facts->setContentsMargins(edge, theme.theme().u(10), edge, theme.theme().u(10));

@@ -6,6 +6,7 @@
 #include "widgets/common/holdbutton.h"
 #include "widgets/common/keystrip.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/pagekeys.h"
 #include "widgets/common/workbench.h"
 #include "widgets/service/counttiles.h"
@@ -18,7 +19,6 @@
 #include <QCheckBox>
 #include <QFile>
 #include <QFileDialog>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QPointer>
@@ -45,9 +45,7 @@ ProductionPage::ProductionPage(ServiceDesk &desk, Workbench &workbench, std::spa
     setObjectName(QStringLiteral("productionPage"));
     setAccessibleName(tr("Production"));
     setFocusPolicy(Qt::StrongFocus);
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto *column = layoutIn<QVBoxLayout>(this, 0);
     column->setSizeConstraint(QLayout::SetNoConstraint); // minimumSizeHint() knows what may be left out
     column->addWidget(m_head = new ProductionHead(theme, this));
     column->addWidget(separatorLine(Qt::Horizontal, this));
@@ -92,9 +90,7 @@ HoldButton &ProductionPage::armButton()
 QWidget *ProductionPage::buildBench()
 {
     auto *bench = new QWidget(this);
-    auto *column = new QVBoxLayout(bench);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(m_theme.theme().u(12));
+    auto *column = layoutIn<QVBoxLayout>(bench, m_theme.theme().u(12));
     m_motion = textLabel({}, TextRole::Emphasis, Tone::Dim, bench);
     m_motion->setWordWrap(true);
     m_motion->hide(); // until a recipe has a self-test
@@ -111,8 +107,7 @@ QWidget *ProductionPage::buildUnits()
     const Theme &theme = m_theme.theme();
     m_side = new QWidget(this);
     m_side->setFixedWidth(theme.u(unitsWidth));
-    auto *column = new QVBoxLayout(m_side);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto *column = layoutIn<QVBoxLayout>(m_side);
     column->addWidget(new SectionLabel(tr("Last ten units"), m_side));
     column->addWidget(m_units = new UnitList(m_theme, m_side), 1);
     column->addSpacing(theme.u(8));
@@ -124,8 +119,7 @@ QWidget *ProductionPage::buildFoot()
 {
     const Theme &theme = m_theme.theme();
     auto *foot = new QWidget(this);
-    auto *row = new QHBoxLayout(foot);
-    row->setContentsMargins(theme.u(16), theme.u(6), theme.u(16), theme.u(6));
+    auto *row = layoutIn<QHBoxLayout>(foot, -1, {theme.u(16), theme.u(6), theme.u(16), theme.u(6)});
     row->addWidget(new KeyStrip(m_theme,
                        {{QStringLiteral("F5"), tr("test again")}, {QStringLiteral("F8"), tr("set aside")},
                            {QStringLiteral("F2"), tr("serial number")}, {QStringLiteral("F11"), tr("leave")},

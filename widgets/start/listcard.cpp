@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/start/listcard.h"
 
-#include <QGridLayout>
+#include "widgets/common/layoutin.h"
+
 #include <QPainter>
 #include <QPushButton>
 
@@ -50,9 +51,7 @@ void ListCard::setRows(std::vector<Row> rows, const QString &none)
     m_none = none;
     delete m_box;
     m_box = new QWidget(this);
-    auto *column = new QVBoxLayout(m_box);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto *column = layoutIn<QVBoxLayout>(m_box, 0);
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         column->addWidget(separatorLine(Qt::Horizontal, m_box));
         column->addWidget(makeRow(m_rows[i], static_cast<int>(i)));
@@ -71,8 +70,7 @@ QWidget *ListCard::makeRow(const Row &row, int at)
 {
     const Theme &theme = m_theme.theme();
     auto *widget = new QWidget(m_box);
-    auto *grid = new QGridLayout(widget);
-    grid->setContentsMargins(theme.u(12), theme.u(6), theme.u(12), theme.u(6));
+    auto *grid = layoutIn<QGridLayout>(widget, -1, {theme.u(12), theme.u(6), theme.u(12), theme.u(6)});
     grid->setHorizontalSpacing(theme.u(12));
     grid->setVerticalSpacing(0);
     grid->addWidget(new SymbolMark(m_theme, row.symbol, widget), 0, 0, 2, 1, Qt::AlignVCenter);
