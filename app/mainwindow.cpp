@@ -50,8 +50,8 @@ MainWindow::MainWindow(Workbench &workbench, ThemeSource &theme, Settings &setti
     resize(1440, 900);
     buildHeader();
     buildMenu();
-    buildDocks();
     buildPages();
+    buildDocks(); // beside the pages: they take what these leave
     setStatusBar(new StatusBar(workbench, theme, this));
     m_keys = new WindowKeys({*m_pages, *m_docks, *m_menu, *m_help, settings}, *this,
         [this] { m_production ? m_production->show(!m_production->isShown()) : void(); });
