@@ -2,6 +2,7 @@
 #include "app/application.h"
 
 #include "app/folders/userfolders.h"
+#include "app/helpdesk.h"
 #include "app/languages.h"
 #include "app/projectdesk.h"
 #include "app/servicedoor.h"
@@ -219,6 +220,7 @@ void Application::followLook()
     const PageId page = m_window->shownPage();
     const DeviceId device = m_window->selection().device();
     const QByteArray geometry = m_window->saveGeometry();
+    const QString help = m_window->help().shown();
     translate(m_settings.look().language);
     dress(m_settings.look());
     QApplication::setQuitOnLastWindowClosed(false);
@@ -228,6 +230,8 @@ void Application::followLook()
     m_window->selection().select(device);
     m_window->showPage(page);
     m_window->show();
+    if (!help.isEmpty())
+        (void)m_window->help().open(help);
     before->hide();
     QApplication::setQuitOnLastWindowClosed(true);
 }
@@ -314,26 +318,35 @@ void Application::dress(const Look &look)
         font.setFamilies({font.family(), glyphs});
     QApplication::setFont(font);
     const double size = font.pointSizeF() > 0.0 ? font.pointSizeF() : 10.0;
-    Theme theme = themeNamed(look.theme, m_palette.palette(), size);
+    m_themeName = look.theme;
+    Theme theme = themeNamed(m_themeName, m_palette.palette(), size);
     theme.reducedMotion = look.reducedMotion;
     if (m_theme) {
         m_theme->setTheme(theme);
         return;
     }
     m_theme = std::make_unique<ThemeSource>(theme);
-    applyTheme(m_qt, m_theme->theme());
-    QObject::connect(m_theme.get(), &ThemeSource::changed, &m_qt, [this] { applyTheme(m_qt, m_theme->theme()); });
+    wearTheme();
+    QObject::connect(m_theme.get(), &ThemeSource::changed, &m_qt, [this] { wearTheme(); });
 }
 
-/// Somebody has chosen other colours for the whole desktop.
+void Application::wearTheme()
+{
+    applyTheme(m_qt, m_theme->theme());
+    m_palette.keep();
+}
+
+/// Somebody has chosen other colours for the whole desktop. Who has a theme of the program keeps it, also where the desktop's colours
+/// were set over it.
 void Application::followDesktop()
 {
     const Theme &before = m_theme->theme();
-    if (before.name != systemThemeName())
-        return;
-    Theme theme = systemTheme(m_palette.palette(), before.bodyPointSize);
+    Theme theme = themeNamed(m_themeName, m_palette.palette(), before.bodyPointSize);
     theme.reducedMotion = before.reducedMotion;
-    m_theme->setTheme(theme);
+    if (theme.name == systemThemeName() || before.name == systemThemeName())
+        m_theme->setTheme(theme);
+    if (!m_palette.isOurs())
+        wearTheme();
 }
 
 void Application::openLinks()

@@ -56,6 +56,7 @@ public:
 private:
     void translate(const QString &language);
     void dress(const Look &look);
+    void wearTheme();
     void followDesktop();
     void openLinks();
     void makeWindow();
@@ -68,6 +69,7 @@ private:
     QApplication &m_qt;
     Options m_options;
     QFont m_systemFont;
+    QString m_themeName; ///< as it was chosen; empty: not yet
     SystemPalette m_palette;
     QTranslator m_translator;
     QTranslator m_qtTranslator;

@@ -75,6 +75,12 @@ HelpWindow &HelpDesk::open(const QString &topic)
     return HelpWindow::open(m_theme, m_window, topic);
 }
 
+QString HelpDesk::shown() const
+{
+    const auto *help = m_window.findChild<HelpWindow *>(QString(), Qt::FindDirectChildrenOnly);
+    return help && help->isVisible() ? help->topic() : QString();
+}
+
 QWidget *HelpDesk::makeButton(std::function<PageId()> shown, QWidget *parent)
 {
     auto *button = new IconButton(m_theme, Symbol::Help, tr("Help for this page"), parent);

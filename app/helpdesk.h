@@ -26,6 +26,8 @@ public:
     /// Of a form by the name of its class; empty where it has none.
     [[nodiscard]] static QString topicOfForm(const QWidget &form);
     HelpWindow &open(const QString &topic);
+    /// What the help shows now; empty: it is not open.
+    [[nodiscard]] QString shown() const;
     /// The `?` of a page; `shown` says which one.
     [[nodiscard]] QWidget *makeButton(std::function<PageId()> shown, QWidget *parent);
 

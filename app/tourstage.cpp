@@ -93,7 +93,7 @@ void TourStage::play(std::function<void(int)> ended)
 const DeviceView *TourStage::device(int DemoUnits::*unit) const
 {
     return firstOf(m_workbench.snapshot(), [unit](const DeviceView &view) {
-        return view.family->demo && view.identity.address == view.family->demo->*unit;
+        return isDemoUnit(*view.family, view.identity.address, unit);
     });
 }
 

@@ -30,7 +30,6 @@ PageId pageOf(Place place)
     case Place::Parameters: return PageId::Parameters;
     case Place::Tune: return PageId::Tune;
     case Place::Design: return PageId::Design;
-    case Place::Firmware: return PageId::Firmware;
     }
     return PageId::Overview;
 }
@@ -107,9 +106,6 @@ void Welcome::show(Place place)
     if (const DeviceView *device = m_guide->device())
         m_window.selection().select(device->id);
     m_window.showPage(pageOf(place));
-    if (place == Place::Firmware)
-        qobject_cast<FirmwarePage *>(m_window.page(PageId::Firmware))
-            ->loadImage(QStringLiteral(":/firmware/") + qt(storyFamily()->demo->image));
 }
 
 /// On the overview of a simulated bench that somebody sees for the first time.

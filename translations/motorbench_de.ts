@@ -660,6 +660,11 @@
         <comment>the name of this language in itself</comment>
         <translation>Deutsch</translation>
     </message>
+    <message>
+        <source>en</source>
+        <comment>the code of this language, as in the name of its file</comment>
+        <translation>de</translation>
+    </message>
 </context>
 <context>
     <name>LeapText</name>
@@ -1042,18 +1047,6 @@
         <translation>Die Scharf-Taste oben eine Sekunde halten (oder Strg+Umschalt+F12).</translation>
     </message>
     <message>
-        <source>Write</source>
-        <translation>Schreiben</translation>
-    </message>
-    <message>
-        <source>Prove</source>
-        <translation>Beweisen</translation>
-    </message>
-    <message>
-        <source>Wait until the unit answers with its new version. Nothing else counts as done.</source>
-        <translation>Warten, bis das Gerät mit der neuen Version antwortet. Nur das zählt als fertig.</translation>
-    </message>
-    <message>
         <source>775pro</source>
         <translation>775pro</translation>
     </message>
@@ -1078,18 +1071,6 @@
         <translation>Strom, Grenze gestrichelt</translation>
     </message>
     <message>
-        <source>Interrupted update</source>
-        <translation>Abgebrochenes Update</translation>
-    </message>
-    <message>
-        <source>Somebody cut its power while it was written. Give it firmware again.</source>
-        <translation>Jemand hat beim Schreiben den Strom genommen. Ihm wieder Firmware geben.</translation>
-    </message>
-    <message>
-        <source>flash pages, written from the last to the first</source>
-        <translation>Flash-Seiten, von der letzten zur ersten geschrieben</translation>
-    </message>
-    <message>
         <source>Click %1 in the list at the left. Everything that follows is about it.</source>
         <translation>%1 links in der Liste anklicken. Um ihn geht es ab jetzt.</translation>
     </message>
@@ -1100,10 +1081,6 @@
     <message>
         <source>On the page Parameters switch the current limit on (search: current_limit), set it to what the motor may have, and write.</source>
         <translation>Auf der Seite Parameter die Stromgrenze einschalten (suchen: current_limit), auf das setzen, was der Motor darf, und schreiben.</translation>
-    </message>
-    <message>
-        <source>Click %1 in the list at the left. It says: in bootloader.</source>
-        <translation>%1 links in der Liste anklicken. Dort steht: im Bootloader.</translation>
     </message>
     <message>
         <source>%1 overshoots: tame it in a minute</source>
@@ -1120,14 +1097,6 @@
     <message>
         <source>load 9 × rotor inertia · 4096 counts a turn · %1</source>
         <translation>Last 9 × Rotorträgheit · 4096 Schritte je Umdrehung · %1</translation>
-    </message>
-    <message>
-        <source>%1 has no program: bring it back</source>
-        <translation>%1 hat kein Programm: zurückholen</translation>
-    </message>
-    <message>
-        <source>waits in its bootloader · %1</source>
-        <translation>wartet im Bootloader · %1</translation>
     </message>
     <message>
         <source>15 s after its last change the unit stores by itself. Then press Store and prove on the page Parameters: done when the unit proves that its flash has the gains.</source>
@@ -1150,12 +1119,44 @@
         <translation>%2 auf der Seite Regler: der Spitzenstrom des Sprungs steht in der Tabelle.</translation>
     </message>
     <message>
-        <source>The demo image is loaded on the page Firmware. Press %2 and watch the pages arrive, the last one first.</source>
-        <translation>Das Demo-Abbild ist auf der Seite Firmware geladen. %2 drücken; die Seiten kommen an, die letzte zuerst.</translation>
-    </message>
-    <message>
         <source>the button</source>
         <translation>die Schaltfläche</translation>
+    </message>
+    <message>
+        <source>Arrive</source>
+        <translation>Ankommen</translation>
+    </message>
+    <message>
+        <source>What P makes of the last counts is less than friction. Enter among the gains %5 (a stiffer P overcomes it, and more D keeps it from swinging), and press %2 again: it rests within 5 counts of its target.</source>
+        <translation>Was P aus den letzten Schritten macht, ist weniger als die Reibung. Bei den Verstärkungen %5 eingeben (ein steiferes P überwindet sie, mehr D verhindert Schwingen) und noch einmal %2 drücken: er ruht höchstens 5 Schritte neben dem Ziel.</translation>
+    </message>
+    <message>
+        <source>%1 stops short: make it arrive</source>
+        <translation>%1 bleibt vor dem Ziel stehen: ans Ziel bringen</translation>
+    </message>
+    <message>
+        <source>N20 geared</source>
+        <translation>N20 mit Getriebe</translation>
+    </message>
+    <message>
+        <source>gear 75.81:1 · 32768 counts a turn · %1</source>
+        <translation>Getriebe 75,81:1 · 32768 Schritte je Umdrehung · %1</translation>
+    </message>
+    <message>
+        <source>This one stops about %4 counts short and stays there. Make it arrive.</source>
+        <translation>Dieser bleibt etwa %4 Schritte vor dem Ziel stehen, und dabei bleibt es. Ans Ziel bringen.</translation>
+    </message>
+    <message>
+        <source>position, set-point dashed</source>
+        <translation>Position, Sollwert gestrichelt</translation>
+    </message>
+    <message>
+        <source>On the page Tune choose Position: what is armed is armed for one mode. Then hold the Arm button at the top for one second (or Ctrl+Shift+F12).</source>
+        <translation>Auf der Seite Regler Position wählen: scharf ist ein Gerät für eine Betriebsart. Dann die Scharf-Taste oben eine Sekunde halten (oder Strg+Umschalt+F12).</translation>
+    </message>
+    <message>
+        <source>Enter %3 as the target (behind ▸) and press %2: the motor goes there and back, and stops about %4 counts short.</source>
+        <translation>Als Ziel (hinter ▸) %3 eingeben und %2 drücken: der Motor fährt hin und zurück und bleibt etwa %4 Schritte vor dem Ziel stehen.</translation>
     </message>
 </context>
 <context>
@@ -1252,6 +1253,193 @@
     <message>
         <source>off or on</source>
         <translation>aus oder ein</translation>
+    </message>
+</context>
+<context>
+    <name>drawings</name>
+    <message>
+        <source>3.3 V only</source>
+        <translation>nur 3,3 V</translation>
+    </message>
+    <message>
+        <source>57 600 or 115 200 bit/s</source>
+        <translation>57 600 oder 115 200 bit/s</translation>
+    </message>
+    <message>
+        <source>60 A, 100 A for 2 s</source>
+        <translation>60 A, für 2 s 100 A</translation>
+    </message>
+    <message>
+        <source>A, B, index</source>
+        <translation>A, B, Index</translation>
+    </message>
+    <message>
+        <source>Battery, 12 V</source>
+        <translation>Batterie, 12 V</translation>
+    </message>
+    <message>
+        <source>Breaker</source>
+        <translation>Sicherung</translation>
+    </message>
+    <message>
+        <source>Bridge and motor</source>
+        <translation>Brücke und Motor</translation>
+    </message>
+    <message>
+        <source>CAN adapter</source>
+        <translation>CAN-Adapter</translation>
+    </message>
+    <message>
+        <source>CAN high</source>
+        <translation>CAN High</translation>
+    </message>
+    <message>
+        <source>CAN low</source>
+        <translation>CAN Low</translation>
+    </message>
+    <message>
+        <source>Drive, offset 1</source>
+        <translation>Antrieb, Offset 1</translation>
+    </message>
+    <message>
+        <source>Drive, offset 2</source>
+        <translation>Antrieb, Offset 2</translation>
+    </message>
+    <message>
+        <source>Encoder board</source>
+        <translation>Encoderplatine</translation>
+    </message>
+    <message>
+        <source>GPIO in</source>
+        <translation>GPIO-Eingang</translation>
+    </message>
+    <message>
+        <source>GPIO out</source>
+        <translation>GPIO-Ausgang</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>Host</translation>
+    </message>
+    <message>
+        <source>J4 closed only for 3.3 V, before power</source>
+        <translation>J4 nur für 3,3 V zu, vor dem Einschalten</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>Motor</translation>
+    </message>
+    <message>
+        <source>Motor supply</source>
+        <translation>Motorversorgung</translation>
+    </message>
+    <message>
+        <source>P1 MISO · P2 Vcc · P3 SCK · P4 MOSI · P5 reset · P6 ground</source>
+        <translation>P1 MISO · P2 Vcc · P3 SCK · P4 MOSI · P5 Reset · P6 Masse</translation>
+    </message>
+    <message>
+        <source>PA4 current, PA3 heat</source>
+        <translation>PA4 Strom, PA3 Wärme</translation>
+    </message>
+    <message>
+        <source>Pads for a programmer</source>
+        <translation>Pads für ein Programmiergerät</translation>
+    </message>
+    <message>
+        <source>Programmer</source>
+        <translation>Programmiergerät</translation>
+    </message>
+    <message>
+        <source>STM32F1 or F4</source>
+        <translation>STM32F1 oder F4</translation>
+    </message>
+    <message>
+        <source>Supermodified, node 4</source>
+        <translation>Supermodified, Knoten 4</translation>
+    </message>
+    <message>
+        <source>Supermodified, node 5</source>
+        <translation>Supermodified, Knoten 5</translation>
+    </message>
+    <message>
+        <source>USB to RS-485</source>
+        <translation>USB auf RS-485</translation>
+    </message>
+    <message>
+        <source>a Raspberry Pi, say</source>
+        <translation>etwa ein Raspberry Pi</translation>
+    </message>
+    <message>
+        <source>and a switch</source>
+        <translation>und ein Schalter</translation>
+    </message>
+    <message>
+        <source>closed: bootloader</source>
+        <translation>zu: Bootloader</translation>
+    </message>
+    <message>
+        <source>each its own number</source>
+        <translation>jeder seine Nummer</translation>
+    </message>
+    <message>
+        <source>each its own offset</source>
+        <translation>jeder seinen Offset</translation>
+    </message>
+    <message>
+        <source>ground</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>ground in common</source>
+        <translation>gemeinsame Masse</translation>
+    </message>
+    <message>
+        <source>ground, 3.3 V</source>
+        <translation>Masse, 3,3 V</translation>
+    </message>
+    <message>
+        <source>motor, 6 A</source>
+        <translation>Motor, 6 A</translation>
+    </message>
+    <message>
+        <source>number 1 … 63</source>
+        <translation>Nummer 1 … 63</translation>
+    </message>
+    <message>
+        <source>on the computer</source>
+        <translation>am Rechner</translation>
+    </message>
+    <message>
+        <source>one host only</source>
+        <translation>nur ein Host</translation>
+    </message>
+    <message>
+        <source>or a supply that</source>
+        <translation>oder ein Netzteil,</translation>
+    </message>
+    <message>
+        <source>own driver</source>
+        <translation>eigener Treiber</translation>
+    </message>
+    <message>
+        <source>takes braking</source>
+        <translation>das Bremsen aufnimmt</translation>
+    </message>
+    <message>
+        <source>transceiver at PA11, PA12</source>
+        <translation>Transceiver an PA11, PA12</translation>
+    </message>
+    <message>
+        <source>up to 35 V</source>
+        <translation>bis 35 V</translation>
+    </message>
+    <message>
+        <source>with encoder</source>
+        <translation>mit Encoder</translation>
+    </message>
+    <message>
+        <source>within reach</source>
+        <translation>in Reichweite</translation>
     </message>
 </context>
 <context>
@@ -3702,6 +3890,14 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>peak current %1 A</source>
         <translation>Spitzenstrom %1 A</translation>
+    </message>
+    <message>
+        <source>%1 counts beside its target at first, %2 now</source>
+        <translation>erst %1 Schritte neben dem Ziel, jetzt %2</translation>
+    </message>
+    <message>
+        <source>%1 counts beside its target</source>
+        <translation>%1 Schritte neben dem Ziel</translation>
     </message>
 </context>
 <context>

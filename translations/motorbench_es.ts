@@ -660,6 +660,11 @@
         <comment>the name of this language in itself</comment>
         <translation>Español</translation>
     </message>
+    <message>
+        <source>en</source>
+        <comment>the code of this language, as in the name of its file</comment>
+        <translation>es</translation>
+    </message>
 </context>
 <context>
     <name>LeapText</name>
@@ -1062,22 +1067,6 @@
         <translation>15 s después de su último cambio, el equipo guarda por sí solo. Después pulse «Guardar y verificar» en la página Parámetros.</translation>
     </message>
     <message>
-        <source>Click %1 in the list at the left. It says: in bootloader.</source>
-        <translation>Haga clic en %1 en la lista de la izquierda. Dice: en bootloader.</translation>
-    </message>
-    <message>
-        <source>Write</source>
-        <translation>Escribir</translation>
-    </message>
-    <message>
-        <source>Prove</source>
-        <translation>Verificar</translation>
-    </message>
-    <message>
-        <source>Wait until the unit answers with its new version. Nothing else counts as done.</source>
-        <translation>Espere a que el equipo responda con su nueva versión. Solo eso cuenta como terminado.</translation>
-    </message>
-    <message>
         <source>%1 overshoots: tame it in a minute</source>
         <translation>%1 tiene sobreimpulso: dómelo en un minuto</translation>
     </message>
@@ -1118,26 +1107,6 @@
         <translation>corriente, límite a trazos</translation>
     </message>
     <message>
-        <source>%1 has no program: bring it back</source>
-        <translation>%1 no tiene programa: recupérelo</translation>
-    </message>
-    <message>
-        <source>Interrupted update</source>
-        <translation>Actualización interrumpida</translation>
-    </message>
-    <message>
-        <source>waits in its bootloader · %1</source>
-        <translation>espera en su bootloader · %1</translation>
-    </message>
-    <message>
-        <source>Somebody cut its power while it was written. Give it firmware again.</source>
-        <translation>Alguien le cortó la alimentación mientras se escribía. Devuélvale el firmware.</translation>
-    </message>
-    <message>
-        <source>flash pages, written from the last to the first</source>
-        <translation>páginas de flash, escritas de la última a la primera</translation>
-    </message>
-    <message>
         <source>Press %2: the motor steps to a speed and back, and the overshoot is measured.</source>
         <translation>Pulse %2: el motor salta a una velocidad y vuelve, y se mide el sobreimpulso.</translation>
     </message>
@@ -1150,12 +1119,44 @@
         <translation>Pulse %2 en la página Ajuste: la corriente de pico del escalón figura en su tabla.</translation>
     </message>
     <message>
-        <source>The demo image is loaded on the page Firmware. Press %2 and watch the pages arrive, the last one first.</source>
-        <translation>La imagen de demostración está cargada en la página Firmware. Pulse %2 y vea llegar las páginas, la última primero.</translation>
-    </message>
-    <message>
         <source>the button</source>
         <translation>el botón</translation>
+    </message>
+    <message>
+        <source>Arrive</source>
+        <translation>Llegar</translation>
+    </message>
+    <message>
+        <source>What P makes of the last counts is less than friction. Enter among the gains %5 (a stiffer P overcomes it, and more D keeps it from swinging), and press %2 again: it rests within 5 counts of its target.</source>
+        <translation>Lo que P saca de las últimas cuentas es menos que el rozamiento. Escriba en las ganancias %5 (una P más rígida lo vence, y más D impide que oscile) y pulse otra vez %2: queda a 5 cuentas de su destino como mucho.</translation>
+    </message>
+    <message>
+        <source>%1 stops short: make it arrive</source>
+        <translation>%1 se queda corto: hágalo llegar</translation>
+    </message>
+    <message>
+        <source>N20 geared</source>
+        <translation>N20 con reductora</translation>
+    </message>
+    <message>
+        <source>gear 75.81:1 · 32768 counts a turn · %1</source>
+        <translation>reductora 75,81:1 · 32768 cuentas por vuelta · %1</translation>
+    </message>
+    <message>
+        <source>This one stops about %4 counts short and stays there. Make it arrive.</source>
+        <translation>Este se detiene unas %4 cuentas antes y ahí se queda. Hágalo llegar.</translation>
+    </message>
+    <message>
+        <source>position, set-point dashed</source>
+        <translation>posición, consigna a trazos</translation>
+    </message>
+    <message>
+        <source>On the page Tune choose Position: what is armed is armed for one mode. Then hold the Arm button at the top for one second (or Ctrl+Shift+F12).</source>
+        <translation>En la página Ajuste elija Posición: lo armado lo está para un solo modo. Luego mantenga pulsado un segundo el botón Armar de arriba (o Ctrl+Mayús+F12).</translation>
+    </message>
+    <message>
+        <source>Enter %3 as the target (behind ▸) and press %2: the motor goes there and back, and stops about %4 counts short.</source>
+        <translation>Escriba %3 como destino (detrás de ▸) y pulse %2: el motor va y vuelve, y se detiene unas %4 cuentas antes.</translation>
     </message>
 </context>
 <context>
@@ -1252,6 +1253,193 @@
     <message>
         <source>off or on</source>
         <translation>apagado o encendido</translation>
+    </message>
+</context>
+<context>
+    <name>drawings</name>
+    <message>
+        <source>3.3 V only</source>
+        <translation>solo 3,3 V</translation>
+    </message>
+    <message>
+        <source>57 600 or 115 200 bit/s</source>
+        <translation>57 600 o 115 200 bit/s</translation>
+    </message>
+    <message>
+        <source>60 A, 100 A for 2 s</source>
+        <translation>60 A, 100 A durante 2 s</translation>
+    </message>
+    <message>
+        <source>A, B, index</source>
+        <translation>A, B, índice</translation>
+    </message>
+    <message>
+        <source>Battery, 12 V</source>
+        <translation>Batería, 12 V</translation>
+    </message>
+    <message>
+        <source>Breaker</source>
+        <translation>Disyuntor</translation>
+    </message>
+    <message>
+        <source>Bridge and motor</source>
+        <translation>Puente y motor</translation>
+    </message>
+    <message>
+        <source>CAN adapter</source>
+        <translation>Adaptador CAN</translation>
+    </message>
+    <message>
+        <source>CAN high</source>
+        <translation>CAN high</translation>
+    </message>
+    <message>
+        <source>CAN low</source>
+        <translation>CAN low</translation>
+    </message>
+    <message>
+        <source>Drive, offset 1</source>
+        <translation>Accionamiento, offset 1</translation>
+    </message>
+    <message>
+        <source>Drive, offset 2</source>
+        <translation>Accionamiento, offset 2</translation>
+    </message>
+    <message>
+        <source>Encoder board</source>
+        <translation>Placa del encoder</translation>
+    </message>
+    <message>
+        <source>GPIO in</source>
+        <translation>entrada GPIO</translation>
+    </message>
+    <message>
+        <source>GPIO out</source>
+        <translation>salida GPIO</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>Anfitrión</translation>
+    </message>
+    <message>
+        <source>J4 closed only for 3.3 V, before power</source>
+        <translation>J4 cerrado solo para 3,3 V, sin tensión</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>Motor</translation>
+    </message>
+    <message>
+        <source>Motor supply</source>
+        <translation>Alimentación del motor</translation>
+    </message>
+    <message>
+        <source>P1 MISO · P2 Vcc · P3 SCK · P4 MOSI · P5 reset · P6 ground</source>
+        <translation>P1 MISO · P2 Vcc · P3 SCK · P4 MOSI · P5 reset · P6 masa</translation>
+    </message>
+    <message>
+        <source>PA4 current, PA3 heat</source>
+        <translation>PA4 corriente, PA3 calor</translation>
+    </message>
+    <message>
+        <source>Pads for a programmer</source>
+        <translation>Pads para un programador</translation>
+    </message>
+    <message>
+        <source>Programmer</source>
+        <translation>Programador</translation>
+    </message>
+    <message>
+        <source>STM32F1 or F4</source>
+        <translation>STM32F1 o F4</translation>
+    </message>
+    <message>
+        <source>Supermodified, node 4</source>
+        <translation>Supermodified, nodo 4</translation>
+    </message>
+    <message>
+        <source>Supermodified, node 5</source>
+        <translation>Supermodified, nodo 5</translation>
+    </message>
+    <message>
+        <source>USB to RS-485</source>
+        <translation>USB a RS-485</translation>
+    </message>
+    <message>
+        <source>a Raspberry Pi, say</source>
+        <translation>p. ej. una Raspberry Pi</translation>
+    </message>
+    <message>
+        <source>and a switch</source>
+        <translation>y un interruptor</translation>
+    </message>
+    <message>
+        <source>closed: bootloader</source>
+        <translation>cerrado: bootloader</translation>
+    </message>
+    <message>
+        <source>each its own number</source>
+        <translation>cada uno su número</translation>
+    </message>
+    <message>
+        <source>each its own offset</source>
+        <translation>cada uno su offset</translation>
+    </message>
+    <message>
+        <source>ground</source>
+        <translation>masa</translation>
+    </message>
+    <message>
+        <source>ground in common</source>
+        <translation>masa común</translation>
+    </message>
+    <message>
+        <source>ground, 3.3 V</source>
+        <translation>masa, 3,3 V</translation>
+    </message>
+    <message>
+        <source>motor, 6 A</source>
+        <translation>motor, 6 A</translation>
+    </message>
+    <message>
+        <source>number 1 … 63</source>
+        <translation>número 1 … 63</translation>
+    </message>
+    <message>
+        <source>on the computer</source>
+        <translation>en el ordenador</translation>
+    </message>
+    <message>
+        <source>one host only</source>
+        <translation>un solo anfitrión</translation>
+    </message>
+    <message>
+        <source>or a supply that</source>
+        <translation>o una fuente que</translation>
+    </message>
+    <message>
+        <source>own driver</source>
+        <translation>etapa propia</translation>
+    </message>
+    <message>
+        <source>takes braking</source>
+        <translation>absorba el frenado</translation>
+    </message>
+    <message>
+        <source>transceiver at PA11, PA12</source>
+        <translation>transceptor en PA11, PA12</translation>
+    </message>
+    <message>
+        <source>up to 35 V</source>
+        <translation>hasta 35 V</translation>
+    </message>
+    <message>
+        <source>with encoder</source>
+        <translation>con encoder</translation>
+    </message>
+    <message>
+        <source>within reach</source>
+        <translation>al alcance</translation>
     </message>
 </context>
 <context>
@@ -3702,6 +3890,14 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     <message>
         <source>peak current %1 A</source>
         <translation>corriente de pico %1 A</translation>
+    </message>
+    <message>
+        <source>%1 counts beside its target at first, %2 now</source>
+        <translation>a %1 cuentas de su destino al principio, a %2 ahora</translation>
+    </message>
+    <message>
+        <source>%1 counts beside its target</source>
+        <translation>a %1 cuentas de su destino</translation>
     </message>
 </context>
 <context>

@@ -660,6 +660,11 @@
         <comment>the name of this language in itself</comment>
         <translation>Français</translation>
     </message>
+    <message>
+        <source>en</source>
+        <comment>the code of this language, as in the name of its file</comment>
+        <translation>fr</translation>
+    </message>
 </context>
 <context>
     <name>LeapText</name>
@@ -1062,22 +1067,6 @@
         <translation>15 s après sa dernière modification, l’appareil mémorise de lui-même. Appuyez ensuite sur « Mémoriser et vérifier » à la page Paramètres.</translation>
     </message>
     <message>
-        <source>Click %1 in the list at the left. It says: in bootloader.</source>
-        <translation>Cliquez sur %1 dans la liste à gauche. Il y est écrit&#xa0;: dans le bootloader.</translation>
-    </message>
-    <message>
-        <source>Write</source>
-        <translation>Écrire</translation>
-    </message>
-    <message>
-        <source>Prove</source>
-        <translation>Vérifier</translation>
-    </message>
-    <message>
-        <source>Wait until the unit answers with its new version. Nothing else counts as done.</source>
-        <translation>Attendez que l’appareil réponde avec sa nouvelle version. Rien d’autre ne compte comme terminé.</translation>
-    </message>
-    <message>
         <source>%1 overshoots: tame it in a minute</source>
         <translation>%1 dépasse&#xa0;: domptez-le en une minute</translation>
     </message>
@@ -1118,26 +1107,6 @@
         <translation>courant, limite en tirets</translation>
     </message>
     <message>
-        <source>%1 has no program: bring it back</source>
-        <translation>%1 n’a pas de programme&#xa0;: remettez-le en service</translation>
-    </message>
-    <message>
-        <source>Interrupted update</source>
-        <translation>Mise à jour interrompue</translation>
-    </message>
-    <message>
-        <source>waits in its bootloader · %1</source>
-        <translation>attend dans son bootloader · %1</translation>
-    </message>
-    <message>
-        <source>Somebody cut its power while it was written. Give it firmware again.</source>
-        <translation>Quelqu’un a coupé son alimentation pendant l’écriture. Redonnez-lui un firmware.</translation>
-    </message>
-    <message>
-        <source>flash pages, written from the last to the first</source>
-        <translation>pages de flash, écrites de la dernière à la première</translation>
-    </message>
-    <message>
         <source>Press %2: the motor steps to a speed and back, and the overshoot is measured.</source>
         <translation>Appuyez sur %2 : le moteur fait un échelon de vitesse et revient, et le dépassement est mesuré.</translation>
     </message>
@@ -1150,12 +1119,44 @@
         <translation>Appuyez sur %2 dans la page Réglage : le courant de pointe de l’échelon figure dans son tableau.</translation>
     </message>
     <message>
-        <source>The demo image is loaded on the page Firmware. Press %2 and watch the pages arrive, the last one first.</source>
-        <translation>L’image de démo est chargée dans la page Firmware. Appuyez sur %2 et regardez arriver les pages, la dernière en premier.</translation>
-    </message>
-    <message>
         <source>the button</source>
         <translation>le bouton</translation>
+    </message>
+    <message>
+        <source>Arrive</source>
+        <translation>Arriver</translation>
+    </message>
+    <message>
+        <source>What P makes of the last counts is less than friction. Enter among the gains %5 (a stiffer P overcomes it, and more D keeps it from swinging), and press %2 again: it rests within 5 counts of its target.</source>
+        <translation>Ce que P tire des derniers incréments est moindre que le frottement. Entrez parmi les gains %5 (un P plus raide le vainc, davantage de D l’empêche d’osciller) et appuyez de nouveau sur %2 : il s’arrête à 5 incréments de sa cible au plus.</translation>
+    </message>
+    <message>
+        <source>%1 stops short: make it arrive</source>
+        <translation>%1 s’arrête avant la cible : faites-le arriver</translation>
+    </message>
+    <message>
+        <source>N20 geared</source>
+        <translation>N20 avec réducteur</translation>
+    </message>
+    <message>
+        <source>gear 75.81:1 · 32768 counts a turn · %1</source>
+        <translation>réducteur 75,81:1 · 32768 incréments par tour · %1</translation>
+    </message>
+    <message>
+        <source>This one stops about %4 counts short and stays there. Make it arrive.</source>
+        <translation>Celui-ci s’arrête environ %4 incréments avant la cible et y reste. Faites-le arriver.</translation>
+    </message>
+    <message>
+        <source>position, set-point dashed</source>
+        <translation>position, consigne en tirets</translation>
+    </message>
+    <message>
+        <source>On the page Tune choose Position: what is armed is armed for one mode. Then hold the Arm button at the top for one second (or Ctrl+Shift+F12).</source>
+        <translation>Dans la page Réglage, choisissez Position : ce qui est armé l’est pour un seul mode. Maintenez ensuite le bouton Armer en haut pendant une seconde (ou Ctrl+Maj+F12).</translation>
+    </message>
+    <message>
+        <source>Enter %3 as the target (behind ▸) and press %2: the motor goes there and back, and stops about %4 counts short.</source>
+        <translation>Entrez %3 comme cible (derrière ▸) et appuyez sur %2 : le moteur y va et revient, et s’arrête environ %4 incréments avant.</translation>
     </message>
 </context>
 <context>
@@ -1252,6 +1253,193 @@
     <message>
         <source>off or on</source>
         <translation>arrêt ou marche</translation>
+    </message>
+</context>
+<context>
+    <name>drawings</name>
+    <message>
+        <source>3.3 V only</source>
+        <translation>3,3 V seulement</translation>
+    </message>
+    <message>
+        <source>57 600 or 115 200 bit/s</source>
+        <translation>57 600 ou 115 200 bit/s</translation>
+    </message>
+    <message>
+        <source>60 A, 100 A for 2 s</source>
+        <translation>60 A, 100 A pendant 2 s</translation>
+    </message>
+    <message>
+        <source>A, B, index</source>
+        <translation>A, B, index</translation>
+    </message>
+    <message>
+        <source>Battery, 12 V</source>
+        <translation>Batterie, 12 V</translation>
+    </message>
+    <message>
+        <source>Breaker</source>
+        <translation>Disjoncteur</translation>
+    </message>
+    <message>
+        <source>Bridge and motor</source>
+        <translation>Pont et moteur</translation>
+    </message>
+    <message>
+        <source>CAN adapter</source>
+        <translation>Adaptateur CAN</translation>
+    </message>
+    <message>
+        <source>CAN high</source>
+        <translation>CAN high</translation>
+    </message>
+    <message>
+        <source>CAN low</source>
+        <translation>CAN low</translation>
+    </message>
+    <message>
+        <source>Drive, offset 1</source>
+        <translation>Variateur, offset 1</translation>
+    </message>
+    <message>
+        <source>Drive, offset 2</source>
+        <translation>Variateur, offset 2</translation>
+    </message>
+    <message>
+        <source>Encoder board</source>
+        <translation>Carte du codeur</translation>
+    </message>
+    <message>
+        <source>GPIO in</source>
+        <translation>entrée GPIO</translation>
+    </message>
+    <message>
+        <source>GPIO out</source>
+        <translation>sortie GPIO</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>Hôte</translation>
+    </message>
+    <message>
+        <source>J4 closed only for 3.3 V, before power</source>
+        <translation>J4 fermé pour 3,3 V seulement, hors tension</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>Moteur</translation>
+    </message>
+    <message>
+        <source>Motor supply</source>
+        <translation>Alimentation moteur</translation>
+    </message>
+    <message>
+        <source>P1 MISO · P2 Vcc · P3 SCK · P4 MOSI · P5 reset · P6 ground</source>
+        <translation>P1 MISO · P2 Vcc · P3 SCK · P4 MOSI · P5 reset · P6 masse</translation>
+    </message>
+    <message>
+        <source>PA4 current, PA3 heat</source>
+        <translation>PA4 courant, PA3 chaleur</translation>
+    </message>
+    <message>
+        <source>Pads for a programmer</source>
+        <translation>Pastilles pour un programmateur</translation>
+    </message>
+    <message>
+        <source>Programmer</source>
+        <translation>Programmateur</translation>
+    </message>
+    <message>
+        <source>STM32F1 or F4</source>
+        <translation>STM32F1 ou F4</translation>
+    </message>
+    <message>
+        <source>Supermodified, node 4</source>
+        <translation>Supermodified, nœud 4</translation>
+    </message>
+    <message>
+        <source>Supermodified, node 5</source>
+        <translation>Supermodified, nœud 5</translation>
+    </message>
+    <message>
+        <source>USB to RS-485</source>
+        <translation>USB vers RS-485</translation>
+    </message>
+    <message>
+        <source>a Raspberry Pi, say</source>
+        <translation>un Raspberry Pi, p. ex.</translation>
+    </message>
+    <message>
+        <source>and a switch</source>
+        <translation>et un interrupteur</translation>
+    </message>
+    <message>
+        <source>closed: bootloader</source>
+        <translation>fermé : bootloader</translation>
+    </message>
+    <message>
+        <source>each its own number</source>
+        <translation>chacun son numéro</translation>
+    </message>
+    <message>
+        <source>each its own offset</source>
+        <translation>chacun son offset</translation>
+    </message>
+    <message>
+        <source>ground</source>
+        <translation>masse</translation>
+    </message>
+    <message>
+        <source>ground in common</source>
+        <translation>masse commune</translation>
+    </message>
+    <message>
+        <source>ground, 3.3 V</source>
+        <translation>masse, 3,3 V</translation>
+    </message>
+    <message>
+        <source>motor, 6 A</source>
+        <translation>moteur, 6 A</translation>
+    </message>
+    <message>
+        <source>number 1 … 63</source>
+        <translation>numéro 1 … 63</translation>
+    </message>
+    <message>
+        <source>on the computer</source>
+        <translation>sur l’ordinateur</translation>
+    </message>
+    <message>
+        <source>one host only</source>
+        <translation>un seul hôte</translation>
+    </message>
+    <message>
+        <source>or a supply that</source>
+        <translation>ou alimentation qui</translation>
+    </message>
+    <message>
+        <source>own driver</source>
+        <translation>étage à part</translation>
+    </message>
+    <message>
+        <source>takes braking</source>
+        <translation>absorbe le freinage</translation>
+    </message>
+    <message>
+        <source>transceiver at PA11, PA12</source>
+        <translation>transceiver sur PA11, PA12</translation>
+    </message>
+    <message>
+        <source>up to 35 V</source>
+        <translation>jusqu’à 35 V</translation>
+    </message>
+    <message>
+        <source>with encoder</source>
+        <translation>avec codeur</translation>
+    </message>
+    <message>
+        <source>within reach</source>
+        <translation>à portée de main</translation>
     </message>
 </context>
 <context>
@@ -3702,6 +3890,14 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     <message>
         <source>peak current %1 A</source>
         <translation>courant de pointe %1 A</translation>
+    </message>
+    <message>
+        <source>%1 counts beside its target at first, %2 now</source>
+        <translation>à %1 incréments de sa cible d’abord, à %2 maintenant</translation>
+    </message>
+    <message>
+        <source>%1 counts beside its target</source>
+        <translation>à %1 incréments de sa cible</translation>
     </message>
 </context>
 <context>

@@ -660,6 +660,11 @@
         <comment>the name of this language in itself</comment>
         <translation>日本語</translation>
     </message>
+    <message>
+        <source>en</source>
+        <comment>the code of this language, as in the name of its file</comment>
+        <translation>ja</translation>
+    </message>
 </context>
 <context>
     <name>LeapText</name>
@@ -1061,22 +1066,6 @@
         <translation>最後の変更から 15 s 後に機器は自動で保存します。その後、「パラメータ」ページで「保存して検証」を押してください。</translation>
     </message>
     <message>
-        <source>Click %1 in the list at the left. It says: in bootloader.</source>
-        <translation>左のリストで %1 をクリックします。「ブートローダ中」と表示されています。</translation>
-    </message>
-    <message>
-        <source>Write</source>
-        <translation>書込み</translation>
-    </message>
-    <message>
-        <source>Prove</source>
-        <translation>検証</translation>
-    </message>
-    <message>
-        <source>Wait until the unit answers with its new version. Nothing else counts as done.</source>
-        <translation>機器が新しいバージョンで応答するまで待ちます。それ以外は完了とみなしません。</translation>
-    </message>
-    <message>
         <source>%1 overshoots: tame it in a minute</source>
         <translation>%1 がオーバーシュート: 1 分で抑える</translation>
     </message>
@@ -1117,26 +1106,6 @@
         <translation>電流、破線は制限値</translation>
     </message>
     <message>
-        <source>%1 has no program: bring it back</source>
-        <translation>%1 にプログラムなし: 復旧する</translation>
-    </message>
-    <message>
-        <source>Interrupted update</source>
-        <translation>中断された更新</translation>
-    </message>
-    <message>
-        <source>waits in its bootloader · %1</source>
-        <translation>ブートローダで待機中 · %1</translation>
-    </message>
-    <message>
-        <source>Somebody cut its power while it was written. Give it firmware again.</source>
-        <translation>書込み中に電源が切られました。ファームウェアを書き直しましょう。</translation>
-    </message>
-    <message>
-        <source>flash pages, written from the last to the first</source>
-        <translation>フラッシュページ、最後から最初へ書込み</translation>
-    </message>
-    <message>
         <source>Press %2: the motor steps to a speed and back, and the overshoot is measured.</source>
         <translation>%2 を押します: モーターがある速度までステップ応答して戻り、オーバーシュートが測定されます。</translation>
     </message>
@@ -1149,12 +1118,44 @@
         <translation>「調整」ページで %2 を押します: ステップのピーク電流が表に表示されます。</translation>
     </message>
     <message>
-        <source>The demo image is loaded on the page Firmware. Press %2 and watch the pages arrive, the last one first.</source>
-        <translation>デモイメージは「ファームウェア」ページに読み込み済みです。%2 を押すと、最後のページから順に書き込まれます。</translation>
-    </message>
-    <message>
         <source>the button</source>
         <translation>ボタン</translation>
+    </message>
+    <message>
+        <source>Arrive</source>
+        <translation>到達</translation>
+    </message>
+    <message>
+        <source>What P makes of the last counts is less than friction. Enter among the gains %5 (a stiffer P overcomes it, and more D keeps it from swinging), and press %2 again: it rests within 5 counts of its target.</source>
+        <translation>最後の数カウントで P が出す力は摩擦に足りません。ゲインに %5 を入力し (P を上げると摩擦に勝ち、D を上げると振動しません)、もう一度 %2 を押します: 目標から 5 カウント以内で止まります。</translation>
+    </message>
+    <message>
+        <source>%1 stops short: make it arrive</source>
+        <translation>%1 が手前で止まる: 目標まで届かせる</translation>
+    </message>
+    <message>
+        <source>N20 geared</source>
+        <translation>ギア付き N20</translation>
+    </message>
+    <message>
+        <source>gear 75.81:1 · 32768 counts a turn · %1</source>
+        <translation>ギア 75.81:1 · 1 回転 32768 カウント · %1</translation>
+    </message>
+    <message>
+        <source>This one stops about %4 counts short and stays there. Make it arrive.</source>
+        <translation>約 %4 カウント手前で止まったままになります。目標まで届かせましょう。</translation>
+    </message>
+    <message>
+        <source>position, set-point dashed</source>
+        <translation>位置、破線は目標値</translation>
+    </message>
+    <message>
+        <source>On the page Tune choose Position: what is armed is armed for one mode. Then hold the Arm button at the top for one second (or Ctrl+Shift+F12).</source>
+        <translation>「調整」ページで位置を選びます: 駆動許可は一つのモードにだけ有効です。次に上部の駆動許可ボタンを 1 秒間押し続けます (または Ctrl+Shift+F12)。</translation>
+    </message>
+    <message>
+        <source>Enter %3 as the target (behind ▸) and press %2: the motor goes there and back, and stops about %4 counts short.</source>
+        <translation>目標 (▸ の後) に %3 を入力して %2 を押します: モータは往復し、約 %4 カウント手前で止まります。</translation>
     </message>
 </context>
 <context>
@@ -1251,6 +1252,193 @@
     <message>
         <source>off or on</source>
         <translation>オフまたはオン</translation>
+    </message>
+</context>
+<context>
+    <name>drawings</name>
+    <message>
+        <source>3.3 V only</source>
+        <translation>3.3 V 専用</translation>
+    </message>
+    <message>
+        <source>57 600 or 115 200 bit/s</source>
+        <translation>57 600 または 115 200 bit/s</translation>
+    </message>
+    <message>
+        <source>60 A, 100 A for 2 s</source>
+        <translation>60 A、2 s 間は 100 A</translation>
+    </message>
+    <message>
+        <source>A, B, index</source>
+        <translation>A、B、インデックス</translation>
+    </message>
+    <message>
+        <source>Battery, 12 V</source>
+        <translation>バッテリー、12 V</translation>
+    </message>
+    <message>
+        <source>Breaker</source>
+        <translation>ブレーカー</translation>
+    </message>
+    <message>
+        <source>Bridge and motor</source>
+        <translation>ブリッジとモータ</translation>
+    </message>
+    <message>
+        <source>CAN adapter</source>
+        <translation>CAN アダプタ</translation>
+    </message>
+    <message>
+        <source>CAN high</source>
+        <translation>CAN High</translation>
+    </message>
+    <message>
+        <source>CAN low</source>
+        <translation>CAN Low</translation>
+    </message>
+    <message>
+        <source>Drive, offset 1</source>
+        <translation>ドライブ、オフセット 1</translation>
+    </message>
+    <message>
+        <source>Drive, offset 2</source>
+        <translation>ドライブ、オフセット 2</translation>
+    </message>
+    <message>
+        <source>Encoder board</source>
+        <translation>エンコーダ基板</translation>
+    </message>
+    <message>
+        <source>GPIO in</source>
+        <translation>GPIO 入力</translation>
+    </message>
+    <message>
+        <source>GPIO out</source>
+        <translation>GPIO 出力</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>ホスト</translation>
+    </message>
+    <message>
+        <source>J4 closed only for 3.3 V, before power</source>
+        <translation>J4 は 3.3 V のときだけ、通電前に閉じる</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>モータ</translation>
+    </message>
+    <message>
+        <source>Motor supply</source>
+        <translation>モータ電源</translation>
+    </message>
+    <message>
+        <source>P1 MISO · P2 Vcc · P3 SCK · P4 MOSI · P5 reset · P6 ground</source>
+        <translation>P1 MISO · P2 Vcc · P3 SCK · P4 MOSI · P5 リセット · P6 グラウンド</translation>
+    </message>
+    <message>
+        <source>PA4 current, PA3 heat</source>
+        <translation>PA4 電流、PA3 温度</translation>
+    </message>
+    <message>
+        <source>Pads for a programmer</source>
+        <translation>プログラマ用パッド</translation>
+    </message>
+    <message>
+        <source>Programmer</source>
+        <translation>プログラマ</translation>
+    </message>
+    <message>
+        <source>STM32F1 or F4</source>
+        <translation>STM32F1 または F4</translation>
+    </message>
+    <message>
+        <source>Supermodified, node 4</source>
+        <translation>Supermodified、ノード 4</translation>
+    </message>
+    <message>
+        <source>Supermodified, node 5</source>
+        <translation>Supermodified、ノード 5</translation>
+    </message>
+    <message>
+        <source>USB to RS-485</source>
+        <translation>USB – RS-485</translation>
+    </message>
+    <message>
+        <source>a Raspberry Pi, say</source>
+        <translation>例: Raspberry Pi</translation>
+    </message>
+    <message>
+        <source>and a switch</source>
+        <translation>とスイッチを</translation>
+    </message>
+    <message>
+        <source>closed: bootloader</source>
+        <translation>閉: ブートローダ</translation>
+    </message>
+    <message>
+        <source>each its own number</source>
+        <translation>それぞれ別の番号</translation>
+    </message>
+    <message>
+        <source>each its own offset</source>
+        <translation>それぞれ別のオフセット</translation>
+    </message>
+    <message>
+        <source>ground</source>
+        <translation>グラウンド</translation>
+    </message>
+    <message>
+        <source>ground in common</source>
+        <translation>グラウンド共通</translation>
+    </message>
+    <message>
+        <source>ground, 3.3 V</source>
+        <translation>グラウンド、3.3 V</translation>
+    </message>
+    <message>
+        <source>motor, 6 A</source>
+        <translation>モータ、6 A</translation>
+    </message>
+    <message>
+        <source>number 1 … 63</source>
+        <translation>番号 1 … 63</translation>
+    </message>
+    <message>
+        <source>on the computer</source>
+        <translation>コンピュータに接続</translation>
+    </message>
+    <message>
+        <source>one host only</source>
+        <translation>ホストは 1 台だけ</translation>
+    </message>
+    <message>
+        <source>or a supply that</source>
+        <translation>または回生を</translation>
+    </message>
+    <message>
+        <source>own driver</source>
+        <translation>専用ドライバ</translation>
+    </message>
+    <message>
+        <source>takes braking</source>
+        <translation>吸収できる電源</translation>
+    </message>
+    <message>
+        <source>transceiver at PA11, PA12</source>
+        <translation>PA11、PA12 にトランシーバ</translation>
+    </message>
+    <message>
+        <source>up to 35 V</source>
+        <translation>35 V まで</translation>
+    </message>
+    <message>
+        <source>with encoder</source>
+        <translation>エンコーダ付き</translation>
+    </message>
+    <message>
+        <source>within reach</source>
+        <translation>手の届く所に</translation>
     </message>
 </context>
 <context>
@@ -3699,6 +3887,14 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>peak current %1 A</source>
         <translation>ピーク電流 %1 A</translation>
+    </message>
+    <message>
+        <source>%1 counts beside its target at first, %2 now</source>
+        <translation>目標との差 当初 %1 カウント、現在 %2</translation>
+    </message>
+    <message>
+        <source>%1 counts beside its target</source>
+        <translation>目標との差 %1 カウント</translation>
     </message>
 </context>
 <context>

@@ -660,6 +660,11 @@
         <comment>the name of this language in itself</comment>
         <translation>简体中文</translation>
     </message>
+    <message>
+        <source>en</source>
+        <comment>the code of this language, as in the name of its file</comment>
+        <translation>zh</translation>
+    </message>
 </context>
 <context>
     <name>LeapText</name>
@@ -1061,22 +1066,6 @@
         <translation>最后一次更改后 15 s，设备会自行存储。然后在“参数”页面按“存储并验证”。</translation>
     </message>
     <message>
-        <source>Click %1 in the list at the left. It says: in bootloader.</source>
-        <translation>在左侧列表中单击 %1。它显示：处于引导程序。</translation>
-    </message>
-    <message>
-        <source>Write</source>
-        <translation>写入</translation>
-    </message>
-    <message>
-        <source>Prove</source>
-        <translation>验证</translation>
-    </message>
-    <message>
-        <source>Wait until the unit answers with its new version. Nothing else counts as done.</source>
-        <translation>等待设备以新版本应答。除此之外都不算完成。</translation>
-    </message>
-    <message>
         <source>%1 overshoots: tame it in a minute</source>
         <translation>%1 超调：一分钟内驯服它</translation>
     </message>
@@ -1117,26 +1106,6 @@
         <translation>电流，限值为虚线</translation>
     </message>
     <message>
-        <source>%1 has no program: bring it back</source>
-        <translation>%1 没有程序：将其恢复</translation>
-    </message>
-    <message>
-        <source>Interrupted update</source>
-        <translation>中断的更新</translation>
-    </message>
-    <message>
-        <source>waits in its bootloader · %1</source>
-        <translation>在引导程序中等待 · %1</translation>
-    </message>
-    <message>
-        <source>Somebody cut its power while it was written. Give it firmware again.</source>
-        <translation>写入期间有人切断了它的电源。请重新为它写入固件。</translation>
-    </message>
-    <message>
-        <source>flash pages, written from the last to the first</source>
-        <translation>闪存页，从最后一页写到第一页</translation>
-    </message>
-    <message>
         <source>Press %2: the motor steps to a speed and back, and the overshoot is measured.</source>
         <translation>按 %2：电机阶跃到某一速度再返回，并测量超调量。</translation>
     </message>
@@ -1149,12 +1118,44 @@
         <translation>在“整定”页面按 %2：阶跃的峰值电流显示在表格中。</translation>
     </message>
     <message>
-        <source>The demo image is loaded on the page Firmware. Press %2 and watch the pages arrive, the last one first.</source>
-        <translation>演示映像已加载到“固件”页面。按 %2，观察各页依次写入，最后一页最先。</translation>
-    </message>
-    <message>
         <source>the button</source>
         <translation>按钮</translation>
+    </message>
+    <message>
+        <source>Arrive</source>
+        <translation>到位</translation>
+    </message>
+    <message>
+        <source>What P makes of the last counts is less than friction. Enter among the gains %5 (a stiffer P overcomes it, and more D keeps it from swinging), and press %2 again: it rests within 5 counts of its target.</source>
+        <translation>最后几个计数上 P 产生的输出小于摩擦力。在增益中输入 %5（更大的 P 能克服摩擦，更大的 D 防止振荡），再按 %2：电机停在距目标 5 个计数以内。</translation>
+    </message>
+    <message>
+        <source>%1 stops short: make it arrive</source>
+        <translation>%1 停在目标之前：让它到位</translation>
+    </message>
+    <message>
+        <source>N20 geared</source>
+        <translation>带减速箱的 N20</translation>
+    </message>
+    <message>
+        <source>gear 75.81:1 · 32768 counts a turn · %1</source>
+        <translation>减速比 75.81:1 · 每转 32768 个计数 · %1</translation>
+    </message>
+    <message>
+        <source>This one stops about %4 counts short and stays there. Make it arrive.</source>
+        <translation>这台电机停在目标前约 %4 个计数处，不再移动。请让它到位。</translation>
+    </message>
+    <message>
+        <source>position, set-point dashed</source>
+        <translation>位置，设定值为虚线</translation>
+    </message>
+    <message>
+        <source>On the page Tune choose Position: what is armed is armed for one mode. Then hold the Arm button at the top for one second (or Ctrl+Shift+F12).</source>
+        <translation>在“整定”页面选择位置：解锁只对一种模式有效。然后按住顶部的解锁按钮一秒钟（或按 Ctrl+Shift+F12）。</translation>
+    </message>
+    <message>
+        <source>Enter %3 as the target (behind ▸) and press %2: the motor goes there and back, and stops about %4 counts short.</source>
+        <translation>在目标处（▸ 之后）输入 %3，然后按 %2：电机往返一次，并停在目标前约 %4 个计数处。</translation>
     </message>
 </context>
 <context>
@@ -1251,6 +1252,193 @@
     <message>
         <source>off or on</source>
         <translation>关或开</translation>
+    </message>
+</context>
+<context>
+    <name>drawings</name>
+    <message>
+        <source>3.3 V only</source>
+        <translation>只能用 3.3 V</translation>
+    </message>
+    <message>
+        <source>57 600 or 115 200 bit/s</source>
+        <translation>57 600 或 115 200 bit/s</translation>
+    </message>
+    <message>
+        <source>60 A, 100 A for 2 s</source>
+        <translation>60 A，2 s 内 100 A</translation>
+    </message>
+    <message>
+        <source>A, B, index</source>
+        <translation>A、B、索引</translation>
+    </message>
+    <message>
+        <source>Battery, 12 V</source>
+        <translation>电池，12 V</translation>
+    </message>
+    <message>
+        <source>Breaker</source>
+        <translation>断路器</translation>
+    </message>
+    <message>
+        <source>Bridge and motor</source>
+        <translation>桥和电机</translation>
+    </message>
+    <message>
+        <source>CAN adapter</source>
+        <translation>CAN 适配器</translation>
+    </message>
+    <message>
+        <source>CAN high</source>
+        <translation>CAN 高</translation>
+    </message>
+    <message>
+        <source>CAN low</source>
+        <translation>CAN 低</translation>
+    </message>
+    <message>
+        <source>Drive, offset 1</source>
+        <translation>驱动器，offset 1</translation>
+    </message>
+    <message>
+        <source>Drive, offset 2</source>
+        <translation>驱动器，offset 2</translation>
+    </message>
+    <message>
+        <source>Encoder board</source>
+        <translation>编码器板</translation>
+    </message>
+    <message>
+        <source>GPIO in</source>
+        <translation>GPIO 输入</translation>
+    </message>
+    <message>
+        <source>GPIO out</source>
+        <translation>GPIO 输出</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>主机</translation>
+    </message>
+    <message>
+        <source>J4 closed only for 3.3 V, before power</source>
+        <translation>J4 仅在 3.3 V 时闭合，且须先于上电</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>电机</translation>
+    </message>
+    <message>
+        <source>Motor supply</source>
+        <translation>电机电源</translation>
+    </message>
+    <message>
+        <source>P1 MISO · P2 Vcc · P3 SCK · P4 MOSI · P5 reset · P6 ground</source>
+        <translation>P1 MISO · P2 Vcc · P3 SCK · P4 MOSI · P5 复位 · P6 地</translation>
+    </message>
+    <message>
+        <source>PA4 current, PA3 heat</source>
+        <translation>PA4 电流，PA3 温度</translation>
+    </message>
+    <message>
+        <source>Pads for a programmer</source>
+        <translation>编程器焊盘</translation>
+    </message>
+    <message>
+        <source>Programmer</source>
+        <translation>编程器</translation>
+    </message>
+    <message>
+        <source>STM32F1 or F4</source>
+        <translation>STM32F1 或 F4</translation>
+    </message>
+    <message>
+        <source>Supermodified, node 4</source>
+        <translation>Supermodified，节点 4</translation>
+    </message>
+    <message>
+        <source>Supermodified, node 5</source>
+        <translation>Supermodified，节点 5</translation>
+    </message>
+    <message>
+        <source>USB to RS-485</source>
+        <translation>USB 转 RS-485</translation>
+    </message>
+    <message>
+        <source>a Raspberry Pi, say</source>
+        <translation>例如 Raspberry Pi</translation>
+    </message>
+    <message>
+        <source>and a switch</source>
+        <translation>和开关，</translation>
+    </message>
+    <message>
+        <source>closed: bootloader</source>
+        <translation>闭合：引导程序</translation>
+    </message>
+    <message>
+        <source>each its own number</source>
+        <translation>各用自己的编号</translation>
+    </message>
+    <message>
+        <source>each its own offset</source>
+        <translation>各用自己的 offset</translation>
+    </message>
+    <message>
+        <source>ground</source>
+        <translation>地</translation>
+    </message>
+    <message>
+        <source>ground in common</source>
+        <translation>共地</translation>
+    </message>
+    <message>
+        <source>ground, 3.3 V</source>
+        <translation>地、3.3 V</translation>
+    </message>
+    <message>
+        <source>motor, 6 A</source>
+        <translation>电机，6 A</translation>
+    </message>
+    <message>
+        <source>number 1 … 63</source>
+        <translation>编号 1 … 63</translation>
+    </message>
+    <message>
+        <source>on the computer</source>
+        <translation>接在计算机上</translation>
+    </message>
+    <message>
+        <source>one host only</source>
+        <translation>只有一个主机</translation>
+    </message>
+    <message>
+        <source>or a supply that</source>
+        <translation>或能吸收</translation>
+    </message>
+    <message>
+        <source>own driver</source>
+        <translation>自备驱动</translation>
+    </message>
+    <message>
+        <source>takes braking</source>
+        <translation>制动能量的电源</translation>
+    </message>
+    <message>
+        <source>transceiver at PA11, PA12</source>
+        <translation>收发器在 PA11、PA12</translation>
+    </message>
+    <message>
+        <source>up to 35 V</source>
+        <translation>最高 35 V</translation>
+    </message>
+    <message>
+        <source>with encoder</source>
+        <translation>带编码器</translation>
+    </message>
+    <message>
+        <source>within reach</source>
+        <translation>伸手可及</translation>
     </message>
 </context>
 <context>
@@ -3699,6 +3887,14 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>peak current %1 A</source>
         <translation>峰值电流 %1 A</translation>
+    </message>
+    <message>
+        <source>%1 counts beside its target at first, %2 now</source>
+        <translation>起初距目标 %1 个计数，现在 %2</translation>
+    </message>
+    <message>
+        <source>%1 counts beside its target</source>
+        <translation>距目标 %1 个计数</translation>
     </message>
 </context>
 <context>

@@ -27,6 +27,11 @@ const Family *findFamily(std::span<const Family *const> families, std::string_vi
     return nullptr;
 }
 
+bool isDemoUnit(const Family &family, int address, int DemoUnits::*which)
+{
+    return family.demo && family.demo->*which != 0 && family.demo->*which == address;
+}
+
 double usualRange(std::span<const ModeRange> ranges, Mode mode)
 {
     for (const ModeRange &range : ranges) {

@@ -125,6 +125,10 @@ struct DemoUnits {
     std::span<const std::string_view> livelyGains{}; ///< … of its velocity loop: P and I
     int inBootloader = 0;
     std::string_view image{}; ///< of its firmware: the resource of that name
+    int stoppingShort = 0;    ///< friction holds it before its target …
+    double shortStep = 0.0;   ///< … of a step of so many counts …
+    double shortBy = 0.0;     ///< … by about so many; …
+    std::span<const std::pair<std::string_view, double>> arrivingGains{}; ///< … with these gains it arrives
 };
 
 struct ExperimentOptions {
@@ -263,6 +267,8 @@ struct Family {
     Result<std::unique_ptr<Simulator>> (*simulate)(Link &, Clock &, const SimulatedUnit &) = nullptr;
 };
 
+/// Whether this address is the unit of `Family::demo` that is meant; never where the family has none such.
+[[nodiscard]] bool isDemoUnit(const Family &family, int address, int DemoUnits::*which);
 /// What is said around an update: of the first route, which is the one that a window offers, or of the device's own link.
 [[nodiscard]] const UpdateWords &updateWords(const Family &family);
 /// nullptr where the family reports no such fault. `key` may begin with an axis: "ch1.glitch".

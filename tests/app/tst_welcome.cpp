@@ -11,7 +11,6 @@
 #include "widgets/connection/overviewpage.h"
 #include "widgets/connection/startpage.h"
 #include "widgets/control/tunepage.h"
-#include "widgets/firmware/firmwarepage.h"
 #include "widgets/help/helpwindow.h"
 #include "widgets/parameters/ramblock.h"
 #include "widgets/start/guide.h"
@@ -22,6 +21,8 @@
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QToolButton>
+
+#include <algorithm>
 
 using namespace mb;
 using namespace mb::test;
@@ -149,18 +150,14 @@ void WelcomeTest::aStoryOfTheStartPageOpensTheBench()
         QTest::qWait(100);
         window.grab().save(folder + QStringLiteral("/start.png"));
     }
-    auto *card = start->findChild<QWidget *>(QStringLiteral("story-revive"));
+    auto *card = start->findChild<QWidget *>(QStringLiteral("story-arrive"));
     card->findChild<QPushButton *>()->click();
     Guide &guide = window.findChild<Welcome *>()->guide();
     QTRY_VERIFY_WITH_TIMEOUT(guide.device(), patience);
     auto *strip = &stripOf(window, "guide");
     buttonOf(*strip, QStringLiteral("Show me where"))->click();
-    QCOMPARE(window.shownPage(), PageId::Firmware);
+    QCOMPARE(window.shownPage(), PageId::Tune);
     QTRY_COMPARE_WITH_TIMEOUT(guide.step(), std::size_t(1), patience);
-    buttonOf(*strip, QStringLiteral("Show me where"))->click();
-    qobject_cast<FirmwarePage *>(window.page(PageId::Firmware))->startUpdate();
-    QTRY_VERIFY_WITH_TIMEOUT(guide.step() >= 2, patience);
-    QTRY_VERIFY_WITH_TIMEOUT(guide.isDone(), tuningTime);
 }
 
 void WelcomeTest::aStoryNamesTheKeysAsTheyAre()

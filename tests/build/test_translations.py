@@ -124,6 +124,33 @@ class Translations(unittest.TestCase):
                 self.assertIn(sentence, known, "run scripts/translate")
                 self.assertTrue(known[sentence].forms[0] and known[sentence].kind is None)
 
+    def test_every_label_of_a_drawing_has_every_language(self):
+        """The help shows docs/hardware/*.svg with the words of the window, and knows how much room each has."""
+        labels = list(said_by.labels())
+        self.assertGreater(len({path for path, _attributes, _label in labels}), 3)
+        for language, found in self.languages.items():
+            known = {message.source: message for message in found if message.context == "drawings"}
+            for path, attributes, label in labels:
+                with self.subTest(f"{language}, {path.name}: {label}"):
+                    self.assertIn("data-room=", attributes)
+                    if language != "en":
+                        self.assertIn(label, known, "run scripts/translate")
+                        self.assertTrue(known[label].forms[0] and known[label].kind is None)
+
+    def test_labels_of_drawings_that_are_no_words_are_names(self):
+        """What is_words() lets pass untranslated, one by one: whoever adds one says here that no language has another word for it."""
+        every = {label for path in ROOT.glob("docs/hardware/*.svg") for _attributes, label in said_by.LABEL.findall(path.read_text(encoding="utf-8"))}
+        names = {"0 … 3.3 V", "1 Mbit/s", "120 Ω", "3.3 V", "3.3V", "A", "AUX1 – AUX2", "B", "CE0", "DMC60C", "DMC60C #5", "DMC60C #7", "DRV3",
+                 "DRV4", "GND", "M1", "M2", "MCLR", "MISO", "MOSI", "POW", "QuadQuad2Drv", "SCK", "SCLK", "SRDY", "SS", "SWDIO, SWCLK,",
+                 "VIN 5 … 12 V, 5 A"}
+        self.assertEqual(sorted(label for label in every if not said_by.is_words(label)), sorted(names))
+
+    def test_each_language_knows_its_own_code(self):
+        """By which the help finds its pages."""
+        for language, found in self.languages.items():
+            code = [message.forms[0] for message in found if (message.context, message.source) == ("Languages", "en")]
+            self.assertEqual(code, [] if language == "en" else [language])
+
     def test_no_sentence_of_the_library_is_hidden_from_the_collection(self):
         """say() with anything but a literal behind it would be found by nobody."""
         hidden = [f"{path.relative_to(ROOT)}: {found}" for path in said_by.sources() if path.is_relative_to(ROOT / "devices")

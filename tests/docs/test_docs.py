@@ -25,8 +25,10 @@ WRONG_USAGE = 2
 RECORDING = "".join(f"(1700000000.{20000 * i:06d}) can0 02061405#0040110000000000\n" for i in range(20))  # status frames of a DMC60C
 
 
-def pages():
-    return [SOURCE / "README.md", *sorted((SOURCE / "docs").rglob("*.md"))]
+def pages(translated=False):
+    """In English; the commands of a translated page are the same (build.helppages)."""
+    every = sorted((SOURCE / "docs").rglob("*.md"))
+    return [SOURCE / "README.md", *(page for page in every if translated or len(page.relative_to(SOURCE / "docs").parts[0]) != 2)]
 
 
 def blocks(text):
@@ -123,7 +125,7 @@ class Docs(unittest.TestCase):
         self.assertGreater(found, 0)
 
     def test_every_link_leads_somewhere(self):
-        for page in pages():
+        for page in pages(translated=True):
             for target in re.findall(r"\]\(([^)#]+)(?:#[^)]*)?\)", page.read_text(encoding="utf-8")):
                 if "://" not in target:
                     self.assertTrue((page.parent / target).exists(), f"{page.relative_to(SOURCE)}: {target}")

@@ -54,10 +54,35 @@ KeptTrial stepOf(const DeviceView &device, std::int64_t number, double overshoot
     return row;
 }
 
+/// Of its position loop, to a place that is not reached by this share of the way.
+KeptTrial moveOf(const DeviceView &device, std::int64_t number, double to, double missed)
+{
+    KeptTrial row = stepOf(device, number, 0.0);
+    row.trial.mode = Mode::Position;
+    row.trial.stimulus.to = to;
+    row.trial.metrics.sse = missed;
+    return row;
+}
+
 /// The one who is told of.
 const Story &taming()
 {
     return stories().front();
+}
+
+/// The unit on which a story plays.
+DeviceView actor(std::uint32_t id, const Story &story)
+{
+    DeviceView device = unit(id, storyFamily(story)->demo->*story.unit);
+    device.family = storyFamily(story);
+    device.parameters.clear();
+    return device;
+}
+
+const Story &arriving()
+{
+    const auto all = stories();
+    return *std::find_if(all.begin(), all.end(), [](const Story &story) { return story.key == "arrive"; });
 }
 
 struct GuideBench {
@@ -110,6 +135,7 @@ private Q_SLOTS:
     void aStoryGoesOnWhenItsStepsHaveReallyHappened();
     void whatTheNotebookHadBeforeIsNoStep();
     void anInterruptedStepIsNone();
+    void aMotorHasArrivedWhenItRestsAtItsTarget();
     void aStoryThatIsDismissedLeavesNothing();
     void theOfferIsMadeOnceAndNotInTheMiddleOfAStory();
     void everyStepSaysWhatToDo();
@@ -174,6 +200,35 @@ void StartTest::anInterruptedStepIsNone()
     QCOMPARE(bench.guide.step(), std::size_t(2));
 }
 
+void StartTest::aMotorHasArrivedWhenItRestsAtItsTarget()
+{
+    GuideBench bench;
+    bench.workbench.shot.devices.push_back(actor(3, arriving()));
+    DeviceView &device = bench.workbench.device(2);
+    const auto moves = [&](std::uint32_t operation, double to, double missed) {
+        bench.workbench.book.kept.push_back(moveOf(device, operation, to, missed));
+        bench.workbench.shot.operations = {ended(operation, device.id)};
+        bench.settle();
+    };
+    bench.guide.begin(arriving());
+    bench.settle();
+    bench.selection.select(device.id);
+    bench.arming.arm(device.id);
+    QCOMPARE(bench.guide.step(), std::size_t(2));
+    moves(1, 4000.0, 0.0005); // there by luck: nothing to mend is seen
+    QCOMPARE(bench.guide.step(), std::size_t(2));
+    moves(2, 200.0, 0.1);
+    QCOMPARE(bench.guide.step(), std::size_t(3));
+    QVERIFY2(bench.guide.result().contains(QStringLiteral("20")), qPrintable(bench.guide.result()));
+    moves(3, 60.0, 0.01); // too short a way to tell
+    QCOMPARE(bench.guide.step(), std::size_t(3));
+    moves(4, 200.0, 0.04); // nearer, and not there
+    QCOMPARE(bench.guide.step(), std::size_t(3));
+    moves(5, 200.0, -0.01);
+    QVERIFY(bench.guide.isDone());
+    QVERIFY2(bench.guide.result().endsWith(QStringLiteral("2 now")), qPrintable(bench.guide.result()));
+}
+
 void StartTest::aStoryThatIsDismissedLeavesNothing()
 {
     GuideBench bench;
@@ -214,12 +269,18 @@ void StartTest::everyStepSaysWhatToDo()
     GuideBench bench;
     ThemeSource theme{darkTheme()};
     for (const Story &story : stories()) {
-        QVERIFY(Guide::deviceOf(story, bench.workbench.shot) || story.unit == &DemoUnits::inBootloader);
+        bench.workbench.shot.devices = {actor(9, story)};
+        QVERIFY(Guide::deviceOf(story, bench.workbench.shot));
+        for (const char *text : {story.title, story.parts, story.words}) {
+            const QString shown = storyText(story, text);
+            QVERIFY2(!shown.contains(QLatin1Char('%')) || shown.contains(QStringLiteral(" %")), qPrintable(shown));
+        }
         for (const StoryStep &step : story.steps) {
             QVERIFY(QString::fromUtf8(step.words).size() > 20);
             QVERIFY(!QString::fromUtf8(step.name).isEmpty());
         }
     }
+    bench.workbench.shot.devices = {unit(1, 5), unit(2, 7)};
     GuideStrip strip(GuideStrip::Shows::Steps, bench.guide, theme);
     bench.guide.begin(taming());
     const auto *words = strip.findChild<QLabel *>(QStringLiteral("guideWords"));

@@ -55,7 +55,6 @@ QPalette themePalette(const Theme &t)
     all(QPalette::Dark, t.outline);
     all(QPalette::Light, t.hover);
     all(QPalette::Midlight, t.hover);
-    all(QPalette::Shadow, t.head);
     all(QPalette::WindowText, t.text);
     all(QPalette::Text, t.text);
     all(QPalette::ButtonText, t.text);

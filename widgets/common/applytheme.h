@@ -9,6 +9,8 @@ class QApplication;
 
 namespace mb {
 
+/// QPalette::Shadow, which nothing of ours is painted with, is left to the desktop: by it SystemPalette notices that the desktop has
+/// other colours.
 QPalette themePalette(const Theme &theme);
 /// Fills a sheet: `@token` is a colour of the theme, `12u` a length, `0.85f` a font size relative to the body,
 /// `@scheme` the word dark or light. An unknown token stays as it is.

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/help/helpbrowser.h"
 
+#include "widgets/help/helpdrawing.h"
+#include "widgets/help/helppages.h"
+
+#include <QAbstractTextDocumentLayout>
+#include <QApplication>
 #include <QDesktopServices>
 #include <QFile>
 #include <QFontDatabase>
 #include <QImage>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QResizeEvent>
 #include <QScrollBar>
 #include <QSvgRenderer>
@@ -21,9 +27,12 @@ namespace {
 
 constexpr double designPoints = 10.0; ///< font size that drawings are made for
 
-QString pathOf(const QString &topic)
+/// Of a heading, as a link to it names it: "#how-well".
+QString anchorOf(const QString &heading)
 {
-    return QStringLiteral(":/help/%1.md").arg(topic);
+    QString anchor = heading.toLower();
+    anchor.remove(QRegularExpression(QStringLiteral("[^\\w -]"), QRegularExpression::UseUnicodePropertiesOption));
+    return anchor.replace(QLatin1Char(' '), QLatin1Char('-'));
 }
 
 } // namespace
@@ -36,7 +45,6 @@ HelpBrowser::HelpBrowser(const ThemeSource &theme, QWidget *parent)
     setAccessibleName(tr("Help"));
     setOpenLinks(false);
     setFrameShape(QFrame::NoFrame);
-    document()->setDocumentMargin(theme.theme().u(16));
     connect(this, &QTextBrowser::anchorClicked, this, &HelpBrowser::follow);
     connect(&theme, &ThemeSource::changed, this, &HelpBrowser::fill);
     m_resized.setSingleShot(true);
@@ -45,32 +53,49 @@ HelpBrowser::HelpBrowser(const ThemeSource &theme, QWidget *parent)
 
 bool HelpBrowser::showPage(const QString &topic)
 {
-    if (!QFile::exists(pathOf(topic)))
+    const QString file = helpFile(topic);
+    if (!QFile::exists(file))
         return false;
-    m_topic = topic;
-    fill();
-    verticalScrollBar()->setValue(0);
+    open(file);
     return true;
 }
 
+QString HelpBrowser::topic() const
+{
+    return m_file.isEmpty() ? QString() : helpTopicOf(m_file);
+}
+
+void HelpBrowser::open(const QString &file)
+{
+    m_file = file;
+    fill();
+    verticalScrollBar()->setValue(0);
+}
+
+/// Into a document of its own, which is laid out once it is whole and not after each piece; with the one before it go the drawings of
+/// another theme, which are kept by their name.
 void HelpBrowser::fill()
 {
-    QFile file(pathOf(m_topic));
+    QFile file(m_file);
     if (!file.open(QIODevice::ReadOnly))
         return;
-    document()->clear(); // drawings of another theme are kept by their name
-    document()->setBaseUrl(QUrl(QStringLiteral("qrc") + pathOf(m_topic)));
-    document()->setMarkdown(QString::fromUtf8(file.readAll()), QTextDocument::MarkdownDialectGitHub);
-    dressTables();
-    dressCode();
+    auto *page = new QTextDocument(this);
+    page->setUndoRedoEnabled(false);
+    page->setDefaultFont(font());
+    page->setDocumentMargin(m_theme.theme().u(16));
+    page->setBaseUrl(QUrl(QStringLiteral("qrc") + m_file));
+    page->setMarkdown(QString::fromUtf8(file.readAll()), QTextDocument::MarkdownDialectGitHub);
+    dressTables(*page);
+    dressCode(*page);
+    setDocument(page);
     moveCursor(QTextCursor::Start);
 }
 
 /// As the tables of the program: lines between the rows, room around the words.
-void HelpBrowser::dressTables()
+void HelpBrowser::dressTables(QTextDocument &page) const
 {
     const Theme &theme = m_theme.theme();
-    for (QTextFrame *frame : document()->rootFrame()->childFrames()) {
+    for (QTextFrame *frame : page.rootFrame()->childFrames()) {
         auto *table = qobject_cast<QTextTable *>(frame);
         if (!table)
             continue;
@@ -88,12 +113,12 @@ void HelpBrowser::dressTables()
 }
 
 /// Commands and names of the wire in the font for such things.
-void HelpBrowser::dressCode()
+void HelpBrowser::dressCode(QTextDocument &page)
 {
     QTextCharFormat code;
     code.setFontFamily(QFontDatabase::systemFont(QFontDatabase::FixedFont).family());
     std::vector<std::pair<int, int>> places;
-    for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
+    for (QTextBlock block = page.begin(); block.isValid(); block = block.next()) {
         for (auto part = block.begin(); !part.atEnd(); ++part) {
             const QTextFragment words = part.fragment();
             if (words.charFormat().fontFixedPitch())
@@ -101,7 +126,7 @@ void HelpBrowser::dressCode()
         }
     }
     for (const auto &[from, to] : places) {
-        QTextCursor cursor(document());
+        QTextCursor cursor(&page);
         cursor.setPosition(from);
         cursor.setPosition(to, QTextCursor::KeepAnchor);
         cursor.mergeCharFormat(code);
@@ -112,7 +137,7 @@ void HelpBrowser::dressCode()
 void HelpBrowser::resizeEvent(QResizeEvent *event)
 {
     QTextBrowser::resizeEvent(event);
-    if (event->size().width() == event->oldSize().width() || m_topic.isEmpty())
+    if (event->size().width() == event->oldSize().width() || m_file.isEmpty())
         return;
     m_resized.start(); // the page is being laid out now, which a new text would pull away from under it
 }
@@ -124,16 +149,41 @@ void HelpBrowser::refill()
     verticalScrollBar()->setValue(place);
 }
 
+/// The page in the language of the window has another place by now.
+void HelpBrowser::changeEvent(QEvent *event)
+{
+    QTextBrowser::changeEvent(event);
+    if (event->type() != QEvent::LanguageChange || m_file.isEmpty())
+        return;
+    setAccessibleName(tr("Help"));
+    open(helpFile(topic()));
+}
+
 void HelpBrowser::follow(const QUrl &link)
 {
     if (!link.isRelative()) {
         QDesktopServices::openUrl(link);
         return;
     }
-    const QString path = QUrl(QStringLiteral("qrc") + pathOf(m_topic)).resolved(link).path();
-    const QString topic = path.mid(path.indexOf(QLatin1String("/help/")) + 6).section(QLatin1Char('.'), 0, 0);
-    if (showPage(topic))
-        Q_EMIT pageShown(topic);
+    const QUrl whole = document()->baseUrl().resolved(link);
+    const QString file = QLatin1Char(':') + whole.path();
+    if (!file.endsWith(QLatin1String(".md")) || !QFile::exists(file))
+        return;
+    open(file);
+    if (whole.hasFragment())
+        goToHeading(whole.fragment());
+    Q_EMIT pageShown(topic());
+}
+
+void HelpBrowser::goToHeading(const QString &anchor)
+{
+    for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
+        if (block.blockFormat().headingLevel() == 0 || anchorOf(block.text()) != anchor)
+            continue;
+        setTextCursor(QTextCursor(block));
+        verticalScrollBar()->setValue(static_cast<int>(document()->documentLayout()->blockBoundingRect(block).top()));
+        return;
+    }
 }
 
 QVariant HelpBrowser::loadResource(int type, const QUrl &name)
@@ -142,35 +192,44 @@ QVariant HelpBrowser::loadResource(int type, const QUrl &name)
     const QString path = QLatin1Char(':') + whole.path();
     if (type == QTextDocument::ImageResource && path.endsWith(QLatin1String(".svg")))
         return drawing(path);
+    if (type == QTextDocument::ImageResource && path.startsWith(QLatin1String(":/help/")))
+        return picture(path);
     return QTextBrowser::loadResource(type, name);
 }
 
-/// Drawings have the light colours of the design; each stands for one of the theme's.
+double HelpBrowser::room() const
+{
+    return viewport()->width() - 2.0 * document()->documentMargin();
+}
+
 QImage HelpBrowser::drawing(const QString &path) const
 {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return {};
-    QByteArray svg = file.readAll();
     const Theme &theme = m_theme.theme();
-    const std::pair<const char *, QColor> colors[]
-        = {{"#171C22", theme.text}, {"#47525E", theme.dim}, {"#7D8894", theme.outline}, {"#3D49C4", theme.accent},
-            {"#8F0F22", theme.danger}, {"#FFFFFF", theme.canvas}, {"#F2F4F7", theme.window}};
-    for (std::size_t i = 0; i < std::size(colors); ++i) // first to marks: two themes may swap colours
-        svg.replace(colors[i].first, "@" + QByteArray::number(static_cast<int>(i)) + "@");
-    for (std::size_t i = 0; i < std::size(colors); ++i)
-        svg.replace("@" + QByteArray::number(static_cast<int>(i)) + "@", colors[i].second.name().toLatin1());
-    QSvgRenderer renderer(svg);
+    QSvgRenderer renderer(dressedDrawing(file.readAll(), theme, QApplication::font()));
     const double wish = theme.bodyPointSize / designPoints;
-    const double room = viewport()->width() - 2.0 * document()->documentMargin();
     const double natural = std::max(1.0, renderer.defaultSize().width() * 1.0);
-    const double scale = std::clamp(room / natural, 0.25, wish);
+    const double scale = std::clamp(room() / natural, 0.25, wish);
     QImage image((QSizeF(renderer.defaultSize()) * scale * devicePixelRatioF()).toSize(), QImage::Format_ARGB32);
     image.setDevicePixelRatio(devicePixelRatioF());
     image.fill(theme.canvas);
     QPainter painter(&image);
     renderer.render(&painter, QRectF(QPointF(), QSizeF(renderer.defaultSize()) * scale));
     return image;
+}
+
+/// No wider than the page.
+QImage HelpBrowser::picture(const QString &path) const
+{
+    const QImage image(path);
+    const int width = static_cast<int>(std::max(1.0, room()) * devicePixelRatioF());
+    if (image.width() <= width)
+        return image;
+    QImage small = image.scaledToWidth(width, Qt::SmoothTransformation);
+    small.setDevicePixelRatio(devicePixelRatioF());
+    return small;
 }
 
 } // namespace mb

@@ -8,15 +8,19 @@
 
 namespace mb {
 
-/// A page of the documentation, from the same Markdown that docs/ has, in the colours and the font of the program; its drawings too.
+/// A page of the documentation, from the same Markdown that docs/ has, in the language, the colours and the font of the program; its
+/// drawings too. Follows a change of each.
 class HelpBrowser : public QTextBrowser {
     Q_OBJECT
 public:
     HelpBrowser(const ThemeSource &theme, QWidget *parent = nullptr);
 
-    /// "hardware/dmc60c", of the resources below :/help; false when there is no such page.
+    /// "hardware/dmc60c", of the resources below :/help, in English where the language of the window has none; false when there is no
+    /// such page.
     bool showPage(const QString &topic);
-    [[nodiscard]] const QString &topic() const { return m_topic; }
+    [[nodiscard]] QString topic() const;
+    /// The file that is shown: ":/help/de/tuning.md". Of another language than the window's only where a link led there.
+    [[nodiscard]] const QString &file() const { return m_file; }
 
 Q_SIGNALS:
     /// A link led to another page.
@@ -25,17 +29,22 @@ Q_SIGNALS:
 protected:
     QVariant loadResource(int type, const QUrl &name) override;
     void resizeEvent(QResizeEvent *event) override;
+    void changeEvent(QEvent *event) override;
 
 private:
+    void open(const QString &file);
     void follow(const QUrl &link);
+    void goToHeading(const QString &anchor);
     void fill();
     void refill();
-    void dressTables();
-    void dressCode();
+    void dressTables(QTextDocument &page) const;
+    static void dressCode(QTextDocument &page);
+    [[nodiscard]] double room() const;
     [[nodiscard]] QImage drawing(const QString &path) const;
+    [[nodiscard]] QImage picture(const QString &path) const;
 
     const ThemeSource &m_theme;
-    QString m_topic;
+    QString m_file; ///< empty: none yet
     QTimer m_resized;
 };
 

@@ -3,6 +3,7 @@
 
 #include "model/family.h"
 #include "model/registry.h"
+#include "widgets/help/helppages.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -37,7 +38,7 @@ QString hardwareTopic(std::string_view family)
 {
     const QString topic
         = QStringLiteral("hardware/") + QString::fromUtf8(family.data(), static_cast<int>(family.size()));
-    return QFile::exists(QStringLiteral(":/help/%1.md").arg(topic)) ? topic : QString();
+    return QFile::exists(helpFile(topic)) ? topic : QString();
 }
 
 } // namespace mb

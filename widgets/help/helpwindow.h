@@ -23,10 +23,16 @@ public:
     /// The one of this window, opened or raised.
     static HelpWindow &open(const ThemeSource &theme, QWidget &parent, const QString &topic);
 
+protected:
+    void changeEvent(QEvent *event) override;
+
 private:
-    void fillList(const Theme &theme);
+    void connectList();
+    void fillList();
+    void name();
     void mark(const QString &topic);
 
+    const ThemeSource &m_theme;
     QListWidget *m_list = nullptr;
     HelpBrowser *m_browser = nullptr;
 };

@@ -6,11 +6,14 @@
 #include "widgets/common/trialnotebook.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mb {
 namespace {
 
-constexpr double tame = 0.05; ///< greatest overshoot that counts as none
+constexpr double tame = 0.05;    ///< greatest overshoot that counts as none
+constexpr double isShort = 10.0; ///< counts before its target that friction explains, and not the grain of an encoder
+constexpr double arrived = 5.0;  ///< most that counts as there
 constexpr const char *simulated = "sim:";
 
 /// Of a limit that bounds its current: its own switch.
@@ -54,8 +57,7 @@ Guide::Guide(Workbench &workbench, Selection &selection, Arming &arming, QObject
 const DeviceView *Guide::deviceOf(const Story &story, const Snapshot &shot)
 {
     const auto found = std::find_if(shot.devices.begin(), shot.devices.end(), [&story](const DeviceView &device) {
-        return device.family == storyFamily() && device.identity.address == device.family->demo->*story.unit
-            && device.link.starts_with(simulated);
+        return isDemoUnit(*device.family, device.identity.address, story.unit) && device.link.starts_with(simulated);
     });
     return found == shot.devices.end() ? nullptr : &*found;
 }
@@ -76,6 +78,8 @@ void Guide::begin(const Story &story)
     m_overshoot.reset();
     m_lastOvershoot.reset();
     m_peakCurrent.reset();
+    m_left.reset();
+    m_lastLeft.reset();
     m_wrote = false;
     Q_EMIT changed();
     follow();
@@ -96,6 +100,11 @@ QString Guide::result() const
         parts += tr("overshoot %1 % at first, %2 % now").arg(percent(*m_overshoot), percent(*m_lastOvershoot));
     else if (m_overshoot)
         parts += tr("overshoot %1 %").arg(percent(*m_overshoot));
+    const auto counts = [](double left) { return formatNumber(left, 0); };
+    if (m_left && m_lastLeft)
+        parts += tr("%1 counts beside its target at first, %2 now").arg(counts(*m_left), counts(*m_lastLeft));
+    else if (m_left)
+        parts += tr("%1 counts beside its target").arg(counts(*m_left));
     if (m_peakCurrent)
         parts += tr("peak current %1 A").arg(formatNumber(*m_peakCurrent, 1));
     return parts.join(QStringLiteral(" · "));
@@ -135,11 +144,8 @@ bool Guide::isProved(Proof proof, const DeviceView &device) const
     case Proof::CurrentShown: return m_peakCurrent.has_value();
     case Proof::LimitOn: return isOn(device, currentSwitch(*device.family));
     case Proof::Stored: return m_wrote && !isAnyInRam(device);
-    case Proof::Writing: {
-        const OperationView *operation = m_workbench.snapshot().operation(device.id);
-        return operation && (!operation->status.parts.empty() || operation->update.has_value());
-    }
-    case Proof::Answers: return device.identity.state != DeviceState::Bootloader && !device.identity.firmware.empty();
+    case Proof::StoppedShort: return m_left.has_value();
+    case Proof::Arrived: return m_lastLeft && *m_lastLeft <= arrived;
     }
     return false;
 }
@@ -162,6 +168,21 @@ void Guide::askNotebook(const DeviceView &device)
     });
 }
 
+/// Of the way that it went: a step that is much shorter than the first proves nothing.
+void Guide::takeRest(const tuning::Trial &trial)
+{
+    if (!trial.metrics.sse)
+        return;
+    const double way = std::abs(trial.stimulus.to - trial.stimulus.from);
+    const double left = std::abs(*trial.metrics.sse) * way;
+    if (m_left && way >= m_way / 2.0) {
+        m_lastLeft = left;
+    } else if (!m_left && left >= isShort) {
+        m_left = left;
+        m_way = way;
+    }
+}
+
 void Guide::take(const std::vector<KeptTrial> &trials)
 {
     if (!m_newest) { // what was there before is not of this story
@@ -172,9 +193,13 @@ void Guide::take(const std::vector<KeptTrial> &trials)
     const QString before = result();
     for (const KeptTrial &row : trials) {
         const tuning::Trial &trial = row.trial;
-        if (row.number <= *m_newest || trial.reason != "done" || trial.mode != Mode::Velocity)
+        if (row.number <= *m_newest || trial.reason != "done")
             continue;
         m_newest = row.number;
+        if (trial.mode == Mode::Position)
+            takeRest(trial);
+        if (trial.mode != Mode::Velocity)
+            continue;
         if (trial.metrics.peakCurrent)
             m_peakCurrent = trial.metrics.peakCurrent;
         if (trial.metrics.overshoot)

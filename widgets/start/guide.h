@@ -10,6 +10,9 @@
 
 namespace mb {
 
+namespace tuning {
+struct Trial;
+}
 struct KeptTrial;
 
 /// Leads through a story. A step counts as done when the snapshot, the Arm button or the notebook says that it has happened, however
@@ -41,6 +44,7 @@ private:
     void watch(const DeviceView &device);
     [[nodiscard]] bool isProved(Proof proof, const DeviceView &device) const;
     void askNotebook(const DeviceView &device);
+    void takeRest(const tuning::Trial &trial);
     void take(const std::vector<KeptTrial> &trials);
 
     Workbench &m_workbench;
@@ -56,6 +60,9 @@ private:
     std::optional<double> m_overshoot;     ///< of the first step, fraction
     std::optional<double> m_lastOvershoot; ///< of the newest one after it
     std::optional<double> m_peakCurrent;   ///< A, of the newest
+    std::optional<double> m_left;          ///< counts beside its target after the first step that stopped short …
+    double m_way = 0.0;                    ///< … over so many
+    std::optional<double> m_lastLeft;      ///< after the newest one since
     bool m_wrote = false;                  ///< a value was seen that is not in flash yet
 };
 

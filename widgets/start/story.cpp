@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/start/story.h"
 
+#include "model/parameter.h"
 #include "model/registry.h"
+#include "widgets/common/devicetext.h"
+#include "widgets/common/numberformat.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <iterator>
+#include <vector>
 
 namespace mb {
 namespace {
@@ -54,15 +59,25 @@ constexpr StoryStep limiting[] = {
             "Parameters.")},
 };
 
-constexpr StoryStep reviving[] = {
-    {Proof::Selected, Place::Firmware, QT_TRANSLATE_NOOP("Stories", "Select"),
-        QT_TRANSLATE_NOOP("Stories", "Click %1 in the list at the left. It says: in bootloader.")},
-    {Proof::Writing, Place::Firmware, QT_TRANSLATE_NOOP("Stories", "Write"),
+constexpr StoryStep arriving[] = {
+    {Proof::Selected, Place::Tune, QT_TRANSLATE_NOOP("Stories", "Select"),
+        QT_TRANSLATE_NOOP("Stories", "Click %1 in the list at the left. Everything that follows is about it.")},
+    {Proof::Armed, Place::Tune, QT_TRANSLATE_NOOP("Stories", "Arm"),
         QT_TRANSLATE_NOOP("Stories",
-            "The demo image is loaded on the page Firmware. Press %2 and watch the pages arrive, the last one first."),
+            "On the page Tune choose Position: what is armed is armed for one mode. Then hold the Arm button at the "
+            "top "
+            "for one second (or Ctrl+Shift+F12).")},
+    {Proof::StoppedShort, Place::Tune, QT_TRANSLATE_NOOP("Stories", "Step"),
+        QT_TRANSLATE_NOOP("Stories",
+            "Enter %3 as the target (behind ▸) and press %2: the motor goes there and back, and stops about %4 counts "
+            "short."),
         "F5"},
-    {Proof::Answers, Place::Firmware, QT_TRANSLATE_NOOP("Stories", "Prove"),
-        QT_TRANSLATE_NOOP("Stories", "Wait until the unit answers with its new version. Nothing else counts as done.")},
+    {Proof::Arrived, Place::Tune, QT_TRANSLATE_NOOP("Stories", "Arrive"),
+        QT_TRANSLATE_NOOP("Stories",
+            "What P makes of the last counts is less than friction. Enter among the gains %5 (a stiffer P overcomes "
+            "it, "
+            "and more D keeps it from swinging), and press %2 again: it rests within 5 counts of its target."),
+        "F5"},
 };
 
 constexpr Story table[] = {
@@ -76,36 +91,52 @@ constexpr Story table[] = {
         QT_TRANSLATE_NOOP("Stories", "load 9 × rotor inertia · 4096 counts a turn · %1"),
         QT_TRANSLATE_NOOP("Stories", "A stalled CIM draws more than 100 A, and nothing holds this one back. Limit it."),
         QT_TRANSLATE_NOOP("Stories", "current, limit dashed"), 3, StoryPicture::Limit, &DemoUnits::tuned, limiting},
-    {"revive", QT_TRANSLATE_NOOP("Stories", "%1 has no program: bring it back"),
-        QT_TRANSLATE_NOOP("Stories", "Interrupted update"),
-        QT_TRANSLATE_NOOP("Stories", "waits in its bootloader · %1"),
-        QT_TRANSLATE_NOOP("Stories", "Somebody cut its power while it was written. Give it firmware again."),
-        QT_TRANSLATE_NOOP("Stories", "flash pages, written from the last to the first"), 2, StoryPicture::Pages,
-        &DemoUnits::inBootloader, reviving},
+    {"arrive", QT_TRANSLATE_NOOP("Stories", "%1 stops short: make it arrive"),
+        QT_TRANSLATE_NOOP("Stories", "N20 geared"),
+        QT_TRANSLATE_NOOP("Stories", "gear 75.81:1 · 32768 counts a turn · %1"),
+        QT_TRANSLATE_NOOP("Stories", "This one stops about %4 counts short and stays there. Make it arrive."),
+        QT_TRANSLATE_NOOP("Stories", "position, set-point dashed"), 3, StoryPicture::Short, &DemoUnits::stoppingShort,
+        arriving},
 };
 
 } // namespace
 
-const Family *storyFamily()
+const Family *storyFamily(const Story &story)
 {
     const auto all = families();
-    const auto found = std::find_if(all.begin(), all.end(), [](const Family *family) { return family->demo; });
+    const auto found = std::find_if(all.begin(), all.end(),
+        [&story](const Family *family) { return family->demo && family->demo->*story.unit != 0; });
     return found == all.end() ? nullptr : *found;
 }
 
 std::span<const Story> stories()
 {
-    return storyFamily() ? std::span<const Story>(table) : std::span<const Story>();
+    static const std::vector<Story> playable = [] {
+        std::vector<Story> found;
+        std::copy_if(std::begin(table), std::end(table), std::back_inserter(found), storyFamily);
+        return found;
+    }();
+    return playable;
 }
 
 QString storyText(const Story &story, const char *english, const QString &key)
 {
     QString text = QCoreApplication::translate("Stories", english);
-    const Family *family = storyFamily();
+    const Family *family = storyFamily(story);
     if (!family)
         return text;
+    const DemoUnits &demo = *family->demo;
+    QStringList gains;
+    for (const auto &[gain, value] : demo.arrivingGains) {
+        if (const auto row = findParameter(family->parameters, gain))
+            gains
+                += QStringLiteral("%1 %2").arg(tableText(family->parameters[row->value].label), formatNumber(value, 0));
+    }
     const QString title = QString::fromUtf8(family->title.data(), static_cast<int>(family->title.size()));
-    text.replace(QLatin1String("%1"), QStringLiteral("%1 #%2").arg(title).arg(family->demo->*story.unit));
+    text.replace(QLatin1String("%1"), QStringLiteral("%1 #%2").arg(title).arg(demo.*story.unit));
+    text.replace(QLatin1String("%3"), formatNumber(demo.shortStep, 0));
+    text.replace(QLatin1String("%4"), formatNumber(demo.shortBy, 0));
+    text.replace(QLatin1String("%5"), gains.join(QStringLiteral(", ")));
     return text.replace(QLatin1String("%2"), key.isEmpty() ? StoryWords::tr("the button") : key);
 }
 

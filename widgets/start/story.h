@@ -11,10 +11,10 @@
 namespace mb {
 
 /// Where in the window a step is done.
-enum class Place { Overview, Parameters, Tune, Design, Firmware };
+enum class Place { Overview, Parameters, Tune, Design };
 
 /// What the drawing of a story shows.
-enum class StoryPicture { Overshoot, Limit, Pages };
+enum class StoryPicture { Overshoot, Limit, Short };
 
 /// What must really have happened before a step counts as done (guide.h looks for it).
 enum class Proof {
@@ -24,13 +24,13 @@ enum class Proof {
     Tamed,        ///< a later one overshot by 5 % at most
     LimitOn,      ///< its current limit is in force
     CurrentShown, ///< a trial ended as planned that tells its peak current
-    Stored,       ///< something was written, and the unit has proved that flash has it
-    Writing,      ///< its firmware is being written
-    Answers       ///< its application runs and tells its version
+    StoppedShort, ///< a trial of its position loop ended as planned, and the motor rests well before its target
+    Arrived,      ///< after a later one it rests at it
+    Stored        ///< something was written, and the unit has proved that flash has it
 };
 
 /// One step of a story. Texts are English, translated by storyText(); %1 in them is the title of its unit, %2 the key of this step as it
-/// is now.
+/// is now; of a unit that stops short (DemoUnits) %3 is the step, %4 by how much, %5 the gains with which it arrives.
 struct StoryStep {
     Proof proof = Proof::Selected;
     Place place = Place::Overview;
@@ -57,8 +57,8 @@ struct Story {
 constexpr const char *storyLink = "sim:";
 
 [[nodiscard]] std::span<const Story> stories();
-/// The family whose simulated units they play on; nullptr: no family of this build has such units, and there are no stories.
-[[nodiscard]] const Family *storyFamily();
+/// The family whose simulated unit it plays on; nullptr: no family of this build has one, and the story is not among stories().
+[[nodiscard]] const Family *storyFamily(const Story &story);
 /// `key`: what stands for %2; empty: whoever reads it has to look for the button.
 [[nodiscard]] QString storyText(const Story &story, const char *english, const QString &key = {});
 

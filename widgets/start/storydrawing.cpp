@@ -16,9 +16,7 @@ constexpr double wished = 0.62;   ///< of the height
 constexpr double damping = 0.456; ///< overshoots by 20 %
 constexpr double turns = 3.2;     ///< of the ringing, in the width
 constexpr double limitEnd = 0.52;
-constexpr int pageColumns = 8;
-constexpr int pageRows = 4;
-constexpr int pagesWritten = 19;
+constexpr double shortEnd = 0.86; ///< of the step, where friction holds it
 
 /// Of a second-order loop, t in its own periods.
 double rung(double t)
@@ -34,6 +32,12 @@ double limited(double x)
     if (x < limitEnd)
         return 1.0 - std::exp(-(x - edge) * 18.0);
     return std::exp(-(x - limitEnd) * 22.0);
+}
+
+/// A place that is approached and not reached.
+double held(double x)
+{
+    return shortEnd * (1.0 - std::exp(-(x - edge) * 7.0));
 }
 
 } // namespace
@@ -65,10 +69,7 @@ void StoryDrawing::paintEvent(QPaintEvent *)
     painter.fillRect(rect(), theme.canvas);
     painter.setRenderHint(QPainter::Antialiasing);
     const QRectF box = QRectF(rect()).adjusted(0, theme.u(28), 0, -theme.u(12));
-    if (m_picture == StoryPicture::Pages)
-        paintPages(painter, box.adjusted(theme.u(12), 0, -theme.u(12), 0));
-    else
-        paintCurve(painter, box);
+    paintCurve(painter, box);
     painter.setPen(theme.dim);
     painter.setFont(theme.font(TextRole::Caption, font()));
     painter.drawText(rect().adjusted(theme.u(12), theme.u(8), -theme.u(12), 0), Qt::AlignLeft | Qt::AlignTop,
@@ -79,6 +80,7 @@ void StoryDrawing::paintCurve(QPainter &painter, const QRectF &box) const
 {
     const Theme &theme = m_theme.theme();
     const bool current = m_picture == StoryPicture::Limit;
+    const bool position = m_picture == StoryPicture::Short;
     const double level = current ? 1.0 : wished;
     const auto at = [&box, level](double x, double y) {
         return QPointF(box.left() + x * box.width(), box.bottom() - y * level * box.height());
@@ -90,24 +92,12 @@ void StoryDrawing::paintCurve(QPainter &painter, const QRectF &box) const
     path.lineTo(at(edge, 0.0));
     for (int i = 1; i <= points; ++i) {
         const double x = edge + (1.0 - edge) * i / points;
-        path.lineTo(at(x, current ? limited(x) : rung((x - edge) / (1.0 - edge) * turns)));
+        const double y = current ? limited(x) : position ? held(x) : rung((x - edge) / (1.0 - edge) * turns);
+        path.lineTo(at(x, y));
     }
-    painter.setPen(QPen(theme.trace(current ? TraceRole::Current : TraceRole::Velocity), theme.u(2)));
+    const TraceRole role = current ? TraceRole::Current : position ? TraceRole::Position : TraceRole::Velocity;
+    painter.setPen(QPen(theme.trace(role), theme.u(2)));
     painter.drawPath(path);
-}
-
-void StoryDrawing::paintPages(QPainter &painter, const QRectF &box) const
-{
-    const Theme &theme = m_theme.theme();
-    const double gap = theme.u(4);
-    const QSizeF cell((box.width() + gap) / pageColumns - gap, (box.height() + gap) / pageRows - gap);
-    for (int i = 0; i < pageColumns * pageRows; ++i) {
-        const QPointF corner(box.left() + (i % pageColumns) * (cell.width() + gap),
-            box.top() + static_cast<int>(i / pageColumns) * (cell.height() + gap));
-        painter.setPen(QPen(i < pagesWritten ? theme.accent : theme.outline, 1.0));
-        painter.setBrush(i < pagesWritten ? QBrush(theme.sel) : QBrush(Qt::NoBrush));
-        painter.drawRect(QRectF(corner, cell));
-    }
 }
 
 } // namespace mb

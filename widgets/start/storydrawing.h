@@ -22,7 +22,6 @@ protected:
 
 private:
     void paintCurve(QPainter &painter, const QRectF &box) const;
-    void paintPages(QPainter &painter, const QRectF &box) const;
 
     StoryPicture m_picture;
     QString m_caption;
