@@ -6,23 +6,29 @@
 #include "app/helpdesk.h"
 #include "app/keydesk.h"
 #include "app/welcome.h"
+#include "model/registry.h"
 #include "support/windowtests.h"
+#include "widgets/common/devicetext.h"
 #include "widgets/connection/addlinkdialog.h"
 #include "widgets/connection/overviewpage.h"
 #include "widgets/connection/startpage.h"
+#include "widgets/control/modepanel.h"
 #include "widgets/control/tunepage.h"
 #include "widgets/help/helpwindow.h"
 #include "widgets/parameters/ramblock.h"
 #include "widgets/start/guide.h"
 #include "widgets/start/guidestrip.h"
 
+#include <QAbstractButton>
 #include <QDialogButtonBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QToolButton>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace mb;
 using namespace mb::test;
@@ -47,6 +53,26 @@ QPushButton *buttonOf(const QWidget &parent, const QString &text)
     return nullptr;
 }
 
+void chooseMode(QWidget &window, const QString &name)
+{
+    for (QAbstractButton *button : window.findChild<ModePanel *>()->findChildren<QAbstractButton *>()) {
+        if (button->text() == name)
+            button->click();
+    }
+}
+
+void type(QWidget &window, const QString &name, double value)
+{
+    for (QLineEdit *field : window.findChildren<QLineEdit *>()) {
+        if (field->accessibleName() != name || !field->isVisible())
+            continue;
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, QString::number(value, 'f', 0));
+        QTest::keyClick(field, Qt::Key_Return);
+    }
+}
+
 GuideStrip &stripOf(MainWindow &window, const char *name)
 {
     return *window.findChild<GuideStrip *>(QLatin1String(name));
@@ -62,6 +88,7 @@ private Q_SLOTS:
     void theOfferStandsOnTheOverviewOnly();
     void aStoryIsPlayedToItsEnd();
     void aStoryOfTheStartPageOpensTheBench();
+    void theMotorThatStopsShortArrives();
     void aStoryNamesTheKeysAsTheyAre();
     void firmwareOnDiskIsCheckedAndOpened();
     void everyPageHasItsHelp();
@@ -158,6 +185,52 @@ void WelcomeTest::aStoryOfTheStartPageOpensTheBench()
     buttonOf(*strip, QStringLiteral("Show me where"))->click();
     QCOMPARE(window.shownPage(), PageId::Tune);
     QTRY_COMPARE_WITH_TIMEOUT(guide.step(), std::size_t(1), patience);
+}
+
+/// The motor that stops short, from the start page until it rests at its target: what the story says is what the bench does.
+void WelcomeTest::theMotorThatStopsShortArrives()
+{
+    const auto all = stories();
+    const Story &story = *std::find_if(all.begin(), all.end(), [](const Story &row) { return row.key == "arrive"; });
+    const DemoUnits &demo = *storyFamily(story)->demo;
+    WindowBench bench;
+    MainWindow &window = bench.window();
+    Guide &guide = bench.part<Welcome>().guide();
+    const auto unit = [&guide] { return guide.device(); };
+    guide.begin(story);
+    QTRY_VERIFY_WITH_TIMEOUT(unit() && unit()->liveness.heard && unit()->mayNotMove.empty(), patience);
+    buttonOf(stripOf(window, "guide"), QStringLiteral("Show me where"))->click();
+    QCOMPARE(window.shownPage(), PageId::Tune);
+    chooseMode(window, QStringLiteral("Position"));
+    bench.arming().arm(unit()->id);
+    QTRY_COMPARE_WITH_TIMEOUT(guide.step(), std::size_t(2), patience);
+    auto &page = bench.page<TunePage>(PageId::Tune);
+    // Pressed as a person does: again, where the page had not seen the arming yet.
+    const auto runTo = [&](auto &&isThere) {
+        for (int press = 0; press < 10 && !isThere(); ++press) {
+            if (!QTest::qWaitFor([&] { return isThere() || page.status().mayRun; }, patience))
+                return false;
+            QTest::keyClick(&window, Qt::Key_F5);
+            if (!QTest::qWaitFor([&] { return isThere() || bench.arming().isOnTrial(); }, 1000))
+                continue;
+            (void)QTest::qWaitFor([&] { return isThere() || !bench.arming().isOnTrial(); }, tuningTime);
+            (void)QTest::qWaitFor(isThere, 2000); // the guide looks with the next snapshot
+        }
+        return isThere();
+    };
+    type(window, QStringLiteral("To"), demo.shortStep);
+    QVERIFY2(runTo([&] { return guide.step() == 3; }), qPrintable(page.status().cause));
+    const QString short1 = guide.result();
+    keepWindow(bench, QStringLiteral("guide-short"));
+    const double rest = short1.section(QLatin1Char(' '), 0, 0).toDouble();
+    QVERIFY2(std::abs(rest - demo.shortBy) <= demo.shortBy / 4.0, qPrintable(short1));
+    for (const auto &[key, value] : demo.arrivingGains) {
+        const Parameter &row = unit()->family->parameters[findParameter(unit()->family->parameters, key)->value];
+        type(window, tableText(row.label), value);
+    }
+    QVERIFY2(runTo([&] { return guide.isDone(); }), qPrintable(page.status().cause));
+    qInfo("%s", qPrintable(guide.result()));
+    keepWindow(bench, QStringLiteral("guide-arrived"));
 }
 
 void WelcomeTest::aStoryNamesTheKeysAsTheyAre()

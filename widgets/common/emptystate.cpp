@@ -63,7 +63,7 @@ void EmptyState::restyle()
 {
     const Theme &theme = m_theme.theme();
     m_mark->setFixedSize(theme.u(44), theme.u(44));
-    m_text->setMinimumWidth(theme.u(220)); // large fonts in a small window
+    m_text->setMinimumWidth(theme.u(140)); // the list of devices may be this narrow
     m_text->setMaximumWidth(theme.u(400));
     layout()->setContentsMargins(theme.u(24), theme.u(24), theme.u(24), theme.u(24));
     layout()->setSpacing(theme.u(8));
