@@ -92,9 +92,8 @@ void TourStage::play(std::function<void(int)> ended)
 
 const DeviceView *TourStage::device(int DemoUnits::*unit) const
 {
-    return firstOf(m_workbench.snapshot(), [unit](const DeviceView &view) {
-        return isDemoUnit(*view.family, view.identity.address, unit);
-    });
+    return firstOf(m_workbench.snapshot(),
+        [unit](const DeviceView &view) { return isDemoUnit(*view.family, view.identity.address, unit); });
 }
 
 const DeviceView *TourStage::board() const

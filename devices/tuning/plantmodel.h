@@ -14,8 +14,8 @@ struct PlantModel {
     double stallCurrent = 0.0; ///< A per duty at standstill; 0: not known
     double backDuty = 0.0;     ///< duty that a count/s takes off it
     double noise = 0.0;        ///< σ of what a current loop measures, A
-    double sag = 0.0;          ///< share by which tau grows with the square of the duty (pushfit.h); it is that of dutyOfLag
-    double warming = 0.0;      ///< as PushFit::warming
+    double sag = 0.0;     ///< share by which tau grows with the square of the duty (pushfit.h); it is that of dutyOfLag
+    double warming = 0.0; ///< as PushFit::warming
 
     friend bool operator==(const PlantModel &, const PlantModel &) = default;
 };
