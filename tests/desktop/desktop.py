@@ -30,7 +30,7 @@ def enter():
         sys.exit(f"desktop: {', '.join(missing)} missing; scripts/install-packages test installs it")
     reads, writes = os.pipe()
     with tempfile.TemporaryDirectory() as home:
-        server = subprocess.Popen(["Xvfb", "-displayfd", str(writes), "-screen", "0", SCREEN + "x24", "-dpi", "96", "-nolisten", "tcp",
+        server = subprocess.Popen(["Xvfb", "-displayfd", str(writes), "-screen", "0", SCREEN + "x24", "-dpi", "96", "-noreset", "-nolisten", "tcp",
                                    "-fbdir", home], pass_fds=[writes], stderr=subprocess.DEVNULL)
         os.close(writes)
         display = os.read(reads, 16).decode().strip()
