@@ -21,6 +21,12 @@ Identity merged(const Identity &known, Identity seen)
 
 constexpr Duration commitPeriod = std::chrono::milliseconds(10);
 
+template <class Entries> auto entryOf(Entries &entries, const Device &device)
+{
+    return std::find_if(
+        entries.begin(), entries.end(), [&device](const auto &entry) { return entry.device.get() == &device; });
+}
+
 } // namespace
 
 DeviceBook::DeviceBook(Clock &clock, LinkBook &links, SessionMemory &memory, MotionGuard *guard)
@@ -147,15 +153,13 @@ Device *DeviceBook::find(DeviceId id) const
 
 DeviceId DeviceBook::idOf(const Device &device) const
 {
-    const auto entry
-        = std::find_if(m_entries.begin(), m_entries.end(), [&](const Entry &e) { return e.device.get() == &device; });
+    const auto entry = entryOf(m_entries, device);
     return entry == m_entries.end() ? DeviceId{} : entry->id;
 }
 
 SetPointStream &DeviceBook::stream(const Device &device)
 {
-    const auto entry
-        = std::find_if(m_entries.begin(), m_entries.end(), [&](const Entry &e) { return e.device.get() == &device; });
+    const auto entry = entryOf(m_entries, device);
     if (!entry->stream)
         entry->stream = std::make_unique<SetPointStream>(*entry->device, m_links.clockOf(entry->device->link()));
     return *entry->stream;

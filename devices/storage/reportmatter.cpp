@@ -104,13 +104,11 @@ Result<void> fill(TrialBook &book, ReportUnit &unit, const ReportWish &wish)
         ? newestOf(full, [](const KeptTrial &kept) { return std::tuple(kept.trial.mode, kept.trial.axis); })
         : std::move(full);
     unit.sines = newestSweep(unit.history, asked);
-    for (KeptTrial &kept : unit.sines) {
-        if (auto added = addSignals(book, kept.trial); !added)
-            return added;
-    }
-    for (KeptTrial &kept : unit.trials) {
-        if (auto added = addSignals(book, kept.trial); !added)
-            return added;
+    for (std::vector<KeptTrial> *const shown : {&unit.sines, &unit.trials}) {
+        for (KeptTrial &kept : *shown) {
+            if (auto added = addSignals(book, kept.trial); !added)
+                return added;
+        }
     }
     return {};
 }

@@ -145,6 +145,7 @@ private Q_SLOTS:
     void drawingsWearTheTheme();
     void labelsOfDrawingsFitInEachLanguage_data() { addLanguages(); }
     void labelsOfDrawingsFitInEachLanguage();
+    void pagesThatWereShownAreForgotten();
     void oneWindowIsOpenedOnce();
     void aPictureForPeople_data();
     void aPictureForPeople();
@@ -362,6 +363,18 @@ void HelpTest::labelsOfDrawingsFitInEachLanguage()
         }
     }
     QVERIFY(seen > 40);
+}
+
+void HelpTest::pagesThatWereShownAreForgotten()
+{
+    ThemeSource theme{lightTheme()};
+    HelpBrowser browser(theme);
+    for (const char *topic : {"first-hour", "safety", "tuning"})
+        QVERIFY(browser.showPage(QString::fromLatin1(topic)));
+    theme.setTheme(darkTheme());
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    QCOMPARE(browser.findChildren<QTextDocument *>().size(), 1);
+    QVERIFY(browser.findChildren<QTextDocument *>().contains(browser.document()));
 }
 
 void HelpTest::oneWindowIsOpenedOnce()

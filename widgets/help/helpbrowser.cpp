@@ -11,6 +11,7 @@
 #include <QFontDatabase>
 #include <QImage>
 #include <QPainter>
+#include <QPointer>
 #include <QRegularExpression>
 #include <QResizeEvent>
 #include <QScrollBar>
@@ -87,7 +88,10 @@ void HelpBrowser::fill()
     page->setMarkdown(QString::fromUtf8(file.readAll()), QTextDocument::MarkdownDialectGitHub);
     dressTables(*page);
     dressCode(*page);
+    const QPointer<QTextDocument> before = document();
     setDocument(page);
+    if (before) // the editor has deleted its first one itself; a link in this one may just be followed
+        before->deleteLater();
     moveCursor(QTextCursor::Start);
 }
 
