@@ -98,7 +98,7 @@ public:
     void start(const Family &family, Device &device, const FirmwareImage &image, const UpdateOptions &options)
     {
         m_device = &device;
-        device.setBusy(say("firmware update")); // nothing else may talk to it meanwhile
+        device.gate().setBusy(say("firmware update")); // nothing else may talk to it meanwhile
         m_operation.run<UpdateReport>(
             family.update(device, image, options, m_operation), [this](Result<UpdateReport> result) {
                 report = std::move(result);
@@ -124,7 +124,7 @@ private:
     void free()
     {
         if (Device *const device = std::exchange(m_device, nullptr))
-            device->setBusy({});
+            device->gate().setBusy({});
     }
     void tick()
     {

@@ -81,7 +81,7 @@ void printJson(Console &console, const Device &device, const Faults &faults)
     QJsonObject descriptors;
     for (const auto &[key, text] : device.identity().descriptors)
         descriptors.insert(qt(key), qt(text));
-    for (const auto &[key, number] : device.profile().calibration)
+    for (const auto &[key, number] : device.knowledge().profile().calibration)
         descriptors.insert(qt(key), qt(numberText(number)));
     object.insert(QStringLiteral("descriptors"), descriptors);
     object.insert(QStringLiteral("faults"), faults ? QJsonValue(toJson(*faults)) : QJsonValue());
@@ -116,7 +116,7 @@ void addBus(Table &table, Console &console, const CanLink &link)
 /// A choice that nobody made is the first.
 std::string calibrationText(const Device &device, const Calibration &row)
 {
-    const double known = device.profile().calibrated(row.key);
+    const double known = device.knowledge().profile().calibrated(row.key);
     if (row.choices.empty())
         return known > 0.0 ? numberText(known) : "unknown; keep it with --keep";
     std::string text;

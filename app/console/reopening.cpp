@@ -34,7 +34,7 @@ void Reopening::follow(LinkState state)
     if (state != LinkState::Lost || !mayReturn(m_link))
         return;
     m_console.note(
-        m_link.address().text() + " is lost: " + m_link.reason().english() + "; waiting for it to come back");
+        m_link.address().text() + " is lost: " + m_link.loss().message().english() + "; waiting for it to come back");
     m_retry.startIn(retryPeriod, [this] { attempt(); });
 }
 

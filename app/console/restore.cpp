@@ -92,7 +92,7 @@ void show(Console &console, const Device &device, const std::vector<Change> &cha
 std::vector<Change> lostChanges(const Device &device)
 {
     std::vector<Change> changes;
-    for (const ParameterChange &lost : lostSettings(device.family(), device.profile()))
+    for (const ParameterChange &lost : lostSettings(device.family(), device.knowledge().profile()))
         changes.push_back({{lost.index, std::nullopt, lost.raw}});
     return changes;
 }

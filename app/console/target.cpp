@@ -86,7 +86,7 @@ Task<void> noteReset(Console &console, Device &device)
         co_return {};
     auto looking = device.refresh();
     co_await std::move(looking);
-    if (const auto lost = lostSettings(device.family(), device.profile()).size(); lost > 0)
+    if (const auto lost = lostSettings(device.family(), device.knowledge().profile()).size(); lost > 0)
         console.note(device.selector() + " was reset: " + std::to_string(lost)
             + " settings that were written to it are unknown; write them again with 'motorbenchctl restore "
             + device.selector() + "'");

@@ -26,7 +26,7 @@ Task<settings::ParameterSnapshot> meetUnit(Device &device, settings::SettingsLog
 bool Encounters::isReady(const Device &device) const
 {
     return m_parameters.log() && device.liveness().heard && !device.liveness().moving
-        && device.identity().state == DeviceState::Online && device.busy().empty()
+        && device.identity().state == DeviceState::Online && device.gate().busy().empty()
         && !m_context.operations.has(m_context.session.idOf(device)) && !device.link().address().isRecording()
         && !readable(device).empty();
 }

@@ -49,7 +49,7 @@ void FirmwareUpdates::carryOut(const orders::UpdateFirmware &order, const Finish
     m_context.operations.begin<UpdateReport>(
         order.device, updateTitle(),
         [this, image = order.image, options = order.options](Device &unit, Progress &progress) {
-            unit.setBusy(say("firmware update"));
+            unit.gate().setBusy(say("firmware update"));
             return after<UpdateReport>(m_parameters.keepBefore(unit, settings::Occasion::Update, progress),
                 unit.family().update(unit, *image, options, progress));
         },
@@ -64,7 +64,7 @@ void FirmwareUpdates::ended(Operations::Job &job, const Result<UpdateReport> &re
     const bool good = report.outcome == UpdateOutcome::Done || report.outcome == UpdateOutcome::UpToDate;
     job.update = report;
     if (Device *device = m_context.session.find(job.device)) {
-        device->setBusy({});
+        device->gate().setBusy({});
         saveTranscript(job, *device);
         m_context.log.tell(good ? Severity::Good : Severity::Danger, *device, say("firmware: %1", report.summary()));
         m_scans.scan(device->link());

@@ -133,7 +133,7 @@ void Links::stateChanged(Link &link, LinkState state)
 {
     if (state == LinkState::Lost) {
         m_open[&link].wasLost = true;
-        m_context.log.tell(Severity::Danger, link.address().shortName(), link.reason());
+        m_context.log.tell(Severity::Danger, link.address().shortName(), link.loss().message());
     } else if (state == LinkState::Open) { // whoever opened it; first all who listen have their turn
         m_returned.startIn(Duration::zero(), [this] { welcomeReturned(); });
     }

@@ -64,7 +64,7 @@ std::map<Rates::Place, double> Rates::open() const
 bool Rates::isFree(DeviceId id) const
 {
     const Device *device = m_context.session.find(id);
-    return device->liveness().heard && device->busy().empty() && !m_context.operations.has(id);
+    return device->liveness().heard && device->gate().busy().empty() && !m_context.operations.has(id);
 }
 
 void Rates::wait()

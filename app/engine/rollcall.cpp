@@ -30,7 +30,8 @@ void RollCall::hear(const Device &device, Presence &presence)
             m_context.log.tell(Severity::Good, presence.name, say("answers again"));
         presence.heard = true;
         presence.lost = false;
-    } else if (presence.heard && device.busy().empty() && !m_context.operations.has(m_context.session.idOf(device))) {
+    } else if (presence.heard && device.gate().busy().empty()
+        && !m_context.operations.has(m_context.session.idOf(device))) {
         m_context.log.tell(Severity::Caution, presence.name, say("does not answer any more"));
         m_trials.forgetDirection(device);
         presence.heard = false;

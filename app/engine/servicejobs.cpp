@@ -279,7 +279,8 @@ Task<void> ServiceJobs::untilArmed(const Device &device, Progress &progress)
         if (m_station.leaving)
             co_return fail(Fault::Cancelled, say("left before the station was armed"));
         if (device.link().state() != LinkState::Open)
-            co_return fail(Fault::LinkLost, say("%1: %2", device.link().address().shortName(), device.link().reason()));
+            co_return fail(
+                Fault::LinkLost, say("%1: %2", device.link().address().shortName(), device.link().loss().message()));
         if (device.liveness().heard)
             heardAt = device.clock().now();
         if (isFollowed && device.clock().now() - heardAt >= takenOff)

@@ -39,7 +39,7 @@ bool SleepGuard::isNeeded() const
             return false;
         const SetPointStream &stream = m_session.stream(*device);
         const bool ours = stream.isRunning() || stream.end() != SetPointStream::End::None;
-        return !device->busy().empty() || stream.isRunning() || (ours && device->liveness().moving);
+        return !device->gate().busy().empty() || stream.isRunning() || (ours && device->liveness().moving);
     });
 }
 

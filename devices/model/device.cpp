@@ -15,8 +15,8 @@ constexpr Duration inputsToldEvery = std::chrono::milliseconds(50);
 } // namespace
 
 Device::Device(const Family &family, Link &link, Clock &clock, Identity identity)
-    : DeviceDriver(family)
-    , m_family(family)
+    : Stoppable(family.capabilities.watchdog)
+    , DeviceDriver(family)
     , m_link(link)
     , m_clock(clock)
     , m_identity(std::move(identity))
@@ -35,11 +35,6 @@ Device::Device(const Family &family, Link &link, Clock &clock, Identity identity
 
 Device::~Device() = default;
 
-bool Device::hasWatchdog() const
-{
-    return m_family.capabilities.watchdog;
-}
-
 void Device::setIdentity(Identity identity)
 {
     if (identity == m_identity)
@@ -51,12 +46,6 @@ void Device::setIdentity(Identity identity)
     m_changed.notify();
 }
 
-void Device::settingsLost()
-{
-    m_knowledge.settingsLost();
-    m_changed.notify();
-}
-
 void Device::setLiveness(const Liveness &liveness)
 {
     setLiveness(liveness, m_states, m_statesToldAt);
@@ -64,7 +53,8 @@ void Device::setLiveness(const Liveness &liveness)
 
 void Device::setLiveness(const Liveness &liveness, const LiveStates &states, Instant time)
 {
-    m_keepsMove = m_keepsMove && (m_liveness.restarted || !liveness.restarted);
+    if (liveness.restarted && !m_liveness.restarted)
+        m_gate.takeMove();
     const bool changed = liveness != m_liveness;
     if (changed)
         m_liveness = liveness;
@@ -74,7 +64,7 @@ void Device::setLiveness(const Liveness &liveness, const LiveStates &states, Ins
         m_statesChanged.notify(time);
     const bool due = states != m_toldStates
         && (time - m_statesToldAt >= inputsToldEvery
-            || conditionsOf(m_family.states, states) != conditionsOf(m_family.states, m_toldStates));
+            || conditionsOf(family().states, states) != conditionsOf(family().states, m_toldStates));
     if (due) {
         m_toldStates = states;
         m_statesToldAt = time;
@@ -103,22 +93,22 @@ Task<std::int64_t> Device::write(ParameterIndex index, std::int64_t raw)
         co_return fail(Fault::OutOfRange, say("%1 is read-only", parameter.key));
     auto task = doWrite(index, raw);
     const Result<std::int64_t> inForce = co_await std::move(task).attempt();
-    const bool forgotten = !m_family.capabilities.keepsSettings && parameter.nature == Nature::Setting;
+    const bool forgotten = !family().capabilities.keepsSettings && parameter.nature == Nature::Setting;
     if (inForce && (parameter.access == Access::WriteOnly || forgotten))
         m_knowledge.assume(index, *inForce);
     else if (inForce && parameter.nature != Nature::Counter)
         m_parameters.setWritten(index, *inForce);
-    if (inForce && m_family.capabilities.storesAtOnce)
+    if (inForce && family().capabilities.storesAtOnce)
         m_parameters.setAllStored();
     co_return inForce;
 }
 
 Result<void> Device::mayMove() const
 {
-    if (!m_busy.empty())
-        return fail(Fault::Unsafe, say("%1: %2", selector(), m_busy));
+    if (!m_gate.gate().busy().empty())
+        return fail(Fault::Unsafe, say("%1: %2", selector(), m_gate.gate().busy()));
     if (m_link.state() != LinkState::Open)
-        return fail(Fault::LinkLost, say("%1: %2", m_link.address().shortName(), m_link.reason()));
+        return fail(Fault::LinkLost, say("%1: %2", m_link.address().shortName(), m_link.loss().message()));
     if (m_link.address().isRecording())
         return fail(Fault::Unsupported,
             say("%1 is a recording: what is in it can be watched, not driven", m_link.address().shortName()),
@@ -143,7 +133,7 @@ Result<void> Device::mayMove() const
 Result<void> Device::command(const SetPoint &setPoint)
 {
     if (setPoint.mode == Mode::Off) {
-        if (m_family.capabilities.axes > 1)
+        if (family().capabilities.axes > 1)
             return doCommand(setPoint); // the other axes go on
         stop();
         return {};
@@ -152,13 +142,14 @@ Result<void> Device::command(const SetPoint &setPoint)
         return allowed;
     if (!m_guard.stands())
         return fail(Fault::Unsafe, m_guard.reason());
-    if (isStopPressed())
+    if (m_gate.isStopPressed())
         return fail(Fault::Unsafe, say("STOP was pressed"));
     if (auto checked = check(setPoint); !checked)
         return checked;
     if (auto sent = doCommand(setPoint); !sent)
         return sent;
-    m_keepsMove = m_keepsMove || setPoint.buffered;
+    if (setPoint.buffered)
+        m_gate.keepMove();
     m_stop.driven();
     return {};
 }
@@ -169,23 +160,17 @@ Result<void> Device::releaseMoves()
         return allowed;
     if (!m_guard.stands())
         return fail(Fault::Unsafe, m_guard.reason());
-    if (isStopPressed())
+    if (m_gate.isStopPressed())
         return fail(Fault::Unsafe, say("STOP was pressed"));
     return doReleaseMoves();
-}
-
-void Device::moveReleased()
-{
-    if (std::exchange(m_keepsMove, false))
-        m_stop.driven();
 }
 
 Result<void> Device::mayStop() const
 {
     if (m_link.address().isRecording())
         return fail(Fault::Unsafe, say("it is a recording"));
-    if (!m_busy.empty())
-        return fail(Fault::Unsafe, m_busy);
+    if (!m_gate.gate().busy().empty())
+        return fail(Fault::Unsafe, m_gate.gate().busy());
     if (m_identity.state == DeviceState::Bootloader)
         return fail(Fault::Unsafe, say("bootloader"));
     return doMayStop();
@@ -193,8 +178,8 @@ Result<void> Device::mayStop() const
 
 Task<void> Device::restart()
 {
-    if (!m_busy.empty())
-        co_return fail(Fault::Unsafe, say("%1: %2", selector(), m_busy));
+    if (!m_gate.gate().busy().empty())
+        co_return fail(Fault::Unsafe, say("%1: %2", selector(), m_gate.gate().busy()));
     stop();
     auto restarting = doRestart();
     co_await std::move(restarting);
@@ -205,7 +190,7 @@ void Device::stop()
 {
     if (m_link.address().isRecording())
         return; // what moves there moved when it was recorded
-    m_stoppedAt = m_clock.now();
+    m_gate.stopped(m_clock.now());
     doStop();
     m_stop.told();
 }

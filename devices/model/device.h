@@ -8,40 +8,17 @@
 #include "model/deviceknowledge.h"
 #include "model/devicestop.h"
 #include "model/identity.h"
+#include "model/liveness.h"
 #include "model/livestate.h"
+#include "model/motiongate.h"
 #include "model/parameterstore.h"
-#include "model/setpoint.h"
 #include "model/stoppable.h"
 #include "telemetry/telemetry.h"
 #include "transport/link.h"
 
-#include <atomic>
 #include <memory>
 
 namespace mb {
-
-struct Family;
-
-/// One of several axes of a device.
-struct AxisLiveness {
-    std::optional<Mode> mode; ///< as the device reports it, or else as it was told; nothing while it is not known
-    bool moving = false;      ///< its output is on, or its shaft turns
-
-    friend bool operator==(const AxisLiveness &, const AxisLiveness &) = default;
-};
-
-/// Whether the device is heard, and whether it moves.
-struct Liveness {
-    bool heard = false;              ///< its telemetry is up to date
-    bool moving = false;             ///< its output is on, or its shaft turns
-    std::optional<Mode> mode;        ///< as the device reports it
-    bool foreignMaster = false;      ///< somebody else sends it control frames
-    bool restarted = false;          ///< it was reset or changed its session since it was opened; read it again
-    std::vector<std::string> faults; ///< keys of the faults it reports in its telemetry; of an axis: "ch1.glitch"
-    std::vector<AxisLiveness> axes;  ///< from axis 1 on; empty where there is only one
-
-    friend bool operator==(const Liveness &, const Liveness &) = default;
-};
 
 /// One controller. Engine thread only, but for `telemetry()`, whose readers may be anywhere. Tasks it returns must end or be
 /// destroyed before it; one of its tasks at a time.
@@ -51,7 +28,6 @@ public:
     Device &operator=(const Device &) = delete;
     virtual ~Device();
 
-    [[nodiscard]] const Family &family() const { return m_family; }
     [[nodiscard]] Link &link() const override { return m_link; }
     [[nodiscard]] Clock &clock() const override { return m_clock; }
     [[nodiscard]] const Identity &identity() const { return m_identity; }
@@ -62,10 +38,7 @@ public:
     [[nodiscard]] ParameterStore &parameters() { return m_parameters; }
     [[nodiscard]] const ParameterStore &parameters() const { return m_parameters; }
     [[nodiscard]] const std::shared_ptr<Telemetry> &telemetry() const { return m_telemetry; }
-    [[nodiscard]] const Liveness &liveness() const { return m_liveness; }
-    [[nodiscard]] bool isHeard() const override { return m_liveness.heard; }
-    [[nodiscard]] bool isMoving() const override { return m_liveness.moving; }
-    [[nodiscard]] bool hasWatchdog() const override;
+    [[nodiscard]] const Liveness &liveness() const override { return m_liveness; }
     /// What it tells of itself by the rows of Family::states: limits that hold, a halt, levels of pins. Nothing while it is not heard.
     [[nodiscard]] const LiveStates &states() const { return m_states; }
     /// Identity, liveness, faults or states changed; of inputs it is told every 50 ms at most.
@@ -81,16 +54,16 @@ public:
     /// Stops the motor and restarts the device (Capabilities::restart); ends when it has answered again. Unsafe while busy.
     [[nodiscard]] Task<void> restart();
 
-    /// What stops this device when this process, or its engine thread, cannot: sent by the guardian and by the stop lane
-    /// (docs/architecture.md).
-    [[nodiscard]] StopScript stopScript() const override { return {}; }
     /// Who stops the motor if this program dies. A device without a watchdog takes commands only while it stands.
     [[nodiscard]] DeviceGuard &guard() { return m_guard; }
 
     /// What this program knows of the device that the device cannot tell.
     [[nodiscard]] DeviceKnowledge &knowledge() { return m_knowledge; }
-    [[nodiscard]] const DeviceProfile &profile() const { return m_knowledge.profile(); }
+    [[nodiscard]] const DeviceKnowledge &knowledge() const { return m_knowledge; }
 
+    /// What of this program stands before a motion.
+    [[nodiscard]] MotionGate &gate() { return m_gate; }
+    [[nodiscard]] const MotionGate &gate() const { return m_gate; }
     /// Why this device must not be driven now: duplicate, bootloader, foreign master, update …, or success.
     [[nodiscard]] Result<void> mayMove() const;
     /// One control frame, now. Unsafe while a guard is needed and does not stand. Must be repeated within the device's watchdog time: SetPointStream does.
@@ -98,10 +71,6 @@ public:
     /// Starts the buffered moves of every device on this link at the same moment (Capabilities::bufferedMoves). Unsafe while a
     /// guard is needed and does not stand. It knows of this device only: Session::releaseMoves() looks at the others.
     [[nodiscard]] Result<void> releaseMoves();
-    /// It keeps a move that has not begun; a stop does not take it away.
-    [[nodiscard]] bool keepsMove() const { return m_keepsMove; }
-    /// For Session: the moves of the link have begun, this one's with them.
-    void moveReleased();
     /// Stop, now, without waiting for anything; before everything that is queued on the link. Always allowed. stopping() follows
     /// it up.
     void stop() override;
@@ -113,13 +82,6 @@ public:
     /// The same stop once more; telemetry that is younger than the first counts. Families that repeat a stop by themselves do
     /// nothing here.
     void repeatStop() override { doStop(); }
-    /// While it is true nothing drives the device: STOP was pressed, and this thread has not come to it yet. Outlives the device.
-    void setStopGate(const std::atomic<bool> *gate) { m_stopGate = gate; }
-    [[nodiscard]] bool isStopPressed() const { return m_stopGate && *m_stopGate; }
-
-    /// While an update runs nothing else may talk to the device.
-    void setBusy(Message why) { m_busy = std::move(why); }
-    [[nodiscard]] const Message &busy() const { return m_busy; }
 
 protected:
     Device(const Family &family, Link &link, Clock &clock, Identity identity);
@@ -127,13 +89,8 @@ protected:
     void setLiveness(const Liveness &liveness);
     /// The same with what it tells of itself; `time` is that of the frame that told. Call it with every such frame.
     void setLiveness(const Liveness &liveness, const LiveStates &states, Instant time);
-    void setStates(const LiveStates &states, Instant time) { setLiveness(m_liveness, states, time); }
-    [[nodiscard]] Instant stoppedAt() const { return m_stoppedAt; }
-    /// For families whose devices keep nothing: a reset was noticed.
-    void settingsLost();
 
 private:
-    const Family &m_family;
     Link &m_link;
     Clock &m_clock;
     Identity m_identity;
@@ -146,10 +103,7 @@ private:
     Instant m_statesToldAt{};
     Listeners<Instant> m_statesChanged;
     Listeners<> m_changed;
-    Message m_busy;
-    Instant m_stoppedAt{};
-    bool m_keepsMove = false;
-    const std::atomic<bool> *m_stopGate = nullptr;
+    MotionGate m_gate;
     DeviceGuard m_guard;
     DeviceStop m_stop;
     Subscription m_profileApplied;

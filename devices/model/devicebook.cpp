@@ -86,7 +86,7 @@ void DeviceBook::open(Entry &entry, Link &link, const Family &family, const Iden
     entry.device = family.open(link, m_links.clockOf(link), identity);
     Device &device = *entry.device;
     device.guard().setSource(m_guard);
-    device.setStopGate(m_stopGate);
+    device.gate().setStopGate(m_stopGate);
     if (m_store)
         device.telemetry()->keepIn(m_store);
     m_memory.recall(device);

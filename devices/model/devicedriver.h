@@ -5,7 +5,6 @@
 #include "async/task.h"
 #include "model/parameter.h"
 #include "model/setpoint.h"
-#include "model/stopscript.h"
 #include "telemetry/channel.h"
 
 #include <cstdint>
@@ -31,6 +30,7 @@ public:
     DeviceDriver(const DeviceDriver &) = delete;
     DeviceDriver &operator=(const DeviceDriver &) = delete;
 
+    [[nodiscard]] const Family &family() const { return m_family; }
     /// False for a parameter of the family's table that this device's dialect does not have.
     [[nodiscard]] virtual bool offers(ParameterIndex) const { return true; }
     /// Versions and descriptors from the device itself.

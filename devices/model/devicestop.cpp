@@ -45,7 +45,7 @@ void DeviceStop::driven()
 
 void DeviceStop::told()
 {
-    m_forMotion = m_forMotion || m_moved || m_device.isMoving();
+    m_forMotion = m_forMotion || m_moved || m_device.liveness().moving;
     m_isOurLine = true;
     m_toldAt = m_sentAt = m_device.clock().now();
     const bool cut = m_device.link().state() != LinkState::Open && !m_device.hasWatchdog();
@@ -107,7 +107,7 @@ void DeviceStop::lookAtOpenLine()
 {
     const Instant now = m_device.clock().now();
     const Duration since = now - m_toldAt;
-    const bool heard = m_device.isHeard();
+    const bool heard = m_device.liveness().heard;
     if (m_state == StopState::Stopping && since >= (heard ? coastLimit : noSignLimit)) {
         if (!m_forMotion) {
             enter(StopState::Silent);

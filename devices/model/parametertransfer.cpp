@@ -114,7 +114,7 @@ Task<int> rewriteSettings(Device &device, Progress &progress)
         auto looking = device.refresh();
         co_await std::move(looking);
     }
-    const std::vector<ParameterChange> lost = lostSettings(device.family(), device.profile());
+    const std::vector<ParameterChange> lost = lostSettings(device.family(), device.knowledge().profile());
     const int total = static_cast<int>(lost.size());
     for (int i = 0; i < total; ++i) {
         const ParameterChange &change = lost[static_cast<std::size_t>(i)];

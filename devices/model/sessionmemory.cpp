@@ -51,8 +51,8 @@ void SessionMemory::keep(const Device &device)
     if (!m_profiles || !isKept(device.link()))
         return;
     if (m_background)
-        keepInBackground(device.selector(), device.profile());
-    else if (auto kept = m_profiles->save(device.selector(), device.profile()); !kept)
+        keepInBackground(device.selector(), device.knowledge().profile());
+    else if (auto kept = m_profiles->save(device.selector(), device.knowledge().profile()); !kept)
         m_profileTrouble.notify(kept.error().message());
 }
 

@@ -60,7 +60,7 @@ Result<void> SessionStops::releaseMoves(Device &lead)
 {
     for (const DeviceBook::Entry &entry : m_devices.entries()) {
         Device &device = *entry.device;
-        if (&device.link() != &lead.link() || !device.keepsMove())
+        if (&device.link() != &lead.link() || !device.gate().keepsMove())
             continue;
         if (!entry.isStreaming())
             return fail(Fault::Unsafe,
@@ -73,8 +73,10 @@ Result<void> SessionStops::releaseMoves(Device &lead)
     auto released = lead.releaseMoves();
     if (!released)
         return released;
-    for (Device *device : m_devices.on(lead.link()))
-        device->moveReleased();
+    for (Device *device : m_devices.on(lead.link())) {
+        if (device->gate().takeMove())
+            device->stopping().driven();
+    }
     return released;
 }
 

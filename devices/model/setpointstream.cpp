@@ -229,10 +229,10 @@ bool SetPointStream::checkDevice()
     if (!m_running)
         return false;
     const Liveness &liveness = m_device.liveness();
-    if (m_device.isStopPressed())
+    if (m_device.gate().isStopPressed())
         finish(End::Stopped, say("stopped"));
     else if (m_device.link().state() != LinkState::Open)
-        finish(End::LinkLost, say("%1: %2", m_device.link().address().shortName(), m_device.link().reason()));
+        finish(End::LinkLost, say("%1: %2", m_device.link().address().shortName(), m_device.link().loss().message()));
     else if (m_device.guard().hasFailed())
         finish(End::Unguarded, m_device.guard().reason());
     else if (hasSlept())

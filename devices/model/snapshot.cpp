@@ -44,7 +44,7 @@ DeviceView viewOf(Session &session, Device &device)
     view.link = device.link().address().text();
     view.liveness = device.liveness();
     view.states = device.states();
-    view.busy = device.busy();
+    view.busy = device.gate().busy();
     const SetPointStream &stream = session.stream(device);
     view.motion = {stream.isRunning(), stream.setPoint(), stream.setPoints(), stream.end(), stream.reason()};
     view.telemetry = device.telemetry();
@@ -52,7 +52,7 @@ DeviceView viewOf(Session &session, Device &device)
         view.rates.push_back(device.telemetry()->rate({static_cast<std::uint16_t>(i)}));
     view.parameters.assign(device.parameters().entries().begin(), device.parameters().entries().end());
     view.parameterRevision = device.parameters().revision();
-    view.profile = device.profile();
+    view.profile = device.knowledge().profile();
     if (auto allowed = device.mayMove(); !allowed)
         view.mayNotMove = allowed.error().message();
     view.stop = device.stopping().state();
@@ -60,7 +60,7 @@ DeviceView viewOf(Session &session, Device &device)
     view.mayTurn = device.stopping().mayTurn();
     if (auto allowed = device.mayStop(); !allowed)
         view.mayNotBeStopped = allowed.error().message();
-    view.keepsMove = device.keepsMove();
+    view.keepsMove = device.gate().keepsMove();
     return view;
 }
 
@@ -72,7 +72,7 @@ LinkView viewOf(const Link &link, Instant now)
     view.name = link.address().shortName();
     view.kind = link.kind();
     view.state = link.state();
-    view.reason = link.reason();
+    view.reason = link.loss().message();
     view.simulated = link.address().isSimulated();
     view.counters = link.counters();
     if (link.kind() == LinkKind::Can) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "async/clock.h"
+#include "model/liveness.h"
 #include "model/stopscript.h"
 #include "transport/link.h"
 
@@ -15,23 +16,28 @@ public:
     [[nodiscard]] virtual Link &link() const = 0;
     [[nodiscard]] virtual Clock &clock() const = 0;
     [[nodiscard]] virtual std::string selector() const = 0;
-    /// Capabilities::watchdog.
-    [[nodiscard]] virtual bool hasWatchdog() const = 0;
-    /// Its telemetry is up to date.
-    [[nodiscard]] virtual bool isHeard() const = 0;
-    /// It was seen to move.
-    [[nodiscard]] virtual bool isMoving() const = 0;
+    /// Its own watchdog switches its output off when nobody commands it (Capabilities::watchdog).
+    [[nodiscard]] bool hasWatchdog() const { return m_hasWatchdog; }
+    [[nodiscard]] virtual const Liveness &liveness() const = 0;
     /// By telemetry that is younger than the call to stop(): output off.
     [[nodiscard]] virtual bool isSeenStopped() const = 0;
     /// See Device.
     [[nodiscard]] virtual Result<void> mayStop() const = 0;
-    [[nodiscard]] virtual StopScript stopScript() const = 0;
+    /// What stops this device when this process, or its engine thread, cannot: sent by the guardian and by the stop lane
+    /// (docs/architecture.md).
+    [[nodiscard]] virtual StopScript stopScript() const { return {}; }
     virtual void stop() = 0;
     virtual void repeatStop() = 0;
 
 protected:
-    Stoppable() = default;
+    explicit Stoppable(bool hasWatchdog)
+        : m_hasWatchdog(hasWatchdog)
+    {
+    }
     ~Stoppable() = default;
+
+private:
+    bool m_hasWatchdog;
 };
 
 } // namespace mb

@@ -98,7 +98,7 @@ Task<void> QueueBus::run()
     }
     while (!m_run.isFinishing() && !m_run.isComplete()) {
         if (m_link.state() != LinkState::Open)
-            co_return fail(Fault::LinkLost, say("%1: %2", m_link.address().shortName(), m_link.reason()));
+            co_return fail(Fault::LinkLost, say("%1: %2", m_link.address().shortName(), m_link.loss().message()));
         Row *const row = m_run.mayBegin() ? m_rows.next() : nullptr;
         if (row) {
             auto serving = serve(*row);

@@ -24,11 +24,11 @@ public:
     Busy(Device &device, const Message &why)
         : m_device(device)
     {
-        device.setBusy(why);
+        device.gate().setBusy(why);
     }
     Busy(const Busy &) = delete;
     Busy &operator=(const Busy &) = delete;
-    ~Busy() { m_device.setBusy({}); }
+    ~Busy() { m_device.gate().setBusy({}); }
 
 private:
     Device &m_device;

@@ -203,7 +203,7 @@ Task<void> keepReplaced(const Device &device, std::vector<std::pair<std::string,
 Task<int> rewriteKept(Device &device, Origin origin, SettingsLog *log, Progress &progress)
 {
     SettingsChange change = changeOf(device, {origin, Purpose::Restore});
-    for (const ParameterChange &lost : lostSettings(device.family(), device.profile()))
+    for (const ParameterChange &lost : lostSettings(device.family(), device.knowledge().profile()))
         change.values.push_back(
             {std::string(device.parameters().parameter(lost.index).key), std::nullopt, lost.raw, Proof::Open});
     auto beginning = beginKept(log, change, progress);

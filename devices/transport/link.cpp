@@ -43,6 +43,8 @@ Task<void> Link::openSoon()
         co_return {};
     if (m_opening)
         co_return fail(Fault::LinkLost, say("%1 is being opened already", m_address.shortName()));
+    if (!m_background)
+        co_return open();
     struct Mark {
         explicit Mark(bool &opening)
             : isOpening(opening)
@@ -57,7 +59,7 @@ Task<void> Link::openSoon()
     const Mark mark(m_opening);
     beginOpening();
     const int attempt = m_attempt;
-    auto opening = m_background ? doOpenSoon(*m_background) : openNow();
+    auto opening = doOpenSoon(*m_background);
     const Result<void> opened = co_await std::move(opening).attempt();
     if (!opened)
         co_return fail(opened.error());

@@ -70,9 +70,7 @@ public:
     [[nodiscard]] const LinkAddress &address() const { return m_address; }
     [[nodiscard]] LinkKind kind() const { return m_kind; }
     [[nodiscard]] LinkState state() const { return m_state; }
-    /// Why the link is lost, in one clause.
-    [[nodiscard]] Message reason() const { return m_loss.message(); }
-    /// The same in its parts; without a cause while nothing is wrong.
+    /// Why the link is lost; without a cause while nothing is wrong.
     [[nodiscard]] const Error &loss() const { return m_loss; }
     /// What to fail with when the link is not open: LinkLost and the reason.
     [[nodiscard]] Error notOpen() const;
@@ -101,7 +99,7 @@ public:
     void closedFor(Message reason);
     /// Asks the backend for losses that are told on request only, so that counters() holds every one up to now. Some
     /// microseconds; not for every frame.
-    void recount() { doRecount(); }
+    virtual void recount() { }
 
     [[nodiscard]] Listeners<LinkState> &stateChanged() { return m_stateChanged; }
     /// Everything received and sent, in order. What listens here must be quick: it runs once per frame.
@@ -125,9 +123,7 @@ private:
     [[nodiscard]] virtual Task<void> doOpenSoon(Background &) { co_return doOpen(); }
     virtual void doClose() = 0;
     void beginOpening();
-    [[nodiscard]] Task<void> openNow() { co_return doOpen(); }
     [[nodiscard]] virtual Outlet doOutlet() const { return {}; }
-    virtual void doRecount() { }
 
     LinkAddress m_address;
     LinkKind m_kind;

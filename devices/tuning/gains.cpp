@@ -79,7 +79,7 @@ Task<std::vector<OwedValue>> readReplaced(Device &device, std::vector<ParameterC
         if (isReadable(device, change.index)) {
             auto reading = device.read(change.index);
             co_await std::move(reading);
-        } else if (!isKnown(device, change.index) || device.profile().lost.contains(key)) {
+        } else if (!isKnown(device, change.index) || device.knowledge().profile().lost.contains(key)) {
             co_return fail(Fault::OutOfRange, say("%1 cannot be read, so it could not be put back", key),
                 say("write the gains of this loop once with 'motorbenchctl set', or give --keep"));
         }

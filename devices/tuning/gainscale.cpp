@@ -123,7 +123,7 @@ std::optional<double> loopUnits(const Family &family, Mode loop)
 
 Result<void> checkScales(const Device &device, Mode loop)
 {
-    return checkScales(device.family(), device.profile(), loop);
+    return checkScales(device.family(), device.knowledge().profile(), loop);
 }
 
 Result<void> checkScales(const Family &family, const DeviceProfile &profile, Mode loop)
@@ -142,7 +142,7 @@ Result<void> checkScales(const Family &family, const DeviceProfile &profile, Mod
 Result<ScaledGains> scaleGains(const Device &device, Mode loop, int axis, int slot, const ContinuousGains &gains,
     const std::optional<TriedScale> &tried)
 {
-    return scaleGains(device.family(), device.profile(), loop, axis, slot, gains, tried);
+    return scaleGains(device.family(), device.knowledge().profile(), loop, axis, slot, gains, tried);
 }
 
 Result<ScaledGains> scaleGains(const Family &family, const DeviceProfile &profile, Mode loop, int axis, int slot,

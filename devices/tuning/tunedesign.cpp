@@ -68,8 +68,8 @@ ProposalBasis TuneDesign::basis() const
 {
     const Device &device = m_run.device();
     const TuneReport &report = m_run.report();
-    return {device.family(), device.profile(), m_plan.loop, m_plan.axis, m_plan.slot, report.plant, m_run.envelope(),
-        report.scale, report.taking};
+    return {device.family(), device.knowledge().profile(), m_plan.loop, m_plan.axis, m_plan.slot, report.plant,
+        m_run.envelope(), report.scale, report.taking};
 }
 
 /// The plan's own response and damping take the place of its aim's.

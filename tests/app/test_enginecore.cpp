@@ -325,7 +325,7 @@ TEST_F(Core, DoesNotLetAnythingElseTalkToAUnitDuringAnUpdate)
     ASSERT_TRUE(operation && operation->update);
     EXPECT_NE(operation->update->outcome, UpdateOutcome::Done) << "an empty image is no success";
     EXPECT_FALSE(operation->update->verified);
-    EXPECT_TRUE(device(7)->busy().empty());
+    EXPECT_TRUE(device(7)->gate().busy().empty());
 }
 
 TEST_F(Core, TheLogTellsWhoWasFoundAndWhoFellSilent)

@@ -245,9 +245,9 @@ TEST_F(Guarded, TheComputerIsKeptAwakeFromTheFirstSetPointUntilTheMotorIsStopped
 
 TEST_F(Guarded, TheComputerIsKeptAwakeWhileFirmwareIsWritten)
 {
-    device->setBusy(say("firmware update"));
+    device->gate().setBusy(say("firmware update"));
     EXPECT_TRUE(becomesAwake(true));
-    device->setBusy({});
+    device->gate().setBusy({});
     EXPECT_TRUE(becomesAwake(false));
 }
 

@@ -175,7 +175,7 @@ TEST_F(SlowWork, WhatIsKnownOfADeviceIsKeptAlthoughTheDiskTakesItLater)
     background.release();
     clock.advance(10ms);
     ASSERT_TRUE(isOpen(good));
-    EXPECT_EQ(motor().profile().verdicts.at("direction"), "reversed");
+    EXPECT_EQ(motor().knowledge().profile().verdicts.at("direction"), "reversed");
     EXPECT_TRUE(std::filesystem::exists(folder.path("profiles")));
 }
 

@@ -273,14 +273,14 @@ TEST_F(AbstractDcController, AnotherRunOfTheProgramKnowsThatThePowerCycleIsOwed)
     Simulator &drive = add("abstractdc:3");
     open(3, &dialectF);
     ASSERT_TRUE(write("current.averaging", 50));
-    const DeviceProfile kept = device->profile();
+    const DeviceProfile kept = device->knowledge().profile();
     open(3, &dialectF);
     EXPECT_TRUE(device->mayMove());
     device->knowledge().setProfile(kept);
     EXPECT_FALSE(device->mayMove());
     powerCycle(drive, clock);
     EXPECT_TRUE(device->mayMove());
-    EXPECT_NE(device->profile(), kept) << "to be kept";
+    EXPECT_NE(device->knowledge().profile(), kept) << "to be kept";
 }
 
 TEST_F(AbstractDcController, ACableThatWasOutIsNoPowerCycle)
@@ -330,7 +330,7 @@ TEST_F(AbstractDcController, SavesAreCountedWarnedOfAndRefusedBeforeTheFlashBug)
         ASSERT_TRUE(test::run(clock, device->store(log))) << i;
         EXPECT_EQ(log.lines.empty(), i < 40) << i;
     }
-    EXPECT_EQ(device->profile().counters.at("saves.velocity"), 50);
+    EXPECT_EQ(device->knowledge().profile().counters.at("saves.velocity"), 50);
     Log log;
     ASSERT_TRUE(write("velocity.p", 51));
     const auto refused = test::run(clock, device->store(log));

@@ -242,7 +242,7 @@ TEST_F(AbstractDcUpdate, ErasingTheSettingsIsWarnedOfAndForgetsWhatWasAssumed)
     EXPECT_EQ(steps.worst, Severity::Caution);
     const auto divisor = *findParameter(family.parameters, "velocity.divisor");
     EXPECT_EQ(device->parameters().entry(divisor).raw, 0) << "blank flash";
-    EXPECT_EQ(device->profile().counters.at("saves.velocity"), 0);
+    EXPECT_EQ(device->knowledge().profile().counters.at("saves.velocity"), 0);
 }
 
 TEST_F(AbstractDcUpdate, AVerifyThatFailsIsAFailureWhateverTheExitStatus)

@@ -147,7 +147,8 @@ TEST_P(Contract, EveryWritableParameterWritesAndReadsBackWhereTheDeviceCan)
             EXPECT_FALSE(outcomes->front().verified) << parameter.key << ": nobody can know";
             EXPECT_EQ(device->parameters().entry({i}).state, ParameterState::Assumed) << parameter.key;
             EXPECT_EQ(device->parameters().entry({i}).raw, *raw) << parameter.key;
-            EXPECT_EQ(device->profile().written.at(std::string(parameter.key)), *raw) << "kept for the next run";
+            EXPECT_EQ(device->knowledge().profile().written.at(std::string(parameter.key)), *raw)
+                << "kept for the next run";
         }
     }
 }
@@ -196,9 +197,9 @@ TEST_P(Contract, CalibrationsAreCheckedKeptAndForgotten)
         EXPECT_FALSE(row.label.empty() || row.help.empty()) << row.key;
         EXPECT_FALSE(device->knowledge().calibrate(row.key, row.maximum * 2.0)) << row.key;
         ASSERT_TRUE(device->knowledge().calibrate(row.key, row.minimum)) << row.key;
-        EXPECT_EQ(device->profile().calibrated(row.key), row.minimum);
+        EXPECT_EQ(device->knowledge().profile().calibrated(row.key), row.minimum);
         ASSERT_TRUE(device->knowledge().calibrate(row.key, std::nullopt)) << row.key;
-        EXPECT_EQ(device->profile().calibrated(row.key, -1.0), -1.0);
+        EXPECT_EQ(device->knowledge().profile().calibrated(row.key, -1.0), -1.0);
     }
 }
 
@@ -230,7 +231,7 @@ TEST_P(Contract, WhatAResetTakesIsLostAndCanBeWrittenAgain)
     }
     NoProgress progress;
     ASSERT_TRUE(run(bench->clock, writeParameters(*device, changes, progress)));
-    EXPECT_TRUE(lostSettings(family(), device->profile()).empty());
+    EXPECT_TRUE(lostSettings(family(), device->knowledge().profile()).empty());
     Simulator *simulator = simulatorOf(*device);
     ASSERT_NE(simulator, nullptr);
     simulator->setPowered(false);
@@ -238,16 +239,16 @@ TEST_P(Contract, WhatAResetTakesIsLostAndCanBeWrittenAgain)
     simulator->setPowered(true);
     bench->clock.advance(3s);
     if (family().capabilities.keepsSettings) {
-        EXPECT_TRUE(lostSettings(family(), device->profile()).empty()) << "the device has them";
+        EXPECT_TRUE(lostSettings(family(), device->knowledge().profile()).empty()) << "the device has them";
         return;
     }
     EXPECT_TRUE(device->liveness().restarted);
-    ASSERT_EQ(lostSettings(family(), device->profile()).size(), changes.size());
+    ASSERT_EQ(lostSettings(family(), device->knowledge().profile()).size(), changes.size());
     for (const ParameterChange &change : changes)
         EXPECT_EQ(device->parameters().entry(change.index).state, ParameterState::Unknown);
     const auto written = run(bench->clock, rewriteSettings(*device, progress));
     ASSERT_TRUE(written) << written.error().text();
-    EXPECT_TRUE(lostSettings(family(), device->profile()).empty());
+    EXPECT_TRUE(lostSettings(family(), device->knowledge().profile()).empty());
 }
 
 TEST_P(Contract, AnExperimentSaysWhatItDoesAndLeavesTheMotorStoppedWhenItIsCutAnywhere)

@@ -88,7 +88,7 @@ TEST_F(Dmc60cHalt, ARestartStopsTheMotorAndIsRefusedDuringAnUpdate)
     EXPECT_FALSE(stream.isRunning());
     bench.clock.advance(1s);
     EXPECT_FALSE(bench.simulator("dmc60c:5")->isOutputOn());
-    device->setBusy(say("firmware update"));
+    device->gate().setBusy(say("firmware update"));
     EXPECT_EQ(run(bench.clock, device->restart()).error().fault, Fault::Unsafe);
 }
 

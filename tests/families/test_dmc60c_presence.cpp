@@ -109,7 +109,7 @@ TEST_F(Dmc60cController, WaitsFivePeriodsForASlowDevice)
 
 TEST_F(Dmc60cController, KeepsQuietWhileAnUpdateRuns)
 {
-    device->setBusy(say("an update runs"));
+    device->gate().setBusy(say("an update runs"));
     clock.advance(10s);
     unit.send("0206F005#CDAB03012060");
     clock.advance(1s);

@@ -43,7 +43,10 @@ struct QuadQuad2DrvReset : testing::Test {
         ASSERT_TRUE(outcomes);
         ASSERT_EQ(outcomes->size(), changes.size());
     }
-    [[nodiscard]] std::size_t lost() const { return lostSettings(device->family(), device->profile()).size(); }
+    [[nodiscard]] std::size_t lost() const
+    {
+        return lostSettings(device->family(), device->knowledge().profile()).size();
+    }
     [[nodiscard]] bool hasSent(const Bytes &packet) const
     {
         return std::find(sent.begin(), sent.end(), packet) != sent.end();
@@ -105,9 +108,9 @@ TEST_F(QuadQuad2DrvReset, ItIsWrittenAgainEvenBeforeAnybodyLookedAtTheBoard)
 TEST_F(QuadQuad2DrvReset, ASecondRunBelievesWhatWasWrittenWhileTheBoardKeptItsPower)
 {
     writeSome();
-    const auto again = anotherRun(device->profile());
+    const auto again = anotherRun(device->knowledge().profile());
     bench.clock.advance(1s);
-    EXPECT_TRUE(lostSettings(again->family(), again->profile()).empty());
+    EXPECT_TRUE(lostSettings(again->family(), again->knowledge().profile()).empty());
     EXPECT_FALSE(again->liveness().restarted);
     const auto &entry = again->parameters().entry(indexOf(0, AxisParameter::PositionP));
     EXPECT_EQ(entry.raw, 250);
@@ -118,12 +121,12 @@ TEST_F(QuadQuad2DrvReset, ASecondRunSeesThatTheBoardWasResetInBetween)
 {
     writeSome();
     powerCycle();
-    const auto again = anotherRun(device->profile());
+    const auto again = anotherRun(device->knowledge().profile());
     ASSERT_TRUE(again->parameters().entry(indexOf(0, AxisParameter::PositionP)).raw);
     ASSERT_TRUE(run(bench.clock, again->refresh()));
-    EXPECT_EQ(lostSettings(again->family(), again->profile()).size(), 4U);
+    EXPECT_EQ(lostSettings(again->family(), again->knowledge().profile()).size(), 4U);
     EXPECT_FALSE(again->parameters().entry(indexOf(0, AxisParameter::PositionP)).raw);
-    const auto third = anotherRun(again->profile());
+    const auto third = anotherRun(again->knowledge().profile());
     EXPECT_FALSE(third->parameters().entry(indexOf(0, AxisParameter::PositionP)).raw) << "lost stays lost";
 }
 
@@ -223,7 +226,7 @@ TEST_F(QuadQuad2DrvReset, ValuesOfAnEditedFileThatAreOutOfRangeAreNotTaken)
     const auto again = anotherRun(kept);
     EXPECT_FALSE(again->parameters().entry(indexOf(0, AxisParameter::PositionP)).raw);
     EXPECT_EQ(again->parameters().entry(indexOf(0, AxisParameter::PositionI)).raw, 300);
-    EXPECT_TRUE(lostSettings(again->family(), again->profile()).empty());
+    EXPECT_TRUE(lostSettings(again->family(), again->knowledge().profile()).empty());
 }
 
 } // namespace

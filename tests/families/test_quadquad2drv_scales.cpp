@@ -69,7 +69,7 @@ struct Board {
         renewal.stop();
         return end ? std::move(*end) : fail(Fault::Timeout, say("it did not end"));
     }
-    [[nodiscard]] double kept(std::string_view key) const { return device->profile().calibrated(key); }
+    [[nodiscard]] double kept(std::string_view key) const { return device->knowledge().profile().calibrated(key); }
     [[nodiscard]] bool hasSent(const Bytes &packet) const
     {
         return std::find(sent.begin(), sent.end(), packet) != sent.end();
@@ -193,7 +193,7 @@ TEST(QuadQuad2DrvExperiment, CancelledInTheMiddleItStopsTheMotorAndPutsTheGainsB
     EXPECT_EQ(end, Fault::Cancelled);
     EXPECT_FALSE(bench.board().isOutputOn());
     bench.clock.advance(500ms);
-    EXPECT_TRUE(bench.device->profile().calibration.empty()) << "nothing half-known is kept";
+    EXPECT_TRUE(bench.device->knowledge().profile().calibration.empty()) << "nothing half-known is kept";
     const auto last = std::find_if(bench.sent.rbegin(), bench.sent.rend(),
         [](const Bytes &packet) { return packet[2] == static_cast<std::uint8_t>(PacketId::SetVelocityGains); });
     ASSERT_NE(last, bench.sent.rend());

@@ -128,7 +128,7 @@ TEST_F(QuadQuad2DrvStop, TheResetLineIsItsLastResort)
 
 TEST_F(QuadQuad2DrvStop, ABoardWhoseFirmwareIsWrittenIsNotResetByIt)
 {
-    device->setBusy(say("firmware update"));
+    device->gate().setBusy(say("firmware update"));
     spi().setLoss(1.0);
     device->stop();
     bench.clock.advance(3s);

@@ -122,8 +122,9 @@ TEST_F(Rates, ADriverThatDoesNotAnswerLosesTheLinkWithItsRemedy)
     const auto ticket = ask(4, 57600, Rank::Task, first);
     clock.advance(Link::openLimit + 1ms);
     EXPECT_EQ(link->state(), LinkState::Lost);
-    EXPECT_NE(link->reason().english().find("its driver has not answered for 5 s; unplug it"), std::string::npos)
-        << link->reason();
+    EXPECT_NE(
+        link->loss().message().english().find("its driver has not answered for 5 s; unplug it"), std::string::npos)
+        << link->loss().message();
     ASSERT_TRUE(first);
     EXPECT_EQ(first->error().fault, Fault::LinkLost);
     background.release();

@@ -128,7 +128,7 @@ TEST_F(SerialBench, LossAndACableThatComesOutAreOptions)
     EXPECT_EQ(link->state(), LinkState::Open);
     clock.advance(2s);
     EXPECT_EQ(link->state(), LinkState::Lost);
-    EXPECT_EQ(link->reason(), "the cable was pulled out; plug it in again");
+    EXPECT_EQ(link->loss().message(), "the cable was pulled out; plug it in again");
 }
 
 TEST_F(SerialBench, WhatDoesNotExistIsRefused)

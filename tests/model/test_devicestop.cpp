@@ -76,28 +76,24 @@ TEST_F(Stopping, ThatNobodySeesSaysThatTheMotorMayStillTurnUntilItIsSeen)
 /// A device of which only a stop and its guard know anything.
 struct Known final : Stoppable {
     Known(Link &where, Clock &when, bool dog, bool talks)
-        : line(where)
+        : Stoppable(dog)
+        , line(where)
         , time(when)
-        , watchdog(dog)
-        , heard(talks)
     {
+        life.heard = talks;
     }
     [[nodiscard]] Link &link() const override { return line; }
     [[nodiscard]] Clock &clock() const override { return time; }
     [[nodiscard]] std::string selector() const override { return "known"; }
-    [[nodiscard]] bool hasWatchdog() const override { return watchdog; }
-    [[nodiscard]] bool isHeard() const override { return heard; }
-    [[nodiscard]] bool isMoving() const override { return false; }
+    [[nodiscard]] const Liveness &liveness() const override { return life; }
     [[nodiscard]] bool isSeenStopped() const override { return false; }
     [[nodiscard]] Result<void> mayStop() const override { return {}; }
-    [[nodiscard]] StopScript stopScript() const override { return {}; }
     void stop() override { }
     void repeatStop() override { ++repeats; }
 
     Link &line;
     Clock &time;
-    bool watchdog;
-    bool heard;
+    Liveness life;
     int repeats = 0;
 };
 
@@ -187,7 +183,7 @@ TEST_F(Stopping, IsDismissedByTheUser)
 TEST_F(Stopping, NothingIsDrivenWhileStopIsPressedAndNotYetServed)
 {
     std::atomic<bool> gate = false;
-    motor.setStopGate(&gate);
+    motor.gate().setStopGate(&gate);
     drive();
     gate = true;
     clock.advance(100ms);
@@ -330,10 +326,10 @@ TEST_F(BufferedMoves, BeginTogetherAndAreNotKeptAfterwards)
 {
     prepare(4);
     prepare(5);
-    EXPECT_TRUE(node(4).keepsMove());
+    EXPECT_TRUE(node(4).gate().keepsMove());
     ASSERT_TRUE(bench.session.stops().releaseMoves(node(4)));
-    EXPECT_FALSE(node(4).keepsMove());
-    EXPECT_FALSE(node(5).keepsMove());
+    EXPECT_FALSE(node(4).gate().keepsMove());
+    EXPECT_FALSE(node(5).gate().keepsMove());
 }
 
 TEST_F(BufferedMoves, OfANodeThatWasStoppedIsShownAndDoesNotBeginWithTheOthers)
@@ -341,7 +337,7 @@ TEST_F(BufferedMoves, OfANodeThatWasStoppedIsShownAndDoesNotBeginWithTheOthers)
     prepare(4);
     bench.session.stopAll(StopCause::User);
     bench.clock.advance(500ms);
-    EXPECT_TRUE(node(4).keepsMove()) << "a stop does not take it from the node";
+    EXPECT_TRUE(node(4).gate().keepsMove()) << "a stop does not take it from the node";
     prepare(5);
     const auto released = bench.session.stops().releaseMoves(node(5));
     ASSERT_FALSE(released);

@@ -202,7 +202,7 @@ TEST_F(SocketCan, AnInterfaceThatIsSwitchedOffIsLostAndComesBack)
     const auto link = opened("vcan1");
     shell("ip link set vcan1 down");
     EXPECT_TRUE(loop.runUntil([&] { return link->state() == LinkState::Lost; }));
-    EXPECT_EQ(link->reason(), "vcan1 was switched off");
+    EXPECT_EQ(link->loss().message(), "vcan1 was switched off");
     const auto sent = link->send(standardFrame(1, {}));
     ASSERT_FALSE(sent);
     EXPECT_EQ(sent.error().fault, Fault::LinkLost);
@@ -234,7 +234,7 @@ TEST_F(SocketCan, AnInterfaceThatIsUnpluggedIsGone)
     const auto link = opened("vcan9");
     shell("ip link del vcan9");
     EXPECT_TRUE(loop.runUntil([&] { return link->state() == LinkState::Lost; }));
-    EXPECT_EQ(link->reason(), "vcan9 is gone");
+    EXPECT_EQ(link->loss().message(), "vcan9 is gone");
     const auto again = link->open();
     ASSERT_FALSE(again);
     EXPECT_EQ(again.error().text(), "there is no CAN interface vcan9");
@@ -252,7 +252,7 @@ TEST_F(SocketCan, ErrorFramesArriveAndBusOffLosesTheLink)
     EXPECT_EQ(link->state(), LinkState::Open);
     peer.send(CAN_ERR_FLAG | CAN_ERR_BUSOFF, {0, 0, 0, 0, 0, 0, 0, 0});
     ASSERT_TRUE(loop.runUntil([&] { return link->state() == LinkState::Lost; }));
-    EXPECT_EQ(link->reason().english().substr(0, 15), "bus-off: vcan0 ");
+    EXPECT_EQ(link->loss().message().english().substr(0, 15), "bus-off: vcan0 ");
     EXPECT_EQ(link->counters().errors, 2U);
     EXPECT_TRUE(link->open());
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/device.h"
 #include "model/family.h"
+#include "support/mutedevice.h"
 #include "transport/canlink.h"
 
 #include <gtest/gtest.h>
@@ -51,33 +51,18 @@ inline constexpr Family looseFamily = [] {
     return family;
 }();
 
-class LooseMotor final : public Device {
+class LooseMotor final : public MuteDevice {
 public:
     LooseMotor(CanLink &link, Clock &clock, const Family &family = looseFamily)
-        : Device(family, link, clock, {})
+        : MuteDevice(family, link, clock, {})
         , m_link(link)
     {
-        Liveness heard;
-        heard.heard = true;
-        setLiveness(heard);
     }
 
     bool seenStopped = false;
     StopScript script{{{extendedFrame(0x100, {0}), {}, {}, {}, std::chrono::milliseconds(5), 2}}};
 
 private:
-    template <class T> static Task<T> no() { co_return fail(Fault::Unsupported); }
-    Task<void> refresh() override { return no<void>(); }
-    Task<std::int64_t> doRead(ParameterIndex) override { return no<std::int64_t>(); }
-    Task<std::int64_t> doWrite(ParameterIndex, std::int64_t) override { return no<std::int64_t>(); }
-    Task<bool> store(Progress &) override { return no<bool>(); }
-    Task<std::vector<FaultRecord>> readFaults() override { return no<std::vector<FaultRecord>>(); }
-    Task<std::vector<FaultRecord>> clearFaults() override { return no<std::vector<FaultRecord>>(); }
-    Task<void> identify() override { return no<void>(); }
-    Task<void> rename(std::string) override { return no<void>(); }
-    Task<void> renumber(int) override { return no<void>(); }
-    Task<void> setRate(ChannelIndex, double) override { return no<void>(); }
-    [[nodiscard]] Result<void> check(const SetPoint &) const override { return {}; }
     /// It counts as moving at once, which its listeners hear from inside the command.
     Result<void> doCommand(const SetPoint &) override
     {

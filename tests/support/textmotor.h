@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/device.h"
 #include "model/family.h"
+#include "support/mutedevice.h"
 #include "transport/seriallink.h"
 
 #include <array>
@@ -15,37 +15,22 @@ inline constexpr std::string_view textDrive = "DRIVE\n";
 
 /// A motor without watchdog on a serial line that takes lines of text and says nothing. It is there wherever one looks, and stands as soon as
 /// it is told.
-class TextMotor final : public Device {
+class TextMotor final : public MuteDevice {
 public:
     TextMotor(const Family &family, SerialLink &link, Clock &clock, const Identity &identity)
-        : Device(family, link, clock, identity)
+        : MuteDevice(family, link, clock, identity)
         , m_link(link)
     {
-        Liveness heard;
-        heard.heard = true;
-        setLiveness(heard);
     }
 
 private:
-    template <class T> static Task<T> no() { co_return fail(Fault::Unsupported); }
-    Task<void> refresh() override { return no<void>(); }
-    Task<std::int64_t> doRead(ParameterIndex) override { return no<std::int64_t>(); }
-    Task<std::int64_t> doWrite(ParameterIndex, std::int64_t) override { return no<std::int64_t>(); }
-    Task<bool> store(Progress &) override { return no<bool>(); }
-    Task<std::vector<FaultRecord>> readFaults() override { return no<std::vector<FaultRecord>>(); }
-    Task<std::vector<FaultRecord>> clearFaults() override { return no<std::vector<FaultRecord>>(); }
-    Task<void> identify() override { return no<void>(); }
-    Task<void> rename(std::string) override { return no<void>(); }
-    Task<void> renumber(int) override { return no<void>(); }
-    Task<void> setRate(ChannelIndex, double) override { return no<void>(); }
-    [[nodiscard]] Result<void> check(const SetPoint &) const override { return {}; }
     Result<void> doCommand(const SetPoint &) override { return say(textDrive, Priority::Normal); }
     void doStop() override { (void)say(textStop, Priority::Urgent); }
     [[nodiscard]] StopScript stopScript() const override
     {
         return {{{std::nullopt, {textStop.begin(), textStop.end()}, {}, {}, std::chrono::milliseconds(5), 2}}};
     }
-    [[nodiscard]] bool isSeenStopped() const override { return clock().now() > stoppedAt(); }
+    [[nodiscard]] bool isSeenStopped() const override { return clock().now() > gate().stoppedAt(); }
     Result<void> say(std::string_view text, Priority priority)
     {
         return m_link.send(std::vector<std::uint8_t>(text.begin(), text.end()), priority);

@@ -261,7 +261,7 @@ TEST(Replay, IsLostWhenItsFileIsCutWhileItIsPlayed)
     replay.link->play();
     replay.clock.advance(30h);
     EXPECT_EQ(replay.link->state(), LinkState::Lost);
-    EXPECT_EQ(replay.link->reason(), "run.log was changed while it was played; open it again");
+    EXPECT_EQ(replay.link->loss().message(), "run.log was changed while it was played; open it again");
     EXPECT_EQ(replay.ends, 0);
     EXPECT_GT(replay.frames.size(), 5000U);
     Replay deleted(text);

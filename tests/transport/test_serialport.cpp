@@ -150,11 +150,11 @@ TEST_F(SerialPort, APortThatGoesAwayInMidFrameIsLostWithItsRemedyAndWhatCameBefo
     terminal.write({0x04});
     terminal.pull();
     ASSERT_TRUE(loop.runUntil([&] { return link->state() == LinkState::Lost; }));
-    EXPECT_EQ(link->reason(), "the other end of " + link->address().shortName() + " hung up; start it again");
+    EXPECT_EQ(link->loss().message(), "the other end of " + link->address().shortName() + " hung up; start it again");
     const auto refused = link->send(Bytes{1});
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().fault, Fault::LinkLost);
-    EXPECT_EQ(refused.error().text(), link->reason());
+    EXPECT_EQ(refused.error().text(), link->loss().message());
     const auto again = link->open();
     ASSERT_FALSE(again);
     EXPECT_NE(again.error().text().find("there is no"), std::string::npos) << again.error().text();

@@ -299,7 +299,7 @@ TEST_F(SocketCanPair, BusOffLosesTheLinkAfterItsErrorFrame)
     ASSERT_TRUE(loop.runUntil([this] { return link->state() == LinkState::Lost; }));
     EXPECT_EQ(frames.size(), 1U);
     EXPECT_EQ(errors.size(), 1U);
-    EXPECT_EQ(link->reason().english().substr(0, 7), "bus-off");
+    EXPECT_EQ(link->loss().message().english().substr(0, 7), "bus-off");
     const auto sent = link->send(standardFrame(1, {}));
     ASSERT_FALSE(sent);
     EXPECT_EQ(sent.error(), link->loss());
@@ -340,7 +340,7 @@ TEST_F(SocketCanPair, APeerThatClosesLosesTheLink)
     closeOther();
     ASSERT_TRUE(loop.runUntil([this] { return link->state() == LinkState::Lost; }));
     EXPECT_EQ(frames.size(), 1U);
-    EXPECT_EQ(link->reason(), "the other end of pair0 closed it");
+    EXPECT_EQ(link->loss().message(), "the other end of pair0 closed it");
     EXPECT_EQ(states, (std::vector{LinkState::Open, LinkState::Lost}));
 }
 

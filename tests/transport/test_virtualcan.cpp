@@ -266,7 +266,7 @@ TEST_F(VirtualCan, BusOffLosesOneLinkAndItCanBeOpenedAgain)
     clock.advance(10us);
     bus.forceBusOff(*a.link);
     EXPECT_EQ(a.link->state(), LinkState::Lost);
-    EXPECT_EQ(a.link->reason().english().substr(0, 7), "bus-off");
+    EXPECT_EQ(a.link->loss().message().english().substr(0, 7), "bus-off");
     EXPECT_FALSE(a.link->send(standardFrame(3, {})));
     ASSERT_TRUE(b.link->send(standardFrame(4, {})));
     clock.advance(1ms);

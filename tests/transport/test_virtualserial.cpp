@@ -188,7 +188,7 @@ TEST_F(VirtualSerial, ACableThatComesOutInMidFrameLeavesItsFirstBytesOnTheLine)
     finish();
     EXPECT_EQ(b.heard, (Bytes{1, 2}));
     EXPECT_EQ(a.link->state(), LinkState::Lost);
-    EXPECT_NE(a.link->reason().english().find("plug it in again"), std::string::npos);
+    EXPECT_NE(a.link->loss().message().english().find("plug it in again"), std::string::npos);
     EXPECT_EQ(a.link->send(Bytes{1}).error().fault, Fault::LinkLost);
     ASSERT_TRUE(a.link->open());
     ASSERT_TRUE(a.link->send(Bytes{7}));

@@ -92,7 +92,7 @@ TEST(Acceptance, A07_AnUncalibratedBoardFindsItsScalesAndIsTunedInOneGo)
     using namespace quadquad2drv;
     using namespace quadquad2drv::simulation;
     ExperimentBench bench("sim:spi", "quadquad2drv", 0);
-    ASSERT_LE(bench.device->profile().calibrated(calibration::velocityP), 0.0);
+    ASSERT_LE(bench.device->knowledge().profile().calibrated(calibration::velocityP), 0.0);
     for (const auto &[key, value] : {std::pair("ch2.limit.power", 0.8), std::pair("history.length", 8.0)}) {
         const ParameterChange change = bench.change(key, value);
         ASSERT_TRUE(test::run(bench.bench.clock, bench.device->write(change.index, change.raw))) << key;
@@ -103,8 +103,8 @@ TEST(Acceptance, A07_AnUncalibratedBoardFindsItsScalesAndIsTunedInOneGo)
     const auto report = tune(bench, plan);
     ASSERT_TRUE(report) << report.error().text();
     print(*report);
-    const double p = bench.device->profile().calibrated(calibration::velocityP) / gain::velocityP - 1.0;
-    const double i = bench.device->profile().calibrated(calibration::velocityI) / gain::velocityI - 1.0;
+    const double p = bench.device->knowledge().profile().calibrated(calibration::velocityP) / gain::velocityP - 1.0;
+    const double i = bench.device->knowledge().profile().calibrated(calibration::velocityI) / gain::velocityI - 1.0;
     std::printf("A7 sP %+.2f %%, sI %+.2f %%\n", 100.0 * p, 100.0 * i);
     EXPECT_LE(std::abs(p), 0.01);
     EXPECT_LE(std::abs(i), 0.05);
@@ -132,7 +132,7 @@ TEST(Acceptance, A07_TheUserAndTheLimitsHoldWhileTheScalesAreFound)
     std::printf("  %s: %s\n", report->stopReason.c_str(), report->evidence.english().c_str());
     EXPECT_EQ(report->stopReason, "travel");
     EXPECT_TRUE(report->stopped);
-    EXPECT_LE(bench.device->profile().calibrated(quadquad2drv::calibration::velocityP), 0.0);
+    EXPECT_LE(bench.device->knowledge().profile().calibrated(quadquad2drv::calibration::velocityP), 0.0);
     EXPECT_FALSE(bench.simulator()->isOutputOn());
 }
 

@@ -314,7 +314,7 @@ TEST(Experiment, TheDirectionIsCheckedOnceARunAndItsVerdictKept)
 {
     ExperimentBench bench;
     expectDone(bench.run(stepTo(Mode::Velocity, 60'000.0)));
-    EXPECT_EQ(bench.device->profile().verdicts.at("direction"), "agrees");
+    EXPECT_EQ(bench.device->knowledge().profile().verdicts.at("direction"), "agrees");
     EXPECT_TRUE(bench.directions.find(bench.device->selector(), 1));
     const auto first = bench.bench.clock.now();
     expectDone(bench.run(stepTo(Mode::Velocity, 60'000.0)));

@@ -85,7 +85,7 @@ TEST(GainSearch, ThreeAimsAreDesignedForEachLoopAndTheirTimeIsTold)
             const PlantModel plant{367'000.0, 0.2, loop == Mode::Velocity ? 0.052 : 0.004, 0.018, 1.34};
             const VelocityTaking taking{loop == Mode::Velocity ? 0.1 : 0.0, 0.05, 0.0};
             const ProposalBasis basis{
-                bench.device->family(), bench.device->profile(), loop, 1, 0, plant, envelope, {}, taking};
+                bench.device->family(), bench.device->knowledge().profile(), loop, 1, 0, plant, envelope, {}, taking};
             const std::clock_t begin = std::clock();
             for (const Aim aim : {Aim::Calm, Aim::Normal, Aim::Brisk})
                 EXPECT_TRUE(proposalFor(basis, {aim, {}, {}}));
@@ -189,8 +189,9 @@ TEST(Proposals, AStepDrawsNoMoreThanTheLimitAllows)
     PlantModel plant{367'000.0, 0.2, 0.052, 0.018, 1.34, 125.0, 2.7e-6};
     const VelocityTaking taking{0.1, 0.05, 0.0};
     const auto proposed = [&] {
-        return proposalFor(
-            {bench.device->family(), bench.device->profile(), Mode::Velocity, 1, 0, plant, envelope, {}, taking}, {});
+        return proposalFor({bench.device->family(), bench.device->knowledge().profile(), Mode::Velocity, 1, 0, plant,
+                               envelope, {}, taking},
+            {});
     };
     const auto free = proposed();
     ASSERT_TRUE(free && free->predicted.metrics.peakCurrent);

@@ -25,7 +25,7 @@ ProposalBasis basisOf(const ExperimentBench &bench, Mode loop = Mode::Velocity)
     envelope.duty = 1.0;
     envelope.speed = 1'500'000.0;
     envelope.travel = 2e7;
-    return {bench.device->family(), bench.device->profile(), loop, 1, 0, slow, envelope, {}};
+    return {bench.device->family(), bench.device->knowledge().profile(), loop, 1, 0, slow, envelope, {}};
 }
 
 TEST(Proposals, AreThoseOfTheEngineWithoutADevice)

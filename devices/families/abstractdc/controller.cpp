@@ -45,8 +45,9 @@ StopStep proofStep(const Dialect &dialect, int offset, const CanLink &link)
 Controller::Controller(const Family &family, CanLink &link, Clock &clock, Identity identity)
     : Device(family, link, clock, std::move(identity))
     , m_can(link)
-    , m_logs(link, clock, telemetry(), profile(), owner())
-    , m_debt(profile(), [this](std::int64_t owed) { knowledge().setCounter(std::string(counter::powerCycle), owed); })
+    , m_logs(link, clock, telemetry(), knowledge().profile(), owner())
+    , m_debt(knowledge().profile(),
+          [this](std::int64_t owed) { knowledge().setCounter(std::string(counter::powerCycle), owed); })
     , m_desk(*this, link, m_logs, m_debt,
           [this](const std::string &key, std::int64_t value) { knowledge().setCounter(key, value); })
     , m_received(link.received().add([this](const CanFrame &frame) { onFrame(frame, false); }))
@@ -87,8 +88,8 @@ void Controller::speak()
 
 void Controller::doProfileChanged()
 {
-    telemetry()->useTable(channelTable(
-        profile().calibrated(calibration::amperes) > 0.0, profile().calibrated(calibration::degrees) > 0.0));
+    telemetry()->useTable(channelTable(knowledge().profile().calibrated(calibration::amperes) > 0.0,
+        knowledge().profile().calibrated(calibration::degrees) > 0.0));
 }
 
 // Control
@@ -111,7 +112,7 @@ Result<void> Controller::doMayMove() const
 
 Result<void> Controller::check(const SetPoint &setPoint) const
 {
-    const auto command = commandOf(setPoint, profile());
+    const auto command = commandOf(setPoint, knowledge().profile());
     if (!command)
         return fail(command.error());
     return {};
@@ -119,7 +120,7 @@ Result<void> Controller::check(const SetPoint &setPoint) const
 
 Message Controller::caution(const SetPoint &setPoint) const
 {
-    const auto command = commandOf(setPoint, profile());
+    const auto command = commandOf(setPoint, knowledge().profile());
     if (!command || knowsGains(parameters(), command->loop))
         return {};
     const double lead = greatestError(parameters(), command->loop);
@@ -132,7 +133,7 @@ Message Controller::caution(const SetPoint &setPoint) const
 
 Result<void> Controller::doCommand(const SetPoint &setPoint)
 {
-    const auto command = commandOf(setPoint, profile());
+    const auto command = commandOf(setPoint, knowledge().profile());
     if (!command)
         return fail(command.error());
     if (m_logs.output().hasWrapped())
@@ -157,7 +158,8 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
     m_sentAt = now;
     m_ours = true;
     enter(command->loop);
-    const double perCount = command->loop == Loop::Current ? profile().calibrated(calibration::amperes, 1.0) : 1.0;
+    const double perCount
+        = command->loop == Loop::Current ? knowledge().profile().calibrated(calibration::amperes, 1.0) : 1.0;
     telemetry()->append(
         {channel::setPoint, now, command->loop == Loop::Direct ? target / double{fullPwm} : target * perCount});
     return {};
@@ -213,7 +215,7 @@ StopScript Controller::stopScript() const
 
 bool Controller::isSeenStopped() const
 {
-    return m_logs.isHeard() && m_logs.motion().standsSince(std::max(stoppedAt(), m_sentAt));
+    return m_logs.isHeard() && m_logs.motion().standsSince(std::max(gate().stoppedAt(), m_sentAt));
 }
 
 // What the bus tells

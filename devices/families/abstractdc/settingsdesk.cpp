@@ -114,7 +114,7 @@ Task<std::int64_t> SettingsDesk::write(const Parameter &parameter, std::int64_t 
 
 Task<void> SettingsDesk::save(Loop loop, Progress &progress)
 {
-    const auto &counters = m_device.profile().counters;
+    const auto &counters = m_device.knowledge().profile().counters;
     const auto counted = counters.find(counterOf(loop));
     const std::int64_t saves = counted == counters.end() ? 0 : counted->second;
     if (saves >= savesPerPage)
@@ -161,7 +161,7 @@ void SettingsDesk::erased()
 std::vector<std::pair<std::string, std::string>> SettingsDesk::saves() const
 {
     std::vector<std::pair<std::string, std::string>> told;
-    const auto &counters = m_device.profile().counters;
+    const auto &counters = m_device.knowledge().profile().counters;
     for (const Loop loop : loops) {
         const auto counted = counters.find(counterOf(loop));
         if (counted != counters.end())

@@ -237,7 +237,7 @@ StopScript Controller::stopScript() const
 
 bool Controller::isSeenStopped() const
 {
-    return m_presence.heardAt() > stoppedAt() && m_sense.isIdle();
+    return m_presence.heardAt() > gate().stoppedAt() && m_sense.isIdle();
 }
 
 // What the bus tells
@@ -287,7 +287,7 @@ void Controller::onFrame(const CanFrame &frame)
 
 void Controller::onGeneral(const StatusGeneral &status, Instant time)
 {
-    m_sense.take(status, time, stoppedAt());
+    m_sense.take(status, time, gate().stoppedAt());
     askPeriod(param::generalPeriod);
     const bool first = m_presence.heard(time);
     updateLiveness();
@@ -384,7 +384,7 @@ void Controller::updateLiveness()
         | (m_restarted ? 8U : 0U) | (last.overTemperature ? 16U : 0U) | (last.underVoltage ? 32U : 0U)
         | (last.gateDriver ? 64U : 0U) | (static_cast<std::uint32_t>(last.mode) << 8U) | (frameless << 16U);
     if (key == m_livenessKey) {
-        setStates(m_sense.states(), m_sense.statesAt());
+        setLiveness(liveness(), m_sense.states(), m_sense.statesAt());
         return;
     }
     m_livenessKey = key;

@@ -42,7 +42,7 @@ Controller::Controller(const Family &known, SpiLink &link, Clock &clock, Identit
     , m_port(link, clock)
     , m_layout(link, m_port,
           {[this] { return knowledge().holdsSettings(); }, [this] { onReset(); }, [this] { schedulePoll(); }})
-    , m_settings(parameters(), profile())
+    , m_settings(parameters(), knowledge().profile())
     , m_sense(telemetry())
     , m_orders(clock, m_port, m_layout, [this] { stop(); })
     , m_drives(clock, *telemetry(), m_sense, m_settings, m_orders)
@@ -82,7 +82,7 @@ void Controller::onMotion(const Motion &motion, Instant time)
     m_heard = true;
     LiveStates told = states();
     m_sense.take(motion, m_port.masks(), time, told);
-    setStates(told, time);
+    setLiveness(liveness(), told, time);
     telemetry()->commit();
     updateLiveness();
 }
@@ -110,7 +110,7 @@ void Controller::look()
     if (m_motionAt && now - *m_motionAt > silence)
         m_heard = false;
     if (!m_heard)
-        setStates({}, now);
+        setLiveness(liveness(), {}, now);
     const bool streamGone = m_layout.streamPeriod() > 0 && (!m_streamAt || now - *m_streamAt > silence);
     if ((streamGone || m_layout.isInDoubt(m_heard)) && !m_checking && busy().empty()
         && m_spi.state() == LinkState::Open) {
@@ -128,7 +128,8 @@ void Controller::onReset()
     m_drives.forget();
     m_orders.clear();
     m_sense.forget();
-    settingsLost();
+    knowledge().settingsLost();
+    changed().notify();
     schedulePoll();
     updateLiveness();
 }
@@ -184,7 +185,7 @@ StopScript Controller::stopScript() const
 
 bool Controller::isSeenStopped() const
 {
-    return m_stopProof.isConfirmed() && m_heard && m_motionAt && *m_motionAt > stoppedAt();
+    return m_stopProof.isConfirmed() && m_heard && m_motionAt && *m_motionAt > gate().stoppedAt();
 }
 
 // What asks and waits

@@ -44,7 +44,7 @@ Controller::Controller(const Family &family, SerialLink &link, Clock &clock, Ide
                   m_presence.located(raw, m_motion.isBusy()); // reassert() has asked it
                   m_motion.setPosition(raw);
               },
-              [this](std::uint8_t levels) { setStates(statesOf(levels), this->clock().now()); }})
+              [this](std::uint8_t levels) { setLiveness(liveness(), statesOf(levels), this->clock().now()); }})
     , m_settings(*m_line, m_node, parameters(), [this](std::span<const std::uint8_t> codes) { onCodes(codes); })
     , m_presence(*m_line, m_node, {[this] { m_motion.doubt(); }, [this] { updateLiveness(); }})
     , m_followerStop(*m_line, m_node, [this] { stopping().inherit(); })
@@ -124,7 +124,7 @@ void Controller::doStop()
 bool Controller::isSeenStopped() const
 {
     const auto acknowledged = m_motion.stoppedAt();
-    return !m_motion.isStopping() && acknowledged && *acknowledged >= stoppedAt();
+    return !m_motion.isStopping() && acknowledged && *acknowledged >= gate().stoppedAt();
 }
 
 /// What was asked last is answered first, because bytes that collide can lock D1 and D2 up; then zeros end the half of a frame
@@ -214,7 +214,7 @@ void Controller::identityChanged()
 /// D3 tells mA; what a count of the others stands for only the user knows.
 void Controller::doProfileChanged()
 {
-    const double scale = profile().calibrated(calibration::amperes);
+    const double scale = knowledge().profile().calibrated(calibration::amperes);
     m_polls.setCurrentScale(scale);
     telemetry()->useTable(channelTable(m_node.dialect == Dialect::D3 || scale > 0.0));
 }
@@ -225,7 +225,7 @@ void Controller::setHeard(bool heard)
         m_motion.doubt(); // whatever happens to it now is not seen
     m_polls.setHeard(heard);
     if (!heard)
-        setStates({}, clock().now());
+        setLiveness(liveness(), {}, clock().now());
     updateLiveness();
 }
 

@@ -38,7 +38,7 @@ private:
     Task<void> doOpenSoon(Background &background) override;
     void doClose() override;
     [[nodiscard]] Outlet doOutlet() const override;
-    void doRecount() override { lookAtDriver(); }
+    void recount() override { lookAtDriver(); }
     Result<void> doSend(std::span<const std::uint8_t> bytes, Priority priority) override;
     [[nodiscard]] std::size_t doBacklog() const override;
     Result<void> doSetBaudrate(int baudrate) override;

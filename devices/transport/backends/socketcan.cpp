@@ -153,10 +153,10 @@ void SocketCanLink::adopt(const CanInterface &interface)
 void SocketCanLink::look()
 {
     m_look.startIn(lookPeriod, [this] { look(); });
-    doRecount();
+    recount();
 }
 
-void SocketCanLink::doRecount()
+void SocketCanLink::recount()
 {
     if (m_descriptor < 0 || state() != LinkState::Open)
         return;
@@ -336,7 +336,7 @@ bool SocketCanLink::tryLater(int cause)
 
 void SocketCanLink::end(Error loss)
 {
-    doRecount(); // the last moment to learn what was dropped
+    recount(); // the last moment to learn what was dropped
     unwatch();
     lose(std::move(loss));
 }

@@ -48,7 +48,7 @@ private:
     [[nodiscard]] int doBitrate() const override { return m_interface.bitrate; }
     [[nodiscard]] int doReceiveCapacity() const override { return receiveBufferFrames(); }
     [[nodiscard]] bool doIsListenOnly() const override { return m_interface.listenOnly; }
-    void doRecount() override;
+    void recount() override;
 
     void watch();
     void unwatch();

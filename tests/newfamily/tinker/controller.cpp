@@ -136,7 +136,7 @@ private:
         step.attempts = 3;
         return {{std::move(step)}};
     }
-    bool isSeenStopped() const override { return m_statusAt > stoppedAt() && m_status.duty == 0.0; }
+    bool isSeenStopped() const override { return m_statusAt > gate().stoppedAt() && m_status.duty == 0.0; }
 
     CanLink &m_can;
     Status m_status;
