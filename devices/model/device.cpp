@@ -105,8 +105,8 @@ Task<std::int64_t> Device::write(ParameterIndex index, std::int64_t raw)
 
 Result<void> Device::mayMove() const
 {
-    if (!m_gate.gate().busy().empty())
-        return fail(Fault::Unsafe, say("%1: %2", selector(), m_gate.gate().busy()));
+    if (!m_gate.busy().empty())
+        return fail(Fault::Unsafe, say("%1: %2", selector(), m_gate.busy()));
     if (m_link.state() != LinkState::Open)
         return fail(Fault::LinkLost, say("%1: %2", m_link.address().shortName(), m_link.loss().message()));
     if (m_link.address().isRecording())
@@ -169,8 +169,8 @@ Result<void> Device::mayStop() const
 {
     if (m_link.address().isRecording())
         return fail(Fault::Unsafe, say("it is a recording"));
-    if (!m_gate.gate().busy().empty())
-        return fail(Fault::Unsafe, m_gate.gate().busy());
+    if (!m_gate.busy().empty())
+        return fail(Fault::Unsafe, m_gate.busy());
     if (m_identity.state == DeviceState::Bootloader)
         return fail(Fault::Unsafe, say("bootloader"));
     return doMayStop();
@@ -178,8 +178,8 @@ Result<void> Device::mayStop() const
 
 Task<void> Device::restart()
 {
-    if (!m_gate.gate().busy().empty())
-        co_return fail(Fault::Unsafe, say("%1: %2", selector(), m_gate.gate().busy()));
+    if (!m_gate.busy().empty())
+        co_return fail(Fault::Unsafe, say("%1: %2", selector(), m_gate.busy()));
     stop();
     auto restarting = doRestart();
     co_await std::move(restarting);

@@ -167,7 +167,7 @@ Task<void> scan(Link &link, Clock &clock, ScanSink &sink)
     round.tellTwins();
     sink.progress(say("Abstract DC Drives found: %1", round.count()), broadcasts, broadcasts);
     if (can->state() != LinkState::Open)
-        co_return fail(Fault::LinkLost, say("%1: %2", can->address().shortName(), can->reason()));
+        co_return fail(Fault::LinkLost, say("%1: %2", can->address().shortName(), can->loss().message()));
     co_return {};
 }
 

@@ -40,7 +40,7 @@ Controller::Controller(const Family &family, CanLink &link, Clock &clock, Identi
 Presence::Owner Controller::owner()
 {
     return {
-        .isBusy = [this] { return !busy().empty(); },
+        .isBusy = [this] { return !gate().busy().empty(); },
         .period = [this] { return m_sense.generalPeriod(); },
         .askWho =
             [this] {
@@ -329,7 +329,7 @@ void Controller::onVersions(const EnumResponse1 &response)
 
 void Controller::askPeriod(std::uint8_t parameter)
 {
-    if (!m_sense.streamOf(parameter)->isHolding() || !busy().empty()
+    if (!m_sense.streamOf(parameter)->isHolding() || !gate().busy().empty()
         || clock().now() - m_periodAskedAt < askPeriodAtMost)
         return;
     m_periodAskedAt = clock().now();
@@ -339,7 +339,8 @@ void Controller::askPeriod(std::uint8_t parameter)
 /// With no task waiting: an answer that does not come is asked for again a second later.
 void Controller::askFaults()
 {
-    const bool listened = identity().state == DeviceState::Online && busy().empty() && !link().address().isRecording();
+    const bool listened
+        = identity().state == DeviceState::Online && gate().busy().empty() && !link().address().isRecording();
     if (!listened || !m_faultWatch.isDue(clock().now()))
         return;
     for (const std::uint8_t parameter : FaultWatch::questions)
@@ -358,7 +359,7 @@ void Controller::restarted()
     m_desk.restarted();
     m_sense.restart();
     parameters().forgetAll();
-    if (busy().empty()) {
+    if (gate().busy().empty()) {
         for (const auto &[parameter, period] : m_rates.wanted())
             (void)m_can.send(encodeParamSet(identity().address, session(), parameter, period));
     }

@@ -148,7 +148,7 @@ Task<void> scan(Link &link, Clock &clock, ScanSink &sink)
     co_await std::move(describing);
     sink.progress(say("DMC60C found: %1", census.complete()), enumRounds, enumRounds);
     if (can->state() != LinkState::Open)
-        co_return fail(Fault::LinkLost, say("%1: %2", can->address().shortName(), can->reason()));
+        co_return fail(Fault::LinkLost, say("%1: %2", can->address().shortName(), can->loss().message()));
     co_return {};
 }
 

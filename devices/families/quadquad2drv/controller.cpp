@@ -69,7 +69,7 @@ void Controller::onPacket(const Packet &packet, Instant time)
             if (stream)
                 m_streamAt = time;
             onMotion(*motion, time);
-        } else if (!m_learning && busy().empty()) { // another program has changed what the board sends
+        } else if (!m_learning && gate().busy().empty()) { // another program has changed what the board sends
             m_learning = true;
             m_scope.spawn<void>(m_layout.read(), [this](const Result<void> &) { m_learning = false; });
         }
@@ -94,7 +94,7 @@ void Controller::schedulePoll()
         return;
     }
     m_poll.startIn(pollPeriod, [this] {
-        if (!m_polling && busy().empty()) {
+        if (!m_polling && gate().busy().empty()) {
             m_polling = true;
             m_scope.spawn<void>(ask(m_port), [this](const Result<void> &) { m_polling = false; });
         }
@@ -112,7 +112,7 @@ void Controller::look()
     if (!m_heard)
         setLiveness(liveness(), {}, now);
     const bool streamGone = m_layout.streamPeriod() > 0 && (!m_streamAt || now - *m_streamAt > silence);
-    if ((streamGone || m_layout.isInDoubt(m_heard)) && !m_checking && busy().empty()
+    if ((streamGone || m_layout.isInDoubt(m_heard)) && !m_checking && gate().busy().empty()
         && m_spi.state() == LinkState::Open) {
         m_checking = true;
         m_scope.spawn<void>(m_layout.check(), [this](const Result<void> &) { m_checking = false; });
@@ -169,7 +169,7 @@ void Controller::doStop()
 /// A reset takes the modes of all axes, and the settings too. Not while its firmware is written: the bootloader would begin anew.
 void Controller::resetAsLastResort()
 {
-    if (busy().empty() && m_spi.pulseReset())
+    if (gate().busy().empty() && m_spi.pulseReset())
         m_layout.forget();
 }
 
