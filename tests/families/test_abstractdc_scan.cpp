@@ -318,9 +318,9 @@ TEST_F(AbstractDcScanLiteral, AnUnprovenDriveIsNotHeardByTheAnswersOfAnother)
     legacy.speak(&dialectL, 4);
     for (int i = 0; i < 3000; ++i) {
         clock.advance(1ms);
-        ASSERT_FALSE(phantom.liveness().heard) << i;
+        ASSERT_FALSE(phantom.isHeard()) << i;
     }
-    EXPECT_TRUE(legacy.liveness().heard);
+    EXPECT_TRUE(legacy.isHeard());
 }
 
 /// The current of legacy drive 4 comes where drive 52 answers for its position.
