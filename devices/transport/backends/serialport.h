@@ -30,6 +30,8 @@ public:
     SerialPortLink(LinkAddress address, Clock &clock, Options options);
     ~SerialPortLink() override;
 
+    void recount() override { lookAtDriver(); }
+
 private:
     struct Order;
     struct Opened;
@@ -38,7 +40,6 @@ private:
     Task<void> doOpenSoon(Background &background) override;
     void doClose() override;
     [[nodiscard]] Outlet doOutlet() const override;
-    void recount() override { lookAtDriver(); }
     Result<void> doSend(std::span<const std::uint8_t> bytes, Priority priority) override;
     [[nodiscard]] std::size_t doBacklog() const override;
     Result<void> doSetBaudrate(int baudrate) override;

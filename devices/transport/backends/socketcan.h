@@ -35,6 +35,7 @@ public:
     [[nodiscard]] int descriptor() const { return m_descriptor; }
     /// How many frames the kernel keeps for us while we do not read: what it gave, not what was asked for.
     [[nodiscard]] int receiveBufferFrames() const { return m_receiveBuffer / frameInKernel; }
+    void recount() override;
 
 private:
     static constexpr int frameInKernel = 768; ///< bytes that one frame takes of the receive buffer
@@ -48,7 +49,6 @@ private:
     [[nodiscard]] int doBitrate() const override { return m_interface.bitrate; }
     [[nodiscard]] int doReceiveCapacity() const override { return receiveBufferFrames(); }
     [[nodiscard]] bool doIsListenOnly() const override { return m_interface.listenOnly; }
-    void recount() override;
 
     void watch();
     void unwatch();
