@@ -41,7 +41,7 @@ using namespace mb;
 
 namespace {
 
-constexpr int patience = 60000;
+constexpr int axisPatience = 60000;
 constexpr int axes = 4;
 
 const Family &boards()
@@ -50,7 +50,7 @@ const Family &boards()
     return **std::find_if(
         all.begin(), all.end(), [](const Family *candidate) { return candidate->capabilities.axes == axes; });
 }
-const std::array<const Family *, 1> only{&boards()};
+const std::array<const Family *, 1> onlyBoards{&boards()};
 
 } // namespace
 
@@ -113,7 +113,7 @@ private:
 void AxesTest::init()
 {
     applyTheme(*qApp, m_theme.theme());
-    m_engine = std::make_unique<Engine>(only, false);
+    m_engine = std::make_unique<Engine>(onlyBoards, false);
     m_selection = std::make_unique<Selection>();
     m_arming = std::make_unique<Arming>(*m_engine);
     m_desk = std::make_unique<QSplitter>();
@@ -130,8 +130,8 @@ void AxesTest::init()
     QApplication::setActiveWindow(m_desk.get());
     m_engine->send(orders::OpenLink{*LinkAddress::parse("sim:spi")});
     m_engine->send(orders::ScanLinks{});
-    QTRY_VERIFY_WITH_TIMEOUT(!m_engine->snapshot().devices.empty() && board().liveness.heard, patience);
-    QTRY_VERIFY_WITH_TIMEOUT(latest(axes, "position").has_value(), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_engine->snapshot().devices.empty() && board().liveness.heard, axisPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(latest(axes, "position").has_value(), axisPatience);
 }
 
 void AxesTest::cleanup()
@@ -177,7 +177,7 @@ void AxesTest::typeTarget(const QString &text)
 
 void AxesTest::arm()
 {
-    QTRY_VERIFY_WITH_TIMEOUT(board().mayNotMove.empty(), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(board().mayNotMove.empty(), axisPatience);
     m_arming->arm(board().id);
     QVERIFY(m_arming->isArmed(board().id));
 }
@@ -284,7 +284,8 @@ void AxesTest::fourAxesStepAtOnceInOnePlot()
     run();
     const auto moved
         = [&](int axis) { return latest(axis, "position").value_or(0.0) - before[static_cast<std::size_t>(axis - 1)]; };
-    QTRY_VERIFY_WITH_TIMEOUT(moved(1) > 100.0 && moved(2) > 100.0 && moved(3) > 100.0 && moved(4) > 100.0, patience);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        moved(1) > 100.0 && moved(2) > 100.0 && moved(3) > 100.0 && moved(4) > 100.0, axisPatience);
     QTest::qWait(1500);
     picture(*m_desk, "axes-step.png");
     std::array<Instant, axes> stepped{};
@@ -313,7 +314,7 @@ void AxesTest::fourAxesStepAtOnceInOnePlot()
     QVERIFY2(m_tune->plot().stack().strips().traceCount() >= 8,
         "four positions and their set-points in the plot of the page");
     m_arming->disarm();
-    QTRY_VERIFY_WITH_TIMEOUT(!isOutputOn(), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(!isOutputOn(), axisPatience);
 }
 
 void AxesTest::oneAxisIsStoppedWhileAnotherGoesOn()
@@ -323,25 +324,25 @@ void AxesTest::oneAxisIsStoppedWhileAnotherGoesOn()
     typeTarget(QStringLiteral("20"));
     arm();
     run();
-    QTRY_VERIFY_WITH_TIMEOUT(board().motion.on(1) != nullptr, patience);
+    QTRY_VERIFY_WITH_TIMEOUT(board().motion.on(1) != nullptr, axisPatience);
     select(2);
     QVERIFY2(m_arming->isMoving(), "another axis of the same board does not end it");
     chooseMode("Duty");
     QVERIFY2(m_arming->isMoving(), "nor does the mode of one that rests");
     typeTarget(QStringLiteral("20"));
     run();
-    QTRY_VERIFY_WITH_TIMEOUT(board().motion.on(2) != nullptr, patience);
+    QTRY_VERIFY_WITH_TIMEOUT(board().motion.on(2) != nullptr, axisPatience);
     QTRY_VERIFY(m_tune->status().remedy.contains(QStringLiteral("also moving: axis 1")));
     QTest::qWait(600);
     picture(*m_desk, "axes-two.png");
     QTRY_COMPARE(treeRow(1).data(DeviceModel::GlyphRole).toInt(), static_cast<int>(GlyphState::Moving));
     m_tune->halt();
-    QTRY_VERIFY_WITH_TIMEOUT(board().motion.on(2) == nullptr, patience);
+    QTRY_VERIFY_WITH_TIMEOUT(board().motion.on(2) == nullptr, axisPatience);
     QVERIFY(board().motion.on(1) != nullptr);
     QVERIFY(isOutputOn());
     select(1);
     m_tune->halt();
-    QTRY_VERIFY_WITH_TIMEOUT(!isOutputOn(), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(!isOutputOn(), axisPatience);
     QCOMPARE(m_arming->state(), LampState::Armed);
 }
 
@@ -354,10 +355,10 @@ void AxesTest::stopEndsAllOfThem()
     QTest::mouseClick(panel().findChildren<QPushButton *>().back(), Qt::LeftButton);
     arm();
     run();
-    QTRY_COMPARE_WITH_TIMEOUT(board().motion.setPoints.size(), std::size_t{axes}, patience);
-    QTRY_VERIFY_WITH_TIMEOUT(isOutputOn(), patience);
+    QTRY_COMPARE_WITH_TIMEOUT(board().motion.setPoints.size(), std::size_t{axes}, axisPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(isOutputOn(), axisPatience);
     m_arming->stopAll(QStringLiteral("test"));
-    QTRY_VERIFY_WITH_TIMEOUT(!isOutputOn(), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(!isOutputOn(), axisPatience);
     QTRY_VERIFY(board().motion.on(1) == nullptr && board().motion.on(4) == nullptr);
 }
 
@@ -370,17 +371,17 @@ void AxesTest::gainsAreCopiedFromAnotherAxis()
         m_engine->send(orders::WriteParameters{board().id, {{p1, 321}}}); // refused while the page still reads
         return false;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(written(), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(written(), axisPatience);
     select(2);
     chooseMode("Position");
     Q_EMIT panel().copyGainsRequested(1);
     QCOMPARE(m_tune->column().gainsPanel().row("p")->number(), std::optional(321.0));
     QVERIFY(!m_tune->column().gainsPanel().toWrite().empty());
     const auto *write = m_tune->findChild<CommandButton *>(QStringLiteral("writeGains"));
-    QTRY_VERIFY_WITH_TIMEOUT(write->isEnabled(), patience); // the write before may still be under way
+    QTRY_VERIFY_WITH_TIMEOUT(write->isEnabled(), axisPatience); // the write before may still be under way
     m_tune->write();
     const auto p2 = *findParameter(board().family->parameters, "ch2.position.p");
-    QTRY_VERIFY_WITH_TIMEOUT(board().parameters[p2.value].raw == 321, patience);
+    QTRY_VERIFY_WITH_TIMEOUT(board().parameters[p2.value].raw == 321, axisPatience);
     QVERIFY(board().parameters[p2.value].state == ParameterState::Assumed);
 }
 

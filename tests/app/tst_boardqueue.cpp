@@ -21,7 +21,7 @@ using service::RowState;
 namespace {
 
 constexpr int boardPatience = 120000;
-constexpr int boards = 3;
+constexpr int boardCount = 3;
 
 /// Boards on links of their own, one serial adapter for all, and somebody who does what the page asks for.
 class BoardRack {
@@ -30,7 +30,7 @@ public:
         : bench("quadquad2drv", unitsIn(m_folder))
     {
         applyTheme(*qApp, bench.theme.theme());
-        for (int i = 0; i < boards; ++i) {
+        for (int i = 0; i < boardCount; ++i) {
             bench.show({bench.texts.at(static_cast<std::size_t>(i))});
             bench.open(linkOf(i).toStdString());
             const auto here = static_cast<std::size_t>(i) + 1;
@@ -47,7 +47,7 @@ public:
     {
         (void)write(QStringLiteral("board.hex"), ":0400000001020304F2\n:0400040005060708DE\n:00000001FF\n");
         return write(QStringLiteral("recipe.json"),
-            R"({"recipe":1,"name":"boards","family":"quadquad2drv","firmware":{"file":"board.hex","via":"serial:)"
+            R"({"recipe":1,"name":"boardCount","family":"quadquad2drv","firmware":{"file":"board.hex","via":"serial:)"
                 + QByteArray::fromStdString(m_cable.path()) + "\"}}");
     }
     /// Looks at the page, and does what it asks for.
@@ -75,7 +75,7 @@ private:
     [[nodiscard]] static std::vector<std::string> unitsIn(const QTemporaryDir &folder)
     {
         std::vector<std::string> units;
-        for (int i = 0; i < boards; ++i)
+        for (int i = 0; i < boardCount; ++i)
             units.push_back("quadquad2drv:0,boot=pty:" + lineOf(folder, i));
         return units;
     }
@@ -83,7 +83,7 @@ private:
     [[nodiscard]] int placeOf(const QueueLine &line) const
     {
         const DeviceView *device = bench.engine->snapshot().device(line.device);
-        for (int i = 0; device && i < boards; ++i) {
+        for (int i = 0; device && i < boardCount; ++i) {
             if (QString::fromStdString(device->link) == linkOf(i))
                 return i;
         }
@@ -146,16 +146,16 @@ void BoardQueueTest::threeBoardsAreGuidedOneAfterTheOther()
     auto *every = board.findChild<QCheckBox *>();
     QVERIFY(every->isVisible() && every->isEnabled());
     every->click();
-    QCOMPARE(board.model().ticked().size(), std::size_t(boards));
+    QCOMPARE(board.model().ticked().size(), std::size_t(boardCount));
     QTRY_VERIFY_WITH_TIMEOUT(board.canStart(), boardPatience);
     QTest::mouseClick(&board.bar().start(), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(rack.bench.door->view().running, boardPatience);
     QTRY_VERIFY_WITH_TIMEOUT((rack.help(), !rack.bench.door->view().running), boardPatience);
     for (const service::QueueRow &row : rack.bench.door->view().rows)
         QVERIFY2(row.state == RowState::Passed, row.visit.cause.english().c_str());
-    QCOMPARE(rack.bench.in(RowState::Passed).size(), std::size_t(boards));
+    QCOMPARE(rack.bench.in(RowState::Passed).size(), std::size_t(boardCount));
     QCOMPARE(rack.mostAtOnce, std::size_t(1)); // one cable, one pair of hands
-    QCOMPARE(rack.done.size(), 2 * boards);
+    QCOMPARE(rack.done.size(), 2 * boardCount);
     for (int i = 0; i < rack.done.size(); i += 2) {
         QVERIFY(rack.done.at(i).endsWith(QLatin1String(" close")));
         QCOMPARE(rack.done.at(i + 1), rack.done.at(i).section(QLatin1Char(' '), 0, 0) + QStringLiteral(" open"));
@@ -163,7 +163,7 @@ void BoardQueueTest::threeBoardsAreGuidedOneAfterTheOther()
     for (const QueueLine &line : rack.bench.in(RowState::Passed))
         QCOMPARE(line.firmware, QStringLiteral("1.3 → 1.4"));
     QStringList links; // all are #0
-    for (int i = 0; i < boards; ++i)
+    for (int i = 0; i < boardCount; ++i)
         links += board.model().index(i, QueueModel::Serial).data().toString();
     links.sort();
     QCOMPARE(links.join(QLatin1Char(' ')), QStringLiteral("sim:spi?seed=1 sim:spi?seed=2 sim:spi?seed=3"));

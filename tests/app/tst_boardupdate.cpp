@@ -23,7 +23,7 @@ using namespace mb;
 
 namespace {
 
-constexpr int patience = 60000;
+constexpr int updatePatience = 60000;
 
 bool shows(const DrawingView &view, const char *words)
 {
@@ -89,7 +89,7 @@ void BoardUpdateTest::init()
     m_page = std::make_unique<FirmwarePage>(*m_engine, m_selection, *m_theme);
     m_page->resize(1280, 720);
     m_page->show();
-    QTRY_VERIFY_WITH_TIMEOUT(board() && board()->liveness.heard, patience);
+    QTRY_VERIFY_WITH_TIMEOUT(board() && board()->liveness.heard, updatePatience);
     m_selection.select(board()->id);
     QFile file(m_folder.filePath(QStringLiteral("board.hex")));
     QVERIFY(file.open(QIODevice::WriteOnly));
@@ -158,9 +158,9 @@ void BoardUpdateTest::picture(const char *name)
 void BoardUpdateTest::begin()
 {
     m_page->findChild<RoutePanel *>()->setVia(QStringLiteral("serial:") + m_folder.filePath(QStringLiteral("boot")));
-    QTRY_VERIFY_WITH_TIMEOUT(m_page->canStart(), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(m_page->canStart(), updatePatience);
     m_page->startUpdate();
-    QTRY_VERIFY_WITH_TIMEOUT(holds(QStringLiteral("close the jumper")), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(holds(QStringLiteral("close the jumper")), updatePatience);
 }
 
 void BoardUpdateTest::handsAreGuidedAndTheVersionIsCompared()
@@ -172,18 +172,18 @@ void BoardUpdateTest::handsAreGuidedAndTheVersionIsCompared()
     picture("update-jumper");
     disturb("jumper", 1.0);
     disturb("reset", 1.0);
-    QTRY_VERIFY_WITH_TIMEOUT(operation() && operation()->status.done >= 2, patience);
+    QTRY_VERIFY_WITH_TIMEOUT(operation() && operation()->status.done >= 2, updatePatience);
     QVERIFY(shows(*drawing, "the jumper connects AUX1 and AUX2"));
     disturb("jumper", 0.0);
-    QTRY_VERIFY_WITH_TIMEOUT(operation()->update.has_value(), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(operation()->update.has_value(), updatePatience);
     const UpdateReport report = *operation()->update;
     QVERIFY2(report.outcome == UpdateOutcome::Done, report.evidence.english().c_str());
     QCOMPARE(report.to, std::string("1.4"));
-    QTRY_VERIFY_WITH_TIMEOUT(shows(*drawing, "AUX1 and AUX2 is taken out"), patience);
-    QTRY_VERIFY_WITH_TIMEOUT(holds(QStringLiteral("Verified")), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(shows(*drawing, "AUX1 and AUX2 is taken out"), updatePatience);
+    QTRY_VERIFY_WITH_TIMEOUT(holds(QStringLiteral("Verified")), updatePatience);
     picture("update-done");
     const QDir logs(m_folder.filePath(QStringLiteral("logs")));
-    QTRY_COMPARE_WITH_TIMEOUT(logs.entryList(QDir::Files).size(), 1, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(logs.entryList(QDir::Files).size(), 1, updatePatience);
     QFile log(logs.filePath(logs.entryList(QDir::Files).front()));
     QVERIFY(log.open(QIODevice::ReadOnly));
     const QByteArray text = log.readAll();
@@ -195,8 +195,9 @@ void BoardUpdateTest::itCanBeCancelledWhileItWaitsForTheJumper()
 {
     begin();
     m_engine->send(orders::CancelOperation{operation()->id});
-    QTRY_VERIFY_WITH_TIMEOUT(operation()->update && operation()->update->outcome == UpdateOutcome::Cancelled, patience);
-    QTRY_VERIFY_WITH_TIMEOUT(m_page->canStart(), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        operation()->update && operation()->update->outcome == UpdateOutcome::Cancelled, updatePatience);
+    QTRY_VERIFY_WITH_TIMEOUT(m_page->canStart(), updatePatience);
 }
 
 void BoardUpdateTest::everyControlHasAName()
@@ -206,7 +207,7 @@ void BoardUpdateTest::everyControlHasAName()
         if (button->isCheckable())
             button->click();
     }
-    QTRY_VERIFY_WITH_TIMEOUT(holds(QStringLiteral("line ending")), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(holds(QStringLiteral("line ending")), updatePatience);
     picture("update-unknowns");
     for (const QWidget *widget : m_page->findChildren<QWidget *>()) {
         const bool control = widget->inherits("QAbstractButton") || widget->inherits("QComboBox");

@@ -27,7 +27,7 @@ using namespace mb;
 
 namespace {
 
-constexpr int patience = 60000;
+constexpr int movePatience = 60000;
 constexpr std::array<std::string_view, 4> units{"supermodified:4,dialect=D1", "supermodified:5,dialect=D2",
     "supermodified:6,dialect=D1", "supermodified:7,dialect=D2"};
 
@@ -45,7 +45,7 @@ const Family &fourNodes()
     }();
     return family;
 }
-const std::array<const Family *, 1> only{&fourNodes()};
+const std::array<const Family *, 1> onlyNodes{&fourNodes()};
 
 } // namespace
 
@@ -107,7 +107,7 @@ bool MovesTest::isReady() const
 void MovesTest::init()
 {
     applyTheme(*qApp, m_theme.theme());
-    m_engine = std::make_unique<Engine>(only, false);
+    m_engine = std::make_unique<Engine>(onlyNodes, false);
     m_selection = std::make_unique<Selection>();
     m_arming = std::make_unique<Arming>(*m_engine);
     m_page = std::make_unique<TunePage>(*m_engine, *m_selection, *m_arming, m_theme, nullptr);
@@ -117,7 +117,7 @@ void MovesTest::init()
     QApplication::setActiveWindow(m_page.get());
     m_engine->send(orders::OpenLink{*LinkAddress::parse("sim:serial?bitrate=115200")});
     m_engine->send(orders::ScanLinks{});
-    QTRY_VERIFY_WITH_TIMEOUT(isReady(), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(isReady(), movePatience);
     m_selection->select(m_engine->snapshot().devices.front().id);
     QTRY_VERIFY(m_page->column().movesPanel().isVisibleTo(m_page.get()));
 }
@@ -137,7 +137,7 @@ void MovesTest::prepare(const QString &target)
     for (QLineEdit *field : m_page->column().movesPanel().findChildren<QLineEdit *>())
         field->setText(target);
     QTest::mouseClick(&button("prepareMoves"), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(button("startMoves").isEnabled(), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(button("startMoves").isEnabled(), movePatience);
     QCOMPARE(energized(), 4);
 }
 
@@ -156,7 +156,7 @@ void MovesTest::fourNodesMoveTogetherOnOneCommand()
     for (const double position : positions())
         QVERIFY2(std::abs(position) < 30.0, "nothing turns before the start");
     QTest::mouseClick(&button("startMoves"), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(positions().front() > 300.0, patience);
+    QTRY_VERIFY_WITH_TIMEOUT(positions().front() > 300.0, movePatience);
     picture("moves-started.png");
     const auto under = positions();
     const auto [least, most] = std::minmax_element(under.begin(), under.end());
@@ -166,10 +166,10 @@ void MovesTest::fourNodesMoveTogetherOnOneCommand()
             const auto all = positions();
             return std::all_of(all.begin(), all.end(), [](double p) { return std::abs(p - 1500.0) < 40.0; });
         }(),
-        patience);
+        movePatience);
     QCOMPARE(energized(), 4);
     m_arming->disarm();
-    QTRY_COMPARE_WITH_TIMEOUT(energized(), 0, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(energized(), 0, movePatience);
 }
 
 void MovesTest::nothingIsPreparedUnarmed()
@@ -186,7 +186,7 @@ void MovesTest::stopEndsAllOfThem()
 {
     prepare(QStringLiteral("0"));
     m_arming->stopAll(QStringLiteral("test"));
-    QTRY_COMPARE_WITH_TIMEOUT(energized(), 0, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(energized(), 0, movePatience);
     QVERIFY(!button("startMoves").isEnabled());
 }
 
@@ -200,16 +200,16 @@ void MovesTest::aMoveThatWasStoppedBeforeItBeganIsShownUntilItIsReplaced()
     prepare(QStringLiteral("1500"));
     QCOMPARE(shown(QStringLiteral("keeps a move")), 0);
     m_arming->stopAll(QStringLiteral("test"));
-    QTRY_COMPARE_WITH_TIMEOUT(shown(QStringLiteral("keeps a move")), 4, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(shown(QStringLiteral("keeps a move")), 4, movePatience);
     QVERIFY(lineOf(first()).contains(QStringLiteral("keeps a move")));
     QVERIFY(tooltipOf(first()).contains(QStringLiteral("would begin it with the next start")));
     picture("moves-kept.png");
     prepare(QStringLiteral("500"));
     QTest::mouseClick(&button("startMoves"), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(std::abs(positions().front() - 500.0) < 40.0, patience);
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(positions().front() - 500.0) < 40.0, movePatience);
     m_arming->disarm();
-    QTRY_COMPARE_WITH_TIMEOUT(energized(), 0, patience);
-    QTRY_COMPARE_WITH_TIMEOUT(shown(QStringLiteral("keeps a move")), 0, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(energized(), 0, movePatience);
+    QTRY_COMPARE_WITH_TIMEOUT(shown(QStringLiteral("keeps a move")), 0, movePatience);
     QVERIFY(!lineOf(first()).contains(QStringLiteral("keeps a move")));
 }
 
@@ -221,7 +221,7 @@ void MovesTest::oneThatStallsTakesTheOthersWithIt()
         return core.session().bench(*core.session().links().front())->simulators().back()->disturb("stall", 1);
     }));
     QTest::mouseClick(&button("startMoves"), Qt::LeftButton);
-    QTRY_COMPARE_WITH_TIMEOUT(energized(), 0, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(energized(), 0, movePatience);
 }
 
 void MovesTest::thePositionIsZeroedWithTheMotorOffAndRunStartsItAgain()
@@ -233,22 +233,22 @@ void MovesTest::thePositionIsZeroedWithTheMotorOffAndRunStartsItAgain()
     setPoint.mode = Mode::Position;
     setPoint.target = 1500.0;
     m_arming->run(setPoint);
-    QTRY_VERIFY_WITH_TIMEOUT(shown() && std::abs(*shown() - 1500.0) < 40.0, patience);
+    QTRY_VERIFY_WITH_TIMEOUT(shown() && std::abs(*shown() - 1500.0) < 40.0, movePatience);
     auto *zero = m_page->findChild<QPushButton *>(QStringLiteral("zeroPosition"));
     QVERIFY(zero->isVisibleTo(m_page.get()));
     QVERIFY(!zero->toolTip().isEmpty());
     QTest::mouseClick(zero, Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(shown() && std::abs(*shown()) < 40.0, patience);
+    QTRY_VERIFY_WITH_TIMEOUT(shown() && std::abs(*shown()) < 40.0, movePatience);
     QCOMPARE(energized(), 0);
     QVERIFY2(std::abs(positions().front() - 1500.0) < 60.0, "the shaft stays where it was");
     QVERIFY2(m_arming->isArmed(first), "it may be started again");
     setPoint.target = 0.0;
     m_arming->run(setPoint);
-    QTRY_COMPARE_WITH_TIMEOUT(energized(), 1, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(energized(), 1, movePatience);
     QTest::qWait(500);
     QVERIFY2(std::abs(positions().front() - 1500.0) < 60.0, "and does not jump");
     m_arming->disarm();
-    QTRY_COMPARE_WITH_TIMEOUT(energized(), 0, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(energized(), 0, movePatience);
 }
 
 void MovesTest::everyControlHasAName()

@@ -66,7 +66,7 @@ QString nameOf(const QWidget &widget)
 }
 
 /// On the window as it would be without scroll bars: pages scroll while the focus goes through them.
-QRect placeOf(const QWidget &widget)
+QRect rectangleOf(const QWidget &widget)
 {
     QPoint at = widget.mapTo(widget.window(), QPoint());
     for (const QWidget *around = widget.parentWidget(); around; around = around->parentWidget()) {
@@ -125,7 +125,8 @@ std::vector<QWidget *> roundByTab(QWidget &window)
         passed.push_back(now);
     }
     const auto first = std::min_element(passed.begin(), passed.end(), [](const QWidget *a, const QWidget *b) {
-        return std::pair(placeOf(*a).y(), placeOf(*a).x()) < std::pair(placeOf(*b).y(), placeOf(*b).x());
+        return std::pair(rectangleOf(*a).y(), rectangleOf(*a).x())
+            < std::pair(rectangleOf(*b).y(), rectangleOf(*b).x());
     });
     std::rotate(passed.begin(), first, passed.end());
     return passed;
@@ -138,7 +139,7 @@ QStringList againstReading(QWidget &window, std::size_t &count)
     count = ring.size();
     QStringList wrong;
     for (std::size_t i = 1; i < ring.size(); ++i) {
-        if (goesBack(placeOf(*ring[i - 1]), placeOf(*ring[i])))
+        if (goesBack(rectangleOf(*ring[i - 1]), rectangleOf(*ring[i])))
             wrong += QStringLiteral("back: ") + nameOf(*ring[i - 1]) + QStringLiteral("  ->  ") + nameOf(*ring[i]);
     }
     for (QWidget *one : window.findChildren<QWidget *>()) {

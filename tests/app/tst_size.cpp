@@ -36,7 +36,7 @@ void verifyWhole(const QWidget &safe, const MainWindow &window)
 }
 
 /// For looking at it, where MOTORBENCH_PICTURES names a folder.
-void keepPicture(MainWindow &window, const QByteArray &row, PageId id)
+void keepPictureOfPage(MainWindow &window, const QByteArray &row, PageId id)
 {
     const QString folder = qEnvironmentVariable("MOTORBENCH_PICTURES");
     if (folder.isEmpty() || id != PageId::Tune)
@@ -81,7 +81,7 @@ void SizeTest::lampAndStopAreWholeOnSmallScreens()
         QVERIFY2(least.width() <= size.width() && least.height() <= size.height(),
             sized(least) + " are needed on page " + QByteArray::number(static_cast<int>(id)));
         QCOMPARE(window.size(), size);
-        keepPicture(window, QTest::currentDataTag(), id);
+        keepPictureOfPage(window, QTest::currentDataTag(), id);
         verifyWhole(bench.part<Lamp>(), window);
         verifyWhole(bench.part<StopButton>(), window);
         QVERIFY(bench.part<StopButton>().width() * pixels >= 160.0);
@@ -90,7 +90,7 @@ void SizeTest::lampAndStopAreWholeOnSmallScreens()
     window.showPage(PageId::Tune);
     bench.part<Lamp>().setStatus({LampState::MayTurn, QStringLiteral("#7: cut its power"), {}, false});
     QCoreApplication::processEvents();
-    keepPicture(window, QByteArray("may turn, ") + QTest::currentDataTag(), PageId::Tune);
+    keepPictureOfPage(window, QByteArray("may turn, ") + QTest::currentDataTag(), PageId::Tune);
     verifyWhole(bench.part<Lamp>(), window);
 }
 

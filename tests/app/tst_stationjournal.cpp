@@ -15,7 +15,7 @@ using namespace mb;
 
 namespace {
 
-constexpr int patience = 30000; // ms
+constexpr int stationPatience = 30000; // ms
 
 service::Visit visitOf(const char *id)
 {
@@ -100,30 +100,31 @@ void StationJournalTest::entriesReachTheServerOnceAlsoThoseOfTheTimeWhenItWasSil
     {
         Station station(folder, server.url());
         station.open("A");
-        QTRY_COMPARE_WITH_TIMEOUT(countOn(server.url()), std::size_t(1), patience);
+        QTRY_COMPARE_WITH_TIMEOUT(countOn(server.url()), std::size_t(1), stationPatience);
         station.takeNumber();
-        QTRY_COMPARE_WITH_TIMEOUT(station.read(&Station::numbers), std::set<int>{10}, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(station.read(&Station::numbers), std::set<int>{10}, stationPatience);
         server.stop();
         station.open("B");
-        QTRY_COMPARE_WITH_TIMEOUT(station.read(&Station::opened), 2, patience); // the station goes on without it
-        QTRY_VERIFY_WITH_TIMEOUT(!station.read(&Station::trouble).empty(), patience);
+        QTRY_COMPARE_WITH_TIMEOUT(station.read(&Station::opened), 2, stationPatience); // the station goes on without it
+        QTRY_VERIFY_WITH_TIMEOUT(!station.read(&Station::trouble).empty(), stationPatience);
         QCOMPARE(station.read(&Station::waiting), 1);
         for (int i = 0; i < 4; ++i) // the rest of its block of five
             station.takeNumber();
-        QTRY_COMPARE_WITH_TIMEOUT(station.read(&Station::numbers), (std::set<int>{10, 11, 12, 13, 14}), patience);
+        QTRY_COMPARE_WITH_TIMEOUT(
+            station.read(&Station::numbers), (std::set<int>{10, 11, 12, 13, 14}), stationPatience);
         QVERIFY(server.start());
-        QTRY_COMPARE_WITH_TIMEOUT(station.read(&Station::waiting), 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(station.read(&Station::waiting), 0, stationPatience);
         QVERIFY(station.read(&Station::trouble).empty());
         QCOMPARE(countOn(server.url()), std::size_t(2));
         server.stop();
         station.open("C"); // and the program ends
-        QTRY_COMPARE_WITH_TIMEOUT(station.read(&Station::opened), 3, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(station.read(&Station::opened), 3, stationPatience);
     }
     QVERIFY(server.start());
     QCOMPARE(countOn(server.url()), std::size_t(2));
     Station again(folder, server.url());
-    QTRY_COMPARE_WITH_TIMEOUT(countOn(server.url()), std::size_t(3), patience);
-    QTRY_COMPARE_WITH_TIMEOUT(again.read(&Station::waiting), 0, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(countOn(server.url()), std::size_t(3), stationPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(again.read(&Station::waiting), 0, stationPatience);
 }
 
 MB_WINDOW_TEST(StationJournalTest);

@@ -9,7 +9,7 @@ using service::RowState;
 
 namespace {
 
-constexpr int patience = 120000;
+constexpr int queuePatience = 120000;
 
 } // namespace
 
@@ -26,13 +26,13 @@ void UnitQueueTest::aDuplicateAndWrongHardwareAreRefusedInTheirRowsAndTheRestGoe
             "dmc60c:6,serial=210334000003,session=0x2222", "dmc60c:7,serial=210334000004,product=601",
             "dmc60c:8,serial=210334000005,firmware=1.23"});
     bench.open("sim:can");
-    QTRY_COMPARE_WITH_TIMEOUT(bench.found(), std::size_t(5), patience);
+    QTRY_COMPARE_WITH_TIMEOUT(bench.found(), std::size_t(5), queuePatience);
     QVERIFY(bench.board().openImage(QStringLiteral(":/firmware/dmc60c-demo.hex")));
     bench.board().model().tickAll(true);
-    QTRY_VERIFY_WITH_TIMEOUT(bench.board().canStart(), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.board().canStart(), queuePatience);
     bench.board().start();
-    QTRY_COMPARE_WITH_TIMEOUT(bench.in(RowState::Passed).size(), std::size_t(2), patience);
-    QTRY_VERIFY_WITH_TIMEOUT(!bench.door->view().running, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(bench.in(RowState::Passed).size(), std::size_t(2), queuePatience);
+    QTRY_VERIFY_WITH_TIMEOUT(!bench.door->view().running, queuePatience);
     const auto refused = bench.in(RowState::Refused);
     QCOMPARE(refused.size(), std::size_t(3));
     for (const QueueLine &line : refused) {

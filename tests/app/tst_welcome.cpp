@@ -35,7 +35,7 @@ using namespace mb::test;
 
 namespace {
 
-constexpr int tuningTime = 120000; ///< ms, of a tuning in real time on a busy computer
+constexpr int storyTime = 120000; ///< ms, of a tuning in real time on a busy computer
 
 void keepWindow(WindowBench &bench, const QString &name)
 {
@@ -140,21 +140,21 @@ void WelcomeTest::aStoryIsPlayedToItsEnd()
     QTRY_COMPARE_WITH_TIMEOUT(guide.step(), std::size_t(2), patience);
     QTest::qWait(200); // the page has to see the arming
     QTest::keyClick(&bench.window(), Qt::Key_F5);
-    QTRY_COMPARE_WITH_TIMEOUT(guide.step(), std::size_t(3), tuningTime);
+    QTRY_COMPARE_WITH_TIMEOUT(guide.step(), std::size_t(3), storyTime);
     keepWindow(bench, QStringLiteral("guide"));
     QTRY_VERIFY_WITH_TIMEOUT(bench.arming().state() == LampState::Armed, patience);
     buttonOf(strip, QStringLiteral("Show me where"))->click();
     QCOMPARE(bench.window().shownPage(), PageId::Design);
     QTest::keyClick(&bench.window(), Qt::Key_F6);
-    QTRY_VERIFY_WITH_TIMEOUT(guide.step() >= 4, tuningTime);
+    QTRY_VERIFY_WITH_TIMEOUT(guide.step() >= 4, storyTime);
     QVERIFY(!guide.isDone());
     buttonOf(strip, QStringLiteral("Show me where"))->click();
     QCOMPARE(bench.window().shownPage(), PageId::Parameters);
     auto &block = *bench.window().page(PageId::Parameters)->findChild<RamBlock *>();
     auto *store = buttonOf(block, QStringLiteral("Store and prove"));
-    QTRY_VERIFY_WITH_TIMEOUT(store->isVisible() && store->isEnabled(), tuningTime); // 15 s after the last change
+    QTRY_VERIFY_WITH_TIMEOUT(store->isVisible() && store->isEnabled(), storyTime); // 15 s after the last change
     store->click();
-    QTRY_VERIFY_WITH_TIMEOUT(guide.isDone(), tuningTime);
+    QTRY_VERIFY_WITH_TIMEOUT(guide.isDone(), storyTime);
     qInfo("%s", qPrintable(guide.result()));
     keepWindow(bench, QStringLiteral("guide-done"));
     buttonOf(strip, QStringLiteral("Close"))->click();
@@ -213,7 +213,7 @@ void WelcomeTest::theMotorThatStopsShortArrives()
             QTest::keyClick(&window, Qt::Key_F5);
             if (!QTest::qWaitFor([&] { return isThere() || bench.arming().isOnTrial(); }, 1000))
                 continue;
-            (void)QTest::qWaitFor([&] { return isThere() || !bench.arming().isOnTrial(); }, tuningTime);
+            (void)QTest::qWaitFor([&] { return isThere() || !bench.arming().isOnTrial(); }, storyTime);
             (void)QTest::qWaitFor(isThere, 2000); // the guide looks with the next snapshot
         }
         return isThere();

@@ -2,6 +2,7 @@
 #include "async/scope.h"
 #include "async/sleep.h"
 #include "async/virtualclock.h"
+#include "latertasks.h"
 #include "witness.h"
 
 #include <gtest/gtest.h>
@@ -10,28 +11,14 @@
 
 using namespace mb;
 using namespace std::chrono_literals;
+using test::failLater;
+using test::valueLater;
+using test::valueNow;
 using test::Witness;
 
 namespace {
 
-Task<int> valueNow(int value)
-{
-    co_return value;
-}
-
-Task<int> valueLater(Clock &clock, int value)
-{
-    co_await Sleep(clock, 1ms);
-    co_return value;
-}
-
-Task<int> failLater(Clock &clock)
-{
-    co_await Sleep(clock, 1ms);
-    co_return fail(Fault::Timeout, say("later"));
-}
-
-Task<int> passesOn(Task<int> inner, int &alive, bool &reached)
+Task<int> passesOnAlive(Task<int> inner, int &alive, bool &reached)
 {
     const Witness local(alive);
     const int value = co_await std::move(inner);
@@ -114,7 +101,7 @@ TEST(Scope, LocalsOfAFailedTaskAreGoneWhenItsCallbackRuns)
     int alive = 0;
     int aliveInCallback = -1;
     bool reached = false;
-    scope.spawn<int>(passesOn(failLater(clock), alive, reached), [&](Result<int> result) {
+    scope.spawn<int>(passesOnAlive(failLater(clock), alive, reached), [&](Result<int> result) {
         EXPECT_FALSE(result.has_value());
         aliveInCallback = alive;
     });

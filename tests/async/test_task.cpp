@@ -2,6 +2,7 @@
 #include "async/sleep.h"
 #include "async/task.h"
 #include "async/virtualclock.h"
+#include "latertasks.h"
 #include "witness.h"
 
 #include <gtest/gtest.h>
@@ -11,6 +12,9 @@
 
 using namespace mb;
 using namespace std::chrono_literals;
+using test::failLater;
+using test::valueLater;
+using test::valueNow;
 using test::Witness;
 
 namespace {
@@ -28,26 +32,9 @@ constexpr int deep = 10'000;
 constexpr int deep = 10'000;
 #endif
 
-Task<int> valueNow(int value)
-{
-    co_return value;
-}
-
-Task<int> valueLater(Clock &clock, int value, Duration delay = 1ms)
-{
-    co_await Sleep(clock, delay);
-    co_return value;
-}
-
 Task<int> failNow()
 {
     co_return fail(Fault::Refused, say("now"));
-}
-
-Task<int> failLater(Clock &clock)
-{
-    co_await Sleep(clock, 1ms);
-    co_return fail(Fault::Timeout, say("later"));
 }
 
 Task<void> nothing()

@@ -13,7 +13,7 @@
 namespace mb::abstractdc {
 namespace {
 
-struct Found final : ScanSink {
+struct FoundUnit final : ScanSink {
     void found(const Identity &identity) override { rows[identity.address] = identity; }
     void progress(const Message &, int, int) override { }
     [[nodiscard]] std::string text() const
@@ -32,7 +32,7 @@ protected:
     using Drives::Drives;
     std::string scanned()
     {
-        Found sink;
+        FoundUnit sink;
         std::vector<std::string> sent;
         const Subscription tap = host.traffic().add([&](const Traffic &traffic) {
             if (traffic.direction == Direction::Sent)
@@ -86,7 +86,7 @@ TEST_F(AbstractDcScan, TellsTheDialectsApartWhileEveryDriveIsPolledAsOftenAsTheW
     }
     for (int phase = 0; phase < test::rounds(20); ++phase) {
         clock.advance(1013us * (phase % 17));
-        Found sink;
+        FoundUnit sink;
         const auto result = test::run(clock, scan(host, clock, sink));
         ASSERT_TRUE(result) << result.error().text() << ", scan " << phase;
         ASSERT_EQ(sink.text(), "3:F 4:L 5:D ") << "scan " << phase;
@@ -118,7 +118,7 @@ TEST(AbstractDcScanBusy, TellsTheDialectsApartOnAComputerThatIsHeldUp)
             pollers.back()->wish(log, 100.0);
     }
     for (int round = 0; round < test::rounds(200); ++round) {
-        Found sink;
+        FoundUnit sink;
         auto scanning = scan(host, clock, sink);
         scanning.start();
         ASSERT_TRUE(clock.runUntil([&] { return scanning.isFinished(); }, 1min));
@@ -166,7 +166,7 @@ TEST_F(AbstractDcScan, EveryOffsetOfEveryDialectIsFoundAlone)
             ASSERT_TRUE(other.open());
             const auto drive = simulate(
                 other, clock, *SimulatedUnit::parse("abstractdc:" + std::to_string(offset) + ",dialect=" + dialect));
-            Found sink;
+            FoundUnit sink;
             ASSERT_TRUE(test::run(clock, scan(one, clock, sink)));
             EXPECT_EQ(sink.text(), std::to_string(offset) + ':' + dialect + ' ');
         }
@@ -223,7 +223,7 @@ protected:
     }
     std::string scanned()
     {
-        Found sink;
+        FoundUnit sink;
         EXPECT_TRUE(test::run(clock, scan(host, clock, sink)));
         return sink.text();
     }

@@ -11,7 +11,7 @@
 namespace mb::dmc60c {
 namespace {
 
-CanFrame frame(std::string_view text)
+CanFrame decodedFrame(std::string_view text)
 {
     const auto parsed = canFrameFromText(text);
     EXPECT_TRUE(parsed) << text;
@@ -95,7 +95,7 @@ const std::vector<Decoded> &decodedVectors()
 TEST(Dmc60cDecode, NamesEveryGoldenFrameAndItsFields)
 {
     for (const Decoded &vector : decodedVectors()) {
-        const auto decoded = decodeCan(frame(vector.text), {});
+        const auto decoded = decodeCan(decodedFrame(vector.text), {});
         ASSERT_TRUE(decoded) << vector.name;
         EXPECT_EQ(decoded->message, vector.message) << vector.name;
         EXPECT_EQ(decoded->family, "dmc60c");
@@ -113,15 +113,15 @@ TEST(Dmc60cDecode, NamesEveryGoldenFrameAndItsFields)
 
 TEST(Dmc60cDecode, TakesTheAddressFromTheIdentifier)
 {
-    EXPECT_EQ(decodeCan(frame("0206F03F#0100020017010A01"), {})->address, 63);
-    EXPECT_EQ(decodeCan(frame("0206FCC0#02000000"), {})->address, 0);
-    EXPECT_EQ(decodeCan(frame("00000240#"), {})->address, 0);
+    EXPECT_EQ(decodeCan(decodedFrame("0206F03F#0100020017010A01"), {})->address, 63);
+    EXPECT_EQ(decodeCan(decodedFrame("0206FCC0#02000000"), {})->address, 0);
+    EXPECT_EQ(decodeCan(decodedFrame("00000240#"), {})->address, 0);
 }
 
 TEST(Dmc60cDecode, GivesUnitsThatFollowTheModeOrTheParameter)
 {
     const auto unit = [](std::string_view text, std::string_view name) {
-        const auto decoded = decodeCan(frame(text), {});
+        const auto decoded = decodeCan(decodedFrame(text), {});
         for (const DecodedField &field : decoded->fields) {
             if (field.name == name)
                 return field.unit;
@@ -143,7 +143,7 @@ bool anyDecoderTakes(const CanFrame &f)
 TEST(Dmc60cDecode, RefusesTheCorruptedTwinOfEveryGoldenFrame)
 {
     for (const Decoded &vector : decodedVectors()) {
-        const CanFrame good = frame(vector.text);
+        const CanFrame good = decodedFrame(vector.text);
         std::vector<CanFrame> twins(5, good);
         twins[0].extended = false; // 11 bits
         twins[0].id &= 0x7FFU;
@@ -163,7 +163,7 @@ TEST(Dmc60cDecode, RefusesEveryOtherLength)
     for (const Decoded &vector : decodedVectors()) {
         if (vector.message.starts_with("VENDORD")) // 1…8 bytes are legal
             continue;
-        const CanFrame good = frame(vector.text);
+        const CanFrame good = decodedFrame(vector.text);
         for (std::uint8_t size = 0; size <= 8; ++size) {
             CanFrame twin = good;
             twin.size = size;
@@ -178,14 +178,14 @@ TEST(Dmc60cDecode, RefusesEveryOtherLength)
 
 TEST(Dmc60cDecode, TellsTheTwoEnumerationAnswersApartByLength)
 {
-    EXPECT_FALSE(decodeEnumResponse1(frame("0206F005#341203012060")));
-    EXPECT_FALSE(decodeEnumResponse0(frame("0206F000#EFBE0100FFFF0901")));
-    const auto first = decodeEnumResponse0(frame("0206F005#341203012060"));
+    EXPECT_FALSE(decodeEnumResponse1(decodedFrame("0206F005#341203012060")));
+    EXPECT_FALSE(decodeEnumResponse0(decodedFrame("0206F000#EFBE0100FFFF0901")));
+    const auto first = decodeEnumResponse0(decodedFrame("0206F005#341203012060"));
     ASSERT_TRUE(first);
     EXPECT_EQ(first->device, 5);
     EXPECT_EQ(first->session, 0x1234);
     EXPECT_EQ(first->productId >> 20U, productDmc60c);
-    const auto second = decodeEnumResponse1(frame("0206F03F#0100020017010A01"));
+    const auto second = decodeEnumResponse1(decodedFrame("0206F03F#0100020017010A01"));
     ASSERT_TRUE(second);
     EXPECT_EQ(second->image, ImageType::AuxiliaryBootloader);
     EXPECT_EQ(versionText(second->application), "1.23");
@@ -194,10 +194,10 @@ TEST(Dmc60cDecode, TellsTheTwoEnumerationAnswersApartByLength)
 
 TEST(Dmc60cDecode, IgnoresForeignTraffic)
 {
-    EXPECT_FALSE(decodeCan(frame("02061445#0000000000000000"), {})) << "API 0x051 is nobody's";
-    EXPECT_FALSE(decodeCan(frame("0206F040#341203012060"), {}));
-    EXPECT_FALSE(decodeCan(frame("02050005#0F00000000000000"), {})) << "another manufacturer";
-    EXPECT_FALSE(decodeCan(frame("240#"), {}));
+    EXPECT_FALSE(decodeCan(decodedFrame("02061445#0000000000000000"), {})) << "API 0x051 is nobody's";
+    EXPECT_FALSE(decodeCan(decodedFrame("0206F040#341203012060"), {}));
+    EXPECT_FALSE(decodeCan(decodedFrame("02050005#0F00000000000000"), {})) << "another manufacturer";
+    EXPECT_FALSE(decodeCan(decodedFrame("240#"), {}));
 }
 
 } // namespace

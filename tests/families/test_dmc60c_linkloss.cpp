@@ -113,7 +113,7 @@ struct LossBench {
     std::optional<Task<UpdateReport>> task;
 };
 
-void expectDone(const UpdateReport &report, const std::string &what)
+void expectDoneAgain(const UpdateReport &report, const std::string &what)
 {
     EXPECT_EQ(report.outcome, UpdateOutcome::Done) << what << ": " << report.evidence;
     EXPECT_TRUE(report.verified) << what;
@@ -135,7 +135,7 @@ TEST(Dmc60cLinkLoss, AnUpdateWaitsForItsLinkAndBeginsAgainAtPage30)
             bench.clock.advance(10s);
             bench.host.plugIn();
             const std::size_t before = bench.pages.size();
-            expectDone(bench.end(), step);
+            expectDoneAgain(bench.end(), step);
             EXPECT_TRUE(bench.watch.told("sim:can is back")) << bench.watch.lines;
             const std::vector<int> since(bench.pages.begin() + static_cast<std::ptrdiff_t>(before), bench.pages.end());
             if (!bench.watch.told("all pages are in the unit")) {
@@ -158,7 +158,7 @@ TEST(Dmc60cLinkLoss, AUnitThatLostItsPowerMeanwhileIsUpdatedAllTheSame)
     bench.simulator->setPowered(true);
     bench.clock.advance(1s);
     bench.host.plugIn();
-    expectDone(bench.end(), "another session");
+    expectDoneAgain(bench.end(), "another session");
 }
 
 TEST(Dmc60cLinkLoss, WhatIsWrittenIsNotWrittenAgain)
@@ -169,7 +169,7 @@ TEST(Dmc60cLinkLoss, WhatIsWrittenIsNotWrittenAgain)
     bench.host.pullOut();
     bench.clock.advance(5s);
     bench.host.plugIn();
-    expectDone(bench.end(), "while it restarted");
+    expectDoneAgain(bench.end(), "while it restarted");
     EXPECT_EQ(bench.pages, (std::vector<int>{30, 1, 0}));
     EXPECT_TRUE(bench.watch.told("all pages are in the unit")) << bench.watch.lines;
 }
@@ -185,7 +185,7 @@ TEST(Dmc60cLinkLoss, AForcedUpdateToTheSameVersionIsNotTakenForDoneBeforeItsPage
     bench.host.pullOut();
     bench.clock.advance(3s);
     bench.host.plugIn();
-    expectDone(bench.end(), "forced");
+    expectDoneAgain(bench.end(), "forced");
     EXPECT_EQ(bench.pages, (std::vector<int>{30, 30, 1, 0})) << "page 30 had been sent whole";
 }
 
@@ -207,7 +207,7 @@ TEST(Dmc60cLinkLoss, ALinkThatStaysAwayEndsTheUpdateWithTheCauseAndTheRemedy)
     bench.host.plugIn();
     ASSERT_TRUE(bench.host.open());
     bench.begin();
-    expectDone(bench.end(), "run again");
+    expectDoneAgain(bench.end(), "run again");
 }
 
 TEST(Dmc60cLinkLoss, ALinkThatIsClosedOrLostAgainAndAgainIsNotWaitedForForEver)

@@ -26,7 +26,7 @@ constexpr const char *referenceFile = ":020000040000FA\n"
                                       ":041FF00001010000EB\n"
                                       ":00000001FF\n";
 
-FirmwareImage imageOf(const std::string &text)
+FirmwareImage imageOfPages(const std::string &text)
 {
     auto image = FirmwareImage::fromIntelHex(text);
     EXPECT_TRUE(image) << (image ? "" : image.error().text());
@@ -35,7 +35,7 @@ FirmwareImage imageOf(const std::string &text)
 
 std::string refusal(const HexText &hex)
 {
-    const auto application = applicationFrom(imageOf(hex.text()));
+    const auto application = applicationFrom(imageOfPages(hex.text()));
     if (application)
         return "accepted";
     EXPECT_EQ(application.error().fault, Fault::OutOfRange);
@@ -50,7 +50,7 @@ std::vector<int> numbers(const Application &application)
     return result;
 }
 
-Page blankPage(int number)
+Page unwrittenPage(int number)
 {
     Page page;
     page.number = number;
@@ -60,16 +60,16 @@ Page blankPage(int number)
 
 TEST(Dmc60cPages, OfTheReferenceFileAreTwo)
 {
-    const Application application = pagesOf(imageOf(referenceFile));
+    const Application application = pagesOf(imageOfPages(referenceFile));
     ASSERT_EQ(numbers(application), (std::vector<int>{30, 0}));
     EXPECT_EQ(application.version, 0x0117);
 
-    Page version = blankPage(30);
+    Page version = unwrittenPage(30);
     version.bytes[0xFFC] = 0x17;
     version.bytes[0xFFD] = 0x01;
     version.bytes[0xFFE] = 0x00;
     EXPECT_EQ(application.pages[0], version);
-    Page reset = blankPage(0);
+    Page reset = unwrittenPage(0);
     const std::array<std::uint8_t, 8> vector{0x00, 0x02, 0x04, 0xFF, 0x00, 0x00, 0x00, 0xFF};
     std::copy(vector.begin(), vector.end(), reset.bytes.begin());
     EXPECT_EQ(application.pages[1], reset);
@@ -90,22 +90,22 @@ std::vector<std::string> notesOf(const FirmwareImage &image)
 
 TEST(Dmc60cPages, NoteWhatIsNotSent)
 {
-    const std::vector<std::string> notes = notesOf(imageOf(referenceFile));
+    const std::vector<std::string> notes = notesOf(imageOfPages(referenceFile));
     EXPECT_EQ(notes,
         (std::vector<std::string>{"not sent: 4 bytes for pages 35-42 (bootloader and flash configuration)",
             "not sent: 4 bytes for the user-ID words"}));
     HexText hex = smallApplication();
     hex.add(0x1F000, {1}).add(0x2B000, {2}).add(0xFFFF0000, {3, 4}).add(0x2000, {0, 0, 0, 0x55});
-    EXPECT_EQ(notesOf(imageOf(hex.text())),
+    EXPECT_EQ(notesOf(imageOfPages(hex.text())),
         (std::vector<std::string>{"not sent: 1 byte for pages 31-34 (configuration and descriptors)",
             "not sent: 3 bytes outside the controller's flash",
             "not sent: 1 byte where a 24-bit instruction has none, the file may be for another processor"}));
-    EXPECT_TRUE(pagesOf(imageOf(smallApplication().text())).notes.empty());
+    EXPECT_TRUE(pagesOf(imageOfPages(smallApplication().text())).notes.empty());
 }
 
 TEST(Dmc60cPages, CrcHasThreeVariants)
 {
-    const Page blank = blankPage(0);
+    const Page blank = unwrittenPage(0);
     EXPECT_EQ(pageCrc(CrcVariant::A, blank.bytes), 0x3648671BU);
     EXPECT_EQ(pageCrc(CrcVariant::B, blank.bytes), 0xF154670AU);
     EXPECT_EQ(pageCrc(CrcVariant::C, blank.bytes), 0x2939ED25U);
@@ -114,7 +114,7 @@ TEST(Dmc60cPages, CrcHasThreeVariants)
 TEST(Dmc60cPages, HaveNoUnusedByteInAnyInstruction)
 {
     const std::vector<std::uint8_t> zeros(0x2000, 0);
-    const Application application = pagesOf(imageOf(smallApplication().add(0x5800, zeros).text()));
+    const Application application = pagesOf(imageOfPages(smallApplication().add(0x5800, zeros).text()));
     for (const Page &page : application.pages) {
         for (std::size_t i = 3; i < page.bytes.size(); i += 4)
             ASSERT_EQ(page.bytes[i], 0xFF) << page.number << ' ' << i;
@@ -126,7 +126,7 @@ TEST(Dmc60cPages, SplitARecordThatStraddlesThem)
     std::vector<std::uint8_t> bytes(16);
     for (std::size_t i = 0; i < bytes.size(); ++i)
         bytes[i] = static_cast<std::uint8_t>(i + 1);
-    const Application application = pagesOf(imageOf(HexText().add(0xFFF8, bytes).text()));
+    const Application application = pagesOf(imageOfPages(HexText().add(0xFFF8, bytes).text()));
     ASSERT_EQ(numbers(application), (std::vector<int>{16, 15}));
     EXPECT_EQ(application.pages[1].bytes[0xFF8], 1);
     EXPECT_EQ(application.pages[1].bytes[0xFFE], 7);
@@ -141,7 +141,7 @@ TEST(Dmc60cPages, OfEveryAddressAreTheRightOnes)
     for (int number = 0; number <= 43; ++number) {
         const auto first = static_cast<std::uint32_t>(number) * 0x1000U;
         for (const std::uint32_t address : {first, first + 0xFFE}) {
-            const Application application = pagesOf(imageOf(HexText().add(address, {0x5A}).text()));
+            const Application application = pagesOf(imageOfPages(HexText().add(address, {0x5A}).text()));
             EXPECT_EQ(numbers(application), number <= 30 ? std::vector<int>{number} : std::vector<int>{}) << address;
         }
     }
@@ -149,7 +149,7 @@ TEST(Dmc60cPages, OfEveryAddressAreTheRightOnes)
 
 TEST(Dmc60cPreflight, AcceptsTheSmallestApplication)
 {
-    const auto application = applicationFrom(imageOf(smallApplication(0x010A).text()));
+    const auto application = applicationFrom(imageOfPages(smallApplication(0x010A).text()));
     ASSERT_TRUE(application) << application.error().text();
     EXPECT_EQ(numbers(*application), (std::vector<int>{30, 0}));
     EXPECT_EQ(application->version, 0x010A);
@@ -157,7 +157,7 @@ TEST(Dmc60cPreflight, AcceptsTheSmallestApplication)
 
 TEST(Dmc60cPreflight, RefusesEachFileWithItsReason)
 {
-    const auto noEntry = applicationFrom(imageOf(referenceFile));
+    const auto noEntry = applicationFrom(imageOfPages(referenceFile));
     ASSERT_FALSE(noEntry);
     EXPECT_EQ(noEntry.error(), (Error{Fault::OutOfRange, say("no instruction at the entry point 0x00400")}));
     EXPECT_EQ(refusal(HexText().add(0x2AFD8, {1, 2, 3, 0})),
@@ -185,7 +185,7 @@ TEST(Dmc60cDemoFirmware, HasAllPagesAndVersion1p25)
 {
     const auto text = readTextFile(inSourceTree("resources/firmware/dmc60c-demo.hex"), FirmwareImage::maxTextSize);
     ASSERT_TRUE(text) << text.error().text();
-    const auto application = applicationFrom(imageOf(*text));
+    const auto application = applicationFrom(imageOfPages(*text));
     ASSERT_TRUE(application) << application.error().text();
     EXPECT_EQ(application->version, 0x0119);
     std::vector<int> descending;

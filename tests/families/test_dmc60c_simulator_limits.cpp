@@ -11,15 +11,15 @@ using namespace std::chrono_literals;
 using namespace dmc60c;
 using namespace dmc60csim;
 
-constexpr auto half = "02060005#0000000000400000"; // voltage mode, duty 16384
+constexpr auto halfDuty = "02060005#0000000000400000"; // voltage mode, duty 16384
 
 TEST(Dmc60cSimulatorLimits, LimitSwitchesBlockTheirDirection)
 {
     Dmc60cBench bench;
     bench.wake();
-    bench.drive(half, 100ms);
+    bench.drive(halfDuty, 100ms);
     ASSERT_TRUE(bench.device().disturb("forward-limit", 1.0));
-    bench.drive(half, 60ms);
+    bench.drive(halfDuty, 60ms);
     EXPECT_EQ(bench.duty(), 0);
     EXPECT_EQ(bench.last(id::statusGeneral)->data[2], 0x12); // low and hit; the other one high
     bench.drive("02060005#000000FF00C00000", 60ms);
@@ -27,12 +27,12 @@ TEST(Dmc60cSimulatorLimits, LimitSwitchesBlockTheirDirection)
     drive(bench, control(0, 16384, 0, 0x0A), 60ms); // override: forward off
     EXPECT_EQ(bench.duty(), 16384);
     set(bench, 2, 1);
-    bench.drive(half, 60ms);
+    bench.drive(halfDuty, 60ms);
     EXPECT_EQ(bench.duty(), 16384);
     ASSERT_TRUE(bench.device().disturb("forward-limit", 0.0));
     set(bench, 2, 0);
     set(bench, 1, 1); // normally closed: open means hit
-    bench.drive(half, 60ms);
+    bench.drive(halfDuty, 60ms);
     EXPECT_EQ(bench.duty(), 0);
 }
 
@@ -42,7 +42,7 @@ TEST(Dmc60cSimulatorLimits, SoftLimitsBlockByPosition)
     bench.wake();
     set(bench, 5, 20000);
     set(bench, 6, 1);
-    bench.drive(half, 1s);
+    bench.drive(halfDuty, 1s);
     EXPECT_EQ(bench.duty(), 0);
     EXPECT_GE(bench.position(), 20000);
     EXPECT_LT(bench.device().speed(), 1.0);
@@ -57,7 +57,7 @@ TEST(Dmc60cSimulatorLimits, PositionIsWrittenOnlyWhileTheOutputIsOff)
     bench.wake();
     set(bench, 41, -1000);
     EXPECT_EQ(get(bench, 41), -1000);
-    bench.send(half);
+    bench.send(halfDuty);
     bench.advance(5ms);
     bench.send(parameterSet(41, 0));
     const CanFrame *answer = bench.next(id::paramResponse);
@@ -71,18 +71,18 @@ TEST(Dmc60cSimulatorLimits, ClearsItsPositionOnLimitAndIndex)
     bench.wake();
     set(bench, 43, 1);
     set(bench, 2, 1); // clears even with the switch disabled
-    bench.drive(half, 300ms);
+    bench.drive(halfDuty, 300ms);
     ASSERT_TRUE(bench.device().disturb("forward-limit", 1.0));
-    bench.drive(half, 100ms);
+    bench.drive(halfDuty, 100ms);
     EXPECT_EQ(bench.position(), 0);
     EXPECT_GT(bench.device().speed(), 0.0);
     ASSERT_TRUE(bench.device().disturb("forward-limit", 0.0));
     set(bench, 42, 1);
     set(bench, 45, 1);
-    bench.drive(half, 500ms);
+    bench.drive(halfDuty, 500ms);
     set(bench, 92, 1);
     for (int i = 0; i < 50; ++i) {
-        bench.drive(half, 20ms);
+        bench.drive(halfDuty, 20ms);
         const double turns = bench.device().position() / 4096.0;
         EXPECT_GE(bench.position(), 0);
         EXPECT_LT(bench.position(), 4096 + 200);
@@ -118,7 +118,7 @@ TEST(Dmc60cSimulatorLimits, UnderVoltageStopsAfterFiveSecondsAndForThreeMore)
 {
     Dmc60cBench bench("dmc60c:5,session=0x1234,fault=brownout@1"); // 5 V from 1 s to 7 s
     bench.wake();
-    bench.drive(half, 11s);
+    bench.drive(halfDuty, 11s);
     const SimulatorEvent *fault = bench.event("fault");
     ASSERT_NE(fault, nullptr);
     EXPECT_EQ(fault->value, 4.0);
@@ -139,20 +139,20 @@ TEST(Dmc60cSimulatorLimits, FaultsOpenTheBridgeUntilThreeSecondsAfterTheyAreGone
 {
     Dmc60cBench bench;
     bench.wake();
-    bench.drive(half, 500ms);
+    bench.drive(halfDuty, 500ms);
     ASSERT_TRUE(bench.device().disturb("gate-fault", 1.0));
     EXPECT_FALSE(bench.device().isOutputOn());
-    bench.drive(half, 5s);
+    bench.drive(halfDuty, 5s);
     EXPECT_EQ(bench.duty(), 0);
     EXPECT_EQ(bench.last(id::statusGeneral)->data[4] & 4, 4);
     ASSERT_TRUE(bench.device().disturb("gate-fault", 0.0));
-    bench.drive(half, 2900ms);
+    bench.drive(halfDuty, 2900ms);
     EXPECT_EQ(bench.duty(), 0);
-    bench.drive(half, 200ms);
+    bench.drive(halfDuty, 200ms);
     EXPECT_EQ(bench.duty(), 16384);
     EXPECT_EQ(get(bench, 56), 1);
     ASSERT_TRUE(bench.device().disturb("temperature", 120.0));
-    bench.drive(half, 100ms);
+    bench.drive(halfDuty, 100ms);
     EXPECT_EQ(get(bench, 51), 2);
     EXPECT_FALSE(bench.device().disturb("weather", 1.0));
 }
@@ -161,17 +161,17 @@ TEST(Dmc60cSimulatorLimits, EncoderAndShaftFaultsShow)
 {
     Dmc60cBench dead("dmc60c:5,session=0x1234,fault=encoder-dead@0.5");
     dead.wake();
-    dead.drive(half, 1500ms);
+    dead.drive(halfDuty, 1500ms);
     EXPECT_EQ(dead.velocity(), 0);
     EXPECT_GT(dead.device().speed(), 1000.0);
     Dmc60cBench reversed("dmc60c:5,session=0x1234,fault=encoder-reversed");
     reversed.wake();
-    reversed.drive(half, 1s);
+    reversed.drive(halfDuty, 1s);
     EXPECT_LT(reversed.velocity(), -1000);
     EXPECT_GT(reversed.device().speed(), 1000.0);
     Dmc60cBench stalled("dmc60c:5,session=0x1234,fault=stall@0.5");
     stalled.wake();
-    stalled.drive(half, 1s);
+    stalled.drive(halfDuty, 1s);
     EXPECT_EQ(stalled.velocity(), 0);
     EXPECT_EQ(stalled.device().speed(), 0.0);
 }

@@ -15,8 +15,8 @@ using namespace std::chrono_literals;
 using test::run;
 
 /// A session with one unit of our own on a bus, so that its options and faults can be chosen.
-struct UpdateBench {
-    explicit UpdateBench(const std::string &unit, double loss = 0.0, std::uint64_t seed = 1)
+struct Dmc60cUpdateBench {
+    explicit Dmc60cUpdateBench(const std::string &unit, double loss = 0.0, std::uint64_t seed = 1)
         : bus(clock, 1'000'000, seed)
         , host(*LinkAddress::parse("sim:can"), bus)
         , port(*LinkAddress::parse("sim:can"), bus)
@@ -126,7 +126,7 @@ void expectDone(const Result<UpdateReport> &report, const std::string &what = {}
 
 TEST(Dmc60cUpdate, WritesPage30FirstPage0LastAndProvesTheVersion)
 {
-    UpdateBench bench("dmc60c:5");
+    Dmc60cUpdateBench bench("dmc60c:5");
     const auto report = bench.update(demoImage());
     expectDone(report);
     EXPECT_EQ(report->from, "1.23");
@@ -141,7 +141,7 @@ TEST(Dmc60cUpdate, WritesPage30FirstPage0LastAndProvesTheVersion)
 
 TEST(Dmc60cUpdate, TakesAtMostATenthLongerThanBusAndFlashNeed)
 {
-    UpdateBench bench("dmc60c:9,state=bootloader");
+    Dmc60cUpdateBench bench("dmc60c:9,state=bootloader");
     const Instant begin = bench.clock.now();
     expectDone(bench.update(demoImage()));
     // Per page: 513 frames of at least 131 bits back to back, 23.1 ms of erasing and 54 ms of writing; the resets apart.
@@ -155,7 +155,7 @@ TEST(Dmc60cUpdate, TakesAtMostATenthLongerThanBusAndFlashNeed)
 TEST(Dmc60cUpdate, FindsTheCrcVariantOnTheFirstPage)
 {
     for (const char *variant : {"A", "B", "C"}) {
-        UpdateBench bench(std::string("dmc60c:5,crc=") + variant);
+        Dmc60cUpdateBench bench(std::string("dmc60c:5,crc=") + variant);
         const auto report = bench.update(smallImage());
         expectDone(report, variant);
         EXPECT_EQ(report->retries, variant[0] - 'A') << variant;
@@ -164,7 +164,7 @@ TEST(Dmc60cUpdate, FindsTheCrcVariantOnTheFirstPage)
 
 TEST(Dmc60cUpdate, DoesNothingWhenTheVersionIsThereAlreadyUnlessForced)
 {
-    UpdateBench bench("dmc60c:5,firmware=1.25");
+    Dmc60cUpdateBench bench("dmc60c:5,firmware=1.25");
     const auto same = bench.update(smallImage());
     ASSERT_TRUE(same);
     EXPECT_EQ(same->outcome, UpdateOutcome::UpToDate);
@@ -176,7 +176,7 @@ TEST(Dmc60cUpdate, DoesNothingWhenTheVersionIsThereAlreadyUnlessForced)
 
 TEST(Dmc60cUpdate, DryRunWritesNothing)
 {
-    UpdateBench bench("dmc60c:5");
+    Dmc60cUpdateBench bench("dmc60c:5");
     UpdateOptions dry;
     dry.dryRun = true;
     const auto report = bench.update(smallImage(), dry);
@@ -187,7 +187,7 @@ TEST(Dmc60cUpdate, DryRunWritesNothing)
 
 TEST(Dmc60cUpdate, RefusesAnImageWithoutEntryPointBeforeAnythingIsSent)
 {
-    UpdateBench bench("dmc60c:5");
+    Dmc60cUpdateBench bench("dmc60c:5");
     const auto image = FirmwareImage::fromIntelHex(
         ":020000040000FA\n:080000000002040000000000F2\n:020000040001F9\n:04EFFC0017010000F9\n:00000001FF\n");
     ASSERT_TRUE(image);
@@ -200,7 +200,7 @@ TEST(Dmc60cUpdate, RefusesAnImageWithoutEntryPointBeforeAnythingIsSent)
 TEST(Dmc60cUpdate, AUnitThatLosesItsSupplyInAnyPageRunsAgainToSuccess)
 {
     for (int page = 30; page >= 1; --page) {
-        UpdateBench bench("dmc60c:5,fault=power-page@" + std::to_string(page));
+        Dmc60cUpdateBench bench("dmc60c:5,fault=power-page@" + std::to_string(page));
         const auto first = bench.update(demoImage());
         // The unit is back after 200 ms: the same run may already carry on from page 30.
         if (first && first->outcome == UpdateOutcome::Done)
@@ -213,7 +213,7 @@ TEST(Dmc60cUpdate, AUnitThatLosesItsSupplyInAnyPageRunsAgainToSuccess)
 TEST(Dmc60cUpdate, AProgramThatDiesInAnyPageLeavesAUnitThatIsFoundInItsBootloaderAndRunsAgain)
 {
     for (int page = 30; page >= 0; --page) {
-        UpdateBench bench("dmc60c:5");
+        Dmc60cUpdateBench bench("dmc60c:5");
         bench.update(demoImage(), {.dryRun = true, .force = false, .via = {}, .target = {}});
         struct Watch final : Progress {
             void step(const Message &what, int, int) override { now = what.english(); }
@@ -250,7 +250,7 @@ TEST(Dmc60cUpdate, RunsAgainToSuccessAfterThePowerWasCutAtSeededFrames)
     const int cuts = all ? most : 40;
     for (int i = 0; i < cuts; ++i) {
         const int frame = all ? i + 1 : static_cast<int>(random() % most) + 1;
-        UpdateBench bench("dmc60c:5,fault=power@" + std::to_string(frame));
+        Dmc60cUpdateBench bench("dmc60c:5,fault=power@" + std::to_string(frame));
         const auto first = bench.update(smallImage());
         if (first && first->outcome == UpdateOutcome::Done)
             continue;
@@ -272,7 +272,7 @@ TEST(Dmc60cUpdate, SurvivesSingleDropsAndCorruptionsOfAnyReply)
     for (const char *fault : {"drop", "corrupt", "delay"}) {
         for (int frame = 8; frame < 40; frame += 3) {
             const std::string argument = std::string(fault) == "delay" ? ":400" : "";
-            UpdateBench bench(
+            Dmc60cUpdateBench bench(
                 "dmc60c:9,state=bootloader,fault=" + std::string(fault) + "@" + std::to_string(frame) + argument);
             const auto first = bench.update(smallImage());
             if (first && first->outcome == UpdateOutcome::Done)
@@ -288,7 +288,7 @@ TEST(Dmc60cUpdate, AnAnswerThatComesLateIsNotTakenForTheOneToAnotherQuestion)
         for (int frame = 4; frame < 34; ++frame) {
             const std::string first = std::to_string(frame);
             const std::string second = std::to_string(frame + 1);
-            UpdateBench bench(
+            Dmc60cUpdateBench bench(
                 "dmc60c:9,state=bootloader,fault=delay@" + first + ':' + late + ",fault=delay@" + second + ':' + late);
             expectDone(bench.update(smallImage()), first + " and " + second + " by " + late + " ms");
         }
@@ -297,7 +297,7 @@ TEST(Dmc60cUpdate, AnAnswerThatComesLateIsNotTakenForTheOneToAnotherQuestion)
 
 TEST(Dmc60cUpdate, WaitsUntilParametersThatWereJustChangedAreInFlash)
 {
-    UpdateBench bench("dmc60c:5");
+    Dmc60cUpdateBench bench("dmc60c:5");
     (void)bench.update(smallImage(), {.dryRun = true, .force = false, .via = {}, .target = {}});
     const auto key = [&](const char *name) { return *findParameter(bench.device->parameters().table(), name); };
     for (const char *name : {"limit.forward.soft.threshold", "limit.reverse.soft.threshold"})
@@ -316,7 +316,7 @@ TEST(Dmc60cUpdate, SaysThatWhatAnotherProgramJustChangedIsLost)
         std::string all;
     };
     for (const char *unit : {"dmc60c:5", "dmc60c:5,state=bootloader"}) {
-        UpdateBench bench(unit);
+        Dmc60cUpdateBench bench(unit);
         (void)bench.update(smallImage(), {.dryRun = true, .force = false, .via = {}, .target = {}});
         Log log;
         ASSERT_TRUE(run(bench.clock, bench.family.update(*bench.device, smallImage(), {}, log), 5min)) << unit;
@@ -327,14 +327,14 @@ TEST(Dmc60cUpdate, SaysThatWhatAnotherProgramJustChangedIsLost)
 TEST(Dmc60cUpdate, SurvivesALossOfOneFrameInTenThousand)
 {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-        UpdateBench bench("dmc60c:5", 1e-4, seed);
+        Dmc60cUpdateBench bench("dmc60c:5", 1e-4, seed);
         expectDone(bench.update(demoImage()), "seed " + std::to_string(seed));
     }
 }
 
 TEST(Dmc60cUpdate, ReportsAFlashThatCannotBeWrittenAndSaysWhatToDo)
 {
-    UpdateBench bench("dmc60c:9,state=bootloader");
+    Dmc60cUpdateBench bench("dmc60c:9,state=bootloader");
     const auto fails = bench.simulator->events().add([&](const SimulatorEvent &event) {
         if (event.what == "page-failed")
             bench.simulator->disturb("flash-fail", 1);
@@ -349,7 +349,7 @@ TEST(Dmc60cUpdate, ReportsAFlashThatCannotBeWrittenAndSaysWhatToDo)
 
 TEST(Dmc60cUpdate, NeverReportsSuccessWhenTheUnitVanishesBeforeItsVersionIsRead)
 {
-    UpdateBench bench("dmc60c:9,state=bootloader");
+    Dmc60cUpdateBench bench("dmc60c:9,state=bootloader");
     const auto gone = bench.simulator->events().add([&](const SimulatorEvent &event) {
         if (event.what == "page-written" && event.value == 0.0)
             bench.clock.post([&] { bench.simulator->setPowered(false); });
@@ -363,7 +363,7 @@ TEST(Dmc60cUpdate, NeverReportsSuccessWhenTheUnitVanishesBeforeItsVersionIsRead)
 
 TEST(Dmc60cUpdate, CancellingAtAnyMomentLeavesNoListener)
 {
-    UpdateBench bench("dmc60c:5");
+    Dmc60cUpdateBench bench("dmc60c:5");
     for (int steps = 0; steps < 4000; steps += 37) {
         bench.update(smallImage(), {.dryRun = true, .force = false, .via = {}, .target = {}});
         const std::size_t listeners = bench.host.received().size();

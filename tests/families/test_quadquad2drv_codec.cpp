@@ -12,7 +12,7 @@ namespace {
 using test::bytesOf;
 using test::textOf;
 
-struct Encoded {
+struct EncodedRow {
     std::string_view name;
     Bytes made;
     std::string_view text;
@@ -20,7 +20,7 @@ struct Encoded {
 
 TEST(QuadQuad2DrvCodec, RequestsAreTheBytesOfTheReference)
 {
-    const std::vector<Encoded> vectors{
+    const std::vector<EncodedRow> vectors{
         {"S1 DS LIB get version", getRequest(PacketId::GetVersion), "02 04 01 F9"},
         {"S2 LIB get motion", getRequest(PacketId::GetMotion), "02 04 02 F8"},
         {"S4 LIB stream off", setStreamPeriod(0), "02 06 04 00 00 F4"},
@@ -41,7 +41,7 @@ TEST(QuadQuad2DrvCodec, RequestsAreTheBytesOfTheReference)
         {"S31 LIB velocity ramp", rampVelocity(1, 2000, 500.0), "02 0D 24 01 D0 07 00 00 00 40 1F 00 96"},
         {"S32 LIB probe", setControlMode(0, ControlMode::Off), "02 06 10 00 00 E8"},
     };
-    for (const Encoded &vector : vectors)
+    for (const EncodedRow &vector : vectors)
         EXPECT_EQ(textOf(vector.made), vector.text) << vector.name;
 }
 

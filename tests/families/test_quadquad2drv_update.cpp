@@ -18,8 +18,8 @@ using namespace std::chrono_literals;
 constexpr std::string_view hex = ":0400000001020304F2\n:0400040005060708DE\n:00000001FF\n";
 
 /// Board, bootloader and host, all in memory.
-struct UpdateBench {
-    explicit UpdateBench(const std::string &options = {})
+struct QuadQuad2DrvUpdateBench {
+    explicit QuadQuad2DrvUpdateBench(const std::string &options = {})
         : slave(*LinkAddress::parse("sim:spi"))
         , spi(*LinkAddress::parse("sim:spi"), clock, slave, 500'000, 1)
         , line(clock, VirtualSerialLine::Wiring::FullDuplex, 1)
@@ -77,7 +77,7 @@ struct UpdateBench {
 
 TEST(QuadQuad2DrvUpdate, GoesThroughEveryStepAndComparesTheVersion)
 {
-    UpdateBench bench;
+    QuadQuad2DrvUpdateBench bench;
     bench.hand = [&bench] { // closes the jumper when asked, takes it out when asked
         const std::string &step = bench.operation.status().step.english();
         if (step.starts_with("close the jumper"))
@@ -98,7 +98,7 @@ TEST(QuadQuad2DrvUpdate, GoesThroughEveryStepAndComparesTheVersion)
 
 TEST(QuadQuad2DrvUpdate, TheSameVersionAsBeforeProvesNothing)
 {
-    UpdateBench bench;
+    QuadQuad2DrvUpdateBench bench;
     bench.boot->setJumper(true);
     bench.hand = [&bench] {
         const std::string &step = bench.operation.status().step.english();
@@ -116,7 +116,7 @@ TEST(QuadQuad2DrvUpdate, TheSameVersionAsBeforeProvesNothing)
 
 TEST(QuadQuad2DrvUpdate, WaitsForTheGreetingAndSaysWhatToLookAtWhenNoneComes)
 {
-    UpdateBench bench;
+    QuadQuad2DrvUpdateBench bench;
     const Instant begin = bench.clock.now();
     const UpdateReport report = bench.update();
     EXPECT_EQ(report.outcome, UpdateOutcome::Failed);
@@ -128,7 +128,7 @@ TEST(QuadQuad2DrvUpdate, WaitsForTheGreetingAndSaysWhatToLookAtWhenNoneComes)
 
 TEST(QuadQuad2DrvUpdate, AJumperThatWasLeftInIsToldAndTheUpdateEndsOnceItIsOut)
 {
-    UpdateBench bench;
+    QuadQuad2DrvUpdateBench bench;
     bench.boot->setJumper(true);
     BootSettings settings;
     settings.farewell = {}; // only jumper and reset leave this bootloader
@@ -152,7 +152,7 @@ TEST(QuadQuad2DrvUpdate, AJumperThatWasLeftInIsToldAndTheUpdateEndsOnceItIsOut)
 
 TEST(QuadQuad2DrvUpdate, ARefusalIsRecognisedByTheWordsThatWereSet)
 {
-    UpdateBench bench;
+    QuadQuad2DrvUpdateBench bench;
     bench.boot->setJumper(true);
     BootSettings settings;
     settings.failures = {"ok"};
@@ -163,7 +163,7 @@ TEST(QuadQuad2DrvUpdate, ARefusalIsRecognisedByTheWordsThatWereSet)
 
 TEST(QuadQuad2DrvUpdate, CancelledWhileItWaitsForHandsItLeavesNothingBehind)
 {
-    UpdateBench bench;
+    QuadQuad2DrvUpdateBench bench;
     Updater updater(*bench.device, bench.hostEnd, bench.image, bench.operation, {});
     std::optional<Fault> end;
     bench.operation.run<UpdateReport>(updater.run(false),

@@ -12,7 +12,7 @@ using namespace std::chrono_literals;
 using mb::test::run;
 using test::Bench;
 using test::setPoint;
-using SupermodifiedNode = test::OneNode;
+using SupermodifiedBoundsNode = test::OneNode;
 
 /// Events of one simulated node.
 struct Heard {
@@ -213,7 +213,7 @@ TEST(SupermodifiedProfile, ASlowOneArrives)
     }
 }
 
-TEST_F(SupermodifiedNode, WhatIsFastOrStoredIsSaidBeforehand)
+TEST_F(SupermodifiedBoundsNode, WhatIsFastOrStoredIsSaidBeforehand)
 {
     EXPECT_EQ(device->caution(setPoint(Mode::RampPosition, 100.0)), "");
     EXPECT_EQ(device->caution(ramp(100.0, 800.0, 800.0)), "") << "these are in it already";
@@ -223,7 +223,7 @@ TEST_F(SupermodifiedNode, WhatIsFastOrStoredIsSaidBeforehand)
     EXPECT_EQ(device->caution(setPoint(Mode::Velocity, 3000.0)), "");
 }
 
-TEST_F(SupermodifiedNode, AProfileIsWrittenOnceAndTheTableFollows)
+TEST_F(SupermodifiedBoundsNode, AProfileIsWrittenOnceAndTheTableFollows)
 {
     for (int i = 0; i < 5; ++i) {
         ASSERT_TRUE(device->command(ramp(100.0 * i, 1200.0, 3000.0)));
@@ -239,7 +239,7 @@ TEST_F(SupermodifiedNode, AProfileIsWrittenOnceAndTheTableFollows)
 
 // Steps
 
-TEST_F(SupermodifiedNode, AStepThatOverflowsIsRefusedAlthoughNobodyReadP)
+TEST_F(SupermodifiedBoundsNode, AStepThatOverflowsIsRefusedAlthoughNobodyReadP)
 {
     bench.clock.advance(100ms);
     bench.sent.clear();
@@ -251,7 +251,7 @@ TEST_F(SupermodifiedNode, AStepThatOverflowsIsRefusedAlthoughNobodyReadP)
     EXPECT_EQ(device->command(setPoint(Mode::Position, 1.2e6)).error().fault, Fault::OutOfRange) << "with the new P";
 }
 
-TEST_F(SupermodifiedNode, AStepThatOverflowsFromWhereTheMotorIsByThenIsNotSent)
+TEST_F(SupermodifiedBoundsNode, AStepThatOverflowsFromWhereTheMotorIsByThenIsNotSent)
 {
     bench.clock.advance(100ms);
     ASSERT_TRUE(run(bench.clock, device->write(Bench::index("gain.p"), 65535)));

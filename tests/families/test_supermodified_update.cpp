@@ -120,8 +120,8 @@ TEST(SupermodifiedFirmware, TakesProgramsOfAnAvrOnly)
 }
 
 /// A node on a line in memory, in real time, and an `avrdude` of our own in PATH.
-struct UpdateBench {
-    UpdateBench()
+struct SupermodifiedUpdateBench {
+    SupermodifiedUpdateBench()
         : line(loop.clock(), VirtualSerialLine::Wiring::HalfDuplex, 1)
         , address(*LinkAddress::parse("sim:serial?bitrate=115200"))
         , host(address, line)
@@ -141,7 +141,7 @@ struct UpdateBench {
         const char *const path = std::getenv("PATH");
         before = path ? path : "";
     }
-    ~UpdateBench() { ::setenv("PATH", before.c_str(), 1); }
+    ~SupermodifiedUpdateBench() { ::setenv("PATH", before.c_str(), 1); }
 
     void standIn(const QByteArray &script)
     {
@@ -187,7 +187,7 @@ struct UpdateBench {
     std::vector<LogLine> log;
 };
 
-constexpr const char *success = R"(
+constexpr const char *supermodifiedSuccess = R"(
 bar() { printf "$1 | " >&2; i=0; while [ $i -lt 50 ]; do printf '#' >&2; i=$((i+1)); done; printf ' | 100%% 0.01s\n' >&2; }
 echo "avrdude: AVR device initialized and ready to accept instructions" >&2
 bar Reading
@@ -201,8 +201,8 @@ echo "avrdude done.  Thank you." >&2
 
 TEST(SupermodifiedUpdate, IsDoneWhenAvrdudeVerifiedAndTheNodeAnswersAgain)
 {
-    UpdateBench bench;
-    bench.standIn(success);
+    SupermodifiedUpdateBench bench;
+    bench.standIn(supermodifiedSuccess);
     const auto report = bench.update("avrdude:usbasp:usb");
     ASSERT_TRUE(report) << report.error().text();
     EXPECT_EQ(report->outcome, UpdateOutcome::Done);
@@ -216,8 +216,8 @@ TEST(SupermodifiedUpdate, IsDoneWhenAvrdudeVerifiedAndTheNodeAnswersAgain)
 
 TEST(SupermodifiedUpdate, IsNotDoneWhenTheNodeStaysSilent)
 {
-    UpdateBench bench;
-    bench.standIn(success);
+    SupermodifiedUpdateBench bench;
+    bench.standIn(supermodifiedSuccess);
     bench.simulator->setPowered(false);
     const auto report = bench.update("avrdude:usbasp:usb");
     ASSERT_TRUE(report);
@@ -228,10 +228,10 @@ TEST(SupermodifiedUpdate, IsNotDoneWhenTheNodeStaysSilent)
 
 TEST(SupermodifiedUpdate, AsksTheBootloaderAtBothOfItsRates)
 {
-    UpdateBench bench;
+    SupermodifiedUpdateBench bench;
     bench.standIn("case \"$*\" in *59524*) ;; *) echo 'avrdude warning: attempt 10 of 10: not in sync: resp=0x00' >&2; "
                   "exit 1;; esac\n"
-        + QByteArray(success));
+        + QByteArray(supermodifiedSuccess));
     const auto report = bench.update("avrdude:arduino:/dev/ttyUSB7");
     ASSERT_TRUE(report) << report.error().text();
     EXPECT_EQ(report->outcome, UpdateOutcome::Done);
@@ -241,7 +241,7 @@ TEST(SupermodifiedUpdate, AsksTheBootloaderAtBothOfItsRates)
 
 TEST(SupermodifiedUpdate, AFailureInTheMiddleSaysWhatTheUnitIsWorth)
 {
-    UpdateBench bench;
+    SupermodifiedUpdateBench bench;
     bench.standIn("echo 'Writing | ####' >&2; echo 'avrdude error: verification mismatch' >&2; exit 1\n");
     const auto report = bench.update("avrdude:arduino:/dev/ttyUSB7");
     ASSERT_FALSE(report);
@@ -252,7 +252,7 @@ TEST(SupermodifiedUpdate, AFailureInTheMiddleSaysWhatTheUnitIsWorth)
 
 TEST(SupermodifiedUpdate, MayBeCancelledBeforeItWritesAndNotWhileItDoes)
 {
-    UpdateBench bench;
+    SupermodifiedUpdateBench bench;
     bench.standIn("echo 'avrdude: waiting' >&2; sleep 20\n");
     bool asked = false;
     const auto cancelled = bench.update("avrdude:usbasp:usb", [&](Operation &operation) {
@@ -263,8 +263,8 @@ TEST(SupermodifiedUpdate, MayBeCancelledBeforeItWritesAndNotWhileItDoes)
     });
     ASSERT_FALSE(cancelled);
     EXPECT_EQ(cancelled.error().fault, Fault::Cancelled);
-    UpdateBench writing;
-    writing.standIn("echo 'Writing | ####' >&2; sleep 0.3\n" + QByteArray(success));
+    SupermodifiedUpdateBench writing;
+    writing.standIn("echo 'Writing | ####' >&2; sleep 0.3\n" + QByteArray(supermodifiedSuccess));
     bool refused = false;
     const auto done = writing.update("avrdude:usbasp:usb", [&](Operation &operation) {
         if (!operation.status().mayInterrupt && !refused) {
@@ -278,8 +278,8 @@ TEST(SupermodifiedUpdate, MayBeCancelledBeforeItWritesAndNotWhileItDoes)
 
 TEST(SupermodifiedUpdate, RefusesBeforeAnythingRuns)
 {
-    UpdateBench bench;
-    bench.standIn(success);
+    SupermodifiedUpdateBench bench;
+    bench.standIn(supermodifiedSuccess);
     EXPECT_EQ(bench.update("").error().fault, Fault::OutOfRange);
     EXPECT_EQ(bench.update("openocd:stlink").error().fault, Fault::OutOfRange);
     EXPECT_TRUE(bench.calls().isEmpty());
@@ -289,7 +289,7 @@ TEST(SupermodifiedUpdate, TheRealAvrdudeIsUnderstood)
 {
     if (!ExternalProgram::locate("avrdude"))
         GTEST_SKIP() << "avrdude is not installed";
-    UpdateBench bench;
+    SupermodifiedUpdateBench bench;
     const auto unknown = bench.update("avrdude:nosuchprogrammer:usb");
     ASSERT_FALSE(unknown);
     EXPECT_EQ(unknown.error().fault, Fault::OutOfRange) << unknown.error().text();

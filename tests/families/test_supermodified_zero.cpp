@@ -11,7 +11,7 @@ using namespace std::chrono_literals;
 using mb::test::run;
 using test::Bench;
 using test::setPoint;
-using SupermodifiedNode = test::OneNode;
+using SupermodifiedZeroNode = test::OneNode;
 
 double positionOf(Device &device)
 {
@@ -51,7 +51,7 @@ TEST(SupermodifiedZero, StopsThenResetsAndNothingMovesUntilSomebodyStartsIt)
     }
 }
 
-TEST_F(SupermodifiedNode, AStopThatIsRefusedAtFirstIsAcknowledgedBeforeTheReset)
+TEST_F(SupermodifiedZeroNode, AStopThatIsRefusedAtFirstIsAcknowledgedBeforeTheReset)
 {
     order(setPoint(Mode::Velocity, 2000.0), 500ms);
     node.disturb("error", 0x43);
@@ -65,7 +65,7 @@ TEST_F(SupermodifiedNode, AStopThatIsRefusedAtFirstIsAcknowledgedBeforeTheReset)
     EXPECT_EQ(bench.count(Command::ResetPosition), 1);
 }
 
-TEST_F(SupermodifiedNode, NothingIsResetWhileTheStopIsNotAcknowledged)
+TEST_F(SupermodifiedZeroNode, NothingIsResetWhileTheStopIsNotAcknowledged)
 {
     order(setPoint(Mode::Velocity, 2000.0), 500ms);
     const double before = position();
@@ -80,7 +80,7 @@ TEST_F(SupermodifiedNode, NothingIsResetWhileTheStopIsNotAcknowledged)
     EXPECT_GE(position(), before) << "positions are those of before";
 }
 
-TEST_F(SupermodifiedNode, ThePlotBeginsANewLineAndNoSpeedIsInvented)
+TEST_F(SupermodifiedZeroNode, ThePlotBeginsANewLineAndNoSpeedIsInvented)
 {
     order(setPoint(Mode::Position, 5000.0), 3s);
     ASSERT_TRUE(run(bench.clock, device->zeroPosition()));

@@ -12,7 +12,7 @@ namespace {
 using namespace std::chrono_literals;
 using test::SimulatedSession;
 
-const std::string stopFrame = "00000100#00";
+const std::string stopOfMotor = "00000100#00";
 
 /// A motor without watchdog on a line that can be cut.
 class Stopping : public testing::Test {
@@ -30,7 +30,7 @@ protected:
         clock.advance(100ms);
         link.sent.clear();
     }
-    [[nodiscard]] auto stops() const { return std::count(link.sent.begin(), link.sent.end(), stopFrame); }
+    [[nodiscard]] auto stops() const { return std::count(link.sent.begin(), link.sent.end(), stopOfMotor); }
 
     VirtualClock clock;
     test::FakeGuard guard;
@@ -137,7 +137,7 @@ TEST_F(Stopping, IsOwedOverACutLineAndGoesOutFirstWhenItIsBack)
     ASSERT_TRUE(link.open());
     motor.stopping().linkIsBack(true);
     ASSERT_FALSE(link.sent.empty());
-    EXPECT_EQ(link.sent.front(), stopFrame);
+    EXPECT_EQ(link.sent.front(), stopOfMotor);
     EXPECT_EQ(motor.stopping().state(), StopState::Stopping);
 }
 

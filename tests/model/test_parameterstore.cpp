@@ -8,7 +8,7 @@
 namespace mb {
 namespace {
 
-Parameter row(const char *key, Access access, bool persistent)
+Parameter storedRow(const char *key, Access access, bool persistent)
 {
     Parameter p;
     p.key = key;
@@ -24,8 +24,8 @@ protected:
     static constexpr ParameterIndex kept{0};
     static constexpr ParameterIndex volatileOne{1};
     static constexpr ParameterIndex blind{2};
-    const std::array<Parameter, 3> table{row("kept", Access::ReadWrite, true),
-        row("volatile", Access::ReadWrite, false), row("blind", Access::WriteOnly, true)};
+    const std::array<Parameter, 3> table{storedRow("kept", Access::ReadWrite, true),
+        storedRow("volatile", Access::ReadWrite, false), storedRow("blind", Access::WriteOnly, true)};
     ParameterStore store{table};
 };
 

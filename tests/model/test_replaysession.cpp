@@ -52,7 +52,7 @@ void collect(Samples &into, const Device &device, Instant from)
     }
 }
 
-std::unique_ptr<TrafficRecorder> record(Link &link, VirtualClock &clock, const std::string &path)
+std::unique_ptr<TrafficRecorder> recordTraffic(Link &link, VirtualClock &clock, const std::string &path)
 {
     auto recorder = TrafficRecorder::start(link, clock, clock.unixOffset(), path);
     EXPECT_TRUE(recorder);
@@ -67,7 +67,7 @@ struct LiveRun {
         live.scan();
         live.clock.advance(2s);
         from = live.clock.now();
-        auto recorder = record(*live.link, live.clock, path);
+        auto recorder = recordTraffic(*live.link, live.clock, path);
         const std::array driven{live.device(5), live.device(3, "abstractdc"), live.device(4, "abstractdc")};
         SetPoint setPoint;
         setPoint.mode = Mode::Duty;
@@ -239,7 +239,7 @@ TEST(ReplaySession, KnowsADeviceBetterWhenTheRecordingHasItsAnswers)
     test::TemporaryFolder folder;
     test::SimulatedSession live;
     {
-        const auto recorder = record(*live.link, live.clock, folder.path("scan.log"));
+        const auto recorder = recordTraffic(*live.link, live.clock, folder.path("scan.log"));
         live.scan();
     }
     Playback playback("replay:" + folder.path("scan.log"));

@@ -15,7 +15,7 @@ namespace mb {
 namespace {
 
 using namespace std::chrono_literals;
-using End = SetPointStream::End;
+using StreamEnd = SetPointStream::End;
 
 constexpr std::uint32_t controlOfFive = 0x02060005U;
 
@@ -86,7 +86,7 @@ protected:
     }
     [[nodiscard]] static bool isStop(const CanFrame &frame) { return frame.data[0] == 0x0F; }
     /// The stream ended so, its last frame was a stop, and nothing drives it again.
-    void expectEnded(End end)
+    void expectEnded(StreamEnd end)
     {
         EXPECT_FALSE(stream->isRunning());
         EXPECT_EQ(stream->end(), end) << toString(stream->end());
@@ -132,7 +132,7 @@ TEST_F(Stream, StopsWhenAskedAtOnce)
     EXPECT_FALSE(unit->isOutputOn());
     ASSERT_FALSE(control.empty());
     EXPECT_TRUE(isStop(control.back()));
-    expectEnded(End::Stopped);
+    expectEnded(StreamEnd::Stopped);
 }
 
 TEST_F(Stream, StopsWhenNobodyRenewsTheLease)
@@ -148,7 +148,7 @@ TEST_F(Stream, StopsWhenNobodyRenewsTheLease)
     clock.advance(2ms);
     EXPECT_FALSE(unit->isOutputOn());
     EXPECT_TRUE(isStop(control.back()));
-    expectEnded(End::LeaseExpired);
+    expectEnded(StreamEnd::LeaseExpired);
 }
 
 TEST_F(Stream, StopsWhenAnotherMasterSendsControlFrames)
@@ -159,9 +159,9 @@ TEST_F(Stream, StopsWhenAnotherMasterSendsControlFrames)
         ASSERT_TRUE(other.send(foreign));
         clock.advance(20ms);
     }
-    EXPECT_EQ(stream->end(), End::ForeignMaster);
+    EXPECT_EQ(stream->end(), StreamEnd::ForeignMaster);
     EXPECT_TRUE(isStop(control.back()));
-    expectEnded(End::ForeignMaster);
+    expectEnded(StreamEnd::ForeignMaster);
     EXPECT_FALSE(stream->start(duty(0.1), 1s).has_value() && device->liveness().foreignMaster);
 }
 
@@ -187,10 +187,10 @@ TEST_F(Stream, EndsWhenTheLinkIsBusOffAndTheDeviceStopsByItself)
 {
     drive();
     bus.forceBusOff(host);
-    EXPECT_EQ(stream->end(), End::LinkLost);
+    EXPECT_EQ(stream->end(), StreamEnd::LinkLost);
     clock.advance(124ms);
     EXPECT_FALSE(unit->isOutputOn());
-    expectEnded(End::LinkLost);
+    expectEnded(StreamEnd::LinkLost);
     EXPECT_FALSE(stream->start(duty(0.3), 1s));
 }
 
@@ -212,8 +212,8 @@ TEST_F(Stream, StopsWhenTheDeviceIsNotHeardAnyMore)
     clock.advance(1s);
     unit->setPowered(false);
     clock.advance(500ms);
-    EXPECT_EQ(stream->end(), End::DeviceSilent);
-    expectEnded(End::DeviceSilent);
+    EXPECT_EQ(stream->end(), StreamEnd::DeviceSilent);
+    expectEnded(StreamEnd::DeviceSilent);
 }
 
 TEST_F(Stream, DoesNotDriveADeviceThatCameBackFromAPowerCycle)
@@ -225,7 +225,8 @@ TEST_F(Stream, DoesNotDriveADeviceThatCameBackFromAPowerCycle)
     unit->setPowered(true);
     clock.advance(3s);
     EXPECT_FALSE(stream->isRunning());
-    EXPECT_TRUE(stream->end() == End::DeviceRestarted || stream->end() == End::DeviceSilent) << toString(stream->end());
+    EXPECT_TRUE(stream->end() == StreamEnd::DeviceRestarted || stream->end() == StreamEnd::DeviceSilent)
+        << toString(stream->end());
     expectEnded(stream->end());
 }
 
@@ -275,7 +276,7 @@ TEST_F(Stream, EndsAfterAStallInWhichTheWatchdogOfTheDeviceFired)
         for (const CanFrame &frame : control)
             EXPECT_TRUE(isStop(frame)) << "the motor stood, and nothing may start it again";
         EXPECT_NE(stream->reason().english().find("held up"), std::string::npos) << stream->reason();
-        expectEnded(End::Late);
+        expectEnded(StreamEnd::Late);
     }
 }
 
@@ -289,12 +290,12 @@ TEST_F(Stream, ANewTargetOrARenewalThatComesFirstAfterAStallDoesNotStartTheMotor
     clock.advance(5ms);
     for (const CanFrame &frame : control)
         EXPECT_TRUE(isStop(frame));
-    expectEnded(End::Late);
+    expectEnded(StreamEnd::Late);
 
     drive(120ms);
     clock.stall(146ms);
     stream->renew();
-    expectEnded(End::Late);
+    expectEnded(StreamEnd::Late);
 }
 
 TEST_F(Stream, NothingMovesAgainWhenTheComputerWakesUp)
@@ -306,7 +307,7 @@ TEST_F(Stream, NothingMovesAgainWhenTheComputerWakesUp)
     clock.advance(50ms);
     ASSERT_FALSE(control.empty());
     EXPECT_TRUE(isStop(control.front())) << "not one set-point after the sleep";
-    expectEnded(End::Slept);
+    expectEnded(StreamEnd::Slept);
 }
 
 TEST_F(Stream, ADeviceWithoutWatchdogIsGivenAQuarterOfASecond)
@@ -327,7 +328,7 @@ TEST_F(Stream, EndsAStallThatIsLongerThanTheLeaseInAStop)
     clock.advance(50ms);
     ASSERT_FALSE(control.empty());
     EXPECT_TRUE(isStop(control.back()));
-    expectEnded(End::LeaseExpired);
+    expectEnded(StreamEnd::LeaseExpired);
 }
 
 TEST_F(Stream, GlidesFromWhereTheMotorIsNoFasterThanItsRate)
@@ -380,7 +381,7 @@ TEST_F(Stream, EndsAGlideWithTheMotion)
     ASSERT_TRUE(stream->start(duty(0.8), 300ms, {1.0, 0.0}));
     clock.advance(1s);
     EXPECT_FALSE(stream->isGliding());
-    expectEnded(End::LeaseExpired);
+    expectEnded(StreamEnd::LeaseExpired);
 }
 
 TEST_F(Stream, StopsTheMotorWithItsOwnEnd)

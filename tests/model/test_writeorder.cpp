@@ -11,7 +11,7 @@
 namespace mb {
 namespace {
 
-Parameter row(const char *key, Role role, WireType type = WireType::Int32, Nature nature = Nature::Setting)
+Parameter orderedRow(const char *key, Role role, WireType type = WireType::Int32, Nature nature = Nature::Setting)
 {
     Parameter p;
     p.key = key;
@@ -25,10 +25,11 @@ Parameter row(const char *key, Role role, WireType type = WireType::Int32, Natur
 
 enum Row : std::uint16_t { Threshold, Enabled, SwitchOff, P, I, D, Name, Position, Rows };
 
-const std::array<Parameter, Rows> table{row("limit.current", Role::Limit),
-    row("limit.enabled", Role::Limit, WireType::Boolean), row("limit.forward.disabled", Role::Limit, WireType::Boolean),
-    row("velocity.p", Role::Proportional), row("velocity.i", Role::Integral), row("velocity.d", Role::Derivative),
-    row("input.period", Role::None), row("position", Role::None, WireType::Int32, Nature::Live)};
+const std::array<Parameter, Rows> table{orderedRow("limit.current", Role::Limit),
+    orderedRow("limit.enabled", Role::Limit, WireType::Boolean),
+    orderedRow("limit.forward.disabled", Role::Limit, WireType::Boolean), orderedRow("velocity.p", Role::Proportional),
+    orderedRow("velocity.i", Role::Integral), orderedRow("velocity.d", Role::Derivative),
+    orderedRow("input.period", Role::None), orderedRow("position", Role::None, WireType::Int32, Nature::Live)};
 
 /// The more of it, the livelier; what does not matter is 0.
 std::int64_t lively(std::uint16_t index, std::int64_t raw)

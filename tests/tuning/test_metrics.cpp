@@ -18,8 +18,8 @@ struct System {
 };
 
 /// What the exact response of a system has, from samples every 10 µs.
-struct Truth {
-    explicit Truth(System system)
+struct TrueMetrics {
+    explicit TrueMetrics(System system)
     {
         constexpr double step = 1e-5;
         double peak = 0.0;
@@ -109,7 +109,7 @@ struct Errors {
 
 void addTrials(Errors &errors, System system, double period, double noise, std::mt19937_64 &random)
 {
-    const Truth truth(system);
+    const TrueMetrics truth(system);
     for (int trial = 0; trial < 60; ++trial) {
         const double phase = std::uniform_real_distribution<double>(0.0, period)(random);
         const Trace trace = test::sampledStep(system.damping, system.frequency, period, phase, noise, random);
@@ -159,7 +159,7 @@ TEST(StepMetrics, SettlingInTwoPercentOfNoiseIsNotGuessedFromOneRunButReadFromFo
     EXPECT_TRUE(one.metrics.rise);
     const Response four = readResponse(merged(runs), 1.0, 0.0, 4);
     ASSERT_TRUE(four.metrics.settle);
-    EXPECT_NEAR(*four.metrics.settle, Truth({0.7, 15.0}).settle(four.band), 0.1);
+    EXPECT_NEAR(*four.metrics.settle, TrueMetrics({0.7, 15.0}).settle(four.band), 0.1);
 }
 
 /// A step of seven levels of its reading, in noise of two of them, held for 80 ms and seen every millisecond.

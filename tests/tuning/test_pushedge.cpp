@@ -7,11 +7,11 @@
 namespace mb::tuning {
 namespace {
 
-constexpr double step = 0.02; ///< s between set-points
+constexpr double edgeStep = 0.02; ///< s between set-points
 constexpr double target = 0.4;
 constexpr int steps = 5; ///< that lead there, the first with the order
 /// The duty held from step to step misses (1 + 2 + 3 + 4)/5 of one of them.
-constexpr double exact = 2.0 * step;
+constexpr double exact = 2.0 * edgeStep;
 
 /// `after`: s from a set-point to the sample that shows it; `late`: samples in which the output stays where it was.
 Trial ledPush(double after, int late = 0)
@@ -20,12 +20,12 @@ Trial ledPush(double after, int late = 0)
     trial.stimulus.to = target;
     Signal told{"setpoint", "", {}};
     Signal duty{"duty", "", {}};
-    duty.trace.add(after - step, 0.0);
+    duty.trace.add(after - edgeStep, 0.0);
     for (int i = 0; i < 20; ++i) {
         if (i < steps)
-            told.trace.add(i * step, target * (i + 1) / steps);
+            told.trace.add(i * edgeStep, target * (i + 1) / steps);
         const int shown = i < 2 ? i + 1 : std::max(2, i + 1 - late);
-        duty.trace.add(i * step + after, target * std::min(shown, steps) / steps);
+        duty.trace.add(i * edgeStep + after, target * std::min(shown, steps) / steps);
     }
     trial.signals = {told, duty};
     return trial;
@@ -40,14 +40,14 @@ TEST(PushEdge, OfADutyThatTheProgramLeadsInStepsIsExactHoweverItIsSampled)
 TEST(PushEdge, CountsWhatFrictionTakesOfEachStep)
 {
     const double friction = target / steps; // the first step moves nothing, then a quarter, a half, three quarters
-    EXPECT_NEAR(edgeOf(ledPush(0.001), 0.0, friction).at, (1.0 + 0.75 + 0.5 + 0.25) * step, 1e-9);
+    EXPECT_NEAR(edgeOf(ledPush(0.001), 0.0, friction).at, (1.0 + 0.75 + 0.5 + 0.25) * edgeStep, 1e-9);
 }
 
 TEST(PushEdge, IsThatOfTheSamplesWhereTheOutputDidNotFollowItsSteps)
 {
     const Edge broken = edgeOf(ledPush(0.001, 4), 0.0, 0.0);
-    EXPECT_NEAR(broken.whole, (steps - 1 + 4) * step + 0.001, 1e-9);
-    EXPECT_GT(broken.at, exact + 2.0 * step);
+    EXPECT_NEAR(broken.whole, (steps - 1 + 4) * edgeStep + 0.001, 1e-9);
+    EXPECT_GT(broken.at, exact + 2.0 * edgeStep);
 }
 
 TEST(PushEdge, OfADriveThatRampsByItselfIsThatOfItsSamples)
@@ -57,7 +57,7 @@ TEST(PushEdge, OfADriveThatRampsByItselfIsThatOfItsSamples)
     at.add(0.0, target);
     trial.signals.front().trace = at; // the set-point was there at once
     // straight lines from sample to sample: what they miss of the whole, times their seconds
-    const double missing = 0.9 * 0.001 + (0.7 + 0.5 + 0.3 + 0.1) * step;
+    const double missing = 0.9 * 0.001 + (0.7 + 0.5 + 0.3 + 0.1) * edgeStep;
     EXPECT_NEAR(edgeOf(trial, 0.0, 0.0).at, missing, 1e-9);
 }
 

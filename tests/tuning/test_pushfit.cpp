@@ -12,7 +12,7 @@
 namespace mb::tuning {
 namespace {
 
-constexpr double fine = 0.0005;
+constexpr double fineFit = 0.0005;
 constexpr double load = 7.0;
 
 /// Of this motor at 25 °C, at a duty.
@@ -24,7 +24,7 @@ double lagOf(const MotorParameters &motor, double duty, double supply)
 }
 
 /// Pushes of two sizes both ways, twice each, each braked to a stop before the next; one motor makes them all.
-std::vector<PushRecord> pushes(const MotorParameters &parameters, double supply, double seconds)
+std::vector<PushRecord> pushesOf(const MotorParameters &parameters, double supply, double seconds)
 {
     MotorModel motor(parameters, load, MotorSupply{12.0, supply, 0.005});
     std::vector<PushRecord> records;
@@ -35,10 +35,10 @@ std::vector<PushRecord> pushes(const MotorParameters &parameters, double supply,
         record.heat = heat + 0.25 * record.duty * record.duty;
         heat += record.duty * record.duty;
         int step = 0;
-        for (double t = 0.0; t < seconds; t += fine, ++step) {
+        for (double t = 0.0; t < seconds; t += fineFit, ++step) {
             if (step % 20 == 0)
                 record.position.add(t, static_cast<double>(motor.counts()));
-            motor.step(record.duty, Bridge::Drive, fine);
+            motor.step(record.duty, Bridge::Drive, fineFit);
         }
         motor.step(0.0, Bridge::Brake, 1.2);
         records.push_back(std::move(record));
@@ -60,7 +60,7 @@ TEST(PushFit, TellsASaggingSupplyAndAWarmingWindingFromTheMotor)
         for (const double supply : {0.02, 0.05}) {
             const MotorParameters &motor = *motorByName(name);
             const double tau = lagOf(motor, dutyOfLag, supply);
-            const auto records = pushes(motor, supply, 5.0 * tau);
+            const auto records = pushesOf(motor, supply, 5.0 * tau);
             const auto fit = fitPushes(records);
             ASSERT_TRUE(fit) << fit.error().text();
             const double whole = lagOf(motor, 1.0, supply);
@@ -81,7 +81,7 @@ TEST(PushFit, TellsASaggingSupplyAndAWarmingWindingFromTheMotor)
 TEST(PushFit, AMotorWithoutAnyOfItHasOneLag)
 {
     const MotorParameters &motor = *motorByName("rs775"); // which has no heat, and 40 times the resistance
-    const auto fit = fitPushes(pushes(motor, 0.0, 5.0 * lagOf(motor, dutyOfLag, 0.0)));
+    const auto fit = fitPushes(pushesOf(motor, 0.0, 5.0 * lagOf(motor, dutyOfLag, 0.0)));
     ASSERT_TRUE(fit) << fit.error().text();
     EXPECT_LT(fit->sag, 0.01);
     EXPECT_LT(fit->warming, 0.01);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double beat = 0.02;
 
-Stimulus made(Profile profile, std::optional<double> seconds = {}, double from = -100.0, double to = 300.0)
+Stimulus madeStimulus(Profile profile, std::optional<double> seconds = {}, double from = -100.0, double to = 300.0)
 {
     const auto stimulus = Stimulus::make(profile, from, to, seconds, beat);
     EXPECT_TRUE(stimulus) << (stimulus ? "" : stimulus.error().text());
@@ -22,7 +22,7 @@ TEST(Stimulus, EveryProfileStartsAndEndsWhereItCameFromAndStaysBetween)
 {
     for (const Profile profile :
         {Profile::Step, Profile::Square, Profile::Ramp, Profile::Sine, Profile::Chirp, Profile::Prbs}) {
-        const Stimulus stimulus = made(profile);
+        const Stimulus stimulus = madeStimulus(profile);
         EXPECT_EQ(profileFromString(toString(profile)), profile);
         EXPECT_EQ(stimulus.at(-0.001), -100.0) << toString(profile);
         EXPECT_EQ(stimulus.at(stimulus.length()), -100.0) << toString(profile);
@@ -38,21 +38,21 @@ TEST(Stimulus, EveryProfileStartsAndEndsWhereItCameFromAndStaysBetween)
 
 TEST(Stimulus, HasTheTimesOfTheRulesUnlessToldOtherwise)
 {
-    EXPECT_DOUBLE_EQ(made(Profile::Sine).time, 6.0);
-    EXPECT_DOUBLE_EQ(made(Profile::Sine).period, 1.0);
-    EXPECT_DOUBLE_EQ(made(Profile::Square).period, 2.0);
-    EXPECT_DOUBLE_EQ(made(Profile::Chirp).time, 30.0);
-    EXPECT_DOUBLE_EQ(made(Profile::Chirp).high, 5.0); // 0.1/Ts of 20 ms
+    EXPECT_DOUBLE_EQ(madeStimulus(Profile::Sine).time, 6.0);
+    EXPECT_DOUBLE_EQ(madeStimulus(Profile::Sine).period, 1.0);
+    EXPECT_DOUBLE_EQ(madeStimulus(Profile::Square).period, 2.0);
+    EXPECT_DOUBLE_EQ(madeStimulus(Profile::Chirp).time, 30.0);
+    EXPECT_DOUBLE_EQ(madeStimulus(Profile::Chirp).high, 5.0); // 0.1/Ts of 20 ms
     EXPECT_DOUBLE_EQ(Stimulus::make(Profile::Chirp, 0.0, 1.0, {}, 0.001)->high, 15.0);
-    EXPECT_DOUBLE_EQ(made(Profile::Prbs).period, 0.125);
-    EXPECT_TRUE(made(Profile::Step).ends);
-    EXPECT_FALSE(made(Profile::Step, 2.0).ends);
-    EXPECT_DOUBLE_EQ(made(Profile::Step, 2.0).length(), 2.0);
+    EXPECT_DOUBLE_EQ(madeStimulus(Profile::Prbs).period, 0.125);
+    EXPECT_TRUE(madeStimulus(Profile::Step).ends);
+    EXPECT_FALSE(madeStimulus(Profile::Step, 2.0).ends);
+    EXPECT_DOUBLE_EQ(madeStimulus(Profile::Step, 2.0).length(), 2.0);
 }
 
 TEST(Stimulus, TheChirpSweepsFromItsFirstToItsLastFrequency)
 {
-    const Stimulus chirp = made(Profile::Chirp, {}, -1.0, 1.0);
+    const Stimulus chirp = madeStimulus(Profile::Chirp, {}, -1.0, 1.0);
     const auto crossings = [&chirp](double from, double to) {
         int count = 0;
         for (double t = from; t < to; t += 1e-4)
@@ -81,9 +81,9 @@ TEST(Stimulus, TheBitsOfThePrbsAreAMaximalSequence)
 
 TEST(Stimulus, EdgesAreWhereTheTargetJumpsToItsGoal)
 {
-    EXPECT_EQ(made(Profile::Step).edges(), (std::vector<double>{0.0}));
-    EXPECT_EQ(made(Profile::Square).edges(), (std::vector<double>{0.0, 2.0}));
-    EXPECT_TRUE(made(Profile::Sine).edges().empty());
+    EXPECT_EQ(madeStimulus(Profile::Step).edges(), (std::vector<double>{0.0}));
+    EXPECT_EQ(madeStimulus(Profile::Square).edges(), (std::vector<double>{0.0, 2.0}));
+    EXPECT_TRUE(madeStimulus(Profile::Sine).edges().empty());
 }
 
 TEST(Stimulus, FinerThanTheDeviceTakesSetPointsIsRefusedWithTheNumbers)

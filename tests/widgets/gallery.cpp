@@ -2,6 +2,7 @@
 // gallery DIR: renders every building block in both themes and at 200 % font into DIR.
 #include "gallery.h"
 
+#include "support/utf8.h"
 #include "widgets/common/applytheme.h"
 #include "widgets/common/banner.h"
 #include "widgets/common/emptystate.h"
@@ -19,11 +20,6 @@
 using namespace mb;
 
 namespace {
-
-QString s(const char *text)
-{
-    return QString::fromUtf8(text);
-}
 
 HeaderBar *header(const ThemeSource &theme, const LampStatus &lamp, int notices, bool recording)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gallery.h"
 
+#include "support/utf8.h"
 #include "widgets/common/banner.h"
 #include "widgets/common/card.h"
 #include "widgets/common/iconbutton.h"
@@ -24,11 +25,6 @@
 using namespace mb;
 
 namespace {
-
-QString s(const char *text)
-{
-    return QString::fromUtf8(text);
-}
 
 Card *deviceCard(const ThemeSource &theme, TraceRole role, std::optional<Tone> edge)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gallery.h"
 
+#include "support/utf8.h"
 #include "widgets/plots/fixedtrace.h"
 #include "widgets/plots/plotstack.h"
 
@@ -10,11 +11,6 @@
 using namespace mb;
 
 namespace {
-
-QString s(const char *text)
-{
-    return QString::fromUtf8(text);
-}
 
 template <typename Function>
 std::shared_ptr<FixedTrace> sampled(double from, double to, double step, Function function, const QString &foot = {})

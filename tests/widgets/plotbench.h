@@ -2,6 +2,7 @@
 #pragma once
 
 #include "recording/loadrecording.h"
+#include "support/utf8.h"
 #include "tunebench.h"
 #include "widgets/common/segmented.h"
 #include "widgets/plots/curveplot.h"
@@ -26,11 +27,6 @@
 namespace mb::test {
 
 using namespace std::chrono_literals;
-
-inline QString s(const char *text)
-{
-    return QString::fromUtf8(text);
-}
 
 inline ChannelIndex channel(const char *key)
 {

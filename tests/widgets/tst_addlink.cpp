@@ -21,11 +21,6 @@ using namespace mb;
 
 namespace {
 
-QString s(const char *text)
-{
-    return QString::fromUtf8(text);
-}
-
 std::vector<LinkListing> listings()
 {
     const Diagnosis down{Ailment::Down, say("can0 is switched off"), say("bring it up"), "sudo ip link set can0 up"};
@@ -251,4 +246,5 @@ void AddLinkTest::nothingIsCut()
 }
 
 MB_WINDOW_TEST(AddLinkTest);
+#include "support/utf8.h"
 #include "tst_addlink.moc"

@@ -54,7 +54,7 @@ void BusFilterTest::wildcardsMatchWholeWords()
     QVERIFY(!wildcardMatches("", "x"));
 }
 
-static void row(const char *filter, const char *frame, bool passes)
+static void filterRow(const char *filter, const char *frame, bool passes)
 {
     QTest::newRow(qPrintable(QStringLiteral("%1 | %2").arg(QLatin1String(filter), QLatin1String(frame))))
         << QString::fromLatin1(filter) << QString::fromLatin1(frame) << passes;
@@ -62,16 +62,16 @@ static void row(const char *filter, const char *frame, bool passes)
 
 static void combinedRows()
 {
-    row("message:STS* device:5", generalOf7, false);
-    row("message:STS* and device:7", generalOf7, true);
-    row("device:5 or device:7", generalOf7, true);
-    row("not device:5", generalOf7, true);
-    row("-device:5", generalOf5, false);
-    row("!message:STS*", controlOf5, true);
-    row("not (device:5 or device:7)", unknown, true);
-    row("message:STS* (device:5 or device:7) not field.dtcApplied<25%", generalOf5, true);
-    row("message:STS* (device:5 or device:7) not field.dtcApplied<25%", generalOf7, false);
-    row("device:5 or device:7 message:ENUM*", generalOf5, true); // 'and' binds closer than 'or'
+    filterRow("message:STS* device:5", generalOf7, false);
+    filterRow("message:STS* and device:7", generalOf7, true);
+    filterRow("device:5 or device:7", generalOf7, true);
+    filterRow("not device:5", generalOf7, true);
+    filterRow("-device:5", generalOf5, false);
+    filterRow("!message:STS*", controlOf5, true);
+    filterRow("not (device:5 or device:7)", unknown, true);
+    filterRow("message:STS* (device:5 or device:7) not field.dtcApplied<25%", generalOf5, true);
+    filterRow("message:STS* (device:5 or device:7) not field.dtcApplied<25%", generalOf7, false);
+    filterRow("device:5 or device:7 message:ENUM*", generalOf5, true); // 'and' binds closer than 'or'
 }
 
 void BusFilterTest::termsDecideByTheFrame_data()
@@ -79,52 +79,52 @@ void BusFilterTest::termsDecideByTheFrame_data()
     QTest::addColumn<QString>("filter");
     QTest::addColumn<QString>("frame");
     QTest::addColumn<bool>("passes");
-    row("", unknown, true);
-    row("id:02061405", generalOf5, true);
-    row("id:0x2061405", generalOf5, true);
-    row("id:2061405", generalOf7, false);
-    row("id:0x2061*", generalOf5, true);
-    row("id:0x2041*", generalOf5, false);
-    row("id:020614?5", generalOf5, true);
-    row("id:020614?5", generalOf7, false);
-    row("id:02061400..0206143F", generalOf7, true);
-    row("id:100..1FF", "123#00", true);
-    row("id:100..1FF", "200#00", false);
-    row("id:123,200", "200#00", true);
-    row("family:dmc60c", generalOf5, true);
-    row("fam:DMC*", generalOf5, true);
-    row("family:dmc60c", unknown, false);
-    row("message:STS*", generalOf5, true);
-    row("message:sts*,canctrl0", controlOf5, true);
-    row("msg:STS*", controlOf5, false);
-    row("device:5", generalOf5, true);
-    row("dev:6..9", generalOf5, false);
-    row("dev:1,6..9", generalOf7, true);
-    row("data:A125*", generalOf5, true);
-    row("data:A1", generalOf5, false);
-    row("data:??25*", generalOf5, true);
-    row("is:extended", generalOf5, true);
-    row("is:standard", generalOf5, false);
-    row("is:remote", "123#R", true);
-    row("is:unknown", unknown, true);
-    row("is:unknown", generalOf5, false);
-    row("is:known", generalOf5, true);
-    row("is:control", controlOf5, true);
-    row("is:control", generalOf5, false);
-    row("field.trgt", controlOf5, true);
-    row("field.trgt=10240", controlOf5, true);
-    row("field.trgt > 10240", controlOf5, false);
-    row("field.trgt>=0x2800", controlOf5, true);
-    row("field.trgt<10240.5", controlOf5, true);
-    row("field.trgt != 10240", controlOf5, false);
-    row("field.dtcApplied>25%", generalOf5, true);
-    row("field.dtcApplied>25%", generalOf7, false);
-    row("field.trgt>25%", controlOf5, false); // no fraction: % says nothing
-    row("field.dtc*=9633", generalOf5, true);
-    row("field.nothing", generalOf5, false);
-    row("general", generalOf5, true);
-    row("06140", generalOf5, true);
-    row("dmc", unknown, false);
+    filterRow("", unknown, true);
+    filterRow("id:02061405", generalOf5, true);
+    filterRow("id:0x2061405", generalOf5, true);
+    filterRow("id:2061405", generalOf7, false);
+    filterRow("id:0x2061*", generalOf5, true);
+    filterRow("id:0x2041*", generalOf5, false);
+    filterRow("id:020614?5", generalOf5, true);
+    filterRow("id:020614?5", generalOf7, false);
+    filterRow("id:02061400..0206143F", generalOf7, true);
+    filterRow("id:100..1FF", "123#00", true);
+    filterRow("id:100..1FF", "200#00", false);
+    filterRow("id:123,200", "200#00", true);
+    filterRow("family:dmc60c", generalOf5, true);
+    filterRow("fam:DMC*", generalOf5, true);
+    filterRow("family:dmc60c", unknown, false);
+    filterRow("message:STS*", generalOf5, true);
+    filterRow("message:sts*,canctrl0", controlOf5, true);
+    filterRow("msg:STS*", controlOf5, false);
+    filterRow("device:5", generalOf5, true);
+    filterRow("dev:6..9", generalOf5, false);
+    filterRow("dev:1,6..9", generalOf7, true);
+    filterRow("data:A125*", generalOf5, true);
+    filterRow("data:A1", generalOf5, false);
+    filterRow("data:??25*", generalOf5, true);
+    filterRow("is:extended", generalOf5, true);
+    filterRow("is:standard", generalOf5, false);
+    filterRow("is:remote", "123#R", true);
+    filterRow("is:unknown", unknown, true);
+    filterRow("is:unknown", generalOf5, false);
+    filterRow("is:known", generalOf5, true);
+    filterRow("is:control", controlOf5, true);
+    filterRow("is:control", generalOf5, false);
+    filterRow("field.trgt", controlOf5, true);
+    filterRow("field.trgt=10240", controlOf5, true);
+    filterRow("field.trgt > 10240", controlOf5, false);
+    filterRow("field.trgt>=0x2800", controlOf5, true);
+    filterRow("field.trgt<10240.5", controlOf5, true);
+    filterRow("field.trgt != 10240", controlOf5, false);
+    filterRow("field.dtcApplied>25%", generalOf5, true);
+    filterRow("field.dtcApplied>25%", generalOf7, false);
+    filterRow("field.trgt>25%", controlOf5, false); // no fraction: % says nothing
+    filterRow("field.dtc*=9633", generalOf5, true);
+    filterRow("field.nothing", generalOf5, false);
+    filterRow("general", generalOf5, true);
+    filterRow("06140", generalOf5, true);
+    filterRow("dmc", unknown, false);
     combinedRows();
 }
 
@@ -140,30 +140,30 @@ void BusFilterTest::mistakesAreNamedWithTheirRemedy_data()
 {
     QTest::addColumn<QString>("filter");
     QTest::addColumn<QString>("says");
-    const auto row = [](const char *filter, const char *says) {
+    const auto filterRow = [](const char *filter, const char *says) {
         QTest::newRow(filter) << QString::fromLatin1(filter) << QString::fromLatin1(says);
     };
-    row("mesage:STS*", "'mesage:' is not known; 'message:' is");
-    row("colour:red", "id, family, message, device, dir, data, is and field. are");
-    row("id:xyz", "'xyz' is no identifier");
-    row("id:100..", "'100..' is no identifier");
-    row("id:", "nothing after the colon");
-    row("device:five", "'five' is no device number");
-    row("data:A 1", "");
-    row("data:GG", "'GG' are no bytes");
-    row("family:dmc61c", "no family is called 'dmc61c'; there is");
-    row("dir:up", "dir:rx and dir:tx are");
-    row("is:odd", "control are");
-    row("field.", "needs the name of a field");
-    row("field.trgt>", "'field.trgt>' needs a number behind it");
-    row("field.trgt>fast", "'fast' is no number");
-    row("trgt>5", "a comparison begins with field., such as field.trgt>5");
-    row("(device:5", "a ')' is missing");
-    row("device:5)", "')' has no '(' before it");
-    row("device:5 or", "a term is missing after 'or'");
-    row("or device:5", "'or' needs a term before it");
-    row("not", "a term is missing after 'not'");
-    row("()", "a term is missing after '('");
+    filterRow("mesage:STS*", "'mesage:' is not known; 'message:' is");
+    filterRow("colour:red", "id, family, message, device, dir, data, is and field. are");
+    filterRow("id:xyz", "'xyz' is no identifier");
+    filterRow("id:100..", "'100..' is no identifier");
+    filterRow("id:", "nothing after the colon");
+    filterRow("device:five", "'five' is no device number");
+    filterRow("data:A 1", "");
+    filterRow("data:GG", "'GG' are no bytes");
+    filterRow("family:dmc61c", "no family is called 'dmc61c'; there is");
+    filterRow("dir:up", "dir:rx and dir:tx are");
+    filterRow("is:odd", "control are");
+    filterRow("field.", "needs the name of a field");
+    filterRow("field.trgt>", "'field.trgt>' needs a number behind it");
+    filterRow("field.trgt>fast", "'fast' is no number");
+    filterRow("trgt>5", "a comparison begins with field., such as field.trgt>5");
+    filterRow("(device:5", "a ')' is missing");
+    filterRow("device:5)", "')' has no '(' before it");
+    filterRow("device:5 or", "a term is missing after 'or'");
+    filterRow("or device:5", "'or' needs a term before it");
+    filterRow("not", "a term is missing after 'not'");
+    filterRow("()", "a term is missing after '('");
 }
 
 void BusFilterTest::mistakesAreNamedWithTheirRemedy()

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "spike.h"
 #include "support/windowtests.h"
 #include "widgets/plots/autorange.h"
 #include "widgets/plots/columnpath.h"
@@ -9,18 +10,7 @@
 #include <cmath>
 
 using namespace mb;
-
-namespace {
-
-std::vector<PlotPoint> flatWithSpike(int count, int spikeAt, double spike)
-{
-    std::vector<PlotPoint> points;
-    for (int i = 0; i < count; ++i)
-        points.push_back({i * 1.0 / count, i == spikeAt ? spike : 0.0});
-    return points;
-}
-
-} // namespace
+using test::flatWithSpike;
 
 class ColumnsTest : public QObject {
     Q_OBJECT

@@ -50,11 +50,6 @@ public:
     using NumberTicker::getTickStep;
 };
 
-QString s(const char *text)
-{
-    return QString::fromUtf8(text);
-}
-
 DeviceView driveAt(std::uint32_t id, int address, const char *link)
 {
     DeviceView device = readDrive(id, address);
@@ -374,4 +369,5 @@ void HonestyTest::aStopByHandIsNoAlarm()
 }
 
 MB_WINDOW_TEST(HonestyTest);
+#include "support/utf8.h"
 #include "tst_honesty.moc"

@@ -52,7 +52,7 @@ struct Bench {
     }
 };
 
-std::size_t rowOf(const KeyBook &book, const char *does)
+std::size_t rowThat(const KeyBook &book, const char *does)
 {
     std::size_t at = 0;
     while (book.rows()[at].does != QLatin1String(does))
@@ -81,10 +81,10 @@ void KeyBookTest::everyCommandIsListedOnceWithItsKey()
     const Bench bench;
     const KeyBook book = bench.book();
     QCOMPARE(book.rows().size(), std::size_t(8));
-    const KeyBook::Row &palette = book.rows()[rowOf(book, "lists everything")];
+    const KeyBook::Row &palette = book.rows()[rowThat(book, "lists everything")];
     QVERIFY(palette.changeable && palette.everywhere);
     QCOMPARE(palette.keys, std::vector<QKeySequence>{key("Ctrl+K")});
-    QVERIFY(!book.rows()[rowOf(book, "arms")].changeable);
+    QVERIFY(!book.rows()[rowThat(book, "arms")].changeable);
     QVERIFY(book.choices().empty());
 }
 
@@ -92,20 +92,20 @@ void KeyBookTest::aKeyThatAnotherHasIsRefusedWithItsName()
 {
     const Bench bench;
     KeyBook book = bench.book();
-    const std::size_t run = rowOf(book, "runs");
+    const std::size_t run = rowThat(book, "runs");
     QVERIFY(book.refusal(run, key("F9")).contains(QStringLiteral("shows the devices")));
     QVERIFY(book.refusal(run, key("Ctrl+K")).contains(QStringLiteral("lists everything")));
     QVERIFY(book.refusal(run, key("Ctrl+Shift+Z")).contains(QStringLiteral("does it again")));
     QVERIFY(!book.choose(run, key("F9")));
     QCOMPARE(book.rows()[run].keys, std::vector<QKeySequence>{key("F5")});
-    QVERIFY(book.refusal(rowOf(book, "shows the devices"), key("P")).contains(QStringLiteral("Plots")));
+    QVERIFY(book.refusal(rowThat(book, "shows the devices"), key("P")).contains(QStringLiteral("Plots")));
 }
 
 void KeyBookTest::theSameKeyMayServeTwoPages()
 {
     const Bench bench;
     KeyBook book = bench.book();
-    QVERIFY(book.choose(rowOf(book, "pauses"), key("F5")));
+    QVERIFY(book.choose(rowThat(book, "pauses"), key("F5")));
     QCOMPARE(book.choices().size(), std::size_t(1));
 }
 
@@ -128,8 +128,8 @@ void KeyBookTest::stopAndArmKeepTheirKeys()
         QVERIFY(!book.choose(row, QKeySequence(wish, QKeySequence::PortableText)));
         QCOMPARE(book.rows()[row].keys, before.rows()[row].keys);
     }
-    QVERIFY2(!book.choose(rowOf(book, "stop every motor"), key("F2")), "keys that stop cannot be remapped");
-    QVERIFY(!book.choose(rowOf(book, "arms"), {}));
+    QVERIFY2(!book.choose(rowThat(book, "stop every motor"), key("F2")), "keys that stop cannot be remapped");
+    QVERIFY(!book.choose(rowThat(book, "arms"), {}));
 }
 
 void KeyBookTest::aChosenKeyHoldsAtOnceEverywhere()
@@ -143,8 +143,8 @@ void KeyBookTest::aChosenKeyHoldsAtOnceEverywhere()
     bench.window.show();
     QApplication::setActiveWindow(&bench.window);
     KeyBook book = bench.book();
-    QVERIFY(book.choose(rowOf(book, "runs"), key("Ctrl+R")));
-    QVERIFY(book.choose(rowOf(book, "lists everything"), key("Ctrl+J")));
+    QVERIFY(book.choose(rowThat(book, "runs"), key("Ctrl+R")));
+    QVERIFY(book.choose(rowThat(book, "lists everything"), key("Ctrl+J")));
     for (PageKeys *table : {&bench.everywhere, &bench.ofTune, &bench.ofPlots})
         table->use(book.choices());
     QTest::keyClick(&bench.window, Qt::Key_F5);
@@ -169,8 +169,8 @@ void KeyBookTest::theKeyItCameWithComesBackUnlessItIsTaken()
 {
     const Bench bench;
     KeyBook book = bench.book();
-    const std::size_t run = rowOf(book, "runs");
-    const std::size_t again = rowOf(book, "does it again");
+    const std::size_t run = rowThat(book, "runs");
+    const std::size_t again = rowThat(book, "does it again");
     QVERIFY(book.choose(run, key("F2")));
     QVERIFY(book.choose(again, key("F5")));
     QVERIFY(book.reset(run).contains(QStringLiteral("does it again")));
@@ -189,8 +189,8 @@ void KeyBookTest::twoCommandsMayExchangeTheirKeys()
 {
     const Bench bench;
     KeyBook book = bench.book();
-    const std::size_t run = rowOf(book, "runs");
-    const std::size_t again = rowOf(book, "does it again");
+    const std::size_t run = rowThat(book, "runs");
+    const std::size_t again = rowThat(book, "does it again");
     QVERIFY(book.choose(run, {}));
     QVERIFY(book.choose(again, key("F5")));
     QVERIFY(book.choose(run, key("Ctrl+Y")));
@@ -204,11 +204,11 @@ void KeyBookTest::whatWasWrittenByHandTakesNoStopKeyAway()
 {
     const Bench bench;
     KeyBook book = bench.book();
-    const QString run = book.rows()[rowOf(book, "runs")].id;
-    const QString stop = book.rows()[rowOf(book, "stop every motor")].id;
+    const QString run = book.rows()[rowThat(book, "runs")].id;
+    const QString stop = book.rows()[rowThat(book, "stop every motor")].id;
     book.take({{run, {Qt::Key_Escape}}, {stop, {}}, {QStringLiteral("Nothing/F1"), {Qt::Key_F7}}});
     QVERIFY(book.choices().empty());
-    QCOMPARE(book.rows()[rowOf(book, "runs")].keys, std::vector<QKeySequence>{key("F5")});
+    QCOMPARE(book.rows()[rowThat(book, "runs")].keys, std::vector<QKeySequence>{key("F5")});
 }
 
 MB_WINDOW_TEST(KeyBookTest);

@@ -11,13 +11,8 @@ using namespace mb;
 
 namespace {
 
-QString u8(const char *text)
-{
-    return QString::fromUtf8(text);
-}
-
 /// In the tables a plain blank stands for the thin space and for the no-break space.
-QString plain(QString text)
+QString withPlainBlanks(QString text)
 {
     return text.replace(ThinSpace, QLatin1Char(' ')).replace(QChar(QChar::Nbsp), QLatin1Char(' '));
 }
@@ -45,16 +40,16 @@ void NumberFormatTest::formatsNumbers_data()
     QTest::addColumn<double>("value");
     QTest::addColumn<int>("decimals");
     QTest::addColumn<QString>("text");
-    QTest::newRow("zero") << 0.0 << 0 << u8("0");
-    QTest::newRow("three digits stay together") << 999.0 << 0 << u8("999");
-    QTest::newRow("four digits are grouped") << 1500.0 << 0 << u8("1 500");
-    QTest::newRow("millions are grouped twice") << 1204331.0 << 0 << u8("1 204 331");
-    QTest::newRow("the minus is a minus") << -20480.0 << 0 << u8("−20 480");
-    QTest::newRow("a negative of three digits has no stray group") << -880.0 << 0 << u8("−880");
-    QTest::newRow("decimals are not grouped") << 12345.6789 << 4 << u8("12 345.6789");
-    QTest::newRow("minus zero is zero") << -0.004 << 2 << u8("0.00");
-    QTest::newRow("unknown is a dash, never zero") << std::nan("") << 2 << u8("–");
-    QTest::newRow("infinite is unknown") << HUGE_VAL << 0 << u8("–");
+    QTest::newRow("zero") << 0.0 << 0 << s("0");
+    QTest::newRow("three digits stay together") << 999.0 << 0 << s("999");
+    QTest::newRow("four digits are grouped") << 1500.0 << 0 << s("1 500");
+    QTest::newRow("millions are grouped twice") << 1204331.0 << 0 << s("1 204 331");
+    QTest::newRow("the minus is a minus") << -20480.0 << 0 << s("−20 480");
+    QTest::newRow("a negative of three digits has no stray group") << -880.0 << 0 << s("−880");
+    QTest::newRow("decimals are not grouped") << 12345.6789 << 4 << s("12 345.6789");
+    QTest::newRow("minus zero is zero") << -0.004 << 2 << s("0.00");
+    QTest::newRow("unknown is a dash, never zero") << std::nan("") << 2 << s("–");
+    QTest::newRow("infinite is unknown") << HUGE_VAL << 0 << s("–");
 }
 
 void NumberFormatTest::formatsNumbers()
@@ -62,43 +57,43 @@ void NumberFormatTest::formatsNumbers()
     QFETCH(double, value);
     QFETCH(int, decimals);
     QFETCH(QString, text);
-    QCOMPARE(plain(formatNumber(value, decimals)), text);
+    QCOMPARE(withPlainBlanks(formatNumber(value, decimals)), text);
 }
 
 void NumberFormatTest::formatsTheRest()
 {
-    QCOMPARE(plain(formatCount(-1402118)), u8("−1 402 118"));
-    QCOMPARE(plain(formatSignificant(0.003464, 4)), u8("0.003464"));
-    QCOMPARE(plain(formatSignificant(1499.6, 4)), u8("1 500"));
-    QCOMPARE(plain(formatSignificant(-2.5e-6, 2)), u8("−2.5e−06"));
-    QCOMPARE(plain(formatValue(12.434, 2, u8("V"))), u8("12.43 V"));
-    QCOMPARE(plain(formatValue(std::nan(""), 2, u8("V"))), u8("–"));
-    QCOMPARE(plain(formatDifference(55, 0)), u8("+55"));
-    QCOMPARE(plain(formatDifference(-18.2, 1)), u8("−18.2"));
-    QCOMPARE(plain(formatDifference(0.001, 1)), u8("0.0"));
-    QCOMPARE(plain(formatDuration(0.42)), u8("420 ms"));
-    QCOMPARE(plain(formatDuration(12.41)), u8("12.4 s"));
-    QCOMPARE(plain(formatDuration(272)), u8("4:32"));
-    QCOMPARE(plain(formatDuration(3723)), u8("1:02:03"));
-    QCOMPARE(plain(formatBytes(512)), u8("512 B"));
-    QCOMPARE(plain(formatBytes(38'000'000)), u8("38 MB"));
-    QCOMPARE(plain(formatBytes(1'240'000)), u8("1.2 MB"));
+    QCOMPARE(withPlainBlanks(formatCount(-1402118)), s("−1 402 118"));
+    QCOMPARE(withPlainBlanks(formatSignificant(0.003464, 4)), s("0.003464"));
+    QCOMPARE(withPlainBlanks(formatSignificant(1499.6, 4)), s("1 500"));
+    QCOMPARE(withPlainBlanks(formatSignificant(-2.5e-6, 2)), s("−2.5e−06"));
+    QCOMPARE(withPlainBlanks(formatValue(12.434, 2, s("V"))), s("12.43 V"));
+    QCOMPARE(withPlainBlanks(formatValue(std::nan(""), 2, s("V"))), s("–"));
+    QCOMPARE(withPlainBlanks(formatDifference(55, 0)), s("+55"));
+    QCOMPARE(withPlainBlanks(formatDifference(-18.2, 1)), s("−18.2"));
+    QCOMPARE(withPlainBlanks(formatDifference(0.001, 1)), s("0.0"));
+    QCOMPARE(withPlainBlanks(formatDuration(0.42)), s("420 ms"));
+    QCOMPARE(withPlainBlanks(formatDuration(12.41)), s("12.4 s"));
+    QCOMPARE(withPlainBlanks(formatDuration(272)), s("4:32"));
+    QCOMPARE(withPlainBlanks(formatDuration(3723)), s("1:02:03"));
+    QCOMPARE(withPlainBlanks(formatBytes(512)), s("512 B"));
+    QCOMPARE(withPlainBlanks(formatBytes(38'000'000)), s("38 MB"));
+    QCOMPARE(withPlainBlanks(formatBytes(1'240'000)), s("1.2 MB"));
 }
 
 void NumberFormatTest::parsesWhatUsersType_data()
 {
     QTest::addColumn<QString>("text");
     QTest::addColumn<double>("value");
-    QTest::newRow("whole") << u8("40000") << 40000.0;
-    QTest::newRow("dot") << u8("1.1650") << 1.165;
-    QTest::newRow("comma") << u8("1,1650") << 1.165;
-    QTest::newRow("blanks around") << u8("  7 ") << 7.0;
-    QTest::newRow("hyphen") << u8("-18022") << -18022.0;
-    QTest::newRow("true minus") << u8("−18022") << -18022.0;
-    QTest::newRow("plus") << u8("+3") << 3.0;
-    QTest::newRow("no leading zero") << u8(".5") << 0.5;
-    QTest::newRow("no trailing digit") << u8("5,") << 5.0;
-    QTest::newRow("exponent") << u8("2.49e-3") << 2.49e-3;
+    QTest::newRow("whole") << s("40000") << 40000.0;
+    QTest::newRow("dot") << s("1.1650") << 1.165;
+    QTest::newRow("comma") << s("1,1650") << 1.165;
+    QTest::newRow("blanks around") << s("  7 ") << 7.0;
+    QTest::newRow("hyphen") << s("-18022") << -18022.0;
+    QTest::newRow("true minus") << s("−18022") << -18022.0;
+    QTest::newRow("plus") << s("+3") << 3.0;
+    QTest::newRow("no leading zero") << s(".5") << 0.5;
+    QTest::newRow("no trailing digit") << s("5,") << 5.0;
+    QTest::newRow("exponent") << s("2.49e-3") << 2.49e-3;
 }
 
 void NumberFormatTest::parsesWhatUsersType()
@@ -115,7 +110,7 @@ void NumberFormatTest::refusesWhatIsAmbiguous_data()
     QTest::addColumn<QString>("text");
     for (const char *text :
         {"", "-", ".", "1,000.5", "1.000,5", "1 000", "1 000", "0x1A", "12a", "--1", "nan", "inf", "1e", "1e999", "%"})
-        QTest::newRow(text) << u8(text);
+        QTest::newRow(text) << s(text);
 }
 
 void NumberFormatTest::refusesWhatIsAmbiguous()
@@ -126,18 +121,18 @@ void NumberFormatTest::refusesWhatIsAmbiguous()
 
 void NumberFormatTest::understandsPercentOnlyWithAFullScale()
 {
-    QVERIFY(!parseNumber(u8("55 %")).has_value());
-    QCOMPARE(parseNumber(u8("55 %"), 32767.0).value_or(0), 0.55 * 32767);
-    QCOMPARE(parseNumber(u8("−5,5%"), 100.0).value_or(0), -5.5);
-    QCOMPARE(parseNumber(u8("55"), 32767.0).value_or(0), 55.0);
+    QVERIFY(!parseNumber(s("55 %")).has_value());
+    QCOMPARE(parseNumber(s("55 %"), 32767.0).value_or(0), 0.55 * 32767);
+    QCOMPARE(parseNumber(s("−5,5%"), 100.0).value_or(0), -5.5);
+    QCOMPARE(parseNumber(s("55"), 32767.0).value_or(0), 55.0);
 }
 
 void NumberFormatTest::parsesIntegers()
 {
-    QCOMPARE(parseInteger(u8("−42")).value_or(0), qint64(-42));
-    QCOMPARE(parseInteger(u8("0x1a")).value_or(0), qint64(26));
+    QCOMPARE(parseInteger(s("−42")).value_or(0), qint64(-42));
+    QCOMPARE(parseInteger(s("0x1a")).value_or(0), qint64(26));
     for (const char *text : {"1.0", "1 000", "0x", "", "99999999999999999999"})
-        QVERIFY2(!parseInteger(u8(text)).has_value(), text);
+        QVERIFY2(!parseInteger(s(text)).has_value(), text);
 }
 
 void NumberFormatTest::editTextReadsBackEqual()
@@ -167,4 +162,5 @@ void NumberFormatTest::aLanguageWithACommaWritesAndUnderstandsIt()
 }
 
 MB_WINDOW_TEST(NumberFormatTest);
+#include "support/utf8.h"
 #include "tst_numberformat.moc"

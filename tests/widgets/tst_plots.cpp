@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "spike.h"
 #include "support/windowtests.h"
 #include "widgets/plots/fixedtrace.h"
 #include "widgets/plots/plotstack.h"
@@ -13,13 +14,9 @@
 #include <cmath>
 
 using namespace mb;
+using test::flatWithSpike;
 
 namespace {
-
-QString s(const char *text)
-{
-    return QString::fromUtf8(text);
-}
 
 /// Counts how often it is asked.
 class Counting : public TraceSource {
@@ -35,14 +32,6 @@ public:
     mutable int asked = 0;
     mutable int lastPixels = 0;
 };
-
-std::vector<PlotPoint> flatWithSpike(int count, int spikeAt, double spike)
-{
-    std::vector<PlotPoint> points;
-    for (int i = 0; i < count; ++i)
-        points.push_back({i * 1.0 / count, i == spikeAt ? spike : 0.0});
-    return points;
-}
 
 std::unique_ptr<PlotStack> shownStack(const ThemeSource &theme)
 {
@@ -494,4 +483,5 @@ void PlotsTest::summarySpeaksOfEveryTrace()
 }
 
 MB_WINDOW_TEST(PlotsTest);
+#include "support/utf8.h"
 #include "tst_plots.moc"

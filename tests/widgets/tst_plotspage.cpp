@@ -21,11 +21,6 @@ using namespace std::chrono_literals;
 
 namespace {
 
-QString s(const char *text)
-{
-    return QString::fromUtf8(text);
-}
-
 ChannelIndex channel(const char *key)
 {
     return *findChannel(dmc60c().channels, key);
@@ -270,4 +265,5 @@ void TestPlotsPage::scrollingShowsWhatAFreshLookWouldShow()
 }
 
 MB_WINDOW_TEST(TestPlotsPage);
+#include "support/utf8.h"
 #include "tst_plotspage.moc"

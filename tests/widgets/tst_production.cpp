@@ -27,11 +27,6 @@ using namespace mb::test;
 
 namespace {
 
-QString s(const char *text)
-{
-    return QString::fromUtf8(text);
-}
-
 service::QueueRow rowOf(std::uint32_t id, service::RowState state, const char *serial)
 {
     service::QueueRow row;
@@ -368,4 +363,5 @@ void TestProduction::pictures()
 }
 
 MB_WINDOW_TEST(TestProduction);
+#include "support/utf8.h"
 #include "tst_production.moc"

@@ -21,13 +21,13 @@ using namespace mb::test;
 
 namespace {
 
-struct ReportBench {
+struct ReportsPageBench {
     FakeWorkbench workbench;
     FakeDesk desk;
     ThemeSource theme{darkTheme()};
     std::unique_ptr<ReportsPage> page;
 
-    ReportBench()
+    ReportsPageBench()
     {
         workbench.shot.devices.push_back(tunableDrive(std::make_shared<Telemetry>(dmc60c().channels), 1, 5));
         workbench.device(0).selector = "sim:can/dmc60c:5";
@@ -101,7 +101,7 @@ private Q_SLOTS:
 
 void TestReportsPage::unitsAndTheirTrialsAreListed()
 {
-    ReportBench bench;
+    ReportsPageBench bench;
     QTRY_COMPARE(bench.page->list().count(), 2);
     QVERIFY(bench.page->list().item(0)->text().contains(QStringLiteral("2103343A79F2")));
     QVERIFY(bench.page->list().item(1)->text().contains(QStringLiteral("#17")));
@@ -109,7 +109,7 @@ void TestReportsPage::unitsAndTheirTrialsAreListed()
 
 void TestReportsPage::theSearchLeavesWhatItNames()
 {
-    ReportBench bench;
+    ReportsPageBench bench;
     QTRY_COMPARE(bench.page->list().count(), 2);
     bench.page->findChild<QLineEdit *>()->setText(QStringLiteral("GEARBOX"));
     QCOMPARE(bench.page->list().count(), 1);
@@ -118,14 +118,14 @@ void TestReportsPage::theSearchLeavesWhatItNames()
 
 void TestReportsPage::whatIsChosenIsLookedAt()
 {
-    ReportBench bench;
+    ReportsPageBench bench;
     QTRY_VERIFY2(bench.page->previewText().contains(QStringLiteral("2103343A79F2")),
         qPrintable(bench.page->previewText().left(400)));
 }
 
 void TestReportsPage::itIsWrittenAsItIsLookedAt()
 {
-    ReportBench bench;
+    ReportsPageBench bench;
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("card.html"));
     QTRY_COMPARE(bench.page->list().count(), 2);
@@ -149,7 +149,7 @@ void TestReportsPage::withoutUnitsItSaysSo()
 
 void TestReportsPage::theJournalIsListedNewestFirst()
 {
-    ReportBench bench;
+    ReportsPageBench bench;
     QTRY_COMPARE(bench.page->list().count(), 2);
     bench.serve();
     QTRY_COMPARE(bench.page->list().count(), 4);
@@ -171,7 +171,7 @@ void TestReportsPage::theJournalIsListedNewestFirst()
 
 void TestReportsPage::aUnitThatIsNotHereHasItsCardFromTheJournal()
 {
-    ReportBench bench;
+    ReportsPageBench bench;
     bench.serve();
     bench.page->setFilter(ReportsPage::Journal);
     QTRY_VERIFY(bench.page->previewText().contains(QStringLiteral("2103343A7B2E")));
@@ -187,7 +187,7 @@ void TestReportsPage::aUnitThatIsNotHereHasItsCardFromTheJournal()
 
 void TestReportsPage::aLabelIsAChoice()
 {
-    ReportBench bench;
+    ReportsPageBench bench;
     bench.serve();
     bench.page->setFilter(ReportsPage::Journal);
     QTRY_VERIFY(bench.page->previewText().contains(QStringLiteral("2103343A7B2E")));
@@ -215,7 +215,7 @@ void TestReportsPage::aLabelIsAChoice()
 
 void TestReportsPage::theJournalThatIsListedIsATable()
 {
-    ReportBench bench;
+    ReportsPageBench bench;
     bench.serve();
     bench.page->findChild<QLineEdit *>()->setText(QStringLiteral("7B2E"));
     bench.page->saveTable(QStringLiteral("journal.csv"));
@@ -226,7 +226,7 @@ void TestReportsPage::theJournalThatIsListedIsATable()
 
 void TestReportsPage::aNoteIsKept()
 {
-    ReportBench bench;
+    ReportsPageBench bench;
     bench.serve();
     bench.page->setFilter(ReportsPage::Journal);
     auto *note = bench.page->findChildren<QLineEdit *>().back();

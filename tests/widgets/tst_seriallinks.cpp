@@ -23,11 +23,6 @@ using namespace std::chrono_literals;
 
 namespace {
 
-QString s(const char *text)
-{
-    return QString::fromUtf8(text);
-}
-
 LinkView serialLink()
 {
     LinkView link;
@@ -161,4 +156,5 @@ void TestSerialLinks::anAddedPortIsRememberedOnlyOnceItIsOpen()
 }
 
 MB_WINDOW_TEST(TestSerialLinks);
+#include "support/utf8.h"
 #include "tst_seriallinks.moc"

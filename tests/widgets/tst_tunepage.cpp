@@ -22,11 +22,6 @@ using namespace std::chrono_literals;
 
 namespace {
 
-QString s(const char *text)
-{
-    return QString::fromUtf8(text);
-}
-
 double physical(const char *key, Mode mode, double number)
 {
     return siGain(dmc60c(), dmc60c().parameters[named(key).value], mode, number, 4096.0)->value;
@@ -280,4 +275,5 @@ void TestTunePage::nothingIsCutAtTwiceTheFont()
 }
 
 MB_WINDOW_TEST(TestTunePage);
+#include "support/utf8.h"
 #include "tst_tunepage.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "support/utf8.h"
 #include "tunebench.h"
 
 #include <QAbstractButton>
@@ -11,11 +12,6 @@
 namespace mb::test {
 
 /// Ways a hand has with the page.
-
-inline QString s(const char *text)
-{
-    return QString::fromUtf8(text);
-}
 
 inline void type(QLineEdit *field, const char *text)
 {
