@@ -16,7 +16,7 @@ namespace {
 using Bytes = SpiLink::Bytes;
 
 /// Answers each byte with its complement.
-struct Echo final : SpiSlave {
+struct EchoBoard final : SpiSlave {
     void transfer(std::span<const std::uint8_t> mosi, std::span<std::uint8_t> miso) override
     {
         heard.emplace_back(mosi.begin(), mosi.end());
@@ -28,7 +28,7 @@ struct Echo final : SpiSlave {
     std::vector<Bytes> heard;
 };
 
-Task<Bytes> transfer(SpiLink &link, Bytes mosi)
+Task<Bytes> transferOn(SpiLink &link, Bytes mosi)
 {
     Result<Bytes> miso = co_await link.transfer(std::move(mosi));
     co_return miso;
@@ -43,7 +43,7 @@ struct UnixSpi : testing::Test {
     }
     test::EventLoop loop;
     test::TemporaryFolder folder;
-    Echo board;
+    EchoBoard board;
     LinkAddress address = *LinkAddress::parse("unix:" + folder.path("board"));
     UnixSpiServer server{address, loop.clock()};
     UnixSpiLink link{address, loop.clock()};
@@ -53,14 +53,14 @@ struct UnixSpi : testing::Test {
 
 TEST_F(UnixSpi, AStopFromAnotherThreadLeavesTheAnswersOfTheLinkWhereTheyBelong)
 {
-    Task<Bytes> before = transfer(link, {0x01, 0x02, 0x03});
+    Task<Bytes> before = transferOn(link, {0x01, 0x02, 0x03});
     before.start();
     const std::function<bool(std::span<const std::uint8_t>)> aside = link.outlet().aside;
     ASSERT_TRUE(aside);
     bool sent = false;
     std::thread([&] { sent = aside(Bytes{2, 0, 0xAA, 0xBB}); }).join();
     EXPECT_TRUE(sent);
-    Task<Bytes> after = transfer(link, {0x04, 0x05});
+    Task<Bytes> after = transferOn(link, {0x04, 0x05});
     after.start();
     ASSERT_TRUE(loop.runUntil([&] { return after.isFinished(); }));
     EXPECT_EQ(board.heard, (std::vector<Bytes>{{0x01, 0x02, 0x03}, {0xAA, 0xBB}, {0x04, 0x05}}));
