@@ -12,7 +12,7 @@ namespace mb {
 namespace {
 
 /// What was read is legal, and reads the same after it was written.
-void expectStable(const CandumpLine &line, const std::string &text)
+void expectStableLine(const CandumpLine &line, const std::string &text)
 {
     EXPECT_GE(line.time, Duration::zero()) << text;
     EXPECT_FALSE(line.link.empty()) << text;
@@ -41,7 +41,7 @@ TEST(CandumpFuzz, EveryChangedLineIsReadRightOrNotAtAll)
         const std::string text = mutation(seeds[mutation.below(seeds.size())]);
         if (const auto line = parseCandumpLine(text)) {
             ++accepted;
-            expectStable(*line, text);
+            expectStableLine(*line, text);
         }
     }
     EXPECT_GT(accepted, total / 100);

@@ -20,7 +20,10 @@ struct RegisteredTest {
 
 } // namespace mb::test
 
+#define MB_JOINED_NAME(name, number) name##number
+#define MB_NUMBERED_NAME(name, number) MB_JOINED_NAME(name, number)
+
 /// Stands where QTEST_MAIN would; once in a file.
 #define MB_WINDOW_TEST(Class)                                                                                          \
-    static const mb::test::RegisteredTest registeredTest(                                                              \
+    static const mb::test::RegisteredTest MB_NUMBERED_NAME(registeredTest, __COUNTER__)(                               \
         __FILE__, [] { return std::unique_ptr<QObject>(std::make_unique<Class>()); })

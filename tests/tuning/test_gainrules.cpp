@@ -11,7 +11,7 @@
 namespace mb::tuning {
 namespace {
 
-constexpr PlantModel motor{362'000.0, 0.168, 0.051, 0.02};
+constexpr PlantModel testedPlant{362'000.0, 0.168, 0.051, 0.02};
 
 TEST(GainRules, SimcHasItsPublishedMargins)
 {
@@ -19,7 +19,7 @@ TEST(GainRules, SimcHasItsPublishedMargins)
         double factor, ms, gain, phase;
     };
     for (const Row &row : {Row{1.0, 1.59, 3.14, 61.0}, Row{1.5, 1.44, 3.9, 67.0}, Row{2.0, 1.35, 4.7, 71.0}}) {
-        const Margins margins = marginsOf(Mode::Velocity, motor, velocityRule(motor, row.factor * motor.delay));
+        const Margins margins = marginsOf(Mode::Velocity, testedPlant, velocityRule(testedPlant, row.factor * testedPlant.delay));
         EXPECT_NEAR(margins.ms, row.ms, 0.01) << row.factor;
         EXPECT_NEAR(margins.gain, row.gain, 0.05) << row.factor;
         EXPECT_NEAR(margins.phase, row.phase, 1.0) << row.factor;
@@ -28,14 +28,14 @@ TEST(GainRules, SimcHasItsPublishedMargins)
 
 TEST(GainRules, AnUnstableLoopHasNoMargin)
 {
-    const Margins margins = marginsOf(Mode::Velocity, motor, {40.0 / motor.gain, 0.0, 0.0, 0.0});
+    const Margins margins = marginsOf(Mode::Velocity, testedPlant, {40.0 / testedPlant.gain, 0.0, 0.0, 0.0});
     EXPECT_FALSE(margins.isStable());
     EXPECT_TRUE(std::isinf(margins.ms));
 }
 
 TEST(GainRules, SimcIntegratesWithTheMotorsTimeOrFourLags)
 {
-    const ContinuousGains slow = velocityRule(motor, motor.delay);
+    const ContinuousGains slow = velocityRule(testedPlant, testedPlant.delay);
     EXPECT_NEAR(slow.p, 0.168 / (362'000.0 * 0.102), 1e-12);
     EXPECT_NEAR(slow.p / slow.i, 0.168, 1e-9);
     const PlantModel heavy{362'000.0, 2.0, 0.051, 0.0};
@@ -103,10 +103,10 @@ TEST(GainRules, ALargeErrorDoesNotMakeARelayOfTheLoop)
 
 TEST(GainRules, FeedForwardAndIntegralThatFightAreSeen)
 {
-    ContinuousGains gains = velocityRule(motor, 1.5 * motor.delay);
-    EXPECT_NEAR(conflictArea(motor, gains, 1.5 * motor.delay, 100'000.0), 0.0, 0.02);
-    gains.f = 1.0 / motor.gain;
-    EXPECT_GT(conflictArea(motor, gains, 1.5 * motor.delay, 100'000.0), 0.09);
+    ContinuousGains gains = velocityRule(testedPlant, 1.5 * testedPlant.delay);
+    EXPECT_NEAR(conflictArea(testedPlant, gains, 1.5 * testedPlant.delay, 100'000.0), 0.0, 0.02);
+    gains.f = 1.0 / testedPlant.gain;
+    EXPECT_GT(conflictArea(testedPlant, gains, 1.5 * testedPlant.delay, 100'000.0), 0.09);
 }
 
 TEST(Acceptance, A04_TheNormalAimHardlyOvershootsAndSettlesInTimeOnTheModel)
@@ -140,7 +140,7 @@ TEST(Prediction, TheOutputStaysWithinItsLimit)
     LoopShape half;
     half.mostDuty = 0.5;
     const Prediction seen
-        = predictStep(Mode::Velocity, motor, velocityRule(motor, motor.delay), 0.0, 300'000.0, 2.0, half);
+        = predictStep(Mode::Velocity, testedPlant, velocityRule(testedPlant, testedPlant.delay), 0.0, 300'000.0, 2.0, half);
     for (const double duty : seen.duty.y)
         EXPECT_LE(std::abs(duty), 0.5);
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // gallery DIR: renders every building block in both themes and at 200 % font into DIR.
 #include "gallery.h"
-
 #include "support/utf8.h"
+
 #include "widgets/common/applytheme.h"
 #include "widgets/common/banner.h"
 #include "widgets/common/emptystate.h"

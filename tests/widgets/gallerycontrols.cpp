@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gallery.h"
-
 #include "support/utf8.h"
+
 #include "widgets/common/banner.h"
 #include "widgets/common/card.h"
 #include "widgets/common/iconbutton.h"

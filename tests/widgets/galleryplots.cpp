@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gallery.h"
-
 #include "support/utf8.h"
+
 #include "widgets/plots/fixedtrace.h"
 #include "widgets/plots/plotstack.h"
 

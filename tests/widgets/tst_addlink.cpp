@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Adding a link by choosing: what is listed, what its options make of the address, and what cannot be opened.
+#include "support/utf8.h"
 #include "support/windowtests.h"
 #include "transport/backends/gpiolines.h"
 #include "widgets/common/applytheme.h"
@@ -246,5 +247,4 @@ void AddLinkTest::nothingIsCut()
 }
 
 MB_WINDOW_TEST(AddLinkTest);
-#include "support/utf8.h"
 #include "tst_addlink.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the window says of gaps, losses, units and noise; and that nothing moves under the mouse.
 #include "parameterbench.h"
+#include "support/utf8.h"
 #include "support/windowtests.h"
 #include "widgets/common/headerbar.h"
 #include "widgets/common/losses.h"
@@ -369,5 +370,4 @@ void HonestyTest::aStopByHandIsNoAlarm()
 }
 
 MB_WINDOW_TEST(HonestyTest);
-#include "support/utf8.h"
 #include "tst_honesty.moc"

@@ -19,7 +19,7 @@ QKeySequence key(const char *text)
 }
 
 /// A window with the keys that stop and arm, and two pages in it.
-struct Bench {
+struct KeyBench {
     QWidget window;
     QWidget tune{&window};
     QWidget plots{&window};
@@ -29,7 +29,7 @@ struct Bench {
     PageKeys ofPlots{plots};
     QStringList done;
 
-    Bench()
+    KeyBench()
     {
         palette.setShortcut(key("Ctrl+K"));
         everywhere.note({Qt::Key_Escape, Qt::Key_Pause}, QStringLiteral("stop every motor"));
@@ -78,7 +78,7 @@ private Q_SLOTS:
 
 void KeyBookTest::everyCommandIsListedOnceWithItsKey()
 {
-    const Bench bench;
+    const KeyBench bench;
     const KeyBook book = bench.book();
     QCOMPARE(book.rows().size(), std::size_t(8));
     const KeyBook::Row &palette = book.rows()[rowThat(book, "lists everything")];
@@ -90,7 +90,7 @@ void KeyBookTest::everyCommandIsListedOnceWithItsKey()
 
 void KeyBookTest::aKeyThatAnotherHasIsRefusedWithItsName()
 {
-    const Bench bench;
+    const KeyBench bench;
     KeyBook book = bench.book();
     const std::size_t run = rowThat(book, "runs");
     QVERIFY(book.refusal(run, key("F9")).contains(QStringLiteral("shows the devices")));
@@ -103,7 +103,7 @@ void KeyBookTest::aKeyThatAnotherHasIsRefusedWithItsName()
 
 void KeyBookTest::theSameKeyMayServeTwoPages()
 {
-    const Bench bench;
+    const KeyBench bench;
     KeyBook book = bench.book();
     QVERIFY(book.choose(rowThat(book, "pauses"), key("F5")));
     QCOMPARE(book.choices().size(), std::size_t(1));
@@ -120,7 +120,7 @@ void KeyBookTest::stopAndArmKeepTheirKeys_data()
 void KeyBookTest::stopAndArmKeepTheirKeys()
 {
     QFETCH(QString, wish);
-    const Bench bench;
+    const KeyBench bench;
     KeyBook book = bench.book();
     const KeyBook before = book;
     for (std::size_t row = 0; row < book.rows().size(); ++row) {
@@ -134,7 +134,7 @@ void KeyBookTest::stopAndArmKeepTheirKeys()
 
 void KeyBookTest::aChosenKeyHoldsAtOnceEverywhere()
 {
-    Bench bench;
+    KeyBench bench;
     const ThemeSource theme(darkTheme());
     auto *button = new CommandButton(theme, QStringLiteral("Run"), &bench.tune);
     button->setKeyHint(QStringLiteral("F5"));
@@ -167,7 +167,7 @@ void KeyBookTest::aChosenKeyHoldsAtOnceEverywhere()
 
 void KeyBookTest::theKeyItCameWithComesBackUnlessItIsTaken()
 {
-    const Bench bench;
+    const KeyBench bench;
     KeyBook book = bench.book();
     const std::size_t run = rowThat(book, "runs");
     const std::size_t again = rowThat(book, "does it again");
@@ -187,7 +187,7 @@ void KeyBookTest::theKeyItCameWithComesBackUnlessItIsTaken()
 
 void KeyBookTest::twoCommandsMayExchangeTheirKeys()
 {
-    const Bench bench;
+    const KeyBench bench;
     KeyBook book = bench.book();
     const std::size_t run = rowThat(book, "runs");
     const std::size_t again = rowThat(book, "does it again");
@@ -202,7 +202,7 @@ void KeyBookTest::twoCommandsMayExchangeTheirKeys()
 
 void KeyBookTest::whatWasWrittenByHandTakesNoStopKeyAway()
 {
-    const Bench bench;
+    const KeyBench bench;
     KeyBook book = bench.book();
     const QString run = book.rows()[rowThat(book, "runs")].id;
     const QString stop = book.rows()[rowThat(book, "stop every motor")].id;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/utf8.h"
 #include "support/windowtests.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
@@ -162,5 +163,4 @@ void NumberFormatTest::aLanguageWithACommaWritesAndUnderstandsIt()
 }
 
 MB_WINDOW_TEST(NumberFormatTest);
-#include "support/utf8.h"
 #include "tst_numberformat.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spike.h"
+#include "support/utf8.h"
 #include "support/windowtests.h"
 #include "widgets/plots/fixedtrace.h"
 #include "widgets/plots/plotstack.h"
@@ -483,5 +484,4 @@ void PlotsTest::summarySpeaksOfEveryTrace()
 }
 
 MB_WINDOW_TEST(PlotsTest);
-#include "support/utf8.h"
 #include "tst_plots.moc"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "plotbench.h"
+#include "support/utf8.h"
 #include "support/windowtests.h"
 #include "tunebench.h"
 #include "widgets/common/numberformat.h"
@@ -20,11 +22,6 @@ using namespace mb::test;
 using namespace std::chrono_literals;
 
 namespace {
-
-ChannelIndex channel(const char *key)
-{
-    return *findChannel(dmc60c().channels, key);
-}
 
 struct PlotsBench {
     FakeWorkbench workbench;
@@ -265,5 +262,4 @@ void TestPlotsPage::scrollingShowsWhatAFreshLookWouldShow()
 }
 
 MB_WINDOW_TEST(TestPlotsPage);
-#include "support/utf8.h"
 #include "tst_plotspage.moc"

@@ -3,6 +3,7 @@
 #include "model/registry.h"
 #include "support/fakedesk.h"
 #include "support/fakeworkbench.h"
+#include "support/utf8.h"
 #include "support/windowtests.h"
 #include "widgets/common/applytheme.h"
 #include "widgets/common/holdbutton.h"
@@ -363,5 +364,4 @@ void TestProduction::pictures()
 }
 
 MB_WINDOW_TEST(TestProduction);
-#include "support/utf8.h"
 #include "tst_production.moc"

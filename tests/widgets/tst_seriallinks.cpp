@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/fakeworkbench.h"
+#include "support/utf8.h"
 #include "support/windowtests.h"
 #include "widgets/common/selection.h"
 #include "widgets/common/valuelabel.h"
@@ -156,5 +157,4 @@ void TestSerialLinks::anAddedPortIsRememberedOnlyOnceItIsOpen()
 }
 
 MB_WINDOW_TEST(TestSerialLinks);
-#include "support/utf8.h"
 #include "tst_seriallinks.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/setpointslew.h"
+#include "support/utf8.h"
 #include "support/windowtests.h"
 #include "tunebench.h"
 #include "widgets/common/applytheme.h"
@@ -275,5 +276,4 @@ void TestTunePage::nothingIsCutAtTwiceTheFont()
 }
 
 MB_WINDOW_TEST(TestTunePage);
-#include "support/utf8.h"
 #include "tst_tunepage.moc"
