@@ -81,8 +81,8 @@ Task<void> AxisTrial::prepare()
         auto telling = m_board.tell(request);
         co_await std::move(telling);
     }
-    auto standing = move(Mode::Duty, 0.0); // nothing is measured before the guardian stands by
-    co_await std::move(standing);
+    auto atRest = move(Mode::Duty, 0.0); // nothing is measured before the guardian stands by
+    co_await std::move(atRest);
     do {
         auto waiting = wait(tick);
         co_await std::move(waiting);
