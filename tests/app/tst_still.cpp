@@ -6,8 +6,30 @@
 #include "widgets/connection/devicetree.h"
 #include "windowbench.h"
 
+#include <QElapsedTimer>
+
 using namespace mb;
 using namespace mb::test;
+
+namespace {
+
+/// Until what is seen of a page has kept its size for a while: values that come in may still bring or take a scroll bar.
+void waitUntilItRests(const QWidget &page)
+{
+    constexpr int quiet = 300; // ms
+    QSize seen;
+    QElapsedTimer since;
+    since.start();
+    while (!since.hasExpired(quiet)) {
+        QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        if (page.parentWidget()->size() != seen) {
+            seen = page.parentWidget()->size();
+            since.restart();
+        }
+    }
+}
+
+} // namespace
 
 class StillTest : public QObject {
     Q_OBJECT
@@ -35,8 +57,8 @@ void StillTest::noticesMoveNothing()
     for (const PageId id : {PageId::Overview, PageId::Parameters, PageId::Plots, PageId::Firmware, PageId::Bus}) {
         bench.window().showPage(id);
         QTRY_VERIFY_WITH_TIMEOUT(id != PageId::Parameters || bench.isRead(WindowBench::tuned), patience);
-        QCoreApplication::processEvents();
         const auto *page = bench.window().page(id);
+        waitUntilItRests(*page);
         const QPoint corner = page->mapTo(&bench.window(), QPoint());
         const QPoint tabs = bench.part<PageTabs>().mapTo(&bench.window(), QPoint());
         const QPoint tree = bench.part<DeviceTree>().mapTo(&bench.window(), QPoint());
