@@ -12,22 +12,22 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Instant recorded{1436509052s};
+constexpr Instant recordedAt{1436509052s};
 
 TEST(PacedClock, StandsUntilItIsLetRun)
 {
     VirtualClock outer;
     PacedClock clock(outer);
-    clock.jump(recorded);
+    clock.jump(recordedAt);
     bool ran = false;
-    clock.arm(recorded + 1s, [&ran] { ran = true; });
+    clock.arm(recordedAt + 1s, [&ran] { ran = true; });
     outer.advance(1h);
     EXPECT_FALSE(ran);
-    EXPECT_EQ(clock.now(), recorded);
+    EXPECT_EQ(clock.now(), recordedAt);
     clock.run(1.0);
     outer.advance(999ms);
     EXPECT_FALSE(ran);
-    EXPECT_EQ(clock.now(), recorded + 999ms);
+    EXPECT_EQ(clock.now(), recordedAt + 999ms);
     outer.advance(1ms);
     EXPECT_TRUE(ran);
 }
@@ -38,14 +38,14 @@ TEST(PacedClock, RunsWorkAtItsDeadlineWhateverThePace)
         VirtualClock outer;
         outer.advance(123s);
         PacedClock clock(outer);
-        clock.jump(recorded);
+        clock.jump(recordedAt);
         std::vector<Duration> seen;
         const std::function<void()> again = [&] {
-            seen.push_back(clock.now() - recorded);
+            seen.push_back(clock.now() - recordedAt);
             if (seen.size() < 1000)
                 clock.arm(clock.now() + 333us, again);
         };
-        clock.arm(recorded + 1ms, again);
+        clock.arm(recordedAt + 1ms, again);
         clock.run(pace);
         const Instant start = outer.now();
         ASSERT_TRUE(outer.runUntil([&] { return seen.size() == 1000; })) << pace;
@@ -60,15 +60,15 @@ TEST(PacedClock, ChangesItsPaceWithoutAJump)
 {
     VirtualClock outer;
     PacedClock clock(outer);
-    clock.jump(recorded);
+    clock.jump(recordedAt);
     clock.run(2.0);
     outer.advance(3s);
     clock.run(0.5);
-    EXPECT_EQ(clock.now(), recorded + 6s);
+    EXPECT_EQ(clock.now(), recordedAt + 6s);
     outer.advance(2s);
     clock.pause();
     outer.advance(2s);
-    EXPECT_EQ(clock.now(), recorded + 7s);
+    EXPECT_EQ(clock.now(), recordedAt + 7s);
     EXPECT_FALSE(clock.isRunning());
 }
 
@@ -76,12 +76,12 @@ TEST(PacedClock, JumpsBackAndKeepsWhatIsArmed)
 {
     VirtualClock outer;
     PacedClock clock(outer);
-    clock.jump(recorded);
+    clock.jump(recordedAt);
     int ran = 0;
     clock.run(1.0);
     outer.advance(10s);
-    clock.arm(recorded + 11s, [&ran] { ++ran; });
-    clock.jump(recorded);
+    clock.arm(recordedAt + 11s, [&ran] { ++ran; });
+    clock.jump(recordedAt);
     outer.advance(10s);
     EXPECT_EQ(ran, 0);
     outer.advance(1s);

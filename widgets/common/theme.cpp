@@ -66,9 +66,9 @@ QFont Theme::font(TextRole role, const QFont &body) const
     if (role == TextRole::Raw && !QFontInfo(font).fixedPitch())
         font.setFamily(QStringLiteral("monospace")); // a platform without settings, such as offscreen
     font.setPointSizeF(bodyPointSize * scale.at(static_cast<std::size_t>(role)));
-    const bool bold = role == TextRole::Emphasis || role == TextRole::Section || role == TextRole::Title
+    const bool isBold = role == TextRole::Emphasis || role == TextRole::Section || role == TextRole::Title
         || role == TextRole::Stop || role == TextRole::Verdict;
-    font.setWeight(bold ? QFont::Bold : QFont::Normal);
+    font.setWeight(isBold ? QFont::Bold : QFont::Normal);
     if (role == TextRole::Section) {
         font.setCapitalization(QFont::AllUppercase);
         font.setLetterSpacing(QFont::PercentageSpacing, 106);

@@ -68,7 +68,7 @@ void GainsPanel::rebuild()
     m_content = new QWidget(this);
     auto *rows = layoutIn<QVBoxLayout>(m_content, gap);
     m_bounds = new QWidget(m_content);
-    auto *bounds = layoutIn<QVBoxLayout>(m_bounds, 0);
+    auto *boundRows = layoutIn<QVBoxLayout>(m_bounds, 0);
     const GainSet set = gainSet(*m_family, m_mode, m_slot, m_axis);
     for (const ParameterIndex index : set.gains) {
         m_rows.push_back(new GainRow(m_theme, GainRow::Kind::Gain, *m_edits, index, m_content));
@@ -77,7 +77,7 @@ void GainsPanel::rebuild()
     }
     for (const ParameterIndex index : set.bounds) {
         m_rows.push_back(new GainRow(m_theme, GainRow::Kind::Bound, *m_edits, index, m_bounds));
-        bounds->addWidget(m_rows.back());
+        boundRows->addWidget(m_rows.back());
     }
     rows->addWidget(m_bounds);
     m_column->insertWidget(m_column->count() - 1, m_content);

@@ -162,7 +162,7 @@ void StimulusBar::write()
 {
     const QSignalBlocker kind(m_kind);
     const QSignalBlocker repeat(m_repeat);
-    const auto put = [this](QLineEdit *edit, std::optional<double> value, double scale) {
+    const auto put = [](QLineEdit *edit, std::optional<double> value, double scale) {
         setStyleProperty(*edit, "state", QString());
         if (!edit->hasFocus() || !value || parseNumber(edit->text()) != *value * scale)
             edit->setText(value ? editText(std::round(*value * scale * 1e6) / 1e6) : QString());

@@ -204,7 +204,7 @@ void QueueBoard::edit()
     }
     auto *editor = new RecipeEditor(m_families, m_desk.recipeFolder(), m_theme, this);
     editor->setAttribute(Qt::WA_DeleteOnClose);
-    if (const auto read = m_recipe.path().isEmpty() ? Result<void>() : editor->open(m_recipe.path()); !read)
+    if (const auto read = m_recipe.path().isEmpty() ? Result<void>() : editor->openFile(m_recipe.path()); !read)
         m_workbench.report(Severity::Danger, {}, errorText(read.error()));
     connect(editor, &RecipeEditor::saved, this, &QueueBoard::take);
     editor->show();

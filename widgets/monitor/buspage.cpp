@@ -208,7 +208,7 @@ void BusPage::tick()
 
 void BusPage::showState(const LinkView &link)
 {
-    const auto bold = [this](const QString &text, const QColor &color) {
+    const auto bold = [](const QString &text, const QColor &color) {
         return QStringLiteral("<b style='color:%1'>%2</b>").arg(color.name(), text);
     };
     const Theme &theme = m_theme.theme();

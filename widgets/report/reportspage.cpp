@@ -70,12 +70,12 @@ QWidget *ReportsPage::buildList()
     m_search->setAccessibleName(tr("Search the reports"));
     head->addWidget(m_search);
     column->addLayout(head);
-    auto *kinds = new QHBoxLayout;
-    kinds->setContentsMargins(theme.u(12), 0, theme.u(12), theme.u(8));
+    auto *kindRow = new QHBoxLayout;
+    kindRow->setContentsMargins(theme.u(12), 0, theme.u(12), theme.u(8));
     m_filter = new Segmented(tr("What is listed"), {tr("All"), tr("Cards"), tr("Tuning"), tr("Journal")}, side);
     m_filter->setEven(true);
-    kinds->addWidget(m_filter);
-    column->addLayout(kinds);
+    kindRow->addWidget(m_filter);
+    column->addLayout(kindRow);
     m_list = new QListWidget(side);
     m_list->setAccessibleName(tr("Reports, newest first"));
     m_list->setFrameShape(QFrame::NoFrame);

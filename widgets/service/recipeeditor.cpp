@@ -151,7 +151,7 @@ void RecipeEditor::askToDiscard()
     m_question->show();
 }
 
-Result<void> RecipeEditor::open(const QString &path)
+Result<void> RecipeEditor::openFile(const QString &path)
 {
     const auto text = loadFile(path.toStdString(), mostBytes);
     if (!text)

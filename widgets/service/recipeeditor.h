@@ -31,7 +31,7 @@ public:
         std::span<const Family *const> families, const QString &folder, const ThemeSource &theme, QWidget *parent);
 
     /// The recipe of a file, which save() writes again; the error where it cannot be read.
-    [[nodiscard]] Result<void> open(const QString &path);
+    [[nodiscard]] Result<void> openFile(const QString &path);
     /// Into the file that was opened or chosen; asks for one where there is none yet. Nothing while there is a mistake.
     void save();
     /// False, and says why, when the recipe has a mistake there, or the file cannot be written.
