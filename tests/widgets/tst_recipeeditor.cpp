@@ -237,7 +237,7 @@ void RecipeEditorTest::aRecipeIsOpenedChangedAndSavedInItsPlace()
     QVERIFY(bench.editor->saveAs(path));
     const QByteArray before = bench.read(QStringLiteral("rev-c.json"));
     RecipeEditor other(families(), {}, bench.theme, nullptr);
-    QVERIFY(other.open(path));
+    QVERIFY(other.openFile(path));
     QVERIFY2(other.canSave(), qPrintable(other.problem()));
     QCOMPARE(other.form().text(), before);
     for (auto *field : other.findChildren<QLineEdit *>()) {
