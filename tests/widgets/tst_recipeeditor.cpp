@@ -252,7 +252,7 @@ void RecipeEditorTest::aRecipeIsOpenedChangedAndSavedInItsPlace()
     QVERIFY(matter.has_value());
     QCOMPARE(matter->recipe.name, std::string("rev D"));
     bench.write(QStringLiteral("bad.json"), "{\n\"recipe\": 1,\n\"nmae\": 2}");
-    const auto opened = other.open(bench.path(QStringLiteral("bad.json")));
+    const auto opened = other.openFile(bench.path(QStringLiteral("bad.json")));
     QVERIFY(!opened);
     QVERIFY(QString::fromStdString(opened.error().text()).contains(QLatin1String("line 3")));
 }
