@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "families/dmc60c/statusstream.h"
-
-#include <gtest/gtest.h>
+#include "dmc60cstreamfixture.h"
 
 #include <random>
 
@@ -9,36 +7,6 @@ namespace mb::dmc60c {
 namespace {
 
 using namespace std::chrono_literals;
-
-constexpr std::array<Channel, 2> table{{{"a", "", "A", Quantity::Other}, {"b", "", "B", Quantity::Other}}};
-constexpr ChannelIndex a{0};
-constexpr ChannelIndex b{1};
-
-class Dmc60cStream : public testing::Test {
-protected:
-    /// One frame `gap` after the last.
-    void after(Duration gap)
-    {
-        time += gap;
-        stream.add(time, {static_cast<double>(++sent), 0.0});
-    }
-    std::uint64_t lost()
-    {
-        telemetry->commit();
-        EXPECT_EQ(telemetry->lost(a), telemetry->lost(b));
-        return telemetry->lost(a);
-    }
-    std::size_t recorded()
-    {
-        telemetry->commit();
-        return telemetry->size(a);
-    }
-
-    std::shared_ptr<Telemetry> telemetry = std::make_shared<Telemetry>(table);
-    StatusStream stream{telemetry, {a, b}, 10ms};
-    Instant time{1s};
-    std::size_t sent = 0;
-};
 
 TEST_F(Dmc60cStream, KeepsValuesAndSourceTimes)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "async/virtualclock.h"
 #include "model/setpointstream.h"
 #include "support/fakeguard.h"
+#include "support/freezingclock.h"
 #include "support/loosemotor.h"
 
 #include <algorithm>
@@ -10,31 +10,12 @@ namespace mb {
 namespace {
 
 using namespace std::chrono_literals;
+using test::FreezingClock;
 using End = SetPointStream::End;
 using Watch = GuardWatch::State;
 
 const std::string driveFrame = "00000100#01";
 const std::string stopFrame = "00000100#00";
-
-/// Virtual time that can also stand still for the program while the world goes on, as after SIGSTOP.
-class FreezingClock final : public Clock {
-public:
-    [[nodiscard]] Instant now() const override { return m_now; }
-    [[nodiscard]] Duration unixOffset() const override { return {}; }
-    void advance(Duration time)
-    {
-        const Instant end = m_now + time;
-        while (hasWork() && nextDeadline() <= end) {
-            m_now = std::max(m_now, nextDeadline());
-            runNext();
-        }
-        m_now = end;
-    }
-    void freeze(Duration time) { m_now += time; }
-
-private:
-    Instant m_now{1s};
-};
 
 /// A motor without watchdog, the stream that drives it, and a guardian that does what the test says.
 class Guarded : public testing::Test {
@@ -68,8 +49,9 @@ protected:
         ASSERT_FALSE(link.sent.empty());
         EXPECT_EQ(link.sent.back(), stopFrame);
         const auto driven = count(driveFrame);
-        clock.advance(5s);
+        clock.advance(15s);
         EXPECT_EQ(count(driveFrame), driven) << "it never starts again by itself";
+        EXPECT_EQ(stream.end(), end) << "nothing that comes later ends it once more";
     }
 
     FreezingClock clock;
@@ -105,6 +87,11 @@ TEST_F(Guarded, AGuardianThatDoesNotComeEndsTheAttempt)
     EXPECT_EQ(count(driveFrame), 0);
     expectEnded(End::Unguarded);
     EXPECT_EQ(stream.reason(), "no guardian came within two seconds");
+    ASSERT_TRUE(stream.start(duty(), 10s));
+    clock.advance(1999ms);
+    EXPECT_TRUE(stream.isRunning());
+    clock.advance(1ms);
+    EXPECT_FALSE(stream.isRunning());
 }
 
 TEST_F(Guarded, StoppingWhileTheGuardianIsAwaitedDrivesNothingLater)
@@ -162,8 +149,8 @@ TEST_F(Guarded, IsRenewedTenTimesASecondWhileItRuns)
 {
     drive();
     guard.renewals = 0;
-    clock.advance(2s);
-    EXPECT_NEAR(guard.renewals, 20, 1);
+    clock.advance(9s);
+    EXPECT_EQ(guard.renewals, 90);
 }
 
 TEST_F(Guarded, TheGuardianGoesOnlyWhenTheStopWasSeen)
@@ -196,13 +183,62 @@ TEST_F(Guarded, AGuardianThatStillStandsServesTheNextMotion)
     EXPECT_TRUE(guard.isWatching()) << "the earlier stop does not dismiss it";
 }
 
-TEST_F(Guarded, AGuardianThatDiesEndsTheMotion)
+TEST_F(Guarded, AGuardianThatDiesOrActsEndsTheMotion)
+{
+    for (const Watch state : {Watch::Gone, Watch::Acted}) {
+        drive();
+        guard.become(state, "the guardian ended unexpectedly");
+        EXPECT_TRUE(motor.guard().hasFailed());
+        EXPECT_FALSE(motor.guard().stands());
+        expectEnded(End::Unguarded);
+        EXPECT_EQ(stream.reason(), "the guardian ended unexpectedly");
+        EXPECT_FALSE(stream.update(duty(0.5)));
+    }
+}
+
+TEST_F(Guarded, APromiseHoldsForFourHundredMillisecondsAfterItWasRenewed)
+{
+    ASSERT_TRUE(motor.guard().call());
+    EXPECT_TRUE(motor.guard().stands());
+    clock.freeze(400ms - 1ns);
+    EXPECT_TRUE(motor.guard().stands());
+    EXPECT_FALSE(motor.guard().hasFailed());
+    clock.freeze(1ns);
+    EXPECT_FALSE(motor.guard().stands());
+    EXPECT_TRUE(motor.guard().hasFailed());
+    clock.advance(1ms); // renewed too late: that mends nothing
+    EXPECT_FALSE(motor.guard().stands());
+    EXPECT_TRUE(motor.guard().hasFailed());
+    EXPECT_EQ(motor.guard().reason(),
+        "this program was held up for so long that the guardian may have stopped the motor");
+    ASSERT_TRUE(motor.guard().call());
+    EXPECT_EQ(guard.calls, 2);
+    EXPECT_TRUE(motor.guard().stands()) << "another one";
+}
+
+TEST_F(Guarded, WithoutAGuardianNothingStandsAndNothingHasFailed)
+{
+    EXPECT_FALSE(motor.guard().stands());
+    EXPECT_FALSE(motor.guard().hasFailed());
+    EXPECT_EQ(motor.guard().reason(), "the guardian does not stand by yet");
+    motor.seenStopped = true;
+    motor.guard().leave();
+    motor.guard().dismiss();
+    clock.advance(1s);
+    EXPECT_EQ(guard.released, 0);
+    EXPECT_EQ(guard.calls, 0);
+}
+
+TEST_F(Guarded, ADismissedGuardianGoesWithinTenMillisecondsOnceTheMotorStands)
 {
     drive();
-    guard.become(Watch::Gone, "the guardian ended unexpectedly");
-    expectEnded(End::Unguarded);
-    EXPECT_EQ(stream.reason(), "the guardian ended unexpectedly");
-    EXPECT_FALSE(stream.update(duty(0.5)));
+    stream.stop();
+    clock.advance(99ms);
+    motor.seenStopped = true;
+    EXPECT_TRUE(guard.isWatching());
+    clock.advance(1ms);
+    EXPECT_EQ(guard.released, 1);
+    EXPECT_FALSE(guard.isWatching());
 }
 
 TEST_F(Guarded, ANewGuardianIsCalledForTheNextMotion)
@@ -286,6 +322,13 @@ protected:
     {
     }
 };
+
+TEST_F(OnADriver, AClosedLinkIsJudgedOnceItIsOpen)
+{
+    EXPECT_FALSE(motor.guard().possible());
+    link.close();
+    EXPECT_TRUE(motor.guard().possible());
+}
 
 TEST_F(OnADriver, ALinkThatNobodyElseCanUseDrivesNoMotorWithoutWatchdog)
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "async/virtualclock.h"
 #include "model/family.h"
 #include "model/registry.h"
 #include "model/setpointstream.h"
+#include "support/freezingclock.h"
 #include "transport/backends/virtualcan.h"
 
 #include <gtest/gtest.h>
@@ -18,31 +18,6 @@ using namespace std::chrono_literals;
 using StreamEnd = SetPointStream::End;
 
 constexpr std::uint32_t controlOfFive = 0x02060005U;
-
-/// Virtual time that can also stand still for the program while the world goes on.
-class StallingClock final : public Clock {
-public:
-    [[nodiscard]] Instant now() const override { return m_now; }
-    [[nodiscard]] Duration unixOffset() const override { return {}; }
-    void advance(Duration time)
-    {
-        const Instant end = m_now + time;
-        while (hasWork() && nextDeadline() <= end) {
-            m_now = std::max(m_now, nextDeadline());
-            runNext();
-        }
-        m_now = end;
-    }
-    /// Nothing is served for this long.
-    void stall(Duration time) { m_now += time; }
-    /// The computer is suspended: no time passes here.
-    void suspend(Duration time) { m_slept += time; }
-    [[nodiscard]] Duration slept() const override { return m_slept; }
-
-private:
-    Instant m_now{};
-    Duration m_slept{};
-};
 
 struct FirstFound final : ScanSink {
     void found(const Identity &identity) override { last = identity; }
@@ -99,10 +74,12 @@ protected:
         clock.advance(2s);
         EXPECT_TRUE(std::all_of(control.begin() + static_cast<std::ptrdiff_t>(sent), control.end(), isStop))
             << "a stop may be repeated, nothing else";
+        clock.advance(10s);
+        EXPECT_EQ(stream->end(), end) << "nothing that comes later ends it once more";
     }
 
     const Family &family = *findFamily(families(), "dmc60c");
-    StallingClock clock;
+    test::FreezingClock clock;
     VirtualCanBus bus{clock, 1'000'000, 1};
     LinkAddress address{*LinkAddress::parse("sim:can")};
     VirtualCanLink host{address, bus};
@@ -254,7 +231,7 @@ TEST_F(Stream, MakesNoBurstAfterAStallThatTheDeviceOutlasts)
 {
     drive();
     clock.advance(7ms);
-    clock.stall(70ms);
+    clock.freeze(70ms);
     control.clear();
     clock.advance(15ms);
     EXPECT_LE(control.size(), 1U) << "three periods went by";
@@ -269,7 +246,7 @@ TEST_F(Stream, EndsAfterAStallInWhichTheWatchdogOfTheDeviceFired)
     for (const auto stall : {146ms, 283ms}) {
         drive();
         clock.advance(7ms);
-        clock.stall(stall);
+        clock.freeze(stall);
         control.clear();
         clock.advance(50ms);
         ASSERT_FALSE(control.empty());
@@ -284,7 +261,7 @@ TEST_F(Stream, ANewTargetOrARenewalThatComesFirstAfterAStallDoesNotStartTheMotor
 {
     drive();
     clock.advance(7ms);
-    clock.stall(146ms);
+    clock.freeze(146ms);
     control.clear();
     EXPECT_FALSE(stream->update(duty(0.5)));
     clock.advance(5ms);
@@ -293,7 +270,7 @@ TEST_F(Stream, ANewTargetOrARenewalThatComesFirstAfterAStallDoesNotStartTheMotor
     expectEnded(StreamEnd::Late);
 
     drive(120ms);
-    clock.stall(146ms);
+    clock.freeze(146ms);
     stream->renew();
     expectEnded(StreamEnd::Late);
 }
@@ -323,7 +300,7 @@ TEST_F(Stream, ADeviceWithoutWatchdogIsGivenAQuarterOfASecond)
 TEST_F(Stream, EndsAStallThatIsLongerThanTheLeaseInAStop)
 {
     drive(150ms);
-    clock.stall(80ms);
+    clock.freeze(80ms);
     control.clear();
     clock.advance(50ms);
     ASSERT_FALSE(control.empty());

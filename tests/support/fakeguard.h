@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 namespace mb::test {
 
 /// A guardian without a process: the test says when it stands, acts or dies, and reads what it was told.
@@ -23,6 +26,9 @@ public:
             present->become(GuardWatch::State::Standing);
         return watch;
     }
+    std::vector<OwedStop> takeOver(Link &, Instant) override { return owing; }
+    void settle(const std::string &line, const std::string &device) override { settled.push_back(line + ' ' + device); }
+    void leave(const std::string &line) override { left.push_back(line); }
     void become(GuardWatch::State state, std::string reason = {})
     {
         ASSERT_NE(present, nullptr);
@@ -38,6 +44,9 @@ public:
     int abandoned = 0; ///< destroyed without release(): the motor would be stopped
     StopScript lastScript;
     std::string lastName;
+    std::vector<OwedStop> owing;      ///< what earlier programs owe
+    std::vector<std::string> settled; ///< "line device"
+    std::vector<std::string> left;    ///< lines
 
 private:
     class Watch final : public GuardWatch {
