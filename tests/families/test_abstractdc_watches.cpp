@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is counted and concluded from the logs of an Abstract DC Drive, with every limit from both sides.
+#include "families/abstractdc/motionsense.h"
+#include "families/abstractdc/outputwatch.h"
+#include "families/abstractdc/parameters.h"
+#include "families/abstractdc/powercycledebt.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace mb::abstractdc {
+namespace {
+
+using namespace std::chrono_literals;
+
+// Its output: abstractdc/README.md#wraps
+
+class AbstractDcOutput : public testing::Test {
+protected:
+    void expectCounts(std::int64_t saturations, std::int64_t wraps) const
+    {
+        const auto records = watch.records();
+        ASSERT_EQ(records.size(), 2U);
+        EXPECT_EQ(records[0].key, "output_saturated");
+        EXPECT_EQ(records[0].count, saturations);
+        EXPECT_EQ(records[0].sticky, saturations > 0);
+        EXPECT_EQ(records[1].key, "output_wrapped");
+        EXPECT_EQ(records[1].count, wraps);
+        EXPECT_EQ(records[1].sticky, wraps > 0);
+    }
+    using Keys = std::vector<std::string>;
+    OutputWatch watch;
+};
+
+TEST_F(AbstractDcOutput, IsSaturatedPastFullPowerAndCountedOnceEachTime)
+{
+    EXPECT_FALSE(watch.take(255));
+    EXPECT_FALSE(watch.take(-255));
+    EXPECT_EQ(watch.faults(), Keys{});
+    expectCounts(0, 0);
+    EXPECT_FALSE(watch.take(256));
+    EXPECT_FALSE(watch.take(300));
+    EXPECT_EQ(watch.faults(), Keys{"output_saturated"});
+    EXPECT_TRUE(watch.records()[0].active);
+    expectCounts(1, 0);
+    EXPECT_FALSE(watch.take(0));
+    EXPECT_EQ(watch.faults(), Keys{});
+    EXPECT_FALSE(watch.take(-256));
+    expectCounts(2, 0);
+    watch.enterLoop();
+    EXPECT_EQ(watch.faults(), Keys{});
+    EXPECT_FALSE(watch.take(256));
+    expectCounts(3, 0);
+}
+
+TEST_F(AbstractDcOutput, WrapsFrom32768OnAndTellsOfItOnceUntilItIsReleased)
+{
+    EXPECT_FALSE(watch.take(32767));
+    EXPECT_FALSE(watch.take(-32767));
+    EXPECT_FALSE(watch.hasWrapped());
+    EXPECT_TRUE(watch.take(32768));
+    EXPECT_TRUE(watch.hasWrapped());
+    EXPECT_FALSE(watch.take(40000)) << "told already";
+    EXPECT_EQ(watch.faults(), (Keys{"output_saturated", "output_wrapped"}));
+    expectCounts(1, 1);
+    watch.release();
+    EXPECT_FALSE(watch.hasWrapped());
+    EXPECT_TRUE(watch.take(-32768));
+    watch.release();
+    EXPECT_TRUE(watch.take(std::numeric_limits<std::int32_t>::min()));
+    expectCounts(1, 3);
+    EXPECT_TRUE(watch.records()[1].active);
+    watch.clearCounts();
+    expectCounts(0, 0);
+    EXPECT_TRUE(watch.hasWrapped()) << "a count that is cleared drives nothing";
+}
+
+// The power cycle that it owes: abstractdc/README.md#averaging
+
+class AbstractDcDebt : public testing::Test {
+protected:
+    /// Owed, silent at `before`, heard at `after`: whether it is owed still.
+    bool isOwedStill(std::optional<std::int64_t> before, std::int32_t after, bool linkOpen = true)
+    {
+        debt.incur();
+        debt.silent(linkOpen, before);
+        debt.heard(after);
+        return debt.isOwed();
+    }
+
+    DeviceProfile profile;
+    int kept = 0;
+    PowerCycleDebt debt{profile, [this](std::int64_t owed) {
+                            ++kept;
+                            profile.counters[std::string(counter::powerCycle)] = owed;
+                        }};
+};
+
+TEST_F(AbstractDcDebt, IsPaidByAPositionThatBeginsAnewWithinAHundredCounts)
+{
+    EXPECT_FALSE(debt.isOwed());
+    for (const std::int32_t near : {100, -100, 1, 0})
+        EXPECT_FALSE(isOwedStill(5000, near)) << near;
+    for (const std::int32_t far : {101, -101, 5000, std::numeric_limits<std::int32_t>::min()})
+        EXPECT_TRUE(isOwedStill(5000, far)) << far;
+    EXPECT_FALSE(isOwedStill(std::nullopt, 3)) << "nobody knows where it was";
+}
+
+TEST_F(AbstractDcDebt, IsNotPaidByADriveThatStandsWhereItStoodUnlessThatIsItsBeginning)
+{
+    EXPECT_TRUE(isOwedStill(7, 7)) << "its cable was out";
+    EXPECT_FALSE(isOwedStill(7, 8));
+    EXPECT_FALSE(isOwedStill(0, 0));
+}
+
+TEST_F(AbstractDcDebt, IsPaidOnlyByTheFirstPositionAfterASilenceOnAnOpenLink)
+{
+    EXPECT_TRUE(isOwedStill(5000, 0, false)) << "the link was closed: nobody listened";
+    debt.heard(0);
+    EXPECT_TRUE(debt.isOwed());
+    debt.silent(true, 5000);
+    debt.heard(5000);
+    debt.heard(0);
+    EXPECT_TRUE(debt.isOwed()) << "that was a motion";
+    debt.silent(true, 5000);
+    debt.silent(false, std::nullopt); // the link is closed meanwhile: it was silent all the same
+    debt.heard(0);
+    EXPECT_FALSE(debt.isOwed());
+}
+
+TEST_F(AbstractDcDebt, ThatIsNotOwedIsNotWritten)
+{
+    debt.silent(true, 5000);
+    debt.heard(0);
+    EXPECT_EQ(kept, 0);
+    EXPECT_TRUE(profile.isEmpty());
+}
+
+TEST_F(AbstractDcDebt, APositionFromBeforeAnEarlierSilenceProvesNothing)
+{
+    EXPECT_TRUE(isOwedStill(7, 7));
+    debt.silent(true, std::nullopt);
+    debt.heard(7);
+    EXPECT_FALSE(debt.isOwed());
+}
+
+// Its shaft: abstractdc/README.md#position
+
+class AbstractDcMotion : public testing::Test {
+protected:
+    MotionSense::Verdict at(Duration time, std::int32_t position) { return sense.add(position, Instant{1s} + time); }
+    [[nodiscard]] std::optional<double> velocity(Duration time) const { return sense.velocity(Instant{1s} + time); }
+    [[nodiscard]] bool stands(Duration since) const { return sense.standsSince(Instant{1s} + since); }
+    [[nodiscard]] bool moves(Duration time) const { return sense.isMoving(Instant{1s} + time); }
+    MotionSense sense;
+};
+
+TEST_F(AbstractDcMotion, VelocityIsThatOfTheShortestStretchOfFortyFiveMillisecondsOrMore)
+{
+    at(0ms, 0);
+    EXPECT_FALSE(velocity(0ms)) << "one sample";
+    at(15ms, 100);
+    EXPECT_NEAR(*velocity(15ms), 100 / 0.015, 1e-6) << "no longer stretch is there yet";
+    at(60ms, 1000);
+    EXPECT_NEAR(*velocity(60ms), 900 / 0.045, 1e-6);
+    at(59ms + 45ms, 1500);
+    EXPECT_NEAR(*velocity(104ms), 1400 / 0.089, 1e-6) << "44 ms are too short";
+    at(300ms, 1500);
+    EXPECT_EQ(*velocity(300ms), 0.0);
+}
+
+TEST_F(AbstractDcMotion, NothingIsKnownOfItAfterHalfASecondOfSilence)
+{
+    at(0ms, 0);
+    at(100ms, 100);
+    EXPECT_TRUE(velocity(600ms));
+    EXPECT_TRUE(moves(600ms));
+    EXPECT_FALSE(velocity(600ms + 1ns));
+    EXPECT_FALSE(moves(600ms + 1ns));
+    EXPECT_EQ(sense.position(), 100) << "where it was last";
+    sense.forget();
+    EXPECT_FALSE(sense.position());
+    EXPECT_FALSE(velocity(100ms));
+    EXPECT_FALSE(stands(0ms));
+}
+
+TEST_F(AbstractDcMotion, TwoSamplesOfOneTimeHaveNoVelocity)
+{
+    at(10ms, 0);
+    at(10ms, 5);
+    EXPECT_FALSE(velocity(10ms));
+}
+
+TEST_F(AbstractDcMotion, MovesByThreeCountsOfTheLastQuarterOfASecond)
+{
+    at(0ms, 2);
+    EXPECT_FALSE(moves(0ms)) << "one sample";
+    at(10ms, 0);
+    EXPECT_FALSE(moves(10ms)) << "two counts are noise";
+    at(20ms, 3);
+    EXPECT_TRUE(moves(20ms));
+    at(30ms, 3);
+    at(270ms - 1ns, 3);
+    EXPECT_TRUE(moves(270ms)) << "the 0 is a quarter of a second old, and not left out yet";
+    at(270ms, 3);
+    EXPECT_FALSE(moves(270ms));
+}
+
+TEST_F(AbstractDcMotion, StandsByTwoSamplesFortyFiveMillisecondsApartThatAreYoungerThanTheStop)
+{
+    EXPECT_FALSE(stands(0ms));
+    at(10ms, 50);
+    at(20ms, 7);
+    at(65ms - 1ns, 8);
+    EXPECT_FALSE(stands(15ms)) << "44.9 ms";
+    at(65ms, 8);
+    EXPECT_TRUE(stands(15ms)) << "one count is noise";
+    EXPECT_TRUE(stands(20ms - 1ns));
+    EXPECT_FALSE(stands(20ms)) << "what is as old as the stop is not younger";
+    at(66ms, 9);
+    EXPECT_FALSE(stands(15ms)) << "two counts";
+    at(66ms + 45ms, 9);
+    EXPECT_TRUE(stands(15ms));
+}
+
+TEST_F(AbstractDcMotion, ARingOfAWrapWithinItsSlackIsAGlitchAndOneOutsideIsMotion)
+{
+    struct Row {
+        std::int32_t jump;
+        bool glitch;
+    };
+    for (const Row &row : {Row{65535 + 4095, true}, Row{65535 + 4096, false}, Row{65535 - 4095, true},
+             Row{65535 - 4096, false}, Row{-65535 - 4095, true}, Row{-65535 + 4096, false}}) {
+        sense = {};
+        at(0ms, 0);
+        at(20ms, 0);
+        EXPECT_EQ(at(40ms, row.jump).glitch, row.glitch) << row.jump;
+        EXPECT_EQ(sense.glitches(), row.glitch ? 1U : 0U);
+        EXPECT_EQ(sense.position(), row.glitch ? 0 : row.jump) << "a glitch is not recorded";
+    }
+}
+
+TEST_F(AbstractDcMotion, TheSlackGrowsWithTheWayOfAMovingShaft)
+{
+    at(0ms, 0);
+    at(50ms, 5000); // 100000 counts/s: 2000 in 20 ms
+    EXPECT_TRUE(at(70ms, 7000 + 65535 + 6000).glitch);
+    sense = {};
+    at(0ms, 0);
+    at(50ms, 5000);
+    EXPECT_FALSE(at(70ms, 7000 + 65535 + 6200).glitch);
+    sense = {};
+    at(0ms, 0);
+    at(50ms, 50000); // 1000000 counts/s: no more than 30000
+    EXPECT_FALSE(at(90ms, 90000 + 65535 + 30000).glitch);
+    EXPECT_FALSE(at(100ms, 100000).glitch);
+}
+
+} // namespace
+} // namespace mb::abstractdc
