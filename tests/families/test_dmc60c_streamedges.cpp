@@ -18,6 +18,19 @@ TEST_F(Dmc60cStream, OneAndAHalfPeriodsAreOneMissingFrameAndAnythingLessIsJitter
     EXPECT_EQ(lost(), 1U);
 }
 
+TEST_F(Dmc60cStream, AnEarlyFrameMovesTheRhythmByAQuarterOfItsEarliness)
+{
+    for (const auto gap : {10ms, 10ms, 6ms}) // 3 ms of it are still expected
+        after(gap);
+    after(18ms - 1ns);
+    after(10ms);
+    EXPECT_EQ(lost(), 0U);
+    stream.interrupt();
+    for (const auto gap : {10ms, 10ms, 6ms, 18ms, 10ms})
+        after(gap);
+    EXPECT_EQ(lost(), 1U);
+}
+
 TEST_F(Dmc60cStream, AFrameIsHeldBackBehindMoreThanAPeriodAndAQuarter)
 {
     for (const auto gap : {10ms, 10ms})
@@ -155,8 +168,8 @@ TEST_F(Dmc60cStream, ATenthMoreOrLessIsTheSamePeriodMadeExact)
         Duration told;
         bool known;
     };
-    for (const Row &row : {Row{11111111ns, true}, Row{11111112ns, false}, Row{9000001ns, true}, Row{9000000ns, false},
-             Row{10ms, true}}) {
+    for (const Row &row :
+        {Row{11111111ns, true}, Row{11111112ns, false}, Row{9000001ns, true}, Row{9000000ns, false}, Row{10ms, true}}) {
         const std::uint64_t before = lost();
         stream.restart();
         for (const auto gap : {10ms, 10ms, 10ms})

@@ -16,8 +16,8 @@ constexpr Instant begin{100s};
 
 class Dmc60cFaultWatch : public testing::Test {
 protected:
-    void tell(std::uint8_t parameter, std::uint32_t value, Duration at,
-        ParameterStatus status = ParameterStatus::NoError)
+    void tell(
+        std::uint8_t parameter, std::uint32_t value, Duration at, ParameterStatus status = ParameterStatus::NoError)
     {
         watch.take({5, parameter, value, status}, begin + at);
     }

@@ -78,8 +78,8 @@ TEST_F(QuadQuad2DrvSense, EachAxisAndEachChannelGetsItsOwnValue)
 {
     Motion motion;
     for (std::size_t axis = 0; axis < axes; ++axis)
-        motion.channels[axis]
-            = {static_cast<std::int32_t>(100 + axis), static_cast<std::int32_t>(200 + axis), static_cast<std::uint8_t>(axis)};
+        motion.channels[axis] = {static_cast<std::int32_t>(100 + axis), static_cast<std::int32_t>(200 + axis),
+            static_cast<std::uint8_t>(axis)};
     take(motion);
     for (int axis = 0; axis < axes; ++axis) {
         const auto latest = [&](AxisChannel which) { return telemetry->latest(channelOf(axis, which)); };

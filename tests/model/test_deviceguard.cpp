@@ -209,8 +209,8 @@ TEST_F(Guarded, APromiseHoldsForFourHundredMillisecondsAfterItWasRenewed)
     clock.advance(1ms); // renewed too late: that mends nothing
     EXPECT_FALSE(motor.guard().stands());
     EXPECT_TRUE(motor.guard().hasFailed());
-    EXPECT_EQ(motor.guard().reason(),
-        "this program was held up for so long that the guardian may have stopped the motor");
+    EXPECT_EQ(
+        motor.guard().reason(), "this program was held up for so long that the guardian may have stopped the motor");
     ASSERT_TRUE(motor.guard().call());
     EXPECT_EQ(guard.calls, 2);
     EXPECT_TRUE(motor.guard().stands()) << "another one";
@@ -227,6 +227,29 @@ TEST_F(Guarded, WithoutAGuardianNothingStandsAndNothingHasFailed)
     clock.advance(1s);
     EXPECT_EQ(guard.released, 0);
     EXPECT_EQ(guard.calls, 0);
+}
+
+TEST_F(Guarded, WhatIsLeftWhileItIsLookedAtIsReleasedOnce)
+{
+    drive();
+    stream.stop();
+    motor.seenStopped = true;
+    motor.guard().leave();
+    EXPECT_EQ(guard.released, 1);
+    clock.advance(1s);
+    EXPECT_EQ(guard.released, 1);
+}
+
+TEST_F(Guarded, AMotionThatIsRefusedOnceTheGuardianIsThereHasEnded)
+{
+    guard.standsAtOnce = false;
+    ASSERT_TRUE(stream.start(duty(), 10s));
+    motor.gate().setBusy(say("its firmware is written"));
+    guard.become(Watch::Standing);
+    EXPECT_EQ(stream.end(), End::Refused);
+    motor.gate().setBusy({});
+    clock.advance(5s);
+    EXPECT_EQ(count(driveFrame), 0);
 }
 
 TEST_F(Guarded, ADismissedGuardianGoesWithinTenMillisecondsOnceTheMotorStands)

@@ -192,6 +192,26 @@ TEST_F(StreamLimits, AStopIsSentWhetherItRunsOrNotButNoneByAnEndThatEndsNothing)
     EXPECT_EQ(motor.stops, 3);
 }
 
+TEST_F(StreamLimits, AMotionThatIsRefusedWhileItRunsEndsInAStop)
+{
+    for (const bool update : {false, true}) {
+        ASSERT_TRUE(stream.start(to(0.3), 10s));
+        const int before = motor.stops;
+        motor.gate().setBusy(say("its firmware is written"));
+        if (update) {
+            EXPECT_FALSE(stream.update(to(0.4)));
+        } else {
+            clock.advance(20ms);
+        }
+        EXPECT_EQ(stream.end(), End::Refused);
+        EXPECT_FALSE(stream.isRunning());
+        EXPECT_EQ(motor.stops, before + 1);
+        motor.gate().setBusy({});
+        clock.advance(15s);
+        EXPECT_EQ(stream.end(), End::Refused);
+    }
+}
+
 TEST_F(StreamLimits, AStartAgainForgetsHowItEndedAndWhatItWasToldBefore)
 {
     ASSERT_TRUE(stream.start(to(0.8), 10s, {1.0, 0.0}));

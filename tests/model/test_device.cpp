@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What all devices have in common: what may be read, written, moved and stopped, and what is known afterwards.
+#include "async/virtualclock.h"
+#include "support/loosemotor.h"
+#include "support/simulatedsession.h"
+
+#include <atomic>
+
+namespace mb {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Parameter rowOf(std::string_view key, std::uint16_t id, Access access, Nature nature = Nature::Setting)
+{
+    return {key, id, WireType::Int32, 1.0, "", 0.0, 100.0, 0.0, access, true, nature, "Group", key, "help"};
+}
+constexpr std::array<Parameter, 4> parameters{rowOf("told", 1, Access::WriteOnly), rowOf("asked", 2, Access::ReadWrite),
+    rowOf("fixed", 3, Access::ReadOnly), rowOf("count", 4, Access::ReadWrite, Nature::Counter)};
+constexpr ParameterIndex told{0};
+constexpr ParameterIndex asked{1};
+constexpr ParameterIndex fixed{2};
+constexpr ParameterIndex counted{3};
+
+constexpr Family familyWith(bool keepsSettings, bool storesAtOnce)
+{
+    Family family = test::looseFamily;
+    family.parameters = parameters;
+    family.capabilities.watchdog = true;
+    family.capabilities.keepsSettings = keepsSettings;
+    family.capabilities.storesAtOnce = storesAtOnce;
+    family.capabilities.restart = true;
+    return family;
+}
+constexpr Family plain = familyWith(true, false);
+constexpr Family forgetful = familyWith(false, false);
+constexpr Family storing = familyWith(true, true);
+
+/// Answers what it is told to answer.
+class AnsweringMotor final : public test::MuteDevice {
+public:
+    AnsweringMotor(CanLink &link, Clock &clock, const Family &family)
+        : MuteDevice(family, link, clock, {})
+    {
+    }
+    void meetMaster()
+    {
+        Liveness now = liveness();
+        now.foreignMaster = true;
+        setLiveness(now);
+    }
+
+    bool answers = true;
+    std::int64_t inForce = 0; ///< what it makes of a value
+    bool obeys = true;
+    Result<void> ownReason;
+    int reads = 0;
+    int writes = 0;
+    int commands = 0;
+    int releases = 0;
+    int stops = 0;
+    int restarts = 0;
+
+private:
+    Task<std::int64_t> doRead(ParameterIndex) override
+    {
+        ++reads;
+        if (!answers)
+            co_return fail(Fault::Timeout);
+        co_return inForce;
+    }
+    Task<std::int64_t> doWrite(ParameterIndex, std::int64_t) override
+    {
+        ++writes;
+        if (!answers)
+            co_return fail(Fault::Timeout);
+        co_return inForce;
+    }
+    Task<void> doRestart() override
+    {
+        ++restarts;
+        co_return {};
+    }
+    Result<void> doCommand(const SetPoint &) override
+    {
+        ++commands;
+        return obeys ? Result<void>() : fail(Fault::Refused);
+    }
+    Result<void> doReleaseMoves() override
+    {
+        ++releases;
+        return {};
+    }
+    Result<void> doMayMove() const override { return ownReason; }
+    Result<void> doMayStop() const override { return ownReason; }
+    void doStop() override { ++stops; }
+    [[nodiscard]] bool isSeenStopped() const override { return true; }
+};
+
+class CommonDevice : public testing::Test {
+protected:
+    CommonDevice() { EXPECT_TRUE(link.open()); }
+    AnsweringMotor &make(const Family &family = plain)
+    {
+        motor.emplace(link, clock, family);
+        motor->inForce = 42;
+        return *motor;
+    }
+    [[nodiscard]] ParameterStore::Entry entry(ParameterIndex index) const { return motor->parameters().entry(index); }
+    Result<std::int64_t> write(ParameterIndex index) { return test::run(clock, motor->write(index, 7)); }
+    Result<std::int64_t> read(ParameterIndex index) { return test::run(clock, motor->read(index)); }
+    static SetPoint duty(bool buffered = false)
+    {
+        SetPoint setPoint;
+        setPoint.mode = Mode::Duty;
+        setPoint.target = 0.3;
+        setPoint.buffered = buffered;
+        return setPoint;
+    }
+
+    VirtualClock clock;
+    test::LoggedLink link{clock, {Outlet::Form::CanSocket, 7}};
+    std::optional<AnsweringMotor> motor;
+};
+
+TEST_F(CommonDevice, WhatIsReadIsKnownAndWhatWasNotAnsweredHasFailed)
+{
+    make();
+    EXPECT_EQ(read(asked), 42);
+    EXPECT_EQ(entry(asked).raw, 42);
+    EXPECT_EQ(read(told).error().fault, Fault::Unsupported);
+    EXPECT_EQ(motor->reads, 1) << "a value that cannot be read is not asked for";
+    motor->answers = false;
+    EXPECT_EQ(read(asked).error().fault, Fault::Timeout);
+    EXPECT_EQ(entry(asked).state, ParameterState::Failed);
+}
+
+TEST_F(CommonDevice, WhatIsWrittenIsKnownAsTheDeviceMadeIt)
+{
+    make();
+    EXPECT_EQ(write(asked), 42);
+    EXPECT_EQ(entry(asked).raw, 42);
+    EXPECT_EQ(entry(asked).state, ParameterState::Ram);
+    EXPECT_TRUE(motor->knowledge().profile().isEmpty()) << "the device keeps it";
+    EXPECT_EQ(write(told), 42);
+    EXPECT_EQ(motor->knowledge().profile().written.at("told"), 42) << "nobody else does";
+    EXPECT_EQ(write(fixed).error().fault, Fault::OutOfRange);
+    EXPECT_EQ(motor->writes, 2);
+    EXPECT_EQ(write(counted), 42);
+    EXPECT_FALSE(entry(counted).raw) << "a count that was cleared is not what it was";
+}
+
+TEST_F(CommonDevice, OfADeviceThatForgetsItsSettingsTheyAreKeptHere)
+{
+    make(forgetful);
+    EXPECT_EQ(write(asked), 42);
+    EXPECT_EQ(motor->knowledge().profile().written.at("asked"), 42);
+    EXPECT_EQ(write(counted), 42);
+    EXPECT_FALSE(motor->knowledge().profile().written.contains("count")) << "that is no setting";
+}
+
+TEST_F(CommonDevice, OfADeviceThatStoresAtOnceNothingIsLeftToBeStored)
+{
+    make(storing);
+    EXPECT_EQ(write(asked), 42);
+    EXPECT_EQ(entry(asked).state, ParameterState::Stored);
+    motor->answers = false;
+    EXPECT_FALSE(write(asked));
+    make(plain);
+    EXPECT_EQ(write(asked), 42);
+    EXPECT_EQ(entry(asked).state, ParameterState::Ram);
+}
+
+TEST_F(CommonDevice, AWriteThatWasNotAnsweredChangesNothingThatIsKnown)
+{
+    for (const Family *family : {&plain, &forgetful, &storing}) {
+        make(*family).answers = false;
+        EXPECT_FALSE(write(told));
+        EXPECT_FALSE(write(asked));
+        EXPECT_FALSE(entry(told).raw);
+        EXPECT_FALSE(entry(asked).raw);
+        EXPECT_TRUE(motor->knowledge().profile().isEmpty());
+    }
+}
+
+TEST_F(CommonDevice, NothingMovesThatMayNot)
+{
+    struct Row {
+        const char *what;
+        std::function<void(AnsweringMotor &)> make;
+    };
+    const auto state = [](DeviceState is) {
+        return [is](AnsweringMotor &one) {
+            Identity known = one.identity();
+            known.state = is;
+            one.setIdentity(known);
+        };
+    };
+    for (const Row &row : {Row{"its firmware is written", [](auto &m) { m.gate().setBusy(say("busy")); }},
+             Row{"its link is gone",
+                 [this](auto &) {
+                     link.lose({Fault::LinkLost, say("cut")});
+                 }},
+             Row{"several answer", state(DeviceState::Duplicate)},
+             Row{"it has no number", state(DeviceState::Unassigned)},
+             Row{"no application runs", state(DeviceState::Bootloader)},
+             Row{"another master", [](auto &m) { m.meetMaster(); }},
+             Row{"the family's own reason", [](auto &m) { m.ownReason = fail(Fault::Unsafe); }}}) {
+        make();
+        ASSERT_TRUE(link.open());
+        EXPECT_TRUE(motor->mayMove());
+        EXPECT_TRUE(motor->command(duty()));
+        EXPECT_TRUE(motor->releaseMoves());
+        row.make(*motor);
+        EXPECT_FALSE(motor->mayMove()) << row.what;
+        EXPECT_FALSE(motor->command(duty())) << row.what;
+        EXPECT_FALSE(motor->releaseMoves()) << row.what;
+        EXPECT_EQ(motor->commands, 1) << row.what;
+        EXPECT_EQ(motor->releases, 1) << row.what;
+    }
+}
+
+TEST_F(CommonDevice, WhileStopIsPressedNothingIsDrivenOrReleased)
+{
+    std::atomic<bool> pressed = true;
+    make().gate().setStopGate(&pressed);
+    EXPECT_FALSE(motor->command(duty()));
+    EXPECT_FALSE(motor->releaseMoves());
+    EXPECT_EQ(motor->commands + motor->releases, 0);
+    EXPECT_FALSE(motor->stopping().hasMoved());
+    pressed = false;
+    EXPECT_TRUE(motor->command(duty()));
+    EXPECT_TRUE(motor->releaseMoves());
+    EXPECT_TRUE(motor->stopping().hasMoved());
+}
+
+TEST_F(CommonDevice, OnlyWhatTheDeviceTookHasMovedItAndOnlyABufferedMoveIsKept)
+{
+    make().obeys = false;
+    EXPECT_FALSE(motor->command(duty(true)));
+    EXPECT_FALSE(motor->stopping().hasMoved());
+    EXPECT_FALSE(motor->gate().keepsMove());
+    motor->obeys = true;
+    EXPECT_TRUE(motor->command(duty(false)));
+    EXPECT_TRUE(motor->stopping().hasMoved());
+    EXPECT_FALSE(motor->gate().keepsMove());
+    EXPECT_TRUE(motor->command(duty(true)));
+    EXPECT_TRUE(motor->gate().keepsMove());
+}
+
+TEST_F(CommonDevice, OffIsAStopWhateverForbidsAMotion)
+{
+    make().gate().setBusy(say("its firmware is written"));
+    EXPECT_TRUE(motor->command({}));
+    EXPECT_EQ(motor->stops, 1);
+    EXPECT_EQ(motor->commands, 0);
+    EXPECT_EQ(motor->gate().stoppedAt(), clock.now());
+}
+
+TEST_F(CommonDevice, AStopIsHarmlessUnlessAReasonSaysOtherwise)
+{
+    make();
+    EXPECT_TRUE(motor->mayStop());
+    motor->gate().setBusy(say("its firmware is written"));
+    EXPECT_FALSE(motor->mayStop());
+    motor->gate().setBusy({});
+    motor->ownReason = fail(Fault::Unsafe);
+    EXPECT_FALSE(motor->mayStop());
+    motor->ownReason = {};
+    Identity known = motor->identity();
+    known.state = DeviceState::Bootloader;
+    motor->setIdentity(known);
+    EXPECT_FALSE(motor->mayStop());
+    motor->stop();
+    EXPECT_EQ(motor->stops, 1) << "who stops it all the same does";
+}
+
+TEST_F(CommonDevice, ARestartStopsTheMotorFirstAndWaitsForAnUpdate)
+{
+    make().gate().setBusy(say("its firmware is written"));
+    EXPECT_EQ(test::run(clock, motor->restart()).error().fault, Fault::Unsafe);
+    EXPECT_EQ(motor->restarts + motor->stops, 0);
+    motor->gate().setBusy({});
+    EXPECT_TRUE(test::run(clock, motor->restart()));
+    EXPECT_EQ(motor->restarts, 1);
+    EXPECT_EQ(motor->stops, 1);
+}
+
+TEST_F(CommonDevice, ListenersHearOfAnIdentityThatIsAnother)
+{
+    make();
+    int changes = 0;
+    const auto listening = motor->changed().add([&changes] { ++changes; });
+    motor->setIdentity(motor->identity());
+    EXPECT_EQ(changes, 0);
+    Identity known = motor->identity();
+    known.name = "other";
+    motor->setIdentity(known);
+    EXPECT_EQ(changes, 1);
+    EXPECT_EQ(motor->identity().name, "other");
+}
+
+} // namespace
+} // namespace mb

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Who hears of what a device tells of itself: every change for those who record, few for those who show.
+#include "async/virtualclock.h"
+#include "support/loosemotor.h"
+
+namespace mb {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr StateRow rows[] = {{"limit", "Limit", "limit holds", StateKind::Condition},
+    {"halted", "Halted", "halted", StateKind::Rest}, {"pin", "Pin", {}, StateKind::Input}};
+constexpr StateIndex limit{0};
+constexpr StateIndex halted{1};
+constexpr StateIndex pin{2};
+
+constexpr Family tellingFamily = [] {
+    Family family = test::looseFamily;
+    family.states = rows;
+    return family;
+}();
+
+class TellingMotor final : public test::MuteDevice {
+public:
+    TellingMotor(CanLink &link, Clock &clock)
+        : MuteDevice(tellingFamily, link, clock, {})
+    {
+    }
+    void tell(StateIndex index, bool on, Instant time)
+    {
+        LiveStates now = states();
+        now.set(index, on);
+        setLiveness(liveness(), now, time);
+    }
+    void tell(const Liveness &now) { setLiveness(now); }
+
+private:
+    Result<void> doCommand(const SetPoint &) override { return {}; }
+    void doStop() override { }
+    [[nodiscard]] bool isSeenStopped() const override { return true; }
+};
+
+class DeviceStates : public testing::Test {
+protected:
+    DeviceStates()
+    {
+        shown = motor.changed().add([this] { ++shows; });
+        recorded = motor.statesChanged().add([this](Instant time) { records.push_back(time); });
+    }
+    void tell(StateIndex index, bool on, Duration at) { motor.tell(index, on, Instant{10s} + at); }
+
+    VirtualClock clock;
+    test::LoggedLink link{clock, {Outlet::Form::CanSocket, 7}};
+    TellingMotor motor{link, clock};
+    Subscription shown;
+    Subscription recorded;
+    int shows = 0;
+    std::vector<Instant> records;
+};
+
+TEST_F(DeviceStates, APinIsShownTwentyTimesASecondAtMostAndRecordedEachTime)
+{
+    tell(pin, true, 0ms);
+    EXPECT_EQ(shows, 1);
+    tell(pin, false, 20ms);
+    tell(pin, true, 30ms);
+    tell(pin, false, 50ms - 1ns);
+    EXPECT_EQ(shows, 1);
+    tell(pin, false, 50ms);
+    EXPECT_EQ(shows, 2);
+    tell(pin, false, 200ms);
+    EXPECT_EQ(shows, 2) << "nothing new";
+    EXPECT_EQ(records,
+        (std::vector<Instant>{Instant{10s}, Instant{10s} + 20ms, Instant{10s} + 30ms, Instant{10s} + 50ms - 1ns}));
+}
+
+TEST_F(DeviceStates, AConditionIsShownAtOnceAndTakesThePinsAlong)
+{
+    tell(pin, true, 0ms);
+    tell(pin, false, 10ms);
+    tell(limit, true, 11ms);
+    EXPECT_EQ(shows, 2);
+    tell(pin, false, 61ms);
+    EXPECT_EQ(shows, 2) << "shown with the limit";
+    tell(halted, true, 62ms);
+    tell(limit, false, 63ms);
+    EXPECT_EQ(shows, 4);
+}
+
+TEST_F(DeviceStates, LivenessIsShownWhenItChanges)
+{
+    Liveness now = motor.liveness();
+    motor.tell(now);
+    EXPECT_EQ(shows, 0);
+    now.moving = true;
+    motor.tell(now);
+    EXPECT_EQ(shows, 1);
+    EXPECT_TRUE(motor.liveness().moving);
+    EXPECT_TRUE(records.empty());
+}
+
+TEST_F(DeviceStates, ARestartTakesTheMoveThatTheDeviceKept)
+{
+    motor.gate().keepMove();
+    Liveness now = motor.liveness();
+    now.moving = true;
+    motor.tell(now);
+    EXPECT_TRUE(motor.gate().keepsMove());
+    now.restarted = true;
+    motor.tell(now);
+    EXPECT_FALSE(motor.gate().keepsMove());
+    motor.gate().keepMove(); // a new one, given since
+    now.moving = false;
+    motor.tell(now);
+    EXPECT_TRUE(motor.gate().keepsMove());
+}
+
+} // namespace
+} // namespace mb
