@@ -47,11 +47,20 @@ TEST_F(Scans, WhatIsKeptComesBackAndNobodyWithoutAFile)
     EXPECT_TRUE(book.load("serial:/dev/ttyUSB1").value().empty());
 }
 
+TEST_F(Scans, NumbersFrom0To65536AreAddresses)
+{
+    const std::vector<Identity> seen{node(0, "57600"), node(65536, "57600")};
+    ASSERT_TRUE(book.save(link, seen));
+    EXPECT_EQ(book.load(link).value(), seen);
+}
+
 TEST_F(Scans, ADamagedFileIsToldAndReplacedByTheNextScan)
 {
     for (const char *text : {"", "{", "[]", "{\"devices\": 3}", "{\"link\": \"serial:/dev/ttyUSB0\"}",
              "{\"link\": \"serial:/dev/ttyUSB0\", \"devices\": [7]}",
              "{\"link\": \"serial:/dev/ttyUSB0\", \"devices\": [{\"family\": \"x\", \"address\": -1}]}",
+             "{\"link\": \"serial:/dev/ttyUSB0\", \"devices\": [{\"family\": \"x\", \"address\": 65537}]}",
+             "{\"link\": \"serial:/dev/ttyUSB0\", \"devices\": [{\"address\": 1}]}",
              "{\"link\": \"another\", \"devices\": []}"}) {
         spoil(link, text);
         const auto loaded = book.load(link);

@@ -152,6 +152,24 @@ TEST(QtClock, AProgramHeldUpBetweenTheTwoClocksDoesNotTakeThatForSleep)
     EXPECT_EQ(clock.slept(), 0s);
 }
 
+TEST(QtClock, OfALookThatTakesItsTimeTheMiddleCounts)
+{
+    test::EventLoop loop;
+    Duration now = 1h;
+    Duration slept{};
+    Duration look{};
+    const QtClock clock(KernelClocks{[&] { return now; },
+        [&] {
+            now += look / 2; // as long before it was read as after
+            const Duration seen = now + slept;
+            now += look / 2;
+            return seen;
+        }});
+    look = 1ms;
+    slept = 90s;
+    EXPECT_EQ(clock.slept(), 90s);
+}
+
 TEST(QtClock, TheKernelsOwnClocksDoNotDriftWhileItIsAwake)
 {
     test::EventLoop loop;

@@ -133,6 +133,18 @@ TEST_F(SerialPort, TakesItsOwnEchoOutAndCountsOneThatWasChanged)
     EXPECT_EQ(link->counters().errors, 1U);
 }
 
+TEST_F(SerialPort, AnEchoThatIsStillExpectedIsForgottenWithTheClosedPort)
+{
+    const auto link = open("?echo=1");
+    ASSERT_TRUE(link->send(Bytes{1, 2, 3}));
+    EXPECT_EQ(sent(3), (Bytes{1, 2, 3}));
+    link->close();
+    ASSERT_TRUE(link->open());
+    terminal.write({1, 2, 3});
+    ASSERT_TRUE(loop.runUntil([&] { return heard.size() >= 3; })) << "that is somebody else";
+    EXPECT_EQ(heard, (Bytes{1, 2, 3}));
+}
+
 TEST(EchoFilter, LetsAnAnswerThroughWhenTheEchoNeverCame)
 {
     EchoFilter filter;
