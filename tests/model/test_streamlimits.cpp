@@ -99,6 +99,7 @@ TEST_F(StreamLimits, AFrameMayBeAsLateAsTheDeviceWaitsForIt)
 {
     ASSERT_TRUE(stream.start(to(0.3), 10s));
     expectLimit(70ms, &test::FreezingClock::freeze, End::Late);
+    EXPECT_EQ(stream.reason(), "this program was held up for 70 ms, longer than the motor goes without a set-point");
 }
 
 TEST_F(StreamLimits, TwentyMillisecondsOfSleepAreTheToleranceOfTwoClocks)

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which motors of a session are stopped when its links come and go, and what each line still owes. The lines are pseudo terminals.
+#include "async/virtualclock.h"
+#include "model/sessionstops.h"
+#include "support/fakeguard.h"
+#include "support/mutedevice.h"
+#include "support/pseudoterminal.h"
+#include "transport/backends/virtualserial.h"
+#include "transport/backends/virtualspi.h"
+#include "transport/seriallink.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <array>
+#include <filesystem>
+
+#include <poll.h>
+
+namespace mb {
+namespace {
+
+using namespace std::chrono_literals;
+using Bytes = std::vector<std::uint8_t>;
+
+constexpr Mode wireModes[] = {Mode::Duty};
+constexpr std::uint8_t driveByte = 0x11;
+constexpr std::uint8_t stopByte = 0x22;
+constexpr std::uint8_t scriptByte = 0x33;
+
+std::unique_ptr<Device> openWired(Link &link, Clock &clock, const Identity &identity);
+
+/// A motor without watchdog on a serial line: one byte drives it, another stops it, a third one is its script.
+constexpr Family wiredFamily = [] {
+    Family family{};
+    family.key = "wired";
+    family.title = "Wired motor";
+    family.modes = wireModes;
+    family.open = openWired;
+    return family;
+}();
+
+class WiredMotor final : public test::MuteDevice {
+public:
+    WiredMotor(SerialLink &link, Clock &clock, Identity identity)
+        : MuteDevice(wiredFamily, link, clock, std::move(identity))
+        , m_line(link)
+    {
+    }
+    bool seen = false;
+
+private:
+    Result<void> doCommand(const SetPoint &) override { return m_line.send(Bytes{driveByte}); }
+    void doStop() override { (void)m_line.send(Bytes{stopByte}, Priority::Urgent); }
+    [[nodiscard]] StopScript stopScript() const override { return {{{{}, {scriptByte}, {}, {}, 5ms, 1}}}; }
+    [[nodiscard]] bool isSeenStopped() const override { return seen; }
+
+    SerialLink &m_line;
+};
+
+std::unique_ptr<Device> openWired(Link &link, Clock &clock, const Identity &identity)
+{
+    return std::make_unique<WiredMotor>(static_cast<SerialLink &>(link), clock, identity);
+}
+
+/// Two lines with names of their own that can go away and come back.
+class SessionLines : public testing::Test {
+protected:
+    SessionLines()
+    {
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            plug(i);
+            links[i] = openLine(i);
+        }
+    }
+    [[nodiscard]] std::string pathOf(std::size_t line) const
+    {
+        return folder.path().toStdString() + "/line" + std::to_string(line);
+    }
+    void plug(std::size_t line) const { std::filesystem::create_symlink(lines.at(line).path(), pathOf(line)); }
+    void unplug(std::size_t line) const { std::filesystem::remove(pathOf(line)); }
+    Link *openLine(std::size_t line)
+    {
+        const auto opened = book.open(LinkAddress{"serial", pathOf(line), {}});
+        EXPECT_TRUE(opened) << (opened ? "" : opened.error().text());
+        return opened.value_or(nullptr);
+    }
+    WiredMotor &motorOn(Link &link, int number = 3)
+    {
+        Identity identity;
+        identity.family = "wired";
+        identity.address = number;
+        return static_cast<WiredMotor &>(devices.adopt(link, wiredFamily, identity, {}));
+    }
+    void run(Device &motor)
+    {
+        SetPoint setPoint;
+        setPoint.mode = Mode::Duty;
+        ASSERT_TRUE(devices.stream(motor).start(setPoint, 1h));
+        clock.advance(10ms);
+    }
+    /// As Session::closeLink().
+    void close(Link &link)
+    {
+        const std::string line = book.lineOf(link);
+        stops.beforeClose(link);
+        devices.forget(link);
+        stops.leave(line);
+        book.close(link);
+    }
+    /// The adapter of a line comes out.
+    void lose(std::size_t line)
+    {
+        unplug(line);
+        links.at(line)->close();
+        links.at(line)->closedFor(say("it came out"));
+    }
+    /// The next bytes that the other end of a line gets; the kernel hands them over in its own time.
+    Bytes heard(std::size_t line, std::size_t count) const
+    {
+        Bytes all;
+        pollfd waiting{lines.at(line).descriptor(), POLLIN, 0};
+        while (all.size() < count && ::poll(&waiting, 1, 5000) == 1 && (waiting.revents & POLLIN) != 0) {
+            const Bytes more = lines.at(line).read();
+            all.insert(all.end(), more.begin(), more.end());
+        }
+        return all;
+    }
+
+    std::array<test::PseudoTerminal, 2> lines;
+    QTemporaryDir folder;
+    VirtualClock clock;
+    test::FakeGuard guard;
+    std::array<const Family *, 1> families{&wiredFamily};
+    LinkBook book{clock, families};
+    SessionMemory memory;
+    DeviceBook devices{clock, book, memory, &guard};
+    SessionStops stops{clock, book, devices, &guard};
+    std::array<Link *, 2> links{};
+};
+
+TEST_F(SessionLines, AClosedLinkStopsItsOwnMotorsOnlyAndOwesWhatWasNotSeen)
+{
+    run(motorOn(*links[0]));
+    WiredMotor &other = motorOn(*links[1]);
+    run(other);
+    std::array<Bytes, 2> sent;
+    std::array<Subscription, 2> taps;
+    for (std::size_t i = 0; i < 2; ++i)
+        taps[i] = links[i]->traffic().add([&to = sent[i]](const Traffic &traffic) {
+            to.insert(to.end(), traffic.bytes.begin(), traffic.bytes.end());
+        });
+    close(*links[0]);
+    EXPECT_EQ(sent[0], Bytes{stopByte});
+    EXPECT_EQ(stops.owed().size(), 1U);
+    EXPECT_EQ(guard.left.size(), 1U);
+    EXPECT_TRUE(devices.stream(other).isRunning());
+    clock.advance(100ms);
+    EXPECT_EQ(sent[1], Bytes(5, driveByte));
+}
+
+TEST_F(SessionLines, WhatIsOwedIsTheFirstOnTheLineWhenItIsOpenedAgainAndItsDeviceTakesItOver)
+{
+    run(motorOn(*links[0]));
+    close(*links[0]);
+    EXPECT_EQ(heard(0, 2), (Bytes{driveByte, stopByte}));
+    links[0] = openLine(0);
+    EXPECT_EQ(heard(0, 1), Bytes{scriptByte});
+    clock.advance(1ms);
+    WiredMotor &found = motorOn(*links[0]);
+    EXPECT_EQ(heard(0, 1), Bytes{stopByte});
+    EXPECT_TRUE(stops.owed().empty());
+    EXPECT_TRUE(found.stopping().isForMotion());
+    found.seen = true;
+    clock.advance(1s);
+    EXPECT_EQ(found.stopping().state(), StopState::Seen);
+    ASSERT_FALSE(guard.settled.empty()) << "the guardians hear of it";
+    EXPECT_NE(guard.settled.back().find("wired:3"), std::string::npos);
+}
+
+TEST_F(SessionLines, TheUserDismissesWhatIsOwedAndWhatMayTurn)
+{
+    run(motorOn(*links[0]));
+    close(*links[0]);
+    WiredMotor &other = motorOn(*links[1]);
+    run(other);
+    lose(1);
+    clock.advance(20ms);
+    ASSERT_TRUE(other.stopping().mayTurn());
+    int told = 0;
+    const auto listening = devices.changed().add([&told] { ++told; });
+    guard.settled.clear();
+    stops.dismiss();
+    EXPECT_TRUE(stops.owed().empty());
+    EXPECT_EQ(guard.settled.size(), 1U);
+    EXPECT_FALSE(other.stopping().mayTurn());
+    EXPECT_GE(told, 1);
+}
+
+TEST_F(SessionLines, ALostLineThatOwesAStopIsTriedEveryFiftyMillisecondsUntilItIsBack)
+{
+    WiredMotor &motor = motorOn(*links[0]);
+    run(motor);
+    EXPECT_EQ(heard(0, 1), Bytes{driveByte});
+    lose(0);
+    EXPECT_EQ(motor.stopping().state(), StopState::Owed);
+    clock.advance(10 * 50ms - 1ns);
+    EXPECT_EQ(links[0]->state(), LinkState::Lost);
+    plug(0);
+    EXPECT_EQ(links[0]->state(), LinkState::Lost);
+    clock.advance(1ns);
+    EXPECT_EQ(links[0]->state(), LinkState::Open);
+    clock.advance(1ms);
+    EXPECT_EQ(heard(0, 2), (Bytes{scriptByte, stopByte})) << "before anything else";
+    EXPECT_EQ(motor.stopping().state(), StopState::Stopping);
+}
+
+TEST_F(SessionLines, ALostLineThatOwesNothingIsLeftAlone)
+{
+    WiredMotor &still = motorOn(*links[0]);
+    WiredMotor &stood = motorOn(*links[1]);
+    run(stood);
+    stood.seen = true;
+    devices.stream(stood).stop();
+    clock.advance(1s);
+    ASSERT_EQ(stood.stopping().state(), StopState::Seen);
+    const std::size_t before = clock.armed();
+    lose(0);
+    lose(1);
+    plug(0);
+    plug(1);
+    clock.advance(10s);
+    EXPECT_EQ(links[0]->state(), LinkState::Lost);
+    EXPECT_EQ(links[1]->state(), LinkState::Lost);
+    EXPECT_LE(clock.armed(), before);
+    EXPECT_FALSE(still.stopping().mayTurn());
+}
+
+TEST_F(SessionLines, OfTwoLostLinesOnlyTheOneThatOwesIsOpenedAgain)
+{
+    run(motorOn(*links[0]));
+    (void)motorOn(*links[1]);
+    lose(0);
+    lose(1);
+    plug(0);
+    plug(1);
+    clock.advance(50ms);
+    EXPECT_EQ(links[0]->state(), LinkState::Open);
+    EXPECT_EQ(links[1]->state(), LinkState::Lost);
+}
+
+// What a script is on each kind of link
+
+TEST(StopScripts, GoOutAsFramesAsBytesOrAsTransfersAndInTheirOrder)
+{
+    VirtualClock clock;
+    const StopScript both{
+        {{extendedFrame(0x100, {0}), {1, 2}, {}, {}, 5ms, 3}, {extendedFrame(0x200, {0}), {3}, {}, {}, 5ms, 1}}};
+    EXPECT_TRUE(StopScript{}.isEmpty());
+    EXPECT_FALSE(both.isEmpty());
+
+    VirtualSerialLine wire(clock, VirtualSerialLine::Wiring::FullDuplex, 1);
+    VirtualSerialLink serial(*LinkAddress::parse("sim:serial"), wire);
+    ASSERT_TRUE(serial.open());
+    Bytes bytes;
+    const auto sentBytes = serial.traffic().add(
+        [&bytes](const Traffic &traffic) { bytes.insert(bytes.end(), traffic.bytes.begin(), traffic.bytes.end()); });
+    sendScript(serial, both);
+    EXPECT_EQ(bytes, (Bytes{1, 2, 3})) << "each once";
+
+    struct Board final : SpiSlave {
+        void transfer(std::span<const std::uint8_t> mosi, std::span<std::uint8_t>) override
+        {
+            heard.emplace_back(mosi.begin(), mosi.end());
+        }
+        [[nodiscard]] bool isReady() const override { return false; }
+        void reset() override { }
+        std::vector<Bytes> heard;
+    } board;
+    VirtualSpiSlaveLink slave(*LinkAddress::parse("sim:spi"));
+    VirtualSpiLink spi(*LinkAddress::parse("sim:spi"), clock, slave, 500'000, 1);
+    slave.attach(&board);
+    ASSERT_TRUE(spi.open());
+    sendScript(spi, {{both.steps[0]}});
+    clock.advance(10ms);
+    EXPECT_EQ(board.heard, (std::vector<Bytes>{{1, 2}}));
+}
+
+} // namespace
+} // namespace mb
