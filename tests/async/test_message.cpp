@@ -27,6 +27,17 @@ TEST(Message, KeepsItsParts)
     EXPECT_FALSE(message.isVerbatim());
 }
 
+TEST(Message, WhatSomebodyElseSaysIsNoLiteralToTranslate)
+{
+    const Message name = Message::verbatim("100 %1");
+    EXPECT_TRUE(name.isVerbatim());
+    EXPECT_EQ(name.english(), "100 %1");
+    EXPECT_EQ(name.literal(), "");
+    EXPECT_TRUE(name.arguments().empty());
+    EXPECT_FALSE(Message::label("Velocity loop").isVerbatim());
+    EXPECT_EQ(Message::label("Velocity loop").literal(), "Velocity loop");
+}
+
 TEST(Message, AnArgumentIsNoPattern)
 {
     EXPECT_EQ(say("%1 and %2", "%2", "x").english(), "%2 and x");
@@ -44,6 +55,7 @@ TEST(Message, NothingIsEmptyAndSoIsNoWord)
 {
     EXPECT_TRUE(Message().empty());
     EXPECT_TRUE(Message::verbatim("").empty());
+    EXPECT_FALSE(Message().isVerbatim());
     EXPECT_EQ(Message().english(), "");
     EXPECT_EQ(joined(Message(), say("b")), "b");
     EXPECT_EQ(joined(say("a"), say("b")), "a; b");

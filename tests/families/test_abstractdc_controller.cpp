@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "abstractdcbench.h"
-#include "families/abstractdc/motionsense.h"
 #include "families/abstractdc/scan.h"
 #include "families/abstractdc/setpoints.h"
 #include "model/setpointstream.h"
@@ -374,6 +373,41 @@ TEST_F(AbstractDcController, TheSetPointOfACurrentIsRecordedAsItWasSent)
     device->stop();
 }
 
+TEST_F(AbstractDcController, SlowLogsAreAskedForAsOftenAsTheyAreWished)
+{
+    add("abstractdc:3");
+    open(3, &dialectF);
+    const auto asked = [this](const std::string &log) {
+        sent.clear();
+        clock.advance(20s);
+        return static_cast<double>(sentOf(log).size());
+    };
+    EXPECT_NEAR(asked("387#02"), 100.0, 2.0) << "current, usually five times a second";
+    EXPECT_NEAR(asked("387#03"), 20.0, 1.0) << "temperature, once a second";
+    for (const double hertz : {0.5, 1.0, 2.0}) {
+        ASSERT_TRUE(test::run(clock, device->setRate(channel("current"), hertz)));
+        ASSERT_TRUE(test::run(clock, device->setRate(channel("temperature"), hertz)));
+        EXPECT_NEAR(asked("387#02"), 20.0 * hertz, 1.0) << hertz;
+        EXPECT_NEAR(asked("387#03"), 20.0 * hertz, 1.0) << hertz;
+    }
+    ASSERT_TRUE(test::run(clock, device->setRate(channel("current"), 0.0)));
+    EXPECT_NEAR(asked("387#02"), 100.0, 2.0);
+}
+
+TEST_F(AbstractDcController, ATargetFurtherThanItsLeadIsCautionedWhereTheGainsAreNotKnown)
+{
+    add("abstractdc:3");
+    open(3, &dialectF);
+    for (const double sign : {1.0, -1.0}) {
+        EXPECT_TRUE(device->caution(setPoint(Mode::Position, sign * 1000.0)).empty()) << "32000 / 32 from 0";
+        EXPECT_FALSE(device->caution(setPoint(Mode::Position, sign * 1001.0)).empty());
+    }
+    EXPECT_TRUE(device->caution(setPoint(Mode::Duty, 1.0)).empty()) << "no loop";
+    ASSERT_TRUE(write("position.p", 1));
+    ASSERT_TRUE(write("position.divisor", 1));
+    EXPECT_TRUE(device->caution(setPoint(Mode::Position, 1001.0)).empty()) << "known";
+}
+
 TEST_F(AbstractDcController, LogsThatStandStillAreNotRecorded)
 {
     add("abstractdc:3");
@@ -401,21 +435,6 @@ TEST_F(AbstractDcController, GlitchesOfOneWrapAreFilteredAndCounted)
     EXPECT_EQ(range->low, 0.0);
     EXPECT_EQ(range->high, 0.0);
     EXPECT_GE(device->telemetry()->lost(channel("position")), 3U);
-}
-
-TEST(AbstractDcMotionSense, AJumpThatStaysIsBelievedTheSecondTime)
-{
-    MotionSense sense;
-    Instant t{};
-    EXPECT_FALSE(sense.add(0, t += 20ms).glitch);
-    EXPECT_FALSE(sense.add(10, t += 20ms).glitch);
-    EXPECT_TRUE(sense.add(10 - 65535, t += 20ms).glitch);
-    EXPECT_FALSE(sense.add(12, t += 20ms).glitch);
-    EXPECT_TRUE(sense.add(12 + 65535, t += 20ms).glitch);
-    const auto again = sense.add(12 + 65535, t += 20ms);
-    EXPECT_FALSE(again.glitch);
-    EXPECT_TRUE(again.mended);
-    EXPECT_EQ(sense.glitches(), 2U);
 }
 
 TEST_F(AbstractDcController, TwoDrivesShareTheVoltageLogWithoutMixing)

@@ -122,6 +122,18 @@ TEST(AbstractDcFirmware, AnImageIsAProgramForAnStm32)
     ASSERT_TRUE(good) << good.error().text();
     EXPECT_EQ(good->parts, std::vector<int>{0});
     EXPECT_FALSE(inspect(imageOf(test::smallApplication()))) << "another family's";
+    for (const auto &[address, page] :
+        {std::pair{0x08000400U, 1}, {0x080007FFU, 1}, {0x08000800U, 2}, {0x081FFFFFU, 2047}}) {
+        auto one = program();
+        one.add(address, {7}); // one byte at an edge of its page
+        EXPECT_EQ(inspect(imageOf(one))->parts, (std::vector<int>{0, page})) << address;
+    }
+    auto beyond = program();
+    beyond.add(0x08200000, {7});
+    EXPECT_FALSE(inspect(imageOf(beyond)));
+    auto before = program();
+    before.add(0x07FFFFFF, {7});
+    EXPECT_FALSE(inspect(imageOf(before)));
     test::HexText noVectors;
     noVectors.add(0x08000400, {1, 2, 3, 4});
     EXPECT_FALSE(inspect(imageOf(noVectors)));

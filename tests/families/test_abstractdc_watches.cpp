@@ -257,5 +257,20 @@ TEST_F(AbstractDcMotion, TheSlackGrowsWithTheWayOfAMovingShaft)
     EXPECT_FALSE(at(100ms, 100000).glitch);
 }
 
+TEST(AbstractDcMotionSense, AJumpThatStaysIsBelievedTheSecondTime)
+{
+    MotionSense sense;
+    Instant t{};
+    EXPECT_FALSE(sense.add(0, t += 20ms).glitch);
+    EXPECT_FALSE(sense.add(10, t += 20ms).glitch);
+    EXPECT_TRUE(sense.add(10 - 65535, t += 20ms).glitch);
+    EXPECT_FALSE(sense.add(12, t += 20ms).glitch);
+    EXPECT_TRUE(sense.add(12 + 65535, t += 20ms).glitch);
+    const auto again = sense.add(12 + 65535, t += 20ms);
+    EXPECT_FALSE(again.glitch);
+    EXPECT_TRUE(again.mended);
+    EXPECT_EQ(sense.glitches(), 2U);
+}
+
 } // namespace
 } // namespace mb::abstractdc

@@ -139,6 +139,36 @@ TEST(Dmc60cUpdate, WritesPage30FirstPage0LastAndProvesTheVersion)
     EXPECT_EQ(bench.device->identity().firmware, "1.25");
 }
 
+/// Which page is written while nobody may interrupt.
+struct Critical final : Progress {
+    void step(const Message &, int, int) override { }
+    void part(int number, PartState state) override { page = state == PartState::Active ? number : page; }
+    void log(Severity, const Message &) override { }
+    void mayInterrupt(bool may) override
+    {
+        interruptible = may;
+        if (!may)
+            pages.push_back(page);
+    }
+    int page = -1;
+    bool interruptible = true;
+    std::vector<int> pages;
+};
+
+TEST(Dmc60cUpdate, MustNotBeInterruptedWhilePage0IsWrittenAndAtNoOtherTime)
+{
+    UpdateBench bench("dmc60c:5");
+    expectDone(bench.update(smallImage()));
+    Critical critical;
+    UpdateOptions again;
+    again.force = true;
+    const auto report = run(bench.clock, bench.family.update(*bench.device, smallImage(), again, critical), 30min);
+    ASSERT_TRUE(report);
+    EXPECT_EQ(report->outcome, UpdateOutcome::Done) << report->evidence;
+    EXPECT_EQ(critical.pages, std::vector<int>{0});
+    EXPECT_TRUE(critical.interruptible) << "at the end";
+}
+
 TEST(Dmc60cUpdate, TakesAtMostATenthLongerThanBusAndFlashNeed)
 {
     Dmc60cUpdateBench bench("dmc60c:9,state=bootloader");

@@ -179,6 +179,12 @@ TEST(QuadQuad2DrvCodec, ReplySizesAreThoseOfTheReference)
     EXPECT_EQ(replySize(getRequest(PacketId::GetMotion), {0x03, 0, 0, 0}), 9U);
     EXPECT_EQ(streamPacketSize(masks, 0), 36U);
     EXPECT_EQ(streamPacketSize({0x2B, 0x2B, 0x2B, 0x2B}, 0x03), 43U);
+    EXPECT_EQ(replySize(getRequest(PacketId::GetDataMask), masks), 9U); // the code, and a byte for each channel
+    EXPECT_EQ(replySize(getRequest(PacketId::GetStreamPeriod), masks), 7U);
+    EXPECT_EQ(replySize(getRequest(PacketId::GetHistory), masks), 7U);
+    EXPECT_EQ(replySize(getRequest(PacketId::GetStreamConfig), masks), 6U);
+    EXPECT_EQ(replySize(getRequest(PacketId::GetPosition), masks), 21U);
+    EXPECT_EQ(replySize(getRequest(PacketId::GetPosition), {1, 0, 2, 3}), 12U);
     EXPECT_EQ(replySize(setPositionTarget(1, 0), masks), 5U);
     EXPECT_EQ(replySize(getPositions({1, 2, 3, 0}), masks), 12U);
     EXPECT_EQ(replySize(getPositions(std::uint8_t{4}), masks), 9U);

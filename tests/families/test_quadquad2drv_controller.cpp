@@ -75,6 +75,25 @@ TEST_F(QuadQuad2Drv, StreamsFiveHundredTimesASecondAndLosesNothing)
     EXPECT_EQ(device->telemetry()->lost(channelOf(0, AxisChannel::Position)), 0U);
 }
 
+TEST_F(QuadQuad2Drv, TheSameWishOnceMoreLeavesTheLinesWhole)
+{
+    const ChannelIndex position = channelOf(0, AxisChannel::Position);
+    ASSERT_TRUE(run(bench.clock, device->setRate(position, 500.0)));
+    bench.clock.advance(500ms);
+    device->telemetry()->commit();
+    const Instant from = bench.clock.now();
+    bench.clock.advance(100ms);
+    ASSERT_TRUE(run(bench.clock, device->setRate(position, 500.0)));
+    ASSERT_TRUE(run(bench.clock, device->setRate(channelOf(2, AxisChannel::Velocity), 100.0))) << "less than there is";
+    bench.clock.advance(100ms);
+    device->telemetry()->commit();
+    EXPECT_TRUE(device->telemetry()->gaps(position, from, bench.clock.now()).empty());
+    ASSERT_TRUE(run(bench.clock, device->setRate(position, 250.0)));
+    bench.clock.advance(100ms);
+    device->telemetry()->commit();
+    EXPECT_EQ(device->telemetry()->gaps(position, from, bench.clock.now()).size(), 1U);
+}
+
 TEST_F(QuadQuad2Drv, TheStreamGoesOnWhileParametersAreRead)
 {
     ASSERT_TRUE(run(bench.clock, device->setRate(channelOf(0, AxisChannel::Position), 500.0)));

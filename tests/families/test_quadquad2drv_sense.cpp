@@ -128,6 +128,10 @@ TEST_F(QuadQuad2DrvSense, AnAxisTurnsFasterThanTwiceTheResolutionOfItsVelocity)
 TEST_F(QuadQuad2DrvSense, FaultsAreThoseOfTheAxisThatToldThem)
 {
     using Keys = std::vector<std::string>;
+    status(0, status::overspeed);
+    EXPECT_EQ(sense.faults(), Keys{"ch1.overspeed"});
+    status(0, 0);
+    EXPECT_EQ(sense.faults(), Keys{});
     status(1, status::glitch);
     EXPECT_EQ(sense.faults(), Keys{"ch2.glitch"});
     status(3, status::overspeed | status::glitch);

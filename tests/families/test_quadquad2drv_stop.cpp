@@ -126,6 +126,32 @@ TEST_F(QuadQuad2DrvStop, TheResetLineIsItsLastResort)
     EXPECT_TRUE(device->liveness().restarted) << "its settings are gone";
 }
 
+TEST_F(QuadQuad2DrvStop, IsSentAtOnceAndAskedUntilItIsAnsweredTwice)
+{
+    ASSERT_TRUE(stream->start(duty(0.3), 10s));
+    bench.clock.advance(200ms);
+    sent.clear();
+    stream->stop();
+    bench.clock.advance(2s);
+    EXPECT_EQ(std::count_if(sent.begin(), sent.end(), [](const Bytes &p) { return isMode(p, ControlMode::Off); }), 3);
+    EXPECT_TRUE(device->isSeenStopped());
+}
+
+TEST_F(QuadQuad2DrvStop, TheResetLineIsPulledOnceForEachStopThatIsNotConfirmed)
+{
+    for (int round = 0; round < 3; ++round) {
+        log.clear();
+        spi().setLoss(1.0);
+        device->stop();
+        bench.clock.advance(5s);
+        EXPECT_EQ(std::count(log.begin(), log.end(), "reset"), 1) << round;
+        spi().setLoss(0.0);
+        device->stop();
+        bench.clock.advance(1s);
+        ASSERT_TRUE(device->isSeenStopped()) << round;
+    }
+}
+
 TEST_F(QuadQuad2DrvStop, ABoardWhoseFirmwareIsWrittenIsNotResetByIt)
 {
     device->gate().setBusy(say("firmware update"));

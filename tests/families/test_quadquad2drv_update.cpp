@@ -161,6 +161,20 @@ TEST(QuadQuad2DrvUpdate, ARefusalIsRecognisedByTheWordsThatWereSet)
     EXPECT_NE(report.summary().english().find("line 1 was refused: ok"), std::string::npos) << report.evidence;
 }
 
+TEST(QuadQuad2DrvUpdate, ALineThatIsLostWhileItSendsIsToldAsThat)
+{
+    UpdateBench bench;
+    bench.boot->setJumper(true);
+    bench.hand = [&bench] {
+        if (bench.operation.status().step.english().starts_with("sending"))
+            bench.hostEnd.close();
+    };
+    const UpdateReport report = bench.update();
+    EXPECT_EQ(report.outcome, UpdateOutcome::Failed);
+    EXPECT_EQ(report.fault, Fault::LinkLost) << report.evidence;
+    EXPECT_EQ(report.evidence.english().find("was not confirmed"), std::string::npos) << report.evidence;
+}
+
 TEST(QuadQuad2DrvUpdate, CancelledWhileItWaitsForHandsItLeavesNothingBehind)
 {
     QuadQuad2DrvUpdateBench bench;
@@ -186,7 +200,14 @@ TEST(QuadQuad2DrvUpdate, SettingsAreTakenOutOfTheLinkAndTheRestStays)
     EXPECT_EQ(settings->banner, "hello");
     EXPECT_EQ(settings->farewell, "");
     EXPECT_EQ(via.text(), "serial:/dev/ttyUSB0?baud=57600&format=8E1");
-    for (const char *wrong : {"serial:x?ending=tab", "serial:x?pause=9999", "serial:x?pause=1x"}) {
+    for (const auto &[text, time] : {std::pair{"serial:x?pause=0", 0ms}, {"serial:x?pause=1000", 1000ms}}) {
+        LinkAddress edge = *LinkAddress::parse(text);
+        ASSERT_TRUE(BootSettings::take(edge)) << text;
+        edge = *LinkAddress::parse(text);
+        EXPECT_EQ(BootSettings::take(edge)->lineTime, time);
+    }
+    for (const char *wrong : {"serial:x?pause=-1", "serial:x?pause=1001", "serial:x?ending=tab", "serial:x?pause=9999",
+             "serial:x?pause=1x"}) {
         LinkAddress bad = *LinkAddress::parse(wrong);
         EXPECT_EQ(BootSettings::take(bad).error().fault, Fault::OutOfRange) << wrong;
     }

@@ -250,6 +250,18 @@ TEST_F(SessionLines, OfTwoLostLinesOnlyTheOneThatOwesIsOpenedAgain)
     EXPECT_EQ(links[1]->state(), LinkState::Lost);
 }
 
+TEST_F(SessionLines, WhatIsKnownOfADeviceIsKeptWhenItChangesAndRecalledWhenItIsFoundAgain)
+{
+    memory.keepProfiles(folder.path().toStdString() + "/profiles");
+    motorOn(*links[0]).knowledge().setCounter("saves", 7);
+    motorOn(*links[1]).knowledge().setCounter("saves", 8);
+    devices.forget(*links[0]);
+    devices.forget(*links[1]);
+    EXPECT_EQ(motorOn(*links[0]).knowledge().profile().counters.at("saves"), 7);
+    EXPECT_EQ(motorOn(*links[1]).knowledge().profile().counters.at("saves"), 8);
+    EXPECT_TRUE(motorOn(*links[0], 4).knowledge().profile().isEmpty()) << "another number";
+}
+
 // What a script is on each kind of link
 
 TEST(StopScripts, GoOutAsFramesAsBytesOrAsTransfersAndInTheirOrder)

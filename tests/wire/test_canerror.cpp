@@ -98,6 +98,12 @@ TEST(CanError, ErrorCountersComeWithTheirClassOrBesideTheState)
     EXPECT_EQ(older.receiveErrors, 3);
     EXPECT_EQ(describe(older), "136 transmit and 3 receive errors, error-passive");
     EXPECT_EQ(controller(CAN_ERR_CRTL_TX_PASSIVE).transmitErrors, std::nullopt);
+    EXPECT_EQ(controller(CAN_ERR_CRTL_TX_PASSIVE, 136, 0).transmitErrors, 136) << "one of them is enough";
+    EXPECT_EQ(controller(CAN_ERR_CRTL_TX_PASSIVE, 136, 0).receiveErrors, 0);
+    EXPECT_EQ(controller(CAN_ERR_CRTL_RX_PASSIVE, 0, 1).transmitErrors, 0);
+    EXPECT_EQ(controller(CAN_ERR_CRTL_RX_PASSIVE, 0, 1).receiveErrors, 1);
+    EXPECT_EQ(decodeError(errorFrame(CAN_ERR_ACK, {0, 0, 0, 0, 0, 0, 5, 5})).transmitErrors, std::nullopt)
+        << "of another class they are something else";
 }
 
 TEST(CanError, WiringIsNamed)

@@ -115,6 +115,11 @@ TEST(CanFrameText, ReadsLowerCase)
     const auto frame = canFrameFromText("0206fcc5#0a0bff");
     ASSERT_TRUE(frame);
     EXPECT_EQ(toText(*frame), "0206FCC5#0A0BFF");
+    for (int size = 0; size <= 8; ++size)
+        EXPECT_EQ(canFrameFromText("123#R" + std::to_string(size))->size, size);
+    EXPECT_EQ(canFrameFromText("123#R")->size, 0);
+    for (const char *wrong : {"123#R9", "123#R/", "123#R10", "123#R:"})
+        EXPECT_FALSE(canFrameFromText(wrong)) << wrong;
     const auto remote = canFrameFromText("123#r2");
     ASSERT_TRUE(remote);
     EXPECT_TRUE(remote->remote);

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The figures of each family that the whole program goes by, as its README.md and docs/names.md have them: one row to compare.
+#include "model/family.h"
+#include "model/registry.h"
+#include "model/trialtraits.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace mb {
+namespace {
+
+const Family &familyOf(std::string_view key)
+{
+    return *findFamily(families(), key);
+}
+
+std::string capabilitiesOf(const Family &family)
+{
+    const Capabilities &can = family.capabilities;
+    std::ostringstream text;
+    const auto flag = [&text](const char *name, bool holds) {
+        if (holds)
+            text << name << ' ';
+    };
+    flag("readback", can.readback);
+    flag("watchdog", can.watchdog);
+    flag("version", can.versionOnWire);
+    flag("identify", can.identify);
+    flag("rename", can.rename);
+    flag("renumber", can.renumber);
+    flag("restart", can.restart);
+    flag("relative", can.relativeMoves);
+    flag("buffered", can.bufferedMoves);
+    flag("stores-at-once", can.storesAtOnce);
+    flag("keeps", can.keepsSettings);
+    flag("zero", can.zeroPosition);
+    flag("options", can.outputOptions);
+    flag("free-rates", can.freeRates);
+    flag("profile", can.commandsProfile);
+    text << "| first power " << can.firstPower << ", supply " << can.lowestSupply << ", profile " << can.fastestProfile
+         << ' ' << can.steepestProfile << ", axes " << can.axes << ", slots " << can.gainSlots << ", period "
+         << can.commandPeriod.count() << ", limit " << can.commandLimit.count() << ", stores "
+         << can.storesAfter.count() << ", scan " << can.scanLimit.count() << ", last " << can.lastAddress << ' '
+         << can.lastFollowed;
+    return text.str();
+}
+
+std::string trialsOf(const Family &family)
+{
+    const TrialTraits &trials = *family.trials;
+    std::ostringstream text;
+    text << "within " << *trials.bench.travel << ' ' << *trials.bench.speed << ' ' << *trials.bench.current << ' '
+         << *trials.bench.duty << ", rate " << trials.rate << ' ' << trials.currentRate << ", raw " << trials.raw.cycle
+         << ' ' << trials.raw.fullDuty << ", nudge " << trials.nudge << ' ' << trials.nudgeTravel << ", hottest "
+         << trials.hottest << ", bus " << trials.lowestBus << ' ' << trials.highestBus;
+    for (const LoopGains &loop : trials.loops)
+        text << "; " << toString(loop.mode) << (loop.proportional ? " P" : "");
+    for (const DeviceLimit &limit : trials.limits)
+        text << "; " << limit.key << ' ' << limit.one;
+    return text.str();
+}
+
+std::string loopOf(const Family &family)
+{
+    const LoopScale &loop = *family.loop;
+    std::ostringstream text;
+    text << "full " << loop.fullDuty << ", period " << loop.period << ", cycle " << loop.cycle << ", step "
+         << loop.integralStep << ", velocity " << loop.velocityTime << ' ' << loop.velocityWindow
+         << (loop.divided ? ", divided" : "") << (loop.derivativeInverted ? ", inverted" : "")
+         << (loop.calibrated ? ", calibrated" : "");
+    return text.str();
+}
+
+std::string ratesOf(const Family &family)
+{
+    std::ostringstream text;
+    for (const ChannelRate &rate : family.watched)
+        text << rate.channel << ' ' << rate.hertz << ' ';
+    return text.str();
+}
+
+TEST(FamilyFigures, WhatADeviceCan)
+{
+    EXPECT_EQ(capabilitiesOf(familyOf("dmc60c")),
+        "readback watchdog version identify rename renumber restart keeps options | first power 0, supply 11, profile "
+        "0 0, axes 1, slots 2, period 20, limit 100, stores 15, scan 500, last 63 255");
+    EXPECT_EQ(capabilitiesOf(familyOf("supermodified")),
+        "readback renumber relative buffered stores-at-once keeps zero free-rates | first power 0, supply 0, profile 0 "
+        "0, axes 1, slots 1, period 20, limit 250, stores 0, scan 30000, last 127 255");
+    EXPECT_EQ(capabilitiesOf(familyOf("abstractdc")),
+        "keeps options free-rates | first power 0, supply 0, profile 0 0, axes 1, slots 1, period 20, limit 250, "
+        "stores 0, scan 500, last 63 255");
+    EXPECT_EQ(capabilitiesOf(familyOf("quadquad2drv")),
+        "readback version restart free-rates profile | first power 0.25, supply 0, profile 100000 1e+06, axes 4, slots "
+        "1, period 50, limit 250, stores 0, scan 500, last 63 255");
+}
+
+TEST(FamilyFigures, WhatATrialMustKnow)
+{
+    EXPECT_EQ(trialsOf(familyOf("dmc60c")),
+        "within 2e+07 1.5e+06 150 1, rate 200 1000, raw 0 0, nudge 0 0, hottest 85, bus 6 28; velocity; position; "
+        "current; limit.forward.soft.threshold 1; limit.reverse.soft.threshold 1; current_limit.continuous 1; "
+        "slot#.max_forward 32767");
+    EXPECT_EQ(trialsOf(familyOf("supermodified")),
+        "within 1e+06 1e+06 5 1, rate 100 0, raw 0.001024 65280, nudge 20 60, hottest 80, bus 0 1000; position; "
+        "limit.current 1000");
+    EXPECT_EQ(trialsOf(familyOf("abstractdc")),
+        "within 5e+06 500000 150 1, rate 100 0, raw 0 0, nudge 0 0, hottest 80, bus 0 1000; velocity; position; "
+        "current P");
+    EXPECT_EQ(trialsOf(familyOf("quadquad2drv")),
+        "within 1e+06 100000 10 1, rate 100 0, raw 0 0, nudge 0 0, hottest 80, bus 0 1000; velocity; position; "
+        "limit.power 1; limit.velocity 1");
+}
+
+TEST(FamilyFigures, WhatItsGainsMean)
+{
+    EXPECT_EQ(loopOf(familyOf("dmc60c")), "full 32767, period 0.0005, cycle 0.0005, step 0, velocity 0.1 0");
+    EXPECT_EQ(loopOf(familyOf("abstractdc")),
+        "full 255, period 0.001, cycle 0.02004, step 1, velocity 1 0.02004, divided, inverted");
+    EXPECT_EQ(
+        loopOf(familyOf("quadquad2drv")), "full 8191, period 0.002, cycle 0.002, step 0, velocity 1 0, calibrated");
+    EXPECT_FALSE(familyOf("supermodified").loop) << "nobody knows";
+}
+
+TEST(FamilyFigures, HowOftenAMotionIsLookedAt)
+{
+    EXPECT_EQ(ratesOf(familyOf("dmc60c")), "velocity 100 position 100 current 50 ");
+    EXPECT_EQ(ratesOf(familyOf("supermodified")), "velocity 100 position 100 current 50 ");
+    EXPECT_EQ(ratesOf(familyOf("abstractdc")), "velocity 100 position 100 current 50 ");
+    EXPECT_EQ(ratesOf(familyOf("quadquad2drv")), "ch1.position 500 ");
+}
+
+} // namespace
+} // namespace mb

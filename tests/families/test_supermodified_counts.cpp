@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is counted of a Supermodified: positions across its starts, tries of a request, and which node is asked.
+#include "families/supermodified/motioncount.h"
+#include "families/supermodified/node.h"
+#include "families/supermodifiedbench.h"
+
+namespace mb::supermodified {
+namespace {
+
+using namespace std::chrono_literals;
+using mb::test::run;
+using test::Bench;
+using test::OneNode;
+using test::setPoint;
+
+TEST(SupermodifiedCount, PositionsGoOnAcrossStartsWhichTheNodeTakesForItsZero)
+{
+    MotionCount count;
+    EXPECT_FALSE(count.position());
+    count.started();
+    EXPECT_EQ(count.origin(), 0) << "nobody knew where it was";
+    EXPECT_EQ(count.ofNode(), 0);
+    count.told(700);
+    EXPECT_EQ(count.position(), 700);
+    count.started();
+    EXPECT_EQ(count.origin(), 700);
+    EXPECT_EQ(count.ofNode(), 0);
+    count.told(-50);
+    count.started();
+    EXPECT_EQ(count.origin(), 650);
+    EXPECT_EQ(count.position(), 650);
+    SetPoint move = setPoint(Mode::Position, 1000.4);
+    EXPECT_EQ(count.targetOf(move), 350);
+    move.mode = Mode::RampPosition;
+    EXPECT_EQ(count.targetOf(move), 350);
+    move.relative = true;
+    EXPECT_EQ(count.targetOf(move), 1000) << "a distance has no origin";
+    EXPECT_EQ(count.targetOf(setPoint(Mode::Velocity, -99.6)), -100) << "nor has a speed";
+    count.zeroed();
+    EXPECT_EQ(count.origin(), 0);
+    EXPECT_EQ(count.position(), 0);
+}
+
+/// A line with a peer that answers every request with the same code.
+class SupermodifiedVerdicts : public testing::Test {
+protected:
+    SupermodifiedVerdicts() { EXPECT_TRUE(host.open() && peer.open()); }
+    /// How often the node is asked, and what becomes of it.
+    int triesAt(std::uint8_t code, Fault expected)
+    {
+        int asked = 0;
+        FrameReader reader([&](const Frame &frame) {
+            ++asked;
+            Frame answer;
+            answer.to = frame.from;
+            answer.from = 4;
+            answer.command = static_cast<std::uint8_t>(Command::Error);
+            answer.size = 1;
+            answer.data[0] = code;
+            if (code != 0)
+                (void)peer.send(uartBytes(answer));
+        });
+        const auto heard = peer.received().add([&reader](std::span<const std::uint8_t> bytes) { reader.feed(bytes); });
+        Node node;
+        node.id = 4;
+        node.baudrate = host.baudrate();
+        const auto shared = Line::of(host, clock);
+        const auto answer = run(clock, converse(*shared, asking(node, Command::GetPosition), {}, 4));
+        EXPECT_FALSE(answer);
+        EXPECT_EQ(answer.error().fault, expected);
+        return asked;
+    }
+    VirtualClock clock;
+    VirtualSerialLine wire{clock, VirtualSerialLine::Wiring::HalfDuplex, 1};
+    VirtualSerialLink host{*LinkAddress::parse("sim:serial"), wire};
+    VirtualSerialLink peer{*LinkAddress::parse("sim:serial"), wire};
+};
+
+TEST_F(SupermodifiedVerdicts, AnAnswerThatSaysNoTwiceIsBelievedAndNoiseIsAskedAgainFourTimes)
+{
+    for (const std::uint8_t verdict : {code::invalidCommand, code::invalidSetCount, code::invalidArgument,
+             code::invalidForState, code::invalidGetCount})
+        EXPECT_EQ(triesAt(verdict, Fault::Refused), 2) << static_cast<int>(verdict);
+    for (const std::uint8_t noise : {code::motorStalled, code::encoderOverflow, std::uint8_t{0x10}, std::uint8_t{0x16},
+             code::uartFrame, code::halfPacket, code::wrongLrc})
+        EXPECT_EQ(triesAt(noise, Fault::Refused), 4) << static_cast<int>(noise);
+    EXPECT_EQ(triesAt(0, Fault::Timeout), 4) << "silence";
+}
+
+TEST_F(OneNode, ANodeWithAnotherNumberIsPolledUnderThatOneAndNobodyUnderTheOld)
+{
+    ASSERT_TRUE(run(bench.clock, device->renumber(9)));
+    node.setPowered(false); // it is in force after a restart
+    bench.clock.advance(1s);
+    node.setPowered(true);
+    Identity found = device->identity(); // as a scan does
+    found.address = 9;
+    device->setIdentity(std::move(found));
+    bench.clock.advance(200ms);
+    bench.sent.clear();
+    bench.clock.advance(1s);
+    EXPECT_TRUE(device->liveness().heard);
+    const auto frames = bench.framesSent();
+    EXPECT_GT(frames.size(), 10U);
+    for (const Frame &frame : frames)
+        EXPECT_EQ(frame.to, 9);
+}
+
+TEST_F(OneNode, ItIsHeardAgainAsSoonAsItsLineIsBack)
+{
+    bench.clock.advance(500ms);
+    ASSERT_TRUE(device->liveness().heard);
+    bench.host.close();
+    EXPECT_FALSE(device->liveness().heard);
+    bench.clock.advance(5s);
+    ASSERT_TRUE(bench.host.open());
+    bench.clock.advance(100ms);
+    EXPECT_TRUE(device->liveness().heard);
+    bench.sent.clear();
+    bench.clock.advance(1s);
+    EXPECT_GT(bench.count(Command::GetPosition), 5);
+}
+
+} // namespace
+} // namespace mb::supermodified
