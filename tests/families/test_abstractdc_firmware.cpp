@@ -140,6 +140,12 @@ TEST(AbstractDcFirmware, AnImageIsAProgramForAnStm32)
     test::HexText arm;
     arm.add(0x08000000, {0x00, 0x50, 0x00, 0x20, 0x08, 0x00, 0x00, 0x08, 0xFE, 0xE7});
     EXPECT_FALSE(inspect(imageOf(arm))) << "an even reset vector";
+    for (const auto &[address, touched] : {std::pair{0x0800C7FFU, false}, {0x0800C800U, true}, {0x0800D3FFU, true},
+             {0x0800D400U, false}}) { // three pages of 1 KiB
+        auto edge = program();
+        edge.add(address, {1});
+        EXPECT_EQ(inspect(imageOf(edge))->notes.size(), touched ? 2U : 1U) << address;
+    }
     auto settings = program();
     settings.add(0x0800C900, {1});
     EXPECT_EQ(inspect(imageOf(settings))->notes.size(), 2U) << "it writes the stored gains";

@@ -183,6 +183,21 @@ TEST_F(Dmc60cStream, ATenthMoreOrLessIsTheSamePeriodMadeExact)
     }
 }
 
+TEST_F(Dmc60cStream, ExactlyATenthIsAnotherPeriodInBothDirections)
+{
+    for (const auto &[before, told] : {std::pair{9ms, 10ms}, {10ms, 9ms}}) {
+        const std::uint64_t lostBefore = lost();
+        stream.restart();
+        stream.setPeriod(before);
+        for (int i = 0; i < 3; ++i)
+            after(before);
+        stream.setPeriod(told);
+        after(2 * told);
+        after(told);
+        EXPECT_EQ(lost() - lostBefore, 0U) << told.count();
+    }
+}
+
 TEST_F(Dmc60cStream, SilenceCountsTheGapsBeforeItAndARestartForgetsThem)
 {
     stream.interrupt();

@@ -132,5 +132,39 @@ TEST(FamilyFigures, HowOftenAMotionIsLookedAt)
     EXPECT_EQ(ratesOf(familyOf("quadquad2drv")), "ch1.position 500 ");
 }
 
+TEST(FamilyFigures, WhatItsUserMayTell)
+{
+    const auto rowsOf = [](std::string_view key) {
+        std::ostringstream text;
+        for (const Calibration &row : familyOf(key).calibrations) {
+            text << row.key << ' ' << row.minimum << ' ' << row.maximum << ' ' << row.unit;
+            for (const Choice &choice : row.choices)
+                text << " =" << choice.raw;
+            text << "; ";
+        }
+        return text.str();
+    };
+    EXPECT_EQ(rowsOf("dmc60c"), "");
+    EXPECT_EQ(rowsOf("supermodified"), "amperes_per_count 1e-06 1000 A; ");
+    EXPECT_EQ(rowsOf("abstractdc"),
+        "counts_per_revolution 1 1e+09 counts; amperes_per_count 1e-06 1000 A; degrees_per_count 1e-06 1000 °C; ");
+    EXPECT_EQ(rowsOf("quadquad2drv"),
+        "velocity_target_shift 0 12  =0 =12; input_reading 0 1  =0 =1; velocity.p.scale 1e-09 1e+06 ; "
+        "velocity.i.scale 1e-09 1e+06 ; position.p.scale 1e-09 1e+06 ; position.i.scale 1e-09 1e+06 ; "
+        "position.d.scale 1e-09 1e+06 ; ");
+}
+
+TEST(FamilyFigures, AHandMayFirstSetThisInEachMode)
+{
+    for (const auto &[mode, usual] : {std::pair{Mode::Off, 0.0}, {Mode::Duty, 1.0}, {Mode::Velocity, 1e5},
+             {Mode::Position, 40960.0}, {Mode::Current, 20.0}, {Mode::Voltage, 12.0}, {Mode::Follow, 0.0},
+             {Mode::RampPosition, 40960.0}, {Mode::RampVelocity, 1e5}})
+        EXPECT_EQ(usualRange({}, mode), usual) << toString(mode);
+    constexpr ModeRange own[] = {{Mode::Velocity, 500.0}, {Mode::Duty, 0.5}};
+    EXPECT_EQ(usualRange(own, Mode::Duty), 0.5);
+    EXPECT_EQ(usualRange(own, Mode::Velocity), 500.0);
+    EXPECT_EQ(usualRange(own, Mode::Current), 20.0);
+}
+
 } // namespace
 } // namespace mb

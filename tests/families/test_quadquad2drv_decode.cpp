@@ -95,6 +95,29 @@ TEST_F(QuadQuad2DrvDecode, PositionsReadAsTheyWereAskedFor)
     EXPECT_EQ(answered(PacketId::GetPosition, {0xF5}), "get position rc=-11");
 }
 
+TEST(QuadQuad2DrvDecodeControl, OnlyAnOrderToAMotorIsControlAndOnlyOnItsWayToTheBoard)
+{
+    const auto isControl = [](Direction direction, const Bytes &bytes) {
+        const auto decoder = decodeBytes({});
+        std::vector<DecodedBytes> out;
+        decoder->take({}, direction, bytes, out);
+        return out.size() == 1 && out[0].frame && out[0].frame->control;
+    };
+    const std::vector<Bytes> orders{setControlMode(1, ControlMode::Off), setPower(1, 5), setPositionTarget(1, 5),
+        setVelocityTarget(1, 5.0, {}), rampPosition(1, 5, 5.0, 5.0), rampVelocity(1, 5, 5.0)};
+    for (const Bytes &order : orders) {
+        EXPECT_TRUE(isControl(Direction::Sent, order)) << static_cast<int>(order[2]);
+        EXPECT_FALSE(isControl(Direction::Received, encode(order[2], Bytes{0})));
+    }
+    const std::vector<Bytes> others{getRequest(PacketId::GetVersion), getRequest(PacketId::GetMotion),
+        getRequest(PacketId::GetDataMask), getRequest(PacketId::GetStreamConfig), getRequest(PacketId::GetPosition),
+        setDataMask(1, 3), setStreamConfig(1), setStreamPeriod(50), setHistory(1, 2), setPosition(1, 3, 5),
+        setPowerLimit(1, 5), setVelocityLimit(1, 5), setAccelerationLimit(1, 5), setPositionGains(1, {1, 2, 3, 4}),
+        setVelocityGains(1, {1, 2, 3}), setInputMode(1, {})};
+    for (const Bytes &other : others)
+        EXPECT_FALSE(isControl(Direction::Sent, other)) << static_cast<int>(other[2]);
+}
+
 TEST_F(QuadQuad2DrvDecode, RepliesWithFieldsOfTheirOwnNeedNoQuestion)
 {
     EXPECT_EQ(answered(PacketId::GetVersion, {0, 1, 3, 1}), "get version rc=0 major=1 minor=3 protocol=1");

@@ -103,6 +103,43 @@ TEST(SupermodifiedControl, ARelativeMoveIsNeverSentTwiceWhenItsAnswerIsLost)
     EXPECT_LT(node.position(), 700.0);
 }
 
+TEST_F(SupermodifiedNode, AMoveThatIsNeverTakenIsTriedFourTimesAndEndsTheMotion)
+{
+    order(setPoint(Mode::Velocity, 100.0), 300ms);
+    bench.sent.clear();
+    bench.line.setLoss(1.0);
+    ASSERT_TRUE(device->command(setPoint(Mode::Velocity, 200.0)));
+    bench.clock.advance(3s);
+    EXPECT_EQ(bench.count(Command::MoveVelocity), 4);
+    EXPECT_FALSE(device->command(setPoint(Mode::Velocity, 300.0))) << "until it was stopped";
+    bench.line.setLoss(0.0);
+    bench.clock.advance(1s);
+    EXPECT_EQ(bench.count(Command::MoveVelocity), 4) << "a motion that has failed is not taken up again";
+}
+
+TEST_F(SupermodifiedNode, AnOrderThatWaitsWhenTheMotorStallsIsNotSentAnyMore)
+{
+    int waited = 0;
+    for (int i = 0; i < 20; ++i) {
+        device->stop();
+        bench.clock.advance(300ms);
+        order(setPoint(Mode::Velocity, 100.0), 300ms + i * 1ms);
+        std::optional<int> sentBefore;
+        const auto told = device->changed().add([&] {
+            if (!sentBefore && !device->liveness().faults.empty())
+                sentBefore = bench.count(Command::MoveVelocity);
+        });
+        bench.sent.clear();
+        node.disturb("error", code::motorStalled); // is reported instead of the next answer
+        ASSERT_TRUE(device->command(setPoint(Mode::Velocity, 200.0)));
+        bench.clock.advance(300ms);
+        ASSERT_TRUE(sentBefore) << "it has switched itself off";
+        EXPECT_EQ(bench.count(Command::MoveVelocity), *sentBefore) << i;
+        waited += *sentBefore == 0 ? 1 : 0;
+    }
+    EXPECT_GT(waited, 0) << "behind a question";
+}
+
 TEST_F(SupermodifiedNode, ARelativeMoveThatWasRefusedIsSentAgainAndDoneOnce)
 {
     order(setPoint(Mode::Position, 0.0), 300ms);

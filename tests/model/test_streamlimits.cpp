@@ -269,6 +269,23 @@ TEST_F(StreamLimits, AnotherModeBeginsWhereTheMotorIsAndNotAtATargetOfAnotherMea
     EXPECT_EQ(stream.setPoint().target, 0.2);
 }
 
+TEST_F(StreamLimits, AGlideThatIsOnItsWayEndsWithAJumpAndWithAnotherMode)
+{
+    ASSERT_TRUE(stream.start(to(0.8), 10s, {1.0, 0.0}));
+    clock.advance(100ms);
+    ASSERT_TRUE(stream.update(to(0.5)));
+    EXPECT_FALSE(stream.isGliding());
+    clock.advance(100ms);
+    EXPECT_EQ(stream.setPoint().target, 0.5);
+    ASSERT_TRUE(stream.update(to(0.9), {1.0, {}}));
+    clock.advance(100ms);
+    ASSERT_TRUE(stream.isGliding());
+    ASSERT_TRUE(stream.update(to(1000.0, Mode::Velocity), {100.0, 40.0}));
+    EXPECT_EQ(stream.setPoint().target, 40.0) << "where it turns, not what its duty was";
+    clock.advance(100ms);
+    EXPECT_NEAR(stream.setPoint().target, 50.0, 1e-9);
+}
+
 TEST_F(StreamLimits, NoRateJumpsFromWhatItWasToldAndTheSameTargetIsNoGlide)
 {
     ASSERT_TRUE(stream.start(to(0.5), 10s, {1.0, 0.5}));

@@ -248,7 +248,8 @@ Result<void> Motion::release()
 
 void Motion::reassert()
 {
-    if (!m_energized || isBusy() || m_stop.isPending() || !m_applied || m_applied->relative || m_applied->buffered)
+    if (!m_energized || m_failure || isBusy() || m_stop.isPending() || !m_applied || m_applied->relative
+        || m_applied->buffered)
         return;
     m_orders.push_back(*m_applied);
     pump();
