@@ -157,7 +157,7 @@ struct Critical final : Progress {
 
 TEST(Dmc60cUpdate, MustNotBeInterruptedWhilePage0IsWrittenAndAtNoOtherTime)
 {
-    UpdateBench bench("dmc60c:5");
+    Dmc60cUpdateBench bench("dmc60c:5");
     expectDone(bench.update(smallImage()));
     Critical critical;
     UpdateOptions again;

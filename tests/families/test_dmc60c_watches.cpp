@@ -10,7 +10,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Instant begin{100s};
+constexpr Instant watchBegin{100s};
 
 // dmc60c/README.md#hidden-faults
 
@@ -19,21 +19,21 @@ protected:
     void tell(
         std::uint8_t parameter, std::uint32_t value, Duration at, ParameterStatus status = ParameterStatus::NoError)
     {
-        watch.take({5, parameter, value, status}, begin + at);
+        watch.take({5, parameter, value, status}, watchBegin + at);
     }
-    [[nodiscard]] std::uint32_t present(Duration at) const { return watch.present(begin + at); }
+    [[nodiscard]] std::uint32_t present(Duration at) const { return watch.present(watchBegin + at); }
     FaultWatch watch;
 };
 
 TEST_F(Dmc60cFaultWatch, IsDueAtOnceAndThenEverySecond)
 {
-    EXPECT_TRUE(watch.isDue(begin));
-    EXPECT_FALSE(watch.isDue(begin));
-    EXPECT_FALSE(watch.isDue(begin + 1s - 1ns));
-    EXPECT_TRUE(watch.isDue(begin + 1s));
-    EXPECT_FALSE(watch.isDue(begin + 1s + 999ms));
+    EXPECT_TRUE(watch.isDue(watchBegin));
+    EXPECT_FALSE(watch.isDue(watchBegin));
+    EXPECT_FALSE(watch.isDue(watchBegin + 1s - 1ns));
+    EXPECT_TRUE(watch.isDue(watchBegin + 1s));
+    EXPECT_FALSE(watch.isDue(watchBegin + 1s + 999ms));
     watch.forget();
-    EXPECT_TRUE(watch.isDue(begin + 1500ms)) << "of a device that was silent nothing is known";
+    EXPECT_TRUE(watch.isDue(watchBegin + 1500ms)) << "of a device that was silent nothing is known";
 }
 
 TEST_F(Dmc60cFaultWatch, WhatIsPresentIsToldAsLongAsTheDeviceSaysSo)
@@ -84,8 +84,8 @@ TEST_F(Dmc60cFaultWatch, AnAnswerThatIsNoneAndAnotherParameterChangeNothing)
 
 class Dmc60cFlashWrites : public testing::Test {
 protected:
-    void change(Duration at) { proof.changed(begin + at); }
-    bool isProved(std::uint32_t sequence, Duration at) { return proof.isProvedBy(sequence, begin + at); }
+    void change(Duration at) { proof.changed(watchBegin + at); }
+    bool isProved(std::uint32_t sequence, Duration at) { return proof.isProvedBy(sequence, watchBegin + at); }
     FlashProof proof;
 };
 
@@ -97,7 +97,7 @@ TEST_F(Dmc60cFlashWrites, OneChangeAfterARestIsProvedByOneFlashWrite)
     change(0s);
     EXPECT_TRUE(proof.isPending());
     EXPECT_FALSE(proof.wantsBaseline());
-    EXPECT_EQ(proof.deadline(), begin + 20s);
+    EXPECT_EQ(proof.deadline(), watchBegin + 20s);
     EXPECT_FALSE(isProved(10, 100ms));
     EXPECT_FALSE(proof.hasAdvanced(10));
     EXPECT_TRUE(isProved(11, 200ms));
@@ -114,7 +114,7 @@ TEST_F(Dmc60cFlashWrites, ChangesInARowAreProvedByTheWriteAtOnceAndTheOneAfterTh
         change(at);
     EXPECT_FALSE(isProved(11, 3500ms)) << "the first change alone";
     EXPECT_TRUE(isProved(12, 18s));
-    EXPECT_EQ(proof.deadline(), begin + 23s);
+    EXPECT_EQ(proof.deadline(), watchBegin + 23s);
 }
 
 TEST_F(Dmc60cFlashWrites, FourteenSecondsAreNoRestForSure)

@@ -11,7 +11,7 @@
 namespace mb {
 namespace {
 
-const Family &familyOf(std::string_view key)
+const Family &familyNamed(std::string_view key)
 {
     return *findFamily(families(), key);
 }
@@ -83,60 +83,60 @@ std::string ratesOf(const Family &family)
 
 TEST(FamilyFigures, WhatADeviceCan)
 {
-    EXPECT_EQ(capabilitiesOf(familyOf("dmc60c")),
+    EXPECT_EQ(capabilitiesOf(familyNamed("dmc60c")),
         "readback watchdog version identify rename renumber restart keeps options | first power 0, supply 11, profile "
         "0 0, axes 1, slots 2, period 20, limit 100, stores 15, scan 500, last 63 255");
-    EXPECT_EQ(capabilitiesOf(familyOf("supermodified")),
+    EXPECT_EQ(capabilitiesOf(familyNamed("supermodified")),
         "readback renumber relative buffered stores-at-once keeps zero free-rates | first power 0, supply 0, profile 0 "
         "0, axes 1, slots 1, period 20, limit 250, stores 0, scan 30000, last 127 255");
-    EXPECT_EQ(capabilitiesOf(familyOf("abstractdc")),
+    EXPECT_EQ(capabilitiesOf(familyNamed("abstractdc")),
         "keeps options free-rates | first power 0, supply 0, profile 0 0, axes 1, slots 1, period 20, limit 250, "
         "stores 0, scan 500, last 63 255");
-    EXPECT_EQ(capabilitiesOf(familyOf("quadquad2drv")),
+    EXPECT_EQ(capabilitiesOf(familyNamed("quadquad2drv")),
         "readback version restart free-rates profile | first power 0.25, supply 0, profile 100000 1e+06, axes 4, slots "
         "1, period 50, limit 250, stores 0, scan 500, last 63 255");
 }
 
 TEST(FamilyFigures, WhatATrialMustKnow)
 {
-    EXPECT_EQ(trialsOf(familyOf("dmc60c")),
+    EXPECT_EQ(trialsOf(familyNamed("dmc60c")),
         "within 2e+07 1.5e+06 150 1, rate 200 1000, raw 0 0, nudge 0 0, hottest 85, bus 6 28; velocity; position; "
         "current; limit.forward.soft.threshold 1; limit.reverse.soft.threshold 1; current_limit.continuous 1; "
         "slot#.max_forward 32767");
-    EXPECT_EQ(trialsOf(familyOf("supermodified")),
+    EXPECT_EQ(trialsOf(familyNamed("supermodified")),
         "within 1e+06 1e+06 5 1, rate 100 0, raw 0.001024 65280, nudge 20 60, hottest 80, bus 0 1000; position; "
         "limit.current 1000");
-    EXPECT_EQ(trialsOf(familyOf("abstractdc")),
+    EXPECT_EQ(trialsOf(familyNamed("abstractdc")),
         "within 5e+06 500000 150 1, rate 100 0, raw 0 0, nudge 0 0, hottest 80, bus 0 1000; velocity; position; "
         "current P");
-    EXPECT_EQ(trialsOf(familyOf("quadquad2drv")),
+    EXPECT_EQ(trialsOf(familyNamed("quadquad2drv")),
         "within 1e+06 100000 10 1, rate 100 0, raw 0 0, nudge 0 0, hottest 80, bus 0 1000; velocity; position; "
         "limit.power 1; limit.velocity 1");
 }
 
 TEST(FamilyFigures, WhatItsGainsMean)
 {
-    EXPECT_EQ(loopOf(familyOf("dmc60c")), "full 32767, period 0.0005, cycle 0.0005, step 0, velocity 0.1 0");
-    EXPECT_EQ(loopOf(familyOf("abstractdc")),
+    EXPECT_EQ(loopOf(familyNamed("dmc60c")), "full 32767, period 0.0005, cycle 0.0005, step 0, velocity 0.1 0");
+    EXPECT_EQ(loopOf(familyNamed("abstractdc")),
         "full 255, period 0.001, cycle 0.02004, step 1, velocity 1 0.02004, divided, inverted");
     EXPECT_EQ(
-        loopOf(familyOf("quadquad2drv")), "full 8191, period 0.002, cycle 0.002, step 0, velocity 1 0, calibrated");
-    EXPECT_FALSE(familyOf("supermodified").loop) << "nobody knows";
+        loopOf(familyNamed("quadquad2drv")), "full 8191, period 0.002, cycle 0.002, step 0, velocity 1 0, calibrated");
+    EXPECT_FALSE(familyNamed("supermodified").loop) << "nobody knows";
 }
 
 TEST(FamilyFigures, HowOftenAMotionIsLookedAt)
 {
-    EXPECT_EQ(ratesOf(familyOf("dmc60c")), "velocity 100 position 100 current 50 ");
-    EXPECT_EQ(ratesOf(familyOf("supermodified")), "velocity 100 position 100 current 50 ");
-    EXPECT_EQ(ratesOf(familyOf("abstractdc")), "velocity 100 position 100 current 50 ");
-    EXPECT_EQ(ratesOf(familyOf("quadquad2drv")), "ch1.position 500 ");
+    EXPECT_EQ(ratesOf(familyNamed("dmc60c")), "velocity 100 position 100 current 50 ");
+    EXPECT_EQ(ratesOf(familyNamed("supermodified")), "velocity 100 position 100 current 50 ");
+    EXPECT_EQ(ratesOf(familyNamed("abstractdc")), "velocity 100 position 100 current 50 ");
+    EXPECT_EQ(ratesOf(familyNamed("quadquad2drv")), "ch1.position 500 ");
 }
 
 TEST(FamilyFigures, WhatItsUserMayTell)
 {
     const auto rowsOf = [](std::string_view key) {
         std::ostringstream text;
-        for (const Calibration &row : familyOf(key).calibrations) {
+        for (const Calibration &row : familyNamed(key).calibrations) {
             text << row.key << ' ' << row.minimum << ' ' << row.maximum << ' ' << row.unit;
             for (const Choice &choice : row.choices)
                 text << " =" << choice.raw;

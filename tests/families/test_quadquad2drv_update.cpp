@@ -163,7 +163,7 @@ TEST(QuadQuad2DrvUpdate, ARefusalIsRecognisedByTheWordsThatWereSet)
 
 TEST(QuadQuad2DrvUpdate, ALineThatIsLostWhileItSendsIsToldAsThat)
 {
-    UpdateBench bench;
+    QuadQuad2DrvUpdateBench bench;
     bench.boot->setJumper(true);
     bench.hand = [&bench] {
         if (bench.operation.status().step.english().starts_with("sending"))

@@ -11,30 +11,31 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Parameter rowOf(std::string_view key, std::uint16_t id, Access access, Nature nature = Nature::Setting)
+constexpr Parameter commonRow(std::string_view key, std::uint16_t id, Access access, Nature nature = Nature::Setting)
 {
     return {key, id, WireType::Int32, 1.0, "", 0.0, 100.0, 0.0, access, true, nature, "Group", key, "help"};
 }
-constexpr std::array<Parameter, 4> parameters{rowOf("told", 1, Access::WriteOnly), rowOf("asked", 2, Access::ReadWrite),
-    rowOf("fixed", 3, Access::ReadOnly), rowOf("count", 4, Access::ReadWrite, Nature::Counter)};
-constexpr ParameterIndex told{0};
-constexpr ParameterIndex asked{1};
-constexpr ParameterIndex fixed{2};
-constexpr ParameterIndex counted{3};
+constexpr std::array<Parameter, 4> commonRows{commonRow("told", 1, Access::WriteOnly),
+    commonRow("asked", 2, Access::ReadWrite), commonRow("fixed", 3, Access::ReadOnly),
+    commonRow("count", 4, Access::ReadWrite, Nature::Counter)};
+constexpr ParameterIndex toldRow{0};
+constexpr ParameterIndex askedRow{1};
+constexpr ParameterIndex fixedRow{2};
+constexpr ParameterIndex countedRow{3};
 
-constexpr Family familyWith(bool keepsSettings, bool storesAtOnce)
+constexpr Family commonFamily(bool keepsSettings, bool storesAtOnce)
 {
     Family family = test::looseFamily;
-    family.parameters = parameters;
+    family.parameters = commonRows;
     family.capabilities.watchdog = true;
     family.capabilities.keepsSettings = keepsSettings;
     family.capabilities.storesAtOnce = storesAtOnce;
     family.capabilities.restart = true;
     return family;
 }
-constexpr Family plain = familyWith(true, false);
-constexpr Family forgetful = familyWith(false, false);
-constexpr Family storing = familyWith(true, true);
+constexpr Family plainFamily = commonFamily(true, false);
+constexpr Family forgetfulFamily = commonFamily(false, false);
+constexpr Family storingFamily = commonFamily(true, true);
 
 /// Answers what it is told to answer.
 class AnsweringMotor final : public test::MuteDevice {
@@ -100,7 +101,7 @@ private:
 class CommonDevice : public testing::Test {
 protected:
     CommonDevice() { EXPECT_TRUE(link.open()); }
-    AnsweringMotor &make(const Family &family = plain)
+    AnsweringMotor &make(const Family &family = plainFamily)
     {
         motor.emplace(link, clock, family);
         motor->inForce = 42;
@@ -126,59 +127,59 @@ protected:
 TEST_F(CommonDevice, WhatIsReadIsKnownAndWhatWasNotAnsweredHasFailed)
 {
     make();
-    EXPECT_EQ(read(asked), 42);
-    EXPECT_EQ(entry(asked).raw, 42);
-    EXPECT_EQ(read(told).error().fault, Fault::Unsupported);
-    EXPECT_EQ(motor->reads, 1) << "a value that cannot be read is not asked for";
+    EXPECT_EQ(read(askedRow), 42);
+    EXPECT_EQ(entry(askedRow).raw, 42);
+    EXPECT_EQ(read(toldRow).error().fault, Fault::Unsupported);
+    EXPECT_EQ(motor->reads, 1) << "a value that cannot be read is not askedRow for";
     motor->answers = false;
-    EXPECT_EQ(read(asked).error().fault, Fault::Timeout);
-    EXPECT_EQ(entry(asked).state, ParameterState::Failed);
+    EXPECT_EQ(read(askedRow).error().fault, Fault::Timeout);
+    EXPECT_EQ(entry(askedRow).state, ParameterState::Failed);
 }
 
 TEST_F(CommonDevice, WhatIsWrittenIsKnownAsTheDeviceMadeIt)
 {
     make();
-    EXPECT_EQ(write(asked), 42);
-    EXPECT_EQ(entry(asked).raw, 42);
-    EXPECT_EQ(entry(asked).state, ParameterState::Ram);
+    EXPECT_EQ(write(askedRow), 42);
+    EXPECT_EQ(entry(askedRow).raw, 42);
+    EXPECT_EQ(entry(askedRow).state, ParameterState::Ram);
     EXPECT_TRUE(motor->knowledge().profile().isEmpty()) << "the device keeps it";
-    EXPECT_EQ(write(told), 42);
+    EXPECT_EQ(write(toldRow), 42);
     EXPECT_EQ(motor->knowledge().profile().written.at("told"), 42) << "nobody else does";
-    EXPECT_EQ(write(fixed).error().fault, Fault::OutOfRange);
+    EXPECT_EQ(write(fixedRow).error().fault, Fault::OutOfRange);
     EXPECT_EQ(motor->writes, 2);
-    EXPECT_EQ(write(counted), 42);
-    EXPECT_FALSE(entry(counted).raw) << "a count that was cleared is not what it was";
+    EXPECT_EQ(write(countedRow), 42);
+    EXPECT_FALSE(entry(countedRow).raw) << "a count that was cleared is not what it was";
 }
 
 TEST_F(CommonDevice, OfADeviceThatForgetsItsSettingsTheyAreKeptHere)
 {
-    make(forgetful);
-    EXPECT_EQ(write(asked), 42);
+    make(forgetfulFamily);
+    EXPECT_EQ(write(askedRow), 42);
     EXPECT_EQ(motor->knowledge().profile().written.at("asked"), 42);
-    EXPECT_EQ(write(counted), 42);
+    EXPECT_EQ(write(countedRow), 42);
     EXPECT_FALSE(motor->knowledge().profile().written.contains("count")) << "that is no setting";
 }
 
 TEST_F(CommonDevice, OfADeviceThatStoresAtOnceNothingIsLeftToBeStored)
 {
-    make(storing);
-    EXPECT_EQ(write(asked), 42);
-    EXPECT_EQ(entry(asked).state, ParameterState::Stored);
+    make(storingFamily);
+    EXPECT_EQ(write(askedRow), 42);
+    EXPECT_EQ(entry(askedRow).state, ParameterState::Stored);
     motor->answers = false;
-    EXPECT_FALSE(write(asked));
-    make(plain);
-    EXPECT_EQ(write(asked), 42);
-    EXPECT_EQ(entry(asked).state, ParameterState::Ram);
+    EXPECT_FALSE(write(askedRow));
+    make(plainFamily);
+    EXPECT_EQ(write(askedRow), 42);
+    EXPECT_EQ(entry(askedRow).state, ParameterState::Ram);
 }
 
 TEST_F(CommonDevice, AWriteThatWasNotAnsweredChangesNothingThatIsKnown)
 {
-    for (const Family *family : {&plain, &forgetful, &storing}) {
+    for (const Family *family : {&plainFamily, &forgetfulFamily, &storingFamily}) {
         make(*family).answers = false;
-        EXPECT_FALSE(write(told));
-        EXPECT_FALSE(write(asked));
-        EXPECT_FALSE(entry(told).raw);
-        EXPECT_FALSE(entry(asked).raw);
+        EXPECT_FALSE(write(toldRow));
+        EXPECT_FALSE(write(askedRow));
+        EXPECT_FALSE(entry(toldRow).raw);
+        EXPECT_FALSE(entry(askedRow).raw);
         EXPECT_TRUE(motor->knowledge().profile().isEmpty());
     }
 }

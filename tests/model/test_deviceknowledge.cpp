@@ -10,11 +10,11 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Choice readings[] = {{0, "first"}, {12, "second"}};
-constexpr Calibration calibrations[]
-    = {{"amperes", "A", "Amperes", "help", -2.0, 5.0}, {"reading", "", "Reading", "help", 0.0, 0.0, readings}};
-constexpr DialectChoice dialects[] = {{"A", "old", "It starts."}, {"B", "new", "It stops."}};
-constexpr std::array<Parameter, 3> parameters{{
+constexpr Choice knownReadings[] = {{0, "first"}, {12, "second"}};
+constexpr Calibration knownCalibrations[]
+    = {{"amperes", "A", "Amperes", "help", -2.0, 5.0}, {"reading", "", "Reading", "help", 0.0, 0.0, knownReadings}};
+constexpr DialectChoice knownDialects[] = {{"A", "old", "It starts."}, {"B", "new", "It stops."}};
+constexpr std::array<Parameter, 3> knownRows{{
     {"gain", 1, WireType::Int32, 1.0, "", 0.0, 100.0, 0.0, Access::WriteOnly, true, Nature::Setting, "Group", "Gain",
         "help"},
     {"limit", 2, WireType::Int32, 1.0, "", 0.0, 100.0, 0.0, Access::ReadWrite, true, Nature::Setting, "Group", "Limit",
@@ -22,15 +22,15 @@ constexpr std::array<Parameter, 3> parameters{{
     {"secret", 3, WireType::Int32, 1.0, "", 0.0, 100.0, 0.0, Access::WriteOnly, true, Nature::Setting, "Group",
         "Secret", "help"},
 }};
-constexpr ParameterIndex gain{0};
-constexpr ParameterIndex limit{1};
-constexpr ParameterIndex secret{2};
+constexpr ParameterIndex knownGain{0};
+constexpr ParameterIndex knownLimit{1};
+constexpr ParameterIndex knownSecret{2};
 
 constexpr Family knownFamily = [] {
     Family family = test::looseFamily;
-    family.calibrations = calibrations;
-    family.dialects = dialects;
-    family.parameters = parameters;
+    family.calibrations = knownCalibrations;
+    family.dialects = knownDialects;
+    family.parameters = knownRows;
     return family;
 }();
 
@@ -64,7 +64,7 @@ TEST_F(Knowledge, WhatChangesIsKeptAndOnlyWhatOthersFollowIsToldToThem)
 {
     expectTold("a calibration", 1, 1, [this] { EXPECT_TRUE(knowledge.calibrate("amperes", 0.5)); });
     expectTold("a dialect", 1, 1, [this] { EXPECT_TRUE(knowledge.setDialect("B")); });
-    expectTold("an assumption", 1, 0, [this] { knowledge.assume(gain, 5); });
+    expectTold("an assumption", 1, 0, [this] { knowledge.assume(knownGain, 5); });
     expectTold("lost settings", 1, 0, [this] { knowledge.settingsLost(); });
     expectTold("a counter", 1, 0, [this] { knowledge.setCounter("saves", 7); });
     expectTold("a verdict", 1, 0, [this] { knowledge.setVerdict("direction", "good"); });
@@ -96,17 +96,17 @@ TEST_F(Knowledge, ACalibrationIsWithinItsRangeAndAChoiceIsOneOfTheListed)
 TEST_F(Knowledge, WhatIsAssumedIsWrittenUntilAResetAndAgainOnceItIsWritten)
 {
     EXPECT_FALSE(knowledge.holdsSettings());
-    knowledge.assume(gain, 5);
-    knowledge.assume(secret, 6);
+    knowledge.assume(knownGain, 5);
+    knowledge.assume(knownSecret, 6);
     EXPECT_TRUE(knowledge.holdsSettings());
-    EXPECT_EQ(motor.parameters().entry(gain).raw, 5);
+    EXPECT_EQ(motor.parameters().entry(knownGain).raw, 5);
     EXPECT_EQ(knowledge.profile().written.at("gain"), 5);
     knowledge.settingsLost();
     EXPECT_FALSE(knowledge.holdsSettings());
-    EXPECT_FALSE(motor.parameters().entry(gain).raw);
+    EXPECT_FALSE(motor.parameters().entry(knownGain).raw);
     EXPECT_EQ(knowledge.profile().lost.size(), 2U);
     EXPECT_EQ(knowledge.profile().written.at("gain"), 5) << "to be written again";
-    knowledge.assume(gain, 7);
+    knowledge.assume(knownGain, 7);
     EXPECT_TRUE(knowledge.holdsSettings());
     EXPECT_EQ(knowledge.profile().lost, std::set<std::string>{"secret"});
 }
@@ -117,14 +117,14 @@ TEST_F(Knowledge, OfAFileOnlyLegalValuesOfWriteOnlyParametersThatNoResetTookAreB
     file.written = {{"gain", 100}, {"limit", 50}, {"secret", 6}, {"gone", 3}};
     file.lost = {"secret"};
     knowledge.setProfile(file);
-    EXPECT_EQ(motor.parameters().entry(gain).raw, 100);
-    EXPECT_FALSE(motor.parameters().entry(limit).raw) << "that one can be asked";
-    EXPECT_FALSE(motor.parameters().entry(secret).raw);
+    EXPECT_EQ(motor.parameters().entry(knownGain).raw, 100);
+    EXPECT_FALSE(motor.parameters().entry(knownLimit).raw) << "that one can be asked";
+    EXPECT_FALSE(motor.parameters().entry(knownSecret).raw);
     EXPECT_EQ(knowledge.profile(), file);
     file.written["secret"] = 101;
     file.lost.clear();
     knowledge.setProfile(file);
-    EXPECT_FALSE(motor.parameters().entry(secret).raw) << "out of its range";
+    EXPECT_FALSE(motor.parameters().entry(knownSecret).raw) << "out of its range";
 }
 
 TEST_F(Knowledge, AProvenDialectStaysAndAChosenOneIsShownWithItsWarning)

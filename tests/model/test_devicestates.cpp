@@ -8,15 +8,15 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr StateRow rows[] = {{"limit", "Limit", "limit holds", StateKind::Condition},
+constexpr StateRow toldStates[] = {{"limit", "Limit", "limit holds", StateKind::Condition},
     {"halted", "Halted", "halted", StateKind::Rest}, {"pin", "Pin", {}, StateKind::Input}};
-constexpr StateIndex limit{0};
-constexpr StateIndex halted{1};
-constexpr StateIndex pin{2};
+constexpr StateIndex limitState{0};
+constexpr StateIndex haltedState{1};
+constexpr StateIndex pinState{2};
 
 constexpr Family tellingFamily = [] {
     Family family = test::looseFamily;
-    family.states = rows;
+    family.states = toldStates;
     return family;
 }();
 
@@ -60,15 +60,15 @@ protected:
 
 TEST_F(DeviceStates, APinIsShownTwentyTimesASecondAtMostAndRecordedEachTime)
 {
-    tell(pin, true, 0ms);
+    tell(pinState, true, 0ms);
     EXPECT_EQ(shows, 1);
-    tell(pin, false, 20ms);
-    tell(pin, true, 30ms);
-    tell(pin, false, 50ms - 1ns);
+    tell(pinState, false, 20ms);
+    tell(pinState, true, 30ms);
+    tell(pinState, false, 50ms - 1ns);
     EXPECT_EQ(shows, 1);
-    tell(pin, false, 50ms);
+    tell(pinState, false, 50ms);
     EXPECT_EQ(shows, 2);
-    tell(pin, false, 200ms);
+    tell(pinState, false, 200ms);
     EXPECT_EQ(shows, 2) << "nothing new";
     EXPECT_EQ(records,
         (std::vector<Instant>{Instant{10s}, Instant{10s} + 20ms, Instant{10s} + 30ms, Instant{10s} + 50ms - 1ns}));
@@ -76,14 +76,14 @@ TEST_F(DeviceStates, APinIsShownTwentyTimesASecondAtMostAndRecordedEachTime)
 
 TEST_F(DeviceStates, AConditionIsShownAtOnceAndTakesThePinsAlong)
 {
-    tell(pin, true, 0ms);
-    tell(pin, false, 10ms);
-    tell(limit, true, 11ms);
+    tell(pinState, true, 0ms);
+    tell(pinState, false, 10ms);
+    tell(limitState, true, 11ms);
     EXPECT_EQ(shows, 2);
-    tell(pin, false, 61ms);
+    tell(pinState, false, 61ms);
     EXPECT_EQ(shows, 2) << "shown with the limit";
-    tell(halted, true, 62ms);
-    tell(limit, false, 63ms);
+    tell(haltedState, true, 62ms);
+    tell(limitState, false, 63ms);
     EXPECT_EQ(shows, 4);
 }
 

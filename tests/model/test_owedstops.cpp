@@ -12,11 +12,11 @@ namespace {
 
 using namespace std::chrono_literals;
 
-const std::string line = "usb-1.2";
-const std::string otherLine = "usb-1.3";
-const std::string stopFrame = "00000100#00";
+const std::string owedLine = "usb-1.2";
+const std::string otherOwedLine = "usb-1.3";
+const std::string owedStopFrame = "00000100#00";
 
-StopScript scriptOf(std::uint32_t id)
+StopScript owedScript(std::uint32_t id)
 {
     return {{{extendedFrame(id, {0}), {}, {}, {}, 5ms, 1}}};
 }
@@ -38,9 +38,9 @@ protected:
         link.sent.clear();
         return *motor;
     }
-    [[nodiscard]] OwedStop stopOf(std::string device, std::uint32_t id, std::string where = line) const
+    [[nodiscard]] OwedStop stopOf(std::string device, std::uint32_t id, std::string where = owedLine) const
     {
-        return {std::move(where), std::move(device), scriptOf(id), clock.now()};
+        return {std::move(where), std::move(device), owedScript(id), clock.now()};
     }
     std::vector<std::string> paid(const std::string &where)
     {
@@ -59,9 +59,9 @@ protected:
 
 TEST_F(Owed, AMotorThatNobodySawStandIsOwedItsStop)
 {
-    owed.add(make(), line);
+    owed.add(make(), owedLine);
     ASSERT_EQ(owed.all().size(), 1U);
-    EXPECT_EQ(owed.all().front().line, line);
+    EXPECT_EQ(owed.all().front().line, owedLine);
     EXPECT_EQ(owed.all().front().device, motor->selector());
     EXPECT_EQ(owed.all().front().since, clock.now());
     EXPECT_EQ(owed.all().front().script.steps.size(), 1U);
@@ -74,107 +74,108 @@ TEST_F(Owed, WhatStandsOrNobodyMovedOrStopsByItselfIsOwedNothing)
         family.capabilities.watchdog = true;
         return family;
     }();
-    owed.add(make(watched), line);
+    owed.add(make(watched), owedLine);
     EXPECT_TRUE(owed.all().empty()) << "a watchdog";
-    owed.add(make(test::looseFamily, false), line);
+    owed.add(make(test::looseFamily, false), owedLine);
     EXPECT_TRUE(owed.all().empty()) << "no motion";
     make().script = {};
-    owed.add(*motor, line);
+    owed.add(*motor, owedLine);
     EXPECT_TRUE(owed.all().empty()) << "no script";
     make().seenStopped = true;
     clock.advance(1s);
-    owed.add(*motor, line);
+    owed.add(*motor, owedLine);
     EXPECT_TRUE(owed.all().empty()) << "it stands";
 }
 
 TEST_F(Owed, GoesOutOnItsOwnLineOnlyAndAgainWithEachOpening)
 {
-    owed.add(make(), line);
-    EXPECT_EQ(paid(otherLine), Frames{});
-    EXPECT_EQ(paid(line), Frames{stopFrame});
-    EXPECT_EQ(paid(line), Frames{stopFrame}) << "until the device takes it over";
+    owed.add(make(), owedLine);
+    EXPECT_EQ(paid(otherOwedLine), Frames{});
+    EXPECT_EQ(paid(owedLine), Frames{owedStopFrame});
+    EXPECT_EQ(paid(owedLine), Frames{owedStopFrame}) << "until the device takes it over";
 }
 
 TEST_F(Owed, ForTenMinutesAndNotLonger)
 {
-    owed.add(make(), line);
+    owed.add(make(), owedLine);
     clock.advance(DeviceStop::debtLimit - 1ns);
-    EXPECT_EQ(paid(line), Frames{stopFrame});
+    EXPECT_EQ(paid(owedLine), Frames{owedStopFrame});
     clock.advance(1ns);
-    EXPECT_EQ(paid(line), Frames{});
+    EXPECT_EQ(paid(owedLine), Frames{});
     EXPECT_TRUE(owed.all().empty());
 }
 
 TEST_F(Owed, WhatEarlierProgramsOweIsTakenOverOnce)
 {
-    guard.owing = {stopOf("socketcan:can0/loose:3", 0x300), stopOf("socketcan:can0/loose:4", 0x400, otherLine)};
-    EXPECT_EQ(paid(line), Frames{"00000300#00"});
+    guard.owing = {stopOf("socketcan:can0/loose:3", 0x300), stopOf("socketcan:can0/loose:4", 0x400, otherOwedLine)};
+    EXPECT_EQ(paid(owedLine), Frames{"00000300#00"});
     EXPECT_EQ(owed.all().size(), 2U);
     guard.owing = {stopOf("socketcan:can1/loose:3", 0x301)}; // the same unit behind another name
-    EXPECT_EQ(paid(line), Frames{"00000300#00"});
+    EXPECT_EQ(paid(owedLine), Frames{"00000300#00"});
     EXPECT_EQ(owed.all().size(), 2U);
     guard.owing = {stopOf("socketcan:can1/loose:5", 0x500), stopOf("socketcan:can1/loose:3", 0x302, "usb-1.4")};
-    EXPECT_EQ(paid(line), (Frames{"00000300#00", "00000500#00"})) << "another unit, and one of this number elsewhere";
+    EXPECT_EQ(paid(owedLine), (Frames{"00000300#00", "00000500#00"}))
+        << "another unit, and one of this number elsewhere";
     EXPECT_EQ(owed.all().size(), 4U);
 }
 
 TEST_F(Owed, IsPassedToItsDeviceWhichIsToldAtOnce)
 {
-    owed.add(make(), line);
+    owed.add(make(), owedLine);
     motor.emplace(link, clock);
     link.sent.clear();
-    owed.passTo(*motor, otherLine);
+    owed.passTo(*motor, otherOwedLine);
     EXPECT_TRUE(link.sent.empty()) << "that is another motor";
     EXPECT_EQ(motor->stopping().state(), StopState::None);
-    owed.passTo(*motor, line);
-    EXPECT_EQ(link.sent, Frames{stopFrame});
+    owed.passTo(*motor, owedLine);
+    EXPECT_EQ(link.sent, Frames{owedStopFrame});
     EXPECT_TRUE(motor->stopping().isForMotion());
     EXPECT_TRUE(owed.all().empty());
     link.sent.clear();
-    owed.passTo(*motor, line);
+    owed.passTo(*motor, owedLine);
     EXPECT_TRUE(link.sent.empty()) << "once";
 }
 
 TEST_F(Owed, IsNotPassedToAnotherUnitOrToOneThatMayNotBeTold)
 {
     guard.owing = {stopOf("socketcan:can7/loose:3", 0x300)};
-    (void)paid(line);
+    (void)paid(owedLine);
     motor.emplace(link, clock);
     link.sent.clear();
-    owed.passTo(*motor, line);
+    owed.passTo(*motor, owedLine);
     EXPECT_TRUE(link.sent.empty()) << "number 0 is not number 3";
     EXPECT_EQ(owed.all().size(), 1U);
 
     guard.owing = {stopOf(motor->selector(), 0x100)};
-    (void)paid(line);
+    (void)paid(owedLine);
     motor->gate().setBusy(say("its firmware is written"));
     link.sent.clear();
-    owed.passTo(*motor, line);
+    owed.passTo(*motor, owedLine);
     EXPECT_TRUE(link.sent.empty());
     EXPECT_EQ(owed.all().size(), 2U) << "it stays owed";
 }
 
 TEST_F(Owed, TheGuardiansHearWhatIsSettledAndWhatIsLeftToThem)
 {
-    owed.settle(make(), line);
-    EXPECT_EQ(guard.settled, Frames{line + ' ' + motor->selector()});
-    owed.leave(otherLine);
-    EXPECT_EQ(guard.left, Frames{otherLine});
+    owed.settle(make(), owedLine);
+    EXPECT_EQ(guard.settled, Frames{owedLine + ' ' + motor->selector()});
+    owed.leave(otherOwedLine);
+    EXPECT_EQ(guard.left, Frames{otherOwedLine});
     guard.settled.clear();
-    owed.add(*motor, line);
+    owed.add(*motor, owedLine);
     owed.dismiss();
-    EXPECT_EQ(guard.settled, Frames{line + ' ' + motor->selector()});
+    EXPECT_EQ(guard.settled, Frames{owedLine + ' ' + motor->selector()});
     EXPECT_TRUE(owed.all().empty());
 }
 
 TEST_F(Owed, WithoutGuardiansEverythingElseIsTheSame)
 {
     OwedStops alone(clock, nullptr);
-    alone.add(make(), line);
-    alone.pay(link, line);
-    EXPECT_EQ(link.sent, Frames{stopFrame});
-    alone.settle(*motor, line);
-    alone.leave(line);
+    alone.add(make(), owedLine);
+    alone.pay(link, owedLine);
+    EXPECT_EQ(link.sent, Frames{owedStopFrame});
+    alone.settle(*motor, owedLine);
+    alone.leave(owedLine);
     alone.dismiss();
     EXPECT_TRUE(alone.all().empty());
 }

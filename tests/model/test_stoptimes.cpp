@@ -11,7 +11,7 @@ namespace mb {
 namespace {
 
 using namespace std::chrono_literals;
-using Times = std::vector<std::int64_t>;
+using Milliseconds = std::vector<std::int64_t>;
 
 /// A device of which only its stop knows anything; it does what the test says.
 struct Told final : Stoppable {
@@ -49,7 +49,7 @@ struct Told final : Stoppable {
     bool seen = false;
     bool harmless = true;
     int stops = 0;
-    Times repeats; ///< ms
+    Milliseconds repeats; ///< ms
     std::vector<std::pair<std::int64_t, StopState>> states;
     DeviceStop stopping{*this};
     Subscription changes;
@@ -79,7 +79,7 @@ TEST_F(StopTimes, AMotorThatIsHeardAndDoesNotStandIsToldFourTimesASecondForTenSe
 {
     Told &motor = make(false, true, true);
     clock.advance(13s);
-    Times expected;
+    Milliseconds expected;
     for (std::int64_t at = 250; at < 10000; at += 250)
         expected.push_back(at);
     expected.insert(expected.end(), {10750, 11750, 12750});
@@ -92,7 +92,7 @@ TEST_F(StopTimes, ASilentMotorWithoutWatchdogIsUnconfirmedAfterOneSecondAndToldO
 {
     Told &motor = make(false, false, true);
     clock.advance(3s);
-    EXPECT_EQ(motor.repeats, (Times{250, 500, 750, 1750, 2750}));
+    EXPECT_EQ(motor.repeats, (Milliseconds{250, 500, 750, 1750, 2750}));
     EXPECT_EQ(motor.states, (States{{0, StopState::Stopping}, {1000, StopState::Unconfirmed}}));
 }
 
@@ -100,7 +100,7 @@ TEST_F(StopTimes, ASilentMotorWithWatchdogIsOffAfterOneSecondAndNotToldAnyMore)
 {
     Told &motor = make(true, false, true);
     clock.advance(20s);
-    EXPECT_EQ(motor.repeats, (Times{250, 500, 750}));
+    EXPECT_EQ(motor.repeats, (Milliseconds{250, 500, 750}));
     EXPECT_EQ(motor.states, (States{{0, StopState::Stopping}, {1000, StopState::ByWatchdog}}));
     EXPECT_FALSE(motor.stopping.mayTurn());
     EXPECT_FALSE(motor.stopping.isDue());

@@ -11,22 +11,22 @@ namespace {
 
 using namespace std::chrono_literals;
 using End = SetPointStream::End;
-using Frames = std::vector<std::pair<double, double>>; ///< ms since the start, target
+using TimedTargets = std::vector<std::pair<double, double>>; ///< ms since the start, target
 
-constexpr Mode twoModes[] = {Mode::Duty, Mode::Velocity};
+constexpr Mode streamModes[] = {Mode::Duty, Mode::Velocity};
 
 /// Watched by itself, so that no guardian is needed; a frame every 20 ms, and 70 ms without one are too long.
-constexpr Family familyOf(int axes)
+constexpr Family familyWithAxes(int axes)
 {
     Family family = test::looseFamily;
-    family.modes = twoModes;
+    family.modes = streamModes;
     family.capabilities.watchdog = true;
     family.capabilities.axes = axes;
     family.capabilities.commandLimit = 70ms;
     return family;
 }
-constexpr Family oneAxis = familyOf(1);
-constexpr Family twoAxes = familyOf(2);
+constexpr Family oneAxisFamily = familyWithAxes(1);
+constexpr Family twoAxesFamily = familyWithAxes(2);
 
 /// Keeps what it is told, with times.
 class NotingMotor final : public test::MuteDevice {
@@ -42,8 +42,8 @@ public:
         now.heard = heard;
         setLiveness(now);
     }
-    Frames frames; ///< of axis 1
-    Frames others;
+    TimedTargets frames; ///< of axis 1
+    TimedTargets others;
     int stops = 0;
 
 private:
@@ -59,7 +59,7 @@ private:
     Instant m_begin;
 };
 
-SetPoint to(double target, Mode mode = Mode::Duty, int axis = 1)
+SetPoint setPointTo(double target, Mode mode = Mode::Duty, int axis = 1)
 {
     SetPoint setPoint;
     setPoint.mode = mode;
@@ -70,7 +70,7 @@ SetPoint to(double target, Mode mode = Mode::Duty, int axis = 1)
 
 class StreamLimits : public testing::Test {
 protected:
-    explicit StreamLimits(const Family &family = oneAxis)
+    explicit StreamLimits(const Family &family = oneAxisFamily)
         : motor(link, clock, family)
     {
         EXPECT_TRUE(link.open());
@@ -97,20 +97,20 @@ protected:
 
 TEST_F(StreamLimits, AFrameMayBeAsLateAsTheDeviceWaitsForIt)
 {
-    ASSERT_TRUE(stream.start(to(0.3), 10s));
+    ASSERT_TRUE(stream.start(setPointTo(0.3), 10s));
     expectLimit(70ms, &test::FreezingClock::freeze, End::Late);
     EXPECT_EQ(stream.reason(), "this program was held up for 70 ms, longer than the motor goes without a set-point");
 }
 
 TEST_F(StreamLimits, TwentyMillisecondsOfSleepAreTheToleranceOfTwoClocks)
 {
-    ASSERT_TRUE(stream.start(to(0.3), 10s));
+    ASSERT_TRUE(stream.start(setPointTo(0.3), 10s));
     expectLimit(20ms, &test::FreezingClock::suspend, End::Slept);
 }
 
 TEST_F(StreamLimits, EachFrameForgivesTheSleepBeforeIt)
 {
-    ASSERT_TRUE(stream.start(to(0.3), 10s));
+    ASSERT_TRUE(stream.start(setPointTo(0.3), 10s));
     for (int i = 0; i < 10; ++i) {
         clock.suspend(20ms);
         clock.advance(20ms);
@@ -121,37 +121,37 @@ TEST_F(StreamLimits, EachFrameForgivesTheSleepBeforeIt)
 TEST_F(StreamLimits, ADeviceHasHalfASecondToBeHeard)
 {
     motor.hear(false);
-    ASSERT_TRUE(stream.start(to(0.3), 10s));
+    ASSERT_TRUE(stream.start(setPointTo(0.3), 10s));
     expectLimit(500ms, &test::FreezingClock::advance, End::DeviceSilent);
 }
 
 TEST_F(StreamLimits, AFrameComesEveryPeriodAndAfterAStallOneNotTwo)
 {
-    ASSERT_TRUE(stream.start(to(0.3), 10s));
+    ASSERT_TRUE(stream.start(setPointTo(0.3), 10s));
     clock.advance(50ms);
     clock.freeze(30ms); // until the frame of 60 ms and that of 80 ms are due
     clock.advance(35ms);
-    EXPECT_EQ(motor.frames, (Frames{{0, 0.3}, {20, 0.3}, {40, 0.3}, {80, 0.3}, {100, 0.3}}));
+    EXPECT_EQ(motor.frames, (TimedTargets{{0, 0.3}, {20, 0.3}, {40, 0.3}, {80, 0.3}, {100, 0.3}}));
 }
 
 TEST_F(StreamLimits, ANewTargetGoesOutAtOnceBetweenTheFramesOfThePeriod)
 {
-    ASSERT_TRUE(stream.start(to(0.3), 10s));
+    ASSERT_TRUE(stream.start(setPointTo(0.3), 10s));
     clock.advance(30ms);
-    ASSERT_TRUE(stream.update(to(0.5)));
+    ASSERT_TRUE(stream.update(setPointTo(0.5)));
     clock.advance(15ms);
-    ASSERT_TRUE(stream.follow(to(0.6)));
+    ASSERT_TRUE(stream.follow(setPointTo(0.6)));
     clock.advance(20ms);
-    EXPECT_EQ(motor.frames, (Frames{{0, 0.3}, {20, 0.3}, {30, 0.5}, {40, 0.5}, {45, 0.6}, {60, 0.6}}));
+    EXPECT_EQ(motor.frames, (TimedTargets{{0, 0.3}, {20, 0.3}, {30, 0.5}, {40, 0.5}, {45, 0.6}, {60, 0.6}}));
 }
 
 TEST_F(StreamLimits, OnlyAnUpdateRenewsTheLease)
 {
-    ASSERT_TRUE(stream.start(to(0.3), 100ms));
+    ASSERT_TRUE(stream.start(setPointTo(0.3), 100ms));
     clock.advance(60ms);
-    ASSERT_TRUE(stream.update(to(0.4)));
+    ASSERT_TRUE(stream.update(setPointTo(0.4)));
     clock.advance(60ms);
-    ASSERT_TRUE(stream.follow(to(0.5)));
+    ASSERT_TRUE(stream.follow(setPointTo(0.5)));
     clock.advance(39ms);
     EXPECT_TRUE(stream.isRunning());
     clock.advance(1ms);
@@ -160,11 +160,11 @@ TEST_F(StreamLimits, OnlyAnUpdateRenewsTheLease)
 
 TEST_F(StreamLimits, ListenersHearOfTheStartOfTargetsOfGlidesAndOfTheEnd)
 {
-    ASSERT_TRUE(stream.start(to(0.3), 10s));
+    ASSERT_TRUE(stream.start(setPointTo(0.3), 10s));
     EXPECT_EQ(changes, 1);
     clock.advance(1s);
     EXPECT_EQ(changes, 1) << "a set-point that stays is no news";
-    ASSERT_TRUE(stream.update(to(0.5), {1.0, {}}));
+    ASSERT_TRUE(stream.update(setPointTo(0.5), {1.0, {}}));
     EXPECT_EQ(changes, 2);
     clock.advance(1s);
     EXPECT_EQ(changes, 2 + 10) << "200 ms of way";
@@ -182,13 +182,13 @@ TEST_F(StreamLimits, AStopIsSentWhetherItRunsOrNotButNoneByAnEndThatEndsNothing)
     EXPECT_EQ(motor.stops, 0);
     stream.stop();
     EXPECT_EQ(motor.stops, 1);
-    ASSERT_TRUE(stream.start(to(0.3), 10s));
+    ASSERT_TRUE(stream.start(setPointTo(0.3), 10s));
     stream.stop();
     EXPECT_EQ(motor.stops, 2);
     EXPECT_EQ(stream.end(), End::Stopped);
     {
         SetPointStream running(motor, clock);
-        ASSERT_TRUE(running.start(to(0.3), 10s));
+        ASSERT_TRUE(running.start(setPointTo(0.3), 10s));
     }
     EXPECT_EQ(motor.stops, 3);
 }
@@ -196,11 +196,11 @@ TEST_F(StreamLimits, AStopIsSentWhetherItRunsOrNotButNoneByAnEndThatEndsNothing)
 TEST_F(StreamLimits, AMotionThatIsRefusedWhileItRunsEndsInAStop)
 {
     for (const bool update : {false, true}) {
-        ASSERT_TRUE(stream.start(to(0.3), 10s));
+        ASSERT_TRUE(stream.start(setPointTo(0.3), 10s));
         const int before = motor.stops;
         motor.gate().setBusy(say("its firmware is written"));
         if (update) {
-            EXPECT_FALSE(stream.update(to(0.4)));
+            EXPECT_FALSE(stream.update(setPointTo(0.4)));
         } else {
             clock.advance(20ms);
         }
@@ -215,13 +215,13 @@ TEST_F(StreamLimits, AMotionThatIsRefusedWhileItRunsEndsInAStop)
 
 TEST_F(StreamLimits, AStartAgainForgetsHowItEndedAndWhatItWasToldBefore)
 {
-    ASSERT_TRUE(stream.start(to(0.8), 10s, {1.0, 0.0}));
+    ASSERT_TRUE(stream.start(setPointTo(0.8), 10s, {1.0, 0.0}));
     clock.advance(100ms);
     stream.stop();
     EXPECT_FALSE(stream.isGliding());
     clock.advance(1s);
     motor.frames.clear();
-    ASSERT_TRUE(stream.start(to(0.8), 10s, {1.0, 0.2}));
+    ASSERT_TRUE(stream.start(setPointTo(0.8), 10s, {1.0, 0.2}));
     EXPECT_EQ(stream.end(), End::None);
     EXPECT_TRUE(stream.reason().empty());
     EXPECT_EQ(stream.setPoints().size(), 1U);
@@ -233,7 +233,7 @@ TEST_F(StreamLimits, AStartAgainForgetsHowItEndedAndWhatItWasToldBefore)
 
 TEST_F(StreamLimits, AGlideGoesAsFastAsItsRateFrameByFrame)
 {
-    ASSERT_TRUE(stream.start(to(0.25), 10s, {5.0, 0.1}));
+    ASSERT_TRUE(stream.start(setPointTo(0.25), 10s, {5.0, 0.1}));
     EXPECT_TRUE(stream.isGliding());
     clock.advance(45ms);
     ASSERT_EQ(motor.frames.size(), 3U);
@@ -246,23 +246,23 @@ TEST_F(StreamLimits, AGlideGoesAsFastAsItsRateFrameByFrame)
 
 TEST_F(StreamLimits, AnotherRateHoldsFromItsUpdateOn)
 {
-    ASSERT_TRUE(stream.start(to(1.0), 10s, {1.0, 0.0}));
+    ASSERT_TRUE(stream.start(setPointTo(1.0), 10s, {1.0, 0.0}));
     clock.advance(200ms);
-    ASSERT_TRUE(stream.update(to(1.0), {0.5, {}}));
+    ASSERT_TRUE(stream.update(setPointTo(1.0), {0.5, {}}));
     clock.advance(200ms);
     EXPECT_NEAR(stream.setPoint().target, 0.3, 1e-9);
 }
 
 TEST_F(StreamLimits, AnotherModeBeginsWhereTheMotorIsAndNotAtATargetOfAnotherMeaning)
 {
-    ASSERT_TRUE(stream.start(to(0.5), 10s));
+    ASSERT_TRUE(stream.start(setPointTo(0.5), 10s));
     motor.frames.clear();
-    ASSERT_TRUE(stream.update(to(1000.0, Mode::Velocity), {100.0, 40.0}));
+    ASSERT_TRUE(stream.update(setPointTo(1000.0, Mode::Velocity), {100.0, 40.0}));
     ASSERT_EQ(motor.frames.size(), 1U);
     EXPECT_EQ(motor.frames[0].second, 40.0);
     clock.advance(20ms);
     EXPECT_NEAR(stream.setPoint().target, 42.0, 1e-9);
-    ASSERT_TRUE(stream.update(to(0.2)));
+    ASSERT_TRUE(stream.update(setPointTo(0.2)));
     EXPECT_EQ(stream.setPoint().target, 0.2) << "nowhere to come from: at once";
     EXPECT_FALSE(stream.isGliding());
     clock.advance(100ms);
@@ -271,16 +271,16 @@ TEST_F(StreamLimits, AnotherModeBeginsWhereTheMotorIsAndNotAtATargetOfAnotherMea
 
 TEST_F(StreamLimits, AGlideThatIsOnItsWayEndsWithAJumpAndWithAnotherMode)
 {
-    ASSERT_TRUE(stream.start(to(0.8), 10s, {1.0, 0.0}));
+    ASSERT_TRUE(stream.start(setPointTo(0.8), 10s, {1.0, 0.0}));
     clock.advance(100ms);
-    ASSERT_TRUE(stream.update(to(0.5)));
+    ASSERT_TRUE(stream.update(setPointTo(0.5)));
     EXPECT_FALSE(stream.isGliding());
     clock.advance(100ms);
     EXPECT_EQ(stream.setPoint().target, 0.5);
-    ASSERT_TRUE(stream.update(to(0.9), {1.0, {}}));
+    ASSERT_TRUE(stream.update(setPointTo(0.9), {1.0, {}}));
     clock.advance(100ms);
     ASSERT_TRUE(stream.isGliding());
-    ASSERT_TRUE(stream.update(to(1000.0, Mode::Velocity), {100.0, 40.0}));
+    ASSERT_TRUE(stream.update(setPointTo(1000.0, Mode::Velocity), {100.0, 40.0}));
     EXPECT_EQ(stream.setPoint().target, 40.0) << "where it turns, not what its duty was";
     clock.advance(100ms);
     EXPECT_NEAR(stream.setPoint().target, 50.0, 1e-9);
@@ -288,12 +288,12 @@ TEST_F(StreamLimits, AGlideThatIsOnItsWayEndsWithAJumpAndWithAnotherMode)
 
 TEST_F(StreamLimits, NoRateJumpsFromWhatItWasToldAndTheSameTargetIsNoGlide)
 {
-    ASSERT_TRUE(stream.start(to(0.5), 10s, {1.0, 0.5}));
+    ASSERT_TRUE(stream.start(setPointTo(0.5), 10s, {1.0, 0.5}));
     EXPECT_FALSE(stream.isGliding());
-    ASSERT_TRUE(stream.update(to(0.9), {0.0, 0.0}));
+    ASSERT_TRUE(stream.update(setPointTo(0.9), {0.0, 0.0}));
     EXPECT_EQ(stream.setPoint().target, 0.9);
     EXPECT_FALSE(stream.isGliding());
-    ASSERT_TRUE(stream.update(to(0.9), {1.0, 0.0}));
+    ASSERT_TRUE(stream.update(setPointTo(0.9), {1.0, 0.0}));
     EXPECT_EQ(stream.setPoint().target, 0.9);
     EXPECT_FALSE(stream.isGliding());
 }
@@ -301,33 +301,33 @@ TEST_F(StreamLimits, NoRateJumpsFromWhatItWasToldAndTheSameTargetIsNoGlide)
 class TwoAxes : public StreamLimits {
 protected:
     TwoAxes()
-        : StreamLimits(twoAxes)
+        : StreamLimits(twoAxesFamily)
     {
     }
 };
 
 TEST_F(TwoAxes, EachAxisGlidesForItself)
 {
-    ASSERT_TRUE(stream.start(to(0.5), 10s));
-    ASSERT_TRUE(stream.update(to(0.5, Mode::Duty, 2), {1.0, 0.0}));
+    ASSERT_TRUE(stream.start(setPointTo(0.5), 10s));
+    ASSERT_TRUE(stream.update(setPointTo(0.5, Mode::Duty, 2), {1.0, 0.0}));
     EXPECT_EQ(motor.others.back().second, 0.0) << "where axis 1 is told to be is no place of axis 2";
     clock.advance(100ms);
     EXPECT_NEAR(motor.others.back().second, 0.1, 1e-9);
     EXPECT_EQ(motor.frames.back().second, 0.5);
-    ASSERT_TRUE(stream.update(to(0.7)));
+    ASSERT_TRUE(stream.update(setPointTo(0.7)));
     EXPECT_EQ(stream.setPoint().axis, 1);
     clock.advance(100ms);
-    EXPECT_EQ(stream.setPoint(), to(0.7)) << "the newest, though the other one is on its way";
+    EXPECT_EQ(stream.setPoint(), setPointTo(0.7)) << "the newest, though the other one is on its way";
     EXPECT_NEAR(motor.others.back().second, 0.2, 1e-9);
     EXPECT_TRUE(stream.isGliding());
 }
 
 TEST_F(TwoAxes, AnAxisThatIsTakenOutGetsNoMoreFrames)
 {
-    ASSERT_TRUE(stream.start(to(0.5), 10s));
-    ASSERT_TRUE(stream.update(to(0.4, Mode::Duty, 2)));
+    ASSERT_TRUE(stream.start(setPointTo(0.5), 10s));
+    ASSERT_TRUE(stream.update(setPointTo(0.4, Mode::Duty, 2)));
     EXPECT_EQ(stream.setPoints().size(), 2U);
-    ASSERT_TRUE(stream.update(to(0.0, Mode::Off, 2)));
+    ASSERT_TRUE(stream.update(setPointTo(0.0, Mode::Off, 2)));
     EXPECT_EQ(stream.setPoints().size(), 1U);
     motor.frames.clear();
     motor.others.clear();
@@ -339,9 +339,9 @@ TEST_F(TwoAxes, AnAxisThatIsTakenOutGetsNoMoreFrames)
 
 TEST_F(StreamLimits, OffStopsTheOnlyAxisAndStaysItsSetPoint)
 {
-    ASSERT_TRUE(stream.start(to(0.5), 10s));
+    ASSERT_TRUE(stream.start(setPointTo(0.5), 10s));
     motor.frames.clear();
-    ASSERT_TRUE(stream.update(to(0.0, Mode::Off)));
+    ASSERT_TRUE(stream.update(setPointTo(0.0, Mode::Off)));
     EXPECT_EQ(motor.stops, 1);
     EXPECT_EQ(stream.setPoints().size(), 1U);
     clock.advance(50ms);
@@ -368,9 +368,9 @@ protected:
 
 TEST_F(Awaiting, AGlideBeginsWithTheFirstFrameAndNotBeforeTheGuardianIsThere)
 {
-    ASSERT_TRUE(stream.start(to(0.8), 10s, {1.0, 0.1}));
+    ASSERT_TRUE(stream.start(setPointTo(0.8), 10s, {1.0, 0.1}));
     clock.advance(300ms);
-    ASSERT_TRUE(stream.update(to(0.6), {1.0, 0.1}));
+    ASSERT_TRUE(stream.update(setPointTo(0.6), {1.0, 0.1}));
     EXPECT_EQ(stream.setPoint().target, 0.1);
     clock.advance(300ms);
     guard.become(GuardWatch::State::Standing);
@@ -381,21 +381,21 @@ TEST_F(Awaiting, AGlideBeginsWithTheFirstFrameAndNotBeforeTheGuardianIsThere)
 
 TEST_F(Awaiting, OffNeedsNoGuardianAndEndsTheWait)
 {
-    ASSERT_TRUE(stream.start(to(0.8), 10s));
-    ASSERT_TRUE(stream.update(to(0.0, Mode::Off)));
+    ASSERT_TRUE(stream.start(setPointTo(0.8), 10s));
+    ASSERT_TRUE(stream.update(setPointTo(0.0, Mode::Off)));
     clock.advance(2500ms);
     EXPECT_TRUE(stream.isRunning()) << "the two seconds of a guardian are of no meaning any more";
     stream.stop();
     guard.calls = 0;
     SetPointStream off(motor, clock);
-    ASSERT_TRUE(off.start(to(0.0, Mode::Off), 10s));
+    ASSERT_TRUE(off.start(setPointTo(0.0, Mode::Off), 10s));
     EXPECT_EQ(guard.calls, 0);
     EXPECT_EQ(link.sent.back(), "00000100#00");
 }
 
 TEST_F(Awaiting, WhileItWaitsNothingIsLateAndNoSleepCounts)
 {
-    ASSERT_TRUE(stream.start(to(0.8), 10s));
+    ASSERT_TRUE(stream.start(setPointTo(0.8), 10s));
     clock.freeze(350ms);
     clock.suspend(1h);
     stream.renew();
