@@ -17241,5 +17241,53 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>find its gain scales first: Overview, Find the gain scales</source>
         <translation>zuerst die Skalierung der Verstärkungen ermitteln: Übersicht, „Skalierung der Verstärkungen ermitteln“</translation>
     </message>
+    <message>
+        <source>a count or their largest error makes more output than it may</source>
+        <translation>ein Inkrement oder ihr größter Fehler macht mehr Ausgang, als er darf</translation>
+    </message>
+    <message>
+        <source>the gains that were there may leave as little error; now those</source>
+        <translation>die Verstärkungen, die da waren, lassen vielleicht ebenso wenig Fehler; jetzt diese</translation>
+    </message>
+    <message>
+        <source>the steps in both directions did what was predicted; the gains are as they were</source>
+        <translation>die Sprünge in beide Richtungen taten, was vorhergesagt war; die Verstärkungen sind, wie sie waren</translation>
+    </message>
+    <message>
+        <source>their largest sensitivity is %1, at most %2 are allowed, and %3 with more gain and delay</source>
+        <translation>ihre größte Empfindlichkeit ist %1, erlaubt sind höchstens %2, und %3 mit mehr Verstärkung und Totzeit</translation>
+    </message>
+    <message>
+        <source>there was no time to compare them with those that were there</source>
+        <translation>für den Vergleich mit den vorherigen blieb keine Zeit</translation>
+    </message>
+    <message>
+        <source>they would draw more current than is allowed</source>
+        <translation>sie zögen mehr Strom als erlaubt</translation>
+    </message>
+    <message>
+        <source>they would overshoot by %1</source>
+        <translation>sie schwängen um %1 über</translation>
+    </message>
+    <message>
+        <source>those that were found left more error: these, which were there, leave %1 of it</source>
+        <translation>die gefundenen ließen mehr Fehler: diese, die schon da waren, lassen %1 davon</translation>
+    </message>
+    <message>
+        <source>those that were there leave more error</source>
+        <translation>die vorherigen lassen mehr Fehler</translation>
+    </message>
+    <message>
+        <source>those that were there would leave less error, but are not for keeping: %1</source>
+        <translation>die vorherigen ließen weniger Fehler, sind aber nichts zum Behalten: %1</translation>
+    </message>
+    <message>
+        <source>what is left over is much of so small steps; the same with larger ones</source>
+        <translation>was übrig bleibt, ist viel von so kleinen Sprüngen; dasselbe mit größeren</translation>
+    </message>
+    <message>
+        <source>what was there is not known, and these were not compared with it</source>
+        <translation>was da war, ist nicht bekannt, und diese wurden nicht damit verglichen</translation>
+    </message>
 </context>
 </TS>

@@ -17241,5 +17241,53 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>its speed goes on swinging by %1 where it should rest, whole counts alone would make %2</source>
         <translation>su velocidad sigue oscilando un %1 donde debería reposar, las cuentas enteras por sí solas darían %2</translation>
     </message>
+    <message>
+        <source>a count or their largest error makes more output than it may</source>
+        <translation>un incremento o su mayor error produce más salida de la permitida</translation>
+    </message>
+    <message>
+        <source>the gains that were there may leave as little error; now those</source>
+        <translation>las ganancias que había quizá dejen igual de poco error; ahora esas</translation>
+    </message>
+    <message>
+        <source>the steps in both directions did what was predicted; the gains are as they were</source>
+        <translation>los escalones en ambos sentidos hicieron lo previsto; las ganancias están como estaban</translation>
+    </message>
+    <message>
+        <source>their largest sensitivity is %1, at most %2 are allowed, and %3 with more gain and delay</source>
+        <translation>su mayor sensibilidad es %1, se permite %2 como máximo, y %3 con más ganancia y retardo</translation>
+    </message>
+    <message>
+        <source>there was no time to compare them with those that were there</source>
+        <translation>no hubo tiempo de compararlas con las que había</translation>
+    </message>
+    <message>
+        <source>they would draw more current than is allowed</source>
+        <translation>consumirían más corriente de la permitida</translation>
+    </message>
+    <message>
+        <source>they would overshoot by %1</source>
+        <translation>sobrepasarían en un %1</translation>
+    </message>
+    <message>
+        <source>those that were found left more error: these, which were there, leave %1 of it</source>
+        <translation>las halladas dejaban más error: estas, que ya había, dejan el %1 de él</translation>
+    </message>
+    <message>
+        <source>those that were there leave more error</source>
+        <translation>las que había dejan más error</translation>
+    </message>
+    <message>
+        <source>those that were there would leave less error, but are not for keeping: %1</source>
+        <translation>las que había dejarían menos error, pero no son para conservarlas: %1</translation>
+    </message>
+    <message>
+        <source>what is left over is much of so small steps; the same with larger ones</source>
+        <translation>lo que sobra es mucho para escalones tan pequeños; lo mismo con otros mayores</translation>
+    </message>
+    <message>
+        <source>what was there is not known, and these were not compared with it</source>
+        <translation>no se sabe qué había, y estas no se compararon con ello</translation>
+    </message>
 </context>
 </TS>

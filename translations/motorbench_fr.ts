@@ -13379,7 +13379,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>This unit has no number yet; assign one from 1 to 63.</source>
-        <translation>Cet appareil n’a pas encore de numéro ; attribuez-en un de 1 à 63.</translation>
+        <translation>Cet appareil n’a pas encore de numéro&#x202f;; attribuez-en un de 1 à 63.</translation>
     </message>
     <message>
         <source>Undo a write</source>
@@ -17240,6 +17240,54 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>its speed goes on swinging by %1 where it should rest, whole counts alone would make %2</source>
         <translation>sa vitesse continue d’osciller de %1 alors qu’elle devrait se stabiliser, les points entiers seuls donneraient %2</translation>
+    </message>
+    <message>
+        <source>a count or their largest error makes more output than it may</source>
+        <translation>un incrément ou leur plus grande erreur produit plus de sortie que permis</translation>
+    </message>
+    <message>
+        <source>the gains that were there may leave as little error; now those</source>
+        <translation>les gains qui étaient là laissent peut-être aussi peu d&apos;erreur ; maintenant ceux-ci</translation>
+    </message>
+    <message>
+        <source>the steps in both directions did what was predicted; the gains are as they were</source>
+        <translation>les échelons dans les deux sens ont fait ce qui était prédit ; les gains sont restés comme ils étaient</translation>
+    </message>
+    <message>
+        <source>their largest sensitivity is %1, at most %2 are allowed, and %3 with more gain and delay</source>
+        <translation>leur plus grande sensibilité est %1, au plus %2 est permis, et %3 avec plus de gain et de retard</translation>
+    </message>
+    <message>
+        <source>there was no time to compare them with those that were there</source>
+        <translation>le temps a manqué pour les comparer à ceux qui étaient là</translation>
+    </message>
+    <message>
+        <source>they would draw more current than is allowed</source>
+        <translation>ils consommeraient plus de courant que permis</translation>
+    </message>
+    <message>
+        <source>they would overshoot by %1</source>
+        <translation>ils dépasseraient de %1</translation>
+    </message>
+    <message>
+        <source>those that were found left more error: these, which were there, leave %1 of it</source>
+        <translation>ceux qui ont été trouvés laissaient plus d&apos;erreur : ceux-ci, qui étaient là, en laissent %1</translation>
+    </message>
+    <message>
+        <source>those that were there leave more error</source>
+        <translation>ceux qui étaient là laissent plus d&apos;erreur</translation>
+    </message>
+    <message>
+        <source>those that were there would leave less error, but are not for keeping: %1</source>
+        <translation>ceux qui étaient là laisseraient moins d&apos;erreur, mais ne sont pas à garder : %1</translation>
+    </message>
+    <message>
+        <source>what is left over is much of so small steps; the same with larger ones</source>
+        <translation>ce qui reste est beaucoup pour de si petits échelons ; la même chose avec de plus grands</translation>
+    </message>
+    <message>
+        <source>what was there is not known, and these were not compared with it</source>
+        <translation>ce qui était là n&apos;est pas connu, et ceux-ci n&apos;y ont pas été comparés</translation>
     </message>
 </context>
 </TS>

@@ -17227,5 +17227,53 @@ double click plots it, drag it to a pane or below them</source>
         <source>its speed goes on swinging by %1 where it should rest, whole counts alone would make %2</source>
         <translation>静定すべきところで速度が %1 振れ続けています。整数カウントだけなら %2 です</translation>
     </message>
+    <message>
+        <source>a count or their largest error makes more output than it may</source>
+        <translation>1 カウントまたは最大誤差による出力が許容値を超えます</translation>
+    </message>
+    <message>
+        <source>the gains that were there may leave as little error; now those</source>
+        <translation>元のゲインでも誤差は同じくらい小さいかもしれません。次はそれを試します</translation>
+    </message>
+    <message>
+        <source>the steps in both directions did what was predicted; the gains are as they were</source>
+        <translation>両方向のステップが予測どおりでした。ゲインは元のままです</translation>
+    </message>
+    <message>
+        <source>their largest sensitivity is %1, at most %2 are allowed, and %3 with more gain and delay</source>
+        <translation>最大感度は %1 です。許容は最大 %2、ゲインとむだ時間が増えた場合は %3 です</translation>
+    </message>
+    <message>
+        <source>there was no time to compare them with those that were there</source>
+        <translation>元のゲインと比較する時間がありませんでした</translation>
+    </message>
+    <message>
+        <source>they would draw more current than is allowed</source>
+        <translation>許容より大きな電流が流れます</translation>
+    </message>
+    <message>
+        <source>they would overshoot by %1</source>
+        <translation>オーバーシュートが %1 になります</translation>
+    </message>
+    <message>
+        <source>those that were found left more error: these, which were there, leave %1 of it</source>
+        <translation>見つかったゲインの方が誤差が大きく、元からあるこのゲインではその %1 です</translation>
+    </message>
+    <message>
+        <source>those that were there leave more error</source>
+        <translation>元のゲインの方が誤差が大きくなります</translation>
+    </message>
+    <message>
+        <source>those that were there would leave less error, but are not for keeping: %1</source>
+        <translation>元のゲインの方が誤差は小さくなりますが、残すべきものではありません: %1</translation>
+    </message>
+    <message>
+        <source>what is left over is much of so small steps; the same with larger ones</source>
+        <translation>この小さなステップでは残差の割合が大きすぎます。同じことをより大きなステップで行います</translation>
+    </message>
+    <message>
+        <source>what was there is not known, and these were not compared with it</source>
+        <translation>元の値は不明なため、比較していません</translation>
+    </message>
 </context>
 </TS>

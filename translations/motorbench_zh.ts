@@ -17227,5 +17227,53 @@ double click plots it, drag it to a pane or below them</source>
         <source>its speed goes on swinging by %1 where it should rest, whole counts alone would make %2</source>
         <translation>在应当稳定时其速度仍持续摆动 %1，仅由整数计数引起的为 %2</translation>
     </message>
+    <message>
+        <source>a count or their largest error makes more output than it may</source>
+        <translation>一个计数或其最大误差产生的输出超过允许值</translation>
+    </message>
+    <message>
+        <source>the gains that were there may leave as little error; now those</source>
+        <translation>原有的增益也许误差同样小；现在试用它们</translation>
+    </message>
+    <message>
+        <source>the steps in both directions did what was predicted; the gains are as they were</source>
+        <translation>两个方向的阶跃均与预测相符；增益保持原样</translation>
+    </message>
+    <message>
+        <source>their largest sensitivity is %1, at most %2 are allowed, and %3 with more gain and delay</source>
+        <translation>其最大灵敏度为 %1，最多允许 %2，增益和时延更大时为 %3</translation>
+    </message>
+    <message>
+        <source>there was no time to compare them with those that were there</source>
+        <translation>没有时间与原有的增益比较</translation>
+    </message>
+    <message>
+        <source>they would draw more current than is allowed</source>
+        <translation>它们会消耗超过允许的电流</translation>
+    </message>
+    <message>
+        <source>they would overshoot by %1</source>
+        <translation>它们会超调 %1</translation>
+    </message>
+    <message>
+        <source>those that were found left more error: these, which were there, leave %1 of it</source>
+        <translation>找到的增益误差更大：原有的这些增益误差为其 %1</translation>
+    </message>
+    <message>
+        <source>those that were there leave more error</source>
+        <translation>原有的增益误差更大</translation>
+    </message>
+    <message>
+        <source>those that were there would leave less error, but are not for keeping: %1</source>
+        <translation>原有的增益误差会更小，但不宜保留：%1</translation>
+    </message>
+    <message>
+        <source>what is left over is much of so small steps; the same with larger ones</source>
+        <translation>对这么小的阶跃来说剩余误差太大；用更大的阶跃再做一次</translation>
+    </message>
+    <message>
+        <source>what was there is not known, and these were not compared with it</source>
+        <translation>原有的值未知，未与之比较</translation>
+    </message>
 </context>
 </TS>

@@ -43,8 +43,9 @@ struct LoopGains {
 /// What is known of a loop that has no duty command, and so no LoopScale: its gains are tried against each other
 /// (tuning/twopointfit.h).
 struct RawLoop {
-    double cycle = 0.0;          ///< s between two passes of the loop
-    double fullDuty = 0.0;       ///< raw P times counts of error at full output …
+    double cycle = 0.0;    ///< s between two passes of the loop
+    double fullDuty = 0.0; ///< raw P times counts of error at full output …
+    double integral = 1.0; ///< raw I times counts, summed up in each pass, that make as much output as one of P …
     std::string_view dialects{}; ///< … in units of these dialects, one after the other; not known in others
 };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 namespace mb {
 
@@ -30,6 +31,13 @@ public:
     }
     [[nodiscard]] double speed() const override { return m_units.front()->speed(); }
     [[nodiscard]] double position() const override { return m_units.front()->position(); }
+    [[nodiscard]] std::optional<double> current() const override
+    {
+        if constexpr (requires(Unit & unit) { unit.current(); })
+            return m_units.front()->current();
+        else
+            return std::nullopt;
+    }
     [[nodiscard]] std::vector<std::uint8_t> flash() const override
     {
         if constexpr (requires(const Unit &unit) { unit.flash(); })

@@ -58,6 +58,8 @@ public:
     /// Shaft speed, counts/s, and position, counts, of the motor itself (not of its sensor).
     [[nodiscard]] virtual double speed() const = 0;
     [[nodiscard]] virtual double position() const = 0;
+    /// A, through the motor itself (not of its sensor); nothing where no current loop is simulated.
+    [[nodiscard]] virtual std::optional<double> current() const { return std::nullopt; }
     /// Takes the supply away, or gives it back: RAM is lost, flash stays as it was at that moment.
     virtual void setPowered(bool powered) = 0;
     /// What its program memory holds now, from the first byte of the application on, as an update brings it; empty where no

@@ -46,12 +46,9 @@ Task<void> proveAny(AutotuneRun &run, TuneDesign &design, TuneProof &proof)
     co_return {};
 }
 
-/// What was proven tells enough for something better, where there is time.
-Task<void> sharpen(AutotuneRun &run, TuneDesign &design, TuneProof &proof)
+/// Beside what was proven before; the better of the two is left.
+Task<void> proveBeside(AutotuneRun &run, TuneDesign &design, TuneProof &proof)
 {
-    auto sharpening = design.sharpen(proof.seconds());
-    if (!co_await std::move(sharpening))
-        co_return {};
     auto proving = proof.prove();
     co_await std::move(proving);
     if (run.report().stopReason == toString(Guard::Oscillation)) {
@@ -60,6 +57,23 @@ Task<void> sharpen(AutotuneRun &run, TuneDesign &design, TuneProof &proof)
     }
     if (!run.isOver())
         design.takeTheBetter();
+    co_return {};
+}
+
+/// What was there before is not given up for something worse; and what was proven tells enough for something better. Where there is time.
+Task<void> sharpen(AutotuneRun &run, TuneDesign &design, TuneProof &proof)
+{
+    if (design.recallFormer(proof.seconds())) {
+        auto comparing = proveBeside(run, design, proof);
+        co_await std::move(comparing);
+        if (run.isOver())
+            co_return {};
+    }
+    auto sharpening = design.sharpen(proof.seconds());
+    if (!co_await std::move(sharpening))
+        co_return {};
+    auto proving = proveBeside(run, design, proof);
+    co_await std::move(proving);
     co_return {};
 }
 

@@ -90,15 +90,21 @@ Task<std::vector<OwedValue>> readReplaced(Device &device, std::vector<ParameterC
 
 Task<void> writeGains(Device &device, std::vector<ParameterChange> changes)
 {
-    NoProgress progress;
-    auto writing = writeParameters(device, std::move(changes), progress);
-    const std::vector<TransferOutcome> outcomes = co_await std::move(writing);
-    for (const TransferOutcome &outcome : outcomes) {
-        if (!outcome.raw)
-            co_return fail(outcome.raw.error());
-        if (outcome.verified == false)
-            co_return fail(Fault::BadCheck,
-                say("%1 reads back different from what was written", device.parameters().parameter(outcome.index).key));
+    bool isSeen = false;
+    for (int pass = 0; pass < 2 && !isSeen; ++pass) {
+        NoProgress progress;
+        auto writing = writeParameters(device, changes, progress);
+        const std::vector<TransferOutcome> outcomes = co_await std::move(writing);
+        isSeen = true;
+        for (const TransferOutcome &outcome : outcomes) {
+            if (!outcome.raw)
+                co_return fail(outcome.raw.error());
+            if (outcome.verified == false)
+                co_return fail(Fault::BadCheck,
+                    say("%1 reads back different from what was written",
+                        device.parameters().parameter(outcome.index).key));
+            isSeen = isSeen && outcome.verified.has_value();
+        }
     }
     co_return {};
 }

@@ -21,7 +21,8 @@ namespace mb::tuning {
 /// since the unit's last known reset.
 [[nodiscard]] Task<std::vector<OwedValue>> readReplaced(Device &device, std::vector<ParameterChange> changes);
 
-/// Writes in the order of writeParameters() and compares; BadCheck when a read-back differs. Ends at the first error.
+/// Writes in the order of writeParameters() and compares; BadCheck when a read-back differs. Where one cannot be read back, all of
+/// them twice: what the wire lost would leave a mixture in force. Ends at the first error.
 [[nodiscard]] Task<void> writeGains(Device &device, std::vector<ParameterChange> changes);
 
 [[nodiscard]] std::vector<ParameterChange> changesOf(const Family &family, const std::vector<OwedValue> &values);

@@ -38,7 +38,7 @@ double calibratedScale(const DeviceProfile &profile, Mode loop, std::string_view
 
 std::array<Term, 4> termsOf(const TriedScale &tried)
 {
-    return {{{"p", &ContinuousGains::p, 1.0 / tried.p}, {"i", &ContinuousGains::i, 0.0},
+    return {{{"p", &ContinuousGains::p, 1.0 / tried.p}, {"i", &ContinuousGains::i, tried.i > 0.0 ? 1.0 / tried.i : 0.0},
         {"d", &ContinuousGains::d, 1.0 / tried.d}, {"f", &ContinuousGains::f, 0.0}}};
 }
 
@@ -106,6 +106,13 @@ Result<void> addGain(const Family &family, const std::string &key, double number
     if (number != 0.0 && steps < fineSteps)
         into.coarse.push_back(key);
     return {};
+}
+
+std::optional<double> numberOf(const KnownGains &numbers, const std::string &key)
+{
+    const auto found
+        = std::find_if(numbers.begin(), numbers.end(), [&key](const auto &known) { return known.first == key; });
+    return found == numbers.end() ? std::nullopt : found->second;
 }
 
 } // namespace
@@ -178,6 +185,42 @@ Result<ScaledGains> scaleGains(const Family &family, const DeviceProfile &profil
         }
     }
     return scaled;
+}
+
+std::optional<ScaledGains> gainsMadeBy(const Family &family, const DeviceProfile &profile, Mode loop, int axis,
+    int slot, const KnownGains &numbers, const std::optional<TriedScale> &tried)
+{
+    const LoopGains *const parameters = loopOf(family, loop);
+    const auto units = loopUnits(family, loop);
+    if (!parameters || (!units && !tried) || !checkScales(family, profile, loop))
+        return std::nullopt;
+    const auto terms = tried ? termsOf(*tried) : termsOf(family, profile, loop, *units);
+    const auto keyOf = [&](std::string_view name) {
+        return gainKey(family, std::string(parameters->prefix) + std::string(name), axis, slot);
+    };
+    const bool isDivided = family.loop && family.loop->divided;
+    const double divisor = isDivided ? numberOf(numbers, keyOf("divisor")).value_or(0.0) : 1.0;
+    if (divisor <= 0.0)
+        return std::nullopt;
+    ScaledGains made;
+    for (const std::string_view name : parameters->names) {
+        const std::string key = keyOf(name);
+        const auto index = findParameter(family.parameters, key);
+        const auto number = numberOf(numbers, key);
+        const auto raw = index && number ? toRaw(family.parameters[index->value], *number) : Result<std::int64_t>();
+        if (!index || !number || !raw)
+            return std::nullopt;
+        made.rows.push_back({key, *raw, *number});
+        made.changes.push_back({*index, *raw});
+        const auto term
+            = std::find_if(terms.begin(), terms.end(), [name](const Term &known) { return known.name == name; });
+        if (term == terms.end())
+            continue;
+        if (term->scale == 0.0 && *number != 0.0)
+            return std::nullopt;
+        made.made.*(term->gain) = term->scale != 0.0 ? *number / (term->scale * divisor) : 0.0;
+    }
+    return made;
 }
 
 } // namespace mb::tuning

@@ -5,6 +5,11 @@
 #include "model/parametertransfer.h"
 #include "tuning/gainrules.h"
 
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace mb::tuning {
 
 /// The parameters of a loop that make these gains on a device, rounded to what it stores.
@@ -27,6 +32,7 @@ struct TriedScale {
     double cycle = 0.0;     ///< s between two passes of the loop
     double strongest = 0.0; ///< raw D that one count may meet
     double quickest = 0.0;  ///< s, 1/omega of a loop that what was tried vouches for
+    double i = 0.0;         ///< duty for a count·s, of a raw I of 1; 0: not known
 
     friend bool operator==(const TriedScale &, const TriedScale &) = default;
 };
@@ -39,6 +45,14 @@ struct TriedScale {
 /// The same by what is known of a device: for those that have none.
 [[nodiscard]] Result<ScaledGains> scaleGains(const Family &family, const DeviceProfile &profile, Mode loop, int axis,
     int slot, const ContinuousGains &gains, const std::optional<TriedScale> &tried = {});
+
+/// Numbers of parameters by key, in their units; nothing for what is not known.
+using KnownGains = std::vector<std::pair<std::string, std::optional<double>>>;
+
+/// scaleGains() read backwards: what these numbers make on a device. Nothing where one of a gain's is not known, or has no scale and is
+/// not 0.
+[[nodiscard]] std::optional<ScaledGains> gainsMadeBy(const Family &family, const DeviceProfile &profile, Mode loop,
+    int axis, int slot, const KnownGains &numbers, const std::optional<TriedScale> &tried = {});
 
 /// OutOfRange, with what finds them out, where a gain of this loop has a scale that must be calibrated and was not.
 [[nodiscard]] Result<void> checkScales(const Device &device, Mode loop);

@@ -68,7 +68,6 @@ constexpr std::array<Doubt, 8> countedDoubts{{
 constexpr double heatOfATuning = 0.8; ///< as PushRecord::heat
 constexpr double mostOvershootWhenWarm = 0.02;
 constexpr double overshootPrice = 40.0; ///< of the integral, for each unit beyond
-constexpr double near = 4.0;            ///< counts beside a target that nobody asks to be mended
 constexpr double never = std::numeric_limits<double>::infinity();
 
 constexpr std::array<double, 9> responses{0.6, 0.8, 1.0, 1.3, 1.9, 3.0, 4.5, 7.0, 11.0}; ///< delays
@@ -109,7 +108,7 @@ public:
         , m_seconds(secondsOf(plant, start.response, task))
         , m_rest(task.shape.windowCounts > 0.0 ? restOfCounts : 0.0)
         , m_doubts(doubtsOf(task))
-        , m_near(loop == Mode::Position ? near / std::abs(task.step) : 0.0)
+        , m_near(loop == Mode::Position ? nearTarget / std::abs(task.step) : 0.0)
     {
         if (task.shape.integralStep == 0.0)
             m_task.shape.period = std::max({task.shape.period, plant.delay / passesOfDelay, m_seconds / mostPasses});
@@ -311,6 +310,8 @@ private:
         double omega = m_task.isHeldToRule ? 1.0 / m_start.asked : never;
         if (m_task.setPoints > 0.0)
             omega = std::min(omega, quickestOfSetPoints / m_task.setPoints);
+        if (m_task.quickest > 0.0)
+            omega = std::min(omega, 1.0 / m_task.quickest);
         const bool position = m_loop == Mode::Position;
         const double natural = position ? m_plant.tau * omega * omega / m_plant.gain
             : m_task.isHeldToRule       ? 0.0

@@ -5,6 +5,9 @@
 
 namespace mb::tuning {
 
+/// Counts beside a target that nobody asks to be mended.
+constexpr double nearTarget = 4.0;
+
 /// What the rules of gainrules.h do not know: the step that matters, and the loop that takes it.
 struct SearchTask {
     LoopBounds bounds;
@@ -17,6 +20,7 @@ struct SearchTask {
         = 0.0; ///< s between set-points of a profile, which a position loop must not answer one by one; 0: none
     ContinuousGains least; ///< that the device can have, of each gain that is not 0
     LoopShape shape;
+    double quickest = 0.0; ///< s, 1/omega of a position loop that is not to be outrun; 0: none
     bool isProven = false; ///< a loop on this model was seen to do what it predicts
 };
 

@@ -3,6 +3,7 @@
 
 #include "model/family.h"
 #include "tuning/aside.h"
+#include "tuning/figures.h"
 #include "tuning/gainsearch.h"
 #include "tuning/proof.h"
 #include "tuning/seconds.h"
@@ -27,7 +28,8 @@ constexpr double currentOfLimit = 0.3;    ///< of stall and limit, at most
 constexpr double currentPrediction = 0.2; ///< s
 constexpr double longestShown = 30.0;     ///< s
 constexpr int smallerSteps = 4;
-constexpr double clearSteps = 12.0; ///< of a gain: fewer than ten mean nothing
+constexpr double overshootOfDoubt = 0.02; ///< more than of the model itself, as the search allows
+constexpr double clearSteps = 12.0;       ///< of a gain: fewer than ten mean nothing
 
 double cycleOf(const ProposalBasis &basis)
 {
@@ -61,14 +63,40 @@ LoopShape shapeOf(const ProposalBasis &basis)
     LoopShape plain;
     plain.period = predictionPeriod(basis);
     plain.mostDuty = basis.envelope.duty.value_or(1.0);
+    plain.isCounted = basis.scale.has_value();
     return plain;
+}
+
+/// The loop with what its parameters bound it by, in place of what a proposal would.
+LoopShape shapeWith(const ProposalBasis &basis, const ScaledGains &gains)
+{
+    LoopShape shape = shapeOf(basis);
+    if (!basis.family.loop || basis.loop != Mode::Position)
+        return shape;
+    shape.integralMost = shape.leastOutput = shape.goodEnough = 0.0;
+    const double full = basis.family.loop->fullDuty;
+    for (const ScaledGains::Row &row : gains.rows) {
+        if (row.key.ends_with(".windup"))
+            shape.integralMost = row.number / full;
+        else if (row.key.ends_with(".nominal_forward"))
+            shape.leastOutput = row.number / full;
+        else if (row.key.ends_with(".allowable_error"))
+            shape.goodEnough = row.number;
+    }
+    return shape;
+}
+
+double secondsOfPrediction(const ProposalBasis &basis)
+{
+    return basis.loop == Mode::Current ? currentPrediction
+                                       : std::min(1.0 + 10.0 * (basis.plant.tau + basis.plant.delay), longestShown);
 }
 
 /// The smallest gains that the device has steps enough for; 0 for what it cannot have at all.
 ContinuousGains leastOf(const ProposalBasis &basis, const ContinuousGains &gains)
 {
     ContinuousGains least;
-    const auto scaled = scaleGains(basis.family, basis.profile, basis.loop, basis.axis, basis.slot, gains);
+    const auto scaled = scaleGains(basis.family, basis.profile, basis.loop, basis.axis, basis.slot, gains, basis.scale);
     if (!scaled)
         return least;
     for (const auto &[ending, gain] : {std::pair(".p", &ContinuousGains::p), std::pair(".i", &ContinuousGains::i),
@@ -130,8 +158,7 @@ Result<void> finish(const ProposalBasis &basis, double step, Proposal &proposal)
     proposal.step = basis.loop == Mode::Current ? currentStep(plant.gain, basis.envelope)
         : step > 0.0                            ? step
                                                 : proofStep(basis.loop, plant, gains, basis.envelope);
-    const double seconds = basis.loop == Mode::Current ? currentPrediction
-                                                       : std::min(1.0 + 10.0 * (plant.tau + plant.delay), longestShown);
+    const double seconds = secondsOfPrediction(basis);
     proposal.predicted = predictStep(basis.loop, plant, gains, 0.0, proposal.step, seconds, shape);
     const double most = basis.envelope.current.value_or(std::numeric_limits<double>::infinity());
     for (int i = 0; i < smallerSteps && proposal.predicted.metrics.peakCurrent.value_or(0.0) > most; ++i) {
@@ -155,11 +182,12 @@ Result<Proposal> proposalFor(const ProposalBasis &basis, const ProposalWish &wis
         inSeconds(family.capabilities.commandPeriod), {}, shapeOf(basis)};
     proposal.design = design(basis.loop, plant, std::max(response, basis.scale ? basis.scale->quickest : 0.0),
         task.bounds, ms.model, ms.off);
-    if (basis.loop != Mode::Current && !basis.scale && !wish.response && !wish.ms) {
+    if (basis.loop != Mode::Current && !wish.response && !wish.ms) {
         task.step = proofStep(basis.loop, plant, proposal.design.gains, basis.envelope);
         task.bounds.largestError = task.step;
         task.least = leastOf(basis, proposal.design.gains);
         task.isProven = wish.isProven;
+        task.quickest = basis.scale ? basis.scale->quickest : 0.0;
         proposal.design = searched(basis.loop, plant, proposal.design, task);
     }
     if (auto made = finish(basis, task.step, proposal); !made)
@@ -167,11 +195,52 @@ Result<Proposal> proposalFor(const ProposalBasis &basis, const ProposalWish &wis
     return proposal;
 }
 
-double promisedError(const ProposalBasis &basis, const ContinuousGains &gains, double step)
+namespace {
+
+/// What of the bounds of every proposal these do not keep.
+Message beyondBounds(const ProposalBasis &basis, const Proposal &former)
+{
+    const ProposalWish wish{Aim::Brisk, {}, {}};
+    const MsBounds ms = msBoundsOf(wish);
+    LoopBounds bounds = boundsOf(basis);
+    bounds.largestError = former.step;
+    if (!isWithin(former.gains.made, bounds))
+        return say("a count or their largest error makes more output than it may");
+    if (!hasMargin(basis.loop, basis.plant, former.gains.made, ms.model, ms.off))
+        return say("their largest sensitivity is %1, at most %2 are allowed, and %3 with more gain and delay",
+            std::round(100.0 * former.margins.ms) / 100.0, ms.model, ms.off);
+    const Metrics &metrics = former.predicted.metrics;
+    if (const double overshoot = metrics.overshoot.value_or(1.0); overshoot > overshootOf(wish) + overshootOfDoubt)
+        return say("they would overshoot by %1", percentText(overshoot));
+    if (metrics.peakCurrent.value_or(0.0) > basis.envelope.current.value_or(std::numeric_limits<double>::infinity()))
+        return say("they would draw more current than is allowed");
+    return {};
+}
+
+} // namespace
+
+std::optional<FormerProposal> formerProposal(const ProposalBasis &basis, const KnownGains &numbers, double step)
+{
+    auto made = gainsMadeBy(basis.family, basis.profile, basis.loop, basis.axis, basis.slot, numbers, basis.scale);
+    if (!made || made->made.p <= 0.0)
+        return std::nullopt;
+    FormerProposal former;
+    Proposal &proposal = former.proposal;
+    proposal.design.gains = made->made;
+    proposal.margins = marginsOf(basis.loop, basis.plant, made->made);
+    proposal.step = step;
+    proposal.predicted = predictStep(
+        basis.loop, basis.plant, made->made, 0.0, step, secondsOfPrediction(basis), shapeWith(basis, *made));
+    proposal.gains = std::move(*made);
+    former.beyond = beyondBounds(basis, proposal);
+    return former;
+}
+
+double promisedError(const ProposalBasis &basis, const ContinuousGains &gains, const LoopShape &shape, double step)
 {
     SearchTask task;
     task.step = step;
-    task.shape = shapeOf(basis);
+    task.shape = shape;
     return errorOfSteps(basis.loop, basis.plant, gains, task);
 }
 

@@ -50,8 +50,19 @@ struct MsBounds {
 /// Unsupported where the device cannot have such gains.
 [[nodiscard]] Result<Proposal> proposalFor(const ProposalBasis &basis, const ProposalWish &wish);
 
-/// s², integral of time times error over the step, of the steps that would prove these gains, on the model alone.
-[[nodiscard]] double promisedError(const ProposalBasis &basis, const ContinuousGains &gains, double step);
+/// Gains that a device had, like a proposal for a step of some size.
+struct FormerProposal {
+    Proposal proposal;
+    Message
+        beyond; ///< which bound of every proposal, those of a brisk one, they do not keep on the model; empty: they keep all
+};
+/// Nothing where they are not known (gainsMadeBy()).
+[[nodiscard]] std::optional<FormerProposal> formerProposal(
+    const ProposalBasis &basis, const KnownGains &numbers, double step);
+
+/// s², integral of time times error over the step, of the steps that would prove this loop, on the model alone.
+[[nodiscard]] double promisedError(
+    const ProposalBasis &basis, const ContinuousGains &gains, const LoopShape &shape, double step);
 
 /// The same gains as parameters of the basis' axis and slot, with the help against friction and the bounds that go with them. Nothing
 /// is designed anew: microseconds.

@@ -5,6 +5,7 @@
 #include "tuning/autotunerun.h"
 #include "tuning/envelope.h"
 #include "tuning/figures.h"
+#include "tuning/gainsearch.h"
 #include "tuning/leastsquares.h"
 #include "tuning/proof.h"
 #include "tuning/refinement.h"
@@ -12,11 +13,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace mb::tuning {
 namespace {
 
 constexpr double clearlyLess = 0.97; ///< of the error, that is worth another proof
+constexpr double hardlyMore = 2.0;   ///< of the error, that a model of a loop of whole steps may be wrong by
 constexpr double restFrom = 0.75;    ///< of a step
 constexpr double wholeHold = 10.0;   ///< s
 
@@ -31,7 +34,7 @@ double shortestHold(const std::vector<Trial> &proof, double shortest)
 }
 
 /// s², integral of time times error over the step, of what was measured in the first `seconds` of each step; with the error that it rests
-/// with, for as long again. Noise adds to it, the same to all steps of a loop.
+/// with, for as long again; of a position beyond what is near enough. Noise adds to it, the same to all steps of a loop.
 double errorOf(const std::vector<Trial> &proof, double seconds)
 {
     double sum = 0.0;
@@ -42,15 +45,16 @@ double errorOf(const std::vector<Trial> &proof, double seconds)
             const double from = trial.holds[i].from;
             const Trace step = measured->trace.part(from, from + seconds, from);
             const double way = std::abs(trial.stimulus.to - trial.stimulus.from);
+            const double near = trial.mode == Mode::Position ? nearTarget / way : 0.0;
             LeastSquares<1> rest;
             for (std::size_t k = 1; k < step.size(); ++k) {
                 const double error = (trial.stimulus.to - step.y[k]) / way;
-                sum += step.t[k] * std::abs(error) * (step.t[k] - step.t[k - 1]);
+                sum += step.t[k] * std::max(std::abs(error) - near, 0.0) * (step.t[k] - step.t[k - 1]);
                 if (step.t[k] > restFrom * seconds)
                     rest.add({1.0}, error);
             }
             if (const auto mean = rest.solve())
-                sum += std::abs(mean->values[0]) * 1.5 * seconds * seconds;
+                sum += std::max(std::abs(mean->values[0]) - near, 0.0) * 1.5 * seconds * seconds;
         }
     }
     return steps > 0 ? sum / static_cast<double>(steps) : std::numeric_limits<double>::infinity();
@@ -166,8 +170,7 @@ Task<bool> TuneDesign::reconsider()
 Task<bool> TuneDesign::sharpen(double seconds)
 {
     TuneReport &report = m_run.report();
-    if (!mayChange() || report.scale || m_plan.loop == Mode::Current || m_plan.aim == Aim::Calm
-        || m_run.left() < seconds)
+    if (!mayChange() || m_plan.loop == Mode::Current || m_plan.aim == Aim::Calm || m_run.left() < seconds)
         co_return false;
     if (report.predicted->shape.windowCounts
         > 0.0) // counted over so few edges, it does not show what play and steps do to the shaft
@@ -192,12 +195,43 @@ Task<bool> TuneDesign::improved()
     auto proposing = proposeOn(plant.value_or(m_held->plant));
     if (!co_await std::move(proposing))
         co_return false;
-    const double promised = promisedError(basis(), m_held->proposed.made, m_step);
-    const double better = promisedError(basis(), m_run.report().proposed.made, m_step);
+    const double promised = promisedError(basis(), m_held->proposed.made, m_held->predicted->shape, m_step);
+    const TuneReport &report = m_run.report();
+    const double better = promisedError(basis(), report.proposed.made, report.predicted->shape, m_step);
     if (!(better < clearlyLess * promised))
         co_return false;
     m_run.note(say("on the model as these steps have corrected it, other gains leave less error; now those"));
     co_return true;
+}
+
+bool TuneDesign::recallFormer(double seconds)
+{
+    TuneReport &report = m_run.report();
+    if (!mayChange() || m_plan.loop == Mode::Current || m_run.plan().aim == Aim::Calm || m_former != Former::Untried)
+        return false;
+    const auto former = formerProposal(basis(), report.before, m_step);
+    if (!former || former->proposal.gains.made == report.proposed.made)
+        return false;
+    const double kept = promisedError(basis(), report.proposed.made, report.predicted->shape, m_step);
+    const Prediction &predicted = former->proposal.predicted;
+    const double its = promisedError(basis(), former->proposal.gains.made, predicted.shape, m_step);
+    if (!former->beyond.empty()) {
+        if (its < kept)
+            m_beyond = say("those that were there would leave less error, but are not for keeping: %1", former->beyond);
+        return false;
+    }
+    if (its > hardlyMore * kept)
+        return false;
+    if (m_run.left() < seconds) {
+        m_beyond = say("there was no time to compare them with those that were there");
+        return false;
+    }
+    m_run.note(say("the gains that were there may leave as little error; now those"));
+    m_former = Former::Tried;
+    m_held = report;
+    choose(former->proposal);
+    beginAnew();
+    return true;
 }
 
 bool TuneDesign::isPromising() const
@@ -219,6 +253,10 @@ void TuneDesign::takeTheBetter()
     const bool held = report.result != TuneResult::RolledBack && report.proof.size() == m_held->proof.size();
     const double seconds = shortestHold(report.proof, shortestHold(m_held->proof, wholeHold));
     const double less = held ? errorOf(report.proof, seconds) / errorOf(m_held->proof, seconds) : 1.0;
+    if (m_former == Former::Tried)
+        m_former = less < 1.0 ? Former::Better : Former::Worse;
+    else if (m_former == Former::Better && less < 1.0)
+        m_former = Former::Worse;
     if (less < 1.0) {
         m_less = (m_less > 0.0 ? m_less : 1.0) * less;
     } else {
@@ -231,6 +269,9 @@ void TuneDesign::takeTheBetter()
 
 Message TuneDesign::story() const
 {
+    if (isFormer())
+        return say(
+            "those that were found left more error: these, which were there, leave %1 of it", percentText(m_less));
     Message told;
     if (!m_before.empty())
         told = m_isCalmed ? say("these are the calm gains, %1", m_before)
@@ -240,6 +281,12 @@ Message TuneDesign::story() const
             = say("those that were proven first left more error, these leave %1 of it", percentText(m_less));
         told = told.empty() ? less : joined(told, less);
     }
+    if (m_former == Former::Worse) {
+        const Message worse = say("those that were there leave more error");
+        told = told.empty() ? worse : joined(told, worse);
+    }
+    if (!m_beyond.empty())
+        told = told.empty() ? m_beyond : joined(told, m_beyond);
     return told;
 }
 
@@ -255,7 +302,7 @@ void TuneDesign::beginAnew()
 Task<std::optional<PlantModel>> TuneDesign::corrected()
 {
     const TuneReport &report = m_run.report();
-    if (report.scale || m_plan.loop == Mode::Current)
+    if (m_plan.loop == Mode::Current)
         co_return std::optional<PlantModel>();
     const SteppedLoop stepped{report.proposed.made, report.predicted->shape, report.proof};
     auto working = aside<std::optional<PlantModel>>(m_run.device(),

@@ -22,9 +22,12 @@ public:
     /// Once, after a proof that held: the same aim on the model as its steps correct it, which needs less caution. False where that
     /// promises no clearly smaller error, where `seconds` of another proof are too many, or where numbers were asked for.
     [[nodiscard]] Task<bool> sharpen(double seconds);
-    /// The step that was just seen of what sharpen() proposed left less error than the same step of what was proven before.
+    /// Once, after a proof that held: the gains that were there, where they are known, may be tried and promise hardly more error. False
+    /// where they do not, where `seconds` of another proof are too many, or where calm gains or numbers were asked for.
+    [[nodiscard]] bool recallFormer(double seconds);
+    /// The step that was just seen of what sharpen() or recallFormer() proposed left less error than the same step of what was proven before.
     [[nodiscard]] bool isPromising() const;
-    /// After the proof of what sharpen() proposed: goes back to what was proven before unless the new one held and its steps left less
+    /// After the proof of what they proposed: goes back to what was proven before unless the new one held and its steps left less
     /// error.
     void takeTheBetter();
 
@@ -33,8 +36,12 @@ public:
     [[nodiscard]] const Message &before() const { return m_before; }
     /// How these came to be, where they are not the first proposal; empty: they are.
     [[nodiscard]] Message story() const;
+    /// What is proven is what was there.
+    [[nodiscard]] bool isFormer() const { return m_former == Former::Better; }
 
 private:
+    enum class Former { Untried, Tried, Better, Worse };
+
     [[nodiscard]] ProposalBasis basis() const;
     [[nodiscard]] ProposalWish wishFor(Aim aim) const;
     [[nodiscard]] VelocityTaking taking() const;
@@ -51,8 +58,10 @@ private:
     bool m_refined = false;  ///< the model was corrected after a failure, or could not be
     bool m_isCalmed = false; ///< the calm proposal took the place of the one that was asked for
     bool m_isProven = false; ///< a loop on this model was seen to do what was predicted
-    double m_less = 0.0;     ///< error of the steps over that of those before, where sharpen() was the better one
+    double m_less = 0.0; ///< error of the steps over that of those before, where what was tried beside them was better
+    Former m_former = Former::Untried;
     Message m_before;
+    Message m_beyond;                 ///< why what was there was not tried, though it might be better
     std::optional<TuneReport> m_held; ///< what was proven, while something better is tried
 };
 

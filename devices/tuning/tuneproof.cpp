@@ -190,13 +190,18 @@ Task<void> TuneProof::keep()
     co_await std::move(writing);
     report.result = TuneResult::Kept;
     const Capabilities &can = m_run.device().family().capabilities;
-    report.evidence = can.readback
+    report.evidence = m_design.isFormer()
+        ? say("the steps in both directions did what was predicted; the gains are as they were")
+        : can.readback
         ? say("the steps in both directions did what was predicted; the gains were written and read back")
         : say("the steps in both directions did what was predicted; the gains were written, which this family cannot "
               "read "
               "back");
     if (const Message story = m_design.story(); !story.empty())
         report.evidence = joined(report.evidence, story);
+    if (m_mayStay)
+        report.evidence
+            = joined(report.evidence, say("what was there is not known, and these were not compared with it"));
     if (const double rests = resting(); rests > notableRest * m_design.step())
         report.evidence = joined(report.evidence,
             report.scale ? say("it may rest %1 short of its target, less does not move its motor", std::round(rests))

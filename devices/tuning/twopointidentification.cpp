@@ -2,10 +2,12 @@
 #include "tuning/twopointidentification.h"
 
 #include "model/family.h"
+#include "tuning/aside.h"
 #include "tuning/autotunerun.h"
 #include "tuning/envelope.h"
 #include "tuning/figures.h"
 #include "tuning/gains.h"
+#include "tuning/loopfit.h"
 
 #include <algorithm>
 #include <array>
@@ -26,8 +28,11 @@ constexpr double dampedLeast = 0.35;
 constexpr double dampedMost = 1.4;
 constexpr double moreDamping = 2.5;
 constexpr int mostLooks = 5;
-constexpr double swings = 12.0;       ///< of 1/(ζω) that a step is held
-constexpr double fewestDamping = 8.0; ///< D for 1 of P, where the unit has none
+constexpr double larger = 4.0;          ///< times, of steps that play spoils
+constexpr double fewestP = 10.0;        ///< raw
+constexpr double secondsOfRound = 33.0; ///< s, that another round takes at most, and a proof
+constexpr double swings = 12.0;         ///< of 1/(ζω) that a step is held
+constexpr double fewestDamping = 8.0;   ///< D for 1 of P, where the unit has none
 constexpr double mostRaw = 30000.0;
 constexpr double mostResidual = 0.08;    ///< of a step
 constexpr double mostUncertainty = 0.3;  ///< of what D does
@@ -35,6 +40,7 @@ constexpr double mostFriction = 0.6;     ///< of what P makes of a step
 constexpr double mostLoad = 0.1;         ///< of it
 constexpr double earlierWhenSmall = 0.8; ///< of the time that a larger step takes to its middle
 constexpr double trust = 2.0;            ///< times as quick as what was tried
+constexpr double trustOfLaw = 4.0;       ///< the same where its firmware's law is known
 constexpr double noiseShare = 0.1;       ///< of full output that one count may make through D
 constexpr double cyclesOfDelay = 1.5;
 constexpr double heldMore = 1.15;     ///< times what was seen, that friction may hold
@@ -91,15 +97,31 @@ Task<void> TwoPointIdentification::identify(AutotuneRun &run)
         co_return {};
     if (auto chosen = choose(run); !chosen)
         co_return fail(chosen.error());
-    auto settling = settle(run);
-    co_await std::move(settling);
-    if (run.isOver())
-        co_return {};
-    auto trying = tryAll(run);
-    co_await std::move(trying);
-    if (run.isOver())
-        co_return {};
-    co_return conclude(run);
+    for (bool again = true; again && !run.isOver();) {
+        auto settling = settle(run);
+        co_await std::move(settling);
+        if (run.isOver())
+            co_return {};
+        auto trying = tryAll(run);
+        co_await std::move(trying);
+        if (run.isOver())
+            co_return {};
+        auto concluding = conclude(run);
+        again = co_await std::move(concluding);
+    }
+    co_return {};
+}
+
+/// Counts of a step, in which play and whole counts are less of it: the same output of a weaker P. False where there is no room or no time.
+bool TwoPointIdentification::enlarge(const AutotuneRun &run)
+{
+    const double weaker = std::round(m_first.p / larger);
+    const bool fits = weaker >= fewestP && m_drive / weaker <= roomOf(run) && run.left() >= secondsOfRound;
+    if (std::exchange(m_enlarged, true) || !fits)
+        return false;
+    m_first = {weaker, std::max(std::round(m_first.d / std::sqrt(larger)), 1.0)};
+    run.note(say("what is left over is much of so small steps; the same with larger ones"));
+    return true;
 }
 
 /// What it has, and which way it counts, before a gain is changed.
@@ -292,13 +314,18 @@ bool TwoPointIdentification::isLinear() const
     return m_known || small.empty() || large.empty() || median(small) >= earlierWhenSmall * median(large);
 }
 
-std::vector<Gate> TwoPointIdentification::gatesOf(const TwoPointFit &fit, double friction, double load) const
+std::vector<Gate> TwoPointIdentification::gatesOf(const LoopFit &fit) const
 {
+    const double friction = holding();
+    double load = 0.0;
+    for (const LoopRun &one : m_runs)
+        load += leftOf(one) / static_cast<double>(m_runs.size());
+    load = std::abs(load);
     const bool linear = isLinear();
+    const double doubt = std::hypot(fit.pushError, fit.dError / fit.d); // of what a D makes the motor do
     return {{"fit", say("what is left over is %1 of the steps, at most 8 %", percentText(fit.residual)),
                 fit.residual <= mostResidual, say("see that nothing is loose and that steps look alike")},
-        {"damping", say("what D does is known within %1, at most 30 %", percentText(fit.dError / fit.d)),
-            fit.dError <= mostUncertainty * fit.d,
+        {"damping", say("what D does is known within %1, at most 30 %", percentText(doubt)), doubt <= mostUncertainty,
             say("write a larger gain.d once, with which it still comes to rest")},
         {"friction", say("friction takes %1 of what P makes of a step, at most 60 %", percentText(friction / m_drive)),
             friction <= mostFriction * m_drive, say("allow more travel or duty")},
@@ -308,37 +335,65 @@ std::vector<Gate> TwoPointIdentification::gatesOf(const TwoPointFit &fit, double
             linear, say("write a smaller gain.p once")}};
 }
 
-Result<void> TwoPointIdentification::conclude(AutotuneRun &run) const
+/// What holds its motor, P times counts: it rests anywhere up to that, and within a count.
+double TwoPointIdentification::holding() const
 {
-    const auto fit = fitTwoPoint(m_runs);
-    if (!fit)
-        return fail(fit.error());
-    const double full = m_known ? m_full : m_drive / tried;
-    double friction = 0.0; // it rests anywhere up to what holds it, and within a count
-    double load = 0.0;
-    for (const LoopRun &one : m_runs)
-        load += leftOf(one) / static_cast<double>(m_runs.size());
+    double friction = 0.0;
     for (const auto *const runs : {&m_runs, &m_creeping}) {
         for (const LoopRun &one : *runs)
             friction = std::max(friction, heldMore * (std::abs(leftOf(one)) + one.p));
     }
+    return friction;
+}
+
+/// What one pass of its loop makes of raw gains: as its firmware has it, or as far as that can be told.
+LoopLaw TwoPointIdentification::lawOf(const AutotuneRun &run, const TwoPointFit &linear) const
+{
+    const double full = m_known ? m_full : m_drive / tried;
     const double cycle = run.device().family().trials->raw.cycle;
-    const TriedScale scale{1.0 / full, fit->d / (fit->p * full), cycle,
-        std::max(m_known ? noiseShare * full : damper * m_first.d, m_stored.d),
-        1.0 / (trust * std::sqrt(fit->p * firmer * m_first.p))};
-    const double drag = std::max(fit->drag, leastDrag);
+    const double strongest = std::max(m_known ? noiseShare * full : damper * m_first.d, m_stored.d);
+    const double quickest = 1.0 / ((m_known ? trustOfLaw : trust) * std::sqrt(linear.p * firmer * m_first.p));
+    const double i = m_known ? 1.0 / (full * run.device().family().trials->raw.integral * cycle) : 0.0;
+    return {
+        {1.0 / full, m_known ? cycle / full : linear.d / (linear.p * full), cycle, strongest, quickest, i}, m_known};
+}
+
+/// Takes what the steps have told; true where larger ones are to tell it first.
+Task<bool> TwoPointIdentification::conclude(AutotuneRun &run)
+{
+    const auto linear = fitTwoPoint(m_runs);
+    if (!linear)
+        co_return fail(linear.error());
+    LoopLaw law = lawOf(run, *linear);
+    std::vector<LoopRun> runs = m_runs;
+    runs.insert(runs.end(), m_creeping.begin(), m_creeping.end());
+    auto fitting = aside<LoopFit>(run.device(), [runs, law, first = *linear] { return fitLoop(runs, law, first); });
+    const LoopFit fit = co_await std::move(fitting);
+    if (fit.residual > mostResidual && enlarge(run))
+        co_return true;
+    law.scale.d = fit.d;
+    PlantModel plant = fit.plant;
+    plant.delay = cyclesOfDelay * law.scale.cycle + electrical;
+    const auto taken = run.take({motorOf(fit, law), plant, gatesOf(fit), law.scale});
+    if (!taken)
+        co_return fail(taken.error());
+    co_return false;
+}
+
+MotorFound TwoPointIdentification::motorOf(const LoopFit &fit, const LoopLaw &law) const
+{
     MotorFound found;
-    found.line.gain = fit->p * full / drag;
-    found.line.gainError = found.line.gain * std::hypot(fit->pError / fit->p, fit->dragError / drag);
-    found.line.friction = friction / full;
-    found.pushes.tau = 1.0 / drag;
-    found.pushes.tauError = fit->dragError / (drag * drag);
-    found.pushes.delay = fit->delay;
-    found.pushes.delayError = fit->delayError;
-    found.pushes.cost = fit->residual;
-    found.unit = m_known ? "counts/s per duty" : "counts/s per " + inWhole(full) + " of P × counts";
-    const PlantModel plant{found.line.gain, found.pushes.tau, cyclesOfDelay * cycle + electrical, found.line.friction};
-    return run.take({std::move(found), plant, gatesOf(*fit, friction, std::abs(load)), scale});
+    found.line.gain = fit.plant.gain;
+    found.line.gainError = fit.gainError;
+    found.line.friction = holding() * law.scale.p;
+    found.pushes.tau = fit.plant.tau;
+    found.pushes.tauError = fit.tauError;
+    found.pushes.delay = fit.shift;
+    found.pushes.delayError = fit.shiftError;
+    found.pushes.cost = fit.residual;
+    found.braking = fit.plant.braking;
+    found.unit = m_known ? "counts/s per duty" : "counts/s per " + inWhole(1.0 / law.scale.p) + " of P × counts";
+    return found;
 }
 
 } // namespace mb::tuning

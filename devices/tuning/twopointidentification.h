@@ -3,6 +3,7 @@
 
 #include "tuning/experiment.h"
 #include "tuning/identification.h"
+#include "tuning/loopfit.h"
 #include "tuning/motoridentification.h"
 #include "tuning/twopointfit.h"
 
@@ -11,7 +12,8 @@
 namespace mb::tuning {
 
 /// For a position loop without a duty command, whose gains may have an unknown scale: steps both ways with three pairs of gains,
-/// small enough that the output is never at its end. What P and D do to each other is enough to design with.
+/// small enough that the output is never at its end (twopointfit.h), of which a motor with its friction is made (loopfit.h). Where play
+/// spoils them, a second round with larger ones.
 class TwoPointIdentification final : public MotorIdentification {
 public:
     [[nodiscard]] Task<void> identify(AutotuneRun &run) override;
@@ -30,18 +32,23 @@ private:
     [[nodiscard]] ExperimentPlan planOf(const AutotuneRun &run, Point point, double counts, bool writes) const;
     [[nodiscard]] Task<void> step(AutotuneRun &run, Point point, double counts);
     [[nodiscard]] Task<void> tryAll(AutotuneRun &run);
-    [[nodiscard]] Result<void> conclude(AutotuneRun &run) const;
+    [[nodiscard]] double holding() const;
+    [[nodiscard]] LoopLaw lawOf(const AutotuneRun &run, const TwoPointFit &linear) const;
+    [[nodiscard]] Task<bool> conclude(AutotuneRun &run);
+    [[nodiscard]] bool enlarge(const AutotuneRun &run);
     [[nodiscard]] bool isLinear() const;
-    [[nodiscard]] std::vector<Gate> gatesOf(const TwoPointFit &fit, double friction, double load) const;
+    [[nodiscard]] std::vector<Gate> gatesOf(const LoopFit &fit) const;
+    [[nodiscard]] MotorFound motorOf(const LoopFit &fit, const LoopLaw &law) const;
 
-    Point m_stored;         ///< before the tuning
-    Point m_first;          ///< the calmest that is tried
-    bool m_known = false;   ///< raw P times counts of full output are known
-    double m_full = 0.0;    ///< that, or twice what was tried
-    double m_drive = 0.0;   ///< raw P times counts of each step
-    double m_seconds = 0.8; ///< of each step
-    bool m_swung = false;   ///< the last step was ended because the loop swung itself up
-    bool m_grown = false;   ///< the steps were made larger because friction took much of them
+    Point m_stored;          ///< before the tuning
+    Point m_first;           ///< the calmest that is tried
+    bool m_known = false;    ///< raw P times counts of full output are known
+    double m_full = 0.0;     ///< that, or twice what was tried
+    double m_drive = 0.0;    ///< raw P times counts of each step
+    double m_seconds = 0.8;  ///< of each step
+    bool m_swung = false;    ///< the last step was ended because the loop swung itself up
+    bool m_grown = false;    ///< the steps were made larger because friction took much of them
+    bool m_enlarged = false; ///< the steps were made larger because play took much of them
     std::vector<LoopRun> m_runs;
     std::vector<LoopRun> m_creeping; ///< slower than the model needs: they tell what friction holds
     std::vector<Trial> m_trials;

@@ -2,7 +2,9 @@
 #include "async/scope.h"
 #include "support/heldbackground.h"
 #include "tests/tuning/tuningbench.h"
+#include "tuning/envelope.h"
 #include "tuning/frequencyresponse.h"
+#include "tuning/gains.h"
 #include "tuning/proposals.h"
 #include "tuning/uncertainty.h"
 
@@ -11,6 +13,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
+#include <tuple>
 
 namespace mb::tuning {
 namespace {
@@ -170,6 +173,65 @@ TEST(PredictionBands, HoldEveryStepOfAPlantInsideItsErrors)
     const PredictionBand none = bandOf(proposal->predicted, Mode::Velocity, slow, {}, proposal->gains.made,
         proposal->step, 1.0, predictionPeriod(basis));
     EXPECT_EQ(none.low.y, none.high.y);
+}
+
+KnownGains numbersOf(const ScaledGains &gains)
+{
+    KnownGains numbers;
+    for (const ScaledGains::Row &row : gains.rows)
+        numbers.emplace_back(row.key, row.number);
+    return numbers;
+}
+
+TEST(FormerGains, AreReadBackAsWhatTheyWereRoundedTo)
+{
+    for (const auto &[family, number, gains] : {std::tuple("dmc60c", 7, ContinuousGains{1e-4, 2e-4, 3e-6, 1e-6}),
+             std::tuple("abstractdc", 3, ContinuousGains{2e-3, 1e-3, 1e-4, 0.0})}) {
+        const ExperimentBench bench("sim:can", family, number);
+        const ProposalBasis basis = basisOf(bench, Mode::Position);
+        const auto scaled = scaleGains(basis.family, basis.profile, basis.loop, 1, 0, gains);
+        ASSERT_TRUE(scaled) << scaled.error().text();
+        KnownGains numbers = numbersOf(*scaled);
+        for (const std::string_view name : loopOf(basis.family, basis.loop)->names) { // what a slot has beside them
+            const std::string key = gainKey(
+                basis.family, std::string(loopOf(basis.family, basis.loop)->prefix) + std::string(name), 1, 0);
+            if (std::none_of(numbers.begin(), numbers.end(), [&](const auto &known) { return known.first == key; }))
+                numbers.emplace_back(key, 0.0);
+        }
+        const auto made = gainsMadeBy(basis.family, basis.profile, basis.loop, 1, 0, numbers);
+        ASSERT_TRUE(made) << family;
+        EXPECT_NEAR(made->made.p, scaled->made.p, 1e-9 * scaled->made.p) << family;
+        EXPECT_NEAR(made->made.i, scaled->made.i, 1e-9 * scaled->made.i) << family;
+        EXPECT_NEAR(made->made.d, scaled->made.d, 1e-9 * scaled->made.d) << family;
+        numbers.front().second.reset();
+        EXPECT_FALSE(gainsMadeBy(basis.family, basis.profile, basis.loop, 1, 0, numbers)) << "one is not known";
+    }
+}
+
+TEST(FormerGains, AreTriedWithinTheBoundsOfAProposalOnly)
+{
+    const ExperimentBench bench("sim:can", "abstractdc", 3);
+    ProposalBasis basis = basisOf(bench, Mode::Position);
+    basis.plant = {80'000.0, 0.12, 0.031, 0.02};
+    const auto proposal = proposalFor(basis, {Aim::Normal, {}, {}});
+    ASSERT_TRUE(proposal) << proposal.error().text();
+    const auto asFormer = [&](double stiffer, double damper) {
+        ContinuousGains gains = proposal->gains.made;
+        gains.p *= stiffer;
+        gains.d *= damper;
+        const auto scaled = scaleGains(basis.family, basis.profile, basis.loop, 1, 0, gains);
+        return formerProposal(basis, numbersOf(*scaled), proposal->step);
+    };
+    const auto same = asFormer(1.0, 1.0);
+    ASSERT_TRUE(same);
+    EXPECT_TRUE(same->beyond.empty()) << same->beyond.english();
+    EXPECT_NEAR(same->proposal.margins.ms, proposal->margins.ms, 1e-6);
+    EXPECT_NEAR(
+        same->proposal.predicted.metrics.rise.value_or(0.0), proposal->predicted.metrics.rise.value_or(1.0), 0.02);
+    EXPECT_TRUE(asFormer(0.5, 1.0)->beyond.empty());
+    EXPECT_NE(asFormer(2.5, 1.0)->beyond.english().find("sensitivity"), std::string::npos);
+    EXPECT_FALSE(asFormer(1.0, 0.0)->beyond.empty()) << "nothing damps it";
+    EXPECT_FALSE(asFormer(1.0, 4.0)->beyond.empty()) << "too little margin";
 }
 
 } // namespace

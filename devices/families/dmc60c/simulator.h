@@ -25,7 +25,8 @@ namespace mb::dmc60c {
 /// the page), page-failed, config-flash (value: the sequence number), power-lost, power-on, bricked. Times are exact.
 ///
 /// disturb(): `load-torque` (N·m at the shaft), `stall` (0/1), `bus-voltage` (V), `analog-input` (V), `forward-limit`
-/// and `reverse-limit` (1: switch closed), `gate-fault` (0/1), `temperature` (°C of the case), `flash-fail` (page whose
+/// and `reverse-limit` (1: switch closed), `gate-fault` (0/1), `temperature` (°C of the case), `current-noise` (σ of the current that it reads, in
+/// its 31.6 mA; 2 unless set), `flash-fail` (page whose
 /// next write fails).
 [[nodiscard]] Result<std::unique_ptr<Simulator>> simulate(Link &link, Clock &clock, const SimulatedUnit &unit);
 

@@ -10,7 +10,6 @@ namespace {
 constexpr double amperesPerLsb = 2070.0 / 65536.0; ///< as calibrated at the factory
 constexpr int adcLow = -2048;
 constexpr int adcHigh = 2047;
-constexpr double adcNoise = 2.0;  ///< LSB
 constexpr double busNoise = 0.02; ///< V
 constexpr double temperatureStep = 0.5;
 constexpr double ambient = 25.0;
@@ -55,7 +54,7 @@ void Rig::rest(double seconds)
 
 std::int32_t Rig::adcCurrent()
 {
-    const double noisy = m_motor.current() / amperesPerLsb + adcNoise * m_noise(m_random);
+    const double noisy = m_motor.current() / amperesPerLsb + m_adcNoise * m_noise(m_random);
     return static_cast<std::int32_t>(std::lround(std::clamp<double>(noisy, adcLow, adcHigh)));
 }
 
@@ -79,6 +78,8 @@ bool Rig::disturb(std::string_view what, double value)
         m_analog = value;
     else if (what == "temperature")
         m_case = value;
+    else if (what == "current-noise")
+        m_adcNoise = value;
     else {
         m_disturbed = true;
         return m_motor.disturb(what, value);

@@ -54,6 +54,7 @@ private:
     bool m_disturbed = false; ///< and has not been stepped since
     bool m_forwardClosed = false;
     bool m_reverseClosed = false;
+    double m_adcNoise = 2.0; ///< LSB
     double m_case = 25.0;
     double m_analog = 0.0;
 };

@@ -246,6 +246,12 @@ double Unit::position()
     return m_drive.rig().position();
 }
 
+double Unit::current()
+{
+    m_drive.advance(m_clock.now());
+    return m_drive.rig().current();
+}
+
 bool Unit::disturb(std::string_view what, double value)
 {
     const Instant now = m_clock.now();

@@ -21,6 +21,7 @@ public:
     [[nodiscard]] bool isOutputOn();
     [[nodiscard]] double speed();
     [[nodiscard]] double position();
+    [[nodiscard]] double current(); ///< A
     void setPowered(bool powered);
     [[nodiscard]] std::vector<std::uint8_t> flash() const { return m_application.bytes(); }
     bool disturb(std::string_view what, double value);

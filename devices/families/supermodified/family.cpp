@@ -85,7 +85,7 @@ constexpr TrialTraits trials{
     .limits = deviceLimits,
     .bench = {.travel = 1e6, .speed = 1e6, .current = 5.0, .duty = 1.0},
     .rate = 100.0,
-    .raw = {.cycle = 1.0 / loopsPerSecond, .fullDuty = 256.0 * 255.0, .dialects = "D1 D2"},
+    .raw = {.cycle = 1.0 / loopsPerSecond, .fullDuty = 256.0 * 255.0, .integral = 256.0, .dialects = "D1 D2"},
     .nudge = 20.0,
     .nudgeTravel = 60.0,
     .atBoot = "gain.p",

@@ -2,6 +2,7 @@
 #include "tests/tuning/matrix/bruteforce.h"
 
 #include "model/family.h"
+#include "tests/tuning/matrix/groundtruth.h"
 #include "tuning/gainscale.h"
 #include "tuning/margins.h"
 #include "tuning/proof.h"
@@ -39,7 +40,7 @@ public:
     {
         if (!isWithinBounds(m_cell, m_truth, gains, m_probe.step()))
             return;
-        const auto scaled = tuning::scaleGains(m_probe.device(), m_cell.loop, 1, 0, gains);
+        const auto scaled = tuning::scaleGains(m_probe.device(), m_cell.loop, 1, 0, gains, trueScale(m_cell));
         if (!scaled)
             return;
         std::vector<ParameterChange> changes = scaled->changes;
@@ -84,12 +85,6 @@ const Family &familyOf(const Cell &cell)
     return **std::find_if(all.begin(), all.end(), [&cell](const Family *family) { return family->key == cell.family; });
 }
 
-double cycleOf(const Cell &cell)
-{
-    const Family &family = familyOf(cell);
-    return family.loop ? family.loop->cycle : 1e-3;
-}
-
 double commandPeriodOf(const Cell &cell)
 {
     return std::chrono::duration<double>(familyOf(cell).capabilities.commandPeriod).count();
@@ -131,7 +126,9 @@ void lookAtPositions(Search &search, const tuning::PlantModel &truth, bool withI
 
 bool isWithinBounds(const Cell &cell, const tuning::PlantModel &truth, const ContinuousGains &gains, double step)
 {
-    if (gains.p <= 0.0 || gains.p * step > strongestError || gains.d / cycleOf(cell) > noiseShare * 1.001)
+    const auto scale = trueScale(cell);
+    const double share = scale ? scale->strongest * scale->d / scale->cycle : noiseShare;
+    if (gains.p <= 0.0 || gains.p * step > strongestError || gains.d / cycleOf(cell) > share * 1.001)
         return false;
     tuning::PlantModel off = truth;
     off.gain *= moreGain;
@@ -147,10 +144,10 @@ std::optional<BestGains> bruteForce(
 {
     const int before = probe.runs();
     Search search(probe, cell, truth, also);
-    if (cell.loop == Mode::Velocity)
-        lookAtVelocities(search, truth);
+    if (cell.loop == Mode::Position)
+        lookAtPositions(search, truth, !trueScale(cell) && !tuning::hasFrictionHelp(probe.device().family()));
     else
-        lookAtPositions(search, truth, !tuning::hasFrictionHelp(probe.device().family()));
+        lookAtVelocities(search, truth);
     if (search.best) {
         search.refine(1.1);
         search.refine(1.04);

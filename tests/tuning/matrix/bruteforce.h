@@ -13,7 +13,7 @@ struct BestGains {
 
 /// The gains with the least ITAE on the unit itself, of those within the bounds of every proposal: sensitivity of the true linear
 /// model at most 1.7, and 1.9 with 20 % more gain and 30 % more delay, overshoot at most 5 %, one count at most 10 % of duty
-/// through D, the step at most three full duties through P, natural frequency of a position loop at most twice that of its set-points. PI in a velocity loop; PD or PID in a position loop, as the family's proposals have it. `also` is written with
+/// through D, the step at most three full duties through P, natural frequency of a position loop at most twice that of its set-points. PI in a loop of velocity or current; PD or PID in a position loop, as the family's proposals have it. `also` is written with
 /// each (friction help). Nothing where none is within the bounds.
 [[nodiscard]] std::optional<BestGains> bruteForce(
     StepProbe &probe, const Cell &cell, const tuning::PlantModel &truth, const std::vector<ParameterChange> &also);

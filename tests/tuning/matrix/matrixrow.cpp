@@ -18,6 +18,8 @@ using tuning::TuneResult;
 constexpr double holdSettles = 4.0;
 constexpr double shortestHold = 0.6;
 constexpr double longestHold = 6.0;
+constexpr double shortestOfCurrent = 0.08; ///< s, as its proof
+constexpr double longestOfCurrent = 0.2;   ///< s
 constexpr int runsOfMean = 4;
 
 const tuning::Proposal *normalOf(const TuneReport &report)
@@ -64,7 +66,7 @@ std::optional<ShaftResponse> meanOf(StepProbe &probe, const std::vector<Paramete
 std::optional<ShaftResponse> tryRule(
     StepProbe &probe, const Cell &cell, const tuning::ContinuousGains &gains, const std::vector<ParameterChange> &also)
 {
-    const auto scaled = tuning::scaleGains(probe.device(), cell.loop, 1, 0, gains);
+    const auto scaled = tuning::scaleGains(probe.device(), cell.loop, 1, 0, gains, trueScale(cell));
     if (!scaled)
         return std::nullopt;
     std::vector<ParameterChange> changes = scaled->changes;
@@ -72,13 +74,51 @@ std::optional<ShaftResponse> tryRule(
     return meanOf(probe, changes);
 }
 
+/// What raw gains make, as the firmware of the cell has it; those of the report where it knows that itself.
+tuning::ContinuousGains trueGains(const Cell &cell, const tuning::ScaledGains &kept)
+{
+    const auto scale = trueScale(cell);
+    if (!scale)
+        return kept.made;
+    tuning::ContinuousGains made;
+    for (const tuning::ScaledGains::Row &row : kept.rows) {
+        made.p = row.key.ends_with(".p") ? row.number * scale->p : made.p;
+        made.i = row.key.ends_with(".i") ? row.number * scale->i : made.i;
+        made.d = row.key.ends_with(".d") ? row.number * scale->d : made.d;
+    }
+    return made;
+}
+
+/// Gains that somebody else's rule would have. A rule for a loop with an integral tells nothing of one without.
+void compareWithRules(MatrixRow &row, StepProbe &probe, const std::vector<ParameterChange> &help,
+    const std::vector<tuning::Trial> &trials)
+{
+    const Cell &cell = row.cell;
+    if (trueScale(cell))
+        return;
+    const Ultimate ultimate = ultimateOf(cell.loop, row.truth);
+    row.zieglerNichols = tryRule(probe, cell, zieglerNichols(cell.loop, ultimate), help);
+    row.tyreusLuyben = tryRule(probe, cell, tyreusLuyben(cell.loop, ultimate), help);
+    if (cell.loop == Mode::Current) // whose pushes tell no motor
+        return;
+    if (const auto plant = regressed(trials, row.truth)) {
+        const auto response = tuning::responseOf(cell.loop, tuning::Aim::Normal, *plant);
+        row.regression = tryRule(probe, cell,
+            cell.loop == Mode::Position ? tuning::positionRule(*plant, 1.0 / response)
+                                        : tuning::velocityRule(*plant, response),
+            help);
+    }
+}
+
 void compareWithOthers(MatrixRow &row, const TuneReport &report, const std::vector<tuning::Trial> &trials, bool all)
 {
     const Cell &cell = row.cell;
     const double settle = report.predicted->metrics.settle.value_or(1.0);
-    const double seconds = std::clamp(holdSettles * settle, shortestHold, longestHold);
+    const bool isCurrent = cell.loop == Mode::Current;
+    const double seconds = std::clamp(
+        holdSettles * settle, isCurrent ? shortestOfCurrent : shortestHold, isCurrent ? longestOfCurrent : longestHold);
     StepProbe probe(cell, row.step, seconds);
-    row.before = probe.run();
+    row.before = meanOf(probe, {});
     row.kept = meanOf(probe, report.proposed.changes);
     if (!all)
         return;
@@ -87,16 +127,7 @@ void compareWithOthers(MatrixRow &row, const TuneReport &report, const std::vect
         row.best = tryRule(probe, cell, best->gains, help);
         row.bestGains = best->gains;
     }
-    const Ultimate ultimate = ultimateOf(cell.loop, row.truth);
-    row.zieglerNichols = tryRule(probe, cell, zieglerNichols(cell.loop, ultimate), help);
-    row.tyreusLuyben = tryRule(probe, cell, tyreusLuyben(cell.loop, ultimate), help);
-    if (const auto plant = regressed(trials, row.truth)) {
-        const auto response = tuning::responseOf(cell.loop, tuning::Aim::Normal, *plant);
-        row.regression = tryRule(probe, cell,
-            cell.loop == Mode::Position ? tuning::positionRule(*plant, 1.0 / response)
-                                        : tuning::velocityRule(*plant, response),
-            help);
-    }
+    compareWithRules(row, probe, help, trials);
 }
 
 /// Seconds that each kind of experiment took.
@@ -128,11 +159,12 @@ std::string cells(const std::optional<ShaftResponse> &response)
 
 } // namespace
 
-Cell cellOf(const std::string &family, const std::string &motor, Mode loop, std::uint64_t seed, double rate)
+Cell cellOf(const std::string &family, const std::string &motor, Mode loop, std::uint64_t seed, double rate,
+    const std::string &dialect)
 {
     std::mt19937_64 random(seed * 7919U);
     std::uniform_real_distribution<double> share(0.0, 1.0);
-    Cell cell{family, motor, loop, seed, 0.6 + share(random), {}};
+    Cell cell{family, motor, loop, seed, 0.6 + share(random), {}, dialect};
     cell.around.rate = rate;
     const auto kind = (seed - 1) % 4;
     if (kind >= 1) {
@@ -187,8 +219,13 @@ MatrixRow tuneCell(const Cell &cell, Compare compare)
         return row;
     }
     row.reason = report->evidence.english();
-    row.keptGains = report->proposed.made;
+    row.keptGains = trueGains(cell, report->proposed);
     row.isWithin = isWithinBounds(cell, row.truth, row.keptGains, row.step);
+    if (const auto former = tuning::gainsMadeBy(
+            unit.device().family(), unit.device().knowledge().profile(), cell.loop, 1, 0, before, trueScale(cell))) {
+        row.formerGains = former->made;
+        row.isFormerWithin = isWithinBounds(cell, row.truth, row.formerGains, row.step);
+    }
     if (compare != Compare::Nothing)
         compareWithOthers(row, *report, unit.journal().completed, compare == Compare::All);
     return row;
@@ -201,7 +238,9 @@ std::string matrixHead()
                        "stopped\twithin\tstep";
     for (const char *const who : {"kept", "before", "best", "zn", "tl", "sysid"})
         head += std::string("\t") + who + "_itae\t" + who + "_os\t" + who + "_settle";
-    return head + "\tkept_p\tkept_i\tkept_d\tbest_p\tbest_i\tbest_d\treason";
+    return head
+        + "\tkept_p\tkept_i\tkept_d\tbest_p\tbest_i\tbest_d\tbefore_p\tbefore_i\tbefore_d\tbefore_"
+          "within\tdialect\treason";
 }
 
 std::string textOf(const MatrixRow &row)
@@ -217,9 +256,10 @@ std::string textOf(const MatrixRow &row)
     for (const auto *const response :
         {&row.kept, &row.before, &row.best, &row.zieglerNichols, &row.tyreusLuyben, &row.regression})
         text += cells(*response);
-    for (const auto *const gains : {&row.keptGains, &row.bestGains})
+    for (const auto *const gains : {&row.keptGains, &row.bestGains, &row.formerGains})
         text += '\t' + number(gains->p) + '\t' + number(gains->i) + '\t' + number(gains->d);
-    return text + '\t' + row.reason;
+    text += row.isFormerWithin ? "\t1" : "\t0";
+    return text + '\t' + cell.dialect + '\t' + row.reason;
 }
 
 } // namespace mb::test

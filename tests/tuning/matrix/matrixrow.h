@@ -26,6 +26,8 @@ struct MatrixRow {
     double step = 0.0;
     tuning::ContinuousGains keptGains;
     tuning::ContinuousGains bestGains;
+    tuning::ContinuousGains formerGains; ///< that were there before; 0 where they are not known
+    bool isFormerWithin = false;         ///< they hold the same bounds
     std::optional<ShaftResponse> kept;
     std::optional<ShaftResponse> before;
     std::optional<ShaftResponse> best;
@@ -40,8 +42,8 @@ enum class Compare { Nothing, Kept, All };
 
 /// The conditions of a seed: load from 0.6 to 1.6 times, and of friction, backlash, a sagging supply, ripple and lost frames
 /// none, some or all.
-[[nodiscard]] Cell cellOf(
-    const std::string &family, const std::string &motor, Mode loop, std::uint64_t seed, double rate);
+[[nodiscard]] Cell cellOf(const std::string &family, const std::string &motor, Mode loop, std::uint64_t seed,
+    double rate, const std::string &dialect = "");
 
 /// One line of a table, its cells parted by tabs, and its head.
 [[nodiscard]] std::string matrixHead();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/tuning/matrix/matrixunit.h"
 
+#include "families/abstractdc/simulatoroptions.h"
 #include "families/quadquad2drv/calibrations.h"
 #include "families/quadquad2drv/simulatoraxis.h"
 #include "tuning/gains.h"
@@ -39,7 +40,26 @@ const Family &familyOf(std::string_view key)
 std::string textOf(const Cell &cell)
 {
     const double load = std::max(1.0, usualLoad(cell.motor) * cell.loadFactor);
-    return std::string(placeOf(cell.family).unit) + ",motor=" + cell.motor + ",load=" + std::to_string(load);
+    const std::string dialect = cell.dialect.empty() ? "" : ",dialect=" + cell.dialect;
+    return std::string(placeOf(cell.family).unit) + dialect + ",motor=" + cell.motor + ",load=" + std::to_string(load);
+}
+
+/// The stored gains of an Abstract DC Drive by key, in the order in which they may be written: none of them can be read.
+std::vector<std::pair<std::string, double>> storedGainsOf(const std::string &unit)
+{
+    using namespace abstractdc::simulation;
+    std::vector<std::pair<std::string, double>> numbers;
+    const auto options = UnitOptions::parse(*SimulatedUnit::parse(unit));
+    EXPECT_TRUE(options) << unit;
+    const auto stored = storedGains(*options);
+    constexpr std::array<const char *, 3> loops{"velocity.", "current.", "position."};
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+        const Record &record = stored.at(i);
+        for (const auto &[name, value] : {std::pair("divisor", record.divisor), std::pair("p", record.p),
+                 std::pair("i", record.i), std::pair("d", record.d)})
+            numbers.emplace_back(std::string(loops.at(i)) + name, value);
+    }
+    return numbers;
 }
 
 std::string linkOf(const Cell &cell, bool ideal)
@@ -91,6 +111,9 @@ MatrixUnit::MatrixUnit(const Cell &cell, bool ideal)
     prepare();
     if (!ideal && cell.around.ripple > 0.0)
         shake();
+    if (ideal && cell.family == "dmc60c") {
+        EXPECT_TRUE(simulator().disturb("current-noise", 0.0));
+    }
     renew();
 }
 
@@ -99,9 +122,20 @@ Simulator &MatrixUnit::simulator()
     return *m_session.bench(*m_link)->simulators().front();
 }
 
-/// What a QuadQuad2Drv needs to know of itself first, and a board that may use most of its power.
+void MatrixUnit::write(std::string_view key, double number)
+{
+    const auto index = findParameter(m_device->parameters().table(), key);
+    EXPECT_TRUE(run(m_clock, m_device->write(*index, *toRaw(m_device->parameters().parameter(*index), number)))) << key;
+}
+
+/// What a QuadQuad2Drv needs to know of itself first, and a board that may use most of its power. The gains of an Abstract DC Drive
+/// are written once, as they are: who does not know what was there compares with nothing.
 void MatrixUnit::prepare()
 {
+    if (m_cell.family == "abstractdc") {
+        for (const auto &[key, number] : storedGainsOf(m_text))
+            write(key, number);
+    }
     if (m_cell.family != "quadquad2drv")
         return;
     using namespace quadquad2drv;
@@ -111,11 +145,8 @@ void MatrixUnit::prepare()
         {calibration::positionI, gain::positionI}, {calibration::positionD, gain::positionD}}};
     for (const auto &[key, scale] : scales)
         EXPECT_TRUE(m_device->knowledge().calibrate(key, scale));
-    for (const auto &[key, value] : {std::pair("ch1.limit.power", 0.8), std::pair("history.length", 8.0)}) {
-        const auto index = findParameter(m_device->parameters().table(), key);
-        EXPECT_TRUE(run(m_clock, m_device->write(*index, *toRaw(m_device->parameters().parameter(*index), value))))
-            << key;
-    }
+    for (const auto &[key, value] : {std::pair("ch1.limit.power", 0.8), std::pair("history.length", 8.0)})
+        write(key, value);
 }
 
 void MatrixUnit::disturb(const Surroundings &around)

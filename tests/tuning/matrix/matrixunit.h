@@ -31,6 +31,7 @@ struct Cell {
     std::uint64_t seed = 1;
     double loadFactor = 1.0; ///< times the usual load of this motor
     Surroundings around;
+    std::string dialect; ///< of the unit's firmware; empty: the usual one
 };
 
 /// The usual inertia of rotor and load over the rotor's own.
@@ -42,7 +43,7 @@ struct Cell {
 /// One simulated controller alone on a bench of its own, in virtual time.
 class MatrixUnit {
 public:
-    /// The unit of a cell. `ideal`: without loss and ripple, which no two runs share.
+    /// The unit of a cell. `ideal`: without loss, ripple and noise of a sensor, which no two runs share.
     explicit MatrixUnit(const Cell &cell, bool ideal = false);
 
     [[nodiscard]] VirtualClock &clock() { return m_clock; }
@@ -62,6 +63,7 @@ public:
 
 private:
     void prepare();
+    void write(std::string_view key, double number);
     void disturb(const Surroundings &around);
     void renew();
     void shake();

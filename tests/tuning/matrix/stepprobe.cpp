@@ -15,7 +15,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration look = 1ms;
-constexpr double lookSeconds = 1e-3;
+constexpr Duration lookAtCurrent = 250us;
 constexpr double restShare = 2e-3; ///< of the step, in a tenth of a second
 constexpr int mostWaits = 100;
 constexpr double band = 0.05;
@@ -50,18 +50,22 @@ SetPoint StepProbe::setPoint(double target) const
     return point;
 }
 
+/// Without power: at no duty, or, where a unit knows none, stopped.
 bool StepProbe::comeToRest()
 {
     VirtualClock &clock = m_unit->clock();
-    SetPoint none = setPoint(0.0);
-    none.mode = Mode::Duty;
-    if (!m_unit->stream().start(none, tuning::experimentLease))
-        return false;
+    if (const auto &modes = device().family().modes; std::find(modes.begin(), modes.end(), Mode::Duty) != modes.end()) {
+        SetPoint none = setPoint(0.0);
+        none.mode = Mode::Duty;
+        if (!m_unit->stream().start(none, tuning::experimentLease))
+            return false;
+    }
     int still = 0;
+    const double share = m_cell.loop == Mode::Current ? 0.0 : restShare;
     for (int i = 0; i < mostWaits && still < 2; ++i) {
         const double before = m_unit->simulator().position();
         clock.advance(100ms);
-        still = std::abs(m_unit->simulator().position() - before) < std::max(1.0, restShare * m_step) ? still + 1 : 0;
+        still = std::abs(m_unit->simulator().position() - before) < std::max(1.0, share * m_step) ? still + 1 : 0;
     }
     m_unit->stream().stop();
     clock.advance(50ms);
@@ -69,51 +73,81 @@ bool StepProbe::comeToRest()
     return still == 2;
 }
 
-std::optional<ShaftResponse> StepProbe::run(const std::vector<ParameterChange> &changes)
+/// Its loop holds it where it stands: what the unit calls that.
+std::optional<double> StepProbe::begin()
 {
-    ++m_runs;
     VirtualClock &clock = m_unit->clock();
-    if (!comeToRest())
+    const bool counts = device().family().capabilities.zeroPosition;
+    if (counts && !test::run(clock, device().zeroPosition()))
         return std::nullopt;
-    if (!changes.empty() && !test::run(clock, tuning::writeGains(device(), changes)))
-        return std::nullopt;
-    const bool position = m_cell.loop == Mode::Position;
     const auto channel = tuning::axisChannel(device(), "position", 1);
     const auto told = channel ? device().telemetry()->latest(*channel) : std::nullopt;
-    const double origin = position && told ? told->value : 0.0;
-    const double base = m_unit->simulator().position();
+    const double origin = m_cell.loop == Mode::Position && told && !counts ? told->value : 0.0;
     if (!m_unit->stream().start(setPoint(origin), tuning::experimentLease))
         return std::nullopt;
     clock.advance(100ms);
+    return origin;
+}
+
+/// A motor that a current has driven is brought to rest before it is driven again.
+bool StepProbe::waitForReturn(double origin, bool again)
+{
+    if (m_cell.loop == Mode::Current && again)
+        return comeToRest() && begin();
+    if (!m_unit->stream().update(setPoint(origin)))
+        return false;
+    m_unit->clock().advance(std::chrono::milliseconds(std::lround(1e3 * std::max(m_seconds, restOf(m_cell)))));
+    return true;
+}
+
+std::optional<ShaftResponse> StepProbe::run(const std::vector<ParameterChange> &changes)
+{
+    ++m_runs;
+    if (!comeToRest())
+        return std::nullopt;
+    if (!changes.empty() && !test::run(m_unit->clock(), tuning::writeGains(device(), changes)))
+        return std::nullopt;
+    const double base = m_cell.loop == Mode::Position ? m_unit->simulator().position() : 0.0;
+    const auto origin = begin();
+    if (!origin)
+        return std::nullopt;
     ShaftResponse worse;
     worse.isStable = true;
     for (int repeat = 0; repeat < 2; ++repeat) {
-        if (!m_unit->stream().update(setPoint(origin + m_step)))
+        if (!m_unit->stream().update(setPoint(*origin + m_step)))
             return std::nullopt;
-        const ShaftResponse seen = watch(position ? base : 0.0, position);
+        const ShaftResponse seen = watch(base);
         worse.itae += 0.5 * seen.itae;
         worse.overshoot = std::max(worse.overshoot, seen.overshoot);
         worse.settle = std::max(worse.settle, seen.settle);
         worse.isStable = worse.isStable && seen.isStable;
-        if (!m_unit->stream().update(setPoint(origin)))
+        if (!waitForReturn(*origin, repeat == 0))
             return std::nullopt;
-        clock.advance(std::chrono::milliseconds(std::lround(1e3 * std::max(m_seconds, restOf(m_cell)))));
     }
     m_unit->stream().stop();
     return worse;
 }
 
-ShaftResponse StepProbe::watch(double base, bool position)
+double StepProbe::looked() const
 {
-    Simulator &shaft = m_unit->simulator();
+    const Simulator &shaft = m_unit->simulator();
+    if (m_cell.loop == Mode::Current)
+        return shaft.current().value_or(0.0);
+    return m_cell.loop == Mode::Position ? shaft.position() : shaft.speed();
+}
+
+ShaftResponse StepProbe::watch(double base)
+{
     ShaftResponse response;
-    const double near = position ? goodEnough / m_step : 0.0;
+    const double near = m_cell.loop == Mode::Position ? goodEnough / m_step : 0.0;
+    const Duration pause = m_cell.loop == Mode::Current ? lookAtCurrent : look;
+    const double seconds = std::chrono::duration<double>(pause).count();
     double low = 1e9;
     double high = -1e9;
-    for (double t = lookSeconds; t <= m_seconds + 1e-9; t += lookSeconds) {
-        m_unit->clock().advance(look);
-        const double value = ((position ? shaft.position() : shaft.speed()) - base) / m_step;
-        response.itae += t * std::max(std::abs(1.0 - value) - near, 0.0) * lookSeconds;
+    for (double t = seconds; t <= m_seconds + 1e-9; t += seconds) {
+        m_unit->clock().advance(pause);
+        const double value = (looked() - base) / m_step;
+        response.itae += t * std::max(std::abs(1.0 - value) - near, 0.0) * seconds;
         response.overshoot = std::max(response.overshoot, value - 1.0);
         if (std::abs(1.0 - value) > band)
             response.settle = t;

@@ -5,7 +5,7 @@
 
 namespace mb::test {
 
-/// What a step did to the shaft itself, seen every millisecond without an encoder.
+/// What a step did to the shaft itself, seen every millisecond without an encoder; of a current, to the current itself, four times as often.
 struct ShaftResponse {
     double itae = 0.0; ///< s², of the error over the step, to the end of the hold; of a position beyond 4 counts
     double overshoot = 0.0;
@@ -30,7 +30,10 @@ public:
 
 private:
     [[nodiscard]] bool comeToRest();
-    [[nodiscard]] ShaftResponse watch(double base, bool position);
+    [[nodiscard]] std::optional<double> begin();
+    [[nodiscard]] bool waitForReturn(double origin, bool again);
+    [[nodiscard]] double looked() const;
+    [[nodiscard]] ShaftResponse watch(double base);
     [[nodiscard]] SetPoint setPoint(double target) const;
 
     Cell m_cell;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tunes every motor on every family by itself and compares what is kept with the best there is (scripts/soak tuning):
-//   tuningsoak [part=K/N] [seeds=4|seed=2] [compare=0|1] [families=A,B] [motors=A,B] [loops=A,B] [rates=0,50] [notes=1]
-// One line a tuning as soon as it is done, parted by tabs; scripts/tuning-table makes the table of docs/tuning.md of them.
+//   tuningsoak [part=K/N] [seeds=4|seed=2] [compare=0|1|2] [families=A,B] [motors=A,B] [loops=A,B] [rates=0,50]
+//              [dialects=D1,D2] [notes=1]
+// compare=2: with what was there before only. One line a tuning as soon as it is done, parted by tabs; scripts/tuning-table makes the table of docs/tuning.md of them.
 #include "tests/tuning/matrix/matrixrow.h"
 
 #include <cstdio>
@@ -18,8 +19,8 @@ using Notes = std::vector<std::pair<double, std::string>>;
 struct LoopOfFamily {
     const char *family;
     Mode loop;
-    std::vector<double> rates; ///< samples per second that its wire reaches; 0: what it asks for by itself
-    bool isCompared = true;    ///< its true model is known (groundtruth.h)
+    std::vector<double> rates;             ///< samples per second that its wire reaches; 0: what it asks for by itself
+    std::vector<std::string> dialects{""}; ///< of its firmware; "": the usual one
 };
 
 /// What the bench has and autotune() can do.
@@ -32,8 +33,8 @@ const std::vector<LoopOfFamily> &loops()
         {"abstractdc", Mode::Position, {0.0, 50.0}},
         {"quadquad2drv", Mode::Velocity, {0.0, 50.0}},
         {"quadquad2drv", Mode::Position, {0.0, 50.0}},
-        {"dmc60c", Mode::Current, {0.0}, false},
-        {"supermodified", Mode::Position, {0.0}, false},
+        {"dmc60c", Mode::Current, {0.0}},
+        {"supermodified", Mode::Position, {0.0}, {"D1", "D2", "D3"}},
     };
     return all;
 }
@@ -71,14 +72,9 @@ struct Options {
     }
 };
 
-struct Planned {
-    Cell cell;
-    bool isCompared = true;
-};
-
-std::vector<Planned> cellsOf(const Options &options)
+std::vector<Cell> cellsOf(const Options &options)
 {
-    std::vector<Planned> cells;
+    std::vector<Cell> cells;
     const std::uint64_t seeds = std::stoul(options.text("seeds", "4"));
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         if (!options.has("seed", std::to_string(seed)))
@@ -88,8 +84,11 @@ std::vector<Planned> cellsOf(const Options &options)
                 continue;
             for (const std::string &motor : options.list("motors", "cim,775pro,rs775,25d,25dlp,n20")) {
                 for (const double rate : row.rates) {
-                    if (options.has("rates", std::to_string(static_cast<int>(rate))))
-                        cells.push_back({cellOf(row.family, motor, row.loop, seed, rate), row.isCompared});
+                    for (const std::string &dialect : row.dialects) {
+                        if (options.has("rates", std::to_string(static_cast<int>(rate)))
+                            && (dialect.empty() || options.has("dialects", dialect)))
+                            cells.push_back(cellOf(row.family, motor, row.loop, seed, rate, dialect));
+                    }
                 }
             }
         }
@@ -106,15 +105,17 @@ int main(int count, char **arguments)
     unsigned parts = 1;
     if (std::sscanf(options.text("part", "1/1").c_str(), "%u/%u", &part, &parts) != 2 || part < 1 || part > parts)
         return 2;
-    const bool compare = options.text("compare", "1") == "1";
+    const std::string compare = options.text("compare", "1");
     if (part == 1)
         std::printf("%s\n", matrixHead().c_str());
     std::size_t at = 0;
-    for (const Planned &planned : cellsOf(options)) {
+    for (const Cell &cell : cellsOf(options)) {
         if (at++ % parts != part - 1)
             continue;
-        const bool all = compare && planned.isCompared;
-        const MatrixRow row = tuneCell(planned.cell, all ? Compare::All : Compare::Nothing);
+        const MatrixRow row = tuneCell(cell,
+            compare == "2"       ? Compare::Kept
+                : compare == "1" ? Compare::All
+                                 : Compare::Nothing);
         std::printf("%s\n", textOf(row).c_str());
         std::fflush(stdout);
         for (const auto &[seconds, text] : options.text("notes", "0") == "1" ? row.notes : Notes())
