@@ -19,10 +19,11 @@ struct Place {
     std::string_view family;
     const char *link;
     const char *unit;
+    bool storesSeveral = false; ///< `gains=` as Cell::stored
 };
 constexpr std::array<Place, 4> places{{
-    {"dmc60c", "sim:can", "dmc60c:5,gains=overshoot"},
-    {"abstractdc", "sim:can", "abstractdc:3,dialect=F,gains=overshoot"},
+    {"dmc60c", "sim:can", "dmc60c:5", true},
+    {"abstractdc", "sim:can", "abstractdc:3,dialect=F", true},
     {"quadquad2drv", "sim:spi", "quadquad2drv:0"},
     {"supermodified", "sim:serial", "supermodified:4"},
 }};
@@ -41,7 +42,9 @@ std::string textOf(const Cell &cell)
 {
     const double load = std::max(1.0, usualLoad(cell.motor) * cell.loadFactor);
     const std::string dialect = cell.dialect.empty() ? "" : ",dialect=" + cell.dialect;
-    return std::string(placeOf(cell.family).unit) + dialect + ",motor=" + cell.motor + ",load=" + std::to_string(load);
+    const std::string stored = placeOf(cell.family).storesSeveral ? ",gains=" + cell.stored : "";
+    return std::string(placeOf(cell.family).unit) + dialect + stored + ",motor=" + cell.motor
+        + ",load=" + std::to_string(load);
 }
 
 /// The stored gains of an Abstract DC Drive by key, in the order in which they may be written: none of them can be read.

@@ -31,7 +31,8 @@ struct Cell {
     std::uint64_t seed = 1;
     double loadFactor = 1.0; ///< times the usual load of this motor
     Surroundings around;
-    std::string dialect; ///< of the unit's firmware; empty: the usual one
+    std::string dialect;              ///< of the unit's firmware; empty: the usual one
+    std::string stored = "overshoot"; ///< gains that it has before, where it knows several: "tuned", "default"
 };
 
 /// The usual inertia of rotor and load over the rotor's own.

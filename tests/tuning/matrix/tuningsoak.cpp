@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tunes every motor on every family by itself and compares what is kept with the best there is (scripts/soak tuning):
 //   tuningsoak [part=K/N] [seeds=4|seed=2] [compare=0|1|2] [families=A,B] [motors=A,B] [loops=A,B] [rates=0,50]
-//              [dialects=D1,D2] [notes=1]
-// compare=2: with what was there before only. One line a tuning as soon as it is done, parted by tabs; scripts/tuning-table makes the table of docs/tuning.md of them.
+//              [dialects=D1,D2] [gains=tuned] [notes=1]
+// compare=2: with what was there before only; gains: that are stored before. One line a tuning as soon as it is done, parted by tabs;
+// scripts/tuning-table makes the table of docs/tuning.md of them.
 #include "tests/tuning/matrix/matrixrow.h"
 
 #include <cstdio>
@@ -109,9 +110,10 @@ int main(int count, char **arguments)
     if (part == 1)
         std::printf("%s\n", matrixHead().c_str());
     std::size_t at = 0;
-    for (const Cell &cell : cellsOf(options)) {
+    for (Cell cell : cellsOf(options)) {
         if (at++ % parts != part - 1)
             continue;
+        cell.stored = options.text("gains", cell.stored);
         const MatrixRow row = tuneCell(cell,
             compare == "2"       ? Compare::Kept
                 : compare == "1" ? Compare::All
