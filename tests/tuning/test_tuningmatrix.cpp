@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The short form of scripts/soak tuning, motors that no model of a tuning fits, and what can be wrong with a drive.
 #include "model/family.h"
+#include "tests/tuning/matrix/groundtruth.h"
 #include "tests/tuning/matrix/matrixrow.h"
 #include "transport/canlink.h"
+#include "tuning/gainscale.h"
+#include "tuning/prediction.h"
 #include "wire/canframe.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 
@@ -116,6 +120,104 @@ TEST(TuningMatrix, WhatWasThereIsNotGivenUpForGainsThatLeaveMoreError)
         }
     }
     EXPECT_GE(compared, 6);
+}
+
+TEST(TuningMatrix, WhatIsNotKnownIsNotComparedAndTheAnswerSaysSo)
+{
+    MatrixUnit unit(cellOf("quadquad2drv", "25dlp", Mode::Position, 1, 0.0));
+    tuning::TunePlan plan;
+    plan.loop = Mode::Position;
+    plan.keep = true;
+    const auto report = unit.tune(plan);
+    ASSERT_TRUE(report) << report.error().text();
+    EXPECT_EQ(report->result, TuneResult::Kept) << report->evidence;
+    EXPECT_NE(report->evidence.english().find("what was there is not known"), std::string::npos) << report->evidence;
+}
+
+TEST(TuningMatrix, AGainThatTheWireLostLeavesNoMixtureInForce)
+{
+    const MatrixRow row = tuneCell(cellOf("abstractdc", "25d", Mode::Position, 4, 0.0), Compare::Nothing);
+    EXPECT_EQ(row.result, "kept") << textOf(row);
+    EXPECT_EQ(row.reason.find("calm"), std::string::npos) << row.reason;
+}
+
+/// What a loop with gains of a rule does on the unit itself, beside the model of it that the bench tells.
+void expectAsTheBenchTells(const Cell &cell, double step, double response, double seconds)
+{
+    const tuning::PlantModel truth = groundTruth(cell, step);
+    const tuning::ContinuousGains gains = tuning::positionRule(truth, 1.0 / response);
+    StepProbe probe(cell, step, seconds);
+    const auto scaled = tuning::scaleGains(probe.device(), cell.loop, 1, 0, gains, trueScale(cell));
+    ASSERT_TRUE(scaled) << scaled.error().text();
+    const auto seen = probe.run(scaled->changes);
+    ASSERT_TRUE(seen);
+    tuning::LoopShape shape;
+    shape.period = cycleOf(cell);
+    const auto told = tuning::predictStep(cell.loop, truth, gains, 0.0, step, seconds, shape).measured;
+    double itae = 0.0;
+    for (std::size_t i = 1; i < told.size(); ++i)
+        itae += std::max(told.t[i], 0.0) * std::abs(1.0 - told.y[i] / step) * (told.t[i] - told.t[i - 1]);
+    std::printf("  %s %s %s: %.3g beside %.3g\n", cell.family.c_str(), cell.dialect.c_str(), cell.motor.c_str(),
+        seen->itae, itae);
+    EXPECT_NEAR(seen->itae / itae, 1.0, 0.35) << cell.family << cell.dialect << cell.motor;
+}
+
+TEST(TuningMatrix, WhatTheBenchTellsOfALoopIsWhatItsUnitDoes)
+{
+    for (const char *const dialect : {"D1", "D2", "D3"})
+        expectAsTheBenchTells(cellOf("supermodified", "25d", Mode::Position, 1, 0.0, dialect),
+            dialect == std::string_view("D3") ? 8000.0 : 1000.0, 0.05, 0.6);
+}
+
+TEST(TuningMatrix, WhatTheBenchTellsOfAWindingIsWhatItDraws)
+{
+    for (const char *const motor : {"cim", "rs775", "25d"}) {
+        const Cell cell = cellOf("dmc60c", motor, Mode::Current, 1, 0.0);
+        MatrixUnit unit(cell, true);
+        ASSERT_TRUE(unit.simulator().disturb("stall", 1.0));
+        constexpr double duty = 0.3;
+        constexpr double pass = 0.5e-3;
+        SetPoint push;
+        push.mode = Mode::Duty;
+        push.target = duty;
+        ASSERT_TRUE(unit.stream().start(push, 1s));
+        std::vector<double> drawn;
+        for (int i = 0; i < 60; ++i) {
+            unit.clock().advance(500us);
+            if (const double now = unit.simulator().current().value_or(0.0); now > 0.0)
+                drawn.push_back(now);
+        }
+        unit.stream().stop();
+        ASSERT_GT(drawn.size(), 10U);
+        const tuning::PlantModel truth = groundTruth(cell, 0.0);
+        const double lag = -pass / std::log((drawn.back() - drawn[1]) / (drawn.back() - drawn[0]));
+        std::printf("  %s: %.1f A per duty beside %.1f, L/R %.2f ms beside %.2f\n", motor, drawn.back() / duty,
+            truth.gain, 1e3 * lag, 1e3 * truth.tau);
+        EXPECT_NEAR(drawn.back() / duty, truth.gain, 0.02 * truth.gain) << motor;
+        EXPECT_NEAR(lag, truth.tau, 0.05 * truth.tau) << motor;
+    }
+}
+
+TEST(TuningMatrix, ASupermodifiedIsTunedAsWellAsABruteForceCan)
+{
+    for (const auto &[motor, dialect] : {std::pair("25d", "D1"), std::pair("n20", "D2"), std::pair("cim", "D1")}) {
+        const MatrixRow row = tuneCell(cellOf("supermodified", motor, Mode::Position, 1, 0.0, dialect), Compare::All);
+        ASSERT_EQ(row.result, "kept") << textOf(row);
+        ASSERT_TRUE(row.kept && row.best);
+        std::printf("  %s %s: %.2f times the best of a brute force\n", motor, dialect, row.kept->itae / row.best->itae);
+        EXPECT_LE(row.kept->itae, 1.1 * row.best->itae) << textOf(row);
+    }
+}
+
+TEST(TuningMatrix, PlayOfASupermodifiedIsMetByLargerSteps)
+{
+    for (const char *const motor : {"cim", "775pro", "rs775", "n20"}) {
+        const MatrixRow row = tuneCell(cellOf("supermodified", motor, Mode::Position, 4, 0.0, "D1"), Compare::Nothing);
+        std::printf("  %s: %s, %.1f s, %s\n", motor, row.result.c_str(), row.seconds, row.reason.c_str());
+        expectHonest(row);
+        EXPECT_EQ(row.result, "kept") << textOf(row);
+        EXPECT_LE(row.seconds, 60.0);
+    }
 }
 
 TEST(TuningMatrix, AMotorThatNoModelFitsIsRefusedOrStaysWithinTheBounds)

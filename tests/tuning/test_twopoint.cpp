@@ -2,13 +2,18 @@
 #include "tests/tuning/experimentbench.h"
 #include "tests/tuning/tuningbench.h"
 #include "tuning/autotune.h"
+#include "tuning/loopfit.h"
+#include "tuning/prediction.h"
+#include "tuning/simulatedloop.h"
 #include "tuning/twopointfit.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <random>
+#include <span>
 
 namespace mb::tuning {
 namespace {
@@ -77,6 +82,77 @@ TEST(TwoPointFit, RefusesStepsThatDoNotTellItsGainsApart)
     const auto fit = fitTwoPoint(runs);
     ASSERT_FALSE(fit);
     EXPECT_EQ(fit.error().fault, Fault::OutOfRange);
+}
+
+/// A record of a loop with friction, as telemetry brings it.
+LoopRun runOf(const PlantModel &plant, const TriedScale &scale, double p, double d, double step, unsigned seed)
+{
+    std::mt19937 random(seed);
+    std::normal_distribution<double> late(0.0, 0.001);
+    LoopShape shape;
+    shape.period = scale.cycle;
+    shape.isCounted = true;
+    SimulatedLoop loop(Mode::Position, plant, {p * scale.p, 0.0, d * scale.d, 0.0}, shape, 0.0);
+    LoopRun run{p, d, step, {}};
+    double t = 0.0;
+    for (double at = 0.015; at < 0.9; at += 0.015) {
+        for (; t < at; t += scale.cycle)
+            (void)loop.pass(step);
+        run.way.add(at + 0.006 + late(random), std::floor(loop.value()));
+    }
+    return run;
+}
+
+/// Of a step, how far two motors are apart at most in a loop that was not tried.
+double farthestApart(const PlantModel &one, const PlantModel &other, const TriedScale &scale)
+{
+    LoopShape shape;
+    shape.period = scale.cycle;
+    const ContinuousGains gains{489.0 * scale.p, 0.0, 11566.0 * scale.d, 0.0};
+    constexpr double step = 600.0;
+    const Trace a = predictStep(Mode::Position, one, gains, 0.0, step, 0.4, shape).measured;
+    const Trace b = predictStep(Mode::Position, other, gains, 0.0, step, 0.4, shape).measured;
+    double most = 0.0;
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+        most = std::max(most, std::abs(a.y[i] - b.y[i]) / step);
+    return most;
+}
+
+TEST(LoopFit, TellsFrictionFromDragOutOfTheStepsOfItsOwnLoop)
+{
+    PlantModel plant{15'600.0, 0.1, 0.0, 0.08};
+    plant.braking = 1.5;
+    constexpr double full = 256.0 * 255.0;
+    constexpr double cycle = 1.024e-3;
+    const LoopLaw law{{1.0 / full, cycle / full, cycle, 0.0, 0.0}, true};
+    std::vector<LoopRun> runs;
+    unsigned number = 0;
+    for (const double sign : {1.0, -1.0}) {
+        runs.push_back(runOf(plant, law.scale, 218.0, 7470.0, 150.0 * sign, ++number));
+        runs.push_back(runOf(plant, law.scale, 545.0, 7470.0, 60.0 * sign, ++number));
+        runs.push_back(runOf(plant, law.scale, 545.0, 14940.0, 60.0 * sign, ++number));
+    }
+    const auto linear = fitTwoPoint(runs);
+    ASSERT_TRUE(linear) << linear.error().text();
+    const auto fit = fitLoop(runs, law, *linear);
+    ASSERT_TRUE(fit) << fit.error().text();
+    const double push = fit->plant.gain / fit->plant.tau * plant.tau / plant.gain;
+    std::printf(
+        "  push %.3f of the true one (%.3f without friction), tau %.1f ms, friction %.4f, braking %.2f, left %.4f\n",
+        push, linear->p * full * plant.tau / plant.gain, 1e3 * fit->plant.tau, fit->plant.friction, fit->plant.braking,
+        fit->residual);
+    EXPECT_NEAR(push, 1.0, 0.1);
+    PlantModel spread = plant; // what the linear fit takes it for
+    spread.tau = 1.0 / linear->drag;
+    spread.gain = linear->p * full * spread.tau;
+    const double off = farthestApart(plant, fit->plant, law.scale);
+    std::printf("  another loop, of larger steps, is foretold within %.3f of them (%.3f without friction)\n", off,
+        farthestApart(plant, spread, law.scale));
+    EXPECT_LE(off, 0.05);
+    EXPECT_LE(off, 0.5 * farthestApart(plant, spread, law.scale));
+    EXPECT_NEAR(fit->shift, 0.006, 0.002);
+    EXPECT_LT(fit->residual, linear->residual);
+    EXPECT_FALSE(fitLoop(std::span(runs).first(2), law, *linear)) << "too few";
 }
 
 TEST(TwoPointTuning, TunesSupermodifiedNodesOfBothScales)
