@@ -199,6 +199,11 @@ TEST_F(AbstractDcController, AnOutputThatWrapsStopsTheMotor)
     ASSERT_TRUE(faults);
     EXPECT_EQ(faults->at(1).key, "output_wrapped");
     EXPECT_EQ(faults->at(1).count, 1);
+    device->stop();
+    ASSERT_TRUE(device->command(setPoint(Mode::Velocity, 900.0)));
+    sent.clear();
+    ASSERT_TRUE(clock.runUntil([this] { return !sentOf("067#00").empty(); }, 10s)) << "though nobody commands it again";
+    EXPECT_FALSE(drive.isOutputOn());
 }
 
 TEST_F(AbstractDcController, AnotherMasterIsSeenAndItsSettingsAreBelieved)

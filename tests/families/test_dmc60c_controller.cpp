@@ -52,6 +52,31 @@ TEST_F(Dmc60cController, ReportsWhatTheDeviceObjectsTo)
     EXPECT_EQ(refused.error().fault, Fault::Refused);
 }
 
+TEST_F(Dmc60cController, ThePositionIsWrittenOnlyToAShaftThatStandsWithItsOutputOff)
+{
+    const ParameterIndex position = *findParameter(device->parameters().table(), "encoder.position");
+    const auto asked = [this, position] {
+        const std::size_t before = unit.heard().size();
+        const auto written = run(device->write(position, 5));
+        EXPECT_FALSE(written) << "nobody answers";
+        return std::pair(written.error().fault, unit.heard().size() > before);
+    };
+    unit.every(10ms, resting);
+    clock.advance(50ms);
+    EXPECT_EQ(asked(), std::pair(Fault::Timeout, true));
+    unit.endPeriodic();
+    unit.every(10ms, drivingHalf);
+    clock.advance(50ms);
+    EXPECT_EQ(asked(), std::pair(Fault::Unsafe, false));
+    unit.endPeriodic();
+    clock.advance(1s); // it is not heard any more; nobody knows that its output went off
+    EXPECT_EQ(asked().first, Fault::Unsafe);
+    unit.every(10ms, resting);
+    unit.every(10ms, "02061485#01E240FED4000014"); // S8: it turns all the same
+    clock.advance(50ms);
+    EXPECT_EQ(asked(), std::pair(Fault::Unsafe, false));
+}
+
 TEST_F(Dmc60cController, ReadsSignedValues)
 {
     unit.answer("02061805#341214", {{"02061845#14FFFFFFFF00"}}); // P23

@@ -137,6 +137,31 @@ TEST_F(QuadQuad2DrvStop, IsSentAtOnceAndAskedUntilItIsAnsweredTwice)
     EXPECT_TRUE(device->isSeenStopped());
 }
 
+TEST_F(QuadQuad2DrvStop, TwoAnswersThatAreNotInARowAreNoProof)
+{
+    ASSERT_TRUE(stream->start(duty(0.3), 10s));
+    bench.clock.advance(200ms);
+    sent.clear();
+    const auto asked = [this](int times) {
+        return bench.clock.runUntil(
+            [this, times] {
+                return std::count_if(sent.begin(), sent.end(), [](const Bytes &p) {
+                    return isMode(p, ControlMode::Off);
+                }) == times;
+            },
+            1s);
+    };
+    stream->stop();
+    ASSERT_TRUE(asked(3)); // at once, a question that is answered, and one
+    spi().setLoss(1.0);    // whose answer is lost
+    ASSERT_TRUE(asked(4));
+    spi().setLoss(0.0);
+    ASSERT_TRUE(asked(5)) << "the answer after it is the first again";
+    bench.clock.advance(2s);
+    EXPECT_TRUE(device->isSeenStopped());
+    EXPECT_FALSE(asked(6));
+}
+
 TEST_F(QuadQuad2DrvStop, TheResetLineIsPulledOnceForEachStopThatIsNotConfirmed)
 {
     for (int round = 0; round < 3; ++round) {

@@ -2,6 +2,7 @@
 #include "async/virtualclock.h"
 #include "model/session.h"
 #include "model/snapshot.h"
+#include "support/simulatedsession.h"
 #include "transport/seriallink.h"
 
 #include <gtest/gtest.h>
@@ -83,6 +84,26 @@ struct SerialBench : public ::testing::Test {
 };
 
 } // namespace
+
+TEST(Snapshots, TellARateForEachChannelAndWhatIsKnownOfADevice)
+{
+    test::SimulatedSession bench;
+    bench.scan();
+    bench.clock.advance(3s);
+    Device &device = *bench.device(5);
+    device.gate().keepMove();
+    const DeviceView view = viewOf(bench.session, device);
+    EXPECT_EQ(view.id, bench.session.idOf(device));
+    EXPECT_EQ(view.selector, device.selector());
+    EXPECT_EQ(view.liveness, device.liveness());
+    EXPECT_TRUE(view.keepsMove);
+    EXPECT_TRUE(view.mayNotMove.empty());
+    ASSERT_EQ(view.rates.size(), device.family().channels.size());
+    const auto duty = findChannel(device.family().channels, "duty");
+    EXPECT_NEAR(view.rates[duty->value], 100.0, 5.0);
+    EXPECT_EQ(view.parameters.size(), device.parameters().table().size());
+    EXPECT_NE(viewOf(bench.session, *bench.device(9)).mayNotBeStopped, Message()) << "in its bootloader";
+}
 
 TEST_F(SerialBench, UnitsOfSerialFamiliesLiveOnALineWithTheTimingOfItsRate)
 {
