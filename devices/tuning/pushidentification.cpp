@@ -98,7 +98,17 @@ Task<void> PushIdentification::probe(AutotuneRun &run)
         co_return {};
     auto measuring = measureOut(run, std::move(trial));
     co_await std::move(measuring);
-    co_return {};
+    if (m_duty >= leastPush || m_seconds <= longestPush)
+        co_return checkRoom(run);
+    auto again = run.push({m_probed, probeSeconds, 1, reachOf(run)}); // a lag without end is that of a lost order
+    trial = co_await std::move(again);
+    if (run.isOver())
+        co_return {};
+    if (!pushesOf(trial).empty()) {
+        auto measuringAgain = measureOut(run, std::move(trial));
+        co_await std::move(measuringAgain);
+    }
+    co_return checkRoom(run);
 }
 
 /// How strong and how long the others are.
@@ -123,13 +133,19 @@ Task<void> PushIdentification::measureOut(AutotuneRun &run, Trial trial)
         m_seconds = std::max(std::min(room / (gain * m_duty), m_seconds), shortest); // a slow motor takes its time
         m_duty = std::min(m_duty, room / (gain * m_seconds));
     }
+    co_return {};
+}
+
+/// A position loop can do without pushes that last.
+Result<void> PushIdentification::checkRoom(const AutotuneRun &run)
+{
     m_isNarrow = m_duty < leastPush && run.plan().loop == Mode::Position;
     if (m_duty < leastPush && !m_isNarrow)
-        co_return fail(Fault::OutOfRange,
+        return fail(Fault::OutOfRange,
             say("there is not enough room to identify the motor: its limits leave pushes of %1 duty only",
                 percentText(m_duty)),
             say("allow more travel or speed"));
-    co_return {};
+    return {};
 }
 
 /// Of two sizes, both ways.

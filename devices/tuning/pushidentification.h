@@ -17,6 +17,7 @@ public:
 private:
     [[nodiscard]] Task<void> probe(AutotuneRun &run);
     [[nodiscard]] Task<void> measureOut(AutotuneRun &run, Trial seen);
+    [[nodiscard]] Result<void> checkRoom(const AutotuneRun &run);
     [[nodiscard]] Task<void> push(AutotuneRun &run);
     [[nodiscard]] Result<void> conclude(AutotuneRun &run) const;
 
