@@ -15,7 +15,7 @@ using namespace mb::test;
 
 namespace {
 
-constexpr double least = 0.5; ///< of a window that has these surfaces; the rest is text, edges and curves
+constexpr double leastShare = 0.5; ///< of a window that has these surfaces; the rest is text, edges and curves
 
 QPalette desktop(const QColor &window, const QColor &view, const QColor &text)
 {
@@ -127,8 +127,8 @@ void DesktopColoursTest::windowAndPlotsFollowTheDesktop()
         window.showPage(page);
         for (const QPalette &palette : {darkDesktop(), lightDesktop(), contrastDesktop(), darkDesktop()}) {
             QApplication::setPalette(palette); // as the platform theme of Plasma does
-            QTRY_VERIFY2(share(window, palette) > least, qPrintable(QString::number(share(window, palette))));
-            QVERIFY2(share(*window.page(page), palette) > least,
+            QTRY_VERIFY2(share(window, palette) > leastShare, qPrintable(QString::number(share(window, palette))));
+            QVERIFY2(share(*window.page(page), palette) > leastShare,
                 qPrintable(
                     QStringLiteral("%1: %2").arg(static_cast<int>(page)).arg(share(*window.page(page), palette))));
         }
@@ -137,7 +137,7 @@ void DesktopColoursTest::windowAndPlotsFollowTheDesktop()
     if (!folder.isEmpty()) {
         window.grab().save(folder + QStringLiteral("/desktop-dark.png"));
         QApplication::setPalette(lightDesktop());
-        QTRY_VERIFY(share(window, lightDesktop()) > least);
+        QTRY_VERIFY(share(window, lightDesktop()) > leastShare);
         window.grab().save(folder + QStringLiteral("/desktop-light.png"));
     }
 }
@@ -159,7 +159,7 @@ void DesktopColoursTest::aDesktopOfHighContrastIsFollowedUnasked()
     MainWindow &window = application->window();
     const QPalette ours = QApplication::palette();
     QApplication::setPalette(contrastDesktop());
-    QTRY_VERIFY(share(window, contrastDesktop()) > least);
+    QTRY_VERIFY(share(window, contrastDesktop()) > leastShare);
     QApplication::setPalette(lightDesktop()); // and back to what was chosen
     QTRY_VERIFY(share(window, ours) > 0.3);
 }
@@ -174,11 +174,11 @@ void DesktopColoursTest::aChangeBelowOurColoursIsNoticed()
     QApplication::setStyle(below);
     const auto application = started(QStringLiteral("system"));
     MainWindow &window = application->window();
-    QVERIFY(share(window, darkDesktop()) > least);
+    QVERIFY(share(window, darkDesktop()) > leastShare);
     for (const QPalette &palette : {lightDesktop(), contrastDesktop(), darkDesktop()}) {
         below->colours = palette;
         QApplication::setPalette(QApplication::palette());
-        QTRY_VERIFY2(share(window, palette) > least, qPrintable(QString::number(share(window, palette))));
+        QTRY_VERIFY2(share(window, palette) > leastShare, qPrintable(QString::number(share(window, palette))));
     }
     const Told told;
     QTest::qWait(200);
@@ -191,7 +191,7 @@ void DesktopColoursTest::nothingFollowsItself()
     const auto application = started(QStringLiteral("system"));
     Told told;
     QApplication::setPalette(darkDesktop());
-    QTRY_VERIFY(share(application->window(), darkDesktop()) > least);
+    QTRY_VERIFY(share(application->window(), darkDesktop()) > leastShare);
     const int after = told.count();
     QTest::qWait(200);
     QCOMPARE(told.count(), after);

@@ -78,6 +78,22 @@ TEST_F(QuadQuad2DrvStop, AnOrderThatIsUnderWayIsNotSentAgainAfterIt)
     }
 }
 
+TEST_F(QuadQuad2DrvStop, OrdersThatWaitBehindTheOneUnderWayAreNeverSentAfterIt)
+{
+    spi().setLoss(1.0); // the first order is asked for again and again, mode and duty wait behind it
+    ASSERT_TRUE(stream->start(duty(0.3), 10s));
+    ASSERT_TRUE(bench.clock.runUntil([this] { return !sent.empty(); }));
+    bench.clock.advance(5ms);
+    ASSERT_FALSE(board->isOutputOn());
+    stream->stop();
+    spi().setLoss(0.0);
+    sent.clear();
+    bench.clock.advance(1s);
+    EXPECT_FALSE(board->isOutputOn());
+    for (const Bytes &packet : sent)
+        EXPECT_FALSE(isMode(packet, ControlMode::Power));
+}
+
 TEST_F(QuadQuad2DrvStop, TheNextMotionAfterItIsObeyedThoughAnOrderWasStillUnderWay)
 {
     spi().setLoss(1.0); // it understands, and nobody hears that

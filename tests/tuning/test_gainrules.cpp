@@ -19,7 +19,8 @@ TEST(GainRules, SimcHasItsPublishedMargins)
         double factor, ms, gain, phase;
     };
     for (const Row &row : {Row{1.0, 1.59, 3.14, 61.0}, Row{1.5, 1.44, 3.9, 67.0}, Row{2.0, 1.35, 4.7, 71.0}}) {
-        const Margins margins = marginsOf(Mode::Velocity, testedPlant, velocityRule(testedPlant, row.factor * testedPlant.delay));
+        const Margins margins
+            = marginsOf(Mode::Velocity, testedPlant, velocityRule(testedPlant, row.factor * testedPlant.delay));
         EXPECT_NEAR(margins.ms, row.ms, 0.01) << row.factor;
         EXPECT_NEAR(margins.gain, row.gain, 0.05) << row.factor;
         EXPECT_NEAR(margins.phase, row.phase, 1.0) << row.factor;
@@ -139,8 +140,8 @@ TEST(Prediction, TheOutputStaysWithinItsLimit)
 {
     LoopShape half;
     half.mostDuty = 0.5;
-    const Prediction seen
-        = predictStep(Mode::Velocity, testedPlant, velocityRule(testedPlant, testedPlant.delay), 0.0, 300'000.0, 2.0, half);
+    const Prediction seen = predictStep(
+        Mode::Velocity, testedPlant, velocityRule(testedPlant, testedPlant.delay), 0.0, 300'000.0, 2.0, half);
     for (const double duty : seen.duty.y)
         EXPECT_LE(std::abs(duty), 0.5);
 }

@@ -21,7 +21,7 @@ private Q_SLOTS:
 
 namespace {
 
-const QString image = QStringLiteral(":/firmware/dmc60c-demo.hex");
+const QString imageFile = QStringLiteral(":/firmware/dmc60c-demo.hex");
 
 struct FirmwareBench {
     FakeWorkbench workbench;
@@ -37,7 +37,7 @@ struct FirmwareBench {
         page = std::make_unique<FirmwarePage>(workbench, selection, theme);
         page->resize(1000, 700);
         page->show();
-        page->loadImage(image);
+        page->loadImage(imageFile);
     }
     void add(std::uint32_t id, int address, const std::string &link)
     {
