@@ -12,7 +12,7 @@ namespace mb::tuning {
 namespace {
 
 constexpr double slower = 1.05;
-constexpr int mostRounds = 120;
+constexpr int mostSlowings = 120;
 constexpr double offGain = 1.2;
 constexpr double offDelay = 1.3;
 constexpr double dampingOfPosition = 1.0;
@@ -125,7 +125,7 @@ Design design(
         if (std::find(result.bounds.begin(), result.bounds.end(), name) == result.bounds.end())
             result.bounds.push_back(name);
     };
-    for (int round = 0; round < mostRounds; ++round, result.response *= slower) {
+    for (int round = 0; round < mostSlowings; ++round, result.response *= slower) {
         result.gains = rule(loop, plant, result.response, bounds.integralWeight);
         if (isNoisy(result.gains, bounds))
             bound("derivative noise");
