@@ -17,10 +17,8 @@ constexpr std::size_t unknownCount = 7;
 using LoopSearch = Marquardt<unknownCount>;
 
 constexpr std::size_t fewestRuns = 3;
-constexpr double shiftUnit = 0.01;   ///< s that the search takes for 1
-constexpr double latestShift = 0.08; ///< s
-constexpr double mostBraking = 2.5;  ///< times
-constexpr double farPush = 5.0;      ///< times what one step alone tells
+constexpr double mostBraking = 2.5; ///< times
+constexpr double farPush = 5.0;     ///< times what one step alone tells
 constexpr double farthestLog = 20.0;
 constexpr double usualLeft = 0.02; ///< of a step: what doubts of the unknowns are weighed against
 constexpr double unknownEnd = 1e3; ///< of what is taken for full duty, at most
@@ -52,11 +50,6 @@ constexpr std::array<LikelyStart, 4> likelyStarts{
 double exponential(double logarithm)
 {
     return std::exp(std::clamp(logarithm, -farthestLog, farthestLog));
-}
-
-double shiftOf(double number)
-{
-    return std::clamp(number * shiftUnit, 0.0, latestShift);
 }
 
 PlantModel plantOf(const LoopSearch::Unknowns &x)
@@ -97,7 +90,7 @@ private:
         LoopShape shape = m_shape;
         shape.mostDuty = std::min(exponential(x[End]), unknownEnd);
         SimulatedLoop simulated(Mode::Position, plantOf(x), gains, shape, 0.0);
-        const double shift = shiftOf(x[Shift]);
+        const double shift = delayOf(x[Shift]);
         double before = 0.0;
         double value = 0.0;
         double t = 0.0; // of `value`
@@ -141,7 +134,7 @@ Result<LoopFit> fitLoop(std::span<const LoopRun> runs, const LoopLaw &law, const
         x[Push] = std::log(start.push * push / law.scale.p);
         x[Drag] = std::log(start.drag > 0.0 ? start.drag : std::clamp(first.drag, 0.5, 100.0));
         x[Friction] = std::log(start.friction);
-        x[Shift] = first.delay / shiftUnit;
+        x[Shift] = first.delay / delayUnit;
         const auto found = LoopSearch::from(x, remainder);
         if (!best || found.squares < best->squares)
             best = found;
@@ -149,11 +142,11 @@ Result<LoopFit> fitLoop(std::span<const LoopRun> runs, const LoopLaw &law, const
     const auto &x = best->values;
     LoopFit result;
     result.plant = plantOf(x);
-    result.shift = shiftOf(x[Shift]);
+    result.shift = delayOf(x[Shift]);
     result.d = law.scale.d * exponential(x[Damping]);
     result.tauError = result.plant.tau * best->errors[Drag];
     result.gainError = result.plant.gain * std::hypot(best->errors[Push], best->errors[Drag]);
-    result.shiftError = shiftUnit * best->errors[Shift];
+    result.shiftError = delayUnit * best->errors[Shift];
     result.pushError = best->errors[Push];
     result.dError = law.isKnown ? 0.0 : result.d * best->errors[Damping];
     std::vector<double> left;

@@ -17,7 +17,6 @@ constexpr double lowestEnd = 0.5;
 constexpr double highestEnd = 1.3;
 constexpr double latest = 0.08;                                 ///< s
 constexpr double likelyDelay = 0.004;                           ///< s
-constexpr double delayUnit = 0.01;                              ///< s that the search takes for 1
 constexpr double farthest = 30.0;                               ///< of a logarithm
 constexpr std::array<double, 3> likelyOmegas{10.0, 30.0, 90.0}; ///< rad/s
 constexpr std::array<double, 3> likelyDrags{3.0, 12.0, 40.0};   ///< 1/s
@@ -25,11 +24,6 @@ constexpr std::array<double, 3> likelyDrags{3.0, 12.0, 40.0};   ///< 1/s
 double positive(double logarithm)
 {
     return std::exp(std::clamp(logarithm, -farthest, farthest));
-}
-
-double delayOf(double number)
-{
-    return std::clamp(number * delayUnit, 0.0, latest);
 }
 
 /// Fills in what a response leaves over of a run, and tells where the run ends, by linear least squares.
@@ -72,6 +66,11 @@ void addRun(const Trace &position, const Span &span, double target, const Trial 
 }
 
 } // namespace
+
+double delayOf(double number)
+{
+    return std::clamp(number * delayUnit, 0.0, latest);
+}
 
 double stepOfSecondOrder(double drag, double stiffness, double t)
 {
@@ -161,14 +160,7 @@ Result<TwoPointFit> fitTwoPoint(std::span<const LoopRun> runs)
     fit.d = positive(best->values[1]);
     fit.drag = positive(best->values[2]);
     fit.delay = delayOf(best->values[3]);
-    fit.pError = fit.p * best->errors[0];
-    fit.dError = fit.d * best->errors[1];
-    fit.dragError = fit.drag * best->errors[2];
-    fit.delayError = delayUnit * best->errors[3];
     fit.residual = std::sqrt(best->squares / static_cast<double>(samples));
-    std::vector<double> left;
-    for (const LoopRun &run : runs)
-        fit.ends.push_back(leftOver(run, fit.drag + fit.d * run.d, fit.p * run.p, fit.delay, left));
     return fit;
 }
 

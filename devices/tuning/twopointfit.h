@@ -35,19 +35,19 @@ struct StepFit {
 /// run with an end of its own. Friction is spread over the three: each alone may be far off, together they tell how the loop
 /// moves with other gains.
 struct TwoPointFit {
-    double p = 0.0;     ///< 1/s² per raw P
-    double d = 0.0;     ///< 1/s per raw D
-    double drag = 0.0;  ///< 1/s, of the motor alone
-    double delay = 0.0; ///< s, what the link takes included
-    double pError = 0.0;
-    double dError = 0.0;
-    double dragError = 0.0;
-    double delayError = 0.0;  ///< ± two standard errors
-    double residual = 0.0;    ///< RMS of what is left over, of a step
-    std::vector<double> ends; ///< where each run ends, of its step
+    double p = 0.0;        ///< 1/s² per raw P
+    double d = 0.0;        ///< 1/s per raw D
+    double drag = 0.0;     ///< 1/s, of the motor alone
+    double delay = 0.0;    ///< s, what the link takes included
+    double residual = 0.0; ///< RMS of what is left over, of a step
 };
 /// OutOfRange where the runs have one P or one D only, or too few samples.
 [[nodiscard]] Result<TwoPointFit> fitTwoPoint(std::span<const LoopRun> runs);
+
+/// s that a search of a delay takes for 1.
+constexpr double delayUnit = 0.01;
+/// s, of what such a search has found: within what a link and a loop can take.
+[[nodiscard]] double delayOf(double number);
 
 /// The step response of s² + drag·s + stiffness, from 0 to 1; 0 before its time.
 [[nodiscard]] double stepOfSecondOrder(double drag, double stiffness, double t);

@@ -46,7 +46,6 @@ constexpr double cyclesOfDelay = 1.5;
 constexpr double heldMore = 1.15;     ///< times what was seen, that friction may hold
 constexpr double easyFriction = 0.15; ///< of what P makes of a step
 constexpr double mostGrowth = 2.5;    ///< of steps whose output is not known, where friction takes more of them
-constexpr double leastDrag = 0.5;     ///< 1/s: less is nothing beside what D does
 constexpr double restShare = 0.8;     ///< of a hold, after which it rests
 constexpr double electrical = 0.5e-3; ///< s
 

@@ -48,6 +48,15 @@ struct QuadQuad2DrvStop : testing::Test {
         ASSERT_TRUE(bench.clock.runUntil([this] { return !sent.empty() && isMode(sent.back(), ControlMode::Power); }));
         board->setPowered(false);
     }
+    /// In the next second.
+    void expectNoMotionAgain()
+    {
+        sent.clear();
+        bench.clock.advance(1s);
+        EXPECT_FALSE(board->isOutputOn());
+        for (const Bytes &packet : sent)
+            EXPECT_FALSE(isMode(packet, ControlMode::Power));
+    }
     VirtualSpiLink &spi() { return dynamic_cast<VirtualSpiLink &>(*bench.link); }
 
     SimulatedSession bench{"sim:spi"};
@@ -87,11 +96,7 @@ TEST_F(QuadQuad2DrvStop, OrdersThatWaitBehindTheOneUnderWayAreNeverSentAfterIt)
     ASSERT_FALSE(board->isOutputOn());
     stream->stop();
     spi().setLoss(0.0);
-    sent.clear();
-    bench.clock.advance(1s);
-    EXPECT_FALSE(board->isOutputOn());
-    for (const Bytes &packet : sent)
-        EXPECT_FALSE(isMode(packet, ControlMode::Power));
+    expectNoMotionAgain();
 }
 
 TEST_F(QuadQuad2DrvStop, TheNextMotionAfterItIsObeyedThoughAnOrderWasStillUnderWay)
@@ -118,11 +123,7 @@ TEST_F(QuadQuad2DrvStop, AnOrderThatTheBoardDoesNotTakeEndsTheMotionAndItStaysEn
     spi().setLoss(1.0);
     ASSERT_TRUE(bench.clock.runUntil([this] { return !stream->isRunning(); }, 2s));
     spi().setLoss(0.0);
-    sent.clear();
-    bench.clock.advance(1s);
-    EXPECT_FALSE(board->isOutputOn());
-    for (const Bytes &packet : sent)
-        EXPECT_FALSE(isMode(packet, ControlMode::Power));
+    expectNoMotionAgain();
 }
 
 TEST_F(QuadQuad2DrvStop, TheResetLineIsItsLastResort)
