@@ -107,6 +107,7 @@ void QueueWindowTest::threeUnitsOneOfWhichIsPulledOutInTheMiddle()
     board.bar().cancel().click(); // it stays in its bootloader, and the journal knows
     QTRY_VERIFY_WITH_TIMEOUT(!board.bar().cancel().isEnabled(), longPatience);
     QVERIFY(!bench.is(7, RowState::Passed));
+    QTRY_VERIFY_WITH_TIMEOUT(board.mayGoOn(), patience);
     board.goOn();
     QTRY_VERIFY_WITH_TIMEOUT(bench.is(7, RowState::Passed) && bench.is(9, RowState::Passed), longPatience);
     QTRY_VERIFY_WITH_TIMEOUT(!board.bar().cancel().isEnabled(), longPatience);
@@ -145,7 +146,7 @@ void QueueWindowTest::theHeaderSaysThatAStationIsArmed()
     QVERIFY(!bench.isOutputOn());
     Q_EMIT lamp.armRequested(); // held
     QTRY_COMPARE_WITH_TIMEOUT(lamp.status().state, LampState::Armed, patience);
-    QTRY_VERIFY_WITH_TIMEOUT(bench.isOutputOn(), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isOutputOn(), longPatience);
     QTRY_COMPARE_WITH_TIMEOUT(lamp.status().state, LampState::Moving, patience);
     Q_EMIT lamp.disarmRequested();
     QTRY_VERIFY_WITH_TIMEOUT(!bench.isOutputOn(), patience);

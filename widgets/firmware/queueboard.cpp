@@ -265,9 +265,14 @@ void QueueBoard::start()
         begin(m_model->ticked(), {});
 }
 
+bool QueueBoard::mayGoOn() const
+{
+    return !m_cut.run.empty() && !m_desk.view().running;
+}
+
 void QueueBoard::goOn()
 {
-    if (!m_cut.run.empty() && !m_desk.view().running)
+    if (mayGoOn())
         begin(m_model->ticked(), m_cut.run);
 }
 
@@ -348,7 +353,7 @@ void QueueBoard::follow()
         m_banner->setText(
             tr("The last queue of this recipe was cut off: %1 done, %2 open").arg(m_cut.ended).arg(m_cut.open),
             tr("What has ended stays as it is; ticked units are taken along."));
-    if (m_cut.run.empty() || view.running)
+    if (!mayGoOn())
         m_banner->hide();
     m_foot->setText(
         view.running ? tr(

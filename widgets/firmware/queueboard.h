@@ -42,8 +42,10 @@ public:
     /// The ticked units; nothing while canStart() is false.
     void start();
     [[nodiscard]] bool canStart() const { return hindrance().isEmpty(); }
-    /// Goes on with what was cut off, if there is any.
+    /// Goes on with what was cut off; nothing while mayGoOn() is false.
     void goOn();
+    /// Whether the journal is known to have a queue of this recipe that was cut off; it is asked after each queue.
+    [[nodiscard]] bool mayGoOn() const;
     [[nodiscard]] QueueModel &model() const { return *m_model; }
     [[nodiscard]] QTableView &table() const { return *m_table; }
     [[nodiscard]] QueueBar &bar() const { return *m_bar; }
