@@ -47,6 +47,7 @@ set(_standard <algorithm> <array> <chrono> <cmath> <cstdint> <deque> <functional
 header_group(headers_standard LIBRARIES tl::expected HEADERS ${_standard})
 set(_core <QCoreApplication> <QDir> <QFile> <QFileInfo> <QJsonDocument> <QJsonObject> <QSocketNotifier> <QString>)
 header_group(headers_devices STRICT LIBRARIES tl::expected Qt5::Core HEADERS ${_standard} ${_core})
+header_group(headers_console STRICT LIBRARIES tl::expected Qt5::Core CLI11::CLI11 HEADERS ${_standard} ${_core} <CLI/CLI.hpp>)
 header_group(headers_window STRICT LIBRARIES tl::expected Qt5::Widgets HEADERS ${_standard} ${_core} <QtWidgets> ${PROJECT_SOURCE_DIR}/widgets/plots/qcustomplotkeywords.h)
 if(MOTORBENCH_TESTS)
   header_group(headers_tests LIBRARIES tl::expected Qt5::Core GTest::gtest HEADERS ${_standard} ${_core} <gtest/gtest.h>)

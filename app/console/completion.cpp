@@ -8,7 +8,7 @@
 namespace mb::console {
 namespace {
 
-constexpr std::string_view links = "sim:can sim:serial sim:spi socketcan: serial: spidev: unix: replay:";
+constexpr std::string_view linkWords = "sim:can sim:serial sim:spi socketcan: serial: spidev: unix: replay:";
 
 /// What the shells complete, of the tables that the program itself reads.
 class Words {
@@ -111,7 +111,7 @@ std::string valuesOfOptions(std::span<const Family *const> families)
 std::string valuesOfVerbs(std::span<const Family *const> families)
 {
     const auto assign = [](const std::string &list) { return "words=\"" + list + "\""; };
-    const std::string anyLink = assign(std::string(links));
+    const std::string anyLink = assign(std::string(linkWords));
     return "    case \"$verb\" in\n    help) " + assign(Words::verbNames()) + " ;;\n    completion) "
         + assign("bash zsh fish") + " ;;\n    parameters) " + assign(Words(families).families())
         + " ;;\n    decode|plot) " + assign("FILES") + " ;;\n    scan|monitor) " + anyLink
@@ -223,7 +223,7 @@ std::string forFish(std::span<const Family *const> families)
     offer("help", Words::verbNames());
     offer("completion", "bash zsh fish");
     for (const char *verb : {"scan", "monitor", "info", "watch", "drive", "identify", "number", "rename"})
-        offer(verb, std::string(links));
+        offer(verb, std::string(linkWords));
     for (const Family *family : families) {
         const std::string device = "string match -q \"*/" + std::string(family->key) + ":*\" (commandline -opc)";
         const auto onDevice

@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::size_t chunkSize = 65536;
 
-struct Arguments {
+struct DecodeArguments {
     std::string file;
     std::string dialect;
 };
@@ -118,7 +118,7 @@ Result<void> readAll(QFile &file, LogReader reader, bool prints)
 }
 
 /// A file is read twice, so that a bad line at its end leaves standard output empty.
-Result<void> decodeFile(Console &console, const Arguments &arguments)
+Result<void> decodeFile(Console &console, const DecodeArguments &arguments)
 {
     QFile file(qt(arguments.file));
     if (QFileInfo(file).isDir())
@@ -166,7 +166,7 @@ private:
     QSocketNotifier m_notifier;
 };
 
-Task<int> decode(Console &console, Arguments arguments)
+Task<int> decode(Console &console, DecodeArguments arguments)
 {
     if (auto known = checkDialect(console, arguments.dialect); !known)
         co_return fail(known.error());
@@ -186,7 +186,7 @@ Task<int> decode(Console &console, Arguments arguments)
 
 Job declareDecode(CLI::App &arguments)
 {
-    const auto a = std::make_shared<Arguments>();
+    const auto a = std::make_shared<DecodeArguments>();
     arguments.add_option(
         "file", a->file, "Text of candump -L, of monitor, or a Vector ASC log; standard input otherwise");
     arguments.add_option("--dialect", a->dialect, dialectHelp());

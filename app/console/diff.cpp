@@ -79,7 +79,7 @@ Result<void> settle(Part &part, const Family &family)
     return {};
 }
 
-QJsonValue toJson(const Parameter &parameter, const ParameterStore::Entry &entry)
+QJsonValue entryToJson(const Parameter &parameter, const ParameterStore::Entry &entry)
 {
     return parameterToJson(parameter, entry).value(QStringLiteral("value"));
 }
@@ -97,8 +97,8 @@ void show(Console &console, const Family &family, const std::vector<SideDifferen
         const Parameter &parameter = family.parameters[difference.index.value];
         rows.append(QJsonObject{
             {QStringLiteral("key"), qt(parameter.key)},
-            {QStringLiteral("a"), toJson(parameter, difference.a)},
-            {QStringLiteral("b"), toJson(parameter, difference.b)},
+            {QStringLiteral("a"), entryToJson(parameter, difference.a)},
+            {QStringLiteral("b"), entryToJson(parameter, difference.b)},
             {QStringLiteral("unit"), qt(parameter.unit)},
             {QStringLiteral("belongs_to_unit"), parameter.belongsToUnit},
         });

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/pace.h"
 #include "app/console/samplestream.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
@@ -15,16 +16,12 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Duration leaseTerm = 500ms;
-constexpr Duration renewEvery = 100ms;
-constexpr Duration listen = 150ms; // another master sends at least this often
 constexpr Duration stopLimit = 1s;
 constexpr Duration stopAgain = 100ms;
 constexpr Duration haltLimit = 2s;
-constexpr Duration lookEvery = 5ms;
 constexpr double huge = 1e12;
 
-struct Arguments {
+struct DriveArguments {
     std::string device;
     std::string mode;
     std::string target;
@@ -51,7 +48,7 @@ struct Arguments {
     }
 };
 
-struct Plan {
+struct DrivePlan {
     Target target;
     SetPoint setPoint;
     double slew = 0.0; ///< greatest change of the target per second; 0 jumps
@@ -104,7 +101,7 @@ Result<void> overrideLimits(SetPoint &setPoint, const std::string &which)
     return {};
 }
 
-Result<SetPoint> parseSetPoint(const Family &family, const Arguments &a)
+Result<SetPoint> parseSetPoint(const Family &family, const DriveArguments &a)
 {
     if (a.halt && a.mode.empty() && a.target.empty())
         return holding();
@@ -152,7 +149,7 @@ Result<SetPoint> parseSetPoint(const Family &family, const Arguments &a)
 }
 
 /// Where this program makes the way, and not the device.
-Result<double> parseSlew(const Arguments &a, const SetPoint &setPoint)
+Result<double> parseSlew(const DriveArguments &a, const SetPoint &setPoint)
 {
     const auto slew = optionalNumber("--slew", a.slew, 0.0, huge);
     const bool goesItself = setPoint.mode == Mode::Off || setPoint.mode == Mode::Follow
@@ -164,7 +161,7 @@ Result<double> parseSlew(const Arguments &a, const SetPoint &setPoint)
 }
 
 /// Asks the family's own check before anything is opened: a device object on a link that stays closed.
-Result<void> checkSetPoint(Console &console, const Plan &plan)
+Result<void> checkSetPoint(Console &console, const DrivePlan &plan)
 {
     std::unique_ptr<Bench> bench;
     std::unique_ptr<Link> link;
@@ -187,7 +184,7 @@ Result<void> checkSetPoint(Console &console, const Plan &plan)
     return plan.setPoint.mode == Mode::Off ? Result<void>() : device->check(plan.setPoint);
 }
 
-Result<void> checkOffered(const Family &family, const Arguments &arguments)
+Result<void> checkOffered(const Family &family, const DriveArguments &arguments)
 {
     if (arguments.zero && !family.capabilities.zeroPosition)
         return fail(Fault::OutOfRange, say("--zero: %1 has no command that zeroes its position", family.key));
@@ -207,7 +204,7 @@ Result<void> checkOffered(const Family &family, const Arguments &arguments)
     return {};
 }
 
-Result<Plan> check(Console &console, const Arguments &arguments)
+Result<DrivePlan> check(Console &console, const DriveArguments &arguments)
 {
     auto target = parseTarget(console, arguments.device);
     if (!target)
@@ -223,7 +220,7 @@ Result<Plan> check(Console &console, const Arguments &arguments)
     const auto slew = parseSlew(arguments, *setPoint);
     if (!slew)
         return fail(slew.error());
-    Plan plan{std::move(*target), *setPoint, *slew, time->value_or(Duration::zero()), arguments.zero,
+    DrivePlan plan{std::move(*target), *setPoint, *slew, time->value_or(Duration::zero()), arguments.zero,
         arguments.halt && !arguments.mode.empty()};
     if (auto legal = checkSetPoint(console, plan); !legal)
         return fail(legal.error());
@@ -231,7 +228,7 @@ Result<Plan> check(Console &console, const Arguments &arguments)
 }
 
 /// From where the motor is: what it was told last in this mode is not known, and it stands.
-Glide glideOf(const Device &device, const Plan &plan)
+Glide glideOf(const Device &device, const DrivePlan &plan)
 {
     if (plan.slew <= 0.0)
         return {};
@@ -287,7 +284,7 @@ Task<void> keepAlive(Console &console, SetPointStream &stream, Duration time, st
         const Duration left = end - console.clock().now();
         if (left <= Duration::zero())
             break;
-        Sleep nap(console.clock(), std::min(left, renewEvery));
+        Sleep nap(console.clock(), std::min(left, leaseRenewal));
         co_await nap;
         stream.renew();
     }
@@ -317,7 +314,7 @@ bool stands(const Device &device, Instant since)
     return latest && latest->time > since && latest->value == 0.0;
 }
 
-Task<Outcome> move(Console &console, Device &device, Plan plan)
+Task<Outcome> move(Console &console, Device &device, DrivePlan plan)
 {
     SetPointStream &stream = console.session().stream(device);
     const Subscription signal = console.interrupted().add([&console] { console.session().stopAll(StopCause::User); });
@@ -387,7 +384,7 @@ Result<int> verdictOf(const Device &device, const Outcome &outcome)
     return exitDone;
 }
 
-Task<int> drive(Console &console, Arguments arguments)
+Task<int> drive(Console &console, DriveArguments arguments)
 {
     const auto plan = check(console, arguments);
     if (!plan)
@@ -395,7 +392,7 @@ Task<int> drive(Console &console, Arguments arguments)
     const Subscription patient = console.interrupted().add([] {}); // a signal ends this verb through its own stop
     auto connecting = connect(console, plan->target);
     Device *const device = co_await std::move(connecting);
-    Sleep listening(console.clock(), listen);
+    Sleep listening(console.clock(), masterListen);
     co_await listening;
     console.onlyAsk();
     if (auto ready = needsApplication(*device); !ready)
@@ -425,7 +422,7 @@ Task<int> drive(Console &console, Arguments arguments)
 
 Job declareDrive(CLI::App &arguments)
 {
-    const auto a = std::make_shared<Arguments>();
+    const auto a = std::make_shared<DriveArguments>();
     arguments.add_option("device", a->device, "LINK/FAMILY:ADDRESS")->required();
     arguments.add_option(
         "--mode", a->mode, "duty, velocity, position, current, voltage, follow, ramp-position, ramp-velocity, off");

@@ -15,15 +15,15 @@
 namespace mb::console {
 namespace {
 
-constexpr Duration lookEvery = std::chrono::milliseconds(50);
+constexpr Duration drawEvery = std::chrono::milliseconds(50);
 
-struct Arguments {
+struct FlashArguments {
     std::string device;
     std::string file;
     UpdateOptions options;
 };
 
-struct Plan {
+struct FlashPlan {
     Target target;
     FirmwareImage image;
 };
@@ -55,7 +55,7 @@ Result<void> checkRoute(const Family &family, const UpdateOptions &options)
     return fail(Fault::Usage, say("%1 is not updated over its own link", family.key), say("add --via %1", ways));
 }
 
-Result<Plan> check(const Console &console, const Arguments &arguments)
+Result<FlashPlan> check(const Console &console, const FlashArguments &arguments)
 {
     auto target = parseTarget(console, arguments.device);
     if (!target)
@@ -78,7 +78,7 @@ Result<Plan> check(const Console &console, const Arguments &arguments)
         if (auto summary = family.inspect(*parsed); !summary)
             return fail(summary.error().about(arguments.file));
     }
-    return Plan{std::move(*target), std::move(*parsed)};
+    return FlashPlan{std::move(*target), std::move(*parsed)};
 }
 
 /// Runs the update as an operation: shows its progress, and cancels it on a signal as soon as that does no harm.
@@ -136,7 +136,7 @@ private:
         m_progress.step(status.step, status.done, status.total);
         if (m_cancelling)
             (void)m_operation.cancel();
-        m_tick.startIn(lookEvery, [this] { tick(); });
+        m_tick.startIn(drawEvery, [this] { tick(); });
     }
     void cancel()
     {
@@ -210,7 +210,7 @@ Result<int> verdictOf(const Console &console, const UpdateReport &report)
         report.fault.value_or(fallback), say("%1: %2", toString(report.outcome), report.evidence), report.remedy);
 }
 
-Task<int> flash(Console &console, Arguments arguments)
+Task<int> flash(Console &console, FlashArguments arguments)
 {
     const auto plan = check(console, arguments);
     if (!plan)
@@ -243,7 +243,7 @@ Task<int> flash(Console &console, Arguments arguments)
 
 Job declareFlash(CLI::App &arguments)
 {
-    const auto a = std::make_shared<Arguments>();
+    const auto a = std::make_shared<FlashArguments>();
     arguments.add_option("device", a->device, "LINK/FAMILY:ADDRESS")->required();
     arguments.add_option("file", a->file, "Intel HEX")->required();
     arguments.add_flag("--dry-run", a->options.dryRun, "Preflight only, nothing is written");

@@ -13,7 +13,7 @@
 namespace mb::console {
 namespace {
 
-struct Arguments {
+struct GetArguments {
     std::string device;
     std::vector<std::string> keys;
     std::string file;
@@ -68,7 +68,7 @@ Task<int> show(Console &console, Device &device, std::vector<ParameterIndex> ind
     co_return console.fails(*error);
 }
 
-Task<int> get(Console &console, Arguments arguments)
+Task<int> get(Console &console, GetArguments arguments)
 {
     const auto target = parseTarget(console, arguments.device);
     if (!target)
@@ -108,7 +108,7 @@ Task<int> get(Console &console, Arguments arguments)
 
 Job declareGet(CLI::App &arguments)
 {
-    const auto a = std::make_shared<Arguments>();
+    const auto a = std::make_shared<GetArguments>();
     arguments.add_option("device", a->device, "LINK/FAMILY:ADDRESS")->required();
     arguments.add_option("key", a->keys, "What to read; all that can be read by default");
     arguments.add_option("--file", a->file, "Save to this file instead of printing; - is standard output");

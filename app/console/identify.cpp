@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/nudge.h"
+#include "app/console/pace.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
 #include "async/sleep.h"
@@ -12,9 +13,7 @@
 namespace mb::console {
 namespace {
 
-constexpr Duration listen = std::chrono::milliseconds(150); // another master sends at least this often
-
-struct Arguments {
+struct IdentifyArguments {
     std::string device;
     std::string axis;
     bool yes = false;
@@ -27,7 +26,7 @@ std::string positionOption(const Family &family)
 }
 
 /// Whoever types it stands before the motor; a script has said --yes.
-Result<void> mayNudge(const Target &target, const Arguments &arguments)
+Result<void> mayNudge(const Target &target, const IdentifyArguments &arguments)
 {
     if (arguments.yes)
         return {};
@@ -48,7 +47,7 @@ Result<void> mayNudge(const Target &target, const Arguments &arguments)
             positionOption(*target.family)));
 }
 
-Task<int> identify(Console &console, Arguments arguments)
+Task<int> identify(Console &console, IdentifyArguments arguments)
 {
     const auto target = parseTarget(console, arguments.device);
     if (!target)
@@ -68,7 +67,7 @@ Task<int> identify(Console &console, Arguments arguments)
         auto blinking = device->identify();
         co_await std::move(blinking);
     } else {
-        Sleep listening(console.clock(), listen);
+        Sleep listening(console.clock(), masterListen);
         co_await listening;
         if (auto ready = needsApplication(*device); !ready)
             co_return fail(ready.error());
@@ -88,7 +87,7 @@ Task<int> identify(Console &console, Arguments arguments)
 
 Job declareIdentify(CLI::App &arguments)
 {
-    const auto a = std::make_shared<Arguments>();
+    const auto a = std::make_shared<IdentifyArguments>();
     arguments.add_option("device", a->device, "LINK/FAMILY:ADDRESS")->required();
     arguments.add_option("--axis", a->axis, "1…, on boards with several");
     arguments.add_flag("--yes", a->yes, "Turn the shaft of a device that cannot blink without asking");

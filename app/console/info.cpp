@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/pace.h"
 #include "app/console/table.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
@@ -16,11 +17,10 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration statesLimit = 300ms;
-constexpr Duration lookEvery = 5ms;
 
 using Faults = std::optional<std::vector<FaultRecord>>;
 
-QJsonObject toJson(const std::vector<FaultRecord> &faults)
+QJsonObject faultsToJson(const std::vector<FaultRecord> &faults)
 {
     QJsonObject object;
     for (const FaultRecord &fault : faults) {
@@ -34,7 +34,7 @@ QJsonObject toJson(const std::vector<FaultRecord> &faults)
     return object;
 }
 
-QJsonObject toJson(const LinkCounters &counters)
+QJsonObject countersToJson(const LinkCounters &counters)
 {
     return {
         {QStringLiteral("rx"), static_cast<qint64>(counters.rx)},
@@ -84,9 +84,9 @@ void printJson(Console &console, const Device &device, const Faults &faults)
     for (const auto &[key, number] : device.knowledge().profile().calibration)
         descriptors.insert(qt(key), qt(numberText(number)));
     object.insert(QStringLiteral("descriptors"), descriptors);
-    object.insert(QStringLiteral("faults"), faults ? QJsonValue(toJson(*faults)) : QJsonValue());
+    object.insert(QStringLiteral("faults"), faults ? QJsonValue(faultsToJson(*faults)) : QJsonValue());
     object.insert(QStringLiteral("states"), statesOf(device));
-    object.insert(QStringLiteral("counters"), toJson(device.link().counters()));
+    object.insert(QStringLiteral("counters"), countersToJson(device.link().counters()));
     console.out().json(object);
 }
 
@@ -164,7 +164,7 @@ void printText(Console &console, const Device &device, const Faults &faults)
     table.print(console.out());
 }
 
-struct Arguments {
+struct FactsArguments {
     std::string device;
     std::vector<std::string> keep;
 };
@@ -240,7 +240,7 @@ Result<void> keep(Console &console, Device &device, const std::vector<Kept> &all
     return {};
 }
 
-Task<int> info(Console &console, Arguments arguments)
+Task<int> info(Console &console, FactsArguments arguments)
 {
     const auto target = parseTarget(console, arguments.device);
     if (!target)
@@ -278,7 +278,7 @@ Task<int> info(Console &console, Arguments arguments)
 
 Job declareInfo(CLI::App &arguments)
 {
-    const auto a = std::make_shared<Arguments>();
+    const auto a = std::make_shared<FactsArguments>();
     arguments.add_option("device", a->device, "LINK/FAMILY:ADDRESS")->required();
     arguments
         .add_option("--keep", a->keep,

@@ -16,7 +16,7 @@
 namespace mb::console {
 namespace {
 
-struct Arguments {
+struct JournalArguments {
     std::string since;
     std::string serial;
     std::string file;
@@ -46,7 +46,7 @@ void print(Console &console, const std::vector<service::Visit> &visits)
     table.print(console.out());
 }
 
-Task<int> journal(Console &console, Arguments a)
+Task<int> journal(Console &console, JournalArguments a)
 {
     const auto since = parseTime(a.since);
     if (!since)
@@ -82,7 +82,7 @@ Task<int> journal(Console &console, Arguments a)
 
 Job declareJournal(CLI::App &arguments)
 {
-    const auto a = std::make_shared<Arguments>();
+    const auto a = std::make_shared<JournalArguments>();
     arguments.add_option("--since", a->since, "A date, a date and time, or seconds since 1970");
     arguments.add_option("--serial", a->serial, "One unit only");
     arguments.add_option("--export", a->file, "Write them to a table, too: .csv");

@@ -10,13 +10,13 @@
 namespace mb::console {
 namespace {
 
-struct Arguments {
+struct MonitorArguments {
     std::string link;
     std::string seconds;
     std::string dialect;
 };
 
-std::string lineOf(Duration time, std::string_view link, const Traffic &traffic)
+std::string trafficLine(Duration time, std::string_view link, const Traffic &traffic)
 {
     if (traffic.can)
         return toCandumpLine(time, link, *traffic.can);
@@ -24,7 +24,7 @@ std::string lineOf(Duration time, std::string_view link, const Traffic &traffic)
     return toByteLine(time, link, direction, traffic.bytes);
 }
 
-Task<int> monitor(Console &console, Arguments arguments)
+Task<int> monitor(Console &console, MonitorArguments arguments)
 {
     const auto links = parseLinks(console, {arguments.link});
     if (!links)
@@ -53,7 +53,7 @@ Task<int> monitor(Console &console, Arguments arguments)
         else if (console.json())
             lines.print(stamp, name, traffic.direction, traffic.bytes);
         else
-            console.out().line(lineOf(stamp, name, traffic));
+            console.out().line(trafficLine(stamp, name, traffic));
     });
     co_await ending.wait();
     lines.finish();
@@ -70,7 +70,7 @@ Task<int> monitor(Console &console, Arguments arguments)
 
 Job declareMonitor(CLI::App &arguments)
 {
-    const auto a = std::make_shared<Arguments>();
+    const auto a = std::make_shared<MonitorArguments>();
     arguments.add_option("link", a->link, "Such as socketcan:can0")->required();
     arguments.add_option("--for", a->seconds, "Seconds; until a signal otherwise");
     arguments.add_option("--dialect", a->dialect, dialectHelp());

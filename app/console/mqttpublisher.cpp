@@ -15,7 +15,7 @@
 namespace mb::console {
 namespace {
 
-constexpr int keepAlive = 30; // s
+constexpr int keepAliveSeconds = 30; // s
 constexpr std::chrono::seconds brokerTime(5);
 constexpr std::chrono::seconds finishTime(2);
 
@@ -55,7 +55,7 @@ MqttPublisher::~MqttPublisher()
 Result<void> MqttPublisher::connect(const PublishAddress &address)
 {
     const std::string name = "mqtt://" + address.host + ':' + std::to_string(address.port);
-    const int status = mosquitto_connect(m_client, address.host.c_str(), address.port, keepAlive);
+    const int status = mosquitto_connect(m_client, address.host.c_str(), address.port, keepAliveSeconds);
     if (status != MOSQ_ERR_SUCCESS)
         return fail(Fault::LinkLost,
             say("%1: %2", name, (status == MOSQ_ERR_ERRNO ? std::strerror(errno) : mosquitto_strerror(status))),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/nudge.h"
 
+#include "app/console/pace.h"
+
 #include "async/sleep.h"
 #include "model/axis.h"
 
@@ -12,12 +14,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Duration leaseTerm = 500ms;
 constexpr Duration pushTime = 150ms;
 constexpr Duration sendTime = 400ms; ///< of a move that ends by itself
 constexpr Duration restTime = 300ms;
-constexpr Duration stopLimit = 2s;
-constexpr Duration lookEvery = 5ms;
+constexpr Duration standLimit = 2s;
 constexpr double firstDuty = 0.08;
 constexpr double mostDuty = 0.30;
 constexpr double harder = 1.4;
@@ -45,7 +45,7 @@ Task<double> push(Console &console, Device &device, SetPoint setPoint, Duration 
     if (!stream.isRunning())
         co_return fail(Fault::Unsafe, say("stopped for safety: %1", stream.reason()));
     stream.stop();
-    const Instant limit = console.clock().now() + stopLimit;
+    const Instant limit = console.clock().now() + standLimit;
     while (!device.isSeenStopped()) {
         if (console.clock().now() >= limit)
             co_return fail(Fault::Unsafe, say("the stop was not confirmed by %1", device.selector()),

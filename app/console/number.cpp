@@ -12,7 +12,7 @@ namespace {
 
 constexpr int highest = 65535; // of any family; the device's own range is checked by its family
 
-struct Arguments {
+struct NumberArguments {
     std::string device;
     std::string number;
 };
@@ -41,7 +41,7 @@ bool isPending(const Device &device, int number)
     return false;
 }
 
-Task<int> renumber(Console &console, Arguments arguments)
+Task<int> renumber(Console &console, NumberArguments arguments)
 {
     const auto target = parseTarget(console, arguments.device);
     if (!target)
@@ -88,7 +88,7 @@ Task<int> renumber(Console &console, Arguments arguments)
 
 Job declareNumber(CLI::App &arguments)
 {
-    const auto a = std::make_shared<Arguments>();
+    const auto a = std::make_shared<NumberArguments>();
     arguments.add_option("device", a->device, "LINK/FAMILY:ADDRESS")->required();
     arguments.add_option("new", a->number, "Its new device number or node id")->required();
     return [a](Console &console) { return renumber(console, *a); };

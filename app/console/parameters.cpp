@@ -25,7 +25,7 @@ QJsonValue number(const Parameter &parameter, double value)
     return parameter.type == WireType::Boolean ? QJsonValue(value != 0.0) : QJsonValue(value);
 }
 
-QJsonObject toJson(const Parameter &p)
+QJsonObject parameterToJson(const Parameter &p)
 {
     return {
         {QStringLiteral("key"), qt(p.key)},
@@ -57,7 +57,7 @@ Task<int> parameters(Console &console, std::string key)
     if (console.json()) {
         QJsonArray rows;
         for (const Parameter &parameter : (*family)->parameters)
-            rows.append(toJson(parameter));
+            rows.append(parameterToJson(parameter));
         console.out().json({{QStringLiteral("parameters"), rows}});
         co_return exitDone;
     }

@@ -7,14 +7,14 @@
 namespace mb::console {
 namespace {
 
-struct Arguments {
+struct PlotArguments {
     std::string file;
     std::string out;
     std::string theme;
     std::string size;
 };
 
-Task<int> plot(Console &console, Arguments a)
+Task<int> plot(Console &console, PlotArguments a)
 {
     std::vector<std::string> words{"--plot", a.file, "--out", a.out};
     if (!a.theme.empty())
@@ -36,7 +36,7 @@ Task<int> plot(Console &console, Arguments a)
 
 Job declarePlot(CLI::App &arguments)
 {
-    const auto a = std::make_shared<Arguments>();
+    const auto a = std::make_shared<PlotArguments>();
     arguments.add_option("file", a->file, "An .mcap or .csv of this program, or what watch printed")->required();
     arguments.add_option("--out", a->out, "The picture: .png, .svg or .pdf")->required();
     arguments.add_option("--theme", a->theme, "dark or light");

@@ -13,7 +13,7 @@ namespace {
 constexpr int longest = 64;
 constexpr int usual = 28;
 
-struct Arguments {
+struct RenameArguments {
     std::string device;
     std::string name;
 };
@@ -49,7 +49,7 @@ Result<int> tag(Console &console, const Device &device, const std::string &name)
     return exitDone;
 }
 
-Task<int> rename(Console &console, Arguments arguments)
+Task<int> rename(Console &console, RenameArguments arguments)
 {
     const auto target = parseTarget(console, arguments.device);
     if (!target)
@@ -80,7 +80,7 @@ Task<int> rename(Console &console, Arguments arguments)
 
 Job declareRename(CLI::App &arguments)
 {
-    const auto a = std::make_shared<Arguments>();
+    const auto a = std::make_shared<RenameArguments>();
     arguments.add_option("device", a->device, "LINK/FAMILY:ADDRESS")->required();
     arguments.add_option("text", a->name, "Its new name, 1 to 64 characters")->required();
     return [a](Console &console) { return rename(console, *a); };

@@ -24,7 +24,7 @@ namespace {
 constexpr std::string_view trialPrefix = "trial:";
 constexpr int mostTrialNumber = 2'000'000'000;
 
-struct Arguments {
+struct ReportArguments {
     std::vector<std::string> subjects;
     std::string out;
     std::string size = "report";
@@ -44,7 +44,7 @@ struct Wish {
     const Size *size = nullptr;
 };
 
-Result<Wish> check(const Console &console, const Arguments &a)
+Result<Wish> check(const Console &console, const ReportArguments &a)
 {
     Wish wish;
     if (a.subjects.empty() || a.out.empty())
@@ -142,7 +142,7 @@ Error print(const QByteArray &html, const std::string &out, bool json)
     return becomeWindow(std::move(words));
 }
 
-Task<int> report(Console &console, Arguments a)
+Task<int> report(Console &console, ReportArguments a)
 {
     const auto wish = check(console, a);
     if (!wish)
@@ -178,7 +178,7 @@ Task<int> report(Console &console, Arguments a)
 
 Job declareReport(CLI::App &arguments)
 {
-    const auto a = std::make_shared<Arguments>();
+    const auto a = std::make_shared<ReportArguments>();
     arguments.add_option("subject", a->subjects, "LINK/FAMILY:ADDRESS, or trial:N of the notebook, one or more");
     arguments.add_option("--out", a->out, "The report: .pdf or .html");
     arguments.add_option("--size", a->size, "report: all that is known; card: one page a unit; label: 62 x 29 mm");

@@ -18,7 +18,7 @@
 namespace mb::console {
 namespace {
 
-struct Arguments {
+struct RestoreArguments {
     std::string device;
     std::string file;
     bool dryRun = false;
@@ -55,7 +55,7 @@ std::vector<ParameterIndex> toRead(const Family &family, const ParameterFile &fi
     return indices;
 }
 
-QJsonValue toJson(const Parameter &parameter, std::optional<std::int64_t> raw)
+QJsonValue valueToJson(const Parameter &parameter, std::optional<std::int64_t> raw)
 {
     if (!raw)
         return {};
@@ -73,8 +73,8 @@ void show(Console &console, const Device &device, const std::vector<Change> &cha
         const Parameter &parameter = device.parameters().parameter(change.difference.index);
         rows.append(QJsonObject{
             {QStringLiteral("key"), qt(parameter.key)},
-            {QStringLiteral("from"), toJson(parameter, change.difference.from)},
-            {QStringLiteral("to"), toJson(parameter, change.difference.to)},
+            {QStringLiteral("from"), valueToJson(parameter, change.difference.from)},
+            {QStringLiteral("to"), valueToJson(parameter, change.difference.to)},
             {QStringLiteral("result"), qt(change.result)},
         });
         table.add({std::string(parameter.key), shownValue(parameter, change.difference.from),
@@ -99,7 +99,7 @@ std::vector<Change> lostChanges(const Device &device)
 
 /// What can be said of it before the device is asked. Nothing where no file was named, which only boards that keep nothing allow.
 Result<std::optional<NamedSettings>> nameSource(
-    const Console &console, const Arguments &arguments, const Family &family)
+    const Console &console, const RestoreArguments &arguments, const Family &family)
 {
     for (const std::string &key : arguments.unitValues) {
         if (const auto index = parseKey(family, key); !index)
@@ -121,7 +121,7 @@ Result<std::optional<NamedSettings>> nameSource(
 
 /// A snapshot of a place may be of another unit, which nobody can know but the user.
 Result<void> mayPutBack(
-    const Device &device, SettingsBook &book, const NamedSettings &named, const Arguments &arguments)
+    const Device &device, SettingsBook &book, const NamedSettings &named, const RestoreArguments &arguments)
 {
     const settings::Unit::By by = settings::byOf(book.resolved(settings::unitOf(device).key));
     if (named.kind != NamedSettings::Kind::Snapshot || by != settings::Unit::By::Place || arguments.dryRun
@@ -162,7 +162,7 @@ Task<void> readCurrent(Console &console, Device &device, std::vector<ParameterIn
     co_return {};
 }
 
-Task<std::vector<Change>> changesOf(Console &console, Device &device, ParameterFile file, Arguments arguments)
+Task<std::vector<Change>> changesOf(Console &console, Device &device, ParameterFile file, RestoreArguments arguments)
 {
     for (const Message &note : file.notes)
         console.note(arguments.file + ": " + note.english() + ", left out");
@@ -184,7 +184,7 @@ Task<std::vector<Change>> changesOf(Console &console, Device &device, ParameterF
     co_return changes;
 }
 
-Task<int> restore(Console &console, Arguments arguments)
+Task<int> restore(Console &console, RestoreArguments arguments)
 {
     const auto target = parseTarget(console, arguments.device);
     if (!target)
@@ -235,7 +235,7 @@ Task<int> restore(Console &console, Arguments arguments)
 
 Job declareRestore(CLI::App &arguments)
 {
-    const auto a = std::make_shared<Arguments>();
+    const auto a = std::make_shared<RestoreArguments>();
     arguments.add_option("device", a->device, "LINK/FAMILY:ADDRESS")->required();
     arguments.add_option("file", a->file,
         "A file that 'get --file' saved, or snapshot:NAME, snapshot:NUMBER; without it, on boards that keep nothing, "

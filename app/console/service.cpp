@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/linkrows.h"
+#include "app/console/pace.h"
 #include "app/console/servicedesk.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
@@ -15,10 +16,9 @@
 namespace mb::console {
 namespace {
 
-constexpr Duration leaseRenewal = std::chrono::milliseconds(100);
 constexpr int mostUnits = 100'000;
 
-struct Arguments {
+struct ServiceArguments {
     std::string recipe;
     std::vector<std::string> links;
     std::string units;
@@ -27,19 +27,14 @@ struct Arguments {
     std::string journal;
 };
 
-struct Plan {
+struct ServicePlan {
     service::RecipeMatter matter;
     std::vector<LinkAddress> links;
     std::optional<int> units;
 };
 
-bool serves(const Family &family, LinkKind kind)
-{
-    return std::find(family.links.begin(), family.links.end(), kind) != family.links.end();
-}
-
 /// Those that were named; else the CAN interfaces that are up, as scan has it.
-Result<std::vector<LinkAddress>> linksOf(const Console &console, const Arguments &a, const Family &family)
+Result<std::vector<LinkAddress>> linksOf(const Console &console, const ServiceArguments &a, const Family &family)
 {
     const auto named = parseLinks(console, a.links);
     if (!named)
@@ -64,13 +59,13 @@ Result<std::vector<LinkAddress>> linksOf(const Console &console, const Arguments
     return links;
 }
 
-Result<Plan> check(const Console &console, const Arguments &a)
+Result<ServicePlan> check(const Console &console, const ServiceArguments &a)
 {
     auto matter = service::loadRecipe(a.recipe, console.families());
     if (!matter)
         return fail(matter.error().fault, matter.error().detail,
             matter.error().remedy.empty() ? say("mend the recipe") : matter.error().remedy);
-    Plan plan{std::move(*matter), {}, {}};
+    ServicePlan plan{std::move(*matter), {}, {}};
     auto links = linksOf(console, a, *plan.matter.recipe.family);
     if (!links)
         return fail(links.error());
@@ -99,7 +94,7 @@ std::string textOf(const service::Visit &visit)
 /// One queue from its start to its summary.
 class Service {
 public:
-    Service(Console &console, ServiceDesk &desk, const Plan &plan, service::QueueOptions options)
+    Service(Console &console, ServiceDesk &desk, const ServicePlan &plan, service::QueueOptions options)
         : m_console(console)
         , m_permit(console)
         , m_queue(console.clock(), plan.matter, {desk.journal(), &desk.settings(), &desk.trials(), &m_permit, {}},
@@ -206,7 +201,7 @@ private:
     std::vector<Subscription> m_subscriptions;
 };
 
-Task<int> serve(Console &console, Arguments a)
+Task<int> serve(Console &console, ServiceArguments a)
 {
     const auto plan = check(console, a);
     if (!plan)
@@ -240,7 +235,7 @@ Task<int> serve(Console &console, Arguments a)
 
 Job declareService(CLI::App &arguments)
 {
-    const auto a = std::make_shared<Arguments>();
+    const auto a = std::make_shared<ServiceArguments>();
     arguments.add_option("recipe", a->recipe, "What is done to every unit: a JSON file")->required();
     arguments.add_option("link", a->links, "Where the units are; every CAN interface that is up otherwise");
     arguments.add_option(

@@ -13,7 +13,7 @@
 namespace mb::console {
 namespace {
 
-struct Arguments {
+struct SetArguments {
     std::string device;
     std::vector<std::string> assignments;
     bool store = false;
@@ -58,7 +58,7 @@ Task<std::optional<Error>> store(Console &console, Device &device)
     co_return std::optional<Error>();
 }
 
-Task<int> set(Console &console, Arguments arguments)
+Task<int> set(Console &console, SetArguments arguments)
 {
     const auto target = parseTarget(console, arguments.device);
     if (!target)
@@ -102,7 +102,7 @@ Task<int> set(Console &console, Arguments arguments)
 
 Job declareSet(CLI::App &arguments)
 {
-    const auto a = std::make_shared<Arguments>();
+    const auto a = std::make_shared<SetArguments>();
     arguments.add_option("device", a->device, "LINK/FAMILY:ADDRESS")->required();
     arguments.add_option("assignment", a->assignments, "KEY=VALUE, in the unit that 'parameters' shows")->required();
     arguments.add_flag("--store", a->store, "Make it survive a power cycle, and prove it");

@@ -14,14 +14,14 @@
 namespace mb::console {
 namespace {
 
-struct Arguments {
+struct SimulateArguments {
     std::vector<std::vector<std::string>> on; ///< each: a link, then its devices
     std::string seed;
     std::string seconds;
     bool events = false;
 };
 
-struct Plan {
+struct SimulatePlan {
     std::vector<LinkAddress> links;
     std::vector<PlannedUnit> units;
     std::optional<Duration> time;
@@ -53,7 +53,7 @@ Result<void> rehearse(Console &console, const PlannedUnit &unit)
     return simulator ? Result<void>() : fail(simulator.error());
 }
 
-Result<void> addGroup(Console &console, const std::vector<std::string> &group, std::uint64_t seed, Plan &plan)
+Result<void> addGroup(Console &console, const std::vector<std::string> &group, std::uint64_t seed, SimulatePlan &plan)
 {
     const auto link = LinkAddress::parse(group.front());
     if (!link)
@@ -83,7 +83,7 @@ Result<void> addGroup(Console &console, const std::vector<std::string> &group, s
     return {};
 }
 
-Result<Plan> check(Console &console, const Arguments &arguments)
+Result<SimulatePlan> check(Console &console, const SimulateArguments &arguments)
 {
     const auto seed
         = arguments.seed.empty() ? Result<int>(1) : parseInteger("--seed", arguments.seed, 0, 1'000'000'000);
@@ -92,7 +92,7 @@ Result<Plan> check(Console &console, const Arguments &arguments)
     const auto time = parseSpan(arguments.seconds);
     if (!time)
         return fail(time.error());
-    Plan plan;
+    SimulatePlan plan;
     plan.time = *time;
     for (const auto &group : arguments.on) {
         if (auto added = addGroup(console, group, static_cast<std::uint64_t>(*seed), plan); !added)
@@ -101,7 +101,7 @@ Result<Plan> check(Console &console, const Arguments &arguments)
     return plan;
 }
 
-Task<int> simulate(Console &console, Arguments arguments)
+Task<int> simulate(Console &console, SimulateArguments arguments)
 {
     const auto plan = check(console, arguments);
     if (!plan)
@@ -129,7 +129,7 @@ Task<int> simulate(Console &console, Arguments arguments)
 
 Job declareSimulate(CLI::App &arguments)
 {
-    const auto a = std::make_shared<Arguments>();
+    const auto a = std::make_shared<SimulateArguments>();
     arguments
         .add_option("--on", a->on,
             "A link, then the devices on it, such as socketcan:vcan0 dmc60c:5,motor=cim or pty:./tty0 FAMILY:4")

@@ -23,7 +23,7 @@ using settings::ParameterSnapshot;
 
 constexpr std::size_t longestName = 200;
 
-QJsonObject toJson(const ParameterSnapshot &snapshot)
+QJsonObject snapshotToJson(const ParameterSnapshot &snapshot)
 {
     return {
         {QStringLiteral("snapshot"), static_cast<qint64>(snapshot.number)},
@@ -69,7 +69,7 @@ Task<int> snapshot(Console &console, std::string device, std::string name)
     auto taking = settings::takeSnapshot(*found, settings::Occasion::Hand, name, *notebook.settings(), progress);
     const ParameterSnapshot taken = co_await std::move(taking);
     if (console.json())
-        console.out().json(toJson(taken));
+        console.out().json(snapshotToJson(taken));
     else
         console.out().line("snapshot " + std::to_string(taken.number) + ", " + taken.name + ": "
             + std::to_string(taken.count) + " values of " + taken.device
@@ -106,7 +106,7 @@ Task<int> snapshots(Console &console, std::string device)
     QJsonArray rows;
     Table table({"SNAPSHOT", "TIME", "SERIAL", "DEVICE", "NAME", "VALUES"});
     for (const ParameterSnapshot &each : *all) {
-        rows.append(toJson(each));
+        rows.append(snapshotToJson(each));
         table.add({std::to_string(each.number), timeOf(each), whose(each), each.device, each.name,
             std::to_string(each.count)});
     }

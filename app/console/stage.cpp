@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/stage.h"
 
+#include "app/console/pace.h"
+
 #include "app/console/simulationclock.h"
 #include "async/sleep.h"
 
 namespace mb::console {
 namespace {
-
-constexpr Duration leaseRenewal = std::chrono::milliseconds(100);
-constexpr Duration masterListen = std::chrono::milliseconds(150); // another master sends at least this often
 
 } // namespace
 

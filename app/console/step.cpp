@@ -24,7 +24,7 @@ using namespace tuning;
 constexpr double longestTime = 3600.0;
 constexpr int mostRepeats = 100;
 
-struct Arguments {
+struct StepArguments {
     std::string device;
     ExperimentOptions where;
     std::string mode;
@@ -40,7 +40,7 @@ struct Arguments {
     bool yes = false;
 };
 
-struct Plan {
+struct StepPlan {
     Target target;
     ExperimentPlan experiment;
     bool samples = false;
@@ -84,7 +84,7 @@ Result<Profile> parseProfile(const std::string &text)
             "there are step, square, ramp, sine, chirp and prbs"));
 }
 
-Result<void> parseNumbers(const Family &family, const Arguments &a, ExperimentPlan &plan)
+Result<void> parseNumbers(const Family &family, const StepArguments &a, ExperimentPlan &plan)
 {
     const auto to = parseNumber("--to", a.to, -anyNumber, anyNumber);
     const auto from = optional("--from", a.from, -anyNumber, anyNumber);
@@ -112,7 +112,7 @@ Result<void> parseNumbers(const Family &family, const Arguments &a, ExperimentPl
 }
 
 /// Everything that can be wrong before a device is asked.
-Result<Plan> check(const Console &console, const Arguments &a)
+Result<StepPlan> check(const Console &console, const StepArguments &a)
 {
     auto target = parseTarget(console, a.device);
     if (!target)
@@ -121,7 +121,7 @@ Result<Plan> check(const Console &console, const Arguments &a)
     if (!family.trials)
         return fail(
             Fault::Unsupported, say("%1 has no loop that can be tried", family.title), say("leave it to 'drive'"));
-    Plan plan{std::move(*target), {}, a.samples, a.save, a.yes};
+    StepPlan plan{std::move(*target), {}, a.samples, a.save, a.yes};
     const auto mode = parseLoop(family, a.mode);
     if (!mode)
         return fail(mode.error());
@@ -142,7 +142,7 @@ Result<Plan> check(const Console &console, const Arguments &a)
     return plan;
 }
 
-Task<Trial> experiment(Console &console, Session &session, Device &device, const Plan &plan, Notebook &notebook)
+Task<Trial> experiment(Console &console, Session &session, Device &device, const StepPlan &plan, Notebook &notebook)
 {
     Experimenting experimenting(console, session, device, notebook);
     auto running = runExperiment(device, experimenting.stream(), plan.experiment, experimenting.surroundings());
@@ -188,7 +188,7 @@ Task<Numbers> numbersBefore(Device &device, std::vector<ParameterChange> changes
     co_return known;
 }
 
-Task<int> perform(Console &console, Session &session, Device &device, Plan plan)
+Task<int> perform(Console &console, Session &session, Device &device, StepPlan plan)
 {
     Notebook notebook(console);
     auto settling = notebook.settleOwed(device, plan.yes);
@@ -221,7 +221,7 @@ Task<int> perform(Console &console, Session &session, Device &device, Plan plan)
     co_return verdictOf(*trial);
 }
 
-Task<int> step(Console &console, Arguments arguments)
+Task<int> step(Console &console, StepArguments arguments)
 {
     const auto plan = check(console, arguments);
     if (!plan)
@@ -235,7 +235,7 @@ Task<int> step(Console &console, Arguments arguments)
 
 Job declareStep(CLI::App &arguments)
 {
-    const auto a = std::make_shared<Arguments>();
+    const auto a = std::make_shared<StepArguments>();
     arguments.add_option("device", a->device, "LINK/FAMILY:ADDRESS")->required();
     arguments.add_option("--mode", a->mode, "velocity, position, current, duty, by family")->required();
     arguments.add_option("--to", a->to, "Y, in the unit of the mode")->required();

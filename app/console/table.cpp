@@ -4,6 +4,8 @@
 #include "app/console/output.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 
 namespace mb::console {
 namespace {
@@ -16,6 +18,13 @@ std::size_t widthOf(const std::string &text)
 }
 
 } // namespace
+
+std::string brief(double value)
+{
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.4g", value);
+    return text.data();
+}
 
 Table::Table(std::vector<std::string> header)
     : m_widths(header.size(), 0)

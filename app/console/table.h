@@ -8,6 +8,9 @@ namespace mb::console {
 
 class Output;
 
+/// Four significant digits.
+[[nodiscard]] std::string brief(double value);
+
 /// Columns for people: as wide as their longest cell, two blanks apart. Empty cells show a dash.
 class Table {
 public:

@@ -27,12 +27,12 @@ std::size_t editDistance(std::string_view a, std::string_view b)
     return row.back();
 }
 
+} // namespace
+
 bool serves(const Family &family, LinkKind kind)
 {
     return std::find(family.links.begin(), family.links.end(), kind) != family.links.end();
 }
-
-} // namespace
 
 Result<const Family *> parseFamily(std::span<const Family *const> families, std::string_view key)
 {

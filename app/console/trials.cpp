@@ -10,7 +10,7 @@
 namespace mb::console {
 namespace {
 
-struct Arguments {
+struct TrialsArguments {
     std::string device;
     std::string file;
     std::string star;
@@ -20,7 +20,7 @@ struct Arguments {
 
 constexpr int mostTrials = 2'000'000'000;
 
-Result<void> change(TrialBook &book, const Arguments &a)
+Result<void> change(TrialBook &book, const TrialsArguments &a)
 {
     if (!a.star.empty()) {
         const auto number = parseInteger("--star", a.star, 1, mostTrials);
@@ -48,7 +48,7 @@ Result<void> change(TrialBook &book, const Arguments &a)
     return {};
 }
 
-Task<int> trials(Console &console, Arguments a)
+Task<int> trials(Console &console, TrialsArguments a)
 {
     std::string device;
     if (!a.device.empty()) {
@@ -81,7 +81,7 @@ Task<int> trials(Console &console, Arguments a)
 
 Job declareTrials(CLI::App &arguments)
 {
-    const auto a = std::make_shared<Arguments>();
+    const auto a = std::make_shared<TrialsArguments>();
     arguments.add_option("device", a->device, "LINK/FAMILY:ADDRESS; all otherwise");
     arguments.add_option("--export", a->file, "Write them to a file, too: .csv a table, JSON otherwise");
     arguments.add_option("--star", a->star, "Mark trial N, or take its mark away");

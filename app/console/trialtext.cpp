@@ -10,7 +10,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace mb::console {
 namespace {
@@ -24,7 +23,7 @@ struct Shown {
     const char *unit;
 };
 
-constexpr std::array<Shown, 11> shown{{
+constexpr std::array<Shown, 11> shownMetrics{{
     {"rise", "rise", 1e3, "ms"},
     {"settle 2 %", "settle", 1e3, "ms"},
     {"overshoot", "overshoot", 100.0, "%"},
@@ -38,13 +37,6 @@ constexpr std::array<Shown, 11> shown{{
     {"noise", "noise", 100.0, "%"},
 }};
 
-std::string brief(double value)
-{
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.4g", value);
-    return text.data();
-}
-
 std::string list(const std::vector<std::string> &words)
 {
     std::string text;
@@ -56,7 +48,7 @@ std::string list(const std::vector<std::string> &words)
 void printMetrics(Output &out, const Trial &trial)
 {
     Table table({"metric", "value", "±", "unit"});
-    for (const Shown &row : shown) {
+    for (const Shown &row : shownMetrics) {
         for (const tuning::MetricKey &key : tuning::metricKeys()) {
             if (key.key != row.key)
                 continue;
@@ -85,7 +77,7 @@ std::string stimulusOf(const Trial &trial)
 void printTrial(Console &console, const Trial &trial, std::optional<std::int64_t> number)
 {
     if (console.json()) {
-        console.out().json(toJson(trial, number));
+        console.out().json(mb::toJson(trial, number));
         return;
     }
     printMetrics(console.out(), trial);

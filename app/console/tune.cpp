@@ -20,7 +20,7 @@ using namespace tuning;
 constexpr double leastMs = 1.1;
 constexpr double mostMs = 2.5;
 
-struct Arguments {
+struct TuneArguments {
     std::string device;
     ExperimentOptions where;
     std::string loop;
@@ -34,7 +34,7 @@ struct Arguments {
     bool yes = false;
 };
 
-struct Plan {
+struct TuneOrder {
     Target target;
     TunePlan tuning;
     std::string save;
@@ -54,7 +54,7 @@ Result<void> parseLoop(const Family &family, const std::string &text, TunePlan &
     return {};
 }
 
-Result<void> parseAim(const Arguments &a, TunePlan &plan)
+Result<void> parseAim(const TuneArguments &a, TunePlan &plan)
 {
     const auto aim = aimFromString(a.aim.empty() ? "normal" : a.aim);
     if (!aim)
@@ -79,13 +79,13 @@ Result<void> parseAim(const Arguments &a, TunePlan &plan)
 }
 
 /// Everything that can be wrong before a device is asked.
-Result<Plan> check(const Console &console, const Arguments &a)
+Result<TuneOrder> check(const Console &console, const TuneArguments &a)
 {
     auto target = parseTarget(console, a.device);
     if (!target)
         return fail(target.error());
     const Family &family = *target->family;
-    Plan plan{std::move(*target), {}, a.save, a.store, a.yes};
+    TuneOrder plan{std::move(*target), {}, a.save, a.store, a.yes};
     plan.tuning.propose = a.propose;
     plan.tuning.keep = a.keep;
     if (a.propose && (a.store || a.keep))
@@ -106,7 +106,7 @@ Result<Plan> check(const Console &console, const Arguments &a)
     return plan;
 }
 
-Task<TuneReport> tuneOn(Console &console, Session &session, Device &device, const Plan &plan, Notebook &notebook)
+Task<TuneReport> tuneOn(Console &console, Session &session, Device &device, const TuneOrder &plan, Notebook &notebook)
 {
     Experimenting experimenting(console, session, device, notebook);
     auto tuning = autotune(device, experimenting.stream(), plan.tuning, experimenting.surroundings());
@@ -140,7 +140,7 @@ Task<void> storeGains(Console &console, Device &device, TuneReport &report)
     co_return {};
 }
 
-Task<int> perform(Console &console, Session &session, Device &device, Plan plan)
+Task<int> perform(Console &console, Session &session, Device &device, TuneOrder plan)
 {
     Notebook notebook(console);
     auto settling = notebook.settleOwed(device, plan.yes);
@@ -169,7 +169,7 @@ Task<int> perform(Console &console, Session &session, Device &device, Plan plan)
     co_return verdictOf(*report);
 }
 
-Task<int> tune(Console &console, Arguments arguments)
+Task<int> tune(Console &console, TuneArguments arguments)
 {
     const auto plan = check(console, arguments);
     if (!plan)
@@ -183,7 +183,7 @@ Task<int> tune(Console &console, Arguments arguments)
 
 Job declareTune(CLI::App &arguments)
 {
-    const auto a = std::make_shared<Arguments>();
+    const auto a = std::make_shared<TuneArguments>();
     arguments.add_option("device", a->device, "LINK/FAMILY:ADDRESS")->required();
     arguments.add_option("--loop", a->loop, "velocity, position or current, by family")->required();
     arguments.add_option("--aim", a->aim, "calm, normal or brisk; normal otherwise");

@@ -10,7 +10,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace mb::console {
 namespace {
@@ -67,13 +66,6 @@ QJsonValue qualityToJson(const TuneReport &report)
         gates.append(QJsonObject{{QStringLiteral("gate"), qt(gate.name)}, {QStringLiteral("passed"), gate.passed},
             {QStringLiteral("detail"), qt(gate.detail.english())}});
     return gates;
-}
-
-std::string brief(double value)
-{
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.4g", value);
-    return text.data();
 }
 
 std::string briefly(const std::optional<double> &value, double scale, const char *unit)

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double fastest = 10'000.0; // Hz
 
-struct Arguments {
+struct WatchArguments {
     std::string device;
     std::vector<std::string> channels;
     std::string seconds;
@@ -21,7 +21,7 @@ struct Arguments {
     std::string to;
 };
 
-struct Plan {
+struct WatchPlan {
     Target target;
     Watched watched; ///< nothing: all channels
     std::optional<Duration> time;
@@ -29,7 +29,7 @@ struct Plan {
     std::optional<PublishAddress> to{};
 };
 
-Result<Plan> check(const Console &console, const Arguments &arguments)
+Result<WatchPlan> check(const Console &console, const WatchArguments &arguments)
 {
     auto target = parseTarget(console, arguments.device);
     if (!target)
@@ -40,7 +40,7 @@ Result<Plan> check(const Console &console, const Arguments &arguments)
     const auto time = parseSpan(arguments.seconds);
     if (!time)
         return fail(time.error());
-    Plan plan{std::move(*target), std::move(*watched), *time, 0.0};
+    WatchPlan plan{std::move(*target), std::move(*watched), *time, 0.0};
     if (!arguments.to.empty()) {
         auto address = PublishAddress::parse(arguments.to);
         if (!address)
@@ -93,7 +93,7 @@ void summarize(Console &console, const SampleStream &samples, const Publisher *p
 }
 
 /// From the first sample to the summary.
-Task<int> stream(Console &console, Device &device, Plan plan, Publisher *publisher, Ending &ending)
+Task<int> stream(Console &console, Device &device, WatchPlan plan, Publisher *publisher, Ending &ending)
 {
     std::optional<Error> error;
     {
@@ -122,7 +122,7 @@ Task<int> stream(Console &console, Device &device, Plan plan, Publisher *publish
 }
 
 /// After the link came back: the device may have lost power with it.
-Task<void> raiseAgain(Device &device, Plan plan)
+Task<void> raiseAgain(Device &device, WatchPlan plan)
 {
     if (plan.rate <= 0.0)
         co_return {};
@@ -131,7 +131,7 @@ Task<void> raiseAgain(Device &device, Plan plan)
     co_return {};
 }
 
-Task<int> watch(Console &console, Arguments arguments)
+Task<int> watch(Console &console, WatchArguments arguments)
 {
     auto plan = check(console, arguments);
     if (!plan)
@@ -167,7 +167,7 @@ Task<int> watch(Console &console, Arguments arguments)
 
 Job declareWatch(CLI::App &arguments)
 {
-    const auto a = std::make_shared<Arguments>();
+    const auto a = std::make_shared<WatchArguments>();
     arguments.add_option("device", a->device, "LINK/FAMILY:ADDRESS")->required();
     arguments.add_option("--channel", a->channels, "Only this channel or state (of info); may be repeated")
         ->allow_extra_args(false);
