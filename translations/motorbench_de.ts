@@ -6553,14 +6553,6 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
         <translation>Fortsetzen</translation>
     </message>
     <message>
-        <source>Units of the queue</source>
-        <translation>Einheiten der Warteschlange</translation>
-    </message>
-    <message>
-        <source>Every %1</source>
-        <translation>Jeder %1</translation>
-    </message>
-    <message>
         <source>A queue runs already.</source>
         <translation>Eine Warteschlange läuft schon.</translation>
     </message>
@@ -6600,6 +6592,9 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
         <source>Every unit is backed up before and compared afterwards; the journal has it.</source>
         <translation>Jedes Gerät wird vorher gesichert und danach verglichen; das Journal hält es fest.</translation>
     </message>
+</context>
+<context>
+    <name>mb::QueueChecks</name>
     <message>
         <source>recipe checked</source>
         <translation>Rezept geprüft</translation>
@@ -6631,10 +6626,6 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     <message>
         <source>bus voltage not known</source>
         <translation>Busspannung unbekannt</translation>
-    </message>
-    <message>
-        <source>Every unit of this family</source>
-        <translation>Jedes Gerät dieser Familie</translation>
     </message>
 </context>
 <context>
@@ -6728,6 +6719,21 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     <message>
         <source>The self-test turns the motor: %1. Hold Arm in the header once the queue runs.</source>
         <translation>Der Selbsttest dreht den Motor: %1. Die Scharf-Taste in der Kopfzeile halten, sobald die Warteschlange läuft.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::QueueTable</name>
+    <message>
+        <source>Every unit of this family</source>
+        <translation>Jedes Gerät dieser Familie</translation>
+    </message>
+    <message>
+        <source>Units of the queue</source>
+        <translation>Einheiten der Warteschlange</translation>
+    </message>
+    <message>
+        <source>Every %1</source>
+        <translation>Jeder %1</translation>
     </message>
 </context>
 <context>

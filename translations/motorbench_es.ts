@@ -6553,14 +6553,6 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
         <translation>Continuar</translation>
     </message>
     <message>
-        <source>Units of the queue</source>
-        <translation>Equipos de la cola</translation>
-    </message>
-    <message>
-        <source>Every %1</source>
-        <translation>Todos los %1</translation>
-    </message>
-    <message>
         <source>A queue runs already.</source>
         <translation>Ya hay una cola en marcha.</translation>
     </message>
@@ -6600,6 +6592,9 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
         <source>Every unit is backed up before and compared afterwards; the journal has it.</source>
         <translation>Cada equipo se guarda antes y se compara después; el diario lo recoge.</translation>
     </message>
+</context>
+<context>
+    <name>mb::QueueChecks</name>
     <message>
         <source>recipe checked</source>
         <translation>receta comprobada</translation>
@@ -6631,10 +6626,6 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
     <message>
         <source>bus voltage not known</source>
         <translation>tensión de bus desconocida</translation>
-    </message>
-    <message>
-        <source>Every unit of this family</source>
-        <translation>Todos los equipos de esta familia</translation>
     </message>
 </context>
 <context>
@@ -6728,6 +6719,21 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
     <message>
         <source>The self-test turns the motor: %1. Hold Arm in the header once the queue runs.</source>
         <translation>La autoprueba hace girar el motor: %1. Mantenga Armar en la cabecera cuando la cola esté en marcha.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::QueueTable</name>
+    <message>
+        <source>Every unit of this family</source>
+        <translation>Todos los equipos de esta familia</translation>
+    </message>
+    <message>
+        <source>Units of the queue</source>
+        <translation>Equipos de la cola</translation>
+    </message>
+    <message>
+        <source>Every %1</source>
+        <translation>Todos los %1</translation>
     </message>
 </context>
 <context>

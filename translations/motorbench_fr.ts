@@ -6553,14 +6553,6 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
         <translation>Reprendre</translation>
     </message>
     <message>
-        <source>Units of the queue</source>
-        <translation>Appareils de la file</translation>
-    </message>
-    <message>
-        <source>Every %1</source>
-        <translation>Tous les %1</translation>
-    </message>
-    <message>
         <source>A queue runs already.</source>
         <translation>Une file est déjà en cours.</translation>
     </message>
@@ -6600,6 +6592,9 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
         <source>Every unit is backed up before and compared afterwards; the journal has it.</source>
         <translation>Chaque appareil est sauvegardé avant et comparé après&#xa0;; le journal en garde trace.</translation>
     </message>
+</context>
+<context>
+    <name>mb::QueueChecks</name>
     <message>
         <source>recipe checked</source>
         <translation>recette vérifiée</translation>
@@ -6631,10 +6626,6 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     <message>
         <source>bus voltage not known</source>
         <translation>tension du bus inconnue</translation>
-    </message>
-    <message>
-        <source>Every unit of this family</source>
-        <translation>Chaque appareil de cette famille</translation>
     </message>
 </context>
 <context>
@@ -6728,6 +6719,21 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     <message>
         <source>The self-test turns the motor: %1. Hold Arm in the header once the queue runs.</source>
         <translation>L’autotest fait tourner le moteur&#xa0;: %1. Maintenez Armer dans l’en-tête une fois la file lancée.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::QueueTable</name>
+    <message>
+        <source>Every unit of this family</source>
+        <translation>Chaque appareil de cette famille</translation>
+    </message>
+    <message>
+        <source>Units of the queue</source>
+        <translation>Appareils de la file</translation>
+    </message>
+    <message>
+        <source>Every %1</source>
+        <translation>Tous les %1</translation>
     </message>
 </context>
 <context>
@@ -17247,11 +17253,11 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>the gains that were there may leave as little error; now those</source>
-        <translation>les gains qui étaient là laissent peut-être aussi peu d&apos;erreur ; maintenant ceux-ci</translation>
+        <translation>les gains qui étaient là laissent peut-être aussi peu d&apos;erreur&#x202f;; maintenant ceux-ci</translation>
     </message>
     <message>
         <source>the steps in both directions did what was predicted; the gains are as they were</source>
-        <translation>les échelons dans les deux sens ont fait ce qui était prédit ; les gains sont restés comme ils étaient</translation>
+        <translation>les échelons dans les deux sens ont fait ce qui était prédit&#x202f;; les gains sont restés comme ils étaient</translation>
     </message>
     <message>
         <source>their largest sensitivity is %1, at most %2 are allowed, and %3 with more gain and delay</source>
@@ -17271,7 +17277,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>those that were found left more error: these, which were there, leave %1 of it</source>
-        <translation>ceux qui ont été trouvés laissaient plus d&apos;erreur : ceux-ci, qui étaient là, en laissent %1</translation>
+        <translation>ceux qui ont été trouvés laissaient plus d&apos;erreur&#xa0;: ceux-ci, qui étaient là, en laissent %1</translation>
     </message>
     <message>
         <source>those that were there leave more error</source>
@@ -17279,11 +17285,11 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>those that were there would leave less error, but are not for keeping: %1</source>
-        <translation>ceux qui étaient là laisseraient moins d&apos;erreur, mais ne sont pas à garder : %1</translation>
+        <translation>ceux qui étaient là laisseraient moins d&apos;erreur, mais ne sont pas à garder&#xa0;: %1</translation>
     </message>
     <message>
         <source>what is left over is much of so small steps; the same with larger ones</source>
-        <translation>ce qui reste est beaucoup pour de si petits échelons ; la même chose avec de plus grands</translation>
+        <translation>ce qui reste est beaucoup pour de si petits échelons&#x202f;; la même chose avec de plus grands</translation>
     </message>
     <message>
         <source>what was there is not known, and these were not compared with it</source>

@@ -6544,14 +6544,6 @@ double click or End returns to the present · right click for more</source>
         <translation>続ける</translation>
     </message>
     <message>
-        <source>Units of the queue</source>
-        <translation>キューの機器</translation>
-    </message>
-    <message>
-        <source>Every %1</source>
-        <translation>すべての %1</translation>
-    </message>
-    <message>
         <source>A queue runs already.</source>
         <translation>キューはすでに実行中です。</translation>
     </message>
@@ -6591,6 +6583,9 @@ double click or End returns to the present · right click for more</source>
         <source>Every unit is backed up before and compared afterwards; the journal has it.</source>
         <translation>どの機器も事前にバックアップし、事後に比較します。結果はジャーナルに残ります。</translation>
     </message>
+</context>
+<context>
+    <name>mb::QueueChecks</name>
     <message>
         <source>recipe checked</source>
         <translation>レシピ確認済み</translation>
@@ -6622,10 +6617,6 @@ double click or End returns to the present · right click for more</source>
     <message>
         <source>bus voltage not known</source>
         <translation>バス電圧不明</translation>
-    </message>
-    <message>
-        <source>Every unit of this family</source>
-        <translation>このファミリのすべての機器</translation>
     </message>
 </context>
 <context>
@@ -6719,6 +6710,21 @@ double click or End returns to the present · right click for more</source>
     <message>
         <source>The self-test turns the motor: %1. Hold Arm in the header once the queue runs.</source>
         <translation>セルフテストはモーターを回します: %1。キューの開始後、ヘッダの駆動許可ボタンを長押ししてください。</translation>
+    </message>
+</context>
+<context>
+    <name>mb::QueueTable</name>
+    <message>
+        <source>Every unit of this family</source>
+        <translation>このファミリのすべての機器</translation>
+    </message>
+    <message>
+        <source>Units of the queue</source>
+        <translation>キューの機器</translation>
+    </message>
+    <message>
+        <source>Every %1</source>
+        <translation>すべての %1</translation>
     </message>
 </context>
 <context>

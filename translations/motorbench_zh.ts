@@ -6544,14 +6544,6 @@ double click or End returns to the present · right click for more</source>
         <translation>继续</translation>
     </message>
     <message>
-        <source>Units of the queue</source>
-        <translation>队列中的设备</translation>
-    </message>
-    <message>
-        <source>Every %1</source>
-        <translation>所有 %1</translation>
-    </message>
-    <message>
         <source>A queue runs already.</source>
         <translation>已有队列在运行。</translation>
     </message>
@@ -6591,6 +6583,9 @@ double click or End returns to the present · right click for more</source>
         <source>Every unit is backed up before and compared afterwards; the journal has it.</source>
         <translation>每台设备事先备份、事后比较；日志簿均有记录。</translation>
     </message>
+</context>
+<context>
+    <name>mb::QueueChecks</name>
     <message>
         <source>recipe checked</source>
         <translation>配方已检查</translation>
@@ -6622,10 +6617,6 @@ double click or End returns to the present · right click for more</source>
     <message>
         <source>bus voltage not known</source>
         <translation>总线电压未知</translation>
-    </message>
-    <message>
-        <source>Every unit of this family</source>
-        <translation>该系列的所有设备</translation>
     </message>
 </context>
 <context>
@@ -6719,6 +6710,21 @@ double click or End returns to the present · right click for more</source>
     <message>
         <source>The self-test turns the motor: %1. Hold Arm in the header once the queue runs.</source>
         <translation>自检会转动电机：%1。队列运行后按住顶栏的解锁按钮。</translation>
+    </message>
+</context>
+<context>
+    <name>mb::QueueTable</name>
+    <message>
+        <source>Every unit of this family</source>
+        <translation>该系列的所有设备</translation>
+    </message>
+    <message>
+        <source>Units of the queue</source>
+        <translation>队列中的设备</translation>
+    </message>
+    <message>
+        <source>Every %1</source>
+        <translation>所有 %1</translation>
     </message>
 </context>
 <context>

@@ -6,46 +6,24 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/layoutin.h"
-#include "widgets/common/numberformat.h"
 #include "widgets/firmware/queuebar.h"
+#include "widgets/firmware/queuechecks.h"
 #include "widgets/firmware/queuehead.h"
 #include "widgets/firmware/queuemodel.h"
 #include "widgets/firmware/queueside.h"
+#include "widgets/firmware/queuetable.h"
 #include "widgets/firmware/unitsteps.h"
-#include "widgets/firmware/updatechecks.h"
 #include "widgets/firmware/updatelog.h"
 #include "widgets/service/recipeeditor.h"
 #include "widgets/service/verdictof.h"
 
-#include <QCheckBox>
 #include <QFileDialog>
-#include <QHeaderView>
 #include <QPointer>
 #include <QSplitter>
-#include <QStyledItemDelegate>
-#include <QTableView>
 
 #include <algorithm>
 
 namespace mb {
-namespace {
-
-enum QueueCheck { RecipeFits, AllStand, AllAlone, AllSupplied, QueueChecks };
-
-/// The end of an address tells more than its middle.
-class MiddleElided : public QStyledItemDelegate {
-public:
-    using QStyledItemDelegate::QStyledItemDelegate;
-
-protected:
-    void initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const override
-    {
-        QStyledItemDelegate::initStyleOption(option, index);
-        option->textElideMode = Qt::ElideMiddle;
-    }
-};
-
-} // namespace
 
 QueueBoard::QueueBoard(ServiceDesk &desk, Workbench &workbench, Selection &selection,
     std::span<const Family *const> families, const ThemeSource &theme, QWidget *parent)
@@ -59,7 +37,7 @@ QueueBoard::QueueBoard(ServiceDesk &desk, Workbench &workbench, Selection &selec
     auto *column = layoutIn<QVBoxLayout>(this, 0);
     column->addWidget(m_head = new QueueHead(theme, this));
     column->addWidget(separatorLine(Qt::Horizontal, this));
-    column->addWidget(m_checks = new UpdateChecks(theme, QueueChecks, this));
+    column->addWidget(m_checks = new QueueChecks(theme, this));
     column->addWidget(separatorLine(Qt::Horizontal, this));
     column->addWidget(m_banner = new Banner(theme, BannerKind::Caution, {}, {}, this));
     column->addWidget(m_bar = new QueueBar(theme, this));
@@ -76,7 +54,7 @@ void QueueBoard::buildBody()
 {
     auto *split = new QSplitter(Qt::Horizontal, this);
     auto *left = new QSplitter(Qt::Vertical, split);
-    left->addWidget(buildTable(left));
+    left->addWidget(m_table = new QueueTable(m_theme, left));
     left->addWidget(m_log = new UpdateLog(m_workbench, m_theme, left));
     left->setStretchFactor(0, 3);
     left->setStretchFactor(1, 1);
@@ -87,47 +65,19 @@ void QueueBoard::buildBody()
     static_cast<QVBoxLayout *>(layout())->addWidget(split, 1);
 }
 
+QueueModel &QueueBoard::model() const
+{
+    return m_table->model();
+}
+
+QTableView &QueueBoard::table() const
+{
+    return m_table->view();
+}
+
 UnitSteps &QueueBoard::steps() const
 {
     return m_side->unit();
-}
-
-QWidget *QueueBoard::buildTable(QWidget *parent)
-{
-    const Theme &theme = m_theme.theme();
-    auto *area = new QWidget(parent);
-    auto *column = layoutIn<QVBoxLayout>(area, 0);
-    m_every = new QCheckBox(area);
-    m_every->setAccessibleName(tr("Every unit of this family"));
-    m_every->setContentsMargins(theme.u(16), 0, 0, 0);
-    auto *head = new QHBoxLayout;
-    head->setContentsMargins(theme.u(6), theme.u(6), theme.u(16), theme.u(6));
-    head->addWidget(m_every);
-    head->addStretch(1);
-    column->addLayout(head);
-    m_model = new QueueModel(m_theme, this);
-    m_table = new QTableView(area);
-    m_table->setAccessibleName(tr("Units of the queue"));
-    m_table->setModel(m_model);
-    m_table->setItemDelegateForColumn(QueueModel::Serial, new MiddleElided(m_table));
-    m_table->setItemDelegateForColumn(QueueModel::Share, new ShareDelegate(m_theme, m_table));
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setShowGrid(false);
-    m_table->setWordWrap(false);
-    m_table->setFrameShape(QFrame::NoFrame);
-    m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setDefaultSectionSize(theme.u(30));
-    auto *titles = m_table->horizontalHeader();
-    titles->setHighlightSections(false);
-    titles->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    titles->setStretchLastSection(true);
-    constexpr std::array<int, QueueModel::Columns> widths{156, 84, 116, 108, 96, 68, 100};
-    for (int i = 0; i < QueueModel::Columns; ++i)
-        m_table->setColumnWidth(i, theme.u(widths.at(static_cast<std::size_t>(i))));
-    column->addWidget(m_table, 1);
-    return area;
 }
 
 void QueueBoard::buildFoot()
@@ -156,9 +106,8 @@ void QueueBoard::connectAll()
     connect(m_bar, &QueueBar::exportWanted, this, &QueueBoard::askSave);
     connect(&steps(), &UnitSteps::skipWanted, this, [this](std::uint32_t row) { m_desk.skip(row); });
     connect(&steps(), &UnitSteps::againWanted, this, [this](std::uint32_t row) { m_desk.retry(row); });
-    connect(m_every, &QCheckBox::clicked, this, [this](bool on) { m_model->tickAll(on); });
-    connect(m_model, &QueueModel::tickedChanged, this, &QueueBoard::follow);
-    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &QueueBoard::followUnit);
+    connect(&model(), &QueueModel::tickedChanged, this, &QueueBoard::follow);
+    connect(m_table, &QueueTable::chosenChanged, this, &QueueBoard::followUnit);
     connect(&m_workbench, &Workbench::changed, this, &QueueBoard::follow);
     connect(&m_selection, &Selection::changed, this, &QueueBoard::follow);
     connect(&m_desk, &ServiceDesk::changed, this, [this] {
@@ -226,7 +175,7 @@ bool QueueBoard::opened(const Result<void> &result)
     }
     m_head->show(m_recipe);
     m_side->setRecipe(m_recipe);
-    m_every->setText(tr("Every %1").arg(tableText(m_recipe.family()->title)));
+    m_table->setKind(tableText(m_recipe.family()->title));
     lookForCut();
     follow();
     return true;
@@ -254,7 +203,7 @@ QString QueueBoard::hindrance() const
         return tr("A queue runs already.");
     if (!m_recipe.matter())
         return tr("Open an image or a recipe first.");
-    if (m_model->ticked().empty())
+    if (model().ticked().empty())
         return tr("Tick the units first.");
     return {};
 }
@@ -262,7 +211,7 @@ QString QueueBoard::hindrance() const
 void QueueBoard::start()
 {
     if (canStart())
-        begin(m_model->ticked(), {});
+        begin(model().ticked(), {});
 }
 
 bool QueueBoard::mayGoOn() const
@@ -273,7 +222,7 @@ bool QueueBoard::mayGoOn() const
 void QueueBoard::goOn()
 {
     if (mayGoOn())
-        begin(m_model->ticked(), m_cut.run);
+        begin(model().ticked(), m_cut.run);
 }
 
 /// Of these units; of none every open one that the family may hang on.
@@ -339,14 +288,9 @@ void QueueBoard::follow()
     const ServiceView &view = m_desk.view();
     const Instant now = m_workbench.now();
     const std::string version = m_recipe.matter() ? m_recipe.matter()->imageVersion : std::string();
-    m_model->setChoosing(!view.running);
-    const QSignalBlocker quiet(m_every);
-    m_model->setLines(queueLines(view, m_workbench.snapshot(), m_recipe.family(), version, now));
-    const auto count = static_cast<int>(m_model->ticked().size());
-    m_every->setVisible(m_recipe.family() != nullptr);
-    m_every->setEnabled(!view.running && m_model->rowCount() > 0);
-    m_every->setTristate(false);
-    m_every->setChecked(count > 0 && count == m_model->rowCount());
+    model().setChoosing(!view.running);
+    model().setLines(queueLines(view, m_workbench.snapshot(), m_recipe.family(), version, now));
+    m_table->followTicks(view.running);
     m_head->setChoosing(!view.running);
     m_bar->follow(view, totalsOf(view, now), hindrance());
     if (!m_cut.run.empty())
@@ -360,40 +304,9 @@ void QueueBoard::follow()
             "One unit at a time on a bus, buses side by side. Real units keep this computer awake. The journal is on "
             "disk: after a crash the queue goes on.")
                      : tr("Every unit is backed up before and compared afterwards; the journal has it."));
-    followChecks();
+    m_checks->follow(m_workbench.snapshot(), model().ticked(), m_recipe.matter() != nullptr, now);
     followLog();
     followUnit();
-}
-
-/// Of the ticked units, before a queue; each is looked at again by its own preflight.
-void QueueBoard::followChecks()
-{
-    bool stands = true;
-    bool alone = true;
-    std::optional<double> lowest;
-    bool strong = true;
-    for (const DeviceId id : m_model->ticked()) {
-        const DeviceView *device = m_workbench.snapshot().device(id);
-        if (!device)
-            continue;
-        stands = stands && !device->liveness.moving;
-        alone = alone && !device->liveness.foreignMaster && device->identity.state != DeviceState::Duplicate;
-        const auto supply = liveValue(*device, "bus_voltage", m_workbench.now());
-        if (supply) {
-            lowest = std::min(lowest.value_or(*supply), *supply);
-            strong = strong && *supply >= device->family->capabilities.lowestSupply;
-        }
-    }
-    const bool any = m_recipe.matter() != nullptr;
-    m_checks->set(RecipeFits, any, any ? tr("recipe checked") : tr("no image, no recipe"));
-    m_checks->set(AllStand, stands, stands ? tr("all motors stopped") : tr("a motor is moving"));
-    m_checks->set(AllAlone, alone ? GlyphState::Done : GlyphState::Warning,
-        alone ? tr("no other master") : tr("another master, or a number taken twice"));
-    m_checks->set(AllSupplied,
-        !lowest      ? GlyphState::Assumed
-            : strong ? GlyphState::Done
-                     : GlyphState::Warning,
-        lowest ? tr("bus %1 V").arg(formatNumber(*lowest, 1)) : tr("bus voltage not known"));
 }
 
 /// What was said since, of all units in the order of time.
@@ -415,23 +328,16 @@ void QueueBoard::followLog()
         m_log->add(said.line, said.who);
 }
 
-/// The line that is selected; nullptr: none is. The focus alone, which comes to the first line by itself, selects nothing.
-const QueueLine *QueueBoard::chosenLine() const
-{
-    const QModelIndexList selected = m_table->selectionModel()->selectedRows();
-    return selected.isEmpty() ? nullptr : &m_model->lines().at(static_cast<std::size_t>(selected.front().row()));
-}
-
 /// The one that is selected, else the one that runs, else, where no other line is selected, the one that was served last.
 const service::QueueRow *QueueBoard::shownRow() const
 {
     using service::QueueRow;
     using service::RowState;
-    const QueueLine *chosen = chosenLine();
+    const QueueLine *chosen = m_table->chosen();
     const QueueRow *running = nullptr;
     const QueueRow *last = nullptr;
     for (const QueueRow &row : m_desk.view().rows) {
-        if (m_model->rowOf(row.id) < 0)
+        if (model().rowOf(row.id) < 0)
             continue; // of a queue before
         if (chosen && chosen->row == row.id)
             return &row;
@@ -447,7 +353,7 @@ void QueueBoard::followUnit()
 {
     const service::QueueRow *row = shownRow();
     const QueueLine *line
-        = row ? &m_model->lines().at(static_cast<std::size_t>(m_model->rowOf(row->id))) : chosenLine();
+        = row ? &model().lines().at(static_cast<std::size_t>(model().rowOf(row->id))) : m_table->chosen();
     m_side->showUnit(row, line, m_recipe);
 }
 

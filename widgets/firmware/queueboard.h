@@ -10,7 +10,6 @@
 
 #include <map>
 
-class QCheckBox;
 class QLabel;
 class QTableView;
 
@@ -18,11 +17,12 @@ namespace mb {
 
 class Banner;
 class QueueBar;
+class QueueChecks;
 class QueueHead;
 class QueueModel;
 class QueueSide;
+class QueueTable;
 class UnitSteps;
-class UpdateChecks;
 class UpdateLog;
 
 /// Many units by one order: what is done to each, which are ticked, how far each is, what was said, and what can be ordered
@@ -46,8 +46,8 @@ public:
     void goOn();
     /// Whether the journal is known to have a queue of this recipe that was cut off; it is asked after each queue.
     [[nodiscard]] bool mayGoOn() const;
-    [[nodiscard]] QueueModel &model() const { return *m_model; }
-    [[nodiscard]] QTableView &table() const { return *m_table; }
+    [[nodiscard]] QueueModel &model() const;
+    [[nodiscard]] QTableView &table() const;
     [[nodiscard]] QueueBar &bar() const { return *m_bar; }
     [[nodiscard]] UnitSteps &steps() const;
     [[nodiscard]] UpdateLog &log() const { return *m_log; }
@@ -58,7 +58,6 @@ protected:
     void showEvent(QShowEvent *event) override;
 
 private:
-    [[nodiscard]] QWidget *buildTable(QWidget *parent);
     void buildBody();
     void buildFoot();
     void connectAll();
@@ -68,11 +67,9 @@ private:
     void lookForCut();
     void askSave();
     void follow();
-    void followChecks();
     void followLog();
     void followUnit();
     [[nodiscard]] std::vector<std::string> linksOf(const std::vector<DeviceId> &chosen) const;
-    [[nodiscard]] const QueueLine *chosenLine() const;
     [[nodiscard]] const service::QueueRow *shownRow() const;
     [[nodiscard]] QString hindrance() const;
 
@@ -85,12 +82,10 @@ private:
     QString m_saved; ///< a recipe that was written while units were served; it is opened when they are done
     ServiceDesk::CutRun m_cut;
     QueueHead *m_head = nullptr;
-    UpdateChecks *m_checks = nullptr;
+    QueueChecks *m_checks = nullptr;
     Banner *m_banner = nullptr;
     QueueBar *m_bar = nullptr;
-    QCheckBox *m_every = nullptr;
-    QueueModel *m_model = nullptr;
-    QTableView *m_table = nullptr;
+    QueueTable *m_table = nullptr;
     UpdateLog *m_log = nullptr;
     QueueSide *m_side = nullptr;
     QLabel *m_foot = nullptr;

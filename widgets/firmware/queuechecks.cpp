@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/firmware/queuechecks.h"
+
+#include "model/family.h"
+#include "widgets/common/devicetext.h"
+#include "widgets/common/numberformat.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace mb {
+
+QueueChecks::QueueChecks(const ThemeSource &theme, QWidget *parent)
+    : UpdateChecks(theme, Checks, parent)
+{
+}
+
+void QueueChecks::follow(const Snapshot &snapshot, const std::vector<DeviceId> &ticked, bool hasRecipe, Instant now)
+{
+    bool stands = true;
+    bool alone = true;
+    std::optional<double> lowest;
+    bool strong = true;
+    for (const DeviceId id : ticked) {
+        const DeviceView *device = snapshot.device(id);
+        if (!device)
+            continue;
+        stands = stands && !device->liveness.moving;
+        alone = alone && !device->liveness.foreignMaster && device->identity.state != DeviceState::Duplicate;
+        const auto supply = liveValue(*device, "bus_voltage", now);
+        if (supply) {
+            lowest = std::min(lowest.value_or(*supply), *supply);
+            strong = strong && *supply >= device->family->capabilities.lowestSupply;
+        }
+    }
+    set(RecipeFits, hasRecipe, hasRecipe ? tr("recipe checked") : tr("no image, no recipe"));
+    set(AllStand, stands, stands ? tr("all motors stopped") : tr("a motor is moving"));
+    set(AllAlone, alone ? GlyphState::Done : GlyphState::Warning,
+        alone ? tr("no other master") : tr("another master, or a number taken twice"));
+    set(AllSupplied,
+        !lowest      ? GlyphState::Assumed
+            : strong ? GlyphState::Done
+                     : GlyphState::Warning,
+        lowest ? tr("bus %1 V").arg(formatNumber(*lowest, 1)) : tr("bus voltage not known"));
+}
+
+} // namespace mb

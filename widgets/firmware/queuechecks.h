@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/snapshot.h"
+#include "widgets/firmware/updatechecks.h"
+
+namespace mb {
+
+/// What must hold before a queue; of each unit its own preflight looks again. GUI thread.
+class QueueChecks : public UpdateChecks {
+    Q_OBJECT
+public:
+    enum Check { RecipeFits, AllStand, AllAlone, AllSupplied, Checks };
+
+    explicit QueueChecks(const ThemeSource &theme, QWidget *parent);
+    /// Of the units that are ticked; `now` is the time of the snapshot.
+    void follow(const Snapshot &snapshot, const std::vector<DeviceId> &ticked, bool hasRecipe, Instant now);
+};
+
+} // namespace mb

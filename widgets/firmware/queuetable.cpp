@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/firmware/queuetable.h"
+
+#include "widgets/common/layoutin.h"
+#include "widgets/common/theme.h"
+#include "widgets/firmware/queuemodel.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QSignalBlocker>
+#include <QStyledItemDelegate>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include <array>
+
+namespace mb {
+namespace {
+
+/// The end of an address tells more than its middle.
+class MiddleElided : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const override
+    {
+        QStyledItemDelegate::initStyleOption(option, index);
+        option->textElideMode = Qt::ElideMiddle;
+    }
+};
+
+} // namespace
+
+QueueTable::QueueTable(const ThemeSource &source, QWidget *parent)
+    : QWidget(parent)
+{
+    const Theme &theme = source.theme();
+    auto *column = layoutIn<QVBoxLayout>(this, 0);
+    m_every = new QCheckBox(this);
+    m_every->setAccessibleName(tr("Every unit of this family"));
+    m_every->setContentsMargins(theme.u(16), 0, 0, 0);
+    m_every->hide();
+    auto *head = new QHBoxLayout;
+    head->setContentsMargins(theme.u(6), theme.u(6), theme.u(16), theme.u(6));
+    head->addWidget(m_every);
+    head->addStretch(1);
+    column->addLayout(head);
+    m_model = new QueueModel(source, this);
+    m_view = new QTableView(this);
+    buildView(source);
+    column->addWidget(m_view, 1);
+    connect(m_every, &QCheckBox::clicked, this, [this](bool on) { m_model->tickAll(on); });
+    connect(m_view->selectionModel(), &QItemSelectionModel::selectionChanged, this, &QueueTable::chosenChanged);
+}
+
+void QueueTable::buildView(const ThemeSource &source)
+{
+    const Theme &theme = source.theme();
+    m_view->setAccessibleName(tr("Units of the queue"));
+    m_view->setModel(m_model);
+    m_view->setItemDelegateForColumn(QueueModel::Serial, new MiddleElided(m_view));
+    m_view->setItemDelegateForColumn(QueueModel::Share, new ShareDelegate(source, m_view));
+    m_view->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_view->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_view->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_view->setShowGrid(false);
+    m_view->setWordWrap(false);
+    m_view->setFrameShape(QFrame::NoFrame);
+    m_view->verticalHeader()->hide();
+    m_view->verticalHeader()->setDefaultSectionSize(theme.u(30));
+    auto *titles = m_view->horizontalHeader();
+    titles->setHighlightSections(false);
+    titles->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    titles->setStretchLastSection(true);
+    constexpr std::array<int, QueueModel::Columns> widths{156, 84, 116, 108, 96, 68, 100};
+    for (int i = 0; i < QueueModel::Columns; ++i)
+        m_view->setColumnWidth(i, theme.u(widths.at(static_cast<std::size_t>(i))));
+}
+
+const QueueLine *QueueTable::chosen() const
+{
+    const QModelIndexList selected = m_view->selectionModel()->selectedRows();
+    return selected.isEmpty() ? nullptr : &m_model->lines().at(static_cast<std::size_t>(selected.front().row()));
+}
+
+void QueueTable::setKind(const QString &title)
+{
+    m_every->setText(tr("Every %1").arg(title));
+    m_every->setVisible(!title.isEmpty());
+}
+
+void QueueTable::followTicks(bool running)
+{
+    const QSignalBlocker quiet(m_every);
+    const auto count = static_cast<int>(m_model->ticked().size());
+    m_every->setEnabled(!running && m_model->rowCount() > 0);
+    m_every->setTristate(false);
+    m_every->setChecked(count > 0 && count == m_model->rowCount());
+}
+
+} // namespace mb
