@@ -9426,66 +9426,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
 <context>
     <name>mb::TrialWords</name>
     <message>
-        <source>travel</source>
-        <translation>Weg</translation>
-    </message>
-    <message>
-        <source>speed</source>
-        <translation>Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>current</source>
-        <translation>Strom</translation>
-    </message>
-    <message>
-        <source>duty</source>
-        <translation>Tastgrad</translation>
-    </message>
-    <message>
-        <source>energy</source>
-        <translation>Energie</translation>
-    </message>
-    <message>
-        <source>temperature</source>
-        <translation>Temperatur</translation>
-    </message>
-    <message>
-        <source>bus voltage</source>
-        <translation>Busspannung</translation>
-    </message>
-    <message>
-        <source>direction</source>
-        <translation>Richtung</translation>
-    </message>
-    <message>
-        <source>no motion</source>
-        <translation>keine Bewegung</translation>
-    </message>
-    <message>
-        <source>oscillation</source>
-        <translation>Schwingung</translation>
-    </message>
-    <message>
-        <source>time</source>
-        <translation>Zeit</translation>
-    </message>
-    <message>
-        <source>link</source>
-        <translation>Verbindung</translation>
-    </message>
-    <message>
-        <source>user</source>
-        <translation>Benutzer</translation>
-    </message>
-    <message>
-        <source>interrupted</source>
-        <translation>abgebrochen</translation>
-    </message>
-    <message>
-        <source>done</source>
-        <translation>fertig</translation>
-    </message>
-    <message>
         <source>saturated</source>
         <translation>gesättigt</translation>
     </message>
@@ -9624,30 +9564,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>saturated %1 %</source>
         <translation>gesättigt %1 %</translation>
-    </message>
-    <message>
-        <source>lateness</source>
-        <translation>Verspätung</translation>
-    </message>
-    <message>
-        <source>sleep</source>
-        <translation>Schlafzustand</translation>
-    </message>
-    <message>
-        <source>restart</source>
-        <translation>Neustart</translation>
-    </message>
-    <message>
-        <source>foreign master</source>
-        <translation>anderer Master</translation>
-    </message>
-    <message>
-        <source>missing guardian</source>
-        <translation>Wächter fehlt</translation>
-    </message>
-    <message>
-        <source>refusal</source>
-        <translation>Ablehnung</translation>
     </message>
 </context>
 <context>
@@ -17294,6 +17210,74 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>what was there is not known, and these were not compared with it</source>
         <translation>was da war, ist nicht bekannt, und diese wurden nicht damit verglichen</translation>
+    </message>
+    <message>
+        <source>bus voltage</source>
+        <translation>Busspannung</translation>
+    </message>
+    <message>
+        <source>direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>foreign master</source>
+        <translation>anderer Master</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>abgebrochen</translation>
+    </message>
+    <message>
+        <source>lateness</source>
+        <translation>Verspätung</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>missing guardian</source>
+        <translation>Wächter fehlt</translation>
+    </message>
+    <message>
+        <source>no motion</source>
+        <translation>keine Bewegung</translation>
+    </message>
+    <message>
+        <source>oscillation</source>
+        <translation>Schwingung</translation>
+    </message>
+    <message>
+        <source>refusal</source>
+        <translation>Ablehnung</translation>
+    </message>
+    <message>
+        <source>restart</source>
+        <translation>Neustart</translation>
+    </message>
+    <message>
+        <source>sleep</source>
+        <translation>Schlafzustand</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>travel</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>user</source>
+        <translation>Benutzer</translation>
     </message>
 </context>
 </TS>

@@ -9426,66 +9426,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
 <context>
     <name>mb::TrialWords</name>
     <message>
-        <source>travel</source>
-        <translation>recorrido</translation>
-    </message>
-    <message>
-        <source>speed</source>
-        <translation>velocidad</translation>
-    </message>
-    <message>
-        <source>current</source>
-        <translation>corriente</translation>
-    </message>
-    <message>
-        <source>duty</source>
-        <translation>ciclo</translation>
-    </message>
-    <message>
-        <source>energy</source>
-        <translation>energía</translation>
-    </message>
-    <message>
-        <source>temperature</source>
-        <translation>temperatura</translation>
-    </message>
-    <message>
-        <source>bus voltage</source>
-        <translation>tensión de bus</translation>
-    </message>
-    <message>
-        <source>direction</source>
-        <translation>sentido</translation>
-    </message>
-    <message>
-        <source>no motion</source>
-        <translation>sin movimiento</translation>
-    </message>
-    <message>
-        <source>oscillation</source>
-        <translation>oscilación</translation>
-    </message>
-    <message>
-        <source>time</source>
-        <translation>tiempo</translation>
-    </message>
-    <message>
-        <source>link</source>
-        <translation>enlace</translation>
-    </message>
-    <message>
-        <source>user</source>
-        <translation>usuario</translation>
-    </message>
-    <message>
-        <source>interrupted</source>
-        <translation>interrumpido</translation>
-    </message>
-    <message>
-        <source>done</source>
-        <translation>hecho</translation>
-    </message>
-    <message>
         <source>saturated</source>
         <translation>saturado</translation>
     </message>
@@ -9624,30 +9564,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>saturated %1 %</source>
         <translation>saturado %1 %</translation>
-    </message>
-    <message>
-        <source>lateness</source>
-        <translation>retraso</translation>
-    </message>
-    <message>
-        <source>sleep</source>
-        <translation>suspensión</translation>
-    </message>
-    <message>
-        <source>restart</source>
-        <translation>reinicio</translation>
-    </message>
-    <message>
-        <source>foreign master</source>
-        <translation>otro maestro</translation>
-    </message>
-    <message>
-        <source>missing guardian</source>
-        <translation>sin vigilante</translation>
-    </message>
-    <message>
-        <source>refusal</source>
-        <translation>rechazo</translation>
     </message>
 </context>
 <context>
@@ -17294,6 +17210,74 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>what was there is not known, and these were not compared with it</source>
         <translation>no se sabe qué había, y estas no se compararon con ello</translation>
+    </message>
+    <message>
+        <source>bus voltage</source>
+        <translation>tensión de bus</translation>
+    </message>
+    <message>
+        <source>direction</source>
+        <translation>sentido</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>energía</translation>
+    </message>
+    <message>
+        <source>foreign master</source>
+        <translation>otro maestro</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>interrumpido</translation>
+    </message>
+    <message>
+        <source>lateness</source>
+        <translation>retraso</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>enlace</translation>
+    </message>
+    <message>
+        <source>missing guardian</source>
+        <translation>sin vigilante</translation>
+    </message>
+    <message>
+        <source>no motion</source>
+        <translation>sin movimiento</translation>
+    </message>
+    <message>
+        <source>oscillation</source>
+        <translation>oscilación</translation>
+    </message>
+    <message>
+        <source>refusal</source>
+        <translation>rechazo</translation>
+    </message>
+    <message>
+        <source>restart</source>
+        <translation>reinicio</translation>
+    </message>
+    <message>
+        <source>sleep</source>
+        <translation>suspensión</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>temperatura</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>tiempo</translation>
+    </message>
+    <message>
+        <source>travel</source>
+        <translation>recorrido</translation>
+    </message>
+    <message>
+        <source>user</source>
+        <translation>usuario</translation>
     </message>
 </context>
 </TS>

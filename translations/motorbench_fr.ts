@@ -9426,66 +9426,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
 <context>
     <name>mb::TrialWords</name>
     <message>
-        <source>travel</source>
-        <translation>course</translation>
-    </message>
-    <message>
-        <source>speed</source>
-        <translation>vitesse</translation>
-    </message>
-    <message>
-        <source>current</source>
-        <translation>courant</translation>
-    </message>
-    <message>
-        <source>duty</source>
-        <translation>rapport cyclique</translation>
-    </message>
-    <message>
-        <source>energy</source>
-        <translation>énergie</translation>
-    </message>
-    <message>
-        <source>temperature</source>
-        <translation>température</translation>
-    </message>
-    <message>
-        <source>bus voltage</source>
-        <translation>tension du bus</translation>
-    </message>
-    <message>
-        <source>direction</source>
-        <translation>sens</translation>
-    </message>
-    <message>
-        <source>no motion</source>
-        <translation>pas de mouvement</translation>
-    </message>
-    <message>
-        <source>oscillation</source>
-        <translation>oscillation</translation>
-    </message>
-    <message>
-        <source>time</source>
-        <translation>temps</translation>
-    </message>
-    <message>
-        <source>link</source>
-        <translation>liaison</translation>
-    </message>
-    <message>
-        <source>user</source>
-        <translation>utilisateur</translation>
-    </message>
-    <message>
-        <source>interrupted</source>
-        <translation>interrompu</translation>
-    </message>
-    <message>
-        <source>done</source>
-        <translation>terminé</translation>
-    </message>
-    <message>
         <source>saturated</source>
         <translation>saturé</translation>
     </message>
@@ -9624,30 +9564,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>saturated %1 %</source>
         <translation>saturé %1 %</translation>
-    </message>
-    <message>
-        <source>lateness</source>
-        <translation>retard</translation>
-    </message>
-    <message>
-        <source>sleep</source>
-        <translation>veille</translation>
-    </message>
-    <message>
-        <source>restart</source>
-        <translation>redémarrage</translation>
-    </message>
-    <message>
-        <source>foreign master</source>
-        <translation>autre maître</translation>
-    </message>
-    <message>
-        <source>missing guardian</source>
-        <translation>gardien absent</translation>
-    </message>
-    <message>
-        <source>refusal</source>
-        <translation>refus</translation>
     </message>
 </context>
 <context>
@@ -17294,6 +17210,74 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>what was there is not known, and these were not compared with it</source>
         <translation>ce qui était là n&apos;est pas connu, et ceux-ci n&apos;y ont pas été comparés</translation>
+    </message>
+    <message>
+        <source>bus voltage</source>
+        <translation>tension du bus</translation>
+    </message>
+    <message>
+        <source>direction</source>
+        <translation>sens</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>énergie</translation>
+    </message>
+    <message>
+        <source>foreign master</source>
+        <translation>autre maître</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>interrompu</translation>
+    </message>
+    <message>
+        <source>lateness</source>
+        <translation>retard</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>liaison</translation>
+    </message>
+    <message>
+        <source>missing guardian</source>
+        <translation>gardien absent</translation>
+    </message>
+    <message>
+        <source>no motion</source>
+        <translation>pas de mouvement</translation>
+    </message>
+    <message>
+        <source>oscillation</source>
+        <translation>oscillation</translation>
+    </message>
+    <message>
+        <source>refusal</source>
+        <translation>refus</translation>
+    </message>
+    <message>
+        <source>restart</source>
+        <translation>redémarrage</translation>
+    </message>
+    <message>
+        <source>sleep</source>
+        <translation>veille</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>température</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>temps</translation>
+    </message>
+    <message>
+        <source>travel</source>
+        <translation>course</translation>
+    </message>
+    <message>
+        <source>user</source>
+        <translation>utilisateur</translation>
     </message>
 </context>
 </TS>

@@ -9412,66 +9412,6 @@ double click plots it, drag it to a pane or below them</source>
 <context>
     <name>mb::TrialWords</name>
     <message>
-        <source>travel</source>
-        <translation>移動量</translation>
-    </message>
-    <message>
-        <source>speed</source>
-        <translation>速度</translation>
-    </message>
-    <message>
-        <source>current</source>
-        <translation>電流</translation>
-    </message>
-    <message>
-        <source>duty</source>
-        <translation>デューティ</translation>
-    </message>
-    <message>
-        <source>energy</source>
-        <translation>エネルギー</translation>
-    </message>
-    <message>
-        <source>temperature</source>
-        <translation>温度</translation>
-    </message>
-    <message>
-        <source>bus voltage</source>
-        <translation>バス電圧</translation>
-    </message>
-    <message>
-        <source>direction</source>
-        <translation>方向</translation>
-    </message>
-    <message>
-        <source>no motion</source>
-        <translation>動作なし</translation>
-    </message>
-    <message>
-        <source>oscillation</source>
-        <translation>振動</translation>
-    </message>
-    <message>
-        <source>time</source>
-        <translation>時間</translation>
-    </message>
-    <message>
-        <source>link</source>
-        <translation>リンク</translation>
-    </message>
-    <message>
-        <source>user</source>
-        <translation>ユーザ</translation>
-    </message>
-    <message>
-        <source>interrupted</source>
-        <translation>中断</translation>
-    </message>
-    <message>
-        <source>done</source>
-        <translation>完了</translation>
-    </message>
-    <message>
         <source>saturated</source>
         <translation>飽和</translation>
     </message>
@@ -9610,30 +9550,6 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>saturated %1 %</source>
         <translation>飽和 %1 %</translation>
-    </message>
-    <message>
-        <source>lateness</source>
-        <translation>遅延</translation>
-    </message>
-    <message>
-        <source>sleep</source>
-        <translation>スリープ</translation>
-    </message>
-    <message>
-        <source>restart</source>
-        <translation>再起動</translation>
-    </message>
-    <message>
-        <source>foreign master</source>
-        <translation>別のマスタ</translation>
-    </message>
-    <message>
-        <source>missing guardian</source>
-        <translation>監視プロセスなし</translation>
-    </message>
-    <message>
-        <source>refusal</source>
-        <translation>拒否</translation>
     </message>
 </context>
 <context>
@@ -17280,6 +17196,74 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>what was there is not known, and these were not compared with it</source>
         <translation>元の値は不明なため、比較していません</translation>
+    </message>
+    <message>
+        <source>bus voltage</source>
+        <translation>バス電圧</translation>
+    </message>
+    <message>
+        <source>direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>エネルギー</translation>
+    </message>
+    <message>
+        <source>foreign master</source>
+        <translation>別のマスタ</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>中断</translation>
+    </message>
+    <message>
+        <source>lateness</source>
+        <translation>遅延</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>リンク</translation>
+    </message>
+    <message>
+        <source>missing guardian</source>
+        <translation>監視プロセスなし</translation>
+    </message>
+    <message>
+        <source>no motion</source>
+        <translation>動作なし</translation>
+    </message>
+    <message>
+        <source>oscillation</source>
+        <translation>振動</translation>
+    </message>
+    <message>
+        <source>refusal</source>
+        <translation>拒否</translation>
+    </message>
+    <message>
+        <source>restart</source>
+        <translation>再起動</translation>
+    </message>
+    <message>
+        <source>sleep</source>
+        <translation>スリープ</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>温度</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>時間</translation>
+    </message>
+    <message>
+        <source>travel</source>
+        <translation>移動量</translation>
+    </message>
+    <message>
+        <source>user</source>
+        <translation>ユーザ</translation>
     </message>
 </context>
 </TS>

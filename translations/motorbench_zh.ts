@@ -9412,66 +9412,6 @@ double click plots it, drag it to a pane or below them</source>
 <context>
     <name>mb::TrialWords</name>
     <message>
-        <source>travel</source>
-        <translation>行程</translation>
-    </message>
-    <message>
-        <source>speed</source>
-        <translation>速度</translation>
-    </message>
-    <message>
-        <source>current</source>
-        <translation>电流</translation>
-    </message>
-    <message>
-        <source>duty</source>
-        <translation>占空比</translation>
-    </message>
-    <message>
-        <source>energy</source>
-        <translation>能量</translation>
-    </message>
-    <message>
-        <source>temperature</source>
-        <translation>温度</translation>
-    </message>
-    <message>
-        <source>bus voltage</source>
-        <translation>总线电压</translation>
-    </message>
-    <message>
-        <source>direction</source>
-        <translation>方向</translation>
-    </message>
-    <message>
-        <source>no motion</source>
-        <translation>无运动</translation>
-    </message>
-    <message>
-        <source>oscillation</source>
-        <translation>振荡</translation>
-    </message>
-    <message>
-        <source>time</source>
-        <translation>时间</translation>
-    </message>
-    <message>
-        <source>link</source>
-        <translation>链路</translation>
-    </message>
-    <message>
-        <source>user</source>
-        <translation>用户</translation>
-    </message>
-    <message>
-        <source>interrupted</source>
-        <translation>被中断</translation>
-    </message>
-    <message>
-        <source>done</source>
-        <translation>完成</translation>
-    </message>
-    <message>
         <source>saturated</source>
         <translation>饱和</translation>
     </message>
@@ -9610,30 +9550,6 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>saturated %1 %</source>
         <translation>饱和 %1 %</translation>
-    </message>
-    <message>
-        <source>lateness</source>
-        <translation>延误</translation>
-    </message>
-    <message>
-        <source>sleep</source>
-        <translation>休眠</translation>
-    </message>
-    <message>
-        <source>restart</source>
-        <translation>重新启动</translation>
-    </message>
-    <message>
-        <source>foreign master</source>
-        <translation>其他主站</translation>
-    </message>
-    <message>
-        <source>missing guardian</source>
-        <translation>无守护进程</translation>
-    </message>
-    <message>
-        <source>refusal</source>
-        <translation>拒绝</translation>
     </message>
 </context>
 <context>
@@ -17280,6 +17196,74 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>what was there is not known, and these were not compared with it</source>
         <translation>原有的值未知，未与之比较</translation>
+    </message>
+    <message>
+        <source>bus voltage</source>
+        <translation>总线电压</translation>
+    </message>
+    <message>
+        <source>direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>能量</translation>
+    </message>
+    <message>
+        <source>foreign master</source>
+        <translation>其他主站</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>被中断</translation>
+    </message>
+    <message>
+        <source>lateness</source>
+        <translation>延误</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>链路</translation>
+    </message>
+    <message>
+        <source>missing guardian</source>
+        <translation>无守护进程</translation>
+    </message>
+    <message>
+        <source>no motion</source>
+        <translation>无运动</translation>
+    </message>
+    <message>
+        <source>oscillation</source>
+        <translation>振荡</translation>
+    </message>
+    <message>
+        <source>refusal</source>
+        <translation>拒绝</translation>
+    </message>
+    <message>
+        <source>restart</source>
+        <translation>重新启动</translation>
+    </message>
+    <message>
+        <source>sleep</source>
+        <translation>休眠</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>温度</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>travel</source>
+        <translation>行程</translation>
+    </message>
+    <message>
+        <source>user</source>
+        <translation>用户</translation>
     </message>
 </context>
 </TS>

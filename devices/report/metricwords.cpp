@@ -3,6 +3,9 @@
 
 #include "files/qttext.h"
 #include "report/htmltext.h"
+#include "tuning/verdict.h"
+
+#include <QCoreApplication>
 
 #include <array>
 
@@ -92,7 +95,9 @@ QString endingWords(const tuning::Trial &trial)
         return ReportText::tr("cut off");
     if (trial.reason == "interrupted")
         return ReportText::tr("interrupted");
-    return ReportText::tr("stopped by the guard “%1”").arg(qt(trial.reason));
+    const std::string_view known = tuning::endingLabel(trial.reason);
+    const std::string label(known.empty() ? trial.reason : known);
+    return ReportText::tr("stopped by the guard “%1”").arg(QCoreApplication::translate("table", label.c_str()));
 }
 
 } // namespace mb

@@ -9,6 +9,7 @@
 #include "tuning/seconds.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace mb::tuning {
@@ -156,6 +157,36 @@ void nameEnding(Trial &trial, const Ending &ending)
         trial.reason = "done";
     }
     addFlag(trial, flag::aborted, trial.reason != "done");
+}
+
+std::string_view endingLabel(std::string_view reason)
+{
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 21> labels{{
+        {"travel", MB_LABEL("travel")},
+        {"speed", MB_LABEL("speed")},
+        {"current", MB_LABEL("current")},
+        {"duty", MB_LABEL("duty")},
+        {"energy", MB_LABEL("energy")},
+        {"temperature", MB_LABEL("temperature")},
+        {"bus V", MB_LABEL("bus voltage")},
+        {"wrong direction", MB_LABEL("direction")},
+        {"no motion", MB_LABEL("no motion")},
+        {"oscillation", MB_LABEL("oscillation")},
+        {"time", MB_LABEL("time")},
+        {"link", MB_LABEL("link")},
+        {"user", MB_LABEL("user")},
+        {"late", MB_LABEL("lateness")},
+        {"slept", MB_LABEL("sleep")},
+        {"device restarted", MB_LABEL("restart")},
+        {"foreign master", MB_LABEL("foreign master")},
+        {"unguarded", MB_LABEL("missing guardian")},
+        {"refused", MB_LABEL("refusal")},
+        {"interrupted", MB_LABEL("interrupted")},
+        {"done", MB_LABEL("done")},
+    }};
+    const auto row
+        = std::find_if(labels.begin(), labels.end(), [reason](const auto &each) { return each.first == reason; });
+    return row == labels.end() ? std::string_view() : row->second;
 }
 
 void measure(Trial &trial, const TrialRecorder &recorder, const Spans &holds, const Spans &returns)

@@ -3,6 +3,8 @@
 
 #include "tuning/trialrecorder.h"
 
+#include <string_view>
+
 namespace mb::tuning {
 
 /// What is known when an experiment is over.
@@ -24,6 +26,9 @@ void describe(Trial &trial, const Device &device);
 [[nodiscard]] double resolutionOf(const Trace &trace);
 /// Reason, detail and the flag `aborted`.
 void nameEnding(Trial &trial, const Ending &ending);
+/// What Trial::reason is called in front of people, a label of the table: "direction" of "wrong direction";
+/// empty: not a reason that is known here.
+[[nodiscard]] std::string_view endingLabel(std::string_view reason);
 /// Metrics with their errors, signals and flags, from the steps to Y (edge and end) and the ways back.
 void measure(Trial &trial, const TrialRecorder &recorder, const std::vector<std::pair<Instant, Instant>> &holds,
     const std::vector<std::pair<Instant, Instant>> &returns);

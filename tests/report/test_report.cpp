@@ -180,6 +180,15 @@ KeptTrial sine(double hertz)
     return kept;
 }
 
+TEST(Report, NamesTheGuardThatStoppedATrialInWordsNotByItsKey)
+{
+    Report report = reportOf(true);
+    report.units.front().trials.front().trial.reason = "wrong direction";
+    EXPECT_TRUE(htmlOf(report).contains(QStringLiteral("stopped by the guard “direction”")));
+    report.units.front().trials.front().trial.reason = "of a newer version";
+    EXPECT_TRUE(htmlOf(report).contains(QStringLiteral("stopped by the guard “of a newer version”")));
+}
+
 TEST(Report, TellsTheFrequencyResponseWithItsCoherenceBesideTheModel)
 {
     Report report = reportOf(true);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/control/trialwords.h"
 
+#include "tuning/verdict.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -21,31 +23,6 @@ struct Named {
     const char *text;
 };
 
-/// What tuning::nameEnding() gives as the reason of a trial.
-constexpr std::array<Named, 21> reasons{{
-    {"travel", QT_TRANSLATE_NOOP("mb::TrialWords", "travel")},
-    {"speed", QT_TRANSLATE_NOOP("mb::TrialWords", "speed")},
-    {"current", QT_TRANSLATE_NOOP("mb::TrialWords", "current")},
-    {"duty", QT_TRANSLATE_NOOP("mb::TrialWords", "duty")},
-    {"energy", QT_TRANSLATE_NOOP("mb::TrialWords", "energy")},
-    {"temperature", QT_TRANSLATE_NOOP("mb::TrialWords", "temperature")},
-    {"bus V", QT_TRANSLATE_NOOP("mb::TrialWords", "bus voltage")},
-    {"wrong direction", QT_TRANSLATE_NOOP("mb::TrialWords", "direction")},
-    {"no motion", QT_TRANSLATE_NOOP("mb::TrialWords", "no motion")},
-    {"oscillation", QT_TRANSLATE_NOOP("mb::TrialWords", "oscillation")},
-    {"time", QT_TRANSLATE_NOOP("mb::TrialWords", "time")},
-    {"link", QT_TRANSLATE_NOOP("mb::TrialWords", "link")},
-    {"user", QT_TRANSLATE_NOOP("mb::TrialWords", "user")},
-    {"late", QT_TRANSLATE_NOOP("mb::TrialWords", "lateness")},
-    {"slept", QT_TRANSLATE_NOOP("mb::TrialWords", "sleep")},
-    {"device restarted", QT_TRANSLATE_NOOP("mb::TrialWords", "restart")},
-    {"foreign master", QT_TRANSLATE_NOOP("mb::TrialWords", "foreign master")},
-    {"unguarded", QT_TRANSLATE_NOOP("mb::TrialWords", "missing guardian")},
-    {"refused", QT_TRANSLATE_NOOP("mb::TrialWords", "refusal")},
-    {"interrupted", QT_TRANSLATE_NOOP("mb::TrialWords", "interrupted")},
-    {"done", QT_TRANSLATE_NOOP("mb::TrialWords", "done")},
-}};
-
 constexpr std::array<Named, 10> flags{{
     {tuning::flag::saturated, QT_TRANSLATE_NOOP("mb::TrialWords", "saturated")},
     {tuning::flag::currentLimit, QT_TRANSLATE_NOOP("mb::TrialWords", "current limit")},
@@ -58,15 +35,6 @@ constexpr std::array<Named, 10> flags{{
     {tuning::flag::didNotMove, QT_TRANSLATE_NOOP("mb::TrialWords", "did not move")},
     {tuning::flag::restartNeeded, QT_TRANSLATE_NOOP("mb::TrialWords", "restart needed")},
 }};
-
-template <class Table> QString named(const Table &table, std::string_view key)
-{
-    for (const Named &row : table) {
-        if (row.key == key)
-            return TrialWords::tr(row.text);
-    }
-    return QString::fromUtf8(key.data(), static_cast<int>(key.size()));
-}
 
 struct Row {
     std::string_view key;
@@ -115,7 +83,8 @@ QString profileText(tuning::Profile profile)
 
 QString guardText(const std::string &reason)
 {
-    return named(reasons, reason);
+    const std::string_view label = tuning::endingLabel(reason);
+    return label.empty() ? QString::fromStdString(reason) : tableText(label);
 }
 
 QString flagText(const std::string &flag, const tuning::Trial &trial)
@@ -127,7 +96,8 @@ QString flagText(const std::string &flag, const tuning::Trial &trial)
         return TrialWords::tr("%1 samples lost").arg(formatCount(static_cast<qint64>(trial.lost)));
     if (flag == tuning::flag::saturated && trial.metrics.saturated)
         return TrialWords::tr("saturated %1 %").arg(formatNumber(*trial.metrics.saturated * 100.0, 0));
-    return named(flags, flag);
+    const auto row = std::find_if(flags.begin(), flags.end(), [&flag](const Named &each) { return each.key == flag; });
+    return row == flags.end() ? QString::fromStdString(flag) : TrialWords::tr(row->text);
 }
 
 QString stimulusText(const tuning::Trial &trial, const DisplayUnits &units)
