@@ -44,6 +44,11 @@ TEST(AbstractDcCodec, EncodesWhatTheFirmwareAndTheMasterUnderstand)
         {"S26", encodeSetPoint(dialectD, 0, Loop::Position, 10000), "064#0410270000"},
         {"stop of F is a set-point of its mode none", encodeSetPoint(f, 7, Loop::None, 0), "06B#0000000000"},
         {"LL asks at 800", encodeLogRequest(dialectLL, 9, Log::Position), "329#00"},
+        {"a field of D in the wide form", encodeSettings(l, 3, Loop::Velocity, Field::Divisor, -2),
+            "0CB#31000000FEFFFFFF"},
+        {"averaging of F", encodeSettings(f, 99, Loop::Current, Field::Averaging, 500), "12B#0204F4010000"},
+        {"a save of another drive", encodeSave(f, 99, Loop::Current), "12B#02"},
+        {"a stop of another drive", stopFrames(99)[1], "0C7#0000000000000000"},
     };
     for (const Request &request : requests)
         EXPECT_EQ(toText(request.frame), request.text) << request.name;
@@ -181,6 +186,59 @@ TEST(AbstractDcDecode, AVoltageLogIsThatOfTheDriveThatWasAskedForIt)
     EXPECT_EQ(address("387#04", 5s), 3);
     EXPECT_EQ(address("388#04", 5s), 4);
     EXPECT_EQ(address("680#01000000", 5s + 1ms), -1) << "one of two";
+}
+
+TEST(AbstractDcCodec, AnErrorFrameOrARemoteFrameIsNoOrder)
+{
+    CanFrame setPoint = *canFrameFromText("067#0464000000");
+    CanFrame settings = *canFrameFromText("0C8#010040420F00");
+    CanFrame log = *canFrameFromText("400#F4010000");
+    EXPECT_TRUE(decodeSetPoint(dialectF, 3, setPoint));
+    EXPECT_TRUE(decodeSettings(dialectF, 3, settings)) << "for every drive";
+    EXPECT_TRUE(decodeLog(dialectF, 0, log));
+    EXPECT_FALSE(decodeSetPoint(dialectF, 4, setPoint)) << "for another drive";
+    EXPECT_FALSE(decodeSetPoint(dialectF, 3, settings));
+    EXPECT_FALSE(decodeSettings(dialectF, 3, setPoint));
+    for (bool CanFrame::*const kind : {&CanFrame::extended, &CanFrame::remote, &CanFrame::error}) {
+        for (CanFrame *frame : {&setPoint, &settings, &log})
+            frame->*kind = true;
+        EXPECT_FALSE(decodeSetPoint(dialectF, 3, setPoint));
+        EXPECT_FALSE(decodeSettings(dialectF, 0, settings));
+        EXPECT_FALSE(decodeLog(dialectF, 0, log));
+        for (CanFrame *frame : {&setPoint, &settings, &log}) {
+            EXPECT_FALSE(decodeCan(*frame, {}));
+            frame->*kind = false;
+        }
+    }
+}
+
+TEST(AbstractDcDecode, SettingsOfTheWideDialectsHaveTheirFieldInTheUpperHalfOfTheFirstByte)
+{
+    EXPECT_EQ(text("0CB#31000000FEFFFFFF", "L"), "settings 3 TYPE=1 FIELD=3 value=-2");
+    EXPECT_EQ(text("0CB#51000000FEFFFFFF", "L"), "nothing") << "there is no field 5";
+    EXPECT_EQ(text("0CB#30000000FEFFFFFF", "L"), "nothing") << "nothing has no gains";
+    EXPECT_EQ(text("0CB#34000000FEFFFFFF", "L"), "nothing") << "a duty has none";
+    EXPECT_EQ(text("0CB#03", "L"), "save 3 TYPE=3");
+    EXPECT_EQ(text("0CB#13", "L"), "nothing") << "what saves has a type only";
+    EXPECT_EQ(text("0CB#00"), "nothing");
+    EXPECT_EQ(text("0CB#0104FEFFFFFF"), "settings 3 TYPE=1 FIELD=4 value=-2");
+    EXPECT_EQ(text("0CB#0105FEFFFFFF"), "nothing");
+    EXPECT_EQ(text("0CB#0400FEFFFFFF"), "nothing");
+    EXPECT_EQ(text("0CB#5100FEFFFFFF"), "nothing") << "the short form has one byte of each";
+}
+
+TEST(AbstractDcDecode, EveryLogHasItsNameAndUnitAndTheBoundsOfItsIdentifiers)
+{
+    EXPECT_EQ(text("563#01000000"), "current log 99 value=1ADC counts");
+    EXPECT_EQ(text("663#FEFFFFFF"), "temperature log 99 value=-2ADC counts");
+    EXPECT_EQ(text("463#01000000"), "speed log 99 value=1counts/s");
+    EXPECT_EQ(text("464#01000000"), "nothing") << "no drive is beyond 99";
+    EXPECT_EQ(text("4E3#01000000"), "position log 99 value=1counts");
+    EXPECT_EQ(text("0C7#0164000000"), "setpoint 99 ! TYPE=1 value=100counts/s");
+    EXPECT_EQ(text("066#0264000000"), "setpoint 2 ! TYPE=2 value=100ADC counts");
+    EXPECT_EQ(text("066#0364000000"), "setpoint 2 ! TYPE=3 value=100counts");
+    EXPECT_EQ(text("066#0564000000"), "nothing");
+    EXPECT_EQ(text("066#04640000"), "nothing");
 }
 
 TEST(AbstractDcDecode, WhatIsNotExactlyItsOwnIsNothing)

@@ -188,6 +188,52 @@ TEST(QuadQuad2DrvCodec, ReplySizesAreThoseOfTheReference)
     EXPECT_EQ(replySize(setPositionTarget(1, 0), masks), 5U);
     EXPECT_EQ(replySize(getPositions({1, 2, 3, 0}), masks), 12U);
     EXPECT_EQ(replySize(getPositions(std::uint8_t{4}), masks), 9U);
+    EXPECT_EQ(replySize(getPositions({3, 0, 0, 1}), masks), 10U);
+    EXPECT_EQ(replySize(getPositions({0, 2, 0, 0}), masks), 7U);
+}
+
+TEST(QuadQuad2DrvCodec, ThePacketReaderSaysHowMuchIsMissing)
+{
+    const auto missing = [](std::string_view text) {
+        PacketReader reader;
+        reader.feed(bytesOf(text));
+        EXPECT_FALSE(reader.next()) << text;
+        return reader.missing();
+    };
+    EXPECT_EQ(missing("00 11"), 0U) << "nothing has begun";
+    EXPECT_EQ(missing("00 02"), 1U) << "its size is not known";
+    EXPECT_EQ(missing("02 08"), 6U);
+    EXPECT_EQ(missing("02 08 01 00 01 03 01"), 1U);
+    EXPECT_EQ(missing("02 04 01 F8"), 0U) << "given up, and nothing else has begun";
+    PacketReader reader;
+    reader.feed(bytesOf("02 05 10 00 E9"));
+    EXPECT_EQ(reader.missing(), 0U) << "it is whole";
+}
+
+TEST(QuadQuad2DrvCodec, AWordForEveryReturnCodeOfTheReference)
+{
+    for (const auto &[code, words] : std::vector<std::pair<int, std::string>>{{0, "accepted"},
+             {-1, "the packet is too long for the board"}, {-10, "the board does not know this command"},
+             {-11, "the board refused a value"}, {-12, "the board found the packet malformed"},
+             {-127, "the board answered with an error that its documents do not name"},
+             {-2, "the board answered with an error that its documents do not name"}})
+        EXPECT_EQ(explain(static_cast<std::int8_t>(code)).english(), words) << code;
+}
+
+TEST(QuadQuad2DrvCodec, AReplyThatSaysNoIsNoAnswer)
+{
+    EXPECT_FALSE(parseVersion({1, {0xF6, 1, 3, 1}}));
+    EXPECT_FALSE(parseVersion({2, {0, 1, 3, 1}})) << "of another request";
+    EXPECT_FALSE(parseVersion({1, {0, 1, 3}}));
+    EXPECT_FALSE(parseStreamPeriod({5, {0xF6, 1, 3}}));
+    EXPECT_FALSE(parseStreamConfig({9, {0xF6, 1}}));
+    EXPECT_FALSE(parseHistory({13, {0xF6, 1, 3}}));
+    EXPECT_FALSE(parseDataMasks({7, {0xF6, 1, 2, 3, 4}}));
+    EXPECT_FALSE(parsePositions({11, {0xF6, 1}}, {1, 0, 0, 0}));
+    EXPECT_FALSE(parseMotion({2, {0xF6, 1}}, {1, 0, 0, 0}, 0));
+    EXPECT_TRUE(parseMotion({2, {0, 1}}, {1, 0, 0, 0}, 0));
+    EXPECT_TRUE(parseMotion({3, {1}}, {1, 0, 0, 0}, 0));
+    EXPECT_FALSE(returnCode({16, {}}));
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <sstream>
 
 namespace mb::supermodified {
 namespace {
@@ -358,6 +359,173 @@ TEST(SupermodifiedDecode, MarksWhatMovesAMotorAndNamesErrors)
         const auto frame = request(4, 1, static_cast<Command>(command));
         EXPECT_EQ(decodeFrame(frame).has_value(), messageOf(frame.command) && command != 0xFA) << command;
     }
+}
+
+std::string decodedText(std::string_view bytes)
+{
+    const auto frames = framesIn(bytesOf(bytes));
+    const auto decoded = frames.size() == 1 ? decodeFrame(frames[0]) : std::nullopt;
+    if (!decoded)
+        return "nothing";
+    std::ostringstream text;
+    text << decoded->message << ' ' << decoded->address << (decoded->control ? " !" : "");
+    for (const DecodedField &field : decoded->fields)
+        text << ' ' << field.name << '=' << field.value << (field.unit.empty() ? "" : " ") << field.unit;
+    return text.str();
+}
+
+/// Whose frame it is: the address of a request is the node that it goes to, of an answer the node that it comes from.
+TEST(SupermodifiedDecode, TellsAnswersFromRequestsByWhatTheyCarry)
+{
+    EXPECT_EQ(decodedText("55 AA 04 01 6F 00 6F"), "get position 4 AndID=4 OndID=1");
+    EXPECT_EQ(decodedText("55 AA 01 04 6F 04 33 16 00 00 4E"), "get position 4 AndID=1 OndID=4 position=5683 ticks");
+    EXPECT_EQ(decodedText("55 AA 04 01 00 02 D0 07 D5"), "PID P 4 AndID=4 OndID=1 P=2000");
+    EXPECT_EQ(decodedText("55 AA 01 04 00 00 00"), "PID P 4 AndID=1 OndID=4") << "a set is answered without data";
+    EXPECT_EQ(decodedText("55 AA 04 01 19 00 19"), "start 4 ! AndID=4 OndID=1");
+    EXPECT_EQ(decodedText("55 AA 01 04 19 00 19"), "start 4 AndID=1 OndID=4");
+    EXPECT_EQ(decodedText("55 AA 77 04 19 00 19"), "start 4 AndID=119 OndID=4") << "our own id";
+    EXPECT_EQ(decodedText("55 AA 04 77 19 00 19"), "start 4 ! AndID=4 OndID=119");
+    EXPECT_EQ(decodedText("55 AA 05 04 19 00 19"), "start 5 ! AndID=5 OndID=4") << "no host is in it";
+    EXPECT_EQ(decodedText("55 AA 01 77 19 00 19"), "start 1 ! AndID=1 OndID=119") << "both are usual ids of a host";
+    EXPECT_EQ(decodedText("55 AA 04 01 73 00 73"), "get warnings 4 AndID=4 OndID=1");
+    EXPECT_EQ(decodedText("55 AA 01 04 73 00 73"), "get warnings 4 AndID=1 OndID=4") << "it has none";
+    EXPECT_EQ(decodedText("55 AA 01 04 73 01 15 67"), "get warnings 4 AndID=1 OndID=4 c1=21");
+}
+
+TEST(SupermodifiedDecode, GivesEachValueOfAMessageThatHasSeveral)
+{
+    EXPECT_EQ(decodedText("55 AA 01 04 6E 08 01 00 00 02 FF 03 34 01 AC"),
+        "get analog inputs 4 AndID=1 OndID=4 AIN1=1 1/1024 of 5 V AIN2=512 1/1024 of 5 V AIN3=1023 1/1024 of 5 V "
+        "AIN4=308 1/1024 of 5 V");
+    EXPECT_EQ(decodedText("55 AA 01 04 FA 08 01 02 03 11 12 13 14 15 E3"),
+        "error 4 AndID=1 OndID=4 c1=1 c2=2 c3=3 c4=17 c5=18 c6=19 c7=20 c8=21");
+    EXPECT_EQ(decodedText("55 AA 01 04 73 08 15 15 15 15 15 15 15 15 7B"),
+        "get warnings 4 AndID=1 OndID=4 c1=21 c2=21 c3=21 c4=21 c5=21 c6=21 c7=21 c8=21");
+    EXPECT_EQ(decodedText("55 AA 04 01 1C 14 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 01 01 02 02 01 09"),
+        "error reaction 4 AndID=4 OndID=1 r0=0 r1=0 r2=0 r3=0 r4=0 r5=0 r6=0 r7=0 r8=0 r9=0 r10=0 r11=0 r12=0 r13=0 "
+        "r14=0 r15=1 r16=1 r17=2 r18=2 r19=1");
+    EXPECT_EQ(decodedText("55 AA 04 01 1C 01 01 1C"), "error-reporting level 4 AndID=4 OndID=1 level=1");
+}
+
+TEST(SupermodifiedDecode, DataOfALengthThatNoDialectHasIsNoMessage)
+{
+    EXPECT_EQ(decodedText("55 AA 01 04 6F 01 33 5D"), "nothing");
+    EXPECT_EQ(decodedText("55 AA 04 01 19 01 00 18"), "nothing") << "a start has no data";
+    EXPECT_EQ(decodedText("55 AA 01 04 1E 01 00 1F"), "nothing");
+    Frame nine = request(1, 4, Command::GetWarnings);
+    nine.size = mostCodes + 1;
+    EXPECT_FALSE(decodeFrame(nine));
+}
+
+TEST(SupermodifiedDecode, BytesOfNoFrameComeOutBeforeTheFrameThatFollowsThemWithTheTimeOfTheirChunk)
+{
+    using namespace std::chrono_literals;
+    const auto decoder = decodeBytes({});
+    std::vector<DecodedBytes> out;
+    decoder->take(1ms, Direction::Received, bytesOf("00 FF 55 AA 01 04 00 00 00 12 55 AA 01 04 19"), out);
+    ASSERT_EQ(out.size(), 3U);
+    EXPECT_EQ(out[0].bytes, bytesOf("00 FF"));
+    EXPECT_EQ(out[1].bytes, bytesOf("55 AA 01 04 00 00 00"));
+    EXPECT_EQ(out[2].bytes, bytesOf("12"));
+    EXPECT_EQ(out[2].time, 1ms);
+    EXPECT_EQ(out[2].direction, Direction::Received);
+    out.clear();
+    decoder->take(2ms, Direction::Received, bytesOf("00"), out);
+    EXPECT_TRUE(out.empty());
+    decoder->finish(out);
+    ASSERT_EQ(out.size(), 1U);
+    EXPECT_EQ(out[0].bytes, bytesOf("55 AA 01 04 19 00"));
+    EXPECT_EQ(out[0].time, 2ms);
+    EXPECT_EQ(out[0].direction, Direction::Received);
+}
+
+TEST(SupermodifiedFrame, WhatItsBytesMayStillBecome)
+{
+    struct Row {
+        std::string_view bytes;
+        Shape shape;
+    };
+    for (const Row &row : {Row{"", Shape::Incomplete}, {"55", Shape::Incomplete}, {"AA", Shape::Garbage},
+             {"AA AA", Shape::Garbage}, {"55 AB", Shape::Garbage}, {"55 AA", Shape::Incomplete},
+             {"55 AA 04 01 19", Shape::Incomplete}, {"55 AA 04 01 19 00", Shape::Incomplete},
+             {"55 AA 04 01 19 00 19", Shape::Frame}, {"55 AA 04 01 19 00 18", Shape::Garbage},
+             {"55 AA 04 01 19 16", Shape::Incomplete}, {"55 AA 04 01 19 17", Shape::Garbage}})
+        EXPECT_EQ(shapeOf(bytesOf(row.bytes)), row.shape) << row.bytes;
+    Frame longest = request(4, 1, Command::P);
+    longest.size = mostData;
+    EXPECT_EQ(shapeOf(uartBytes(longest)), Shape::Frame);
+    EXPECT_TRUE(fromI2c(i2cBytes(longest)));
+    EXPECT_FALSE(fromI2c(bytesOf("04 01 19 00"))) << "too short";
+    EXPECT_TRUE(fromI2c(bytesOf("04 01 19 00 19")));
+}
+
+TEST(SupermodifiedStream, WhatIsForgottenCountsAsDiscardedAndTheNextFrameIsRead)
+{
+    std::size_t frames = 0;
+    FrameReader reader([&frames](const Frame &) { ++frames; });
+    reader.feed(bytesOf("55 AA 04"));
+    EXPECT_FALSE(reader.isEmpty());
+    EXPECT_EQ(reader.discarded(), 0U);
+    reader.forget();
+    EXPECT_TRUE(reader.isEmpty());
+    EXPECT_EQ(reader.discarded(), 3U);
+    reader.feed(bytesOf("55 AA 04 01 19 00 19"));
+    EXPECT_EQ(frames, 1U);
+    EXPECT_EQ(reader.discarded(), 3U);
+    EXPECT_TRUE(reader.isEmpty());
+}
+
+TEST(SupermodifiedCodec, TheRangeOfEachWidthIsWhatARefusalNames)
+{
+    struct Row {
+        Command command;
+        Dialect dialect;
+        std::int64_t low;
+        std::int64_t high;
+    };
+    for (const Row &row : {Row{Command::Outputs, Dialect::D1, 0, 255}, {Command::P, Dialect::D1, 0, 65535},
+             {Command::Baudrate, Dialect::D1, 0, 4294967295}, {Command::MoveVelocity, Dialect::D1, -32768, 32767},
+             {Command::MoveVelocity, Dialect::D2, -2147483648LL, 2147483647}}) {
+        EXPECT_TRUE(request(4, 1, row.command, row.dialect, row.low));
+        EXPECT_TRUE(request(4, 1, row.command, row.dialect, row.high));
+        for (const std::int64_t beyond : {row.low - 1, row.high + 1}) {
+            const auto refused = request(4, 1, row.command, row.dialect, beyond);
+            ASSERT_FALSE(refused) << beyond;
+            EXPECT_NE(refused.error().text().find(std::to_string(beyond) + " is outside " + std::to_string(row.low)
+                          + " … " + std::to_string(row.high)),
+                std::string::npos)
+                << refused.error().text();
+        }
+    }
+    constexpr std::int64_t allHalts = 0xAAAAAAAAAALL; // reaction 2 of all twenty
+    EXPECT_TRUE(request(4, 1, Command::ErrorLevel, Dialect::D3, allHalts));
+    EXPECT_FALSE(request(4, 1, Command::ErrorLevel, Dialect::D3, allHalts + 1)) << "there is no reaction 3";
+    EXPECT_FALSE(request(4, 1, Command::ErrorLevel, Dialect::D3, std::int64_t{1} << 40)) << "there are twenty";
+    EXPECT_FALSE(request(4, 1, Command::ErrorLevel, Dialect::D3, -1));
+    const auto halts = request(4, 1, Command::ErrorLevel, Dialect::D3, allHalts);
+    EXPECT_EQ(valueOf(halts->payload(), Format::Reactions), allHalts);
+    Frame three = *halts;
+    three.data[7] = 3;
+    EXPECT_FALSE(valueOf(three.payload(), Format::Reactions));
+}
+
+TEST(SupermodifiedCodec, AnAnswerIsOfItsNodeToItsHost)
+{
+    const Frame reply = framesIn(bytesOf("55 AA 01 04 00 00 00")).at(0);
+    EXPECT_TRUE(answers(reply, 4, 1, Command::P));
+    EXPECT_FALSE(answers(reply, 5, 1, Command::P));
+    EXPECT_FALSE(answers(reply, 4, 119, Command::P));
+    EXPECT_FALSE(answers(reply, 4, 1, Command::I));
+    EXPECT_EQ(dialectByVelocity(framesIn(bytesOf("55 AA 01 04 71 01 90 E0")).at(0)), std::nullopt);
+    EXPECT_EQ(dialectByVelocity(reply), std::nullopt);
+    EXPECT_EQ(isThirdGeneration(framesIn(bytesOf("55 AA 01 04 6F 01 33 5D")).at(0)), std::nullopt);
+    for (const Dialect dialect : {Dialect::D1, Dialect::D2, Dialect::D3})
+        EXPECT_EQ(dialectFrom(toString(dialect)), dialect);
+    EXPECT_EQ(dialectFrom("D4"), std::nullopt);
+    EXPECT_EQ(codeText(0x01).english(), "the motor stalled (01)");
+    EXPECT_EQ(codeText(0xEE).english(), "error (EE)");
+    EXPECT_EQ(codesText(std::array<std::uint8_t, 2>{0x14, 0x52}).english(),
+        "not possible while the motor is not started (14), wrong checksum (52)");
 }
 
 } // namespace

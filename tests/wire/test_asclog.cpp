@@ -84,6 +84,33 @@ TEST(AscLog, CountsFromTheStartWhenTheDateIsInAnUnknownLanguage)
     EXPECT_EQ(frames[0].time, 1500ms);
 }
 
+TEST(AscLog, TheNamesOfItsChannelsAreThoseOfTheRemarksThatWeWrite)
+{
+    const auto frames = read({"base hex timestamps absolute", "// MotorBench channel 2 can7",
+        "// MotorBench channel 255 last", "// MotorBench channel 256 beyond", "// MotorBench channel 0 before",
+        "// MotorBench channel 3", "// MotorBench channel x none", "// channel 1 foreign", "1.0 1 1 Rx d 0",
+        "1.0 2 1 Rx d 0", "1.0 3 1 Rx d 0", "1.0 255 1 Rx d 0", "1.0 256 1 Rx d 0"});
+    std::string links;
+    for (const LoggedFrame &frame : frames)
+        links += frame.link + ' ';
+    EXPECT_EQ(links, "ch1 can7 ch3 last ch256 ");
+}
+
+TEST(AscLog, AnErrorFrameIsThatOfItsRemarkWhereTheRemarkIsOne)
+{
+    const auto frames = read({"base hex timestamps absolute", "1.0 1  ErrorFrame // 20000004#0004000000000000",
+        "1.0 1  ErrorFrame // 20000004#0004000000000000 Tx", "1.0 1  ErrorFrame // 123#0004", "1.0 1  ErrorFrame",
+        "1.0 1  ErrorFrame : 20000004#0004000000000000 Tx"});
+    ASSERT_EQ(frames.size(), 5U);
+    EXPECT_EQ(toText(frames[0].frame), "20000004#0004000000000000");
+    EXPECT_EQ(frames[0].direction, LogDirection::Received);
+    EXPECT_EQ(frames[1].direction, LogDirection::Sent);
+    for (std::size_t other = 2; other < frames.size(); ++other) {
+        EXPECT_EQ(toText(frames[other].frame), "20000008#0000000000000000") << "which is not known";
+        EXPECT_EQ(frames[other].direction, LogDirection::Received);
+    }
+}
+
 TEST(AscLog, NamesTheLineAndWhatIsWrongWithIt)
 {
     const std::vector<std::pair<std::string, std::string>> wrong{

@@ -79,7 +79,8 @@ TEST(CandumpLine, HasNothingForMalformedLines)
         "(1.0 ) can0 123#", "( 1.0) can0 123#", "(1.0)can0 123#", "(1.0) can0", "(1.0) can0 ", "(1.0) 123#",
         "(1.0) can0 123", "(1.0) can0 123#0", "(1.0) can0 123#00 X", "(1.0) can0 123#00 R T", "1.0) can0 123#00",
         "(1.0 can0 123#00", "[1.0] can0 123#00", "# comment", "(1,5) can0 123#00", " (1.0) can0 123#00",
-        "(1.0) ca\nn0 123#00", std::string("(1.0) can0\0 123#00", 18), "(1e3.0) can0 123#00"};
+        "(1.0) ca\nn0 123#00", "x1.0) can0 123#00", "(1.0) can\x1F 123#00", "(1.0) can\x7F 123#00",
+        std::string("(1.0) can0\0 123#00", 18), "(1e3.0) can0 123#00"};
     for (const std::string &text : malformed)
         EXPECT_FALSE(parseCandumpLine(text)) << text;
 }

@@ -184,6 +184,19 @@ TEST(CanFrame, ContentLeavesTimeAndUnusedBytesAside)
     b = a;
     b.error = true;
     EXPECT_FALSE(sameContent(a, b));
+    b = a;
+    b.extended = true;
+    EXPECT_FALSE(sameContent(a, b));
+    b = a;
+    b.id = 2;
+    EXPECT_FALSE(sameContent(a, b));
+    b = a;
+    b.size = 1;
+    EXPECT_FALSE(sameContent(a, b));
+    a.remote = b.remote = true;
+    b.size = a.size;
+    b.data[0] = 9;
+    EXPECT_TRUE(sameContent(a, b)) << "a remote frame has no data";
 }
 
 TEST(CanReference, HasTheCheckValueOfCrc15)
