@@ -41,6 +41,8 @@ Message describe(const CanInterface &interface)
     return text;
 }
 
+} // namespace
+
 LinkListing listed(const CanInterface &interface)
 {
     LinkListing row{{"socketcan", interface.name, {}}, LinkKind::Can, "up", describe(interface), true, {}, false};
@@ -53,6 +55,8 @@ LinkListing listed(const CanInterface &interface)
     }
     return row;
 }
+
+namespace {
 
 LinkListing absentCan(const Diagnosis &cause)
 {

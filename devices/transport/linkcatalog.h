@@ -11,6 +11,8 @@
 
 namespace mb {
 
+struct CanInterface;
+
 /// One row of "which links are there". Listing opens nothing: opening a serial port can reset hardware.
 struct LinkListing {
     LinkAddress link; ///< without a path where it stands for "none of this kind"
@@ -25,6 +27,8 @@ struct LinkListing {
 /// CAN interfaces (one row "absent" when there is none, or no CAN in the kernel), serial ports, spidev devices;
 /// simulated links are not among them. Any thread; takes some milliseconds.
 [[nodiscard]] std::vector<LinkListing> listLinks();
+/// The row of one CAN interface.
+[[nodiscard]] LinkListing listed(const CanInterface &interface);
 /// Adapters behind plugins of QtSerialBus, and one row "absent" with the cause for each plugin that has none. Loads vendors'
 /// libraries: GUI thread or console, and not often.
 [[nodiscard]] std::vector<LinkListing> listPluginLinks();

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <string>
 
 namespace mb::dmc60c {
 namespace {
@@ -132,6 +133,27 @@ TEST(Dmc60cDecode, GivesUnitsThatFollowTheModeOrTheParameter)
     EXPECT_EQ(unit("02061405#0000110090FEFFFF", "errCLoop"), "counts");
     EXPECT_EQ(unit("02060005#040000F400000000", "trgt"), "V");
     EXPECT_EQ(unit("02061845#3D0000280000", "value"), "A");
+}
+
+TEST(Dmc60cDecode, DataHasAsManyFieldsAsTheFrameHasBytes)
+{
+    EXPECT_FALSE(decodeCan(decodedFrame("0206FC85#"), {}));
+    for (std::size_t size = 1; size <= 8; ++size) {
+        const auto decoded = decodeCan(decodedFrame("0206FC85#" + std::string(2 * size, '7')), {});
+        ASSERT_TRUE(decoded) << size;
+        ASSERT_EQ(decoded->fields.size(), size);
+        EXPECT_EQ(decoded->fields.back().name, "byte" + std::to_string(size - 1));
+        EXPECT_EQ(decoded->fields.back().value, 0x77);
+    }
+}
+
+TEST(Dmc60cDecode, AParameterThatNobodyKnowsIsAWholeNumberWithoutUnit)
+{
+    const auto decoded = decodeCan(decodedFrame("02061845#C8FEFFFFFF01"), {});
+    ASSERT_TRUE(decoded);
+    EXPECT_EQ(decoded->fields.at(1).name, "value");
+    EXPECT_EQ(decoded->fields.at(1).value, -2.0);
+    EXPECT_EQ(decoded->fields.at(1).unit, "");
 }
 
 bool anyDecoderTakes(const CanFrame &f)

@@ -190,6 +190,10 @@ TEST(QuadQuad2DrvCodec, ReplySizesAreThoseOfTheReference)
     EXPECT_EQ(replySize(getPositions(std::uint8_t{4}), masks), 9U);
     EXPECT_EQ(replySize(getPositions({3, 0, 0, 1}), masks), 10U);
     EXPECT_EQ(replySize(getPositions({0, 2, 0, 0}), masks), 7U);
+    const DataMasks different{1, 0, 2, 3};
+    EXPECT_EQ(replySize(getPositions(std::uint8_t{1}), different), 6U);
+    EXPECT_EQ(replySize(getPositions(std::uint8_t{4}), different), 7U);
+    EXPECT_EQ(replySize(getPositions(std::uint8_t{8}), different), 9U);
 }
 
 TEST(QuadQuad2DrvCodec, ThePacketReaderSaysHowMuchIsMissing)
@@ -206,8 +210,15 @@ TEST(QuadQuad2DrvCodec, ThePacketReaderSaysHowMuchIsMissing)
     EXPECT_EQ(missing("02 08 01 00 01 03 01"), 1U);
     EXPECT_EQ(missing("02 04 01 F8"), 0U) << "given up, and nothing else has begun";
     PacketReader reader;
-    reader.feed(bytesOf("02 05 10 00 E9"));
+    reader.feed(bytesOf("00 02 05 10 00 E9"));
     EXPECT_EQ(reader.missing(), 0U) << "it is whole";
+    EXPECT_TRUE(reader.next());
+    reader.feed(bytesOf("FF 02"));
+    EXPECT_EQ(reader.missing(), 1U) << "what stands before it is passed over";
+    EXPECT_EQ(reader.bad(), 0U);
+    reader.feed(bytesOf("03"));
+    EXPECT_FALSE(reader.next());
+    EXPECT_EQ(reader.bad(), 1U) << "no packet has three bytes";
 }
 
 TEST(QuadQuad2DrvCodec, AWordForEveryReturnCodeOfTheReference)

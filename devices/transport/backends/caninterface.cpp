@@ -105,7 +105,9 @@ void setKind(const std::string &kind, const ControllerFacts &facts, CanInterface
         interface.driver = interface.kind == CanInterface::Kind::SerialLine ? "slcan" : kind;
 }
 
-std::optional<CanInterface> readLink(Bytes message)
+} // namespace
+
+std::optional<CanInterface> canInterfaceFrom(Bytes message)
 {
     const auto link = readAs<ifinfomsg>(message);
     if (!link || link->ifi_type != ARPHRD_CAN)
@@ -135,6 +137,8 @@ std::optional<CanInterface> readLink(Bytes message)
     setKind(kind, facts, interface);
     return interface;
 }
+
+namespace {
 
 /// A conversation with the kernel about its interfaces.
 class Question {
@@ -172,7 +176,7 @@ public:
             const auto take = [&visit](int type, Bytes content) {
                 if (type != RTM_NEWLINK)
                     return;
-                if (auto interface = readLink(content))
+                if (auto interface = canInterfaceFrom(content))
                     visit(std::move(*interface));
             };
             more = got > 0 && netlink::eachMessage(Bytes(buffer.data(), static_cast<std::size_t>(got)), take)

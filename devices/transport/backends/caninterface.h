@@ -4,8 +4,10 @@
 #include "async/result.h"
 #include "wire/canerror.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,6 +38,8 @@ struct CanInterface {
     std::uint64_t dropped = 0;  ///< frames that its driver, or the kernel on the way from or to it, dropped
 };
 
+/// What the kernel's description of an interface (RTM_NEWLINK, from its ifinfomsg on) says; nothing when it is none of CAN.
+[[nodiscard]] std::optional<CanInterface> canInterfaceFrom(std::span<const std::byte> message);
 /// All of them, in the kernel's order. Fails with LinkLost when the kernel cannot be asked.
 [[nodiscard]] Result<std::vector<CanInterface>> canInterfaces();
 /// One of them; nothing when it is gone. Some ten microseconds.
