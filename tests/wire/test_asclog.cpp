@@ -181,6 +181,53 @@ TEST(AscLog, WritesADateThatItReads)
         EXPECT_FALSE(unixTimeOfAscDate(wrong)) << wrong;
 }
 
+TEST(AscLog, ReadsDatesToTheirBoundsAndNoFurther)
+{
+    constexpr Duration day = 1506729600s; // 30 Sep 2017
+    for (const auto &[text, time] : std::vector<std::pair<std::string, Duration>>{{"23:59:60.999", 86400s + 999ms},
+             {"00:00:00", 0s}, {"12:00:00 am", 0s}, {"12:00:00 pm", 12h}, {"01:00:00 am", 1h}, {"11:59:59 pm", 86399s},
+             {"01:02:03.5", 3723s + 500ms}})
+        EXPECT_EQ(unixTimeOfAscDate("Sat Sep 30 " + text + " 2017"), day + time) << text;
+    for (const char *wrong : {"24:00:00", "00:60:00", "00:00:61", "0:00:00", "00:00:0", "00:00-00", "00-00:00",
+             "x0:00:00", "00:x0:00", "00:00:x0", "1x:00:00", "00:1x:00", "-1:00:00"})
+        EXPECT_FALSE(unixTimeOfAscDate("Sat Sep 30 " + std::string(wrong) + " 2017")) << wrong;
+    EXPECT_EQ(unixTimeOfAscDate("Thu Jan 01 00:00:00 1970"), 0s);
+    EXPECT_EQ(unixTimeOfAscDate("Wed Dec 31 00:00:00 2200"), 7289568000s);
+    for (const char *wrong : {"Wed Dec 31 00:00:00 1969", "Thu Jan 01 00:00:00 2201", "Sat Sep 30x 00:00:00 2017",
+             "Sat Sep 99999999999 00:00:00 2017", "Sat Sep 30 00:00:00 2017 2017 2017",
+             "Sat Sep 30 00:00:00 am 2017 x y z"})
+        EXPECT_FALSE(unixTimeOfAscDate(wrong)) << wrong;
+    EXPECT_EQ(toAscDate(day + 23h + 59min + 58s + 7ms), "Sat Sep 30 23:59:58.007 2017");
+    for (const auto &[name, month] : std::vector<std::pair<std::string, int>>{
+             {"Jan", 1}, {"Mrz", 3}, {"Mai", 5}, {"May", 5}, {"Okt", 10}, {"Dez", 12}, {"Dec", 12}, {"Sept", 9}})
+        EXPECT_EQ(unixTimeOfAscDate("x " + name + " 1 00:00:00 2017"),
+            std::chrono::sys_days(std::chrono::year(2017) / month / 1).time_since_epoch())
+            << name;
+}
+
+TEST(AscLog, ALengthOfNineToFifteenMeansEightAndItsWordsMayBeInAnyCase)
+{
+    const auto frames = read({"BASE HEX TIMESTAMPS ABSOLUTE", "0.000001 1 7FF RX D F 01 02 03 04 05 06 07 08",
+        "0.000002 1 7FF Tx R 9", "0.000003 1 7FF rX d 1 ff"});
+    ASSERT_EQ(frames.size(), 3U);
+    EXPECT_EQ(toText(frames[0].frame), "7FF#0102030405060708");
+    EXPECT_EQ(toText(frames[1].frame), "7FF#R8");
+    EXPECT_EQ(toText(frames[2].frame), "7FF#FF");
+    EXPECT_EQ(frames[2].time, 3us);
+}
+
+TEST(AscLog, ARemarkQuotesFortyCharactersThatCanBePrinted)
+{
+    const auto quotedBy = [](const std::string &word) {
+        FrameLogParser parser;
+        EXPECT_TRUE(parser.parse("base hex timestamps absolute"));
+        const std::string text = parser.parse("1.0 1 " + word + " Rx d 0").error().text();
+        return text.substr(text.find('\''), text.rfind('\'') - text.find('\'') + 1);
+    };
+    EXPECT_EQ(quotedBy("zz\x1F\x7Fz!"), "'zz??z!'");
+    EXPECT_EQ(quotedBy(std::string(41, 'z')), "'" + std::string(40, 'z') + "'");
+}
+
 /// Everything that a line of candump can say, in one log.
 const std::vector<std::string> candump{
     "(1436509052.249713) can0 02061405#0040110000000000",
@@ -255,6 +302,11 @@ TEST(FrameLog, KnowsTheFormatByContent)
     FrameLogParser long1;
     ASSERT_TRUE(long1.parse(candump[0]));
     EXPECT_FALSE(long1.parse(std::string(5000, 'x')));
+    const auto blanksBehind = [](std::size_t size) { return candump[0] + std::string(size - candump[0].size(), ' '); };
+    EXPECT_TRUE(long1.parse(blanksBehind(FrameLogParser::longestLine)));
+    EXPECT_FALSE(long1.parse(blanksBehind(FrameLogParser::longestLine + 1)));
+    EXPECT_EQ(formatOfName(".asc"), LogFormat::Asc);
+    EXPECT_EQ(formatOfName("z.ASZ"), LogFormat::Candump);
     EXPECT_EQ(formatOfName("a.ASC"), LogFormat::Asc);
     EXPECT_EQ(formatOfName("asc"), LogFormat::Candump);
     EXPECT_EQ(formatOfName("a.asc.log"), LogFormat::Candump);

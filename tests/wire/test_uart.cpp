@@ -52,6 +52,29 @@ TEST(Uart, AByteSentTwelveTimesSlowerIsABreakForEachOfItsLowRuns)
         EXPECT_EQ(byte, (UartByte{0, true}));
 }
 
+TEST(Uart, AStopBitIsLookedForInItsMiddle)
+{
+    // A receiver that is 4.9 % too slow still meets the stop bit of 00, one that is 5.9 % too slow the start of what follows.
+    const std::array<std::uint8_t, 2> sent{0x00, 0x00};
+    EXPECT_EQ(sampledAt(sent, 1.049), (std::vector<UartByte>{{0, false}, {0, false}}));
+    EXPECT_EQ(sampledAt(sent, 1.059).front(), (UartByte{0, true}));
+    EXPECT_EQ(sampledAt(sent, 0.951), (std::vector<UartByte>{{0, false}, {0, false}}));
+    EXPECT_EQ(sampledAt(sent, 0.941).front(), (UartByte{0, true})) << "its stop bit is still the last bit of the byte";
+}
+
+TEST(Uart, AByteSentThreeTimesFasterIsWhatIsThereInTheMiddleOfEachBit)
+{
+    // FF is low for its start bit only. It is over before its middle: a spike, and no byte.
+    const std::array<std::uint8_t, 1> spike{0xFF};
+    EXPECT_TRUE(sampledAt(spike, 3.0).empty());
+    // F0: low for five bits, middles at 1.5, 4.5 and 7.5 bits: a start bit, a zero, and ones.
+    const std::array<std::uint8_t, 1> low{0xF0};
+    EXPECT_EQ(sampledAt(low, 3.0), (std::vector<UartByte>{{0xFE, false}}));
+    // A spike is passed over, and what comes after it is heard.
+    const std::array<std::uint8_t, 2> both{0xFF, 0xF0};
+    EXPECT_EQ(sampledAt(both, 3.0), (std::vector<UartByte>{{0xFE, false}}));
+}
+
 TEST(Uart, NothingSentIsNothingHeard)
 {
     EXPECT_TRUE(sampledAt({}, 1.0).empty());
