@@ -321,5 +321,116 @@ TEST_F(QuadQuad2Drv, MotionIsPolledAtNineTenthsOfTheWireLimit)
     EXPECT_GE(hertz, 0.9 * wireLimit);
 }
 
+TEST_F(QuadQuad2Drv, IsHeardUntilItHasBeenSilentForThreeTenthsOfASecond)
+{
+    bench.clock.advance(1s);
+    ASSERT_TRUE(device->liveness().heard);
+    ASSERT_EQ(device->liveness().axes.size(), 4U);
+    EXPECT_EQ(device->liveness().axes[3].mode, Mode::Off);
+    board->setPowered(false);
+    bench.clock.advance(280ms);
+    EXPECT_TRUE(device->liveness().heard);
+    bench.clock.advance(130ms);
+    EXPECT_FALSE(device->liveness().heard);
+    EXPECT_FALSE(device->liveness().axes[3].mode) << "nobody knows";
+    board->setPowered(true);
+    bench.clock.advance(500ms);
+    EXPECT_TRUE(device->liveness().heard);
+    bench.link->close();
+    EXPECT_FALSE(device->liveness().heard) << "at once";
+    ASSERT_TRUE(bench.link->open());
+    bench.clock.advance(500ms);
+    EXPECT_TRUE(device->liveness().heard);
+}
+
+TEST_F(QuadQuad2Drv, AResetIsNoticedWhereNothingWasToldBesideAStream)
+{
+    const ChannelIndex position = channelOf(0, AxisChannel::Position);
+    ASSERT_TRUE(run(bench.clock, device->setRate(position, 100.0)));
+    bench.clock.advance(1s);
+    ASSERT_FALSE(device->liveness().restarted);
+    board->setPowered(false);
+    board->setPowered(true);
+    bench.clock.advance(1s);
+    EXPECT_TRUE(device->liveness().restarted);
+    EXPECT_TRUE(device->liveness().heard) << "it is asked again";
+    EXPECT_NEAR(device->telemetry()->rate(position), 100.0, 15.0);
+}
+
+TEST_F(QuadQuad2Drv, WhatAnotherProgramMakesTheBoardSendIsReadAsItIsSent)
+{
+    PacketPort other(static_cast<SpiLink &>(*bench.link), bench.clock);
+    const ChannelIndex position = channelOf(0, AxisChannel::Position);
+    const ChannelIndex velocity = channelOf(0, AxisChannel::Velocity);
+    const auto got = [this](ChannelIndex channel) {
+        const auto before = device->telemetry()->size(channel);
+        bench.clock.advance(1s);
+        return device->telemetry()->size(channel) - before;
+    };
+    bench.clock.advance(1s);
+    ASSERT_TRUE(run(bench.clock, other.request(setDataMask(0x0F, 0x22))));
+    bench.clock.advance(1s);
+    EXPECT_TRUE(device->liveness().heard);
+    EXPECT_FALSE(device->liveness().restarted) << "a board that was reset sends something else";
+    EXPECT_NEAR(static_cast<double>(got(position)), 100.0, 5.0);
+    EXPECT_EQ(got(velocity), 0U);
+    ASSERT_TRUE(run(bench.clock, other.request(setDataMask(0x0F, 0x2B))));
+    bench.clock.advance(1s);
+    EXPECT_TRUE(device->liveness().heard);
+    EXPECT_NEAR(static_cast<double>(got(velocity)), 100.0, 5.0);
+}
+
+TEST_F(QuadQuad2Drv, AStreamIsAskedForInUnitsOfItsClockAndNobodyPollsMeanwhile)
+{
+    std::vector<Bytes> sent;
+    const Subscription hearing = bench.link->traffic().add([&sent](const Traffic &traffic) {
+        if (traffic.direction == Direction::Sent)
+            sent.emplace_back(traffic.bytes.begin(), traffic.bytes.end());
+    });
+    const auto count = [&sent](const Bytes &packet) { return std::count(sent.begin(), sent.end(), packet); };
+    const ChannelIndex position = channelOf(0, AxisChannel::Position);
+    bench.clock.advance(100ms);
+    EXPECT_NEAR(static_cast<double>(count(getRequest(PacketId::GetMotion))), 10.0, 1.0);
+    struct Row {
+        double hertz;
+        std::uint16_t units;
+    };
+    for (const Row &row : {Row{1e6, 49}, {100.0, 244}, {1.0, 24414}, {0.01, 65535}}) {
+        sent.clear();
+        ASSERT_TRUE(run(bench.clock, device->setRate(position, row.hertz))) << row.hertz;
+        EXPECT_EQ(count(setStreamPeriod(row.units)), 1) << row.hertz;
+        EXPECT_EQ(count(setStreamConfig(2)), 1) << row.hertz;
+        sent.clear();
+        bench.clock.advance(200ms);
+        EXPECT_EQ(count(getRequest(PacketId::GetMotion)), 0) << row.hertz;
+    }
+    sent.clear();
+    ASSERT_TRUE(run(bench.clock, device->setRate(position, 0.0)));
+    EXPECT_EQ(count(setStreamPeriod(0)), 1);
+    EXPECT_EQ(count(setStreamConfig(2)), 0);
+    sent.clear();
+    bench.clock.advance(100ms);
+    EXPECT_NEAR(static_cast<double>(count(getRequest(PacketId::GetMotion))), 10.0, 1.0);
+}
+
+TEST_F(QuadQuad2Drv, WhatItCannotDoIsSaidAndNothingIsSent)
+{
+    NoProgress progress;
+    const auto faultOf = [](const auto &result) { return result ? std::optional<Fault>() : result.error().fault; };
+    EXPECT_EQ(faultOf(run(bench.clock, device->store(progress))), Fault::Unsupported);
+    EXPECT_EQ(faultOf(run(bench.clock, device->identify())), Fault::Unsupported);
+    EXPECT_EQ(faultOf(run(bench.clock, device->rename("board"))), Fault::Unsupported);
+    EXPECT_EQ(faultOf(run(bench.clock, device->renumber(2))), Fault::Unsupported);
+}
+
+TEST_F(QuadQuad2Drv, ItsStopScriptTakesAllAxesOutThreeTimes)
+{
+    const StopScript script = device->stopScript();
+    ASSERT_EQ(script.steps.size(), 1U);
+    EXPECT_EQ(script.steps[0].bytes, (Bytes{0x02, 0x06, 0x10, 0x0F, 0x00, 0xD9}));
+    EXPECT_EQ(script.steps[0].wait, 10ms);
+    EXPECT_EQ(script.steps[0].attempts, 3);
+}
+
 } // namespace
 } // namespace mb::quadquad2drv
