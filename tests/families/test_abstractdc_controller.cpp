@@ -248,6 +248,35 @@ void powerCycle(Simulator &drive, VirtualClock &clock)
     clock.advance(1s);
 }
 
+TEST_F(AbstractDcController, AveragingIsNotLoweredWhileTheMotorIsDrivenNorWhileItMerelyTurns)
+{
+    Simulator &drive = add("abstractdc:3");
+    open(3, &dialectF);
+    ASSERT_TRUE(device->command(setPoint(Mode::Duty, 0.5)));
+    clock.advance(1s);
+    EXPECT_EQ(write("current.averaging", 50).error().fault, Fault::Unsafe) << "driven, and it turns";
+    EXPECT_TRUE(sentOf("0CB").empty());
+    device->stop();
+    clock.advance(40ms);
+    ASSERT_GT(std::abs(drive.speed()), 100.0) << "it runs down";
+    EXPECT_EQ(write("current.averaging", 50).error().fault, Fault::Unsafe) << "nobody drives it, and it turns";
+    EXPECT_TRUE(sentOf("0CB").empty());
+    clock.advance(20s);
+    EXPECT_TRUE(write("current.averaging", 50));
+    EXPECT_FALSE(sentOf("0CB").empty());
+}
+
+TEST_F(AbstractDcController, AveragingIsNotLoweredWhileADrivenMotorStandsStill)
+{
+    Simulator &drive = add("abstractdc:3");
+    open(3, &dialectF);
+    ASSERT_TRUE(drive.disturb("stall", 1.0));
+    ASSERT_TRUE(device->command(setPoint(Mode::Duty, 0.1)));
+    clock.advance(2s);
+    EXPECT_EQ(write("current.averaging", 50).error().fault, Fault::Unsafe);
+    EXPECT_TRUE(sentOf("0CB").empty());
+}
+
 TEST_F(AbstractDcController, ALoweredAveragingNeedsTheDriveSwitchedOffOnce)
 {
     Simulator &drive = add("abstractdc:3");

@@ -350,5 +350,23 @@ TEST_F(AbstractDcScanLiteral, FramesOfOthersAreNoDrives)
     EXPECT_EQ(scanned(), "");
 }
 
+TEST_F(AbstractDcScanLiteral, AnAnswerInAnotherFormProvesNothing)
+{
+    unit.answer("384#01", {{"405#00000000"}});
+    unit.answer("389#03", {{"00000605#00000000", "605#000000", "605#0000000000"}});
+    unit.answer("389#04", {{"680#00000000"}});
+    EXPECT_EQ(scanned().find("5:F"), std::string::npos);
+}
+
+TEST_F(AbstractDcScanLiteral, TheOldestAreFoundByTheirPositionsFromTheirFirstIdentifierToTheirLast)
+{
+    unit.answer("329#00", {{"00000455#00000000", "455#000000", "44B#00000000", "4B0#00000000"}});
+    EXPECT_EQ(scanned(), "");
+    unit.answer("383#00", {{"4AF#00000000"}});
+    unit.answer("383#01", {{"44B#00000000"}});
+    unit.answer("383#02", {{"513#00000000"}});
+    EXPECT_EQ(scanned(), "99:LL ");
+}
+
 } // namespace
 } // namespace mb::abstractdc

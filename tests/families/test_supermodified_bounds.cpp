@@ -310,5 +310,112 @@ TEST(SupermodifiedDuration, TheStoredLimitIsWrittenBackNotTheOneThatADurationLef
     EXPECT_EQ(run(bench.clock, device->read(Bench::index("limit.current.duration"))).value_or(0), 8000);
 }
 
+// The judgement itself
+
+/// What a node with these gains may be told, row by row.
+struct SupermodifiedJudgement : testing::Test {
+    [[nodiscard]] std::optional<Fault> profile(Dialect dialect, const SetPoint &order)
+    {
+        node.dialect = dialect;
+        const auto judged = MoveBounds(node, known).checkProfile(order);
+        return judged ? std::nullopt : std::optional(judged.error().fault);
+    }
+    [[nodiscard]] std::optional<Fault> reach(
+        Dialect dialect, Mode mode, double target, std::optional<std::int64_t> position, bool relative = false)
+    {
+        node.dialect = dialect;
+        SetPoint order = setPoint(mode, target);
+        order.relative = relative;
+        const auto judged = MoveBounds(node, known).checkReach(order, position);
+        return judged ? std::nullopt : std::optional(judged.error().fault);
+    }
+    [[nodiscard]] std::optional<double> overrun(Dialect dialect, const SetPoint &order, double distance)
+    {
+        node.dialect = dialect;
+        return MoveBounds(node, known).overrun(order, distance);
+    }
+    Node node;
+    Roster::Entry known;
+};
+
+TEST_F(SupermodifiedJudgement, AProfileIsAsFastAndAsSteepAsTheWidthOfTheDialect)
+{
+    const auto bad = std::optional(Fault::OutOfRange);
+    const std::optional<Fault> good;
+    EXPECT_EQ(profile(Dialect::D1, ramp(1.0, 46340.0, 65535.0)), good);
+    EXPECT_EQ(profile(Dialect::D1, ramp(1.0, 46341.0, 65535.0)), bad);
+    EXPECT_EQ(profile(Dialect::D1, ramp(1.0, 46340.0, 65536.0)), bad);
+    EXPECT_EQ(profile(Dialect::D2, ramp(1.0, 46340.0, 4294967295.0)), good);
+    EXPECT_EQ(profile(Dialect::D2, ramp(1.0, 46341.0, 1.0)), bad);
+    EXPECT_EQ(profile(Dialect::D2, ramp(1.0, 1.0, 4294967296.0)), bad);
+    EXPECT_EQ(profile(Dialect::D3, ramp(1.0, 4294967295.0, 4294967295.0)), good);
+    EXPECT_EQ(profile(Dialect::D3, ramp(1.0, 4294967296.0, 1.0)), bad);
+    EXPECT_EQ(profile(Dialect::D3, ramp(1.0, -1.0, 1.0)), bad);
+    EXPECT_EQ(profile(Dialect::D3, ramp(1.0, 1.0, -1.0)), bad);
+    EXPECT_EQ(profile(Dialect::D3, ramp(1.0, NAN, 1.0)), bad);
+}
+
+TEST_F(SupermodifiedJudgement, AMoveThatMayPassItsTargetNeedsAProfileThatIsKnown)
+{
+    const auto unsafe = std::optional(Fault::Unsafe);
+    for (const Dialect dialect : {Dialect::D1, Dialect::D2}) {
+        known = {};
+        EXPECT_EQ(profile(dialect, ramp(1.0, 0.0, 0.0)), unsafe);
+        EXPECT_EQ(profile(dialect, ramp(1.0, 800.0, 0.0)), unsafe);
+        EXPECT_EQ(profile(dialect, ramp(1.0, 0.0, 800.0)), unsafe);
+        EXPECT_EQ(profile(dialect, setPoint(Mode::RampVelocity, 1.0)), std::nullopt) << "it has no target";
+        known.profileVelocity = 800;
+        EXPECT_EQ(profile(dialect, ramp(1.0, 0.0, 0.0)), unsafe);
+        EXPECT_EQ(profile(dialect, ramp(1.0, 0.0, 800.0)), std::nullopt);
+        known.profileAcceleration = 800;
+        EXPECT_EQ(profile(dialect, ramp(1.0, 0.0, 0.0)), std::nullopt);
+    }
+    known = {};
+    EXPECT_EQ(profile(Dialect::D3, ramp(1.0, 0.0, 0.0)), std::nullopt);
+}
+
+TEST_F(SupermodifiedJudgement, AStepStaysBelowWhatOverflowsTheLoop)
+{
+    const auto bad = std::optional(Fault::OutOfRange);
+    const auto unsafe = std::optional(Fault::Unsafe);
+    const std::optional<Fault> good;
+    EXPECT_EQ(reach(Dialect::D1, Mode::Position, 1.0, 0), unsafe) << "its P is not known";
+    known.gainP = 2000; // 2^31 / 2000 = 1 073 741.8
+    for (const Dialect dialect : {Dialect::D1, Dialect::D2}) {
+        EXPECT_EQ(reach(dialect, Mode::Position, 1073740.0, 0), good);
+        EXPECT_EQ(reach(dialect, Mode::Position, 1073741.0, 0), bad);
+        EXPECT_EQ(reach(dialect, Mode::Position, -1073740.0, 0), good);
+        EXPECT_EQ(reach(dialect, Mode::Position, -1073741.0, 0), bad);
+        EXPECT_EQ(reach(dialect, Mode::Position, 0.0, 1073740), good);
+        EXPECT_EQ(reach(dialect, Mode::Position, 0.0, 1073741), bad);
+        EXPECT_EQ(reach(dialect, Mode::Position, 5.0, std::nullopt), unsafe) << "from where";
+        EXPECT_EQ(reach(dialect, Mode::Position, 5.0, std::nullopt, true), good)
+            << "a relative one is its own distance";
+        EXPECT_EQ(reach(dialect, Mode::Position, 1073741.0, 1073741, true), bad);
+        EXPECT_EQ(reach(dialect, Mode::RampPosition, 1073741.0, 0), good) << "a profile has no step";
+    }
+    EXPECT_EQ(reach(Dialect::D3, Mode::Position, 1e12, 0), good);
+    known.gainP = 0;
+    EXPECT_EQ(reach(Dialect::D1, Mode::Position, 2e9, 0), good) << "nothing times nothing";
+    known.gainP = 1;
+    EXPECT_EQ(reach(Dialect::D1, Mode::Position, 2147483647.0, 0), good);
+    EXPECT_EQ(reach(Dialect::D1, Mode::Position, 2147483648.0, 0), bad);
+}
+
+TEST_F(SupermodifiedJudgement, AProfiledMoveHasGoneWrongBeyondItsStoppingDistance)
+{
+    EXPECT_EQ(overrun(Dialect::D1, ramp(1e5, 6000.0, 40000.0), 1e5), 450.0);
+    EXPECT_EQ(overrun(Dialect::D2, ramp(1e5, 6000.0, 40000.0), -1e5), 450.0);
+    EXPECT_EQ(overrun(Dialect::D1, ramp(1e5, 6000.0, 40000.0), 600.0), 300.0) << "it never gets that fast";
+    EXPECT_EQ(overrun(Dialect::D1, ramp(1e5, 6000.0, 40000.0), 10.0), 100.0) << "a loop swings";
+    EXPECT_EQ(overrun(Dialect::D1, ramp(1e5, 100.0, 0.0), 1e9), std::nullopt) << "its slope is not known";
+    EXPECT_EQ(overrun(Dialect::D1, ramp(1e5, 0.0, 100.0), 1e9), std::nullopt) << "its speed is not known";
+    known.profileAcceleration = 40000;
+    known.profileVelocity = 6000;
+    EXPECT_EQ(overrun(Dialect::D1, ramp(1e5, 0.0, 0.0), 1e5), 450.0);
+    EXPECT_EQ(overrun(Dialect::D3, ramp(1e5, 0.0, 0.0), 1e5), std::nullopt);
+    EXPECT_EQ(overrun(Dialect::D1, setPoint(Mode::RampVelocity, 1.0), 1e5), std::nullopt);
+}
+
 } // namespace
 } // namespace mb::supermodified

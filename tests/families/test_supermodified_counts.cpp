@@ -121,5 +121,32 @@ TEST_F(OneNode, ItIsHeardAgainAsSoonAsItsLineIsBack)
     EXPECT_GT(bench.count(Command::GetPosition), 5);
 }
 
+TEST(SupermodifiedCodes, ThoseThatSwitchTheBridgeOffAreActiveUntilTheNextStart)
+{
+    for (const CodeName &name : codeNames()) {
+        CodeReports reports;
+        const bool ends = name.code == code::motorStalled || name.code == code::encoderOverflow
+            || name.code == code::encoderUnderflow;
+        EXPECT_EQ(reports.take(name.code), ends) << name.key;
+        EXPECT_EQ(reports.take(name.code), ends) << name.key;
+        EXPECT_EQ(
+            reports.active(), ends ? std::vector<std::string>{std::string(name.key)} : std::vector<std::string>{});
+        int told = 0;
+        for (const FaultRecord &record : reports.records()) {
+            const bool its = record.key == name.key;
+            told += its ? 1 : 0;
+            EXPECT_EQ(record.active, its && ends) << record.key;
+            EXPECT_EQ(record.sticky, its) << record.key;
+            EXPECT_EQ(record.count, its ? 2 : 0) << record.key;
+        }
+        EXPECT_EQ(told, 1) << name.key;
+        reports.started();
+        EXPECT_TRUE(reports.active().empty());
+        reports.clear();
+        for (const FaultRecord &record : reports.records())
+            EXPECT_FALSE(record.sticky) << record.key;
+    }
+}
+
 } // namespace
 } // namespace mb::supermodified

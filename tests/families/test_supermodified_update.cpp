@@ -214,6 +214,19 @@ TEST(SupermodifiedUpdate, IsDoneWhenAvrdudeVerifiedAndTheNodeAnswersAgain)
     EXPECT_GT(bench.log.size(), 4U);
 }
 
+TEST(SupermodifiedUpdate, NothingButAGoodEndThatWasVerifiedCounts)
+{
+    for (const QByteArray &script :
+        {QByteArray("exit 0\n"), QByteArray("echo 'avrdude: 6 bytes of flash written' >&2\n"),
+            QByteArray(supermodifiedSuccess) + "exit 1\n"}) {
+        SupermodifiedUpdateBench bench;
+        bench.standIn(script);
+        const auto report = bench.update("avrdude:usbasp:usb");
+        EXPECT_FALSE(report && report->outcome == UpdateOutcome::Done) << script.toStdString();
+        EXPECT_FALSE(report && report->verified) << script.toStdString();
+    }
+}
+
 TEST(SupermodifiedUpdate, IsNotDoneWhenTheNodeStaysSilent)
 {
     SupermodifiedUpdateBench bench;

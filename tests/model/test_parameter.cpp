@@ -93,6 +93,30 @@ TEST(Parameter, ShowsATextThatComesBackAsTheSameRawValue)
     EXPECT_EQ(toText(flag, 1), "on");
 }
 
+TEST(Parameter, ARawValueIsLegalWithinHalfAStepOfItsBounds)
+{
+    EXPECT_TRUE(isLegal(whole, 10));
+    EXPECT_TRUE(isLegal(whole, 500));
+    EXPECT_FALSE(isLegal(whole, 9));
+    EXPECT_FALSE(isLegal(whole, 501));
+    const Parameter tenths = row(WireType::Int16, 10.0, -1.25, 1.25);
+    EXPECT_TRUE(isLegal(tenths, 13)) << "12.5, rounded";
+    EXPECT_FALSE(isLegal(tenths, 14));
+    EXPECT_TRUE(isLegal(tenths, -13));
+    EXPECT_FALSE(isLegal(tenths, -14));
+    EXPECT_TRUE(isLegal(gain, 32767 * 65536LL + 32768));
+    EXPECT_FALSE(isLegal(gain, 32767 * 65536LL + 32769));
+}
+
+TEST(Parameter, ShowsAWholeNumberWithoutADot)
+{
+    EXPECT_EQ(toText(whole, 480), "480");
+    EXPECT_EQ(toText(flag, 0), "off");
+    EXPECT_EQ(toText(row(WireType::Int16, 10.0, -100.0, 100.0), -15), "-1.5");
+    EXPECT_EQ(toText(row(WireType::Int16, 10.0, -100.0, 100.0), 20), "2");
+    EXPECT_EQ(toText(row(WireType::Int32, 0.5, -100.0, 100.0), 3), "6") << "a raw step of 2";
+}
+
 TEST(Parameter, TakesAChoiceByItsName)
 {
     static constexpr std::array choices{Choice{3, "slow"}, Choice{7, "fast"}};

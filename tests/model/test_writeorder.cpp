@@ -101,6 +101,30 @@ TEST(WriteOrder, IsNeverLivelierInBetweenThanBothEnds)
     }
 }
 
+TEST(WriteOrder, ALimitIsWidenedByWhatLetsTheMotorDoMore)
+{
+    const auto widens = [](Row which, std::optional<std::int64_t> from, std::int64_t to) {
+        StagedChange change;
+        change.index = ParameterIndex{which};
+        change.from = from;
+        change.to = to;
+        return widensLimit(table[which], change);
+    };
+    EXPECT_TRUE(widens(Threshold, 5, 6));
+    EXPECT_TRUE(widens(Threshold, 5, -6)) << "it is the amount that counts";
+    EXPECT_FALSE(widens(Threshold, 5, 5));
+    EXPECT_FALSE(widens(Threshold, 5, 4));
+    EXPECT_FALSE(widens(Threshold, 5, -5));
+    EXPECT_FALSE(widens(Threshold, std::nullopt, 6)) << "nobody knows";
+    EXPECT_TRUE(widens(Enabled, 1, 0));
+    EXPECT_FALSE(widens(Enabled, 0, 1));
+    EXPECT_FALSE(widens(Enabled, 0, 0));
+    EXPECT_FALSE(widens(Enabled, std::nullopt, 0));
+    EXPECT_TRUE(widens(SwitchOff, 0, 1));
+    EXPECT_FALSE(widens(SwitchOff, 1, 0));
+    EXPECT_FALSE(widens(P, 1, 2)) << "no limit";
+}
+
 TEST(WriteOrder, SetsLimitsBeforeGainsWhereNothingIsKnown)
 {
     Family family{};
