@@ -345,7 +345,7 @@ TEST_F(AbstractDcController, ADivisorIsNotChangedWhileItsLoopRuns)
     device->stop();
 }
 
-struct Log final : Progress {
+struct SaidLines final : Progress {
     void step(const Message &, int, int) override { }
     void part(int, PartState) override { }
     void log(Severity severity, const Message &text) override { lines.emplace_back(severity, text.english()); }
@@ -358,13 +358,13 @@ TEST_F(AbstractDcController, SavesAreCountedWarnedOfAndRefusedBeforeTheFlashBug)
     add("abstractdc:3");
     open(3, &dialectF);
     for (int i = 1; i <= 50; ++i) {
-        Log log;
+        SaidLines log;
         ASSERT_TRUE(write("velocity.p", i));
         ASSERT_TRUE(test::run(clock, device->store(log))) << i;
         EXPECT_EQ(log.lines.empty(), i < 40) << i;
     }
     EXPECT_EQ(device->knowledge().profile().counters.at("saves.velocity"), 50);
-    Log log;
+    SaidLines log;
     ASSERT_TRUE(write("velocity.p", 51));
     const auto refused = test::run(clock, device->store(log));
     ASSERT_FALSE(refused);

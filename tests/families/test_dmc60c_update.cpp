@@ -245,7 +245,7 @@ TEST(Dmc60cUpdate, AProgramThatDiesInAnyPageLeavesAUnitThatIsFoundInItsBootloade
     for (int page = 30; page >= 0; --page) {
         Dmc60cUpdateBench bench("dmc60c:5");
         bench.update(demoImage(), {.dryRun = true, .force = false, .via = {}, .target = {}});
-        struct Watch final : Progress {
+        struct LastStep final : Progress {
             void step(const Message &what, int, int) override { now = what.english(); }
             void part(int, PartState) override { }
             void log(Severity, const Message &) override { }

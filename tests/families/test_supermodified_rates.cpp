@@ -45,10 +45,10 @@ protected:
         return line->submit(request, [&answer](Result<Frame> result) { answer = std::move(result); });
     }
 
-    test::EventLoop loop;
+    mb::test::EventLoop loop;
     VirtualClock clock;
-    test::HeldBackground background;
-    test::PseudoTerminal terminal;
+    mb::test::HeldBackground background;
+    mb::test::PseudoTerminal terminal;
     std::unique_ptr<SerialLink> link = make(terminal.path(), clock);
     std::shared_ptr<Line> line;
     std::optional<Result<Frame>> first;

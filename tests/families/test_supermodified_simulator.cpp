@@ -280,9 +280,9 @@ TEST(SupermodifiedSimulator, RefusesOptionsThatItDoesNotHave)
     Bench bench;
     for (const std::string_view text : {"supermodified:0", "supermodified:128", "supermodified:4,dialect=D4",
              "supermodified:4,colour=red", "supermodified:4,baud=0", "supermodified:4,motor=none"}) {
-        const auto made = simulate(bench.host, bench.clock, *SimulatedUnit::parse(text));
-        ASSERT_FALSE(made) << text;
-        EXPECT_EQ(made.error().fault, Fault::OutOfRange) << text;
+        const auto simulated = simulate(bench.host, bench.clock, *SimulatedUnit::parse(text));
+        ASSERT_FALSE(simulated) << text;
+        EXPECT_EQ(simulated.error().fault, Fault::OutOfRange) << text;
     }
 }
 

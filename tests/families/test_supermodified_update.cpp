@@ -174,7 +174,7 @@ struct SupermodifiedUpdateBench {
         return report.value_or(Result<UpdateReport>(fail(Fault::Timeout, say("still running"))));
     }
 
-    test::EventLoop loop;
+    mb::test::EventLoop loop;
     VirtualSerialLine line;
     LinkAddress address;
     VirtualSerialLink host;
