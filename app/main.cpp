@@ -36,6 +36,10 @@ int main(int argc, char **argv)
     }
     if (options->hasNoWindow())
         qputenv("QT_QPA_PLATFORM", "offscreen");
+    // A screen that is not there would have 100 dpi: pictures of a tour are as large as --size says, and not blurred.
+    if (qEnvironmentVariable("QT_QPA_PLATFORM") == QLatin1String("offscreen")
+        && !qEnvironmentVariableIsSet("QT_FONT_DPI"))
+        qputenv("QT_FONT_DPI", "96");
     QApplication::setStyle(QStringLiteral("Fusion"));
     QApplication qt(argc, argv);
     QApplication::setApplicationName(QStringLiteral("MotorBench"));

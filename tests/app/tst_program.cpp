@@ -21,6 +21,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPlainTextEdit>
+#include <QProcess>
 #include <QPushButton>
 #include <QTemporaryDir>
 
@@ -69,6 +70,7 @@ private Q_SLOTS:
     void recordedSamplesOpenInAWindowOfTheirOwn();
     void aFileThatIsNoRecordingSaysWhy();
     void aFileThatIsNotThereIsRefusedBeforeThereIsAWindow();
+    void picturesOfATourAreAsLargeAsTheWindowThatWasAskedFor();
     void aboutTellsTheVersionsOfEverything();
 };
 
@@ -267,6 +269,23 @@ void ProgramTest::aFileThatIsNotThereIsRefusedBeforeThereIsAWindow()
     const auto options = Options::parse({QStringLiteral("motorbench"), QStringLiteral("nowhere.mcap")});
     QVERIFY(!options);
     QVERIFY(options.error().text().find("nowhere.mcap") != std::string::npos);
+}
+
+void ProgramTest::picturesOfATourAreAsLargeAsTheWindowThatWasAskedFor()
+{
+    const QTemporaryDir folder;
+    QProcess program;
+    program.start(QCoreApplication::applicationDirPath() + QStringLiteral("/motorbench"),
+        {QStringLiteral("--tour"), folder.path(), QStringLiteral("--size"), QStringLiteral("1100x700")});
+    QImage first;
+    const auto isSaved = [&] {
+        const QStringList names = QDir(folder.path()).entryList({QStringLiteral("*.png")});
+        return !names.isEmpty() && first.load(folder.filePath(names.first()));
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isSaved(), patience);
+    QCOMPARE(first.size(), QSize(1100, 700));
+    program.kill();
+    program.waitForFinished();
 }
 
 void ProgramTest::aboutTellsTheVersionsOfEverything()
