@@ -46,7 +46,9 @@ struct RawLoop {
     double cycle = 0.0;    ///< s between two passes of the loop
     double fullDuty = 0.0; ///< raw P times counts of error at full output …
     double integral = 1.0; ///< raw I times counts, summed up in each pass, that make as much output as one of P …
-    std::string_view dialects{}; ///< … in units of these dialects, one after the other; not known in others
+    std::string_view dialects{};    ///< … in units of these dialects, one after the other; not known in others
+    std::string_view profileRate{}; ///< key of what its own profile is bounded by, counts/s
+    std::string_view profileAcceleration{}; ///< the same, counts/s²
 };
 
 /// A setting of the device that bounds what a trial may do.

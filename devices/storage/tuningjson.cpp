@@ -40,7 +40,8 @@ const Numbers<Margins> marginNumbers{
     {"ms", &Margins::ms}, {"gain", &Margins::gain}, {"phase", &Margins::phase}, {"crossover", &Margins::crossover}};
 
 const Numbers<TriedScale> scaleNumbers{{"p", &TriedScale::p}, {"d", &TriedScale::d}, {"cycle", &TriedScale::cycle},
-    {"strongest", &TriedScale::strongest}, {"quickest", &TriedScale::quickest}, {"i", &TriedScale::i}};
+    {"strongest", &TriedScale::strongest}, {"quickest", &TriedScale::quickest}, {"i", &TriedScale::i},
+    {"rate", &TriedScale::rate}};
 
 template <class T> QJsonObject numbersToJson(const T &value, const Numbers<T> &numbers)
 {

@@ -18,8 +18,9 @@ constexpr double harder = 1.5;
 constexpr double mostDuty = 0.6;
 constexpr Duration pulse = 300ms;
 constexpr Duration nudgeTime = 1s;
-constexpr double clearMove = 15.0; ///< counts
-constexpr double leastNudge = 3.0; ///< counts; friction holds the rest
+constexpr Duration patience = 300ms; ///< until it has begun to go where it was sent
+constexpr double clearMove = 15.0;   ///< counts
+constexpr double leastNudge = 3.0;   ///< counts; friction holds the rest
 constexpr Duration glancePeriod = 5ms;
 constexpr Duration stopLimit = 2s;
 constexpr Duration stopAgain = 100ms;
@@ -40,6 +41,8 @@ Task<double> push(Device &device, SetPointStream &stream, const TrialRecorder &r
         Sleep nap(device.clock(), glancePeriod);
         co_await nap;
         moved = recorder.latest("position").value_or(before) - before;
+        if (device.clock().now() - (end - limit) >= patience && std::abs(moved) < leastNudge)
+            break;
     }
     if (stream.isRunning())
         stream.stop();

@@ -33,6 +33,7 @@ struct ExperimentPlan {
     std::optional<double> relay;
     std::optional<double> rate; ///< samples per second asked for; nothing: the family's usual
     double rest = 0.0;          ///< s that each way back takes at least
+    bool profiled = false;      ///< the device's own profile leads from X to Y and back; position mode only
     double noise = 0.0;         ///< σ of what a loop measures, where it is known: no swing of it is taken for one
     std::vector<ParameterChange> gains; ///< in force while it runs
     Keep keep = Keep::Never;            ///< and afterwards

@@ -212,7 +212,7 @@ Task<void> ExperimentRun::lowerRates()
 SetPoint ExperimentRun::setPointAt(double target) const
 {
     SetPoint setPoint;
-    setPoint.mode = m_plan.mode;
+    setPoint.mode = m_plan.profiled ? Mode::RampPosition : m_plan.mode;
     setPoint.target = target;
     setPoint.axis = m_plan.axis;
     setPoint.slot = m_plan.slot;

@@ -33,6 +33,7 @@ struct TriedScale {
     double strongest = 0.0; ///< raw D that one count may meet
     double quickest = 0.0;  ///< s, 1/omega of a loop that what was tried vouches for
     double i = 0.0;         ///< duty for a count·s, of a raw I of 1; 0: not known
+    double rate = 0.0;      ///< counts/s, with which set-points go to their targets while it is tuned; 0: at once
 
     friend bool operator==(const TriedScale &, const TriedScale &) = default;
 };

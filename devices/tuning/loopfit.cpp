@@ -22,6 +22,7 @@ constexpr double farPush = 5.0;     ///< times what one step alone tells
 constexpr double farthestLog = 20.0;
 constexpr double usualLeft = 0.02; ///< of a step: what doubts of the unknowns are weighed against
 constexpr double unknownEnd = 1e3; ///< of what is taken for full duty, at most
+constexpr std::array<double, 3> ledOmegas{12.0, 35.0, 100.0}; ///< rad/s, of a loop that is led
 constexpr int stillPasses = 10;
 
 /// What is likely before anything is measured: the middle and σ of an unknown.
@@ -62,6 +63,20 @@ PlantModel plantOf(const LoopSearch::Unknowns &x)
     return plant;
 }
 
+/// 1/s² for 1 of P, where the search begins. A run that was led tells little of it by itself.
+std::vector<double> likelyPushes(const LoopRun &run, const TwoPointFit &first)
+{
+    if (run.rate > 0.0) {
+        std::vector<double> pushes;
+        for (const double omega : ledOmegas)
+            pushes.push_back(omega * omega / run.p);
+        return pushes;
+    }
+    const auto seen = fitStep(run);
+    const double push = seen ? seen->omega * seen->omega / run.p : first.p;
+    return {std::clamp(first.p, push / farPush, push * farPush)};
+}
+
 class SteppedFit {
 public:
     SteppedFit(std::span<const LoopRun> runs, const LoopLaw &law)
@@ -89,7 +104,9 @@ private:
         const ContinuousGains gains{run.p * m_law.scale.p, 0.0, run.d * m_law.scale.d * exponential(x[Damping]), 0.0};
         LoopShape shape = m_shape;
         shape.mostDuty = std::min(exponential(x[End]), unknownEnd);
+        shape.setPointRate = run.rate;
         SimulatedLoop simulated(Mode::Position, plantOf(x), gains, shape, 0.0);
+        simulated.beginAt(run.from);
         const double shift = delayOf(x[Shift]);
         double before = 0.0;
         double value = 0.0;
@@ -101,7 +118,7 @@ private:
                 before = value;
                 (void)simulated.pass(run.step);
                 value = simulated.value();
-                still = value == before ? still + 1 : 0;
+                still = value == before && t >= run.rise() ? still + 1 : 0;
             }
             const double share = at >= t ? 1.0 : std::clamp(1.0 - (t - at) / shape.period, 0.0, 1.0);
             left.push_back((before + share * (value - before) - run.way.y[i]) / run.step);
@@ -125,19 +142,18 @@ Result<LoopFit> fitLoop(std::span<const LoopRun> runs, const LoopLaw &law, const
     const SteppedFit fit(runs, law);
     const LoopSearch::Remainder remainder
         = [&fit](const LoopSearch::Unknowns &x, std::vector<double> &left) { fit.remainder(x, left); };
-    const auto seen = fitStep(runs.front());
-    const double seenPush = seen ? seen->omega * seen->omega / runs.front().p : first.p;
-    const double push = std::clamp(first.p, seenPush / farPush, seenPush * farPush);
     std::optional<LoopSearch::Minimum> best;
-    for (const LikelyStart &start : likelyStarts) {
-        LoopSearch::Unknowns x{};
-        x[Push] = std::log(start.push * push / law.scale.p);
-        x[Drag] = std::log(start.drag > 0.0 ? start.drag : std::clamp(first.drag, 0.5, 100.0));
-        x[Friction] = std::log(start.friction);
-        x[Shift] = first.delay / delayUnit;
-        const auto found = LoopSearch::from(x, remainder);
-        if (!best || found.squares < best->squares)
-            best = found;
+    for (const double push : likelyPushes(runs.front(), first)) {
+        for (const LikelyStart &start : likelyStarts) {
+            LoopSearch::Unknowns x{};
+            x[Push] = std::log(start.push * push / law.scale.p);
+            x[Drag] = std::log(start.drag > 0.0 ? start.drag : std::clamp(first.drag, 0.5, 100.0));
+            x[Friction] = std::log(start.friction);
+            x[Shift] = first.delay / delayUnit;
+            const auto found = LoopSearch::from(x, remainder);
+            if (!best || found.squares < best->squares)
+                best = found;
+        }
     }
     const auto &x = best->values;
     LoopFit result;

@@ -64,6 +64,7 @@ LoopShape shapeOf(const ProposalBasis &basis)
     plain.period = predictionPeriod(basis);
     plain.mostDuty = basis.envelope.duty.value_or(1.0);
     plain.isCounted = basis.scale.has_value();
+    plain.setPointRate = basis.scale ? basis.scale->rate : 0.0;
     return plain;
 }
 
@@ -83,6 +84,13 @@ LoopShape shapeWith(const ProposalBasis &basis, const ScaledGains &gains)
         else if (row.key.ends_with(".allowable_error"))
             shape.goodEnough = row.number;
     }
+    return shape;
+}
+
+/// As somebody gives it steps: a profile leads it in its proof only.
+LoopShape withoutProfile(LoopShape shape)
+{
+    shape.setPointRate = 0.0;
     return shape;
 }
 
@@ -179,7 +187,7 @@ Result<Proposal> proposalFor(const ProposalBasis &basis, const ProposalWish &wis
     Proposal proposal;
     proposal.aim = wish.aim;
     SearchTask task{boundsOf(basis), ms.model, ms.off, 0.0, overshootOf(wish), wish.aim == Aim::Calm,
-        inSeconds(family.capabilities.commandPeriod), {}, shapeOf(basis)};
+        inSeconds(family.capabilities.commandPeriod), {}, withoutProfile(shapeOf(basis))};
     proposal.design = design(basis.loop, plant, std::max(response, basis.scale ? basis.scale->quickest : 0.0),
         task.bounds, ms.model, ms.off);
     if (basis.loop != Mode::Current && !wish.response && !wish.ms) {
@@ -240,7 +248,7 @@ double promisedError(const ProposalBasis &basis, const ContinuousGains &gains, c
 {
     SearchTask task;
     task.step = step;
-    task.shape = shape;
+    task.shape = withoutProfile(shape);
     return errorOfSteps(basis.loop, basis.plant, gains, task);
 }
 

@@ -55,6 +55,7 @@ SimulatedLoop::SimulatedLoop(
     , m_speed(m_integrates ? 0.0 : from)
     , m_place(m_integrates ? from : 0.0)
     , m_measured(from)
+    , m_setPoint(from)
     , m_integral(m_integrates ? 0.0 : dutyAt(plant, gains, from))
 {
     if (m_windowed)
@@ -146,10 +147,20 @@ void SimulatedLoop::turn(double duty)
         (void)advance(duty, left);
 }
 
+/// The device's own profile, which accelerates within a few passes.
+double SimulatedLoop::follow(double target)
+{
+    if (m_shape.setPointRate <= 0.0)
+        return target;
+    const double most = m_shape.setPointRate * m_shape.period;
+    m_setPoint += std::clamp(target - m_setPoint, -most, most);
+    return m_shape.isCounted ? std::round(m_setPoint) : m_setPoint;
+}
+
 double SimulatedLoop::pass(double target)
 {
     m_measured = measure();
-    const double duty = output(target, m_measured);
+    const double duty = output(follow(target), m_measured);
     turn(duty);
     return duty;
 }

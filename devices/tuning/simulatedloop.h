@@ -20,6 +20,7 @@ struct LoopShape {
     double leastOutput = 0.0;  ///< duty, of any output while the error is more than `goodEnough`
     double goodEnough = 0.0;   ///< within it the output is 0
     bool isCounted = false;    ///< positions are whole counts
+    double setPointRate = 0.0; ///< counts/s, with which the set-point goes to its target; 0: at once
 };
 
 /// The motor of a model in a device's loop, from rest at a value: seconds of it in microseconds. The integral goes on
@@ -29,6 +30,8 @@ public:
     SimulatedLoop(
         Mode loop, const PlantModel &plant, const ContinuousGains &gains, const LoopShape &shape, double from);
 
+    /// Its set-point was left there by what was before.
+    void beginAt(double setPoint) { m_setPoint = setPoint; }
     /// One pass of the loop, and the motor until the next one. Yields the duty.
     double pass(double target);
     /// Of the shaft: counts/s, counts, or A.
@@ -39,6 +42,7 @@ public:
     [[nodiscard]] double current() const { return m_plant.stallCurrent * (m_duty - m_plant.backDuty * m_speed); }
 
 private:
+    [[nodiscard]] double follow(double target);
     [[nodiscard]] double measure();
     [[nodiscard]] double measureByCounts();
     [[nodiscard]] double output(double target, double measured);
@@ -55,6 +59,7 @@ private:
     double m_speed;
     double m_place;
     double m_measured;
+    double m_setPoint;
     double m_duty = 0.0;
     double m_integral = 0.0;
     double m_lastError = 0.0; ///< it begins at rest

@@ -7,6 +7,7 @@
 #include "tuning/gains.h"
 #include "tuning/plateau.h"
 #include "tuning/proof.h"
+#include "tuning/rawstep.h"
 #include "tuning/tunedesign.h"
 
 #include <algorithm>
@@ -58,6 +59,13 @@ double TuneProof::resting() const
     if (report.scale)
         return deadband(report.plant, report.proposed.made);
     return restingError(m_run.device().family(), loop, report.plant, report.proposed.made, hold());
+}
+
+/// Counts/s; 0: targets are steps.
+double TuneProof::profileRate() const
+{
+    const auto &scale = m_run.report().scale;
+    return scale ? scale->rate : 0.0;
 }
 
 double TuneProof::hold() const
@@ -130,6 +138,10 @@ ExperimentPlan TuneProof::planOf(double sign) const
     plan.rest = m_run.report().predicted->shape.windowCounts > 0.0 ? countedRest : 0.0;
     plan.noise = m_run.report().plant.noise;
     plan.gains = inProvingSlot();
+    if (const double rate = profileRate(); rate > 0.0) {
+        m_run.note(say("its own profile leads there at %1 counts/s", rate));
+        leadByProfile(m_run, rate, plan);
+    }
     plan.keep = m_mayStay ? Keep::Always : Keep::Never;
     plan.from = loop == Mode::Position ? std::optional<double>() : 0.0;
     plan.to = target(sign);
@@ -199,6 +211,9 @@ Task<void> TuneProof::keep()
               "back");
     if (const Message story = m_design.story(); !story.empty())
         report.evidence = joined(report.evidence, story);
+    if (const double rate = profileRate(); rate > 0.0)
+        report.evidence = joined(report.evidence,
+            say("the unit's own profile led at %1 counts/s, for a step would draw too much current", rate));
     if (m_mayStay)
         report.evidence
             = joined(report.evidence, say("what was there is not known, and these were not compared with it"));

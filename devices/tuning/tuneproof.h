@@ -24,6 +24,7 @@ public:
     [[nodiscard]] double seconds() const;
 
 private:
+    [[nodiscard]] double profileRate() const;
     [[nodiscard]] double hold() const;
     [[nodiscard]] int repeats() const;
     [[nodiscard]] double target(double sign) const;

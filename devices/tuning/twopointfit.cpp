@@ -13,6 +13,7 @@ constexpr double beforeOrder = 0.1; ///< s of rest that tell where it stood
 constexpr double leastStep = 0.3;   ///< of the trial's
 constexpr double leastWay = 3.0;    ///< counts
 constexpr std::size_t fewestSamples = 8;
+constexpr int stepsOfRamp = 10;
 constexpr double lowestEnd = 0.5;
 constexpr double highestEnd = 1.3;
 constexpr double latest = 0.08;                                 ///< s
@@ -27,13 +28,14 @@ double positive(double logarithm)
 }
 
 /// Fills in what a response leaves over of a run, and tells where the run ends, by linear least squares.
-double leftOver(const LoopRun &run, double drag, double stiffness, double delay, std::vector<double> &left)
+double leftOver(const LoopRun &run, double drag, double stiffness, double lead, double delay, std::vector<double> &left)
 {
     double product = 0.0;
     double square = 0.0;
     std::vector<double> model;
+    const double rise = run.rise();
     for (std::size_t i = 0; i < run.way.size(); ++i) {
-        model.push_back(stepOfSecondOrder(drag, stiffness, run.way.t[i] - delay));
+        model.push_back(rampOfSecondOrder(drag, stiffness, lead, run.way.t[i] - delay, rise));
         product += model.back() * run.way.y[i] / run.step;
         square += model.back() * model.back();
     }
@@ -50,14 +52,14 @@ bool differ(std::span<const LoopRun> runs, double LoopRun::*gain)
     return (*most).*gain > 1.2 * (*least).*gain && (*most).*gain > 0.0;
 }
 
-void addRun(const Trace &position, const Span &span, double target, const Trial &trial, double p, double d,
-    std::vector<LoopRun> &into)
+void addRun(const Trace &position, const Span &span, double origin, double target, const Trial &trial, double p,
+    double d, std::vector<LoopRun> &into)
 {
     const Trace before = position.part(span.from - beforeOrder, span.from);
     if (before.isEmpty())
         return;
     const double stood = median(before.y);
-    LoopRun run{p, d, target - stood, position.part(span.from, span.to, span.from)};
+    LoopRun run{p, d, target - stood, position.part(span.from, span.to, span.from), 0.0, origin - stood};
     for (double &y : run.way.y)
         y -= stood;
     const bool moved = run.way.size() >= fewestSamples && std::abs(run.way.y.back()) >= leastWay;
@@ -91,18 +93,31 @@ double stepOfSecondOrder(double drag, double stiffness, double t)
     return 1.0 - (fast * std::exp(-slow * t) - slow * std::exp(-fast * t)) / (fast - slow);
 }
 
-std::vector<LoopRun> runsOf(const Trial &trial, double p, double d)
+double rampOfSecondOrder(double drag, double stiffness, double lead, double t, double rise)
+{
+    if (rise <= 0.0)
+        return stepOfSecondOrder(drag, stiffness, t);
+    const double led = stepOfSecondOrder(drag, stiffness, t) - stepOfSecondOrder(drag, stiffness, t - rise);
+    double sum = 0.0; // a ramp is many small steps
+    for (int i = 0; i < stepsOfRamp; ++i)
+        sum += stepOfSecondOrder(drag, stiffness, t - rise * (i + 0.5) / stepsOfRamp);
+    return sum / stepsOfRamp + lead * led / rise;
+}
+
+std::vector<LoopRun> runsOf(const Trial &trial, double p, double d, double rate)
 {
     std::vector<LoopRun> runs;
     const Signal *const position = trial.signal("position");
     for (const Span &span : trial.holds) {
         if (position)
-            addRun(position->trace, span, trial.stimulus.to, trial, p, d, runs);
+            addRun(position->trace, span, trial.stimulus.from, trial.stimulus.to, trial, p, d, runs);
     }
     for (const Span &span : trial.returns) {
         if (position)
-            addRun(position->trace, span, trial.stimulus.from, trial, p, d, runs);
+            addRun(position->trace, span, trial.stimulus.to, trial.stimulus.from, trial, p, d, runs);
     }
+    for (LoopRun &run : runs)
+        run.rate = rate;
     return runs;
 }
 
@@ -113,7 +128,9 @@ std::optional<StepFit> fitStep(const LoopRun &run)
         return std::nullopt;
     const Search::Remainder remainder = [&run](const Search::Unknowns &x, std::vector<double> &left) {
         left.clear();
-        (void)leftOver(run, positive(x[0]), positive(x[1]), delayOf(x[2]), left);
+        const double drag = positive(x[0]); // nearly all of it is D
+        const double stiffness = positive(x[1]);
+        (void)leftOver(run, drag, stiffness, drag / stiffness, delayOf(x[2]), left);
     };
     std::optional<Search::Minimum> best;
     for (const double omega : likelyOmegas) {
@@ -124,7 +141,7 @@ std::optional<StepFit> fitStep(const LoopRun &run)
     const double drag = positive(best->values[0]);
     const double omega = std::sqrt(positive(best->values[1]));
     std::vector<double> left;
-    const double end = leftOver(run, drag, omega * omega, delayOf(best->values[2]), left);
+    const double end = leftOver(run, drag, omega * omega, drag / (omega * omega), delayOf(best->values[2]), left);
     return StepFit{omega, drag / (2.0 * omega), end, std::sqrt(best->squares / static_cast<double>(run.way.size()))};
 }
 
@@ -140,8 +157,11 @@ Result<TwoPointFit> fitTwoPoint(std::span<const LoopRun> runs)
         return fail(Fault::OutOfRange, say("steps with one pair of gains only do not tell what each of them does"));
     const Search::Remainder remainder = [runs](const Search::Unknowns &x, std::vector<double> &left) {
         left.clear();
-        for (const LoopRun &run : runs)
-            (void)leftOver(run, positive(x[2]) + positive(x[1]) * run.d, positive(x[0]) * run.p, delayOf(x[3]), left);
+        for (const LoopRun &run : runs) {
+            const double damping = positive(x[1]) * run.d;
+            const double stiffness = positive(x[0]) * run.p;
+            (void)leftOver(run, positive(x[2]) + damping, stiffness, damping / stiffness, delayOf(x[3]), left);
+        }
     };
     const auto first = fitStep(runs.front());
     const double omega = first ? first->omega : likelyOmegas[1];

@@ -4,6 +4,7 @@
 #include "async/result.h"
 #include "tuning/trial.h"
 
+#include <cmath>
 #include <optional>
 #include <span>
 #include <vector>
@@ -16,10 +17,15 @@ struct LoopRun {
     double d = 0.0;
     double step = 0.0; ///< counts from where it stood to its target, sign included
     Trace way;         ///< counts from where it stood; t = 0 at the order
+    double rate = 0.0; ///< counts/s, with which its set-point goes there; 0: at once
+    double from = 0.0; ///< counts from where it stood to where its set-point did
+
+    /// s that its set-point is on its way.
+    [[nodiscard]] double rise() const { return rate > 0.0 ? std::abs(step - from) / rate : 0.0; }
 };
 
 /// The ways of a trial to its target and back, with these gains in force. None for what did not move.
-[[nodiscard]] std::vector<LoopRun> runsOf(const Trial &trial, double p, double d);
+[[nodiscard]] std::vector<LoopRun> runsOf(const Trial &trial, double p, double d, double rate = 0.0);
 
 /// One run as a system of second order.
 struct StepFit {
@@ -51,5 +57,7 @@ constexpr double delayUnit = 0.01;
 
 /// The step response of s² + drag·s + stiffness, from 0 to 1; 0 before its time.
 [[nodiscard]] double stepOfSecondOrder(double drag, double stiffness, double t);
+/// The same to a set-point that needs `rise` s to get there, and of whose speed the loop makes as much as `lead` s of it make.
+[[nodiscard]] double rampOfSecondOrder(double drag, double stiffness, double lead, double t, double rise);
 
 } // namespace mb::tuning

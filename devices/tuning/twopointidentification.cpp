@@ -6,12 +6,15 @@
 #include "tuning/autotunerun.h"
 #include "tuning/envelope.h"
 #include "tuning/figures.h"
+#include "tuning/firstmotion.h"
 #include "tuning/gains.h"
 #include "tuning/loopfit.h"
+#include "tuning/rawstep.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace mb::tuning {
 namespace {
@@ -43,18 +46,26 @@ constexpr double trust = 2.0;            ///< times as quick as what was tried
 constexpr double trustOfLaw = 4.0;       ///< the same where its firmware's law is known
 constexpr double noiseShare = 0.1;       ///< of full output that one count may make through D
 constexpr double cyclesOfDelay = 1.5;
-constexpr double heldMore = 1.15;     ///< times what was seen, that friction may hold
-constexpr double easyFriction = 0.15; ///< of what P makes of a step
-constexpr double mostGrowth = 2.5;    ///< of steps whose output is not known, where friction takes more of them
-constexpr double restShare = 0.8;     ///< of a hold, after which it rests
-constexpr double electrical = 0.5e-3; ///< s
+constexpr double heldMore = 1.15;       ///< times what was seen, that friction may hold
+constexpr double easyFriction = 0.15;   ///< of what P makes of a step
+constexpr double mostGrowth = 2.5;      ///< of steps whose output is not known, where friction takes more of them
+constexpr double restShare = 0.8;       ///< of a hold, after which it rests
+constexpr double shareOfCurrent = 0.7;  ///< of its limit, that P makes a step draw
+constexpr double breakawayOver = 1.4;   ///< times friction, of what was seen to move it
+constexpr double easilyDrawn = 0.6;     ///< of what its current allows, from which on it is led
+constexpr double gentlestP = 12.0;      ///< raw, that its steps are still fine enough of
+constexpr double gentleCounts = 2000.0; ///< of a step that is led
+constexpr double hiddenDrag = 3.0;      ///< times as long as was found, a lag of ways that were led
+constexpr double fastestProfile = 1e6;  ///< counts/s
+constexpr double rateShare = 0.8;       ///< of its current limit, that D makes of a profile that begins
+constexpr double electrical = 0.5e-3;   ///< s
 
 std::string inWhole(double number)
 {
     return numberText(std::round(number));
 }
 
-/// A little, in the last experiment, which counted from where it stood.
+/// By a count at least, in the last experiment, which counted from where it stood.
 bool hasMoved(const AutotuneRun &run)
 {
     const auto position = axisChannel(run.device(), "position", run.plan().axis);
@@ -67,6 +78,18 @@ double roomOf(const AutotuneRun &run)
     return roomShare * run.envelope().travel.value_or(1e9);
 }
 
+/// A step with the gains that it has.
+ExperimentPlan asItIs(const AutotuneRun &run, double counts, double seconds)
+{
+    ExperimentPlan plan;
+    plan.mode = Mode::Position;
+    plan.slot = run.plan().slot;
+    plan.to = counts;
+    plan.seconds = seconds;
+    run.note(say("a step of %1 counts with the gains as they are", std::round(counts)));
+    return plan;
+}
+
 /// Signed P times counts that a run leaves at its end.
 double leftOf(const LoopRun &run)
 {
@@ -74,14 +97,15 @@ double leftOf(const LoopRun &run)
     return (run.step - median(tail.y)) * run.p;
 }
 
-/// When it passed the middle of its way, s after the order; never: when it was last seen.
+/// When it passed the middle of its way, s after its set-point; never: when it was last seen.
 double halfWay(const LoopRun &run)
 {
     for (std::size_t i = 1; i < run.way.size(); ++i) {
         const double before = run.way.y[i - 1] / run.step;
         const double now = run.way.y[i] / run.step;
         if (now >= 0.5 && now > before)
-            return run.way.t[i - 1] + (run.way.t[i] - run.way.t[i - 1]) * (0.5 - before) / (now - before);
+            return run.way.t[i - 1] + (run.way.t[i] - run.way.t[i - 1]) * (0.5 - before) / (now - before)
+                - 0.5 * run.rise();
     }
     return run.way.t.back();
 }
@@ -143,6 +167,11 @@ Task<void> TwoPointIdentification::look(AutotuneRun &run)
     const RawLoop &raw = run.device().family().trials->raw;
     m_known = raw.dialects.find(run.device().identity().dialect) != std::string_view::npos;
     m_full = raw.fullDuty;
+    if (!m_known) {
+        auto moving = findFirstMotion(run, m_stored.p);
+        m_moves = co_await std::move(moving);
+        co_return {};
+    }
     auto beginning = begin(run);
     co_await std::move(beginning);
     co_return {};
@@ -154,15 +183,15 @@ Task<void> TwoPointIdentification::begin(AutotuneRun &run)
 {
     const TrialTraits &traits = *run.device().family().trials;
     for (const double more : moreForce) {
-        const Point point{std::round(more * m_stored.p),
+        const RawGains point{std::round(more * m_stored.p),
             std::round(std::clamp(std::sqrt(more) * m_stored.d, 0.0, std::max(mostRaw, m_stored.d)))};
-        const bool tooMuch = point.p > mostRaw || (m_known && point.p * traits.nudge > tried * m_full);
+        const bool tooMuch = point.p > mostRaw || point.p * traits.nudge > tried * m_full;
         if (more > 1.0 && (tooMuch || !hasMoved(run))) // a dead sensor is not asked with more and more force
             break;
         run.forgive();
-        const double full = m_known ? m_full : trustedCounts / tried * m_stored.p;
-        const double step = std::round(std::max(tried * full / point.p, leastRoom));
-        auto running = run.run(planOf(run, point, std::min(step, roomOf(run)), more > 1.0));
+        const double step = std::round(std::max(tried * m_full / point.p, leastRoom));
+        auto running = run.run(more > 1.0 ? rawStep(run, point, std::min(step, roomOf(run)), m_seconds)
+                                          : asItIs(run, std::min(step, roomOf(run)), m_seconds));
         (void)co_await std::move(running);
         if (run.report().stopReason != toString(Guard::NoMotion))
             break;
@@ -173,6 +202,14 @@ Task<void> TwoPointIdentification::begin(AutotuneRun &run)
     if (run.report().stopReason == toString(Guard::Oscillation))
         run.forgive(); // the gains that swing are what is to be replaced
     co_return {};
+}
+
+/// Raw P times counts that its current allows.
+double TwoPointIdentification::mostDrive(const AutotuneRun &run) const
+{
+    const auto most = run.envelope().current;
+    return most && m_moves.current > 0.0 ? shareOfCurrent * *most / m_moves.current
+                                         : std::numeric_limits<double>::infinity();
 }
 
 Result<void> TwoPointIdentification::choose(const AutotuneRun &run)
@@ -187,6 +224,11 @@ Result<void> TwoPointIdentification::choose(const AutotuneRun &run)
         m_first.p = std::max(std::round(m_stored.p / firmer), 1.0);
         m_first.d = m_stored.d / damper;
         m_drive = firmer * m_first.p * trustedCounts;
+        if (m_drive >= easilyDrawn * mostDrive(run))
+            return chooseGentle(run);
+        const double clear = m_moves.push / breakawayOver / easyFriction;
+        m_grown = clear > m_drive;
+        m_drive = std::min(std::clamp(clear, m_drive, mostGrowth * m_drive), mostDrive(run));
     }
     m_drive = std::min(m_drive, m_first.p * room);
     if (m_drive < firmer * m_first.p * leastRoom)
@@ -199,37 +241,57 @@ Result<void> TwoPointIdentification::choose(const AutotuneRun &run)
     return {};
 }
 
-ExperimentPlan TwoPointIdentification::planOf(const AutotuneRun &run, Point point, double counts, bool writes) const
+/// A motor that draws more than it may long before its output is at its end: P makes less than that of its steps, D less than a tenth of
+/// it of a count, and a profile leads to their ends, for of the edge of a step D makes more than P.
+Result<void> TwoPointIdentification::chooseGentle(const AutotuneRun &run)
 {
-    const Family &family = run.device().family();
-    const LoopGains &loop = *loopOf(family, Mode::Position);
-    ExperimentPlan plan;
-    plan.mode = Mode::Position;
-    plan.slot = run.plan().slot;
-    plan.to = counts;
-    plan.seconds = m_seconds;
-    for (const auto &[name, value] : {std::pair("p", point.p), std::pair("i", 0.0), std::pair("d", point.d)}) {
-        const std::string key = gainKey(family, std::string(loop.prefix) + name, run.plan().axis, run.plan().slot);
-        if (const auto index = findParameter(family.parameters, key); index && writes)
-            plan.gains.push_back({*index, static_cast<std::int64_t>(value)});
-    }
-    run.note(writes
-            ? say("a step of %1 counts with P %2, D %3", std::round(counts), std::round(point.p), std::round(point.d))
-            : say("a step of %1 counts with the gains as they are", std::round(counts)));
-    return plan;
+    const double room = roomOf(run);
+    const double counts = std::min({gentleCounts, room, mostDrive(run) / gentlestP});
+    m_first.p = std::clamp(std::round(mostDrive(run) / counts), 1.0, m_stored.p);
+    m_drive = std::min(mostDrive(run), m_first.p * room);
+    if (const double friction = m_moves.push / breakawayOver; friction > mostFriction * m_drive)
+        return fail(Fault::OutOfRange,
+            say("friction takes %1 of what its current limit and its room allow, at most 60 %",
+                percentText(friction / m_drive)),
+            say("see whether the motor is too strong for this unit"));
+    const double likely = 0.5 * m_stored.d * std::sqrt(m_first.p / m_stored.p);
+    const double strongest = noiseShare * *run.envelope().current / m_moves.current;
+    m_first.d = std::round(std::clamp(std::min(likely, strongest / damper), 1.0, mostRaw / damper));
+    m_isLed = true;
+    chooseRate(run);
+    run.note(say("a step would draw too much current: the unit's own profile leads, at %1 counts/s at most", m_rate));
+    return {};
+}
+
+/// With which what D makes of a profile that begins draws less than the limit.
+void TwoPointIdentification::chooseRate(const AutotuneRun &run)
+{
+    if (!m_isLed)
+        return;
+    const double cycle = run.device().family().trials->raw.cycle;
+    const double drawn = m_moves.current * damper * m_first.d * cycle; // A for 1 count/s
+    m_rate = std::round(
+        std::min(rateShare * *run.envelope().current / drawn, run.envelope().speed.value_or(fastestProfile)));
 }
 
 /// One trial with these gains; it is one of the runs unless the loop swung itself up.
-Task<void> TwoPointIdentification::step(AutotuneRun &run, Point point, double counts)
+Task<void> TwoPointIdentification::step(AutotuneRun &run, RawGains gains, double counts)
 {
-    auto running = run.run(planOf(run, point, counts, true));
+    ExperimentPlan plan = rawStep(run, gains, counts, m_seconds);
+    leadByProfile(run, m_rate, plan);
+    auto running = run.run(std::move(plan));
     Trial trial = co_await std::move(running);
     m_swung = run.report().stopReason == toString(Guard::Oscillation);
     if (m_swung)
         run.forgive();
+    if (run.report().stopReason == toString(Guard::NoMotion) && hasGone(run)) {
+        run.forgive();
+        co_return fail(Fault::Refused, say("friction takes more than half of what P makes of a step"),
+            say("allow more travel, duty or current"));
+    }
     if (run.isOver() || m_swung)
         co_return {};
-    for (LoopRun &seen : runsOf(trial, point.p, point.d))
+    for (LoopRun &seen : runsOf(trial, gains.p, gains.d, m_rate))
         m_runs.push_back(std::move(seen));
     m_trials.push_back(std::move(trial));
     co_return {};
@@ -241,6 +303,7 @@ Task<void> TwoPointIdentification::settle(AutotuneRun &run)
     for (int i = 0; i < mostLooks; ++i) {
         m_runs.clear();
         m_trials.clear();
+        chooseRate(run);
         auto stepping = step(run, m_first, m_drive / m_first.p);
         co_await std::move(stepping);
         if (run.isOver())
@@ -257,12 +320,13 @@ Task<void> TwoPointIdentification::settle(AutotuneRun &run)
         m_seconds = std::clamp(swings / (std::min(fit->zeta, 1.0) * fit->omega), 0.5, 1.5);
         const double held = std::abs(leftOf(m_runs.front())) / m_drive;
         if (!m_known && !m_grown && held > easyFriction) {
-            m_drive = std::min(m_drive * std::min(held / easyFriction, mostGrowth), m_first.p * roomOf(run));
+            m_drive = std::min(
+                {m_drive * std::min(held / easyFriction, mostGrowth), m_first.p * roomOf(run), mostDrive(run)});
             m_grown = true;
             continue;
         }
         const bool swinging = fit->zeta < dampedLeast && m_first.d < mostRaw / damper;
-        const bool creeping = fit->zeta > dampedMost && m_first.d > 1.0;
+        const bool creeping = !m_isLed && fit->zeta > dampedMost && m_first.d > 1.0;
         if (!swinging && !creeping)
             co_return {};
         m_first.d = std::round(
@@ -274,10 +338,10 @@ Task<void> TwoPointIdentification::settle(AutotuneRun &run)
 
 Task<void> TwoPointIdentification::tryAll(AutotuneRun &run)
 {
-    const Point second{std::round(firmer * m_first.p), m_first.d};
-    const Point third{second.p, std::round(damper * m_first.d)};
+    const RawGains second{std::round(firmer * m_first.p), m_first.d};
+    const RawGains third{second.p, std::round(damper * m_first.d)};
     struct Try {
-        Point point;
+        RawGains point;
         double share;
     };
     std::vector<Try> tries{{m_first, -1.0}, {second, 1.0}, {second, -1.0}, {third, 1.0}, {third, -1.0}};
@@ -348,13 +412,17 @@ double TwoPointIdentification::holding() const
 /// What one pass of its loop makes of raw gains: as its firmware has it, or as far as that can be told.
 LoopLaw TwoPointIdentification::lawOf(const AutotuneRun &run, const TwoPointFit &linear) const
 {
-    const double full = m_known ? m_full : m_drive / tried;
+    const double full = m_known ? m_full : std::min(m_drive, trustedCounts * m_stored.p) / tried;
     const double cycle = run.device().family().trials->raw.cycle;
-    const double strongest = std::max(m_known ? noiseShare * full : damper * m_first.d, m_stored.d);
+    const double firmest = damper * m_first.d;
+    const double strongest = m_known ? std::max(noiseShare * full, m_stored.d)
+        : m_isLed                    ? firmest
+                                     : std::max(firmest, m_stored.d);
     const double quickest = 1.0 / ((m_known ? trustOfLaw : trust) * std::sqrt(linear.p * firmer * m_first.p));
     const double i = m_known ? 1.0 / (full * run.device().family().trials->raw.integral * cycle) : 0.0;
-    return {
-        {1.0 / full, m_known ? cycle / full : linear.d / (linear.p * full), cycle, strongest, quickest, i}, m_known};
+    return {{1.0 / full, m_known || m_isLed ? cycle / full : linear.d / (linear.p * full), cycle, strongest, quickest,
+                i, m_rate},
+        m_known};
 }
 
 /// Takes what the steps have told; true where larger ones are to tell it first.
@@ -371,8 +439,19 @@ Task<bool> TwoPointIdentification::conclude(AutotuneRun &run)
     if (fit.residual > mostResidual && enlarge(run))
         co_return true;
     law.scale.d = fit.d;
+    if (m_isLed) // what the linear fit says of runs with a profile is no more than where to begin
+        law.scale.quickest
+            = 1.0 / (trust * std::sqrt(fit.plant.gain / fit.plant.tau * law.scale.p * firmer * m_first.p));
     PlantModel plant = fit.plant;
+    if (m_isLed) { // friction hides what else brakes so short ways: no margin is built on it
+        plant.tau *= hiddenDrag;
+        plant.gain *= hiddenDrag;
+    }
     plant.delay = cyclesOfDelay * law.scale.cycle + electrical;
+    if (run.envelope().current && m_moves.current > 0.0) {
+        plant.stallCurrent = m_moves.current / law.scale.p;
+        plant.backDuty = 1.0 / plant.gain;
+    }
     const auto taken = run.take({motorOf(fit, law), plant, gatesOf(fit), law.scale});
     if (!taken)
         co_return fail(taken.error());

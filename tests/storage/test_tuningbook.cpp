@@ -49,7 +49,7 @@ protected:
         report.simulated = true;
         report.evidence = say("the steps did what was predicted");
         report.plant = {105'000.0, 0.168, 0.052, 0.021};
-        report.scale = TriedScale{1e-4, 2e-5, 1e-3, 40.0, 0.05};
+        report.scale = TriedScale{1e-4, 2e-5, 1e-3, 40.0, 0.05, 3e-6, 31'000.0};
         MotorFound motor;
         motor.pushes.tauError = 0.002;
         motor.line.gainError = 120.0;

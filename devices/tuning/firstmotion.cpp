@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tuning/firstmotion.h"
+
+#include "model/family.h"
+#include "tuning/autotunerun.h"
+#include "tuning/guards.h"
+#include "tuning/rawstep.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mb::tuning {
+namespace {
+
+constexpr double gentlestForce = 8.0; ///< the stored P is so many times the first
+constexpr double firmestForce = 8.0;  ///< times the stored P
+constexpr double nextForce = 1.4;
+constexpr double shortHold = 0.8; ///< s
+constexpr double mostRawP = 30000.0;
+constexpr double tellingCurrent = 0.02; ///< A
+constexpr double turningShare = 0.5;
+constexpr int mostAgain = 2;
+
+/// What stands draws as much as it is pushed for; what turns, less.
+bool isLess(double amperes, double standing)
+{
+    return standing > tellingCurrent && amperes < turningShare * standing;
+}
+
+/// An answer that was lost leaves open whether the move was done, and a place that was missed may look like a start anew: where the motor
+/// was seen stopped, it is looked again from where it stands.
+bool isLossy(const AutotuneRun &run)
+{
+    const SetPointStream::End end = run.stream().end();
+    const bool isLoss = end == SetPointStream::End::DeviceRestarted || end == SetPointStream::End::Refused;
+    return isLoss && run.report().stopped && run.device().liveness().heard;
+}
+
+Task<void> tryForce(AutotuneRun &run, ExperimentPlan plan)
+{
+    for (int again = 0;; ++again) {
+        auto running = run.run(plan);
+        const Result<Trial> ran = co_await std::move(running).attempt();
+        if (ran)
+            co_return {};
+        if (again == mostAgain || !isLossy(run))
+            co_return fail(ran.error());
+        run.note(say("an answer was lost; the same again"));
+        auto reading = run.device().refresh(); // what a restart would have taken
+        co_await std::move(reading);
+    }
+}
+
+} // namespace
+
+Task<FirstMotion> findFirstMotion(AutotuneRun &run, double storedP)
+{
+    const double nudge = run.device().family().trials->nudge;
+    const double most = std::min(firmestForce * storedP, mostRawP);
+    FirstMotion first;
+    for (double p = std::max(std::round(storedP / gentlestForce), 1.0);; p = std::min(std::ceil(nextForce * p), most)) {
+        run.forgive();
+        const DrawnCurrent drawn(run);
+        auto trying = tryForce(run, rawStep(run, {p, 0.0}, -nudge, shortHold));
+        co_await std::move(trying);
+        first.push = p * nudge;
+        const bool isHeld = run.report().stopReason == toString(Guard::NoMotion) && !hasGone(run);
+        const bool isTurning = isHeld && isLess(drawn.last(), first.current * first.push);
+        if (isHeld || first.current == 0.0)
+            first.current = std::max(first.current, drawn.most() / first.push);
+        if (!isHeld || isTurning || p >= most) // a dead sensor is not asked with more and more force
+            break;
+    }
+    const std::string &ending = run.report().stopReason;
+    if (ending == toString(Guard::NoMotion) && !hasGone(run))
+        run.report().evidence
+            = joined(run.report().evidence, say("where it is neither, its gain.p is too small for so short a way"));
+    else if (ending == toString(Guard::NoMotion) || ending == toString(Guard::Oscillation))
+        run.forgive(); // these gains are not for keeping
+    co_return first;
+}
+
+} // namespace mb::tuning
