@@ -17279,5 +17279,37 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>user</source>
         <translation>Benutzer</translation>
     </message>
+    <message>
+        <source>a step would draw too much current: the unit&apos;s own profile leads, at %1 counts/s at most</source>
+        <translation>ein Sprung zöge zu viel Strom: das eigene Profil des Geräts führt, mit höchstens %1 counts/s</translation>
+    </message>
+    <message>
+        <source>allow more travel, duty or current</source>
+        <translation>mehr Weg, Tastgrad oder Strom erlauben</translation>
+    </message>
+    <message>
+        <source>an answer was lost; the same again</source>
+        <translation>eine Antwort ging verloren; dasselbe noch einmal</translation>
+    </message>
+    <message>
+        <source>friction takes %1 of what its current limit and its room allow, at most 60 %</source>
+        <translation>die Reibung nimmt %1 dessen, was Stromgrenze und Weg erlauben, höchstens 60 %</translation>
+    </message>
+    <message>
+        <source>friction takes more than half of what P makes of a step</source>
+        <translation>die Reibung nimmt mehr als die Hälfte dessen, was P aus einem Sprung macht</translation>
+    </message>
+    <message>
+        <source>its own profile leads there at %1 counts/s</source>
+        <translation>sein eigenes Profil führt dorthin, mit %1 counts/s</translation>
+    </message>
+    <message>
+        <source>see whether the motor is too strong for this unit</source>
+        <translation>prüfen, ob der Motor für dieses Gerät zu stark ist</translation>
+    </message>
+    <message>
+        <source>the unit&apos;s own profile led at %1 counts/s, for a step would draw too much current</source>
+        <translation>das eigene Profil des Geräts führte mit %1 counts/s, denn ein Sprung zöge zu viel Strom</translation>
+    </message>
 </context>
 </TS>

@@ -17279,5 +17279,37 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>user</source>
         <translation>usuario</translation>
     </message>
+    <message>
+        <source>a step would draw too much current: the unit&apos;s own profile leads, at %1 counts/s at most</source>
+        <translation>un escalón tomaría demasiada corriente: guía el propio perfil del equipo, a %1 counts/s como máximo</translation>
+    </message>
+    <message>
+        <source>allow more travel, duty or current</source>
+        <translation>permita más recorrido, ciclo o corriente</translation>
+    </message>
+    <message>
+        <source>an answer was lost; the same again</source>
+        <translation>se perdió una respuesta; lo mismo otra vez</translation>
+    </message>
+    <message>
+        <source>friction takes %1 of what its current limit and its room allow, at most 60 %</source>
+        <translation>la fricción toma %1 de lo que permiten su límite de corriente y su recorrido, como máximo 60 %</translation>
+    </message>
+    <message>
+        <source>friction takes more than half of what P makes of a step</source>
+        <translation>la fricción toma más de la mitad de lo que P hace de un escalón</translation>
+    </message>
+    <message>
+        <source>its own profile leads there at %1 counts/s</source>
+        <translation>su propio perfil guía hasta allí, a %1 counts/s</translation>
+    </message>
+    <message>
+        <source>see whether the motor is too strong for this unit</source>
+        <translation>compruebe si el motor es demasiado fuerte para este equipo</translation>
+    </message>
+    <message>
+        <source>the unit&apos;s own profile led at %1 counts/s, for a step would draw too much current</source>
+        <translation>guió el propio perfil del equipo a %1 counts/s, pues un escalón tomaría demasiada corriente</translation>
+    </message>
 </context>
 </TS>

@@ -17279,5 +17279,37 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>user</source>
         <translation>utilisateur</translation>
     </message>
+    <message>
+        <source>a step would draw too much current: the unit&apos;s own profile leads, at %1 counts/s at most</source>
+        <translation>un échelon tirerait trop de courant&#xa0;: le profil de l’appareil lui-même guide, à %1 counts/s au plus</translation>
+    </message>
+    <message>
+        <source>allow more travel, duty or current</source>
+        <translation>autorisez plus de course, de rapport cyclique ou de courant</translation>
+    </message>
+    <message>
+        <source>an answer was lost; the same again</source>
+        <translation>une réponse a été perdue&#x202f;; la même chose encore une fois</translation>
+    </message>
+    <message>
+        <source>friction takes %1 of what its current limit and its room allow, at most 60 %</source>
+        <translation>le frottement prend %1 de ce que permettent sa limite de courant et sa course, au plus 60 %</translation>
+    </message>
+    <message>
+        <source>friction takes more than half of what P makes of a step</source>
+        <translation>le frottement prend plus de la moitié de ce que P tire d’un échelon</translation>
+    </message>
+    <message>
+        <source>its own profile leads there at %1 counts/s</source>
+        <translation>son propre profil y mène, à %1 counts/s</translation>
+    </message>
+    <message>
+        <source>see whether the motor is too strong for this unit</source>
+        <translation>vérifiez si le moteur est trop puissant pour cet appareil</translation>
+    </message>
+    <message>
+        <source>the unit&apos;s own profile led at %1 counts/s, for a step would draw too much current</source>
+        <translation>le profil de l’appareil lui-même guidait à %1 counts/s, car un échelon tirerait trop de courant</translation>
+    </message>
 </context>
 </TS>

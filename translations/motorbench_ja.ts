@@ -17265,5 +17265,37 @@ double click plots it, drag it to a pane or below them</source>
         <source>user</source>
         <translation>ユーザ</translation>
     </message>
+    <message>
+        <source>a step would draw too much current: the unit&apos;s own profile leads, at %1 counts/s at most</source>
+        <translation>ステップでは電流が大きくなりすぎるため、機器自身のプロファイルが最大 %1 counts/s で導きます</translation>
+    </message>
+    <message>
+        <source>allow more travel, duty or current</source>
+        <translation>移動量、デューティまたは電流の許容値を上げてください</translation>
+    </message>
+    <message>
+        <source>an answer was lost; the same again</source>
+        <translation>応答が一つ失われたため、やり直します</translation>
+    </message>
+    <message>
+        <source>friction takes %1 of what its current limit and its room allow, at most 60 %</source>
+        <translation>摩擦が、電流制限と移動量の許す出力の %1 を占めています (最大 60 %)</translation>
+    </message>
+    <message>
+        <source>friction takes more than half of what P makes of a step</source>
+        <translation>摩擦がステップに対する P の出力の半分以上を占めています</translation>
+    </message>
+    <message>
+        <source>its own profile leads there at %1 counts/s</source>
+        <translation>機器自身のプロファイルが %1 counts/s で目標へ導きます</translation>
+    </message>
+    <message>
+        <source>see whether the motor is too strong for this unit</source>
+        <translation>モーターがこの機器には強すぎないか確認してください</translation>
+    </message>
+    <message>
+        <source>the unit&apos;s own profile led at %1 counts/s, for a step would draw too much current</source>
+        <translation>ステップでは電流が大きくなりすぎるため、機器自身のプロファイルが %1 counts/s で導きました</translation>
+    </message>
 </context>
 </TS>

@@ -17265,5 +17265,37 @@ double click plots it, drag it to a pane or below them</source>
         <source>user</source>
         <translation>用户</translation>
     </message>
+    <message>
+        <source>a step would draw too much current: the unit&apos;s own profile leads, at %1 counts/s at most</source>
+        <translation>阶跃会消耗过大的电流：由设备自身的轮廓引导，最高 %1 counts/s</translation>
+    </message>
+    <message>
+        <source>allow more travel, duty or current</source>
+        <translation>允许更大行程、占空比或电流</translation>
+    </message>
+    <message>
+        <source>an answer was lost; the same again</source>
+        <translation>丢失了一个应答；再来一次</translation>
+    </message>
+    <message>
+        <source>friction takes %1 of what its current limit and its room allow, at most 60 %</source>
+        <translation>摩擦占去电流限值和行程所允许的输出的 %1，最多允许 60 %</translation>
+    </message>
+    <message>
+        <source>friction takes more than half of what P makes of a step</source>
+        <translation>摩擦占去 P 由阶跃产生的输出的一半以上</translation>
+    </message>
+    <message>
+        <source>its own profile leads there at %1 counts/s</source>
+        <translation>由其自身的轮廓以 %1 counts/s 引导到位</translation>
+    </message>
+    <message>
+        <source>see whether the motor is too strong for this unit</source>
+        <translation>检查电机对此设备而言是否过强</translation>
+    </message>
+    <message>
+        <source>the unit&apos;s own profile led at %1 counts/s, for a step would draw too much current</source>
+        <translation>由设备自身的轮廓以 %1 counts/s 引导，因为阶跃会消耗过大的电流</translation>
+    </message>
 </context>
 </TS>

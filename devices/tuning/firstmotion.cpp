@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mb::tuning {
 namespace {
@@ -18,13 +19,13 @@ constexpr double nextForce = 1.4;
 constexpr double shortHold = 0.8; ///< s
 constexpr double mostRawP = 30000.0;
 constexpr double tellingCurrent = 0.02; ///< A
-constexpr double turningShare = 0.5;
+constexpr double turningShare = 0.75;
 constexpr int mostAgain = 2;
 
-/// What stands draws as much as it is pushed for; what turns, less.
-bool isLess(double amperes, double standing)
+/// What stands draws as much to the end as it is pushed for; what turns, less and less.
+bool hasFallen(const DrawnCurrent &drawn)
 {
-    return standing > tellingCurrent && amperes < turningShare * standing;
+    return drawn.most() > tellingCurrent && drawn.last() < turningShare * drawn.most();
 }
 
 /// An answer that was lost leaves open whether the move was done, and a place that was missed may look like a start anew: where the motor
@@ -57,6 +58,7 @@ Task<FirstMotion> findFirstMotion(AutotuneRun &run, double storedP)
 {
     const double nudge = run.device().family().trials->nudge;
     const double most = std::min(firmestForce * storedP, mostRawP);
+    const double allowed = run.envelope().current.value_or(std::numeric_limits<double>::infinity());
     FirstMotion first;
     for (double p = std::max(std::round(storedP / gentlestForce), 1.0);; p = std::min(std::ceil(nextForce * p), most)) {
         run.forgive();
@@ -65,10 +67,11 @@ Task<FirstMotion> findFirstMotion(AutotuneRun &run, double storedP)
         co_await std::move(trying);
         first.push = p * nudge;
         const bool isHeld = run.report().stopReason == toString(Guard::NoMotion) && !hasGone(run);
-        const bool isTurning = isHeld && isLess(drawn.last(), first.current * first.push);
+        const bool isTurning = isHeld && hasFallen(drawn);
         if (isHeld || first.current == 0.0)
             first.current = std::max(first.current, drawn.most() / first.push);
-        if (!isHeld || isTurning || p >= most) // a dead sensor is not asked with more and more force
+        const bool isStrongest = p >= most || nextForce * first.push * first.current > allowed;
+        if (!isHeld || isTurning || isStrongest) // a dead sensor is not asked with more and more force
             break;
     }
     const std::string &ending = run.report().stopReason;

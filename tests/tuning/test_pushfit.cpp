@@ -13,20 +13,20 @@ namespace mb::tuning {
 namespace {
 
 constexpr double fineFit = 0.0005;
-constexpr double load = 7.0;
+constexpr double loadFactor = 7.0;
 
 /// Of this motor at 25 °C, at a duty.
 double lagOf(const MotorParameters &motor, double duty, double supply)
 {
     const double kept = motor.constant * (1.0 - motor.torqueLoss);
     const double resistance = motor.resistance + 0.005 + duty * duty * supply;
-    return resistance * motor.inertia * load / kept / (motor.constant + resistance * motor.viscosity / kept);
+    return resistance * motor.inertia * loadFactor / kept / (motor.constant + resistance * motor.viscosity / kept);
 }
 
 /// Pushes of two sizes both ways, twice each, each braked to a stop before the next; one motor makes them all.
 std::vector<PushRecord> pushesOf(const MotorParameters &parameters, double supply, double seconds)
 {
-    MotorModel motor(parameters, load, MotorSupply{12.0, supply, 0.005});
+    MotorModel motor(parameters, loadFactor, MotorSupply{12.0, supply, 0.005});
     std::vector<PushRecord> records;
     double heat = 0.0;
     for (int i = 0; i < 8; ++i) {

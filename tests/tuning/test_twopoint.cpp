@@ -211,7 +211,7 @@ TEST(TwoPointTuning, KeepsMostGearedMotorsOfEveryDialectAndChangesNothingOfTheOt
         }
     }
     std::printf("  kept %d of %d\n", kept, all);
-    EXPECT_GE(kept, 25);
+    EXPECT_EQ(kept, 27);
 }
 
 TEST(TwoPointTuning, AStalledShaftOrAWrongSensorStopsItAndTheGainsStay)
