@@ -6,8 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace mb::dmc60c {
 namespace {
@@ -145,6 +148,53 @@ TEST(Dmc60cDecode, DataHasAsManyFieldsAsTheFrameHasBytes)
         EXPECT_EQ(decoded->fields.back().name, "byte" + std::to_string(size - 1));
         EXPECT_EQ(decoded->fields.back().value, 0x77);
     }
+}
+
+/// The two decoders of a general status: what the program acts on, and what the monitor shows.
+TEST(Dmc60cDecode, EveryFlagOfAGeneralStatusIsOneBitForBothDecoders)
+{
+    const std::vector<std::pair<std::string_view, std::function<bool(const StatusGeneral &)>>> flags{
+        {"fFwdLimitPin", [](const auto &s) { return s.forward.pin; }},
+        {"fFwdLimitHit", [](const auto &s) { return s.forward.hit; }},
+        {"fFwdLimitDisabled", [](const auto &s) { return s.forward.disabled; }},
+        {"fFwdLimitNormalClosed", [](const auto &s) { return s.forward.normallyClosed; }},
+        {"fRevLimitPin", [](const auto &s) { return s.reverse.pin; }},
+        {"fRevLimitHit", [](const auto &s) { return s.reverse.hit; }},
+        {"fRevLimitDisabled", [](const auto &s) { return s.reverse.disabled; }},
+        {"fRevLimitNormalClosed", [](const auto &s) { return s.reverse.normallyClosed; }},
+        {"fFwdRevLimitOverride", [](const auto &s) { return s.limitOverride; }},
+        {"fFwdLimitDisableOvrd", [](const auto &s) { return s.forwardDisabledByFrame; }},
+        {"fRevLimitDisableOvrd", [](const auto &s) { return s.reverseDisabledByFrame; }},
+        {"fSoftFwdLimitHit", [](const auto &s) { return s.softForwardHit; }},
+        {"fSoftFwdLimitEnabled", [](const auto &s) { return s.softForwardEnabled; }},
+        {"fSoftRevLimitHit", [](const auto &s) { return s.softReverseHit; }},
+        {"fSoftRevLimitEnabled", [](const auto &s) { return s.softReverseEnabled; }},
+        {"fCurrentLimitActive", [](const auto &s) { return s.currentLimitActive; }},
+        {"fOverTempFault", [](const auto &s) { return s.overTemperature; }},
+        {"fUnderVoltageFault", [](const auto &s) { return s.underVoltage; }},
+        {"fGateDriverFault", [](const auto &s) { return s.gateDriver; }}};
+    for (std::size_t bit = 0; bit < flags.size(); ++bit) {
+        CanFrame frame = decodedFrame("02061405#0000000000000000");
+        frame.data[2 + bit / 8] = static_cast<std::uint8_t>(1U << bit % 8);
+        const auto status = decodeStatusGeneral(frame);
+        const auto shown = decodeCan(frame, {});
+        ASSERT_TRUE(status && shown);
+        for (std::size_t other = 0; other < flags.size(); ++other) {
+            EXPECT_EQ(flags[other].second(*status), other == bit) << flags[other].first << " of bit " << bit;
+            const auto field = std::find_if(shown->fields.begin(), shown->fields.end(),
+                [&](const DecodedField &f) { return f.name == flags[other].first; });
+            ASSERT_NE(field, shown->fields.end()) << flags[other].first;
+            EXPECT_EQ(field->value, other == bit ? 1.0 : 0.0) << flags[other].first << " of bit " << bit;
+        }
+        EXPECT_EQ(status->mode, ControlMode{0});
+        EXPECT_FALSE(status->errorDivided);
+    }
+    CanFrame divided = decodedFrame("02061405#0000000080010000");
+    EXPECT_TRUE(decodeStatusGeneral(divided)->errorDivided);
+    EXPECT_EQ(decodeStatusGeneral(divided)->error, 256);
+    divided.data[4] = 0;
+    EXPECT_FALSE(decodeStatusGeneral(divided)->errorDivided);
+    EXPECT_EQ(decodeStatusGeneral(divided)->error, 1);
 }
 
 TEST(Dmc60cDecode, AParameterThatNobodyKnowsIsAWholeNumberWithoutUnit)

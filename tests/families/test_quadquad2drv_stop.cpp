@@ -154,6 +154,22 @@ TEST_F(QuadQuad2DrvStop, IsSentAtOnceAndAskedUntilItIsAnsweredTwice)
     EXPECT_TRUE(device->isSeenStopped());
 }
 
+TEST_F(QuadQuad2DrvStop, IsSeenOnlyWhereItWasAnsweredAndTheMotorIsHeardSince)
+{
+    bench.clock.advance(500ms);
+    ASSERT_TRUE(device->liveness().heard);
+    EXPECT_FALSE(device->isSeenStopped()) << "nobody has stopped it";
+    ASSERT_TRUE(stream->start(duty(0.3), 10s));
+    bench.clock.advance(200ms);
+    stream->stop();
+    EXPECT_FALSE(device->isSeenStopped()) << "it is on its way";
+    bench.clock.advance(2s);
+    EXPECT_TRUE(device->isSeenStopped());
+    bench.link->close();
+    bench.clock.advance(1s);
+    EXPECT_FALSE(device->isSeenStopped()) << "nobody sees it any more";
+}
+
 TEST_F(QuadQuad2DrvStop, TwoAnswersThatAreNotInARowAreNoProof)
 {
     ASSERT_TRUE(stream->start(duty(0.3), 10s));

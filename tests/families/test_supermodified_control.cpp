@@ -452,6 +452,27 @@ TEST(SupermodifiedControl, CurrentIsACountUntilTheUserSaysWhatItIsWorth)
     EXPECT_NEAR(raw->telemetry()->latest(current)->value, counts * 0.01, 0.5 * counts * 0.01);
 }
 
+TEST_F(SupermodifiedNode, AStopPassesWhatSomebodyElseHasQueuedOnThePort)
+{
+    ASSERT_TRUE(device->command(setPoint(Mode::Duty, 0.0)) || device->command(setPoint(Mode::Velocity, 500.0)));
+    bench.clock.advance(1s);
+    ASSERT_TRUE(node.isOutputOn());
+    VirtualSerialLink ear(*LinkAddress::parse("sim:serial"), bench.line);
+    ASSERT_TRUE(ear.open());
+    ASSERT_TRUE(ear.setBaudrate(bench.host.baudrate()));
+    std::vector<std::uint8_t> wire;
+    const Subscription hearing = ear.received().add(
+        [&wire](std::span<const std::uint8_t> bytes) { wire.insert(wire.end(), bytes.begin(), bytes.end()); });
+    const std::vector<std::uint8_t> filler(200, 0xFF);
+    for (int i = 0; i < 3; ++i)
+        ASSERT_TRUE(bench.host.send(filler));
+    device->stop();
+    const auto stop = uartBytes(request(4, usualHostId, Command::Stop));
+    const auto found = [&] { return std::search(wire.begin(), wire.end(), stop.begin(), stop.end()); };
+    ASSERT_TRUE(bench.clock.runUntil([&] { return found() != wire.end(); }, 2s));
+    EXPECT_LT(std::count(wire.begin(), found(), 0xFF), 300) << "two of three blocks are behind it";
+}
+
 TEST_F(SupermodifiedNode, ItsStopScriptStopsARunningNode)
 {
     order(setPoint(Mode::Velocity, 2000.0), 300ms);

@@ -39,10 +39,9 @@ TEST(ByteLog, ReadsEveryDigitInBothPlaces)
 
 TEST(ByteLog, TakesNothingElse)
 {
-    for (const char *text :
-        {"", "()", "(1.5) ttyUSB0 tx", "(1.5) ttyUSB0 tx 5", "(1.5) ttyUSB0 tx 5G", "(1.5) ttyUSB0 tx G5",
-            "(1.5) ttyUSB0 tx 55 555", "(1.5) ttyUSB0 tx 55 g5", "(1.5) ttyUSB0 up 55",
-            "(x) ttyUSB0 tx 55", "(1.5) can0 123#55", "1.5 ttyUSB0 tx 55", "(1.5) ttyUSB0 tx 5 5", "(1.5)  ",
-            "x1.5) ttyUSB0 tx 55", "(1.5) tty\x1FUSB0 tx 55", "(1.5) tty\x7FUSB0 tx 55"})
+    for (const char *text : {"", "()", "(1.5) ttyUSB0 tx", "(1.5) ttyUSB0 tx 5", "(1.5) ttyUSB0 tx 5G",
+             "(1.5) ttyUSB0 tx G5", "(1.5) ttyUSB0 tx 55 555", "(1.5) ttyUSB0 tx 55 g5", "(1.5) ttyUSB0 up 55",
+             "(x) ttyUSB0 tx 55", "(1.5) can0 123#55", "1.5 ttyUSB0 tx 55", "(1.5) ttyUSB0 tx 5 5", "(1.5)  ",
+             "x1.5) ttyUSB0 tx 55", "(1.5) tty\x1FUSB0 tx 55", "(1.5) tty\x7FUSB0 tx 55"})
         EXPECT_FALSE(parseByteLine(text)) << text;
 }

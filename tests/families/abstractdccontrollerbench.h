@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "abstractdcbench.h"
+#include "families/abstractdc/scan.h"
+#include "families/abstractdc/setpoints.h"
+#include "model/setpointstream.h"
+#include "support/simulatedsession.h"
+
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace mb::abstractdc {
+
+class AbstractDcController : public Drives {
+protected:
+    using Drives::Drives;
+    Device &open(int offset, const Dialect *dialect)
+    {
+        device = family.open(host, clock, identityOf(offset, dialect));
+        sentTap = host.traffic().add([this](const Traffic &traffic) {
+            if (traffic.direction == Direction::Sent)
+                sent.push_back(toText(*traffic.can));
+        });
+        clock.advance(500ms);
+        sent.clear();
+        return *device;
+    }
+    ParameterIndex index(std::string_view key) const { return *findParameter(family.parameters, key); }
+    ChannelIndex channel(std::string_view key) const { return *findChannel(family.channels, key); }
+    Result<std::int64_t> write(std::string_view key, std::int64_t raw)
+    {
+        return test::run(clock, device->write(index(key), raw));
+    }
+    static SetPoint setPoint(Mode mode, double target)
+    {
+        SetPoint s;
+        s.mode = mode;
+        s.target = target;
+        return s;
+    }
+    [[nodiscard]] std::vector<std::string> sentOf(const std::string &prefix) const
+    {
+        std::vector<std::string> all;
+        for (const std::string &frame : sent) {
+            if (frame.starts_with(prefix))
+                all.push_back(frame);
+        }
+        return all;
+    }
+    double latest(std::string_view key) const
+    {
+        const auto point = device->telemetry()->latest(channel(key));
+        return point ? point->value : std::nan("");
+    }
+    std::unique_ptr<Device> device;
+    std::vector<std::string> sent;
+    Subscription sentTap;
+};
+
+} // namespace mb::abstractdc

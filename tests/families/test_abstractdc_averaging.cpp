@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The averaging of the current: a drive whose averaging was lowered may overwrite its memory until it is switched off and on.
+#include "abstractdccontrollerbench.h"
+
+namespace mb::abstractdc {
+namespace {
+
+void powerCycle(Simulator &drive, VirtualClock &clock)
+{
+    drive.setPowered(false);
+    clock.advance(500ms);
+    drive.setPowered(true);
+    clock.advance(1s);
+}
+
+TEST_F(AbstractDcController, AveragingIsNotLoweredWhileTheMotorIsDrivenNorWhileItMerelyTurns)
+{
+    Simulator &drive = add("abstractdc:3");
+    open(3, &dialectF);
+    ASSERT_TRUE(device->command(setPoint(Mode::Duty, 0.5)));
+    clock.advance(1s);
+    EXPECT_EQ(write("current.averaging", 50).error().fault, Fault::Unsafe) << "driven, and it turns";
+    EXPECT_TRUE(sentOf("0CB").empty());
+    device->stop();
+    clock.advance(5s);
+    ASSERT_TRUE(drive.disturb("load-torque", -5.0));
+    clock.advance(500ms);
+    ASSERT_GT(std::abs(drive.speed()), 100.0) << "something else turns it";
+    EXPECT_EQ(write("current.averaging", 50).error().fault, Fault::Unsafe) << "nobody drives it, and it turns";
+    EXPECT_TRUE(sentOf("0CB").empty());
+    ASSERT_TRUE(drive.disturb("load-torque", 0.0));
+    clock.advance(20s);
+    EXPECT_TRUE(write("current.averaging", 50));
+    EXPECT_FALSE(sentOf("0CB").empty());
+}
+
+TEST_F(AbstractDcController, AveragingIsNotLoweredWhileADrivenMotorStandsStill)
+{
+    Simulator &drive = add("abstractdc:3");
+    open(3, &dialectF);
+    ASSERT_TRUE(drive.disturb("stall", 1.0));
+    ASSERT_TRUE(device->command(setPoint(Mode::Duty, 0.1)));
+    clock.advance(2s);
+    EXPECT_EQ(write("current.averaging", 50).error().fault, Fault::Unsafe);
+    EXPECT_TRUE(sentOf("0CB").empty());
+}
+
+TEST_F(AbstractDcController, ALoweredAveragingNeedsTheDriveSwitchedOffOnce)
+{
+    Simulator &drive = add("abstractdc:3");
+    open(3, &dialectF);
+    ASSERT_TRUE(write("current.averaging", 500));
+    ASSERT_TRUE(write("current.averaging", 10));
+    EXPECT_FALSE(device->mayMove());
+    powerCycle(drive, clock);
+    EXPECT_TRUE(device->mayMove());
+    ASSERT_TRUE(write("current.averaging", 60)) << "raising is harmless";
+    EXPECT_TRUE(device->mayMove());
+}
+
+TEST_F(AbstractDcController, AnAveragingThatNobodyKnowsIsTakenForAGreaterOne)
+{
+    Simulator &drive = add("abstractdc:3");
+    open(3, &dialectF);
+    ASSERT_TRUE(write("current.averaging", 50));
+    EXPECT_EQ(sentOf("0CB").back(), "0CB#02") << "saved, so that it is in force after the power cycle";
+    EXPECT_NE(device->mayMove().error().text().find("switch it off"), std::string::npos);
+    powerCycle(drive, clock);
+    EXPECT_TRUE(device->mayMove());
+}
+
+TEST_F(AbstractDcController, AnotherRunOfTheProgramKnowsThatThePowerCycleIsOwed)
+{
+    Simulator &drive = add("abstractdc:3");
+    open(3, &dialectF);
+    ASSERT_TRUE(write("current.averaging", 50));
+    const DeviceProfile kept = device->knowledge().profile();
+    open(3, &dialectF);
+    EXPECT_TRUE(device->mayMove());
+    device->knowledge().setProfile(kept);
+    EXPECT_FALSE(device->mayMove());
+    powerCycle(drive, clock);
+    EXPECT_TRUE(device->mayMove());
+    EXPECT_NE(device->knowledge().profile(), kept) << "to be kept";
+}
+
+TEST_F(AbstractDcController, ACableThatWasOutIsNoPowerCycle)
+{
+    add("abstractdc:3");
+    open(3, &dialectF);
+    ASSERT_TRUE(device->command(setPoint(Mode::Duty, 0.3)));
+    clock.advance(2s);
+    device->stop();
+    clock.advance(2s);
+    ASSERT_TRUE(write("current.averaging", 50));
+    bus.setLoss(1.0);
+    clock.advance(2s);
+    ASSERT_FALSE(device->liveness().heard);
+    bus.setLoss(0.0);
+    clock.advance(2s);
+    ASSERT_TRUE(device->liveness().heard);
+    EXPECT_FALSE(device->mayMove());
+}
+
+TEST(AbstractDcTargetLead, ADutyIsLedFromWhereItWasAsFastAsItsRampSays)
+{
+    TargetLead lead;
+    const Instant begin = Instant{} + 1s;
+    const Command full{Loop::Direct, 255};
+    EXPECT_EQ(lead.next(full, 1.0, {}, 0.0, begin), 5) << "255 a second, of the first 20 ms";
+    EXPECT_EQ(lead.next(full, 1.0, {}, 0.0, begin + 100ms), 31);
+    EXPECT_EQ(lead.next({Loop::Direct, -255}, 1.0, {}, 0.0, begin + 200ms), 5) << "downwards too";
+    EXPECT_EQ(lead.next({Loop::Direct, -255}, 1.0, {}, 0.0, begin + 300ms), -20);
+    EXPECT_EQ(lead.next({Loop::Direct, -21}, 1.0, {}, 0.0, begin + 400ms), -21) << "not beyond its target";
+    EXPECT_EQ(lead.next(full, 1.0, {}, 0.0, begin + 400ms), -20) << "at least one";
+    EXPECT_EQ(lead.next(full, 0.0, {}, 0.0, begin + 500ms), 82) << "four full ranges a second where nobody says";
+    lead.reset();
+    EXPECT_EQ(lead.next(full, 0.0, {}, 0.0, begin + 600ms), 20) << "from nothing again";
+}
+
+TEST(AbstractDcTargetLead, ALoopIsNeverFurtherAheadOfItsFeedbackThanIsSafe)
+{
+    TargetLead lead;
+    const Instant begin = Instant{} + 1s;
+    const Command far{Loop::Position, 1000};
+    EXPECT_EQ(lead.next(far, 0.0, 100.0, 50.0, begin), 150);
+    EXPECT_EQ(lead.next(far, 0.0, 120.0, 50.0, begin), 170);
+    EXPECT_EQ(lead.next(far, 0.0, {}, 50.0, begin), 220) << "from the last target where nothing is known";
+    EXPECT_EQ(lead.next({Loop::Position, -1000}, 0.0, 100.0, 50.0, begin), 50);
+    EXPECT_EQ(lead.next({Loop::Position, 110}, 0.0, 100.0, 50.0, begin), 110);
+    EXPECT_EQ(lead.next({Loop::Velocity, 1000}, 0.0, {}, 30.0, begin), 30) << "another loop begins at nothing";
+    EXPECT_EQ(lead.next({Loop::Direct, 255}, 1.0, {}, 0.0, begin + 10s), 5) << "and so does a duty";
+    EXPECT_EQ(lead.next({Loop::Velocity, 1000}, 0.0, {}, 30.0, begin + 10s), 30);
+}
+
+TEST_F(AbstractDcController, APositionThatWasNotAnsweredCountsAsLostAndNothingElseDoes)
+{
+    add("abstractdc:3");
+    open(3, &dialectF);
+    device->telemetry()->commit();
+    ASSERT_EQ(device->telemetry()->lost(channel("position")), 0U);
+    bus.setLoss(1.0);
+    clock.advance(300ms);
+    bus.setLoss(0.0);
+    clock.advance(100ms);
+    device->telemetry()->commit();
+    EXPECT_GE(device->telemetry()->lost(channel("position")), 1U);
+    EXPECT_EQ(device->telemetry()->lost(channel("velocity")), 0U);
+}
+
+} // namespace
+} // namespace mb::abstractdc
