@@ -84,6 +84,39 @@ TEST_F(OutputFileTest, LeavesTheOldFileWithoutCommit)
     EXPECT_EQ(files(), 1);
 }
 
+TEST_F(OutputFileTest, HoldsNoDescriptorOnceItIsDoneOrGivenUp)
+{
+    const auto open = [] { return std::distance(fs::directory_iterator("/proc/self/fd"), fs::directory_iterator()); };
+    const auto before = open();
+    for (int i = 0; i < 10; ++i) {
+        OutputFile given(path("given up"));
+        ASSERT_TRUE(given.open());
+        given.write("x");
+    }
+    EXPECT_EQ(open(), before);
+    ASSERT_TRUE(writeFile(path("done"), "x"));
+    ASSERT_FALSE(writeFile("/dev/full", "x"));
+    EXPECT_EQ(open(), before);
+    EXPECT_EQ(files(), 1);
+}
+
+TEST_F(OutputFileTest, WritesManyAtOnceUnderNamesOfTheirOwn)
+{
+    const std::string target = path("same");
+    OutputFile first(target);
+    OutputFile second(target);
+    ASSERT_TRUE(first.open());
+    ASSERT_TRUE(second.open());
+    first.write("first");
+    second.write("second");
+    EXPECT_EQ(files(), 2);
+    ASSERT_TRUE(first.commit());
+    EXPECT_EQ(read(target), "first");
+    ASSERT_TRUE(second.commit());
+    EXPECT_EQ(read(target), "second") << "the later one";
+    EXPECT_EQ(files(), 1);
+}
+
 TEST_F(OutputFileTest, KeepsTheModeOfTheOldFile)
 {
     const std::string old = make("secret", "old");

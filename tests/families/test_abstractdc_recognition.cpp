@@ -48,6 +48,8 @@ TEST(AbstractDcRecognition, TellsEveryDialectByAQuestionAndTheIdentifierOfItsAns
     EXPECT_EQ(Bus().exchange("389#03", "505#00020000"), "+5 D") << "current on 1285, by the document's code";
     EXPECT_EQ(Bus().exchange("322#00", "44E#00000000"), "+2 LL") << "asked on 802, answered on 1102";
     EXPECT_EQ(Bus().exchange("384#00", "480#00000000"), "+0 F") << "900 is offset 0, too";
+    EXPECT_EQ(Bus().exchange("3E7#00", "4E3#00000000"), "+99 F") << "999 is the last offset";
+    EXPECT_EQ(Bus().exchange("320#00", "44C#00000000"), "+0 LL") << "800 is the first of the oldest";
 }
 
 TEST(AbstractDcRecognition, KnowsTheOffsetOnlyWhereSeveralDialectsAnswerAlike)

@@ -76,6 +76,23 @@ TEST_F(Dmc60cController, DoesNotMoveToANumberThatIsTaken)
     EXPECT_EQ(run(device->renumber(64)).error().fault, Fault::OutOfRange);
 }
 
+TEST_F(Dmc60cController, ANumberIsAskedForTwiceBeforeItCountsAsFree)
+{
+    unit.answer(enumeration, {{}, {"0206F007#010003012060"}}, 7ms);
+    EXPECT_EQ(run(device->renumber(7)).error().fault, Fault::Refused) << "the first answer may be lost";
+    EXPECT_EQ(unit.count(enumeration), 2);
+    EXPECT_EQ(unit.count(setNumber7), 0);
+}
+
+TEST_F(Dmc60cController, MovesToTheFirstNumberAndToTheLast)
+{
+    for (const auto &[number, order] : {std::pair{1, "0206FC05#3412010001000000"}, {63, "0206FC05#341201003F000000"}}) {
+        EXPECT_FALSE(run(device->renumber(number))) << "nobody answers there";
+        EXPECT_GE(unit.count(order), 1) << number;
+    }
+    EXPECT_TRUE(run(device->renumber(5))) << "it has that one";
+}
+
 TEST_F(Dmc60cController, AnAssignedUnitMayMove)
 {
     Identity unassigned = identityOf5();

@@ -391,6 +391,17 @@ TEST(Dmc60cUpdate, NeverReportsSuccessWhenTheUnitVanishesBeforeItsVersionIsRead)
     EXPECT_EQ(report->to, "");
 }
 
+TEST(Dmc60cUpdate, AnotherWayInIsRefusedWhicheverPartOfItIsNamed)
+{
+    for (const auto &[via, target] : {std::pair{"openocd:stlink", ""}, {"", "dmc60c"}, {"openocd:stlink", "dmc60c"}}) {
+        Dmc60cUpdateBench bench("dmc60c:5");
+        const auto report = bench.update(smallImage(), {.dryRun = false, .force = true, .via = via, .target = target});
+        ASSERT_FALSE(report) << via << target;
+        EXPECT_EQ(report.error().fault, Fault::Unsupported);
+        EXPECT_TRUE(bench.pagesWritten().empty());
+    }
+}
+
 TEST(Dmc60cUpdate, CancellingAtAnyMomentLeavesNoListener)
 {
     Dmc60cUpdateBench bench("dmc60c:5");

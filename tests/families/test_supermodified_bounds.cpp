@@ -221,6 +221,11 @@ TEST_F(SupermodifiedBoundsNode, WhatIsFastOrStoredIsSaidBeforehand)
     EXPECT_NE(both.find("profile.velocity becomes 2501, it was 800"), std::string::npos) << both;
     EXPECT_NE(both.find("may pass the target"), std::string::npos) << both;
     EXPECT_EQ(device->caution(setPoint(Mode::Velocity, 3000.0)), "");
+    const std::string slower = device->caution(ramp(100.0, 2500.0, 800.0)).english();
+    EXPECT_NE(slower.find("profile.velocity becomes 2500, it was 800"), std::string::npos) << slower;
+    EXPECT_EQ(slower.find("may pass the target"), std::string::npos) << "not above 2500";
+    const std::string steeper = device->caution(ramp(100.0, 800.0, 900.4)).english();
+    EXPECT_EQ(steeper, "profile.acceleration becomes 900, it was 800: the device stores it");
 }
 
 TEST_F(SupermodifiedBoundsNode, AProfileIsWrittenOnceAndTheTableFollows)

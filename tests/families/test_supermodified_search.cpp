@@ -101,6 +101,15 @@ TEST(SupermodifiedMemory, TheHostKeepsOutOfARememberedGroupFromTheFirstFrameOn)
         EXPECT_NE(frame.from & 0xF0, 0x00) << "supermodified/README.md#masks";
 }
 
+TEST(SupermodifiedMemory, TheFirstAndTheLastNodeAreRememberedAtTheirRates)
+{
+    ProgramRun first{"supermodified:1,baud=600", "supermodified:127,baud=115200"};
+    const auto known = first.scan({}, ScanExtent::Everything);
+    ASSERT_EQ(known.size(), 2U);
+    ProgramRun again{"supermodified:1,baud=600", "supermodified:127,baud=115200"};
+    EXPECT_EQ(again.scan(known).size(), 2U) << "a quick scan looks there first";
+}
+
 TEST(SupermodifiedMemory, NonsenseCostsTimeOnly)
 {
     std::vector<Identity> known(4);

@@ -48,6 +48,22 @@ TEST_F(Profiles, DevicesDoNotShareAFileEvenWhenTheirNamesLookAlike)
     EXPECT_EQ(book.pathOf(selector).rfind('/'), (folder.path().toStdString() + "/below/it").size());
 }
 
+TEST_F(Profiles, AFileNameKeepsLettersDigitsAndDashes)
+{
+    EXPECT_EQ(fileNameOf("azAZ09-_").substr(0, 9), "azAZ09-_-");
+    EXPECT_EQ(fileNameOf("/:@[`{ .~\xC3\xA4").substr(0, 12), "...........-");
+    EXPECT_EQ(fileNameOf("a"), "a-e40c292c.json") << "a hash FNV-1a of the whole";
+    EXPECT_EQ(fileNameOf(""), "-811c9dc5.json");
+}
+
+TEST_F(Profiles, AWholeNumberIsKeptExactlyOrNotAtAll)
+{
+    DeviceProfile profile;
+    profile.written = {{"most", 9007199254740992LL}, {"least", -9007199254740992LL}, {"nothing", 0}};
+    ASSERT_TRUE(book.save(selector, profile));
+    EXPECT_EQ(book.load(selector).value(), profile);
+}
+
 TEST_F(Profiles, ADamagedFileIsPutAsideAndTold)
 {
     for (const char *text :

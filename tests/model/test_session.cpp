@@ -71,6 +71,18 @@ TEST(Session, TakesAUnitAfterAPowerCycleForTheSame)
     EXPECT_NE(before->identity().session, session);
 }
 
+TEST(Session, TellsWhenALinkComesAndWhenItGoes)
+{
+    test::SimulatedSession bench;
+    int told = 0;
+    const auto listening = bench.session.changed().add([&told] { ++told; });
+    bench.session.closeLink(*bench.link);
+    EXPECT_GE(told, 1);
+    told = 0;
+    ASSERT_TRUE(bench.session.openLink(*LinkAddress::parse("sim:can")));
+    EXPECT_GE(told, 1);
+}
+
 TEST(Session, OpensALinkOnce)
 {
     SimulatedSession bench;

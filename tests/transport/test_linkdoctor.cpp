@@ -114,6 +114,11 @@ TEST(LinkDoctor, FramesThatWaitTellOfNobodyWhereTheControllerDoesNot)
     EXPECT_EQ(ailment(link), Ailment::NobodyAcknowledges);
     link.health.lastReceived = now;
     EXPECT_EQ(ailment(link), Ailment::Busy) << "the bus is alive, and has no room";
+    link.backlog = 0;
+    EXPECT_EQ(ailment(link), Ailment::None) << "nothing waits any more";
+    link.backlog = 3;
+    link.health.stuckSince.reset();
+    EXPECT_EQ(ailment(link), Ailment::None) << "it has not been stuck";
     link.health.stuckSince = now - 300ms;
     EXPECT_EQ(ailment(link), Ailment::None) << "a full queue for a moment is normal";
 }

@@ -216,6 +216,14 @@ TEST(Replay, NamesADamagedLineAndEndsThere)
     EXPECT_TRUE(replay.survey()) << "a last line that was cut off is the end of the recording";
     EXPECT_EQ(replay.link->replay().length, 1s);
 
+    Replay whole("(1.000000) can0 001#\n(2.000000) can0 002#", "?speed=max");
+    EXPECT_TRUE(whole.survey());
+    EXPECT_EQ(whole.link->replay().length, 1s) << "a last line without its end is a line";
+    whole.folder.write("one.log", "(1.0000");
+    const auto one = whole.open("replay:" + whole.folder.path() + "/one.log");
+    ASSERT_FALSE(one) << "a first line that is cut could be anything";
+    EXPECT_NE(one.error().text().find("line 1 is not a line of candump -L"), std::string::npos) << one.error().text();
+
     Replay damaged("(1.000000) can0 001#\n(2.000000) ca\xFF\n(3.000000) can0 003#\n", "?speed=max");
     ASSERT_TRUE(damaged.opened);
     const auto surveyed = damaged.link->survey([](const LoggedFrame &) {});

@@ -267,10 +267,15 @@ TEST(SerialPortCauses, NameWhatIsMissingAndWhatHelps)
     EXPECT_EQ(causeOf("ttyNOSUCH7"), "there is no ttyNOSUCH7; plug in the adapter, or name another port");
     EXPECT_EQ(causeOf("/etc/passwd"), "/etc/passwd is no serial port; name one such as /dev/ttyUSB0");
     EXPECT_NE(causeOf("/dev/null").find("cannot be opened"), std::string::npos);
-    for (const char *options : {"?baud=0", "?baud=fast", "?baud=5000000", "?rs485=yes", "?echo=2", "?parity=even"}) {
+    for (const char *options : {"?baud=0", "?baud=fast", "?baud=5000000", "?rs485=yes", "?rs485=2", "?rs485=-1",
+             "?echo=2", "?parity=even", "?format=7N1", "?format=8N3", "?format=1"}) {
         const auto link
             = makeSerialPortLink(LinkAddress::parse(std::string("serial:x") + options).value(), loop.clock());
         ASSERT_FALSE(link) << options;
         EXPECT_EQ(link.error().fault, Fault::OutOfRange);
     }
+    for (const char *options : {"?baud=600", "?format=8N1", "?format=8E1", "?format=8O1", "?format=8N2", "?rs485=0",
+             "?rs485=1", "?echo=0&echo=1", "?echo=1"})
+        EXPECT_TRUE(makeSerialPortLink(LinkAddress::parse(std::string("serial:x") + options).value(), loop.clock()))
+            << options;
 }
