@@ -189,6 +189,24 @@ TEST(Dmc60cLinkLoss, AForcedUpdateToTheSameVersionIsNotTakenForDoneBeforeItsPage
     EXPECT_EQ(bench.pages, (std::vector<int>{30, 30, 1, 0})) << "page 30 had been sent whole";
 }
 
+/// Its version stays while no page has come, so that only page 0, sent last, tells that all are there.
+TEST(Dmc60cLinkLoss, AForcedUpdateToTheSameVersionIsNotTakenForDoneBecausePagesWereSentThatNeverCame)
+{
+    LossBench bench("dmc60c:5,firmware=1.25");
+    UpdateOptions force;
+    force.force = true;
+    bench.begin(force);
+    ASSERT_TRUE(bench.reaches("Page 30"));
+    bench.bus.setLoss(1.0);
+    bench.clock.advance(100ms);
+    bench.host.pullOut();
+    bench.bus.setLoss(0.0);
+    bench.clock.advance(3s);
+    bench.host.plugIn();
+    expectDoneAgain(bench.end(), "forced");
+    EXPECT_EQ(bench.pages, (std::vector<int>{30, 1, 0}));
+}
+
 TEST(Dmc60cLinkLoss, ALinkThatStaysAwayEndsTheUpdateWithTheCauseAndTheRemedy)
 {
     LossBench bench;

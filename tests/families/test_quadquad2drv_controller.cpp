@@ -148,6 +148,29 @@ TEST_F(QuadQuad2Drv, TakingPositionModeDoesNotMoveTheMotor)
     EXPECT_LE(furthest, 3.0);
 }
 
+TEST_F(QuadQuad2Drv, AModeIsTakenAfterAnOrderToStayWhereItIs)
+{
+    for (const auto &[mode, rest, code] : {std::tuple{Mode::Duty, setPower(1, 0), ControlMode::Power},
+             {Mode::Velocity, setVelocityTarget(1, 0.0, {}), ControlMode::Velocity},
+             {Mode::Position, setPositionTarget(1, 0), ControlMode::Position}}) {
+        SimulatedSession fresh("sim:spi");
+        fresh.scan();
+        Device *other = fresh.device(0, "quadquad2drv");
+        fresh.clock.advance(500ms);
+        std::vector<Bytes> sent;
+        const Subscription hearing = fresh.link->traffic().add([&sent](const Traffic &traffic) {
+            if (traffic.direction == Direction::Sent && traffic.bytes.size() > 4 && traffic.bytes[2] >= 16)
+                sent.emplace_back(traffic.bytes.begin(), traffic.bytes.end());
+        });
+        ASSERT_TRUE(fresh.session.stream(*other).start(setPoint(mode, 0.1), 1s));
+        fresh.clock.advance(300ms);
+        const auto taken = std::find(sent.begin(), sent.end(), setControlMode(1, code));
+        ASSERT_NE(taken, sent.end()) << toString(mode);
+        ASSERT_GT(taken - sent.begin(), 0);
+        EXPECT_EQ(*std::prev(taken), rest) << toString(mode);
+    }
+}
+
 TEST_F(QuadQuad2Drv, EachAxisGoesToItsOwnPositionAtOnce)
 {
     SetPointStream &stream = bench.session.stream(*device);

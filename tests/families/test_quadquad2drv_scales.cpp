@@ -79,6 +79,24 @@ TEST(QuadQuad2DrvExperiment, NeverAsksForMorePowerThanItWasAllowed)
     }
 }
 
+TEST(QuadQuad2DrvExperiment, WithoutAnAxisOrAPowerBetweenNothingAndAllNothingIsSent)
+{
+    Board bench("quadquad2drv:0");
+    struct Row {
+        double power;
+        int axis;
+    };
+    for (const Row &row : {Row{0.0, 1}, {-0.1, 1}, {1.001, 1}, {std::nan(""), 1}, {0.25, 0}, {0.25, 5}}) {
+        bench.sent.clear();
+        Operation operation(bench.clock, say("scales"));
+        const auto report = bench.find(withPower(row.power, row.axis), operation);
+        ASSERT_FALSE(report) << row.power << ' ' << row.axis;
+        EXPECT_EQ(report.error().fault, Fault::OutOfRange);
+        for (const Bytes &packet : bench.sent)
+            EXPECT_TRUE(packet[2] % 2 == 1 || packet[2] == 2) << "packet " << static_cast<int>(packet[2]) << " asks";
+    }
+}
+
 TEST(QuadQuad2DrvExperiment, PutsGainsLimitsAndHistoryBackWhenItEnds)
 {
     Board bench("quadquad2drv:0");
