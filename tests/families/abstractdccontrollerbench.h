@@ -4,6 +4,7 @@
 #include "abstractdcbench.h"
 #include "families/abstractdc/scan.h"
 #include "families/abstractdc/setpoints.h"
+#include "model/parametertransfer.h"
 #include "model/setpointstream.h"
 #include "support/simulatedsession.h"
 

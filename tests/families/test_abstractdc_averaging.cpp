@@ -102,6 +102,25 @@ TEST_F(AbstractDcController, ACableThatWasOutIsNoPowerCycle)
     EXPECT_FALSE(device->mayMove());
 }
 
+TEST_F(AbstractDcController, AParameterThatCannotBeReadIsNoEndOfReadingAndARefusedOneEndsWriting)
+{
+    add("abstractdc:3");
+    open(3, &dialectF);
+    NoProgress progress;
+    const auto read = test::run(
+        clock, readParameters(*device, {index("velocity.p"), index("velocity.i"), index("velocity.d")}, progress));
+    ASSERT_TRUE(read);
+    ASSERT_EQ(read->size(), 3U) << "none can be read, and each says so";
+    for (const TransferOutcome &outcome : *read)
+        EXPECT_EQ(outcome.raw.error().fault, Fault::Unsupported);
+    const auto written = test::run(
+        clock, writeParameters(*device, {{index("velocity.divisor"), 0}, {index("velocity.p"), 5}}, progress));
+    ASSERT_TRUE(written);
+    ASSERT_EQ(written->size(), 1U) << "what comes after it may need it";
+    EXPECT_EQ(written->at(0).raw.error().fault, Fault::OutOfRange);
+    EXPECT_TRUE(sentOf("0CB").empty());
+}
+
 TEST(AbstractDcTargetLead, ADutyIsLedFromWhereItWasAsFastAsItsRampSays)
 {
     TargetLead lead;

@@ -436,6 +436,16 @@ TEST_F(QuadQuad2Drv, AStreamIsAskedForInUnitsOfItsClockAndNobodyPollsMeanwhile)
     EXPECT_NEAR(static_cast<double>(count(getRequest(PacketId::GetMotion))), 10.0, 1.0);
 }
 
+TEST_F(QuadQuad2Drv, ALostLinkEndsATransferWithTheFirstParameter)
+{
+    bench.link->close();
+    NoProgress progress;
+    const auto read = run(bench.clock, readParameters(*device, readable(*device), progress));
+    ASSERT_TRUE(read);
+    ASSERT_EQ(read->size(), 1U);
+    EXPECT_EQ(read->front().raw.error().fault, Fault::LinkLost);
+}
+
 TEST_F(QuadQuad2Drv, WhatItCannotDoIsSaidAndNothingIsSent)
 {
     NoProgress progress;

@@ -121,6 +121,51 @@ TEST_F(OneNode, ItIsHeardAgainAsSoonAsItsLineIsBack)
     EXPECT_GT(bench.count(Command::GetPosition), 5);
 }
 
+/// A node whose answers have these lengths, as the scan lists it.
+std::string dialectOf(std::uint8_t position, std::uint8_t velocity, std::uint8_t acceleration)
+{
+    VirtualClock clock;
+    VirtualSerialLine wire{clock, VirtualSerialLine::Wiring::HalfDuplex, 1};
+    VirtualSerialLink host{*LinkAddress::parse("sim:serial?baud=57600"), wire};
+    VirtualSerialLink peer{*LinkAddress::parse("sim:serial?baud=57600"), wire};
+    EXPECT_TRUE(host.open() && peer.open());
+    FrameReader reader([&](const Frame &frame) {
+        Frame answer;
+        answer.to = frame.from;
+        answer.from = 4;
+        answer.command = frame.command;
+        answer.size = frame.is(Command::GetPosition) ? position
+            : frame.is(Command::GetVelocity)         ? velocity
+            : frame.is(Command::GetNodeMask)         ? std::uint8_t{1}
+            : frame.is(Command::GetP)                ? std::uint8_t{2}
+                                                     : acceleration;
+        answer.data.fill(0);
+        if (frame.is(Command::GetNodeMask))
+            answer.data[0] = exactMask;
+        if (frame.to == 4)
+            (void)peer.send(uartBytes(answer));
+    });
+    const auto heard = peer.received().add([&reader](std::span<const std::uint8_t> bytes) { reader.feed(bytes); });
+    test::Bench::Found found;
+    EXPECT_TRUE(run(clock, scan(host, clock, found)));
+    if (found.rows.empty())
+        return "nobody";
+    return found.rows.back().dialect.empty() ? found.rows.back().detail.english() : found.rows.back().dialect;
+}
+
+TEST(SupermodifiedDialects, AllThreeAnswersMustAgree)
+{
+    EXPECT_EQ(dialectOf(4, 2, 2), "D1");
+    EXPECT_EQ(dialectOf(4, 4, 4), "D2");
+    EXPECT_EQ(dialectOf(8, 4, 4), "D3");
+    const std::string none = "Its answers fit no known dialect.";
+    EXPECT_EQ(dialectOf(4, 2, 4), none) << "the speed of D1, the acceleration of D2";
+    EXPECT_EQ(dialectOf(4, 4, 2), none);
+    EXPECT_EQ(dialectOf(8, 4, 2), none);
+    EXPECT_EQ(dialectOf(4, 3, 2), none);
+    EXPECT_EQ(dialectOf(5, 2, 2), none);
+}
+
 TEST(SupermodifiedCodes, ThoseThatSwitchTheBridgeOffAreActiveUntilTheNextStart)
 {
     for (const CodeName &name : codeNames()) {
