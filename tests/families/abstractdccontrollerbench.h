@@ -6,6 +6,7 @@
 #include "families/abstractdc/setpoints.h"
 #include "model/parametertransfer.h"
 #include "model/setpointstream.h"
+#include "support/fakeunit.h"
 #include "support/simulatedsession.h"
 
 #include <cmath>

@@ -121,6 +121,31 @@ TEST_F(AbstractDcController, AParameterThatCannotBeReadIsNoEndOfReadingAndARefus
     EXPECT_TRUE(sentOf("0CB").empty());
 }
 
+TEST_F(AbstractDcController, ARefreshTellsHowOftenThePositionJumpedAndWhatWasSaved)
+{
+    add("abstractdc:3");
+    open(3, &dialectF);
+    EXPECT_TRUE(device->identity().descriptors.empty());
+    ASSERT_TRUE(test::run(clock, device->refresh()));
+    ASSERT_FALSE(device->identity().descriptors.empty());
+    EXPECT_EQ(device->identity().descriptors.front(), (std::pair<std::string, std::string>("position_glitches", "0")));
+}
+
+TEST_F(AbstractDcController, AnAnswerInAnotherFormIsNoProofThatASettingCame)
+{
+    test::FakeUnit unit(bus, clock);
+    unit.answer("388#01", {{"00000404#00000000", "404#000000"}});
+    open(4, &dialectF);
+    const auto refused = write("velocity.p", 5);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().fault, Fault::Timeout);
+    EXPECT_NE(refused.error().text().find("does not answer"), std::string::npos);
+    unit.answer("388#01", {{"404#00000000"}});
+    EXPECT_TRUE(write("velocity.p", 5));
+    host.close();
+    EXPECT_EQ(write("velocity.p", 5).error().fault, Fault::LinkLost);
+}
+
 TEST(AbstractDcTargetLead, ADutyIsLedFromWhereItWasAsFastAsItsRampSays)
 {
     TargetLead lead;

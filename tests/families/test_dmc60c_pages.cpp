@@ -178,6 +178,11 @@ TEST(Dmc60cPreflight, TakesABlankEntryPointForNone)
     const HexText head = HexText().add(0, {0, 2, 4, 0}).add(0x1EFFC, {0x17, 0x01, 0, 0});
     EXPECT_EQ(refusal(HexText(head).add(0x400, {0xFF, 0xFF, 0xFF, 0x00})), "no instruction at the entry point 0x00400");
     EXPECT_EQ(refusal(HexText(head).add(0x404, {0, 0, 0xFA, 0})), "no instruction at the entry point 0x00400");
+    for (std::uint8_t byte = 0; byte < 3; ++byte) { // the fourth is no part of an instruction
+        std::vector<std::uint8_t> entry{0xFF, 0xFF, 0xFF, 0x00};
+        entry[byte] = 0x12;
+        EXPECT_NE(refusal(HexText(head).add(0x400, entry)), "no instruction at the entry point 0x00400") << int{byte};
+    }
     EXPECT_EQ(refusal(HexText(head).add(0x400, {0, 0, 0, 0})), "accepted"); // 0x000000 is the instruction NOP
 }
 

@@ -176,6 +176,7 @@ TEST_F(QuadQuad2DrvDecode, AnOrderOfOtherThingsLeavesTheMasksAsTheyAre)
     (void)answered(PacketId::SetDataMask, {0});
     (void)asked(setControlMode(0x0F, ControlMode::Velocity));
     (void)answered(PacketId::SetControlMode, {0});
+    EXPECT_EQ(answered(PacketId::Stream, {1, 2, 3, 4}), "stream data status_1=1 status_2=2 status_3=3 status_4=4");
     EXPECT_EQ(asked(getPositions({1, 0, 0, 0})), "get position size_1=1 size_2=0 size_3=0 size_4=0");
     EXPECT_EQ(answered(PacketId::GetHistory, {0, 1, 2}), "get history rc=0 length=1 time_bits=2")
         << "an answer to something else";

@@ -106,6 +106,16 @@ TEST_F(OneNode, ANodeWithAnotherNumberIsPolledUnderThatOneAndNobodyUnderTheOld)
         EXPECT_EQ(frame.to, 9);
 }
 
+TEST_F(OneNode, WhatItsDialectHasNotIsNotAsked)
+{
+    bench.clock.advance(200ms);
+    bench.sent.clear();
+    const auto read = run(bench.clock, device->read(test::Bench::index("anti_windup")));
+    ASSERT_FALSE(read);
+    EXPECT_EQ(read.error().fault, Fault::Unsupported);
+    EXPECT_EQ(bench.count(Command::GetAntiWindup), 0);
+}
+
 TEST_F(OneNode, ItIsHeardAgainAsSoonAsItsLineIsBack)
 {
     bench.clock.advance(500ms);
