@@ -94,7 +94,7 @@ TEST(SupermodifiedControl, ARelativeMoveIsNeverSentTwiceWhenItsAnswerIsLost)
     bench.sent.clear();
     ASSERT_TRUE(device->command(step));
     ASSERT_TRUE(bench.clock.runUntil([&] { return bench.count(Command::MoveRelative) == 1; }, 100ms));
-    bench.clock.advance(3ms); // the request is through, the acknowledgement is on its way
+    bench.clock.advance(1ms); // the request is on its way, the acknowledgement is not yet
     bench.line.setLoss(1.0);
     bench.clock.advance(2s);
     bench.line.setLoss(0.0);
@@ -152,6 +152,60 @@ TEST_F(SupermodifiedNode, ARelativeMoveThatWasRefusedIsSentAgainAndDoneOnce)
         bench.clock.advance(600ms);
     }
     EXPECT_NEAR(node.position(), 1500.0, 20.0);
+}
+
+/// The answer to the next frame with this command is an error.
+Subscription refuseNext(Bench &bench, Simulator &node, Command command, std::uint8_t code)
+{
+    return bench.host.traffic().add([&node, command, code, done = false](const Traffic &traffic) mutable {
+        const auto frames = test::framesIn({traffic.bytes.begin(), traffic.bytes.end()});
+        if (done || traffic.direction != Direction::Sent || frames.empty() || !frames.back().is(command))
+            return;
+        done = true;
+        node.disturb("error", code);
+    });
+}
+
+TEST_F(SupermodifiedNode, AMoveThatIsItselfRefusedWasNotDoneAndIsSentAgain)
+{
+    order(setPoint(Mode::Position, 0.0), 300ms);
+    SetPoint step = setPoint(Mode::Position, 500.0);
+    step.relative = true;
+    step.order = 1;
+    bench.sent.clear();
+    const Subscription refusing = refuseNext(bench, node, Command::MoveRelative, 0x44);
+    ASSERT_TRUE(device->command(step));
+    bench.clock.advance(800ms);
+    EXPECT_EQ(bench.count(Command::MoveRelative), 2);
+    EXPECT_NEAR(node.position(), 500.0, 20.0);
+    EXPECT_TRUE(device->liveness().moving) << "it holds its place";
+}
+
+TEST_F(SupermodifiedNode, AMoveThatIsRefusedBecauseTheMotorIsNotStartedEndsTheMotion)
+{
+    order(setPoint(Mode::Velocity, 100.0), 300ms);
+    ASSERT_TRUE(device->liveness().moving);
+    ASSERT_TRUE(Line::of(bench.host, bench.clock)->driven().any());
+    bench.sent.clear();
+    const Subscription refusing = refuseNext(bench, node, Command::MoveVelocity, code::invalidForState);
+    ASSERT_TRUE(device->command(setPoint(Mode::Velocity, 200.0)));
+    bench.clock.advance(30ms);
+    EXPECT_EQ(bench.count(Command::MoveVelocity), 1) << "not sent again";
+    EXPECT_FALSE(Line::of(bench.host, bench.clock)->driven().any());
+    const auto again = device->command(setPoint(Mode::Velocity, 300.0));
+    ASSERT_FALSE(again);
+    EXPECT_NE(again.error().text().find("not started"), std::string::npos) << again.error().text();
+}
+
+TEST_F(SupermodifiedNode, AMotorThatStalledIsNotDrivenAnyMore)
+{
+    order(setPoint(Mode::Velocity, 100.0), 300ms);
+    ASSERT_TRUE(Line::of(bench.host, bench.clock)->driven().any());
+    node.disturb("error", code::motorStalled);
+    bench.clock.advance(100ms);
+    EXPECT_FALSE(device->liveness().faults.empty());
+    EXPECT_FALSE(Line::of(bench.host, bench.clock)->driven().any());
+    EXPECT_FALSE(device->liveness().mode) << "nothing is in force";
 }
 
 TEST_F(SupermodifiedNode, PositionsStayContinuousAlthoughStartZeroesThem)
