@@ -78,7 +78,7 @@ struct Made {
     std::int64_t value;
     std::string_view bytes;
 };
-constexpr Made made[]{
+constexpr Made commands[]{
     {"S1 DS LIB FW", Dialect::D3, Command::P, 2000, "55 AA 04 01 00 02 D0 07 D5"},
     {"S2 DS LIB FW", Dialect::D2, Command::D, 10000, "55 AA 04 01 02 02 10 27 37"},
     {"S4 LIB FW32", Dialect::D2, Command::ProfileAcceleration, 800, "55 AA 04 01 03 04 20 03 00 00 24"},
@@ -104,7 +104,7 @@ constexpr Made made[]{
 
 TEST(SupermodifiedCodec, EncodesTheVectorsOfTheOtherDialects)
 {
-    for (const Made &row : made) {
+    for (const Made &row : commands) {
         const auto frame = request(4, 1, row.command, row.dialect, row.value);
         ASSERT_TRUE(frame) << row.source;
         EXPECT_EQ(uartBytes(*frame), bytesOf(row.bytes)) << row.source << ' ' << row.bytes;
