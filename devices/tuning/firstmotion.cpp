@@ -18,7 +18,7 @@ constexpr double firmestForce = 8.0;  ///< times the stored P
 constexpr double nextForce = 1.4;
 constexpr double shortHold = 0.8; ///< s
 constexpr double mostRawP = 30000.0;
-constexpr double tellingCurrent = 0.02; ///< A
+constexpr double tellingCurrent = 0.1; ///< A
 constexpr double turningShare = 0.75;
 constexpr int mostAgain = 2;
 
