@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <sstream>
 
 namespace mb {
@@ -122,6 +123,51 @@ TEST(FamilyFigures, WhatItsGainsMean)
     EXPECT_EQ(
         loopOf(familyNamed("quadquad2drv")), "full 8191, period 0.002, cycle 0.002, step 0, velocity 1 0, calibrated");
     EXPECT_FALSE(familyNamed("supermodified").loop) << "nobody knows";
+}
+
+/// What one of a parameter's unit is on the wire, where it is not one.
+TEST(FamilyFigures, WhatAParameterCountsIn)
+{
+    const auto scalesOf = [](std::string_view key) {
+        std::map<double, int> rows;
+        for (const Parameter &row : familyNamed(key).parameters)
+            ++rows[row.one];
+        std::ostringstream text;
+        for (const auto &[one, count] : rows)
+            text << one << " x " << count << "; ";
+        return text.str();
+    };
+    for (const Parameter &row : familyNamed("dmc60c").parameters)
+        EXPECT_EQ(row.one, row.type == WireType::Fixed16x16 ? 65536.0 : 1.0) << row.key;
+    EXPECT_EQ(scalesOf("supermodified"), "1 x 15; ");
+    EXPECT_EQ(scalesOf("abstractdc"), "1 x 13; ");
+    EXPECT_EQ(scalesOf("quadquad2drv"), "1 x 60; 4096 x 8; 8191 x 4; ") << "two limits of each axis, and its power";
+}
+
+TEST(FamilyFigures, WhichParametersStayWithoutPowerBelongToTheUnitOrWaitForARestart)
+{
+    const auto flagsOf = [](std::string_view key) {
+        std::string fleeting;
+        std::string own;
+        std::string later;
+        for (const Parameter &row : familyNamed(key).parameters) {
+            const std::string name = ' ' + std::string(row.key);
+            fleeting += row.persistent ? "" : name;
+            own += row.belongsToUnit ? name : "";
+            later += row.afterRestart ? name : "";
+        }
+        return "fleeting:" + fleeting + "; own:" + own + "; later:" + later;
+    };
+    EXPECT_EQ(flagsOf("supermodified"),
+        "fleeting: io.outputs; own: node.id; later: limit.current.duration node.id node.mask uart.baud");
+    EXPECT_EQ(flagsOf("abstractdc"), "fleeting:; own:; later:");
+    EXPECT_EQ(flagsOf("dmc60c"),
+        "fleeting: encoder.position encoder.clear_on_index encoder.clear_on_forward_limit "
+        "encoder.clear_on_reverse_limit "
+        "encoder.index_rising faults.active faults.communication.count status.analog.period status.encoder.period "
+        "status.general.period; own: current.adc_multiplier; later:");
+    for (const Parameter &row : familyNamed("quadquad2drv").parameters)
+        EXPECT_FALSE(row.persistent) << row.key << ": a board keeps nothing";
 }
 
 TEST(FamilyFigures, HowOftenAMotionIsLookedAt)
