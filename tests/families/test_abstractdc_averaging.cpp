@@ -146,6 +146,21 @@ TEST_F(AbstractDcController, AnAnswerInAnotherFormIsNoProofThatASettingCame)
     EXPECT_EQ(write("velocity.p", 5).error().fault, Fault::LinkLost);
 }
 
+TEST(AbstractDcCommand, ADutyIsBetweenAllBackwardsAndAllForwards)
+{
+    const auto duty = [](double target) {
+        SetPoint order;
+        order.mode = Mode::Duty;
+        order.target = target;
+        return commandOf(order, {});
+    };
+    for (const double beyond : {-1.01, 1.01, -2.0, 2.0})
+        EXPECT_EQ(duty(beyond).error().fault, Fault::OutOfRange) << beyond;
+    EXPECT_EQ(duty(-1.0)->target, -255);
+    EXPECT_EQ(duty(1.0)->target, 255);
+    EXPECT_EQ(duty(0.0)->target, 0);
+}
+
 TEST(AbstractDcTargetLead, ADutyIsLedFromWhereItWasAsFastAsItsRampSays)
 {
     TargetLead lead;

@@ -446,6 +446,15 @@ TEST_F(QuadQuad2Drv, ALostLinkEndsATransferWithTheFirstParameter)
     EXPECT_EQ(read->front().raw.error().fault, Fault::LinkLost);
 }
 
+TEST_F(QuadQuad2Drv, ADutyIsBetweenAllBackwardsAndAllForwards)
+{
+    bench.clock.advance(500ms);
+    for (const double duty : {-1.01, 1.01, 2.0, -2.0})
+        EXPECT_EQ(device->command(setPoint(Mode::Duty, duty)).error().fault, Fault::OutOfRange) << duty;
+    for (const double duty : {-1.0, 1.0})
+        EXPECT_TRUE(device->command(setPoint(Mode::Duty, duty))) << duty;
+}
+
 TEST_F(QuadQuad2Drv, WhatItCannotDoIsSaidAndNothingIsSent)
 {
     NoProgress progress;

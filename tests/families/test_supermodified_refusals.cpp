@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A move that is refused, a motor that switched itself off, a stop on a port that somebody else fills.
+#include "families/supermodifiedbench.h"
+
+#include <algorithm>
+
+namespace mb::supermodified {
+namespace {
+
+using namespace std::chrono_literals;
+using test::Bench;
+using test::setPoint;
+using SupermodifiedRefusals = test::OneNode;
+
+/// The answer to the next frame with this command is an error.
+Subscription refuseNext(Bench &bench, Simulator &node, Command command, std::uint8_t code)
+{
+    return bench.host.traffic().add([&node, command, code, done = false](const Traffic &traffic) mutable {
+        const auto frames = test::framesIn({traffic.bytes.begin(), traffic.bytes.end()});
+        if (done || traffic.direction != Direction::Sent || frames.empty() || !frames.back().is(command))
+            return;
+        done = true;
+        node.disturb("error", code);
+    });
+}
+
+TEST_F(SupermodifiedRefusals, AMoveThatIsItselfRefusedWasNotDoneAndIsSentAgain)
+{
+    order(setPoint(Mode::Position, 0.0), 300ms);
+    SetPoint step = setPoint(Mode::Position, 500.0);
+    step.relative = true;
+    step.order = 1;
+    bench.sent.clear();
+    const Subscription refusing = refuseNext(bench, node, Command::MoveRelative, 0x44);
+    ASSERT_TRUE(device->command(step));
+    bench.clock.advance(800ms);
+    EXPECT_EQ(bench.count(Command::MoveRelative), 2);
+    EXPECT_NEAR(node.position(), 500.0, 20.0);
+    EXPECT_TRUE(device->liveness().moving) << "it holds its place";
+}
+
+TEST_F(SupermodifiedRefusals, AMoveThatIsRefusedBecauseTheMotorIsNotStartedEndsTheMotion)
+{
+    order(setPoint(Mode::Velocity, 100.0), 300ms);
+    ASSERT_TRUE(device->liveness().moving);
+    ASSERT_TRUE(Line::of(bench.host, bench.clock)->driven().any());
+    bench.sent.clear();
+    const Subscription refusing = refuseNext(bench, node, Command::MoveVelocity, code::invalidForState);
+    ASSERT_TRUE(device->command(setPoint(Mode::Velocity, 200.0)));
+    bench.clock.advance(30ms);
+    EXPECT_EQ(bench.count(Command::MoveVelocity), 1) << "not sent again";
+    EXPECT_FALSE(Line::of(bench.host, bench.clock)->driven().any());
+    const auto again = device->command(setPoint(Mode::Velocity, 300.0));
+    ASSERT_FALSE(again);
+    EXPECT_NE(again.error().text().find("not started"), std::string::npos) << again.error().text();
+}
+
+TEST_F(SupermodifiedRefusals, AMotorThatStalledIsNotDrivenAnyMore)
+{
+    order(setPoint(Mode::Velocity, 100.0), 300ms);
+    ASSERT_TRUE(Line::of(bench.host, bench.clock)->driven().any());
+    node.disturb("error", code::motorStalled);
+    bench.clock.advance(100ms);
+    EXPECT_FALSE(device->liveness().faults.empty());
+    EXPECT_FALSE(Line::of(bench.host, bench.clock)->driven().any());
+    EXPECT_FALSE(device->liveness().mode) << "nothing is in force";
+}
+
+TEST_F(SupermodifiedRefusals, AStopPassesWhatSomebodyElseHasQueuedOnThePort)
+{
+    ASSERT_TRUE(device->command(setPoint(Mode::Duty, 0.0)) || device->command(setPoint(Mode::Velocity, 500.0)));
+    bench.clock.advance(1s);
+    ASSERT_TRUE(node.isOutputOn());
+    VirtualSerialLink ear(*LinkAddress::parse("sim:serial"), bench.line);
+    ASSERT_TRUE(ear.open());
+    ASSERT_TRUE(ear.setBaudrate(bench.host.baudrate()));
+    std::vector<std::uint8_t> wire;
+    const Subscription hearing = ear.received().add(
+        [&wire](std::span<const std::uint8_t> bytes) { wire.insert(wire.end(), bytes.begin(), bytes.end()); });
+    const std::vector<std::uint8_t> filler(200, 0xFF);
+    for (int i = 0; i < 3; ++i)
+        ASSERT_TRUE(bench.host.send(filler));
+    device->stop();
+    const auto stop = uartBytes(request(4, usualHostId, Command::Stop));
+    const auto found = [&] { return std::search(wire.begin(), wire.end(), stop.begin(), stop.end()); };
+    ASSERT_TRUE(bench.clock.runUntil([&] { return found() != wire.end(); }, 2s));
+    EXPECT_LT(std::count(wire.begin(), found(), 0xFF), 300) << "two of three blocks are behind it";
+}
+
+} // namespace
+} // namespace mb::supermodified
