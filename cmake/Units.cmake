@@ -9,6 +9,10 @@ if(MOTORBENCH_UNITS AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # are false for std::string in GCC 12 once more of it is inlined. The everyday build has all three.
   target_compile_options(motorbench_warnings INTERFACE -Wno-subobject-linkage -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow)
 endif()
+if(MOTORBENCH_UNITS AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  # In a unit it also tells of a local that hides what another file has for itself alone. Without units it tells of its own file.
+  target_compile_options(motorbench_warnings INTERFACE -Wno-shadow)
+endif()
 
 # header_group(NAME LIBRARIES ... [HEADERS ...] [STRICT]): headers that every target of compile_fast(... NAME) has parsed already.
 function(header_group name)
