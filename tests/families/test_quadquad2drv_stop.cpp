@@ -126,6 +126,43 @@ TEST_F(QuadQuad2DrvStop, AnOrderThatTheBoardDoesNotTakeEndsTheMotionAndItStaysEn
     expectNoMotionAgain();
 }
 
+TEST_F(QuadQuad2DrvStop, ANewMotionMayBeginAfterItThoughAnOrderHadFailed)
+{
+    ASSERT_TRUE(stream->start(duty(0.3), 10s));
+    bench.clock.advance(200ms);
+    spi().setLoss(1.0);
+    ASSERT_TRUE(bench.clock.runUntil([this] { return !stream->isRunning(); }, 2s));
+    spi().setLoss(0.0);
+    device->stop();
+    bench.clock.advance(2s);
+    ASSERT_TRUE(device->isSeenStopped());
+    ASSERT_TRUE(run(bench.clock, device->refresh()));
+    ASSERT_TRUE(stream->start(duty(0.3), 10s));
+    bench.clock.advance(500ms);
+    EXPECT_TRUE(stream->isRunning()) << stream->reason().english();
+    EXPECT_TRUE(board->isOutputOn());
+}
+
+TEST_F(QuadQuad2DrvStop, AnAnswerInBetweenPutsTheLastResortOff)
+{
+    ASSERT_TRUE(stream->start(duty(0.3), 10s));
+    bench.clock.advance(200ms);
+    sent.clear();
+    const auto questions = [this] {
+        return std::count_if(sent.begin(), sent.end(), [](const Bytes &p) { return isMode(p, ControlMode::Off); });
+    };
+    stream->stop();
+    for (const int missed : {3, 5, 7}) { // every second answer is lost
+        ASSERT_TRUE(bench.clock.runUntil([&] { return questions() == missed; }, 1s)) << missed;
+        spi().setLoss(1.0);
+        bench.clock.advance(1ms);
+        spi().setLoss(0.0);
+    }
+    bench.clock.advance(2s);
+    EXPECT_TRUE(device->isSeenStopped());
+    EXPECT_FALSE(happened("reset"));
+}
+
 TEST_F(QuadQuad2DrvStop, TheResetLineIsItsLastResort)
 {
     ASSERT_TRUE(stream->start(duty(0.3), 10s));

@@ -198,6 +198,45 @@ TEST(SupermodifiedProfile, AFastOnePassesItsTargetInD1AndD2AndIsStopped)
     EXPECT_GT(passed, 0) << "the simulated firmware has the fault of the real one";
 }
 
+TEST(SupermodifiedProfile, ARelativeOneCountsFromWhereItBegan)
+{
+    for (const double way : {1500.0, -1500.0}) {
+        Bench bench;
+        Simulator &node = bench.add("supermodified:4,motor=cim");
+        const auto device = bench.connect(4);
+        ASSERT_TRUE(device->command(ramp(20000.0, 2400.0, 40000.0)));
+        bench.clock.advance(12s);
+        ASSERT_NEAR(node.position(), 20000.0, 50.0);
+        SetPoint move = ramp(way, 800.0, 10000.0);
+        move.relative = true;
+        move.order = 1;
+        ASSERT_TRUE(device->command(move));
+        bench.clock.advance(5s);
+        EXPECT_TRUE(node.isOutputOn()) << "it arrived, and is not taken for one that passed";
+        EXPECT_NEAR(node.position(), 20000.0 + way, 50.0);
+    }
+    int passed = 0;
+    for (const double way : {3000.0, -3000.0, 3001.0, 4000.0, 5003.0, 7777.0}) {
+        Bench bench;
+        Simulator &node = bench.add("supermodified:4,motor=cim");
+        const auto device = bench.connect(4);
+        ASSERT_TRUE(device->command(ramp(20000.0, 2400.0, 40000.0)));
+        bench.clock.advance(12s);
+        SetPoint move = ramp(way, 6000.0, 40000.0);
+        move.relative = true;
+        move.order = 1;
+        ASSERT_TRUE(device->command(move));
+        double farthest = 0.0;
+        for (int i = 0; i < 400; ++i) {
+            bench.clock.advance(10ms);
+            farthest = std::max(farthest, (node.position() - 20000.0) / std::copysign(1.0, way));
+        }
+        EXPECT_LT(farthest, std::abs(way) + 6000.0 * 6000.0 / 80000.0 + 400.0) << way;
+        passed += node.isOutputOn() ? 0 : 1;
+    }
+    EXPECT_GT(passed, 0) << "the simulated firmware has the fault of the real one";
+}
+
 TEST(SupermodifiedProfile, ASlowOneArrives)
 {
     for (const std::string dialect : {"D1", "D2"}) {

@@ -55,6 +55,38 @@ TEST_F(SupermodifiedRefusals, AMoveThatIsRefusedBecauseTheMotorIsNotStartedEndsT
     EXPECT_NE(again.error().text().find("not started"), std::string::npos) << again.error().text();
 }
 
+TEST_F(SupermodifiedRefusals, AMoveThatIsRefusedEachTimeIsGivenUpAfterFour)
+{
+    order(setPoint(Mode::Velocity, 100.0), 300ms);
+    bench.sent.clear();
+    const Subscription refusing = bench.host.traffic().add([this](const Traffic &traffic) {
+        const auto frames = test::framesIn({traffic.bytes.begin(), traffic.bytes.end()});
+        if (traffic.direction == Direction::Sent && !frames.empty() && frames.back().is(Command::MoveVelocity))
+            node.disturb("error", 0x44);
+    });
+    ASSERT_TRUE(device->command(setPoint(Mode::Velocity, 200.0)));
+    bench.clock.advance(1s);
+    EXPECT_EQ(bench.count(Command::MoveVelocity), 4);
+    const auto again = device->command(setPoint(Mode::Velocity, 300.0));
+    ASSERT_FALSE(again);
+    EXPECT_NE(again.error().text().find("refused"), std::string::npos) << again.error().text();
+}
+
+TEST_F(SupermodifiedRefusals, AReleaseOfBufferedMovesThatStillWaitsIsNotSentAfterAStop)
+{
+    SetPoint move = setPoint(Mode::Position, 1000.0);
+    move.buffered = true;
+    order(move, 500ms);
+    bench.sent.clear();
+    ASSERT_TRUE(bench.clock.runUntil([this] { return !bench.sent.empty(); }, 1s)) << "the line is busy";
+    ASSERT_TRUE(device->releaseMoves());
+    device->stop();
+    bench.clock.advance(500ms);
+    EXPECT_GE(bench.count(Command::Stop), 1);
+    EXPECT_EQ(bench.count(Command::DoMove), 0);
+    EXPECT_NEAR(node.position(), 0.0, 5.0);
+}
+
 TEST_F(SupermodifiedRefusals, AMotorThatStalledIsNotDrivenAnyMore)
 {
     order(setPoint(Mode::Velocity, 100.0), 300ms);
