@@ -34,5 +34,6 @@ endif()
 if(MOTORBENCH_SANITIZE)
   target_compile_options(motorbench_warnings INTERFACE -Wno-error) # GCC warns of code that its sanitizers insert
   add_compile_options(-fsanitize=${MOTORBENCH_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_compile_definitions(_GLIBCXX_ASSERTIONS) # one past the end of a vector is seen inside its capacity too
   add_link_options(-fsanitize=${MOTORBENCH_SANITIZE})
 endif()
