@@ -4,10 +4,13 @@
 
 jobs=$(nproc)
 
-times=() # "SECONDS TITLE" of each step that took one
+# "SECONDS TITLE" of each step that took one: a file without a name, which steps in the background write to as well
+times=$(mktemp)
+exec {times_written}<>"$times"
+rm "$times"
 
 note_time() {
-    [ "$2" -lt 1 ] || times+=("$(printf '%6d s  %s' "$2" "$1")")
+    [ "$2" -lt 1 ] || printf '%6d s  %s\n' "$2" "$1" >&"$times_written"
 }
 
 # timed TITLE COMMAND…: a step with output of its own.
@@ -21,7 +24,7 @@ timed() {
 
 # tell_times: the seconds of each step, and of all since the script began.
 tell_times() {
-    [ ${#times[@]} = 0 ] || printf '%s\n' "${times[@]}"
+    cat "/dev/fd/$times_written"
     printf '%6d s  in all\n' "$SECONDS"
 }
 
