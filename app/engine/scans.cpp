@@ -79,8 +79,7 @@ void Scans::probeSilent(Link &link)
     if (known || link.kind() != LinkKind::Spi || link.state() != LinkState::Open)
         return;
     for (const Family *family : m_context.session.families()) {
-        if (!family->probe
-            || std::find(family->links.begin(), family->links.end(), LinkKind::Spi) == family->links.end())
+        if (!family->probe || !serves(*family, LinkKind::Spi))
             continue;
         m_rounds[&link].task->spawn<Device *>(
             m_context.session.connect({link.address(), std::string(family->key), 0, std::nullopt}),
