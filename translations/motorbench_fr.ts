@@ -2420,7 +2420,7 @@
     </message>
     <message>
         <source>The journal knows where it stood, and the queue can be gone on with.</source>
-        <translation>Le journal sait où elle en était, et la file peut être reprise.</translation>
+        <translation>Le registre sait où elle en était, et la file peut être reprise.</translation>
     </message>
     <message>
         <source>Cancel the queue and close</source>
@@ -4316,7 +4316,7 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     <name>mb::JournalCard</name>
     <message>
         <source>Journal</source>
-        <translation>Journal</translation>
+        <translation>Registre</translation>
     </message>
     <message>
         <source>Change…</source>
@@ -4324,7 +4324,7 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     </message>
     <message>
         <source>Change the journal</source>
-        <translation>Modifier le journal</translation>
+        <translation>Modifier le registre</translation>
     </message>
     <message>
         <source>On this computer</source>
@@ -6586,11 +6586,11 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>One unit at a time on a bus, buses side by side. Real units keep this computer awake. The journal is on disk: after a crash the queue goes on.</source>
-        <translation>Un appareil à la fois par bus, les bus en parallèle. Les vrais appareils gardent cet ordinateur éveillé. Le journal est sur disque&#xa0;: après un plantage, la file reprend.</translation>
+        <translation>Un appareil à la fois par bus, les bus en parallèle. Les vrais appareils gardent cet ordinateur éveillé. Le registre est sur disque&#xa0;: après un plantage, la file reprend.</translation>
     </message>
     <message>
         <source>Every unit is backed up before and compared afterwards; the journal has it.</source>
-        <translation>Chaque appareil est sauvegardé avant et comparé après&#xa0;; le journal en garde trace.</translation>
+        <translation>Chaque appareil est sauvegardé avant et comparé après&#xa0;; le registre en garde trace.</translation>
     </message>
 </context>
 <context>
@@ -7989,7 +7989,7 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>Journal</source>
-        <translation>Journal</translation>
+        <translation>Registre</translation>
     </message>
     <message>
         <source>Note on this entry</source>
@@ -7997,7 +7997,7 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>Note on this entry of the journal</source>
-        <translation>Note sur cette entrée du journal</translation>
+        <translation>Note sur cette entrée du registre</translation>
     </message>
     <message>
         <source>Size of the report</source>
@@ -8017,11 +8017,11 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>The entries of the journal that are listed, as a table</source>
-        <translation>Les entrées du journal listées, en tableau</translation>
+        <translation>Les entrées du registre listées, en tableau</translation>
     </message>
     <message>
         <source>Save the journal</source>
-        <translation>Sauvegarder le journal</translation>
+        <translation>Sauvegarder le registre</translation>
     </message>
     <message>
         <source>Table (*.csv)</source>
@@ -8029,7 +8029,7 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>the journal is in %1</source>
-        <translation>le journal est dans %1</translation>
+        <translation>le registre est dans %1</translation>
     </message>
 </context>
 <context>
@@ -8835,7 +8835,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <name>mb::StationDialog</name>
     <message>
         <source>Journal of this station</source>
-        <translation>Journal de ce poste</translation>
+        <translation>Registre de ce poste</translation>
     </message>
     <message>
         <source>Name of this station</source>
@@ -8847,7 +8847,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>Without a server the journal is in the file of this computer alone. With one, every entry is there first and delivered as soon as the server answers; numbers come in blocks of five.</source>
-        <translation>Sans serveur, le journal n’est que dans le fichier de cet ordinateur. Avec un serveur, chaque entrée y est d’abord, puis elle est remise dès que le serveur répond ; les numéros viennent par blocs de cinq.</translation>
+        <translation>Sans serveur, le registre n’est que dans le fichier de cet ordinateur. Avec un serveur, chaque entrée y est d’abord, puis elle est remise dès que le serveur répond ; les numéros viennent par blocs de cinq.</translation>
     </message>
 </context>
 <context>
@@ -12797,7 +12797,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>&apos;%1&apos; is no journal that stations share</source>
-        <translation>«&#xa0;%1&#xa0;» n’est pas un journal partagé par des postes</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un registre partagé par des postes</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no number</source>
@@ -15889,11 +15889,11 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>the journal on the server was made by a newer version of this program</source>
-        <translation>le journal du serveur provient d’une version plus récente de ce programme</translation>
+        <translation>le registre du serveur provient d’une version plus récente de ce programme</translation>
     </message>
     <message>
         <source>the journal&apos;s server: %1</source>
-        <translation>le serveur du journal&#xa0;: %1</translation>
+        <translation>le serveur du registre&#xa0;: %1</translation>
     </message>
     <message>
         <source>the jumper is still in: take it out, then reset the board</source>
@@ -16397,7 +16397,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>there is no entry %1 in the journal</source>
-        <translation>il n’y a pas d’entrée %1 dans le journal</translation>
+        <translation>il n’y a pas d’entrée %1 dans le registre</translation>
     </message>
     <message>
         <source>there is no file &apos;%1&apos;</source>
