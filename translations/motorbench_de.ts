@@ -2766,8 +2766,8 @@
         <translation>Scharf</translation>
     </message>
     <message>
-        <source>The motor turns both ways as soon as you say so.</source>
-        <translation>Der Motor dreht in beide Richtungen, sobald Sie es sagen.</translation>
+        <source>The motor will turn both ways.</source>
+        <translation>Der Motor wird in beide Richtungen drehen.</translation>
     </message>
     <message>
         <source>Not armed</source>

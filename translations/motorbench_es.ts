@@ -2774,8 +2774,8 @@
         <translation>Armado</translation>
     </message>
     <message>
-        <source>The motor turns both ways as soon as you say so.</source>
-        <translation>El motor gira en ambos sentidos en cuanto usted lo ordene.</translation>
+        <source>The motor will turn both ways.</source>
+        <translation>El motor girará en ambos sentidos.</translation>
     </message>
     <message>
         <source>Not armed</source>

@@ -2774,8 +2774,8 @@
         <translation>Armé</translation>
     </message>
     <message>
-        <source>The motor turns both ways as soon as you say so.</source>
-        <translation>Le moteur tourne dans les deux sens dès que vous le demandez.</translation>
+        <source>The motor will turn both ways.</source>
+        <translation>Le moteur tournera dans les deux sens.</translation>
     </message>
     <message>
         <source>Not armed</source>

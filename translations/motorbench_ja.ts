@@ -2772,8 +2772,8 @@
         <translation>駆動許可中</translation>
     </message>
     <message>
-        <source>The motor turns both ways as soon as you say so.</source>
-        <translation>指示すると、ただちにモーターが両方向に回転します。</translation>
+        <source>The motor will turn both ways.</source>
+        <translation>モーターは両方向に回転します。</translation>
     </message>
     <message>
         <source>Not armed</source>

@@ -2772,8 +2772,8 @@
         <translation>已解锁</translation>
     </message>
     <message>
-        <source>The motor turns both ways as soon as you say so.</source>
-        <translation>一经您下达命令，电机即会双向转动。</translation>
+        <source>The motor will turn both ways.</source>
+        <translation>电机将双向转动。</translation>
     </message>
     <message>
         <source>Not armed</source>

@@ -15,7 +15,7 @@ namespace {
 constexpr int modelWidth = 344;
 constexpr int courseWidth = 252;
 constexpr int leastCurves = 340; ///< between the two
-constexpr int leastStatus = 200; ///< beside the orders
+constexpr int leastStatus = 260; ///< beside the orders
 constexpr int curvesHeight = 420;
 enum FrameRow { Commands, CommandsLine, Tabs, Work };
 

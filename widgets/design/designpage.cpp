@@ -135,7 +135,7 @@ PageStatus DesignPage::status() const
     if (!view->busy.empty())
         return {GlyphState::Busy, tr("Busy"), messageText(view->busy), false};
     if (m_arming.isArmed(view->id))
-        return {GlyphState::Online, tr("Armed"), tr("The motor turns both ways as soon as you say so."), true};
+        return {GlyphState::Online, tr("Armed"), tr("The motor will turn both ways."), true};
     return {GlyphState::Gone, tr("Not armed"), tr("Hold the Arm button for 1 s to arm %1.").arg(name), false};
 }
 
