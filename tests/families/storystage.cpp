@@ -2,6 +2,7 @@
 #include "families/storystage.h"
 
 #include "traffic/trafficline.h"
+#include "transport/backends/virtualspi.h"
 #include "wire/canframe.h"
 
 #include <gtest/gtest.h>
@@ -172,6 +173,32 @@ Link &StoryStage::other()
     return *m_ends.back();
 }
 
+void StoryStage::setLoss(double fraction)
+{
+    m_bus->setLoss(fraction);
+    if (auto *const spi = dynamic_cast<VirtualSpiLink *>(m_host.get()))
+        spi->setLoss(fraction); // the bus tells it once only
+}
+
+void StoryStage::tear(const Hole &hole)
+{
+    m_hole = hole;
+}
+
+void StoryStage::countForHole()
+{
+    if (m_hole.piece == 0 || --m_hole.piece != 0)
+        return;
+    const auto open = [this] {
+        setLoss(1.0);
+        m_loss.startIn(m_hole.time, [this] { setLoss(0.0); });
+    };
+    if (m_hole.after == Duration::zero())
+        open();
+    else
+        m_loss.startIn(m_hole.after, open);
+}
+
 std::vector<Identity> StoryStage::scan(ScanExtent extent, std::vector<Identity> remembered)
 {
     heading("scan");
@@ -333,6 +360,8 @@ void StoryStage::flushSamples()
 
 void StoryStage::passed(const Traffic &traffic)
 {
+    if (traffic.direction == Direction::Sent)
+        countForHole();
     const std::string when = secondsOf(traffic.time.time_since_epoch()) + ' ' + arrow(traffic.direction);
     if (traffic.can) {
         std::optional<DecodedFrame> decoded;

@@ -40,7 +40,14 @@ public:
     Link &host();
     /// Another end, for somebody else's frames.
     Link &other();
-    void setLoss(double fraction) { m_bus->setLoss(fraction); }
+    void setLoss(double fraction);
+    /// Loses everything for `time`, so long `after` the program has sent its N-th piece from now.
+    struct Hole {
+        int piece = 0;
+        Duration after{};
+        Duration time{};
+    };
+    void tear(const Hole &hole);
     void pullHost() { m_bus->dropOut(host()); }
 
     /// All families that speak here look at once.
@@ -90,8 +97,9 @@ public:
     void tellTelemetry();
     void tellStopScript(const Device &device);
     Progress &progress();
-    /// Everything that was a result.
+    /// Everything that was a result, since they were forgotten.
     [[nodiscard]] const std::string &outcomes() const { return m_outcomes; }
+    void forgetOutcomes() { m_outcomes.clear(); }
 
     VirtualClock clock;
 
@@ -101,6 +109,7 @@ private:
     void tell(std::string line);
     void event(const std::string &kind, const std::string &line);
     void flushSamples();
+    void countForHole();
     void passed(const Traffic &traffic);
     void heard(StoryDevice &on, const Sample &sample);
     void look(StoryDevice &on);
@@ -122,6 +131,8 @@ private:
     std::string m_samples; ///< of one device at one time, not told yet
     std::string m_outcomes;
     std::uint64_t m_seed;
+    Hole m_hole; ///< with the pieces that are still to be sent before it
+    Timer m_loss{clock};
 };
 
 /// One line for each variant of a story: what it yields, how much was said, and the digest of all that.

@@ -34,6 +34,24 @@ namespace mb::test {
     return findParameter(device.family().parameters, key).value();
 }
 
+/// "request 7": the 7th piece that the program sends is lost; "answer 7": what comes soon after it. Nothing otherwise.
+[[nodiscard]] inline StoryStage::Hole holeOf(const std::string &variant, Duration piece, Duration answer)
+{
+    if (variant.starts_with("request "))
+        return {std::stoi(variant.substr(8)), Duration::zero(), piece};
+    if (variant.starts_with("answer "))
+        return {std::stoi(variant.substr(7)), piece, answer};
+    return {};
+}
+
+inline void addHoles(std::vector<std::string> &variants, int first, int last)
+{
+    for (int piece = first; piece <= last; ++piece) {
+        variants.push_back("request " + std::to_string(piece));
+        variants.push_back("answer " + std::to_string(piece));
+    }
+}
+
 /// As a window that is alive: the lease is renewed every 100 ms. What happens in the first `shown` is told, the rest summed up.
 inline void keepDriving(StoryStage &stage, SetPointStream &stream, Duration shown, Duration summed)
 {

@@ -25,6 +25,8 @@ struct TwoDrives {
             device = found.family.empty() ? nullptr : &stage.open(found);
             stage.advance(500ms);
         });
+        if (device)
+            stage.forgetOutcomes();
     }
     Result<std::int64_t> write(std::string_view key, std::int64_t raw)
     {
@@ -281,16 +283,18 @@ TEST(AbstractDcConversations, LostAndLateAnswers)
                  "duplicate", "power@9", "power@30", "silent@2", "silent@9", "delay@4:80", "corrupt@3", "corrupt@6"})
             variants.push_back(",dialect=" + std::string(dialect) + ",fault=" + fault);
     }
+    addHoles(variants, 1, 12);
     tellVariants(told, variants, [](Conversation &one, const std::string &variant) {
         const auto hash = variant.find('#');
         const std::uint64_t seed = hash == std::string::npos ? 1 : std::stoull(variant.substr(hash + 1));
-        TwoDrives bench(one, variant.substr(0, hash), "sim:can", seed);
+        TwoDrives bench(one, variant.starts_with(',') ? variant.substr(0, hash) : "", "sim:can", seed);
         StoryStage &stage = bench.stage;
         if (!bench.device)
             return stage.outcomes();
         Device &device = *bench.device;
         if (hash != std::string::npos)
             stage.setLoss(0.25);
+        stage.tear(holeOf(variant, 120us, 20ms));
         (void)stage.perform("refresh", device.refresh());
         (void)bench.write("velocity.p", 7);
         (void)bench.write("velocity.divisor", 100);

@@ -26,6 +26,8 @@ struct TwoDmc60c {
             device = found.family.empty() ? nullptr : &stage.open(found);
             stage.advance(300ms);
         });
+        if (device)
+            stage.forgetOutcomes();
     }
     Result<std::int64_t> write(std::string_view key, double number)
     {
@@ -306,12 +308,13 @@ TEST(Dmc60cConversations, FaultsThatComeAndGo)
 /// Everything that a device is asked for, on a bus that loses or delays.
 std::string askOfDmc60c(Conversation &told, const std::string &options, double loss, std::uint64_t seed)
 {
-    TwoDmc60c bench(told, options, seed);
+    TwoDmc60c bench(told, options.starts_with(',') ? options : "", seed);
     StoryStage &stage = bench.stage;
     if (!bench.device)
         return stage.outcomes();
     Device &device = *bench.device;
     stage.setLoss(loss);
+    stage.tear(holeOf(options, 140us, 60ms));
     (void)stage.perform("refresh", device.refresh());
     (void)stage.perform("read", device.read(indexOf(device, "slot0.p")));
     (void)bench.write("slot0.p", 1.5);
@@ -337,12 +340,9 @@ TEST(Dmc60cConversations, LostAndLateAnswers)
     tellVariants(told, losses, [](Conversation &one, const std::string &seed) {
         return askOfDmc60c(one, {}, 0.25, static_cast<std::uint64_t>(std::stoi(seed)));
     });
-    std::vector<std::string> faults{",fault=duplicate", ",fault=reset@3", ",fault=busoff@2", ",fault=brownout@2"};
-    for (int frame = 1; frame <= 8; ++frame) {
-        for (const char *kind : {"drop@", "corrupt@", "power@", "silent@"})
-            faults.push_back(",fault=" + (kind + std::to_string(frame)));
-        faults.push_back(",fault=delay@" + std::to_string(frame) + ":80");
-    }
+    std::vector<std::string> faults{",fault=duplicate", ",fault=reset@0.9", ",fault=reset@1.2", ",fault=reset@1.5",
+        ",fault=busoff@0.9", ",fault=busoff@1.2", ",fault=brownout@1", ",fault=silent@60", ",fault=power@66"};
+    addHoles(faults, 1, 34);
     tellVariants(
         told, faults, [](Conversation &one, const std::string &fault) { return askOfDmc60c(one, fault, 0.0, 1); });
     told.expectAsStored("dmc60c-losses");
@@ -358,11 +358,12 @@ FirmwareImage storyImage(std::uint16_t version = 0x0118)
 std::string updateDmc60c(Conversation &told, const std::string &options, double loss, std::uint64_t seed,
     const UpdateOptions &wanted = {}, std::uint16_t version = 0x0118)
 {
-    TwoDmc60c bench(told, options, seed);
+    TwoDmc60c bench(told, options.starts_with(',') ? options : "", seed);
     StoryStage &stage = bench.stage;
     if (!bench.device)
         return stage.outcomes();
     stage.setLoss(loss);
+    stage.tear(holeOf(options, 140us, 60ms));
     const FirmwareImage image = storyImage(version);
     stage.sum([&] {
         const auto report = stage.perform(
@@ -393,14 +394,12 @@ TEST(Dmc60cConversations, UpdatesGoodAndBad)
         return updateDmc60c(one, {}, 0.005, static_cast<std::uint64_t>(std::stoi(seed)));
     });
     std::vector<std::string> faults;
-    for (const char *fault : {"power-page@0", "power-page@4", "power-page@30", "reset@2", "reset@3", "reset@4",
-             "busoff@2", "busoff@3", "brownout@1", "duplicate"})
+    for (const char *fault : {"power-page@0", "power-page@4", "power-page@30", "reset@0.8", "reset@0.95", "reset@1.1",
+             "reset@1.3", "busoff@0.8", "busoff@1.1", "brownout@0.7", "duplicate"})
         faults.push_back(std::string(",fault=") + fault);
-    for (int frame = 8; frame <= 40; frame += 2) {
-        for (const char *kind : {"drop@", "corrupt@", "power@", "silent@"})
-            faults.push_back(",fault=" + (kind + std::to_string(frame)));
-        faults.push_back(",fault=delay@" + std::to_string(frame) + ":400");
-    }
+    addHoles(faults, 1, 12);
+    for (const int page : {1, 2, 3}) // around the last frames of each
+        addHoles(faults, page * 514 + 6, page * 514 + 9);
     tellVariants(
         told, faults, [](Conversation &one, const std::string &fault) { return updateDmc60c(one, fault, 0.0, 1); });
     told.expectAsStored("dmc60c-updates");

@@ -23,6 +23,8 @@ struct OneBoard {
             device = rows.empty() ? nullptr : &stage.open(rows.front());
             stage.advance(300ms);
         });
+        if (device)
+            stage.forgetOutcomes();
     }
     Result<std::int64_t> write(std::string_view key, double number)
     {
@@ -255,16 +257,19 @@ TEST(QuadQuad2DrvConversations, LostAndGarbledPackets)
              "power@60", "power@75", "silent@20", "silent@60", "corrupt@40", "corrupt@50", "corrupt@62", "drop@41",
              "drop@52", "drop@63", "drop@70"})
         variants.push_back(std::string(",fault=") + fault);
+    for (int piece = 1; piece <= 40; ++piece)
+        variants.push_back("request " + std::to_string(piece));
     tellVariants(told, variants, [](Conversation &one, const std::string &variant) {
         const auto hash = variant.find('#');
         const std::uint64_t seed = hash == std::string::npos ? 1 : std::stoull(variant.substr(hash + 1));
-        OneBoard bench(one, variant.substr(0, hash), "sim:spi", seed);
+        OneBoard bench(one, variant.starts_with(',') ? variant.substr(0, hash) : "", "sim:spi", seed);
         StoryStage &stage = bench.stage;
         if (!bench.device)
             return stage.outcomes();
         Device &device = *bench.device;
         if (hash != std::string::npos)
             stage.setLoss(0.2);
+        stage.tear(holeOf(variant, 400us, 2ms));
         (void)stage.perform("refresh", device.refresh());
         (void)bench.write("ch1.velocity.p", 120.0);
         (void)bench.write("ch2.limit.power", 0.5);

@@ -27,6 +27,8 @@ struct TwoNodes {
             device = rows.empty() ? nullptr : &stage.open(rows.back());
             stage.advance(300ms);
         });
+        if (device)
+            stage.forgetOutcomes();
     }
     Result<std::int64_t> write(std::string_view key, double number)
     {
@@ -326,16 +328,18 @@ TEST(SupermodifiedConversations, LostAndLateAnswers)
                  "delay@45:200", "corrupt@3", "corrupt@20", "drop@3", "drop@25", "drop@44"})
             variants.push_back(std::string(dialect) + ",fault=" + fault);
     }
+    addHoles(variants, 1, 30);
     tellVariants(told, variants, [](Conversation &one, const std::string &variant) {
         const auto hash = variant.find('#');
         const std::uint64_t seed = hash == std::string::npos ? 1 : std::stoull(variant.substr(hash + 1));
-        TwoNodes bench(one, variant.substr(0, hash), usualLine, seed);
+        TwoNodes bench(one, variant.starts_with(',') ? variant.substr(0, hash) : "", usualLine, seed);
         StoryStage &stage = bench.stage;
         if (!bench.device)
             return stage.outcomes();
         Device &device = *bench.device;
         if (hash != std::string::npos)
             stage.setLoss(0.15);
+        stage.tear(holeOf(variant, 1200us, 8ms));
         (void)stage.perform("refresh", device.refresh());
         (void)stage.perform("read", device.read(indexOf(device, "gain.p")));
         (void)bench.write("profile.velocity", 2000.0);

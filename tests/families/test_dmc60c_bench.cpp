@@ -302,6 +302,30 @@ TEST_F(Dmc60cBench, RaisesRatesAndAsksForThemAgainAfterARestart)
     EXPECT_EQ(device->telemetry()->lost(position), 0U);
 }
 
+TEST_F(Dmc60cBench, ALostSupplyThatLooksLikeLostFramesIsFoundOut)
+{
+    Simulator &unit = add("dmc60c:5");
+    const auto device = family.open(host, clock, scanFor(5));
+    clock.advance(500ms);
+    const auto session = device->identity().session;
+    unit.setPowered(false);
+    unit.setPowered(true); // 40 ms to its application: shorter than what counts as silence
+    clock.advance(1s);
+    EXPECT_NE(device->identity().session, session);
+    EXPECT_TRUE(device->liveness().restarted) << "its position began anew";
+}
+
+TEST_F(Dmc60cBench, FramesThatAreLostAreNoRestart)
+{
+    add("dmc60c:5");
+    const auto device = family.open(host, clock, scanFor(5));
+    clock.advance(500ms);
+    bus.setLoss(0.3);
+    clock.advance(20s);
+    EXPECT_FALSE(device->liveness().restarted);
+    EXPECT_EQ(device->identity().state, DeviceState::Online);
+}
+
 TEST_F(Dmc60cBench, KeepsTheCountsOfClearedFaultsAtThirtyPercentLoss)
 {
     Simulator &unit = add("dmc60c:5");

@@ -16,6 +16,7 @@ using namespace std::chrono_literals;
 
 constexpr Duration askPeriodAtMost = 1s;
 constexpr int wakesNeeded = 3; ///< frames may be lost
+constexpr Duration answerAtMost = 100ms; ///< to the question for a period; it stands still for 54 ms while it writes flash
 
 } // namespace
 
@@ -32,6 +33,7 @@ Controller::Controller(const Family &family, CanLink &link, Clock &clock, Identi
     , m_rates(m_desk, parameters())
     , m_sense(telemetry())
     , m_presence(clock, this->identity().session, owner())
+    , m_unanswered(clock)
     , m_received(link.received().add([this](const CanFrame &frame) { onFrame(frame); }))
     , m_identityChanged(changed().add([this] { sessionChanged(); }))
 {
@@ -298,6 +300,7 @@ void Controller::onGeneral(const StatusGeneral &status, Instant time)
 
 void Controller::onParameter(const ParamResponse &response)
 {
+    m_unanswered.stop();
     StatusStream *const stream = m_sense.streamOf(response.parameter);
     if (stream && response.status == ParameterStatus::NoError && response.field > 0)
         stream->setPeriod(std::chrono::milliseconds(response.field));
@@ -334,6 +337,8 @@ void Controller::askPeriod(std::uint8_t parameter)
         return;
     m_periodAskedAt = clock().now();
     (void)m_can.send(encodeParamRequest(identity().address, session(), parameter));
+    // README.md#sessions: a unit that lost its supply for so short a time that only frames seem to be missing has another session now.
+    m_unanswered.startIn(answerAtMost, [this] { m_presence.enumerate(); });
 }
 
 /// With no task waiting: an answer that does not come is asked for again a second later.

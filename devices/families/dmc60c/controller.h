@@ -64,6 +64,7 @@ private:
     StatusSense m_sense;
     FaultWatch m_faultWatch;
     Presence m_presence;
+    Timer m_unanswered; ///< the latest question for a period
     bool m_restarted = false;
     Instant m_periodAskedAt{};
     std::uint32_t m_livenessKey = ~0U;
