@@ -52,9 +52,9 @@ Task<void> BoardLayout::tellEverything()
 
 /// A board that was reset has its start-up data masks again. At the first look that tells of a reset since the settings in its
 /// profile were written, by this run of the program or another one: all that write set other masks first.
-Task<void> BoardLayout::check()
+Task<void> BoardLayout::check(int tries)
 {
-    auto asking = m_port.request(getRequest(PacketId::GetDataMask), 1);
+    auto asking = m_port.request(getRequest(PacketId::GetDataMask), tries);
     const Packet reply = co_await std::move(asking);
     const auto masks = parseDataMasks(reply);
     if (!masks)

@@ -26,7 +26,7 @@ public:
     /// seen any more.
     [[nodiscard]] Task<void> tellEverything();
     /// Looks for a reset.
-    [[nodiscard]] Task<void> check();
+    [[nodiscard]] Task<void> check(int tries = 1);
     /// One rate for the whole board; the period is a multiple of 40.96 µs, at least one pass of the loop (README.md#ready-line). Yields
     /// whether the stream is another. Unsupported without a ready line.
     [[nodiscard]] Task<bool> setRate(ChannelIndex channel, double hertz);

@@ -23,6 +23,8 @@ Task<void> ask(PacketPort &port)
     co_return {};
 }
 
+constexpr int refreshTries = 3; ///< as for every other question; the polls are asked once
+
 Task<void> sendAll(PacketPort &port, std::vector<Bytes> requests)
 {
     for (const Bytes &request : requests) {
@@ -197,7 +199,7 @@ Task<void> Controller::refresh()
     const auto version = parseVersion(reply);
     if (!version)
         co_return fail(Fault::BadReply, say("the version has an unexpected length"));
-    auto checking = m_layout.check();
+    auto checking = m_layout.check(refreshTries);
     co_await std::move(checking);
     auto layout = m_layout.read();
     co_await std::move(layout);

@@ -204,7 +204,6 @@ void Board::stream()
     if ((m_commands.streamConfig() & streamconfig::elapsed) != 0)
         payload.push_back(std::exchange(m_elapsed, std::uint8_t{0}));
     m_commands.appendMotion(payload);
-    m_out.noteStream();
     send(static_cast<std::uint8_t>(PacketId::Stream), payload);
 }
 

@@ -14,8 +14,10 @@ constexpr std::size_t mostWaiting = 8;
 
 void Outbox::push(std::vector<std::uint8_t> packet)
 {
-    if (m_packets.size() < mostWaiting)
-        m_packets.push_back(std::move(packet));
+    if (m_packets.size() >= mostWaiting)
+        return;
+    m_streamWaits = m_streamWaits || packet[2] == static_cast<std::uint8_t>(PacketId::Stream);
+    m_packets.push_back(std::move(packet));
 }
 
 std::uint8_t Outbox::next()

@@ -18,7 +18,6 @@ public:
     [[nodiscard]] bool isEmpty() const { return m_packets.empty(); }
     /// A stream packet waits, or was not clocked out to its end.
     [[nodiscard]] bool hasStream() const { return m_streamWaits; }
-    void noteStream() { m_streamWaits = true; }
 
 private:
     std::deque<std::vector<std::uint8_t>> m_packets;
