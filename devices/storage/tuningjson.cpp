@@ -25,7 +25,8 @@ template <class T> using Numbers = std::vector<std::pair<const char *, double T:
 const Numbers<PlantModel> plantNumbers{{"gain", &PlantModel::gain}, {"tau", &PlantModel::tau},
     {"delay", &PlantModel::delay}, {"friction", &PlantModel::friction}, {"braking", &PlantModel::braking},
     {"stall_current", &PlantModel::stallCurrent}, {"back_duty", &PlantModel::backDuty}, {"noise", &PlantModel::noise},
-    {"sag", &PlantModel::sag}, {"warming", &PlantModel::warming}};
+    {"reading", &PlantModel::reading}, {"lag_doubt", &PlantModel::lagDoubt}, {"pick_up", &PlantModel::pickUp},
+    {"idle", &PlantModel::idle}, {"sag", &PlantModel::sag}, {"warming", &PlantModel::warming}};
 const Numbers<ContinuousGains> gainNumbers{
     {"p", &ContinuousGains::p}, {"i", &ContinuousGains::i}, {"d", &ContinuousGains::d}, {"f", &ContinuousGains::f}};
 const Numbers<PushFit> pushNumbers{{"tau", &PushFit::tau}, {"tau_error", &PushFit::tauError},

@@ -4,6 +4,7 @@
 #include "model/family.h"
 #include "tuning/envelope.h"
 #include "tuning/figures.h"
+#include "tuning/proof.h"
 #include "tuning/seconds.h"
 
 #include <algorithm>
@@ -79,7 +80,8 @@ Task<Trial> AutotuneRun::run(ExperimentPlan plan)
         note(say("the wire lost too many frames; the same again"));
         m_report.stopReason.clear();
         m_report.evidence = {};
-        plan.repeat = std::max(plan.repeat / 2, 1);
+        const int fewest = plan.mode == Mode::Current ? currentRepeats(0.0, 1.0) : 1; // fewer do not tell it from noise
+        plan.repeat = std::max(plan.repeat / 2, std::min(plan.repeat, fewest));
         if (plan.mode == Mode::Position && !m_device.family().capabilities.zeroPosition)
             plan.to += m_here - before;
     }

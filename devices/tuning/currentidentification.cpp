@@ -5,10 +5,13 @@
 #include "tuning/autotunerun.h"
 #include "tuning/figures.h"
 #include "tuning/leastsquares.h"
+#include "tuning/localfit.h"
 #include "tuning/proposals.h"
+#include "tuning/verdict.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace mb::tuning {
 namespace {
@@ -74,6 +77,39 @@ bool isComplete(const Trial &trial)
         && !trial.signal("position")->trace.isEmpty() && !trial.signal("duty")->trace.isEmpty();
 }
 
+/// What the current of a push makes of its motor's speed, counts/s²: of a parabola through its positions.
+std::optional<std::pair<double, double>> speedingUp(const Trial &trial, const Span &hold)
+{
+    const double from = edgeOfPush(trial, hold) + afterEdge;
+    const Trace drawn = trial.signal("current")->trace.part(from, hold.to);
+    const double half = 0.5 * (hold.to - from);
+    const auto bent = fitParabola(trial.signal("position")->trace, from + half, half, 0);
+    if (drawn.isEmpty() || !bent)
+        return std::nullopt;
+    const double current = std::accumulate(drawn.y.begin(), drawn.y.end(), 0.0) / static_cast<double>(drawn.size());
+    return std::pair(std::abs(current), 2.0 * bent->c * std::copysign(1.0, current));
+}
+
+/// A, the step of a reading: of the smallest difference first, then of ever larger readings, which tell it ever finer.
+double readingOf(const std::vector<Trial> &pushes)
+{
+    std::vector<double> all;
+    double step = 0.0;
+    for (const Trial &trial : pushes) {
+        const Trace &current = trial.signal("current")->trace;
+        const double least = resolutionOf(current);
+        step = step == 0.0 || (least > 0.0 && least < step) ? least : step;
+        for (const double value : current.y)
+            all.push_back(std::abs(value));
+    }
+    std::sort(all.begin(), all.end());
+    for (const double value : all) {
+        if (step > 0.0 && value > 0.5 * step)
+            step = value / std::round(value / step);
+    }
+    return step;
+}
+
 MessageNumber amperes(double current)
 {
     return {std::round(current * 1000.0) / 1000.0, -1, "A"};
@@ -115,6 +151,27 @@ Result<Ohm> fitOhm(const std::vector<Trial> &pushes)
         ohm.scatter = std::max(ohm.scatter, std::abs(gain / ohm.gain - 1.0));
     }
     return ohm;
+}
+
+PickUp pickUpOf(const std::vector<Trial> &pushes)
+{
+    Squares all;
+    LeastSquares<1> withoutFriction;
+    for (const Trial &trial : pushes) {
+        for (const Span &hold : trial.holds) {
+            const auto seen = isComplete(trial) ? speedingUp(trial, hold) : std::nullopt;
+            if (!seen)
+                continue;
+            all.add({seen->first, -1.0}, seen->second);
+            withoutFriction.add({seen->first}, seen->second);
+        }
+    }
+    PickUp pickUp;
+    if (const auto two = all.solve(); two && two->values[0] > two->errors[0] && two->values[1] >= 0.0)
+        pickUp = {two->values[0], two->values[1] / two->values[0]};
+    else if (const auto one = withoutFriction.solve())
+        pickUp = {std::max(one->values[0], 0.0), 0.0};
+    return pickUp;
 }
 
 double currentNoise(const std::vector<Trial> &pushes)
@@ -209,6 +266,10 @@ Result<void> CurrentIdentification::conclude(AutotuneRun &run) const
     PlantModel plant{ohm->gain, electricalTime, currentDelays * run.device().family().loop->cycle, 0.0};
     plant.backDuty = std::max(ohm->back, 0.0);
     plant.noise = noise;
+    const PickUp pickUp = pickUpOf(m_pushes);
+    plant.pickUp = pickUp.rate;
+    plant.idle = pickUp.idle;
+    plant.reading = readingOf(m_pushes);
     return run.take({std::move(found), plant, std::move(gates), std::nullopt});
 }
 

@@ -20,6 +20,14 @@ struct Ohm {
 /// OutOfRange where current or positions are missing or too few.
 [[nodiscard]] Result<Ohm> fitOhm(const std::vector<Trial> &pushes);
 
+/// How a current speeds its motor up.
+struct PickUp {
+    double rate = 0.0; ///< counts/s² per A beyond `idle`
+    double idle = 0.0; ///< A, that friction takes
+};
+/// Of short pushes of several sizes; 0 where nothing moves.
+[[nodiscard]] PickUp pickUpOf(const std::vector<Trial> &pushes);
+
 /// A, standard deviation of what the unit tells while nothing flows, before each push.
 [[nodiscard]] double currentNoise(const std::vector<Trial> &pushes);
 

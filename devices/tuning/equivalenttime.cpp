@@ -29,4 +29,23 @@ Trace merged(const std::vector<Trace> &runs)
     return sorted;
 }
 
+Trace meanOf(const std::vector<Trace> &runs, double period, double share)
+{
+    const Trace all = merged(runs);
+    Trace mean;
+    for (std::size_t i = 0; i < all.size();) {
+        const double end = all.t[i] + std::max(period, share * all.t[i]);
+        double t = 0.0;
+        double y = 0.0;
+        const std::size_t from = i;
+        for (; i < all.size() && (all.t[i] < end || i == from); ++i) {
+            t += all.t[i];
+            y += all.y[i];
+        }
+        const auto count = static_cast<double>(i - from);
+        mean.add(t / count, y / count);
+    }
+    return mean;
+}
+
 } // namespace mb::tuning

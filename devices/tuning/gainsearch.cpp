@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/gainsearch.h"
 
+#include "tuning/currentsearch.h"
 #include "tuning/margins.h"
 #include "tuning/pushfit.h"
 
@@ -335,8 +336,10 @@ private:
 
 Design searched(Mode loop, const PlantModel &plant, const Design &start, const SearchTask &task)
 {
-    if (task.step == 0.0 || loop == Mode::Current)
+    if (task.step == 0.0)
         return start;
+    if (loop == Mode::Current)
+        return searchedCurrent(plant, start, task);
     const Found best = Search(loop, plant, start, task).best();
     Design design = start;
     design.gains = best.gains;
@@ -345,6 +348,8 @@ Design searched(Mode loop, const PlantModel &plant, const Design &start, const S
 
 double errorOfSteps(Mode loop, const PlantModel &plant, const ContinuousGains &gains, const SearchTask &task)
 {
+    if (loop == Mode::Current)
+        return errorOfCurrents(plant, gains, task);
     Design start;
     start.response = responseOf(loop, Aim::Normal, plant);
     return Search(loop, plant, start, task).errorOf(gains);

@@ -16,12 +16,13 @@ constexpr double quiet = 1e-3;       ///< σ of the step below which nothing is 
 constexpr double unreadable = 0.015; ///< σ above which one run tells no settling time …
 constexpr double muchNoise = 0.05;   ///< σ with which one sample says little
 constexpr int manyRepeats = 6;
-constexpr int enoughRepeats = 4;    ///< … but as many do
-constexpr double fewSamples = 1.6;  ///< periods either side: where it is steep, or without noise
-constexpr double manySamples = 4.2; ///< where it is flat
-constexpr double riseTime = 0.35;   ///< of the rise to a half, over which noise is taken out of it
-constexpr double slowTime = 1.0;    ///< times the rise to a half
-constexpr double wideMean = 3.0;    ///< times the rise to a half
+constexpr int enoughRepeats = 4;       ///< … but as many do
+constexpr double fewSamples = 1.6;     ///< periods either side: where it is steep, or without noise
+constexpr double manySamples = 4.2;    ///< where it is flat
+constexpr double riseTime = 0.35;      ///< of the rise to a half, over which noise is taken out of it
+constexpr double slowTime = 1.0;       ///< times the rise to a half
+constexpr double wideMean = 3.0;       ///< times the rise to a half
+constexpr double lateOvershoot = 12.0; ///< times that, after which a mean is of noise alone
 constexpr double leastEnd = 0.05;
 constexpr double madToSigma = 1.4826;
 constexpr double quadraticGain = 2.25; ///< noise that a local quadratic leaves, in its middle
@@ -144,7 +145,7 @@ std::optional<double> crossing(const Normal &normal, double level, double width)
     return std::nullopt;
 }
 
-/// In much noise: the largest mean over three times its rise, where it is more than the largest of so many means would be by noise alone.
+/// In much noise: the largest mean over three times its rise, not long after it, where it is more than the largest of so many means would be by noise alone.
 double overshootOfMeans(const Normal &normal)
 {
     const auto &[t, y] = normal.raw;
@@ -153,7 +154,7 @@ double overshootOfMeans(const Normal &normal)
     double most = 0.0;
     double fewest = 1.0;
     std::size_t from = normal.begin;
-    for (std::size_t i = normal.begin; i < t.size(); ++i) {
+    for (std::size_t i = normal.begin; i < t.size() && t[i] - t[normal.begin] < lateOvershoot * normal.rising; ++i) {
         sum += y[i];
         for (; t[i] - t[from] > width; ++from)
             sum -= y[from];
@@ -163,7 +164,7 @@ double overshootOfMeans(const Normal &normal)
         most = std::max(most, sum / count);
         fewest = std::max(fewest, count);
     }
-    const double means = std::max((t.back() - t[normal.begin]) / width, 1.0);
+    const double means = std::max(std::min((t.back() - t[normal.begin]) / width, lateOvershoot / wideMean), 1.0);
     const double sure = std::max(2.0, std::sqrt(2.0 * std::log(means)));
     const double over = most / normal.end - 1.0;
     return over > sure * normal.sigma / std::sqrt(fewest) / std::abs(normal.end) ? over : 0.0;

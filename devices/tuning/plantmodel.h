@@ -14,6 +14,10 @@ struct PlantModel {
     double stallCurrent = 0.0; ///< A per duty at standstill; 0: not known
     double backDuty = 0.0;     ///< duty that a count/s takes off it
     double noise = 0.0;        ///< σ of what a current loop measures, A
+    double reading = 0.0;      ///< A, steps in which it is read
+    double lagDoubt = 0.0;     ///< share by which tau of a current loop may be off; 0: it is taken, nobody has seen it
+    double pickUp = 0.0;       ///< counts/s² per A, that the motor of a current loop speeds up with
+    double idle = 0.0;         ///< A of it, that friction takes
     double sag = 0.0;     ///< share by which tau grows with the square of the duty (pushfit.h); it is that of dutyOfLag
     double warming = 0.0; ///< as PushFit::warming
 

@@ -5,6 +5,7 @@
 #include "tuning/envelope.h"
 #include "tuning/figures.h"
 #include "tuning/gains.h"
+#include "tuning/leastsquares.h"
 #include "tuning/verdict.h"
 
 #include <algorithm>
@@ -35,7 +36,8 @@ constexpr double mostBlur = 0.05;        ///< of the step
 constexpr double moreSettle = 2.0;       ///< times
 constexpr double laterSettle = 0.15;     ///< s
 constexpr double quietNoise = 0.005;     ///< of the step, with which settling can still be measured
-constexpr double leastError = 0.02;      ///< of the step
+constexpr double endOfHold = 0.25;
+constexpr double leastError = 0.02; ///< of the step
 
 void addNumber(const Family &family, const std::string &key, double number, ScaledGains &into)
 {
@@ -200,6 +202,27 @@ double droopOf(const std::vector<Trial> &trials, const PlantModel &plant, const 
         }
     }
     return (gains.i > 0.0 ? plant.backDuty * acceleration / gains.i : 0.0) + 0.5 * step;
+}
+
+std::optional<double> restOfCurrent(const std::vector<Trial> &trials)
+{
+    std::optional<double> worst;
+    for (const Trial &trial : trials) {
+        const Signal *const current = trial.signal("current");
+        LeastSquares<1> rest;
+        for (const Span &hold : trial.holds) {
+            const Trace end
+                = current ? current->trace.part(hold.to - endOfHold * (hold.to - hold.from), hold.to) : Trace();
+            for (const double value : end.y)
+                rest.add({1.0}, (trial.stimulus.to - value) / (trial.stimulus.to - trial.stimulus.from));
+        }
+        const auto mean = rest.solve();
+        if (!mean)
+            return std::nullopt;
+        if (!worst || std::abs(mean->values[0]) > std::abs(*worst))
+            worst = mean->values[0];
+    }
+    return worst;
 }
 
 Message judgeProof(const Metrics &measured, const Metrics &predicted, double step, double resting)

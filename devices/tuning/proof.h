@@ -46,6 +46,10 @@ void freeIntegral(const Family &family, Mode loop, int axis, int slot, ScaledGai
 [[nodiscard]] double restingError(
     const Family &family, Mode loop, const PlantModel &plant, const ContinuousGains &gains, double seconds);
 
+/// Share of its step that a current is from its target at the end, of the mean of all steps of a trial, the worst of the trials: one sample
+/// is a whole step of its reading.
+[[nodiscard]] std::optional<double> restOfCurrent(const std::vector<Trial> &trials);
+
 /// The error, A, that a current loop must leave while its motor speeds up: its integral follows the motor's own voltage, which grows, from
 /// behind; and half a step of what is read. Of the largest speeding up in the trials; 0 where the model does not know what a count/s takes off the duty.
 [[nodiscard]] double droopOf(const std::vector<Trial> &trials, const PlantModel &plant, const ContinuousGains &gains);

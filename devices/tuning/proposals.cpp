@@ -190,8 +190,10 @@ Result<Proposal> proposalFor(const ProposalBasis &basis, const ProposalWish &wis
         inSeconds(family.capabilities.commandPeriod), {}, withoutProfile(shapeOf(basis))};
     proposal.design = design(basis.loop, plant, std::max(response, basis.scale ? basis.scale->quickest : 0.0),
         task.bounds, ms.model, ms.off);
-    if (basis.loop != Mode::Current && !wish.response && !wish.ms) {
-        task.step = proofStep(basis.loop, plant, proposal.design.gains, basis.envelope);
+    const bool rules = wish.response || wish.ms || (basis.loop == Mode::Current && wish.aim == Aim::Calm);
+    if (!rules) {
+        task.step = basis.loop == Mode::Current ? currentStep(plant.gain, basis.envelope)
+                                                : proofStep(basis.loop, plant, proposal.design.gains, basis.envelope);
         task.bounds.largestError = task.step;
         task.least = leastOf(basis, proposal.design.gains);
         task.isProven = wish.isProven;

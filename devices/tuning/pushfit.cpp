@@ -27,7 +27,7 @@ constexpr double mostSag = 0.8;
 constexpr double mostWarming = 0.4;
 constexpr double clearlyLess = 0.75; ///< of the squares that are left over: the pushes tell sag and warming
 
-struct Push {
+struct FittedPush {
     Trace trace;
     double duty = 0.0;
     double heat = 0.0;
@@ -41,7 +41,7 @@ struct Point {
     double warming = 0.0;
     double cost = -1.0;
 
-    [[nodiscard]] double tauOf(const Push &push) const
+    [[nodiscard]] double tauOf(const FittedPush &push) const
     {
         return tau * sagged(sag, push.duty) * (1.0 + warming * push.heat);
     }
@@ -77,15 +77,15 @@ Projected project(const Trace &trace, double tau, double delay)
 }
 
 /// Sum of squares over all records, in (half counts)².
-double costOf(std::span<const Push> pushes, const Point &at)
+double costOf(std::span<const FittedPush> pushes, const Point &at)
 {
     double sum = 0.0;
-    for (const Push &push : pushes)
+    for (const FittedPush &push : pushes)
         sum += project(push.trace, at.tauOf(push), at.delay).residual / (halfCount * halfCount);
     return sum;
 }
 
-Point coarse(std::span<const Push> pushes)
+Point coarse(std::span<const FittedPush> pushes)
 {
     Point best;
     const double ratio = std::pow(longestFitTau / shortestFitTau, 1.0 / (tauSteps - 1));
@@ -102,7 +102,7 @@ Point coarse(std::span<const Push> pushes)
 }
 
 /// Walks downhill along the axes, and the valleys of equal τ + delay and of equal lags of a warm motor.
-Point refined(std::span<const Push> pushes, Point best, bool changes)
+Point refined(std::span<const FittedPush> pushes, Point best, bool changes)
 {
     struct Way {
         double tau;
@@ -153,10 +153,10 @@ double ownDelay(const Trace &trace, double tau)
 
 /// Takes back what single records are later than the others: the frame of their order was lost, and the next one moved the motor.
 /// Whether there were any.
-bool align(std::vector<Push> &pushes, double tau)
+bool align(std::vector<FittedPush> &pushes, double tau)
 {
     std::vector<double> delays;
-    for (const Push &push : pushes)
+    for (const FittedPush &push : pushes)
         delays.push_back(ownDelay(push.trace, tau));
     const double usual = median(delays);
     bool any = false;
@@ -172,13 +172,13 @@ bool align(std::vector<Push> &pushes, double tau)
 }
 
 /// One lag for all; where the pushes clearly tell that it changes with duty and heat, that too.
-Point fitted(std::vector<Push> &pushes)
+Point fitted(std::vector<FittedPush> &pushes)
 {
     Point best = refined(pushes, coarse(pushes), false);
     if (align(pushes, best.tau))
         best = refined(pushes, coarse(pushes), false);
-    const bool isWhole = std::all_of(
-        pushes.begin(), pushes.end(), [&](const Push &push) { return push.trace.t.back() >= wholePush * best.tau; });
+    const bool isWhole = std::all_of(pushes.begin(), pushes.end(),
+        [&](const FittedPush &push) { return push.trace.t.back() >= wholePush * best.tau; });
     if (!isWhole)
         return best;
     const Point changing = refined(pushes, best, true);
@@ -186,7 +186,7 @@ Point fitted(std::vector<Push> &pushes)
 }
 
 /// Two standard errors of τ and delay from the curvature of the cost.
-std::pair<double, double> uncertainty(std::span<const Push> pushes, const Point &best, std::size_t samples)
+std::pair<double, double> uncertainty(std::span<const FittedPush> pushes, const Point &best, std::size_t samples)
 {
     const double a = 0.01 * best.tau;
     const double b = 0.001;
@@ -207,7 +207,7 @@ std::pair<double, double> uncertainty(std::span<const Push> pushes, const Point 
 
 Result<PushFit> fitPushes(std::span<const PushRecord> records)
 {
-    std::vector<Push> pushes;
+    std::vector<FittedPush> pushes;
     std::size_t samples = 0;
     for (const PushRecord &record : records) {
         if (record.position.size() < leastFitSamples)
@@ -226,7 +226,7 @@ Result<PushFit> fitPushes(std::span<const PushRecord> records)
     PushFit fit{best.tau, best.delay, tauError, delayError, {}, 0.0, best.sag, best.warming};
     double expected = 0.0; // sum of squares that whole counts and late time stamps make
     double left = 0.0;
-    for (const Push &push : pushes) {
+    for (const FittedPush &push : pushes) {
         const Projected projected = project(push.trace, best.tauOf(push), best.delay);
         const double blur = projected.speed * stampError;
         expected += static_cast<double>(push.trace.size()) * (halfCount * halfCount + blur * blur);

@@ -4,11 +4,13 @@
 #include "tuning/aside.h"
 #include "tuning/autotunerun.h"
 #include "tuning/envelope.h"
+#include "tuning/equivalenttime.h"
 #include "tuning/figures.h"
 #include "tuning/gainsearch.h"
 #include "tuning/leastsquares.h"
 #include "tuning/proof.h"
 #include "tuning/refinement.h"
+#include "tuning/windingfit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +20,12 @@
 namespace mb::tuning {
 namespace {
 
-constexpr double clearlyLess = 0.97; ///< of the error, that is worth another proof
-constexpr double hardlyMore = 2.0;   ///< of the error, that a model of a loop of whole steps may be wrong by
-constexpr double restFrom = 0.75;    ///< of a step
-constexpr double wholeHold = 10.0;   ///< s
+constexpr double clearlyLess = 0.97;  ///< of the error, that is worth another proof
+constexpr double hardlyMore = 2.0;    ///< of the error, that a model of a loop of whole steps may be wrong by
+constexpr double clearly = 2.0;       ///< standard deviations, by which noise alone may tell two currents apart
+constexpr double laterIsLonger = 0.2; ///< of the time since an edge, over which a current is taken
+constexpr double restFrom = 0.75;     ///< of a step
+constexpr double wholeHold = 10.0;    ///< s
 
 /// The shortest hold of all steps, s.
 double shortestHold(const std::vector<Trial> &proof, double shortest)
@@ -33,31 +37,81 @@ double shortestHold(const std::vector<Trial> &proof, double shortest)
     return shortest;
 }
 
-/// s², integral of time times error over the step, of what was measured in the first `seconds` of each step; with the error that it rests
-/// with, for as long again; of a position beyond what is near enough. Noise adds to it, the same to all steps of a loop.
+/// Those of a trial, seconds since the edge of each.
+std::vector<Trace> heldStepsOf(const Trial &trial, double seconds)
+{
+    const Signal *const measured = trial.signal(measuredOf(trial.mode));
+    std::vector<Trace> steps;
+    for (std::size_t i = 0; measured && i < trial.holds.size(); ++i) {
+        const double from = trial.holds[i].from;
+        steps.push_back(measured->trace.part(from, from + seconds, from));
+    }
+    return steps;
+}
+
+/// s², integral of time times error over the step, of one of them; but of a current, with the error that it rests with, for as long again;
+/// of a position beyond what is near enough.
+double errorOfStep(const Trial &trial, const Trace &step, double seconds)
+{
+    const double way = std::abs(trial.stimulus.to - trial.stimulus.from);
+    const double near = trial.mode == Mode::Position ? nearTarget / way : 0.0;
+    double sum = 0.0;
+    LeastSquares<1> rest;
+    for (std::size_t k = 1; k < step.size(); ++k) {
+        const double error = (trial.stimulus.to - step.y[k]) / way;
+        sum += step.t[k] * std::max(std::abs(error) - near, 0.0) * (step.t[k] - step.t[k - 1]);
+        if (step.t[k] > restFrom * seconds && trial.mode != Mode::Current)
+            rest.add({1.0}, error);
+    }
+    if (const auto mean = rest.solve())
+        sum += std::max(std::abs(mean->values[0]) - near, 0.0) * 1.5 * seconds * seconds;
+    return sum;
+}
+
+/// That of what was measured in the first `seconds` of each step; of a current of the mean of all steps of a trial, over ever longer times,
+/// for one sample is mostly noise, and what is late is slow. Noise adds to it, the same to all steps of a loop.
 double errorOf(const std::vector<Trial> &proof, double seconds)
 {
     double sum = 0.0;
-    std::size_t steps = 0;
+    std::size_t count = 0;
     for (const Trial &trial : proof) {
-        const Signal *const measured = trial.signal(measuredOf(trial.mode));
-        for (std::size_t i = 0; measured && i < trial.holds.size(); ++i, ++steps) {
-            const double from = trial.holds[i].from;
-            const Trace step = measured->trace.part(from, from + seconds, from);
-            const double way = std::abs(trial.stimulus.to - trial.stimulus.from);
-            const double near = trial.mode == Mode::Position ? nearTarget / way : 0.0;
-            LeastSquares<1> rest;
-            for (std::size_t k = 1; k < step.size(); ++k) {
-                const double error = (trial.stimulus.to - step.y[k]) / way;
-                sum += step.t[k] * std::max(std::abs(error) - near, 0.0) * (step.t[k] - step.t[k - 1]);
-                if (step.t[k] > restFrom * seconds)
-                    rest.add({1.0}, error);
-            }
-            if (const auto mean = rest.solve())
-                sum += std::max(std::abs(mean->values[0]) - near, 0.0) * 1.5 * seconds * seconds;
-        }
+        std::vector<Trace> steps = heldStepsOf(trial, seconds);
+        if (trial.mode == Mode::Current && !steps.empty())
+            steps = {meanOf(steps, samplePeriod(steps.front()), laterIsLonger)};
+        for (const Trace &step : steps)
+            sum += errorOfStep(trial, step, seconds);
+        count += steps.size();
     }
-    return steps > 0 ? sum / static_cast<double>(steps) : std::numeric_limits<double>::infinity();
+    return count > 0 ? sum / static_cast<double>(count) : std::numeric_limits<double>::infinity();
+}
+
+/// Standard error of that of a current, as its steps differ; of other loops nothing is forgiven.
+double doubtOfError(const std::vector<Trial> &proof, double seconds)
+{
+    double squares = 0.0;
+    for (const Trial &trial : proof) {
+        double sum = 0.0;
+        double sumOfSquares = 0.0;
+        const std::vector<Trace> steps = heldStepsOf(trial, seconds);
+        const auto count = static_cast<double>(steps.size());
+        if (trial.mode != Mode::Current || count < 2.0)
+            return 0.0;
+        for (const Trace &step : steps) {
+            const double error = errorOfStep(trial, step, seconds);
+            sum += error;
+            sumOfSquares += error * error;
+        }
+        squares += std::max(sumOfSquares - sum * sum / count, 0.0) / (count - 1.0) / count;
+    }
+    return proof.empty() ? 0.0 : std::sqrt(squares) / static_cast<double>(proof.size());
+}
+
+/// What was designed on a model that was corrected leaves less error than what was proven before, as far as that can be told.
+bool isBetter(const std::vector<Trial> &now, const std::vector<Trial> &before)
+{
+    const double seconds = shortestHold(now, shortestHold(before, wholeHold));
+    const double doubt = std::hypot(doubtOfError(now, seconds), doubtOfError(before, seconds));
+    return errorOf(now, seconds) < errorOf(before, seconds) + clearly * doubt;
 }
 
 } // namespace
@@ -170,7 +224,7 @@ Task<bool> TuneDesign::reconsider()
 Task<bool> TuneDesign::sharpen(double seconds)
 {
     TuneReport &report = m_run.report();
-    if (!mayChange() || m_plan.loop == Mode::Current || m_plan.aim == Aim::Calm || m_run.left() < seconds)
+    if (!mayChange() || m_plan.aim == Aim::Calm || m_run.left() < seconds)
         co_return false;
     if (report.predicted->shape.windowCounts
         > 0.0) // counted over so few edges, it does not show what play and steps do to the shaft
@@ -192,6 +246,8 @@ Task<bool> TuneDesign::improved()
         co_return false;
     auto correcting = corrected();
     const std::optional<PlantModel> plant = co_await std::move(correcting);
+    if (!plant && m_plan.loop == Mode::Current)
+        co_return false; // what is not known of its winding has cost it nothing that less caution would give back
     auto proposing = proposeOn(plant.value_or(m_held->plant));
     if (!co_await std::move(proposing))
         co_return false;
@@ -241,8 +297,7 @@ bool TuneDesign::isPromising() const
         return true;
     const std::vector<Trial> same{m_held->proof[proof.size() - 1]};
     const std::vector<Trial> last{proof.back()};
-    const double seconds = shortestHold(last, shortestHold(same, wholeHold));
-    return errorOf(last, seconds) < errorOf(same, seconds);
+    return isBetter(last, same);
 }
 
 void TuneDesign::takeTheBetter()
@@ -253,13 +308,14 @@ void TuneDesign::takeTheBetter()
     const bool held = report.result != TuneResult::RolledBack && report.proof.size() == m_held->proof.size();
     const double seconds = shortestHold(report.proof, shortestHold(m_held->proof, wholeHold));
     const double less = held ? errorOf(report.proof, seconds) / errorOf(m_held->proof, seconds) : 1.0;
+    const bool better = held && isBetter(report.proof, m_held->proof);
     if (m_former == Former::Tried)
         m_former = less < 1.0 ? Former::Better : Former::Worse;
     else if (m_former == Former::Better && less < 1.0)
         m_former = Former::Worse;
-    if (less < 1.0) {
+    if (less < 1.0)
         m_less = (m_less > 0.0 ? m_less : 1.0) * less;
-    } else {
+    if (!better) {
         std::vector<std::int64_t> trials = std::move(report.trials);
         report = std::move(*m_held);
         report.trials = std::move(trials);
@@ -302,9 +358,9 @@ void TuneDesign::beginAnew()
 Task<std::optional<PlantModel>> TuneDesign::corrected()
 {
     const TuneReport &report = m_run.report();
-    if (m_plan.loop == Mode::Current)
-        co_return std::optional<PlantModel>();
     const SteppedLoop stepped{report.proposed.made, report.predicted->shape, report.proof};
+    if (m_plan.loop == Mode::Current)
+        co_return withWindingOf(stepped, report.plant);
     auto working = aside<std::optional<PlantModel>>(m_run.device(),
         [stepped, plant = report.plant]() -> Result<std::optional<PlantModel>> { return refinedBy(stepped, plant); });
     co_return co_await std::move(working);

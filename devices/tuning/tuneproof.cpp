@@ -81,18 +81,23 @@ double TuneProof::hold() const
         least, longestProof);
 }
 
-/// As many as take the noise out of a current; of other loops two, or one where the time is short.
+/// As many as take the noise out of a current, or as there is time for; of other loops two, or one where the time is short.
 int TuneProof::repeats() const
 {
     const TuneReport &report = m_run.report();
-    if (m_run.plan().loop == Mode::Current)
-        return currentRepeats(report.plant.noise, m_design.step());
+    if (m_run.plan().loop == Mode::Current) {
+        const double room = m_run.left() / (report.proof.empty() ? 2.0 : 1.0);
+        const double fit = (room - secondsOf(hold(), 0)) / (secondsOf(hold(), 1) - secondsOf(hold(), 0));
+        const int asked = currentRepeats(report.plant.noise, m_design.step());
+        return std::clamp(static_cast<int>(fit), currentRepeats(0.0, 1.0), asked);
+    }
     return m_run.left() >= 2.0 * secondsOf(hold(), usualRepeats) ? usualRepeats : 1;
 }
 
 double TuneProof::seconds() const
 {
-    return 2.0 * secondsOf(hold(), 1);
+    const bool isCurrent = m_run.plan().loop == Mode::Current;
+    return 2.0 * secondsOf(hold(), isCurrent ? currentRepeats(m_run.report().plant.noise, m_design.step()) : 1);
 }
 
 /// The proposal as changes of the slot that it is proven in, with everything else of the slot that it is for.
@@ -159,6 +164,8 @@ Message TuneProof::judge()
     report.measured = worseOf(report.proof);
     if (report.predicted->shape.windowCounts > 0.0)
         report.measured.settle = settledWidely(report.proof);
+    if (m_run.plan().loop == Mode::Current && report.measured.sse)
+        report.measured.sse = restOfCurrent(report.proof);
     Message wrong = judgeProof(report.measured, report.predicted->metrics, m_design.step(), resting());
     if (wrong.empty() && m_run.plan().loop == Mode::Velocity)
         wrong = judgeRest(swingOf(report.proof.back()), *report.predicted, m_design.step());

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulation/motormodel.h"
 #include "tests/tuning/tuningbench.h"
+#include "tuning/gainrules.h"
 #include "tuning/proof.h"
 
 #include <gtest/gtest.h>
@@ -15,6 +17,15 @@ using test::ExperimentBench;
 using test::planOf;
 using test::rawOf;
 using test::tune;
+
+std::int64_t rawNumberOf(const test::TuneReport &report, std::string_view key)
+{
+    for (const ScaledGains::Row &row : report.proposed.rows) {
+        if (row.key == key)
+            return row.raw;
+    }
+    return -2;
+}
 
 TEST(CurrentLoop, TheBoundOfAnIntegralOfOtherGainsDoesNotHoldItShort)
 {
@@ -36,10 +47,50 @@ TEST(CurrentLoop, AMotorOfLittleCurrentIsProvenOnTheMeanOfManySteps)
         test::print(*report);
         EXPECT_EQ(report->result, TuneResult::Kept) << report->evidence;
         EXPECT_LE(report->seconds, 60.0);
+        EXPECT_EQ(report->plant.tau, 0.5e-3) << "noise hides its L/R";
+        EXPECT_GT(report->plant.reading, 0.0315);
+        EXPECT_LT(report->plant.reading, 0.0317) << "of 31.586 mA";
+        EXPECT_GT(report->plant.pickUp, 0.0);
         ASSERT_EQ(report->proof.size(), 2U);
         EXPECT_GT(report->proof.front().holds.size(), 6U) << "a few steps do not tell it";
         EXPECT_EQ(static_cast<int>(report->proof.front().holds.size()),
             currentRepeats(report->plant.noise, report->proof.front().stimulus.to));
+    }
+}
+
+TEST(CurrentLoop, WhatItsStepsTellOfTheWindingIsDesignedOnOnceMore)
+{
+    ExperimentBench bench("sim:can", "dmc60c", 5, "dmc60c:5,motor=775pro,load=7,gains=overshoot");
+    const auto report = tune(bench, planOf(Mode::Current));
+    ASSERT_TRUE(report) << report.error().text();
+    test::print(*report);
+    const MotorParameters &motor = *motorByName("775pro");
+    const double lag = motor.inductance / (motor.resistance + MotorSupply().bridgeResistance);
+    EXPECT_EQ(report->result, TuneResult::Kept) << report->evidence;
+    EXPECT_NEAR(report->plant.tau, lag, 0.3 * lag);
+    EXPECT_GT(report->plant.lagDoubt, 0.0);
+    EXPECT_NE(report->evidence.english().find("proven first left more error"), std::string::npos) << report->evidence;
+    const ContinuousGains rule = currentRule(report->plant, responseOf(Mode::Current, Aim::Normal, report->plant));
+    EXPECT_GT(report->proposed.made.i, 1.3 * rule.i);
+    EXPECT_EQ(rawOf(bench, "slot0.i"), rawNumberOf(*report, "slot0.i"));
+    EXPECT_LE(report->seconds, 60.0);
+}
+
+TEST(CurrentLoop, CalmGainsAndNumbersAreProvenOnce)
+{
+    for (const bool calm : {true, false}) {
+        ExperimentBench bench("sim:can", "dmc60c", 5, "dmc60c:5,motor=775pro,load=7,gains=overshoot");
+        TunePlan plan = planOf(Mode::Current);
+        plan.aim = calm ? Aim::Calm : Aim::Normal;
+        if (!calm)
+            plan.response = 2.5e-3;
+        const auto report = tune(bench, plan);
+        ASSERT_TRUE(report) << report.error().text();
+        EXPECT_EQ(report->result, TuneResult::Kept) << report->evidence;
+        EXPECT_EQ(report->plant.tau, 0.5e-3);
+        EXPECT_EQ(report->plant.lagDoubt, 0.0);
+        const double asked = calm ? responseOf(Mode::Current, Aim::Calm, report->plant) : 2.5e-3;
+        EXPECT_NEAR(report->proposed.made.i, currentRule(report->plant, asked).i, 0.01 * report->proposed.made.i);
     }
 }
 

@@ -289,10 +289,10 @@ TEST(Acceptance, A06_RelayGivesTauOfAMotorWithFriction)
         const Truth truth(plant);
         for (const double duty : {0.15, 0.3}) {
             Recorder recorder(plant, 0.001, 0.0, 1);
-            const double start = static_cast<double>(recorder.motor().counts());
+            const double begun = static_cast<double>(recorder.motor().counts());
             double sign = 1.0;
             recorder.run(6.0, 0.0, [&](double) {
-                const double y = static_cast<double>(recorder.motor().counts()) - start;
+                const double y = static_cast<double>(recorder.motor().counts()) - begun;
                 if (y > 40.0)
                     sign = -1.0;
                 else if (y < -40.0)

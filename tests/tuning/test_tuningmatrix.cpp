@@ -198,6 +198,20 @@ TEST(TuningMatrix, WhatTheBenchTellsOfAWindingIsWhatItDraws)
     }
 }
 
+TEST(TuningMatrix, ACurrentIsTunedAsWellAsABruteForceCan)
+{
+    for (const char *const motor : {"cim", "775pro", "rs775", "25d"}) {
+        const MatrixRow row = tuneCell(cellOf("dmc60c", motor, Mode::Current, 1, 0.0), Compare::All);
+        ASSERT_EQ(row.result, "kept") << textOf(row);
+        ASSERT_TRUE(row.kept && row.best);
+        std::printf("  %s: %.2f times the best of a brute force, in %.0f s\n", motor, row.kept->itae / row.best->itae,
+            row.seconds);
+        EXPECT_LE(row.kept->itae, 1.1 * row.best->itae) << textOf(row);
+        EXPECT_LE(row.kept->overshoot, 0.05) << textOf(row);
+        EXPECT_LE(row.seconds, 60.0) << textOf(row);
+    }
+}
+
 TEST(TuningMatrix, ASupermodifiedIsTunedAsWellAsABruteForceCan)
 {
     for (const auto &[motor, dialect] : {std::pair("25d", "D1"), std::pair("n20", "D2"), std::pair("cim", "D1")}) {
