@@ -198,6 +198,29 @@ TEST(SupermodifiedProfile, AFastOnePassesItsTargetInD1AndD2AndIsStopped)
     EXPECT_GT(passed, 0) << "the simulated firmware has the fault of the real one";
 }
 
+TEST(SupermodifiedProfile, AShortRelativeOneMayPassItsTargetByHalfItsWay)
+{
+    Bench bench;
+    Simulator &node = bench.add("supermodified:4,motor=25d");
+    const auto device = bench.connect(4);
+    ASSERT_TRUE(device->command(ramp(20000.0, 2400.0, 40000.0)));
+    bench.clock.advance(12s);
+    SetPoint move = ramp(600.0, 2400.0, 1000.0); // could stop within 2880 counts, but never gets as fast
+    move.relative = true;
+    move.order = 1;
+    ASSERT_TRUE(device->command(move));
+    bench.clock.advance(5s);
+    ASSERT_NEAR(node.position(), 20600.0, 60.0);
+    for (double torque = 0.0; torque > -5.0 && node.isOutputOn(); torque -= 0.005) { // somebody pulls at it
+        node.disturb("load-torque", torque);
+        bench.clock.advance(50ms);
+        ASSERT_LT(node.position(), 20600.0 + 300.0 + 700.0) << "positions come 50 times a second";
+    }
+    EXPECT_FALSE(node.isOutputOn());
+    EXPECT_GT(node.position(), 20600.0 + 300.0);
+    EXPECT_NE(device->command(ramp(0.0, 2400.0, 1000.0)).error().text().find("passed its target"), std::string::npos);
+}
+
 TEST(SupermodifiedProfile, ARelativeOneCountsFromWhereItBegan)
 {
     for (const double way : {1500.0, -1500.0}) {
