@@ -315,44 +315,6 @@ TEST_F(QuadQuad2Drv, ARampIsSentOnceAndArrivesWithItsVelocity)
     EXPECT_NEAR(fastestSeen, 1000.0, 150.0);
 }
 
-TEST(QuadQuad2DrvLoss, EveryParameterComesThroughWhenATenthOfTheTransfersIsGarbled)
-{
-    SimulatedSession bench("sim:spi?loss=0.1");
-    bench.scan();
-    Device *device = bench.device(0, "quadquad2drv");
-    ASSERT_NE(device, nullptr);
-    NoProgress progress;
-    const auto outcomes = run(bench.clock, readParameters(*device, readable(*device), progress));
-    ASSERT_TRUE(outcomes);
-    for (const TransferOutcome &outcome : *outcomes)
-        EXPECT_TRUE(outcome.raw) << device->parameters().parameter(outcome.index).key;
-}
-
-TEST(QuadQuad2DrvLoss, ARefreshAsksAgainForWhatCameGarbled)
-{
-    SimulatedSession bench("sim:spi?loss=0.1");
-    bench.scan();
-    Device *device = bench.device(0, "quadquad2drv");
-    ASSERT_NE(device, nullptr);
-    for (int i = 0; i < 30; ++i) {
-        const auto refreshed = run(bench.clock, device->refresh());
-        EXPECT_TRUE(refreshed) << i << ' ' << refreshed.error().text();
-    }
-}
-
-TEST(QuadQuad2DrvLoss, AStreamGoesOnWhenAPacketOfItIsLost)
-{
-    SimulatedSession bench("sim:spi?fault=drop@300");
-    bench.scan();
-    Device *device = bench.device(0, "quadquad2drv");
-    ASSERT_NE(device, nullptr);
-    const ChannelIndex position = channelOf(0, AxisChannel::Position);
-    ASSERT_TRUE(run(bench.clock, device->setRate(position, 500.0)));
-    bench.clock.advance(5s);
-    EXPECT_TRUE(device->liveness().heard);
-    EXPECT_NEAR(device->telemetry()->rate(position), 498.0, 5.0);
-}
-
 TEST_F(QuadQuad2Drv, MotionIsPolledAtNineTenthsOfTheWireLimit)
 {
     bench.clock.advance(100ms);

@@ -16,7 +16,8 @@ using namespace std::chrono_literals;
 
 constexpr Duration askPeriodAtMost = 1s;
 constexpr int wakesNeeded = 3; ///< frames may be lost
-constexpr Duration answerAtMost = 100ms; ///< to the question for a period; it stands still for 54 ms while it writes flash
+constexpr Duration answerAtMost
+    = 100ms; ///< to the question for a period; it stands still for 54 ms while it writes flash
 
 } // namespace
 
