@@ -239,7 +239,14 @@ private:
 TEST_F(AbstractDcUpdate, IsDoneWhenTheProgrammerVerifiedAndTheDriveAnswers)
 {
     standIn("echo \"$@\" > '" + folder.path().toStdString() + "/called'\n" + replay(success, 0));
+    std::vector<std::string> sent;
+    const Subscription tap = host.traffic().add([&sent](const Traffic &traffic) {
+        if (traffic.direction == Direction::Sent)
+            sent.push_back(toText(*traffic.can));
+    });
     const auto report = update(by("openocd:stlink"));
+    ASSERT_FALSE(sent.empty());
+    EXPECT_NE(std::find(sent.begin(), sent.end(), "067#0000000000"), sent.end()) << "the motor is stopped before";
     ASSERT_TRUE(report) << report.error().text();
     EXPECT_EQ(report->outcome, UpdateOutcome::Done);
     EXPECT_TRUE(report->verified);

@@ -309,5 +309,33 @@ TEST(AbstractDcConversations, LostAndLateAnswers)
     told.expectAsStored("abstractdc-losses");
 }
 
+TEST(AbstractDcConversations, ScansThatLoseAnswers)
+{
+    Conversation told;
+    std::vector<std::string> variants;
+    for (int seed = 1; seed <= 24; ++seed)
+        variants.push_back(std::to_string(seed));
+    addHoles(variants, 1, 20);
+    tellVariants(told, variants, [](Conversation &one, const std::string &variant) {
+        const bool lossy = variant.find(' ') == std::string::npos;
+        StoryStage stage(one, "sim:can", lossy ? std::stoull(variant) : 1);
+        stage.unit("abstractdc:3,dialect=F");
+        stage.unit("abstractdc:4,dialect=L");
+        stage.unit("abstractdc:5,dialect=D");
+        stage.unit("abstractdc:6,dialect=LL");
+        stage.unit("abstractdc:51,dialect=L");
+        stage.unit("dmc60c:5,session=0x1234");
+        stage.unit("dmc60c:20,fault=duplicate");
+        stage.host();
+        stage.setLoss(lossy ? 0.2 : 0.0);
+        stage.tear(holeOf(variant, 120us, 20ms));
+        for (const Identity &row : stage.scan())
+            stage.open(row);
+        stage.scan();
+        return stage.outcomes();
+    });
+    told.expectAsStored("abstractdc-scan-losses");
+}
+
 } // namespace
 } // namespace mb

@@ -125,6 +125,8 @@ TEST(Dmc60cConversations, WhatAUnitIsAndIsCalled)
     (void)stage.perform("rename to one more", device.rename(std::string(65, 'a')));
     (void)stage.perform("rename to nothing", device.rename(""));
     (void)stage.perform("rename in Latin-1", device.rename("gr\xC3\xBCn"));
+    (void)stage.perform("rename with the first letter in Latin-1", device.rename("\xC3\xBCn"));
+    (void)stage.perform("rename to half a letter", device.rename("gr\xC3"));
     (void)stage.perform("rename to what it has not", device.rename("\xE7\xB6\xA0"));
     for (const int number : {0, 64, 6, 5, 63, 1, 5})
         (void)stage.perform("renumber to " + std::to_string(number), device.renumber(number));

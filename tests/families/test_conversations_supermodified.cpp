@@ -358,5 +358,67 @@ TEST(SupermodifiedConversations, LostAndLateAnswers)
     told.expectAsStored("supermodified-losses");
 }
 
+TEST(SupermodifiedConversations, ScansThatLoseAnswers)
+{
+    Conversation told;
+    std::vector<std::string> variants;
+    for (int seed = 1; seed <= 16; ++seed)
+        variants.push_back(std::to_string(seed));
+    addHoles(variants, 1, 20);
+    tellVariants(told, variants, [](Conversation &one, const std::string &variant) {
+        const bool lossy = variant.find(' ') == std::string::npos;
+        StoryStage stage(one, usualLine, lossy ? std::stoull(variant) : 1);
+        stage.unit("supermodified:4,dialect=D1");
+        stage.unit("supermodified:5,dialect=D3");
+        Simulator &leaving = stage.unit("supermodified:6,dialect=D2,mask=254");
+        stage.unit("supermodified:1,dialect=D2");
+        stage.unit("supermodified:127,level=1");
+        stage.host();
+        stage.setLoss(lossy ? 0.2 : 0.0);
+        stage.tear(holeOf(variant, 1200us, 8ms));
+        const auto rows = stage.scan();
+        leaving.setPowered(false);
+        for (const int node : {1, 4, 6, 127})
+            stage.probe("supermodified", node);
+        stage.scan(ScanExtent::Usual, rows);
+        return stage.outcomes();
+    });
+    told.expectAsStored("supermodified-scan-losses");
+}
+
+TEST(SupermodifiedConversations, ADeviceThatIsFoundElsewhere)
+{
+    Conversation told;
+    StoryStage stage(told, "sim:serial");
+    Simulator &unit = stage.unit("supermodified:4,dialect=D1,baud=57600");
+    Simulator &faster = stage.unit("supermodified:4,dialect=D1,baud=115200");
+    Simulator &wider = stage.unit("supermodified:4,dialect=D3,baud=115200");
+    faster.setPowered(false);
+    wider.setPowered(false);
+    Device &device = stage.open(stage.probe("supermodified", 4).back());
+    stage.wait(500ms);
+    for (const auto &[from, to] : {std::pair(&unit, &faster), {&faster, &wider}}) {
+        from->setPowered(false);
+        to->setPowered(true);
+        stage.wait(3s);
+        const auto rows = stage.probe("supermodified", 4);
+        if (rows.empty())
+            continue;
+        device.setIdentity(rows.back());
+        stage.advance(50ms);
+        stage.wait(500ms);
+        drive(stage, device, wish(Mode::Velocity, 700.0), 50ms, 300ms);
+        halt(stage, device, 50ms, 300ms);
+        stage.heading("the cable comes out");
+        stage.pullHost();
+        stage.wait(200ms);
+        stage.answer("open again", stage.host().open());
+        stage.advance(60ms);
+        stage.wait(1s);
+    }
+    stage.tellTelemetry();
+    told.expectAsStored("supermodified-elsewhere");
+}
+
 } // namespace
 } // namespace mb

@@ -402,6 +402,73 @@ TEST(Dmc60cUpdate, AnotherWayInIsRefusedWhicheverPartOfItIsNamed)
     }
 }
 
+/// The unit that hears the last reset is another one with the same number and session.
+Result<UpdateReport> updateAndExchange(const std::string &other)
+{
+    Dmc60cUpdateBench bench("dmc60c:5,session=0x1234");
+    Timer exchange(bench.clock);
+    const Subscription watching = bench.host.traffic().add([&](const Traffic &traffic) {
+        if (traffic.direction == Direction::Sent && toText(*traffic.can).starts_with("0206FC05#3412F100"))
+            exchange.startIn(1us, [&] {
+                bench.simulator.reset();
+                bench.simulator = *bench.family.simulate(bench.port, bench.clock, *SimulatedUnit::parse(other));
+            });
+    });
+    return bench.update(smallImage());
+}
+
+TEST(Dmc60cUpdate, AnotherVersionThanThatOfTheImageIsNoSuccess)
+{
+    const auto old = updateAndExchange("dmc60c:5,session=0x1234,firmware=1.23");
+    ASSERT_TRUE(old) << old.error().text();
+    EXPECT_EQ(old->outcome, UpdateOutcome::Failed);
+    EXPECT_FALSE(old->verified);
+    EXPECT_EQ(old->fault, Fault::BadCheck);
+    EXPECT_NE(old->summary().english().find("version 1.23"), std::string::npos) << old->summary();
+    const auto none = updateAndExchange("dmc60c:5,session=0x1234,state=bootloader");
+    ASSERT_TRUE(none) << none.error().text();
+    EXPECT_EQ(none->outcome, UpdateOutcome::Failed);
+    EXPECT_FALSE(none->verified);
+    EXPECT_NE(none->summary().english().find("no application"), std::string::npos) << none->summary();
+}
+
+TEST(Dmc60cUpdate, GoesOnWhenNobodyCanTellWhetherTheLastParametersAreStored)
+{
+    Dmc60cUpdateBench bench("dmc60c:5");
+    bench.update(smallImage(), {.dryRun = true, .force = false, .via = {}, .target = {}});
+    const auto index = *findParameter(bench.family.parameters, "slot0.p");
+    ASSERT_TRUE(run(bench.clock, bench.device->write(index, 65536)));
+    ASSERT_TRUE(run(bench.clock, bench.device->write(index, 131072)));
+    bool cautioned = false;
+    struct Heard final : Progress {
+        Heard(VirtualCanBus &line, bool &caution)
+            : bus(line)
+            , told(caution)
+        {
+        }
+        void step(const Message &, int, int) override { }
+        void part(int, PartState) override { }
+        void log(Severity severity, const Message &text) override
+        {
+            if (severity == Severity::Caution && text.english().starts_with("parameters that were changed")) {
+                told = true;
+                bus.setLoss(0.0);
+            }
+        }
+        VirtualCanBus &bus;
+        bool &told;
+    } heard(bench.bus, cautioned);
+    const Subscription watching = bench.host.traffic().add([&](const Traffic &traffic) {
+        const bool asksSequence = traffic.direction == Direction::Sent && toText(*traffic.can).starts_with("0206FC05#")
+            && traffic.can->data[2] == 0x62;
+        if (asksSequence && !cautioned)
+            bench.bus.setLoss(1.0);
+    });
+    const auto report = run(bench.clock, bench.family.update(*bench.device, smallImage(), {}, heard), 30min);
+    EXPECT_TRUE(cautioned);
+    expectDone(report);
+}
+
 TEST(Dmc60cUpdate, CancellingAtAnyMomentLeavesNoListener)
 {
     Dmc60cUpdateBench bench("dmc60c:5");

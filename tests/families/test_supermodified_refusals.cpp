@@ -119,5 +119,20 @@ TEST_F(SupermodifiedRefusals, AStopPassesWhatSomebodyElseHasQueuedOnThePort)
     EXPECT_LT(std::count(wire.begin(), found(), 0xFF), 300) << "two of three blocks are behind it";
 }
 
+TEST_F(SupermodifiedRefusals, AStartThatIsRefusedEachTimeIsGivenUpAfterFour)
+{
+    const Subscription refusing = bench.host.traffic().add([this](const Traffic &traffic) {
+        const auto frames = test::framesIn({traffic.bytes.begin(), traffic.bytes.end()});
+        if (traffic.direction == Direction::Sent && !frames.empty() && frames.back().is(Command::Start))
+            node.disturb("error", 0x44);
+    });
+    bench.sent.clear();
+    ASSERT_TRUE(device->command(setPoint(Mode::Velocity, 100.0)));
+    bench.clock.advance(1s);
+    EXPECT_EQ(bench.count(Command::Start), 4);
+    EXPECT_FALSE(node.isOutputOn());
+    EXPECT_FALSE(device->command(setPoint(Mode::Velocity, 200.0)));
+}
+
 } // namespace
 } // namespace mb::supermodified

@@ -162,5 +162,32 @@ TEST(SupermodifiedSearch, AFixedRateStaysTheOnlyOne)
     EXPECT_EQ(bench.host.baudrate(), 9600);
 }
 
+TEST(SupermodifiedSearch, TheFirstAndTheLastIdAreAskedFor)
+{
+    Bench bench("sim:serial?bitrate=57600");
+    bench.add("supermodified:1");
+    bench.add("supermodified:127");
+    EXPECT_EQ(bench.connect(1)->identity().address, 1);
+    EXPECT_EQ(bench.connect(127)->identity().address, 127);
+}
+
+TEST(SupermodifiedSearch, AProbeForgetsWhoDoesNotAnswerAndKeepsWhoWasNotAsked)
+{
+    Bench bench("sim:serial?bitrate=57600");
+    Simulator &leaving = bench.add("supermodified:4");
+    bench.add("supermodified:6");
+    const auto known = bench.scanAll();
+    ASSERT_EQ(known.size(), 2U);
+    Bench later("sim:serial?bitrate=57600"); // another run of the program
+    later.add("supermodified:6");
+    leaving.setPowered(false);
+    Bench::Found sink;
+    sink.known = known;
+    ASSERT_TRUE(mb::test::run(later.clock, probe(later.host, later.clock, 4, sink)));
+    const auto &nodes = Line::of(later.host, later.clock)->roster().nodes();
+    EXPECT_FALSE(nodes.contains(4)) << "it does not answer";
+    EXPECT_TRUE(nodes.contains(6)) << "it was there, and nobody looked for it now";
+}
+
 } // namespace
 } // namespace mb::supermodified

@@ -114,6 +114,11 @@ TEST(SupermodifiedFirmware, TakesProgramsOfAnAvrOnly)
     const auto summary = inspect(image());
     ASSERT_TRUE(summary) << summary.error().text();
     EXPECT_EQ(summary->parts, std::vector<int>{0});
+    EXPECT_EQ(inspect(image(":060000000C942000FFCF6C\n:01007F00017F\n:00000001FF\n"))->parts, (std::vector<int>{0}));
+    EXPECT_EQ(inspect(image(":060000000C942000FFCF6C\n:0100800001"
+                            "7E\n:00000001FF\n"))
+                  ->parts,
+        (std::vector<int>{0, 1}));
     EXPECT_FALSE(inspect(image(":0400000000020400F6\n:00000001FF\n"))) << "vectors of a Cortex";
     EXPECT_FALSE(inspect(image(":028000000C94DE\n:00000001FF\n"))) << "beyond 32 KiB";
     EXPECT_EQ(image(toIntelHex(image())).byteCount(), image().byteCount());
@@ -171,6 +176,7 @@ struct SupermodifiedUpdateBench {
             return report.has_value();
         }));
         log = operation.status().log;
+        interruptible = operation.status().mayInterrupt;
         return report.value_or(Result<UpdateReport>(fail(Fault::Timeout, say("still running"))));
     }
 
@@ -185,6 +191,7 @@ struct SupermodifiedUpdateBench {
     QTemporaryDir folder;
     std::string before;
     std::vector<LogLine> log;
+    bool interruptible = false; ///< at the end
 };
 
 constexpr const char *supermodifiedSuccess = R"(
@@ -287,6 +294,7 @@ TEST(SupermodifiedUpdate, MayBeCancelledBeforeItWritesAndNotWhileItDoes)
     });
     EXPECT_TRUE(refused);
     EXPECT_TRUE(done);
+    EXPECT_TRUE(writing.interruptible) << "when it was over";
 }
 
 TEST(SupermodifiedUpdate, RefusesBeforeAnythingRuns)
