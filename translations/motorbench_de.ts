@@ -17112,6 +17112,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>die zuerst geprüften ließen mehr Fehler, diese lassen %1 davon</translation>
     </message>
     <message>
+        <source>their model was corrected by those that were proven first, which left no clearly more error</source>
+        <translation>ihr Modell wurde durch die zuerst geprüften berichtigt, die nicht deutlich mehr Fehler ließen</translation>
+    </message>
+    <message>
         <source>a chunk of it is damaged</source>
         <translation>ein Stück davon ist beschädigt</translation>
     </message>

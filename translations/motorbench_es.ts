@@ -17120,6 +17120,10 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>las que se probaron primero dejaban más error, estas dejan el %1 de él</translation>
     </message>
     <message>
+        <source>their model was corrected by those that were proven first, which left no clearly more error</source>
+        <translation>su modelo se corrigió con las que se probaron primero, que no dejaban claramente más error</translation>
+    </message>
+    <message>
         <source>a chunk of it is damaged</source>
         <translation>un bloque está dañado</translation>
     </message>

@@ -17120,6 +17120,10 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>ceux qui ont été éprouvés d&apos;abord laissaient plus d&apos;erreur, ceux-ci en laissent %1</translation>
     </message>
     <message>
+        <source>their model was corrected by those that were proven first, which left no clearly more error</source>
+        <translation>leur modèle a été corrigé par ceux qui ont été éprouvés d&apos;abord, qui ne laissaient pas nettement plus d&apos;erreur</translation>
+    </message>
+    <message>
         <source>a chunk of it is damaged</source>
         <translation>un de ses blocs est endommagé</translation>
     </message>

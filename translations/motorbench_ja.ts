@@ -17106,6 +17106,10 @@ double click plots it, drag it to a pane or below them</source>
         <translation>最初に検証したゲインは誤差がより大きく、このゲインではその %1 です</translation>
     </message>
     <message>
+        <source>their model was corrected by those that were proven first, which left no clearly more error</source>
+        <translation>モデルは最初に検証したゲインで補正されました。その誤差は明らかに大きいわけではありません</translation>
+    </message>
+    <message>
         <source>a chunk of it is damaged</source>
         <translation>ブロックが壊れています</translation>
     </message>

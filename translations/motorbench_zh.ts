@@ -17106,6 +17106,10 @@ double click plots it, drag it to a pane or below them</source>
         <translation>最先验证的增益误差更大，现在的误差为其 %1</translation>
     </message>
     <message>
+        <source>their model was corrected by those that were proven first, which left no clearly more error</source>
+        <translation>其模型已由最先验证的增益修正，后者的误差并未明显更大</translation>
+    </message>
+    <message>
         <source>a chunk of it is damaged</source>
         <translation>其中一个数据块已损坏</translation>
     </message>

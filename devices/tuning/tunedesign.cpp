@@ -232,7 +232,7 @@ Task<bool> TuneDesign::sharpen(double seconds)
     m_held = report;
     auto improving = improved();
     if (!co_await std::move(improving)) {
-        takeTheBetter();
+        goBack();
         co_return false;
     }
     beginAnew();
@@ -315,11 +315,19 @@ void TuneDesign::takeTheBetter()
         m_former = Former::Worse;
     if (less < 1.0)
         m_less = (m_less > 0.0 ? m_less : 1.0) * less;
-    if (!better) {
-        std::vector<std::int64_t> trials = std::move(report.trials);
-        report = std::move(*m_held);
-        report.trials = std::move(trials);
-    }
+    m_isLevel = better && less >= 1.0;
+    if (!better)
+        goBack();
+    m_held.reset();
+}
+
+/// To what was proven; the trials that were made meanwhile stay.
+void TuneDesign::goBack()
+{
+    TuneReport &report = m_run.report();
+    std::vector<std::int64_t> trials = std::move(report.trials);
+    report = std::move(*m_held);
+    report.trials = std::move(trials);
     m_held.reset();
 }
 
@@ -336,6 +344,11 @@ Message TuneDesign::story() const
         const Message less
             = say("those that were proven first left more error, these leave %1 of it", percentText(m_less));
         told = told.empty() ? less : joined(told, less);
+    }
+    if (m_isLevel) {
+        const Message level
+            = say("their model was corrected by those that were proven first, which left no clearly more error");
+        told = told.empty() ? level : joined(told, level);
     }
     if (m_former == Former::Worse) {
         const Message worse = say("those that were there leave more error");

@@ -51,6 +51,7 @@ private:
     [[nodiscard]] Task<bool> proposeOn(PlantModel plant);
     void choose(const Proposal &proposal);
     void beginAnew();
+    void goBack();
 
     AutotuneRun &m_run;
     TunePlan m_plan; ///< its aim as it has become
@@ -59,6 +60,7 @@ private:
     bool m_isCalmed = false; ///< the calm proposal took the place of the one that was asked for
     bool m_isProven = false; ///< a loop on this model was seen to do what was predicted
     double m_less = 0.0; ///< error of the steps over that of those before, where what was tried beside them was better
+    bool m_isLevel = false; ///< what was tried beside them is kept though noise does not tell which is better
     Former m_former = Former::Untried;
     Message m_before;
     Message m_beyond;                 ///< why what was there was not tried, though it might be better

@@ -76,6 +76,26 @@ TEST(CurrentLoop, WhatItsStepsTellOfTheWindingIsDesignedOnOnceMore)
     EXPECT_LE(report->seconds, 60.0);
 }
 
+TEST(CurrentLoop, WhatIsKeptIsWhatWasProvenLast)
+{
+    for (const char *const motor : {"775pro", "25d", "rs775"}) {
+        ExperimentBench bench(
+            "sim:can", "dmc60c", 5, std::string("dmc60c:5,motor=") + motor + ",load=5,gains=overshoot");
+        const auto report = tune(bench, planOf(Mode::Current));
+        ASSERT_TRUE(report) << report.error().text();
+        ASSERT_EQ(report->result, TuneResult::Kept) << report->evidence;
+        for (const Trial &trial : report->proof) {
+            for (const ScaledGains::Row &row : report->proposed.rows) {
+                const auto proven = std::find_if(trial.gains.begin(), trial.gains.end(), [&row](const auto &gain) {
+                    return gain.first.substr(gain.first.find('.')) == row.key.substr(row.key.find('.'));
+                });
+                ASSERT_NE(proven, trial.gains.end()) << row.key;
+                EXPECT_NEAR(proven->second.value_or(-1.0), row.number, 1e-4) << motor << ' ' << row.key;
+            }
+        }
+    }
+}
+
 TEST(CurrentLoop, CalmGainsAndNumbersAreProvenOnce)
 {
     for (const bool calm : {true, false}) {
