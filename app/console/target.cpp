@@ -29,6 +29,11 @@ std::size_t editDistance(std::string_view a, std::string_view b)
 
 } // namespace
 
+bool serves(const Family &family, LinkKind kind)
+{
+    return std::find(family.links.begin(), family.links.end(), kind) != family.links.end();
+}
+
 Result<const Family *> parseFamily(std::span<const Family *const> families, std::string_view key)
 {
     if (const Family *family = findFamily(families, key))

@@ -21,6 +21,7 @@ struct Target {
 /// OutOfRange: not a selector, an unknown family, or one that is not found on this kind of link.
 [[nodiscard]] Result<Target> parseTarget(const Console &console, std::string_view text);
 [[nodiscard]] Result<const Family *> parseFamily(std::span<const Family *const> families, std::string_view key);
+[[nodiscard]] bool serves(const Family &family, LinkKind kind);
 /// The links that a list of addresses stands for, `sim:` expanded.
 [[nodiscard]] Result<std::vector<LinkAddress>> parseLinks(
     const Console &console, const std::vector<std::string> &texts);

@@ -79,7 +79,8 @@ void Scans::probeSilent(Link &link)
     if (known || link.kind() != LinkKind::Spi || link.state() != LinkState::Open)
         return;
     for (const Family *family : m_context.session.families()) {
-        if (!family->probe || !serves(*family, LinkKind::Spi))
+        if (!family->probe
+            || std::find(family->links.begin(), family->links.end(), LinkKind::Spi) == family->links.end())
             continue;
         m_rounds[&link].task->spawn<Device *>(
             m_context.session.connect({link.address(), std::string(family->key), 0, std::nullopt}),

@@ -8,6 +8,11 @@
 namespace mb {
 namespace {
 
+bool serves(const Family &family, LinkKind kind)
+{
+    return std::find(family.links.begin(), family.links.end(), kind) != family.links.end();
+}
+
 struct BenchOptions {
     std::uint64_t seed = 1;
     double loss = 0.0;

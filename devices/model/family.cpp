@@ -4,8 +4,6 @@
 #include "model/axis.h"
 #include "model/registry.h"
 
-#include <algorithm>
-
 namespace mb {
 
 std::string_view toString(UpdateOutcome outcome)
@@ -27,11 +25,6 @@ const Family *findFamily(std::span<const Family *const> families, std::string_vi
             return family;
     }
     return nullptr;
-}
-
-bool serves(const Family &family, LinkKind kind)
-{
-    return std::find(family.links.begin(), family.links.end(), kind) != family.links.end();
 }
 
 bool isDemoUnit(const Family &family, int address, int DemoUnits::*which)

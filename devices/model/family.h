@@ -267,8 +267,6 @@ struct Family {
     Result<std::unique_ptr<Simulator>> (*simulate)(Link &, Clock &, const SimulatedUnit &) = nullptr;
 };
 
-/// Whether its devices hang on links of this kind.
-[[nodiscard]] bool serves(const Family &family, LinkKind kind);
 /// Whether this address is the unit of `Family::demo` that is meant; never where the family has none such.
 [[nodiscard]] bool isDemoUnit(const Family &family, int address, int DemoUnits::*which);
 /// What is said around an update: of the first route, which is the one that a window offers, or of the device's own link.

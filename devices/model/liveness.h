@@ -3,15 +3,11 @@
 
 #include "model/setpoint.h"
 
-#include <chrono>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace mb {
-
-/// Another master sends at least this often: who has listened for so long knows Liveness::foreignMaster.
-inline constexpr std::chrono::milliseconds masterListen{150};
 
 /// One of several axes of a device.
 struct AxisLiveness {

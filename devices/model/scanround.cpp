@@ -41,7 +41,7 @@ ScanRound::~ScanRound()
 void ScanRound::start()
 {
     for (const Family *family : m_around.families) {
-        if (family->scan && serves(*family, m_link.kind()))
+        if (family->scan && speaks(*family))
             spawn(family->scan(m_link, m_around.linkClock, sinkOf(*family)));
     }
     if (m_running == 0)
@@ -52,10 +52,15 @@ void ScanRound::startFor(const DeviceSelector &selector)
 {
     const auto family = std::find_if(m_around.families.begin(), m_around.families.end(),
         [&selector](const Family *f) { return f->key == selector.family; });
-    if (family != m_around.families.end() && (*family)->probe && serves(**family, m_link.kind()))
+    if (family != m_around.families.end() && (*family)->probe && speaks(**family))
         spawn((*family)->probe(m_link, m_around.linkClock, selector.address, sinkOf(**family)));
     else
         start();
+}
+
+bool ScanRound::speaks(const Family &family) const
+{
+    return std::find(family.links.begin(), family.links.end(), m_link.kind()) != family.links.end();
 }
 
 ScanRound::Sink &ScanRound::sinkOf(const Family &family)

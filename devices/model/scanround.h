@@ -54,6 +54,7 @@ public:
 
 private:
     struct Sink;
+    [[nodiscard]] bool speaks(const Family &family) const;
     [[nodiscard]] Sink &sinkOf(const Family &family);
     void spawn(Task<void> task);
     void found(const Family &family, const Identity &identity);

@@ -6,6 +6,10 @@
 namespace mb::service {
 namespace {
 
+using namespace std::chrono_literals;
+
+constexpr Duration masterListen = 150ms; // another master sends at least this often
+
 /// Names of the states in which nothing may be done to a unit.
 Result<void> checkState(const Device &device, const Recipe &recipe)
 {
