@@ -4,6 +4,8 @@
 #include "simulation/motormodel.h"
 #include "tuning/currentloop.h"
 #include "tuning/currentsearch.h"
+
+#include "tuning/gainsearch.h"
 #include "tuning/margins.h"
 #include "tuning/proposals.h"
 #include "tuning/windingfit.h"
