@@ -4,13 +4,10 @@
 
 jobs=$(nproc)
 
-# "SECONDS TITLE" of each step that took one: a file without a name, which steps in the background write to as well
-times=$(mktemp)
-exec {times_written}<>"$times"
-rm "$times"
+times=() # "SECONDS TITLE" of each step that took one
 
 note_time() {
-    [ "$2" -lt 1 ] || printf '%6d s  %s\n' "$2" "$1" >&"$times_written"
+    [ "$2" -lt 1 ] || times+=("$(printf '%6d s  %s' "$2" "$1")")
 }
 
 # timed TITLE COMMAND…: a step with output of its own.
@@ -24,7 +21,7 @@ timed() {
 
 # tell_times: the seconds of each step, and of all since the script began.
 tell_times() {
-    cat "/dev/fd/$times_written"
+    [ ${#times[@]} = 0 ] || printf '%s\n' "${times[@]}"
     printf '%6d s  in all\n' "$SECONDS"
 }
 
