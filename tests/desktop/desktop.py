@@ -5,6 +5,7 @@ A test script begins with `desktop.enter()`, which starts the script anew under 
 found by what a screen reader is told (`Program.find`), touched by a real mouse and keyboard (xdotool), and waited for with a
 limit. Needs the system's Python, whose gi module speaks to the bus."""
 import collections
+import functools
 import os
 import re
 import shutil
@@ -121,16 +122,18 @@ class Node:
     def description(self):
         return self.thing.get_description() or ""
 
-    @property
+    @functools.cached_property
     def role(self):
         return self.thing.get_role_name()
 
-    def has(self, state):
-        return self.thing.get_state_set().contains(getattr(Atspi.StateType, state.upper()))
+    def has(self, *states):
+        """All of them, by one question to the bus."""
+        told = self.thing.get_state_set()
+        return all(told.contains(getattr(Atspi.StateType, state.upper())) for state in states)
 
     @property
     def shown(self):
-        return self.has("showing") and self.has("visible")
+        return self.has("showing", "visible")
 
     @property
     def box(self):

@@ -31,8 +31,9 @@ def unnamed(program, within=None):
     found, count = [], 0
     for node in program.all(within):
         role = node.role
-        top = node.parent.role == "application"
-        if role in CELLS or (role not in CONTROLS and not node.has("focusable")) or (role in ("frame", "window") and not top):
+        if role in CELLS or (role not in CONTROLS and not node.has("focusable")):
+            continue
+        if role in ("frame", "window") and node.parent.role != "application":
             continue
         count += 1
         if not node.name.strip() or (role == "combo box" and not is_labelled(node)):
