@@ -29,7 +29,7 @@ constexpr std::array table{
         "drive", "DEVICE --mode M --target X --for S", "Keep a set-point alive for S seconds, then stop", declareDrive},
     Verb{"step", "DEVICE --mode M --to Y [--from X] [--profile P] [--set KEY=VALUE]…",
         "Run one guarded experiment on a loop, and keep the trial", declareStep},
-    Verb{"tune", "DEVICE --loop velocity|position [--aim calm|normal|brisk] [--propose] [--store] [limits]",
+    Verb{"tune", "DEVICE --loop velocity|position|current [--aim calm|normal|brisk] [--propose] [--store] [limits]",
         "Identify the motor, design its gains, prove them, keep them", declareTune},
     Verb{"trials", "[DEVICE] [--export FILE] [--star N] [--note N TEXT] [--delete N]",
         "The notebook: every experiment with its gains", declareTrials},

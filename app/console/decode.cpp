@@ -118,24 +118,22 @@ Result<void> readAll(QFile &file, LogReader reader, bool prints)
 }
 
 /// A file is read twice, so that a bad line at its end leaves standard output empty.
-Result<void> decodeFile(Console &console, const DecodeArguments &arguments)
+Result<void> decodeFile(Console &console, QFile &file, const std::string &dialect)
 {
-    QFile file(qt(arguments.file));
-    if (QFileInfo(file).isDir())
-        return fail(Fault::OutOfRange, say("%1 is a directory", arguments.file), say("name a file"));
-    if (!file.open(QIODevice::ReadOnly))
-        return fail(Fault::OutOfRange, say("%1 cannot be read: %2", arguments.file, file.errorString().toStdString()));
-    if (auto good = readAll(file, LogReader(console, arguments.file, arguments.dialect), false); !good)
+    const std::string name = file.fileName().toStdString();
+    if (auto good = readAll(file, LogReader(console, name, dialect), false); !good)
         return good;
-    return readAll(file, LogReader(console, arguments.file, arguments.dialect), true);
+    return readAll(file, LogReader(console, name, dialect), true);
 }
 
-/// Standard input, as it comes.
+/// Standard input, or a pipe that was named, as it comes: there is no beginning to go back to.
 class InputReader {
 public:
-    InputReader(Console &console, const std::string &dialect)
-        : m_reader(console, "standard input", dialect)
-        , m_notifier(STDIN_FILENO, QSocketNotifier::Read)
+    InputReader(Console &console, std::string name, int descriptor, const std::string &dialect)
+        : m_name(std::move(name))
+        , m_reader(console, m_name, dialect)
+        , m_descriptor(descriptor)
+        , m_notifier(descriptor, QSocketNotifier::Read)
     {
         QObject::connect(&m_notifier, &QSocketNotifier::activated, &m_notifier, [this] { read(); });
     }
@@ -147,11 +145,11 @@ private:
     void read()
     {
         std::array<char, chunkSize> buffer{};
-        const auto got = ::read(STDIN_FILENO, buffer.data(), buffer.size());
+        const auto got = ::read(m_descriptor, buffer.data(), buffer.size());
         if (got < 0 && (errno == EINTR || errno == EAGAIN))
             return;
         if (got < 0)
-            result = fail(Fault::OutOfRange, say("standard input cannot be read: %1", std::strerror(errno)));
+            result = fail(Fault::OutOfRange, say("%1 cannot be read: %2", m_name, std::strerror(errno)));
         else if (got == 0)
             result = m_reader.finish();
         else
@@ -162,23 +160,48 @@ private:
         done.set();
     }
 
+    std::string m_name;
     LogReader m_reader;
+    int m_descriptor;
     QSocketNotifier m_notifier;
 };
+
+Task<int> decodeStream(Console &console, std::string name, int descriptor, std::string dialect)
+{
+    const auto input = std::make_unique<InputReader>(console, std::move(name), descriptor, dialect);
+    co_await input->done.wait();
+    if (!input->result)
+        co_return fail(input->result.error());
+    co_return exitDone;
+}
+
+Result<void> openForReading(QFile &file)
+{
+    const std::string name = file.fileName().toStdString();
+    if (QFileInfo(file).isDir())
+        return fail(Fault::OutOfRange, say("%1 is a directory", name), say("name a file"));
+    if (!file.open(QIODevice::ReadOnly | QIODevice::Unbuffered))
+        return fail(Fault::OutOfRange, say("%1 cannot be read: %2", name, file.errorString().toStdString()));
+    return {};
+}
 
 Task<int> decode(Console &console, DecodeArguments arguments)
 {
     if (auto known = checkDialect(console, arguments.dialect); !known)
         co_return fail(known.error());
-    if (!arguments.file.empty() && arguments.file != "-") {
-        if (auto decoded = decodeFile(console, arguments); !decoded)
-            co_return fail(decoded.error());
-        co_return exitDone;
+    if (arguments.file.empty() || arguments.file == "-") {
+        auto input = decodeStream(console, "standard input", STDIN_FILENO, arguments.dialect);
+        co_return co_await std::move(input);
     }
-    const auto input = std::make_unique<InputReader>(console, arguments.dialect);
-    co_await input->done.wait();
-    if (!input->result)
-        co_return fail(input->result.error());
+    QFile file(qt(arguments.file));
+    if (auto open = openForReading(file); !open)
+        co_return fail(open.error());
+    if (file.isSequential()) {
+        auto input = decodeStream(console, arguments.file, file.handle(), arguments.dialect);
+        co_return co_await std::move(input);
+    }
+    if (auto decoded = decodeFile(console, file, arguments.dialect); !decoded)
+        co_return fail(decoded.error());
     co_return exitDone;
 }
 

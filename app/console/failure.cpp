@@ -17,7 +17,7 @@ std::string_view remedyOf(Fault fault)
     case Fault::BadReply: return "the device speaks an unknown dialect or the link is disturbed; try again";
     case Fault::BadCheck: return "read it again with 'motorbenchctl get' before relying on it";
     case Fault::LinkLost: return "'motorbenchctl links' shows what can be opened";
-    case Fault::OutOfRange: return "'motorbenchctl parameters FAMILY' lists what is legal";
+    case Fault::OutOfRange: return "'motorbenchctl help VERB' tells what is legal";
     case Fault::Unsupported: return "another family or another link may offer it";
     case Fault::Usage: return "'motorbenchctl help' tells what there is";
     case Fault::Cancelled: return "run it again to finish";

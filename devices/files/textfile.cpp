@@ -15,7 +15,7 @@ namespace {
 
 tl::unexpected<Error> refused(const std::string &path, const Message &cause)
 {
-    return fail(Fault::OutOfRange, say("%1: %2", path, cause));
+    return fail(Fault::OutOfRange, say("%1: %2", path, cause), say("check the path"));
 }
 
 /// Not by strerror(), whose words depend on the locale.

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Verbs that show what is on the wire."""
+import json
 import os
+import subprocess
 import tempfile
 
+import contract
 from contract import ContractTest, Run
 
 FRAME = {"t", "link", "id", "data", "family", "message", "address", "fields"}
@@ -114,6 +117,18 @@ class Traffic(ContractTest):
                 file.write("rubbish")
             self.assert_error(2, "decode", path, says="line 5")
         self.assert_error(2, "decode", "/nonexistent/file")
+
+    def test_decode_reads_a_pipe_that_is_named_as_it_comes(self):
+        reads, writes = os.pipe()
+        with os.fdopen(writes, "w") as pipe:
+            pipe.write(LOG)
+        try:
+            done = subprocess.run([contract.PROGRAM, "--json", "decode", f"/dev/fd/{reads}"], pass_fds=[reads], capture_output=True,
+                                  text=True, timeout=contract.LIMIT, check=False)
+        finally:
+            os.close(reads)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual([json.loads(line) for line in done.stdout.splitlines()], self.run_json("decode", text=LOG))
 
     def test_decode_reads_vector_asc_logs_too(self):
         status, unknown, remote = self.run_json("decode", text=ASC)
