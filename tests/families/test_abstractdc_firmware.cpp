@@ -218,9 +218,10 @@ protected:
             if (said.empty() || said.back() != what.english())
                 said.push_back(what.english());
         }
-        void part(int, PartState) override { }
+        void part(int number, PartState state) override { parts.emplace_back(number, state); }
         void log(Severity severity, const Message &) override { worst = std::max(worst, severity); }
         std::vector<std::string> said;
+        std::vector<std::pair<int, PartState>> parts;
         Severity worst = Severity::Info;
     } steps;
 
@@ -257,6 +258,24 @@ TEST_F(AbstractDcUpdate, IsDoneWhenTheProgrammerVerifiedAndTheDriveAnswers)
     QFile called(folder.path() + "/called");
     ASSERT_TRUE(called.open(QIODevice::ReadOnly));
     EXPECT_TRUE(called.readAll().contains("target/stm32f1x.cfg"));
+}
+
+TEST_F(AbstractDcUpdate, ThePagesWaitAreWrittenAndAreDoneWhenTheyAreVerified)
+{
+    standIn(replay(success, 0));
+    ASSERT_TRUE(update(by("openocd:stlink")));
+    const std::vector<std::pair<int, PartState>> expected{
+        {0, PartState::Waiting}, {0, PartState::Active}, {0, PartState::Done}};
+    EXPECT_EQ(steps.parts, expected);
+}
+
+TEST_F(AbstractDcUpdate, AProgrammerThatSaysNothingIsToldAsConnecting)
+{
+    standIn("exec sleep 60\n");
+    const FirmwareImage image = imageOf(program());
+    auto task = abstractdc::update(*device, image, by("openocd:stlink"), steps);
+    task.start();
+    EXPECT_TRUE(loop.runUntil([&] { return !steps.said.empty() && steps.said.back() == "Connecting through OpenOCD"; }));
 }
 
 TEST_F(AbstractDcUpdate, ErasingTheSettingsIsWarnedOfAndForgetsWhatWasAssumed)
