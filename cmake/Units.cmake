@@ -9,6 +9,10 @@ if(MOTORBENCH_UNITS AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # are false for std::string in GCC 12 once more of it is inlined. The everyday build has all three.
   target_compile_options(motorbench_warnings INTERFACE -Wno-subobject-linkage -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow)
 endif()
+if(MOTORBENCH_UNITS AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # A sixth of the time was spent on collecting memory that a compiler which ends soon need not collect: 1.1 GB instead of 1.0.
+  add_compile_options("SHELL:--param ggc-min-heapsize=2000000" "SHELL:--param ggc-min-expand=200")
+endif()
 if(MOTORBENCH_UNITS AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
   # In a unit it also tells of a local that hides what another file has for itself alone. Without units it tells of its own file.
   target_compile_options(motorbench_warnings INTERFACE -Wno-shadow)
