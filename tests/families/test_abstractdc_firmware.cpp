@@ -275,7 +275,8 @@ TEST_F(AbstractDcUpdate, AProgrammerThatSaysNothingIsToldAsConnecting)
     const FirmwareImage image = imageOf(program());
     auto task = abstractdc::update(*device, image, by("openocd:stlink"), steps);
     task.start();
-    EXPECT_TRUE(loop.runUntil([&] { return !steps.said.empty() && steps.said.back() == "Connecting through OpenOCD"; }));
+    EXPECT_TRUE(
+        loop.runUntil([&] { return !steps.said.empty() && steps.said.back() == "Connecting through OpenOCD"; }));
 }
 
 TEST_F(AbstractDcUpdate, ErasingTheSettingsIsWarnedOfAndForgetsWhatWasAssumed)
