@@ -371,10 +371,11 @@ TEST_F(SocketCanPair, MayBeClosedWhileItDelivers)
     EXPECT_EQ(sent.error().text(), "pair0 is not open");
 }
 
-TEST_F(SocketCanPair, ClosingLeavesNoTimer)
+TEST_F(SocketCanPair, ClosingLeavesNoTimerAndNoFrameThatTheNextOpeningWouldSend)
 {
     for (std::uint32_t i = 0; i < 2000; ++i)
         ASSERT_TRUE(link->send(extendedFrame(i, {})));
+    ASSERT_TRUE(link->send(extendedFrame(0x1000001, {}), Priority::Urgent));
     link->close();
     EXPECT_EQ(link->backlog(), 0U);
     EXPECT_EQ(loop.clock().armed(), 0U);
