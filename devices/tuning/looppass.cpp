@@ -13,6 +13,7 @@ constexpr double mostOfRise = 0.9; ///< of the step: what rests tells the same a
 constexpr std::size_t leastGaps = 10;
 constexpr double halfAGap = 0.5; ///< either side of the usual
 constexpr double tolerance = 0.15;
+constexpr double finest = 0.6; ///< of a pass, that samples may be apart
 
 /// Times between changes of the velocity from an edge on until most of its way is done.
 void addGaps(const Trace &velocity, double target, std::vector<double> &gaps)
@@ -68,10 +69,13 @@ std::optional<Gate> passGate(const Family &family, const Trial &trial)
     if (trial.mode != Mode::Velocity || !family.loop || family.loop->velocityWindow <= 0.0
         || family.loop->velocityWindow != family.loop->cycle)
         return std::nullopt;
+    const double expected = family.loop->cycle;
+    const Signal *const velocity = trial.signal("velocity");
+    if (!velocity || samplePeriod(velocity->trace) > finest * expected)
+        return std::nullopt; // samples come no more often than the passes
     const auto pass = passOf(trial);
     if (!pass)
         return std::nullopt;
-    const double expected = family.loop->cycle;
     return Gate{"period",
         say("its loop takes its velocity every %1 ms, every %2 ms was expected", inTenths(*pass), inTenths(expected)),
         std::abs(*pass - expected) <= tolerance * expected, say("see which firmware it runs")};

@@ -91,6 +91,21 @@ TEST(LoopPass, ABuildThatRunsItsLoopAtAnotherPeriodIsRefusedWithTheNumber)
     }
 }
 
+TEST(LoopPass, SamplesThatComeNoMoreOftenThanThePassesTellNothing)
+{
+    const ExperimentBench bench("sim:can", "abstractdc", 3);
+    Trial trial = risen(0.02004);
+    const auto gate = passGate(bench.device->family(), trial);
+    ASSERT_TRUE(gate);
+    EXPECT_TRUE(gate->passed) << gate->detail;
+    Trace &velocity = trial.signals.front().trace;
+    Trace seldom;
+    for (std::size_t i = 0; i < velocity.size(); i += 3)
+        seldom.add(velocity.t[i], velocity.y[i]);
+    velocity = seldom;
+    EXPECT_FALSE(passGate(bench.device->family(), trial));
+}
+
 TEST(LoopPass, OtherFamiliesAreNotAsked)
 {
     ExperimentBench bench("sim:can", "dmc60c", 5);
