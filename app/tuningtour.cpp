@@ -18,6 +18,8 @@ constexpr double calmerP = 0.55;        ///< of what is stored
 constexpr double calmerI = 0.42;
 constexpr std::chrono::seconds trialTime{30};
 constexpr std::chrono::seconds tuningTime{180};
+constexpr std::chrono::seconds toldTime{1}; ///< nothing changes any more
+constexpr double mostOvershoot = 0.02;      ///< of the step, after one press
 constexpr std::chrono::milliseconds beforeTrial{300};
 constexpr std::chrono::milliseconds afterTrial{600};
 
@@ -114,12 +116,15 @@ void TuningTour::planDesign()
     m_stage.act("back to tune", [this] { m_stage.window().showPage(PageId::Tune); });
     planTrial("the same step", 1.0, 1.0, false);
     m_stage.picture("tuned", afterTrial);
-    m_stage.act("tell", [this] {
-        std::printf("#%d overshoots by %.1f %% as it was found, by %.1f %% after one press\n", unit()->identity.address,
-            100.0 * m_found, 100.0 * overshoot());
-        std::fflush(stdout);
-        m_stage.window().arming().disarm();
-    });
+    m_stage.add(
+        "at most 2 % after one press",
+        [this] {
+            std::printf("#%d overshoots by %.1f %% as it was found, by %.1f %% after one press\n",
+                unit()->identity.address, 100.0 * m_found, 100.0 * overshoot());
+            std::fflush(stdout);
+            m_stage.window().arming().disarm();
+        },
+        [this] { return m_found > mostOvershoot && overshoot() <= mostOvershoot; }, toldTime);
 }
 
 } // namespace mb

@@ -7912,6 +7912,30 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
         <source>Sines of duty around a speed at which it never reverses, the last on %1. Believed and drawn are %2 of %3: ten samples make a swing, and the sine explains 0.9 of the movement at least (coherence).</source>
         <translation>Sinusse der Aussteuerung um eine Drehzahl, bei der er nie umkehrt, der letzte am %1. Geglaubt und gezeichnet werden %2 von %3: zehn Messwerte je Schwingung, und der Sinus erklärt mindestens 0.9 der Bewegung (Kohärenz).</translation>
     </message>
+    <message>
+        <source>Load one way kG</source>
+        <translation>Last in eine Richtung kG</translation>
+    </message>
+    <message>
+        <source>Gain forwards</source>
+        <translation>Verstärkung vorwärts</translation>
+    </message>
+    <message>
+        <source>Gain backwards</source>
+        <translation>Verstärkung rückwärts</translation>
+    </message>
+    <message>
+        <source>Noise at rest σ</source>
+        <translation>Rauschen in Ruhe σ</translation>
+    </message>
+    <message>
+        <source>From an order to its motion</source>
+        <translation>Vom Befehl bis zur Bewegung</translation>
+    </message>
+    <message>
+        <source>Set-points that it can follow: at most %1 and %2</source>
+        <translation>Sollwerte, denen er folgen kann: höchstens %1 und %2</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -14040,10 +14064,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>ein Stoß mit %1 Tastgrad zog %2 A, mehr als die Hälfte des Erlaubten</translation>
     </message>
     <message>
-        <source>a ramp of duty never got the motor going</source>
-        <translation>eine Rampe des Tastgrads brachte den Motor nicht in Gang</translation>
-    </message>
-    <message>
         <source>a record of type %1 has %2 data bytes, not %3</source>
         <translation>ein Datensatz der Art %1 hat %2 Datenbytes, nicht %3</translation>
     </message>
@@ -15124,10 +15144,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>qtcan-Links haben die Option bitrate=BIT_PRO_SEKUNDE, nicht &apos;%1=%2&apos;</translation>
     </message>
     <message>
-        <source>raise its end</source>
-        <translation>ihr Ende erhöhen</translation>
-    </message>
-    <message>
         <source>read gain.p</source>
         <translation>gain.p lesen</translation>
     </message>
@@ -15786,10 +15802,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>the pushes differ by %1 in their resistance, at most 15 %</source>
         <translation>die Stöße unterscheiden sich im Widerstand um %1, höchstens 15 %</translation>
-    </message>
-    <message>
-        <source>the ramps do not tell friction from gain</source>
-        <translation>die Rampen trennen Reibung und Verstärkung nicht</translation>
     </message>
     <message>
         <source>the ready line stayed low</source>
@@ -17314,6 +17326,34 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>the unit&apos;s own profile led at %1 counts/s, for a step would draw too much current</source>
         <translation>das eigene Profil des Geräts führte mit %1 counts/s, denn ein Sprung zöge zu viel Strom</translation>
+    </message>
+    <message>
+        <source>at most %1 duty and %2 counts from where it stands</source>
+        <translation>höchstens %1 Tastgrad und %2 counts von der jetzigen Stelle</translation>
+    </message>
+    <message>
+        <source>at most %1 duty, %2 counts/s and %3 counts from where it stands</source>
+        <translation>höchstens %1 Tastgrad, %2 counts/s und %3 counts von der jetzigen Stelle</translation>
+    </message>
+    <message>
+        <source>first its direction is checked: %1 counts up</source>
+        <translation>zuerst wird seine Richtung geprüft: %1 counts aufwärts</translation>
+    </message>
+    <message>
+        <source>first its direction is checked: pushes of 0.3 s, until it turns, with %1 duty at most</source>
+        <translation>zuerst wird seine Richtung geprüft: Stöße von 0,3 s, bis er dreht, mit höchstens %1 Tastgrad</translation>
+    </message>
+    <message>
+        <source>its loop takes its velocity every %1 ms, every %2 ms was expected</source>
+        <translation>sein Regelkreis bestimmt die Geschwindigkeit alle %1 ms, erwartet waren %2 ms</translation>
+    </message>
+    <message>
+        <source>perhaps its D acts the other way round than in the firmware that is known</source>
+        <translation>vielleicht wirkt sein D andersherum als in der bekannten Firmware</translation>
+    </message>
+    <message>
+        <source>see which firmware it runs</source>
+        <translation>prüfen, welche Firmware läuft</translation>
     </message>
 </context>
 </TS>

@@ -7912,6 +7912,30 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
         <source>Sines of duty around a speed at which it never reverses, the last on %1. Believed and drawn are %2 of %3: ten samples make a swing, and the sine explains 0.9 of the movement at least (coherence).</source>
         <translation>Senos de ciclo de trabajo en torno a una velocidad a la que nunca se invierte, el último el %1. Fiables y dibujados son %2 de %3: diez muestras por oscilación, y el seno explica al menos 0.9 del movimiento (coherencia).</translation>
     </message>
+    <message>
+        <source>Load one way kG</source>
+        <translation>Carga hacia un lado kG</translation>
+    </message>
+    <message>
+        <source>Gain forwards</source>
+        <translation>Ganancia hacia delante</translation>
+    </message>
+    <message>
+        <source>Gain backwards</source>
+        <translation>Ganancia hacia atrás</translation>
+    </message>
+    <message>
+        <source>Noise at rest σ</source>
+        <translation>Ruido en reposo σ</translation>
+    </message>
+    <message>
+        <source>From an order to its motion</source>
+        <translation>De la orden al movimiento</translation>
+    </message>
+    <message>
+        <source>Set-points that it can follow: at most %1 and %2</source>
+        <translation>Consignas que puede seguir: como máximo %1 y %2</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -13520,10 +13544,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>un empuje con ciclo %1 consumió %2 A, más de la mitad de lo permitido</translation>
     </message>
     <message>
-        <source>a ramp of duty never got the motor going</source>
-        <translation>una rampa de ciclo no llegó a poner en marcha el motor</translation>
-    </message>
-    <message>
         <source>a rate is a positive number, or 0 for the usual one</source>
         <translation>una frecuencia es un número positivo, o 0 para la habitual</translation>
     </message>
@@ -15084,10 +15104,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>los enlaces qtcan tienen la opción bitrate=BITS_PER_SECOND, no «%1=%2»</translation>
     </message>
     <message>
-        <source>raise its end</source>
-        <translation>aumente su final</translation>
-    </message>
-    <message>
         <source>read gain.p</source>
         <translation>lea gain.p</translation>
     </message>
@@ -16094,10 +16110,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>the ramp must be 0 or a positive number of duty per second</source>
         <translation>la rampa debe ser 0 o un número positivo de ciclo por segundo</translation>
-    </message>
-    <message>
-        <source>the ramps do not tell friction from gain</source>
-        <translation>las rampas no distinguen fricción y ganancia</translation>
     </message>
     <message>
         <source>the ready line stayed low</source>
@@ -17314,6 +17326,34 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>the unit&apos;s own profile led at %1 counts/s, for a step would draw too much current</source>
         <translation>guió el propio perfil del equipo a %1 counts/s, pues un escalón tomaría demasiada corriente</translation>
+    </message>
+    <message>
+        <source>at most %1 duty and %2 counts from where it stands</source>
+        <translation>como máximo ciclo %1 y %2 cuentas desde donde está</translation>
+    </message>
+    <message>
+        <source>at most %1 duty, %2 counts/s and %3 counts from where it stands</source>
+        <translation>como máximo ciclo %1, %2 counts/s y %3 cuentas desde donde está</translation>
+    </message>
+    <message>
+        <source>first its direction is checked: %1 counts up</source>
+        <translation>primero se comprueba su sentido: %1 cuentas hacia arriba</translation>
+    </message>
+    <message>
+        <source>first its direction is checked: pushes of 0.3 s, until it turns, with %1 duty at most</source>
+        <translation>primero se comprueba su sentido: empujes de 0,3 s, hasta que gire, con ciclo %1 como máximo</translation>
+    </message>
+    <message>
+        <source>its loop takes its velocity every %1 ms, every %2 ms was expected</source>
+        <translation>su lazo toma la velocidad cada %1 ms, se esperaba cada %2 ms</translation>
+    </message>
+    <message>
+        <source>perhaps its D acts the other way round than in the firmware that is known</source>
+        <translation>quizá su D actúa al revés que en el firmware conocido</translation>
+    </message>
+    <message>
+        <source>see which firmware it runs</source>
+        <translation>mire qué firmware ejecuta</translation>
     </message>
 </context>
 </TS>

@@ -7912,6 +7912,30 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
         <source>Sines of duty around a speed at which it never reverses, the last on %1. Believed and drawn are %2 of %3: ten samples make a swing, and the sine explains 0.9 of the movement at least (coherence).</source>
         <translation>Sinusoïdes de rapport cyclique autour d’une vitesse à laquelle il ne s’inverse jamais, la dernière le %1. Retenues et tracées : %2 sur %3. Dix mesures par oscillation, et la sinusoïde explique au moins 0.9 du mouvement (cohérence).</translation>
     </message>
+    <message>
+        <source>Load one way kG</source>
+        <translation>Charge dans un sens kG</translation>
+    </message>
+    <message>
+        <source>Gain forwards</source>
+        <translation>Gain en avant</translation>
+    </message>
+    <message>
+        <source>Gain backwards</source>
+        <translation>Gain en arrière</translation>
+    </message>
+    <message>
+        <source>Noise at rest σ</source>
+        <translation>Bruit au repos σ</translation>
+    </message>
+    <message>
+        <source>From an order to its motion</source>
+        <translation>De l’ordre au mouvement</translation>
+    </message>
+    <message>
+        <source>Set-points that it can follow: at most %1 and %2</source>
+        <translation>Consignes qu’il peut suivre&#xa0;: au plus %1 et %2</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -13520,10 +13544,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>une poussée à %1 de rapport cyclique a absorbé %2 A, plus de la moitié de ce qui est permis</translation>
     </message>
     <message>
-        <source>a ramp of duty never got the motor going</source>
-        <translation>une rampe de rapport cyclique n’a jamais mis le moteur en mouvement</translation>
-    </message>
-    <message>
         <source>a rate is a positive number, or 0 for the usual one</source>
         <translation>une cadence est un nombre positif, ou 0 pour l’habituelle</translation>
     </message>
@@ -15084,10 +15104,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>les liaisons qtcan ont l’option bitrate=BITS_PAR_SECONDE, pas «&#xa0;%1=%2&#xa0;»</translation>
     </message>
     <message>
-        <source>raise its end</source>
-        <translation>relevez sa fin</translation>
-    </message>
-    <message>
         <source>read gain.p</source>
         <translation>lisez gain.p</translation>
     </message>
@@ -16094,10 +16110,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>the ramp must be 0 or a positive number of duty per second</source>
         <translation>la rampe doit être 0 ou un rapport cyclique par seconde positif</translation>
-    </message>
-    <message>
-        <source>the ramps do not tell friction from gain</source>
-        <translation>les rampes ne distinguent pas frottement et gain</translation>
     </message>
     <message>
         <source>the ready line stayed low</source>
@@ -17314,6 +17326,34 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>the unit&apos;s own profile led at %1 counts/s, for a step would draw too much current</source>
         <translation>le profil de l’appareil lui-même guidait à %1 counts/s, car un échelon tirerait trop de courant</translation>
+    </message>
+    <message>
+        <source>at most %1 duty and %2 counts from where it stands</source>
+        <translation>au plus %1 de rapport cyclique et %2 counts depuis sa position</translation>
+    </message>
+    <message>
+        <source>at most %1 duty, %2 counts/s and %3 counts from where it stands</source>
+        <translation>au plus %1 de rapport cyclique, %2 counts/s et %3 counts depuis sa position</translation>
+    </message>
+    <message>
+        <source>first its direction is checked: %1 counts up</source>
+        <translation>d’abord son sens est vérifié&#xa0;: %1 counts vers le haut</translation>
+    </message>
+    <message>
+        <source>first its direction is checked: pushes of 0.3 s, until it turns, with %1 duty at most</source>
+        <translation>d’abord son sens est vérifié&#xa0;: poussées de 0,3 s, jusqu’à ce qu’il tourne, à %1 de rapport cyclique au plus</translation>
+    </message>
+    <message>
+        <source>its loop takes its velocity every %1 ms, every %2 ms was expected</source>
+        <translation>sa boucle prend sa vitesse toutes les %1 ms, on attendait toutes les %2 ms</translation>
+    </message>
+    <message>
+        <source>perhaps its D acts the other way round than in the firmware that is known</source>
+        <translation>peut-être son D agit-il à l’inverse du micrologiciel connu</translation>
+    </message>
+    <message>
+        <source>see which firmware it runs</source>
+        <translation>vérifiez quel micrologiciel il exécute</translation>
     </message>
 </context>
 </TS>

@@ -7902,6 +7902,30 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <source>Sines of duty around a speed at which it never reverses, the last on %1. Believed and drawn are %2 of %3: ten samples make a swing, and the sine explains 0.9 of the movement at least (coherence).</source>
         <translation>反転しない速度を中心とするデューティの正弦波、最後は %1。信頼して描いたのは %3 個中 %2 個：1 周期に 10 サンプルあり、正弦波が動きの 0.9 以上を説明するもの（コヒーレンス）。</translation>
     </message>
+    <message>
+        <source>Load one way kG</source>
+        <translation>一方向の負荷 kG</translation>
+    </message>
+    <message>
+        <source>Gain forwards</source>
+        <translation>正方向のゲイン</translation>
+    </message>
+    <message>
+        <source>Gain backwards</source>
+        <translation>逆方向のゲイン</translation>
+    </message>
+    <message>
+        <source>Noise at rest σ</source>
+        <translation>静止時のノイズ σ</translation>
+    </message>
+    <message>
+        <source>From an order to its motion</source>
+        <translation>指令から動き出すまで</translation>
+    </message>
+    <message>
+        <source>Set-points that it can follow: at most %1 and %2</source>
+        <translation>追従できる目標値: 最大 %1、%2</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -13506,10 +13530,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>デューティ %1 のパルスで %2 A 流れ、許容値の半分を超えました</translation>
     </message>
     <message>
-        <source>a ramp of duty never got the motor going</source>
-        <translation>デューティのランプではモーターが動き出しませんでした</translation>
-    </message>
-    <message>
         <source>a rate is a positive number, or 0 for the usual one</source>
         <translation>周波数は正の数、または標準値を表す 0 です</translation>
     </message>
@@ -15070,10 +15090,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>qtcan リンクのオプションは bitrate=BITS_PER_SECOND です。「%1=%2」は使えません</translation>
     </message>
     <message>
-        <source>raise its end</source>
-        <translation>上限を上げてください</translation>
-    </message>
-    <message>
         <source>read gain.p</source>
         <translation>gain.p を読み出してください</translation>
     </message>
@@ -16080,10 +16096,6 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the ramp must be 0 or a positive number of duty per second</source>
         <translation>ランプは 0、または 1 秒あたりのデューティを正の数で指定してください</translation>
-    </message>
-    <message>
-        <source>the ramps do not tell friction from gain</source>
-        <translation>ランプでは摩擦とゲインを区別できません</translation>
     </message>
     <message>
         <source>the ready line stayed low</source>
@@ -17300,6 +17312,34 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the unit&apos;s own profile led at %1 counts/s, for a step would draw too much current</source>
         <translation>ステップでは電流が大きくなりすぎるため、機器自身のプロファイルが %1 counts/s で導きました</translation>
+    </message>
+    <message>
+        <source>at most %1 duty and %2 counts from where it stands</source>
+        <translation>最大でデューティ %1、現在位置から %2 counts</translation>
+    </message>
+    <message>
+        <source>at most %1 duty, %2 counts/s and %3 counts from where it stands</source>
+        <translation>最大でデューティ %1、%2 counts/s、現在位置から %3 counts</translation>
+    </message>
+    <message>
+        <source>first its direction is checked: %1 counts up</source>
+        <translation>まず方向を確認: 正方向へ %1 counts</translation>
+    </message>
+    <message>
+        <source>first its direction is checked: pushes of 0.3 s, until it turns, with %1 duty at most</source>
+        <translation>まず方向を確認: 回り出すまで 0.3 s のパルス、デューティは最大 %1</translation>
+    </message>
+    <message>
+        <source>its loop takes its velocity every %1 ms, every %2 ms was expected</source>
+        <translation>ループは速度を %1 ms ごとに取得、想定は %2 ms ごと</translation>
+    </message>
+    <message>
+        <source>perhaps its D acts the other way round than in the firmware that is known</source>
+        <translation>既知のファームウェアとは D が逆に働くのかもしれません</translation>
+    </message>
+    <message>
+        <source>see which firmware it runs</source>
+        <translation>動作しているファームウェアを確認してください</translation>
     </message>
 </context>
 </TS>

@@ -7902,6 +7902,30 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <source>Sines of duty around a speed at which it never reverses, the last on %1. Believed and drawn are %2 of %3: ten samples make a swing, and the sine explains 0.9 of the movement at least (coherence).</source>
         <translation>围绕不会反转的速度施加的占空比正弦波，最后一次在 %1。可信并绘出的为 %3 个中的 %2 个：每个周期有十个采样，且正弦波至少解释 0.9 的运动（相干性）。</translation>
     </message>
+    <message>
+        <source>Load one way kG</source>
+        <translation>单向负载 kG</translation>
+    </message>
+    <message>
+        <source>Gain forwards</source>
+        <translation>正向增益</translation>
+    </message>
+    <message>
+        <source>Gain backwards</source>
+        <translation>反向增益</translation>
+    </message>
+    <message>
+        <source>Noise at rest σ</source>
+        <translation>静止时噪声 σ</translation>
+    </message>
+    <message>
+        <source>From an order to its motion</source>
+        <translation>从指令到开始运动</translation>
+    </message>
+    <message>
+        <source>Set-points that it can follow: at most %1 and %2</source>
+        <translation>能跟随的设定值：最多 %1 和 %2</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -13506,10 +13530,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>占空比 %1 的推动消耗 %2 A，超过允许值的一半</translation>
     </message>
     <message>
-        <source>a ramp of duty never got the motor going</source>
-        <translation>占空比斜坡始终未能使电机转动</translation>
-    </message>
-    <message>
         <source>a rate is a positive number, or 0 for the usual one</source>
         <translation>频率为正数，或 0 表示常规频率</translation>
     </message>
@@ -15070,10 +15090,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>qtcan 链路的选项为 bitrate=BITS_PER_SECOND，而非“%1=%2”</translation>
     </message>
     <message>
-        <source>raise its end</source>
-        <translation>提高其上限</translation>
-    </message>
-    <message>
         <source>read gain.p</source>
         <translation>读取 gain.p</translation>
     </message>
@@ -16080,10 +16096,6 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the ramp must be 0 or a positive number of duty per second</source>
         <translation>斜坡必须为 0 或每秒占空比的正数</translation>
-    </message>
-    <message>
-        <source>the ramps do not tell friction from gain</source>
-        <translation>斜坡无法区分摩擦与增益</translation>
     </message>
     <message>
         <source>the ready line stayed low</source>
@@ -17300,6 +17312,34 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the unit&apos;s own profile led at %1 counts/s, for a step would draw too much current</source>
         <translation>由设备自身的轮廓以 %1 counts/s 引导，因为阶跃会消耗过大的电流</translation>
+    </message>
+    <message>
+        <source>at most %1 duty and %2 counts from where it stands</source>
+        <translation>最多占空比 %1，离当前位置 %2 个计数</translation>
+    </message>
+    <message>
+        <source>at most %1 duty, %2 counts/s and %3 counts from where it stands</source>
+        <translation>最多占空比 %1、%2 counts/s，离当前位置 %3 个计数</translation>
+    </message>
+    <message>
+        <source>first its direction is checked: %1 counts up</source>
+        <translation>先检查方向：向上 %1 个计数</translation>
+    </message>
+    <message>
+        <source>first its direction is checked: pushes of 0.3 s, until it turns, with %1 duty at most</source>
+        <translation>先检查方向：每次推 0.3 s，直到转动，占空比最多 %1</translation>
+    </message>
+    <message>
+        <source>its loop takes its velocity every %1 ms, every %2 ms was expected</source>
+        <translation>其环路每 %1 ms 取一次速度，预期为每 %2 ms</translation>
+    </message>
+    <message>
+        <source>perhaps its D acts the other way round than in the firmware that is known</source>
+        <translation>也许其 D 的作用方向与已知固件相反</translation>
+    </message>
+    <message>
+        <source>see which firmware it runs</source>
+        <translation>检查它运行的是哪个固件</translation>
     </message>
 </context>
 </TS>

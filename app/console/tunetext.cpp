@@ -29,6 +29,12 @@ QJsonObject metricsToJson(const Metrics &metrics)
     return object;
 }
 
+/// Gain of one direction alone, where it was measured.
+QJsonValue oneWay(double gain)
+{
+    return gain > 0.0 ? QJsonValue(gain) : QJsonValue();
+}
+
 QJsonObject modelToJson(const TuneReport &report)
 {
     const MotorFound &motor = *report.motor;
@@ -36,7 +42,10 @@ QJsonObject modelToJson(const TuneReport &report)
         {QStringLiteral("tau"), motor.pushes.tau}, {QStringLiteral("tau_error"), motor.pushes.tauError},
         {QStringLiteral("delay"), report.plant.delay}, {QStringLiteral("delay_error"), motor.pushes.delayError},
         {QStringLiteral("friction"), motor.line.friction}, {QStringLiteral("friction_error"), motor.line.frictionError},
-        {QStringLiteral("unit"), qt(motor.unit)}};
+        {QStringLiteral("load"), motor.line.offset}, {QStringLiteral("load_error"), motor.line.offsetError},
+        {QStringLiteral("forward"), oneWay(motor.line.forward)},
+        {QStringLiteral("reverse"), oneWay(motor.line.reverse)}, {QStringLiteral("noise"), orNull(motor.restNoise)},
+        {QStringLiteral("latency"), orNull(motor.latency)}, {QStringLiteral("unit"), qt(motor.unit)}};
     object.insert(
         QStringLiteral("filter"), qt(toString(motor.filter ? motor.filter->kind : VelocityFilter::Kind::None)));
     object.insert(QStringLiteral("window"), motor.filter ? QJsonValue(motor.filter->window) : QJsonValue());
@@ -81,6 +90,15 @@ void printModel(Output &out, const TuneReport &report)
     table.add({"tau", brief(1e3 * motor.pushes.tau), brief(1e3 * motor.pushes.tauError), "ms"});
     table.add({"delay of the loop", brief(1e3 * report.plant.delay), brief(1e3 * motor.pushes.delayError), "ms"});
     table.add({"friction", brief(100.0 * motor.line.friction), brief(100.0 * motor.line.frictionError), "% duty"});
+    if (motor.line.forward > 0.0 && motor.line.reverse > 0.0) {
+        table.add({"load one way", brief(100.0 * motor.line.offset), brief(100.0 * motor.line.offsetError), "% duty"});
+        table.add({"gain forward", brief(motor.line.forward), "", motor.unit});
+        table.add({"gain reverse", brief(motor.line.reverse), "", motor.unit});
+    }
+    if (motor.restNoise)
+        table.add({"noise at rest", brief(*motor.restNoise), "", "counts"});
+    if (motor.latency)
+        table.add({"order to motion", brief(1e3 * *motor.latency), "", "ms"});
     if (motor.filter)
         table.add({"velocity filter, " + std::string(toString(motor.filter->kind)), brief(1e3 * motor.filter->window),
             "", "ms"});
@@ -110,6 +128,9 @@ void printGains(Output &out, const TuneReport &report)
         return "rise " + briefly(metrics.rise, 1e3, " ms") + ", settle " + briefly(metrics.settle, 1e3, " ms")
             + ", overshoot " + briefly(metrics.overshoot, 100.0, " %");
     };
+    if (report.profile)
+        out.line("profile:   at most " + brief(report.profile->speed) + " counts/s and "
+            + brief(report.profile->acceleration) + " counts/s²");
     if (report.predicted)
         out.line("predicted: " + words(report.predicted->metrics));
     if (!report.proof.empty())
@@ -135,6 +156,10 @@ QJsonObject toJson(const TuneReport &report)
         report.predicted ? QJsonValue(metricsToJson(report.predicted->metrics)) : QJsonValue());
     object.insert(
         QStringLiteral("measured"), report.proof.empty() ? QJsonValue() : QJsonValue(metricsToJson(report.measured)));
+    object.insert(QStringLiteral("profile"),
+        report.profile ? QJsonValue(QJsonObject{{QStringLiteral("speed"), report.profile->speed},
+            {QStringLiteral("acceleration"), report.profile->acceleration}})
+                       : QJsonValue());
     object.insert(QStringLiteral("margins"),
         report.margins ? QJsonValue(QJsonObject{{QStringLiteral("ms"), orNull(report.margins->ms)},
             {QStringLiteral("gm"), orNull(report.margins->gain)},

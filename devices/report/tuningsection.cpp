@@ -57,6 +57,24 @@ QString filterWords(const std::optional<VelocityFilter> &filter)
     return {};
 }
 
+/// What the two directions tell apart, and what was seen before and at the begin of a push.
+void addWays(const MotorFound &motor, const Report &whole, HtmlTable &table)
+{
+    const QString unit = whole.phrase ? whole.phrase(Message::label(motor.unit)) : qt(motor.unit);
+    if (motor.line.forward > 0.0 && motor.line.reverse > 0.0) {
+        table.add({ReportText::tr("Load one way kG"), strong(figure(100.0 * motor.line.offset, 4)),
+            figure(100.0 * motor.line.offsetError, 2), ReportText::tr("% duty")});
+        table.add({ReportText::tr("Gain forwards"), strong(figure(motor.line.forward, 4)), QString(), unit});
+        table.add({ReportText::tr("Gain backwards"), strong(figure(motor.line.reverse, 4)), QString(), unit});
+    }
+    if (motor.restNoise)
+        table.add({ReportText::tr("Noise at rest σ"), strong(figure(*motor.restNoise, 2)), QString(),
+            QStringLiteral("counts")});
+    if (motor.latency)
+        table.add({ReportText::tr("From an order to its motion"), strong(figure(1e3 * *motor.latency, 3)), QString(),
+            QStringLiteral("ms")});
+}
+
 QString modelHtml(const TuneReport &report, const Report &whole)
 {
     HtmlTable table(QStringLiteral("lrrl"),
@@ -74,7 +92,14 @@ QString modelHtml(const TuneReport &report, const Report &whole)
         QStringLiteral("ms"));
     add(ReportText::tr("Friction kS"), 100.0 * report.plant.friction, error(100.0 * found.line.frictionError),
         ReportText::tr("% duty"));
+    if (motor)
+        addWays(*motor, whole, table);
     QString html = table.html();
+    if (report.profile)
+        html += paragraph(ReportText::tr("Set-points that it can follow: at most %1 and %2")
+                              .arg(figure(report.profile->speed, 3, QStringLiteral("counts/s")),
+                                  figure(report.profile->acceleration, 3, QStringLiteral("counts/s²"))),
+            "dim");
     if (motor)
         html += paragraph(ReportText::tr("Velocity filter of the device: %1").arg(filterWords(motor->filter)), "dim");
     return html;

@@ -34,11 +34,13 @@ const Numbers<PushFit> pushNumbers{{"tau", &PushFit::tau}, {"tau_error", &PushFi
     {"warming", &PushFit::warming}};
 const Numbers<GainFit> lineNumbers{{"gain", &GainFit::gain}, {"gain_error", &GainFit::gainError},
     {"friction", &GainFit::friction}, {"friction_error", &GainFit::frictionError}, {"offset", &GainFit::offset},
-    {"forward", &GainFit::forward}, {"reverse", &GainFit::reverse}};
+    {"offset_error", &GainFit::offsetError}, {"forward", &GainFit::forward}, {"reverse", &GainFit::reverse}};
 const Numbers<VelocityFilter> filterNumbers{
     {"window", &VelocityFilter::window}, {"delay", &VelocityFilter::delay}, {"hold", &VelocityFilter::hold}};
 const Numbers<Margins> marginNumbers{
     {"ms", &Margins::ms}, {"gain", &Margins::gain}, {"phase", &Margins::phase}, {"crossover", &Margins::crossover}};
+const Numbers<ProfileLimits> profileNumbers{
+    {"speed", &ProfileLimits::speed}, {"acceleration", &ProfileLimits::acceleration}};
 
 const Numbers<TriedScale> scaleNumbers{{"p", &TriedScale::p}, {"d", &TriedScale::d}, {"cycle", &TriedScale::cycle},
     {"strongest", &TriedScale::strongest}, {"quickest", &TriedScale::quickest}, {"i", &TriedScale::i},
@@ -66,6 +68,11 @@ template <class T> T numbersFrom(const QJsonObject &object, const Numbers<T> &nu
 QJsonValue orNull(const std::optional<double> &number)
 {
     return number && std::isfinite(*number) ? QJsonValue(*number) : QJsonValue();
+}
+
+std::optional<double> numberOrNothing(const QJsonValue &value)
+{
+    return value.isDouble() ? std::optional(value.toDouble()) : std::nullopt;
 }
 
 QJsonObject toJson(const Metrics &metrics)
@@ -168,10 +175,18 @@ Design designFrom(const QJsonObject &object)
 
 QJsonObject toJson(const Proposal &proposal)
 {
-    return {{QStringLiteral("aim"), qt(toString(proposal.aim))}, {QStringLiteral("design"), toJson(proposal.design)},
-        {QStringLiteral("gains"), toJson(proposal.gains)},
+    QJsonObject object{{QStringLiteral("aim"), qt(toString(proposal.aim))},
+        {QStringLiteral("design"), toJson(proposal.design)}, {QStringLiteral("gains"), toJson(proposal.gains)},
         {QStringLiteral("margins"), numbersToJson(proposal.margins, marginNumbers)},
         {QStringLiteral("predicted"), toJson(proposal.predicted)}, {QStringLiteral("step"), proposal.step}};
+    if (proposal.profile)
+        object.insert(QStringLiteral("profile"), numbersToJson(*proposal.profile, profileNumbers));
+    return object;
+}
+
+std::optional<ProfileLimits> profileFrom(const QJsonValue &value)
+{
+    return value.isObject() ? std::optional(numbersFrom(value.toObject(), profileNumbers)) : std::nullopt;
 }
 
 Proposal proposalFrom(const QJsonObject &object)
@@ -183,6 +198,7 @@ Proposal proposalFrom(const QJsonObject &object)
     proposal.margins = numbersFrom(object.value(QStringLiteral("margins")).toObject(), marginNumbers);
     proposal.predicted = predictionFrom(object.value(QStringLiteral("predicted")).toObject());
     proposal.step = object.value(QStringLiteral("step")).toDouble();
+    proposal.profile = profileFrom(object.value(QStringLiteral("profile")));
     return proposal;
 }
 
@@ -198,7 +214,8 @@ QJsonValue toJson(const std::optional<MotorFound> &motor)
     }
     return QJsonObject{{QStringLiteral("pushes"), numbersToJson(motor->pushes, pushNumbers)},
         {QStringLiteral("line"), numbersToJson(motor->line, lineNumbers)}, {QStringLiteral("filter"), filter},
-        {QStringLiteral("supply"), motor->supply}, {QStringLiteral("unit"), qt(motor->unit)}};
+        {QStringLiteral("supply"), motor->supply}, {QStringLiteral("unit"), qt(motor->unit)},
+        {QStringLiteral("rest_noise"), orNull(motor->restNoise)}, {QStringLiteral("latency"), orNull(motor->latency)}};
 }
 
 std::optional<MotorFound> motorFrom(const QJsonValue &value)
@@ -211,6 +228,8 @@ std::optional<MotorFound> motorFrom(const QJsonValue &value)
     motor.line = numbersFrom(object.value(QStringLiteral("line")).toObject(), lineNumbers);
     motor.unit = object.value(QStringLiteral("unit")).toString(qt(motor.unit)).toStdString();
     motor.supply = object.value(QStringLiteral("supply")).toDouble();
+    motor.restNoise = numberOrNothing(object.value(QStringLiteral("rest_noise")));
+    motor.latency = numberOrNothing(object.value(QStringLiteral("latency")));
     if (const QJsonValue filter = object.value(QStringLiteral("filter")); filter.isObject()) {
         motor.filter = numbersFrom(filter.toObject(), filterNumbers);
         using Kind = VelocityFilter::Kind;
@@ -293,6 +312,8 @@ QJsonObject toJson(const TuneReport &report)
         object.insert(QStringLiteral("margins"), numbersToJson(*report.margins, marginNumbers));
     if (report.predicted)
         object.insert(QStringLiteral("predicted"), toJson(*report.predicted));
+    if (report.profile)
+        object.insert(QStringLiteral("profile"), numbersToJson(*report.profile, profileNumbers));
     return object;
 }
 
@@ -325,6 +346,7 @@ void readTuning(const QJsonObject &object, TuneReport &report)
         report.margins = numbersFrom(value.toObject(), marginNumbers);
     if (const QJsonValue value = object.value(QStringLiteral("predicted")); value.isObject())
         report.predicted = predictionFrom(value.toObject());
+    report.profile = profileFrom(object.value(QStringLiteral("profile")));
 }
 
 } // namespace mb

@@ -126,6 +126,17 @@ Error holdsTooLittle(const Family &family)
 
 } // namespace
 
+namespace {
+
+/// A unit that is not heard while nothing moves is lost like one that falls silent in a push.
+bool isLost(const Device &device, const Error &error)
+{
+    return error.fault == Fault::LinkLost || device.link().state() != LinkState::Open
+        || (error.fault == Fault::Timeout && !device.liveness().heard);
+}
+
+} // namespace
+
 Result<void> checkTuning(const Family &family, const TunePlan &plan)
 {
     if (!loopOf(family, plan.loop))
@@ -162,6 +173,8 @@ Task<TuneReport> autotune(Device &device, SetPointStream &stream, TunePlan plan,
             co_return fail(performed.error());
         report.result = report.result == TuneResult::RolledBack ? report.result : TuneResult::Refused;
         report.evidence = performed.error().message();
+        if (isLost(device, performed.error()) && !run.isOver())
+            run.end(toString(Guard::Link), performed.error().message());
     }
     if (run.isOver())
         report.result = TuneResult::Stopped;

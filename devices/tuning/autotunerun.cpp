@@ -13,8 +13,9 @@
 namespace mb::tuning {
 namespace {
 
-constexpr int mostRepeats = 4;     ///< of an experiment on a wire that loses frames
-constexpr double wholeTime = 60.0; ///< s (A13)
+constexpr int mostRepeats = 4;       ///< of an experiment on a wire that loses frames
+constexpr double wholeTime = 60.0;   ///< s (A13)
+constexpr double knownReserve = 1.3; ///< of a gain that was found: a battery may be fuller
 
 } // namespace
 
@@ -45,6 +46,7 @@ Task<Trial> AutotuneRun::runOnce(ExperimentPlan plan)
     plan.limits = m_plan.limits;
     if (plan.limits.travel)
         *plan.limits.travel = std::max(*plan.limits.travel - std::abs(m_here - m_start), 0.0);
+    plan.announced = m_gain;
     auto running = runExperiment(m_device, m_stream, plan, m_around);
     Trial trial = co_await std::move(running);
     m_moved = true;
@@ -123,12 +125,19 @@ double AutotuneRun::left() const
     return wholeTime - inSeconds(m_device.clock().now() - m_begin);
 }
 
+void AutotuneRun::expectOf(const PlantModel &plant, const std::optional<TriedScale> &scale)
+{
+    if (m_plan.loop != Mode::Current && !scale)
+        m_gain = knownReserve * plant.gain;
+}
+
 Result<void> AutotuneRun::take(Finding finding)
 {
     m_report.motor = std::move(finding.motor);
     m_report.plant = finding.plant;
     m_report.gates = std::move(finding.gates);
     m_report.scale = finding.scale;
+    expectOf(m_report.plant, m_report.scale);
     for (const Gate &gate : m_report.gates) {
         if (!gate.passed)
             return fail(Fault::Refused, say("the model is not to be believed: %1", gate.detail), gate.remedy);
@@ -139,6 +148,7 @@ Result<void> AutotuneRun::take(Finding finding)
 Task<void> AutotuneRun::recall()
 {
     m_report.plant = *m_plan.known;
+    expectOf(*m_plan.known, m_plan.scale);
     m_report.scale = m_plan.scale;
     const auto position = axisChannel(m_device, "position", m_plan.axis);
     if (m_plan.loop == Mode::Position && !(position && m_device.telemetry()->latest(*position)))

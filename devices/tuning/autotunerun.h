@@ -54,6 +54,9 @@ public:
     /// Takes the model that the plan brings, and where the motor stands now; no motion.
     [[nodiscard]] Task<void> recall();
 
+    /// The motor makes so many counts/s per duty at most: what is announced of the next experiments.
+    void expect(double gain) { m_gain = gain; }
+
     /// A guard, the user or a link has ended it.
     [[nodiscard]] bool isOver() const { return !m_report.stopReason.empty(); }
     [[nodiscard]] bool hasMoved() const { return m_moved; }
@@ -70,6 +73,7 @@ public:
 
 private:
     [[nodiscard]] Task<Trial> runOnce(ExperimentPlan plan);
+    void expectOf(const PlantModel &plant, const std::optional<TriedScale> &scale);
 
     Device &m_device;
     SetPointStream &m_stream;
@@ -79,6 +83,7 @@ private:
     Envelope m_envelope;   ///< of limits and device together
     double m_start = 0.0;  ///< counts, where the tuning began
     double m_here = 0.0;   ///< counts, where the last experiment ended
+    double m_gain = 0.0;   ///< counts/s per duty at most; 0: not known yet
     bool m_placed = false; ///< m_start is known
     bool m_moved = false;
     Instant m_begin;

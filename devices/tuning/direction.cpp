@@ -67,11 +67,16 @@ tl::unexpected<Error> wrong(Device &device, int axis, std::optional<Trip> &trip,
 
 } // namespace
 
+double largestOfDirection(const Envelope &envelope)
+{
+    return std::min(envelope.duty.value_or(mostDuty), mostDuty);
+}
+
 Task<double> checkDirection(Device &device, SetPointStream &stream, TrialRecorder &recorder, int axis, GuardPlan guards,
     const Interruption &interruption, std::optional<Trip> &trip)
 {
     const TrialTraits &traits = *device.family().trials;
-    const double largest = std::min(guards.envelope.duty.value_or(mostDuty), mostDuty);
+    const double largest = largestOfDirection(guards.envelope);
     SetPoint setPoint;
     setPoint.axis = axis;
     if (device.family().capabilities.outputOptions)

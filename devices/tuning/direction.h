@@ -30,6 +30,9 @@ private:
     std::map<std::pair<std::string, int>, double> m_checked;
 };
 
+/// Duty of its strongest push.
+[[nodiscard]] double largestOfDirection(const Envelope &envelope);
+
 /// Pushes the motor at 8 % duty for at most 0.3 s, harder until it moves, each time only as far as is clear; without a duty
 /// command, sends it the short way of TrialTraits::nudge. Yields the duty that moved it (0 where it was sent).
 /// The verdict goes into the device's profile; a wrong one, and no motion up to the duty limit, are trips of the recorder's kind:

@@ -37,7 +37,9 @@ struct ExperimentPlan {
     double noise = 0.0;         ///< σ of what a loop measures, where it is known: no swing of it is taken for one
     std::vector<ParameterChange> gains; ///< in force while it runs
     Keep keep = Keep::Never;            ///< and afterwards
-    Envelope limits;                    ///< what the caller allows
+    /// What it may make of the motor is said before it moves (announcement.h); its counts/s per duty at most, 0 where nobody knows.
+    std::optional<double> announced;
+    Envelope limits; ///< what the caller allows
 };
 
 /// What an experiment shares with who started it, who outlives it. Thread of the session.

@@ -3,6 +3,7 @@
 
 #include "async/sleep.h"
 #include "model/family.h"
+#include "tuning/announcement.h"
 #include "tuning/envelope.h"
 #include "tuning/equivalenttime.h"
 #include "tuning/gains.h"
@@ -132,6 +133,7 @@ Task<void> ExperimentRun::perform()
     }
     auto raising = raiseRates();
     co_await std::move(raising);
+    announce(m_device, m_around, m_plan, m_trial, m_origin);
     auto finding = findDirection();
     co_await std::move(finding);
     if (const Message caution = m_device.caution(setPointAt(m_trial.stimulus.to)); !caution.empty())

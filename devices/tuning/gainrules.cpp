@@ -16,6 +16,7 @@ constexpr int mostSlowings = 120;
 constexpr double offGain = 1.2;
 constexpr double offDelay = 1.3;
 constexpr double dampingOfPosition = 1.0;
+constexpr double profileShare = 0.8; ///< of what the motor can
 
 struct AimName {
     Aim aim;
@@ -100,6 +101,12 @@ double responseOf(Mode loop, Aim aim, const PlantModel &plant)
     if (loop == Mode::Position)
         return plant.delay / std::array<double, 3>{0.1, 0.2, 0.25}[step];
     return plant.delay * std::array<double, 3>{3.0, 1.5, 1.0}[step];
+}
+
+ProfileLimits profileLimits(const PlantModel &plant, double duty)
+{
+    const double speed = profileShare * plant.gain * std::max(duty - plant.friction, 0.0);
+    return {speed, plant.tau > 0.0 ? speed / plant.tau : 0.0};
 }
 
 bool hasMargin(

@@ -30,6 +30,15 @@ enum class Aim { Calm, Normal, Brisk };
 /// The closed loop that an aim means: s of response in a velocity or current loop, 1/omega in a position loop.
 [[nodiscard]] double responseOf(Mode loop, Aim aim, const PlantModel &plant);
 
+/// What set-points may ask of a motor at this duty and still be followed: four fifths of what it can.
+struct ProfileLimits {
+    double speed = 0.0;        ///< counts/s
+    double acceleration = 0.0; ///< counts/s²
+
+    friend bool operator==(const ProfileLimits &, const ProfileLimits &) = default;
+};
+[[nodiscard]] ProfileLimits profileLimits(const PlantModel &plant, double duty);
+
 /// What the loop of a device can carry.
 struct LoopBounds {
     double period = 0.0;          ///< s, of the device's loop; 0: unknown

@@ -78,6 +78,8 @@ constexpr std::array<double, 3> integralWeights{0.03, 0.08, 0.2};
 constexpr int frequencies = 7;
 constexpr double nextFrequency = 1.4;
 constexpr double quickest = 0.5; ///< over the delay
+constexpr double lessened = 0.998;
+constexpr int mostLessenings = 20;
 
 struct Found {
     ContinuousGains gains;
@@ -140,7 +142,7 @@ public:
             if (other.price < found.price)
                 found = other;
         }
-        return found;
+        return held(found);
     }
 
 private:
@@ -216,6 +218,19 @@ private:
             }
         }
         return best;
+    }
+
+    /// The peak of a sensitivity may lie between two points of the search: a little less of all gains, until the fine look holds.
+    [[nodiscard]] Found held(Found found) const
+    {
+        const auto holds = [this](const ContinuousGains &gains) {
+            return hasMargin(m_loop, m_plant, gains, m_task.mostMs, m_task.mostMsOff);
+        };
+        for (int i = 0; i < mostLessenings && !holds(found.gains); ++i) {
+            for (const auto gain : {&ContinuousGains::p, &ContinuousGains::i, &ContinuousGains::d})
+                found.gains.*gain *= lessened;
+        }
+        return holds(found.gains) ? found : Found{m_start.gains, 0.0};
     }
 
     void step(Found &best, const std::array<int, 3> &direction, double by) const

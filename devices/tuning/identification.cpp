@@ -14,6 +14,9 @@ namespace mb::tuning {
 namespace {
 
 constexpr double beforePush = 0.05; ///< s of rest that a record begins with
+constexpr double restSeconds = 0.25;
+constexpr std::size_t leastRestSamples = 5;
+constexpr double clearOfNoise = 3.0; ///< σ, and a count, that a motion is
 constexpr double mostCost = 3.0;
 constexpr double mostAsymmetry = 0.10;
 constexpr double leastCounts = 50.0;
@@ -78,6 +81,43 @@ void leaveOutBroken(std::vector<PushRecord> &records)
         records = std::move(whole);
 }
 
+/// σ of its positions while it was about to be pushed.
+std::optional<double> restNoiseOf(const Trial &trial)
+{
+    const Signal *const position = trial.signal("position");
+    const Trace rest = position && !trial.holds.empty()
+        ? position->trace.part(trial.holds.front().from - restSeconds, trial.holds.front().from)
+        : Trace();
+    if (rest.size() < leastRestSamples)
+        return std::nullopt;
+    double mean = 0.0;
+    double squares = 0.0;
+    for (const double y : rest.y)
+        mean += y / static_cast<double>(rest.size());
+    for (const double y : rest.y)
+        squares += (y - mean) * (y - mean);
+    return std::sqrt(squares / static_cast<double>(rest.size() - 1));
+}
+
+/// What its orders took until the motor was seen to move their way, each.
+void addLatencies(const Trial &trial, double noise, std::vector<double> &latencies)
+{
+    const Signal *const position = trial.signal("position");
+    const double sign = trial.stimulus.to > 0.0 ? 1.0 : -1.0;
+    for (const Span &hold : trial.holds) {
+        const Trace before = position ? position->trace.part(hold.from - beforePush, hold.from) : Trace();
+        if (before.isEmpty())
+            continue;
+        const Trace after = position->trace.part(hold.from, hold.to);
+        for (std::size_t i = 0; i < after.size(); ++i) {
+            if (sign * (after.y[i] - before.y.back()) >= 1.0 + clearOfNoise * noise) {
+                latencies.push_back(after.t[i] - hold.from);
+                break;
+            }
+        }
+    }
+}
+
 bool growsSlowly(const std::vector<Trial> &pushes)
 {
     return std::any_of(pushes.begin(), pushes.end(), [](const Trial &trial) {
@@ -119,7 +159,10 @@ std::vector<PushRecord> pushesOf(const Trial &trial, double friction)
 Result<MotorFound> identify(const std::vector<Trial> &pushes)
 {
     MotorFound found;
+    found.restNoise = pushes.empty() ? std::nullopt : restNoiseOf(pushes.front());
+    std::vector<double> latencies;
     for (const Trial &trial : pushes) {
+        addLatencies(trial, found.restNoise.value_or(0.0), latencies);
         if (found.supply == 0.0)
             found.supply = restVoltage(trial);
         const Signal *const velocity = trial.signal("velocity");
@@ -127,6 +170,8 @@ Result<MotorFound> identify(const std::vector<Trial> &pushes)
         if (!found.filter && velocity && position)
             found.filter = fingerprint(position->trace, velocity->trace);
     }
+    if (!latencies.empty())
+        found.latency = median(std::move(latencies));
     for (int pass = 0; pass < 2; ++pass) {
         std::vector<PushRecord> records;
         double heat = 0.0;

@@ -14,6 +14,7 @@ struct GainFit {
     double offset = 0.0;   ///< duty that a load takes which always pulls one way; 0 unless both directions were seen
     double gainError = 0.0;
     double frictionError = 0.0;
+    double offsetError = 0.0;
     double forward = 0.0; ///< counts/s per duty beyond friction, of each direction alone
     double reverse = 0.0;
     /// |forward − reverse| over their mean.
@@ -22,15 +23,5 @@ struct GainFit {
 
 /// Least squares over pushes of two sizes at least. OutOfRange where all have one size, or a motor did not turn with its duty.
 [[nodiscard]] Result<GainFit> fitGain(std::span<const double> duties, std::span<const double> speeds);
-
-/// A slow ramp of duty, up or down from standstill.
-struct RampRecord {
-    Trace position; ///< counts
-    Trace duty;     ///< as PushRecord::duty, at times of its own
-};
-
-/// Gain and friction from ramps alone, by integrals; `tau` from fitPushes(). More exact than fitGain() where friction is small.
-/// OutOfRange where a ramp never got going.
-[[nodiscard]] Result<GainFit> fitRamps(std::span<const RampRecord> ramps, double tau);
 
 } // namespace mb::tuning

@@ -29,7 +29,9 @@ constexpr double currentPrediction = 0.2; ///< s
 constexpr double longestShown = 30.0;     ///< s
 constexpr int smallerSteps = 4;
 constexpr double overshootOfDoubt = 0.02; ///< more than of the model itself, as the search allows
-constexpr double clearSteps = 12.0;       ///< of a gain: fewer than ten mean nothing
+constexpr double lessForRounding = 0.995; ///< where rounding has taken a margin
+constexpr int mostRoundings = 10;
+constexpr double clearSteps = 12.0; ///< of a gain: fewer than ten mean nothing
 
 double cycleOf(const ProposalBasis &basis)
 {
@@ -151,6 +153,13 @@ double predictionPeriod(const ProposalBasis &basis)
 
 namespace {
 
+std::optional<ProfileLimits> profileOf(const ProposalBasis &basis)
+{
+    if (basis.loop == Mode::Current)
+        return std::nullopt;
+    return profileLimits(basis.plant, basis.envelope.duty.value_or(1.0));
+}
+
 /// Parameters, margins and prediction of designed gains; a step that would draw more than its limit is made smaller. `step` 0: the
 /// usual one.
 Result<void> finish(const ProposalBasis &basis, double step, Proposal &proposal)
@@ -163,6 +172,7 @@ Result<void> finish(const ProposalBasis &basis, double step, Proposal &proposal)
     const ContinuousGains &gains = proposal.gains.made;
     const LoopShape shape = shapeOf(basis);
     proposal.margins = marginsOf(basis.loop, plant, gains);
+    proposal.profile = profileOf(basis);
     proposal.step = basis.loop == Mode::Current ? currentStep(plant.gain, basis.envelope)
         : step > 0.0                            ? step
                                                 : proofStep(basis.loop, plant, gains, basis.envelope);
@@ -202,6 +212,13 @@ Result<Proposal> proposalFor(const ProposalBasis &basis, const ProposalWish &wis
     }
     if (auto made = finish(basis, task.step, proposal); !made)
         return fail(made.error());
+    for (int i = 0; i < mostRoundings && !hasMargin(basis.loop, plant, proposal.gains.made, ms.model, ms.off); ++i) {
+        ContinuousGains &gains = proposal.design.gains; // rounding has made more of them
+        for (const auto gain : {&ContinuousGains::p, &ContinuousGains::i, &ContinuousGains::d})
+            gains.*gain *= lessForRounding;
+        if (auto made = finish(basis, task.step, proposal); !made)
+            return fail(made.error());
+    }
     return proposal;
 }
 
@@ -239,6 +256,7 @@ std::optional<FormerProposal> formerProposal(const ProposalBasis &basis, const K
     proposal.design.gains = made->made;
     proposal.margins = marginsOf(basis.loop, basis.plant, made->made);
     proposal.step = step;
+    proposal.profile = profileOf(basis);
     proposal.predicted = predictStep(
         basis.loop, basis.plant, made->made, 0.0, step, secondsOfPrediction(basis), shapeWith(basis, *made));
     proposal.gains = std::move(*made);

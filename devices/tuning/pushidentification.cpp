@@ -29,6 +29,8 @@ constexpr double longestPush = 3.0;    ///< s
 constexpr double usableShare = 0.75;   ///< of a limit of the envelope
 constexpr double nearlyFull = 0.96;    ///< of the duty limit
 constexpr double speedReserve = 1.3;   ///< friction takes a smaller share of a stronger push
+constexpr double mostOfFriction
+    = 2.0; ///< friction of half the probe: a stronger push is not twice as quick for its duty
 constexpr int pushRepeats = 2;
 constexpr double loopDelays = 1.5;        ///< periods of the device's loop
 constexpr double orderWaits = 0.5;        ///< of them, until an order is looked at that nobody has seen carried out
@@ -123,6 +125,7 @@ Task<void> PushIdentification::measureOut(AutotuneRun &run, Trial trial)
     const Envelope &envelope = run.envelope();
     const double gain = speedReserve * std::abs(fit->speeds.front() / seen.front().duty); // counts/s per duty, at most
     m_duty = std::min(std::max(strongest, overBreakaway * seen.front().duty), nearlyFull * envelope.duty.value_or(1.0));
+    run.expect(mostOfFriction * std::abs(fit->speeds.front() / seen.front().duty));
     if (envelope.speed)
         m_duty = std::min(m_duty, usableShare * *envelope.speed / gain);
     const double period = std::max(samplePeriod(seen.front().position), 1e-3);

@@ -3,6 +3,7 @@
 
 #include "async/progress.h"
 #include "model/family.h"
+#include "tuning/announcement.h"
 #include "tuning/autotunerun.h"
 #include "tuning/direction.h"
 #include "tuning/envelope.h"
@@ -99,6 +100,7 @@ Task<void> findScales(AutotuneRun &run)
     run.note(say("the scale of its gains is not known yet, and is found first: one to two minutes, with %1 % of its "
                  "power at most",
         std::round(100.0 * options.power)));
+    run.note(textOf({options.power, run.envelope().speed, run.envelope().travel}));
     TrialRecorder recorder(device, run.stream(), Mode::Velocity, options.axis);
     recorder.guard(guardsOf(run));
     run.setMoved();

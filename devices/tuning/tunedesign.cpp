@@ -178,6 +178,7 @@ void TuneDesign::choose(const Proposal &proposal)
     report.proposed = proposal.gains;
     report.margins = proposal.margins;
     report.predicted = proposal.predicted;
+    report.profile = proposal.profile;
     m_step = proposal.step;
 }
 

@@ -5,6 +5,7 @@
 #include "tuning/autotunerun.h"
 #include "tuning/envelope.h"
 #include "tuning/gains.h"
+#include "tuning/looppass.h"
 #include "tuning/plateau.h"
 #include "tuning/proof.h"
 #include "tuning/rawstep.h"
@@ -19,20 +20,21 @@ namespace {
 constexpr int usualRepeats = 2;
 constexpr double proofSettles
     = 2.5; ///< predicted times to settle that a proof holds its step: twice may pass until it has settled
-constexpr double proofCreeps = 2.0;    ///< times of the integral, in which it creeps to its target, at least
-constexpr double slowProof = 1.2;      ///< s, that a slow one waits at most beyond what was predicted
-constexpr double proofRest = 0.3;      ///< s longer
-constexpr double leastProof = 0.7;     ///< s
-constexpr double countedProof = 2.0;   ///< s, of a velocity that is counted over edges: swinging grows slowly
-constexpr double countedRest = 1.5;    ///< s, until such a velocity is known to be 0, and the integral is at rest
-constexpr double longestProof = 5.0;   ///< s
-constexpr double unknownSettle = 1.5;  ///< s, where none was predicted
-constexpr double currentSettles = 4.0; ///< of a current loop
-constexpr double leastCurrent = 0.08;  ///< s that it is held
-constexpr double longestCurrent = 0.2; ///< s
-constexpr double notableRest = 0.02;   ///< of the step
-constexpr double aroundTrial = 1.5;    ///< s, to set it up and to come to rest
-constexpr double aroundStep = 0.3;     ///< s before each step
+constexpr double proofCreeps = 2.0;     ///< times of the integral, in which it creeps to its target, at least
+constexpr double slowProof = 1.2;       ///< s, that a slow one waits at most beyond what was predicted
+constexpr double proofRest = 0.3;       ///< s longer
+constexpr double leastProof = 0.7;      ///< s
+constexpr double countedProof = 2.0;    ///< s, of a velocity that is counted over edges: swinging grows slowly
+constexpr double countedRest = 1.5;     ///< s, until such a velocity is known to be 0, and the integral is at rest
+constexpr double longestProof = 5.0;    ///< s
+constexpr double unknownSettle = 1.5;   ///< s, where none was predicted
+constexpr double currentSettles = 4.0;  ///< of a current loop
+constexpr double leastCurrent = 0.08;   ///< s that it is held
+constexpr double longestCurrent = 0.2;  ///< s
+constexpr double notableRest = 0.02;    ///< of the step
+constexpr double aroundTrial = 1.5;     ///< s, to set it up and to come to rest
+constexpr double clearOvershoot = 0.15; ///< more than predicted, that a wrong D may be the cause of
+constexpr double aroundStep = 0.3;      ///< s before each step
 
 /// s of an experiment in one direction, at most.
 double secondsOf(double hold, int repeats)
@@ -172,6 +174,32 @@ Message TuneProof::judge()
     return wrong;
 }
 
+/// Whether its loop runs as often as what was designed counts on: the first step of a velocity tells.
+Result<void> TuneProof::checkPass()
+{
+    TuneReport &report = m_run.report();
+    const auto gate = passGate(m_run.device().family(), report.proof.back());
+    if (!gate)
+        return {};
+    std::erase_if(report.gates, [&gate](const Gate &known) { return known.name == gate->name; });
+    report.gates.push_back(*gate);
+    if (!gate->passed)
+        return fail(Fault::Refused, say("the model is not to be believed: %1", gate->detail), gate->remedy);
+    return {};
+}
+
+/// Of a unit that does not tell which firmware it runs nobody knows for certain which way its D acts: the wrong way the first position
+/// that it is given makes it swing.
+Message TuneProof::withDerivative(Message why) const
+{
+    const TuneReport &report = m_run.report();
+    const bool isUntold = !m_run.device().family().capabilities.versionOnWire && !report.scale;
+    const bool isFirst = report.proof.size() == 1 && m_design.before().empty();
+    if (!isUntold || !isFirst || m_run.plan().loop != Mode::Position || report.proposed.made.d == 0.0)
+        return why;
+    return joined(why, say("perhaps its D acts the other way round than in the firmware that is known"));
+}
+
 Task<void> TuneProof::prove()
 {
     TuneReport &report = m_run.report();
@@ -186,12 +214,18 @@ Task<void> TuneProof::prove()
     for (const double sign : {1.0, -1.0}) {
         auto running = m_run.run(planOf(sign));
         report.proof.push_back(co_await std::move(running));
+        if (report.stopReason == toString(Guard::Oscillation))
+            report.evidence = withDerivative(report.evidence);
         if (m_run.isOver())
             co_return {};
+        if (const auto timed = checkPass(); !timed)
+            co_return fail(timed.error());
         const Message wrong = judge();
         if (!wrong.empty()) { // what fails one way needs no proof the other way
             report.result = TuneResult::RolledBack;
-            report.evidence = joined(wrong, m_design.before());
+            const double beyond
+                = report.measured.overshoot.value_or(0.0) - report.predicted->metrics.overshoot.value_or(0.0);
+            report.evidence = joined(beyond > clearOvershoot ? withDerivative(wrong) : wrong, m_design.before());
             co_return {};
         }
         if (!m_design.isPromising()) { // what was proven before is better, and is kept

@@ -29,6 +29,8 @@ private:
     [[nodiscard]] int repeats() const;
     [[nodiscard]] double target(double sign) const;
     [[nodiscard]] double resting() const;
+    [[nodiscard]] Result<void> checkPass();
+    [[nodiscard]] Message withDerivative(Message why) const;
     [[nodiscard]] Message judge();
     [[nodiscard]] std::vector<ParameterChange> inProvingSlot() const;
     [[nodiscard]] ExperimentPlan planOf(double sign) const;

@@ -35,8 +35,9 @@ struct Proposal {
     Design design;
     ScaledGains gains;
     Margins margins;
-    Prediction predicted; ///< of a step of `step`
-    double step = 0.0;    ///< in the unit of the loop
+    Prediction predicted;                 ///< of a step of `step`
+    double step = 0.0;                    ///< in the unit of the loop
+    std::optional<ProfileLimits> profile; ///< of what it may be led by; nothing in a current loop
 };
 
 /// What came of it, and all that it stands on.
@@ -61,10 +62,11 @@ struct TuneReport {
     std::vector<std::pair<std::string, std::optional<double>>> before; ///< gains by key, in the unit of the parameter
     std::optional<Margins> margins;
     std::optional<Prediction> predicted;
-    std::vector<Trial> proof; ///< one a direction
-    Metrics measured;         ///< the worse of both
-    std::string stopReason;   ///< of the trial that ended it: a guard's name, "link", "interrupted"; empty else
-    bool stopped = true;      ///< the motor was seen stopped
+    std::optional<ProfileLimits> profile; ///< as Proposal
+    std::vector<Trial> proof;             ///< one a direction
+    Metrics measured;                     ///< the worse of both
+    std::string stopReason; ///< of the trial that ended it: a guard's name, "link", "interrupted"; empty else
+    bool stopped = true;    ///< the motor was seen stopped
     double seconds = 0.0;
     std::vector<std::int64_t> trials; ///< numbers in the notebook
 };

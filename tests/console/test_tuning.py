@@ -2,6 +2,9 @@
 """test_tuning.py PROGRAM: experiments, the notebook and tuning by itself, on the simulated bench."""
 import json
 import os
+import re
+import signal
+import subprocess
 import sys
 import tempfile
 
@@ -109,6 +112,26 @@ class Tune(ContractTest):
         self.assertLess(row["margins"]["ms"], 1.6)
         self.assertIsNone(row["measured"])
         self.assertEqual(self.run_one("get", LIVELY), before)
+        self.assertLessEqual({"load", "load_error", "forward", "reverse", "noise", "latency"}, row["model"].keys())
+        for way in ("forward", "reverse"):
+            self.assertAlmostEqual(row["model"][way], row["model"]["gain"], delta=0.03 * row["model"]["gain"])
+        self.assertLess(abs(row["model"]["load"]), 0.01)
+        self.assertTrue(0 < row["model"]["latency"] < 0.1, row["model"])
+        self.assertAlmostEqual(row["profile"]["acceleration"], row["profile"]["speed"] / row["model"]["tau"], delta=0.01 * row["profile"]["acceleration"])
+
+    @contract.long
+    def test_every_stimulus_is_announced_with_duty_speed_and_travel_and_the_text_tells_both_ways(self):
+        run = Run(["tune", CIM, "--loop", "velocity", "--travel", "400000", "--speed", "90000", "--propose"])
+        self.assertEqual(run.status, 0, run.err)
+        told = re.findall(r"at most ([\d.]+) % duty, ([\d.e+]+) counts/s and ([\d.e+]+) counts from where it stands", run.err)
+        self.assertEqual(len(told), run.err.count("pushing with "), run.err)
+        self.assertGreaterEqual(len(told), 5)
+        for _, speed, travel in told:
+            self.assertLessEqual(float(speed), 90000)
+            self.assertLessEqual(float(travel), 400000)
+        self.assertLess(min(float(travel) for _, _, travel in told[1:]), 400000, "what is expected, not only its limit")
+        for row in ("load one way", "gain forward", "gain reverse", "noise at rest", "order to motion", "profile:"):
+            self.assertIn(row, run.out)
 
     @contract.long
     def test_a_position_loop_without_a_duty_command_is_tuned_by_trying_its_gains(self):
@@ -133,6 +156,60 @@ class Tune(ContractTest):
         self.assert_error(2, "tune", CIM, "--loop", "velocity", "--aim", "reckless")
         self.assert_error(2, "tune", CIM, "--loop", "velocity", "--propose", "--store")
         self.assert_error(2, "tune", CIM, "--loop", "velocity", "--response", "0.1")
+
+
+class Trouble(ContractTest):
+    """What ends a tuning ends it with its word and its status: results of `tune` in docs/tuning.md."""
+
+    def ended(self, status, device, *arguments):
+        run = Run(["--json", "tune", device, "--loop", "velocity", *arguments])
+        self.assertEqual(run.status, status, run.err)
+        row = json.loads(run.out)
+        self.assertLessEqual(TUNE, row.keys())
+        self.assertTrue(row["evidence"])
+        return row, run
+
+    def ended_in_error(self, status, word, device, *arguments):
+        row, run = self.ended(status, device, *arguments)
+        self.assertEqual(row["result"], "stopped")
+        self.assertIn(word, self.error_of(run, status))
+        return row
+
+    def test_a_sensor_that_counts_the_other_way_is_stopped_by_its_guard(self):
+        row = self.ended_in_error(4, "wrong direction", "sim:can?fault=encoder-reversed/dmc60c:5")
+        self.assertTrue(row["stopped"])
+        self.assertEqual(row["gains"], {})
+
+    def test_a_motor_that_stalls_is_stopped_by_its_guard(self):
+        row = self.ended_in_error(4, "no motion", "sim:can?fault=stall@1/dmc60c:5")
+        self.assertTrue(row["stopped"])
+
+    def test_a_unit_that_falls_silent_is_a_lost_link_and_nobody_saw_it_stop(self):
+        row = self.ended_in_error(5, "link was lost", "sim:can?fault=silent@700/dmc60c:5")
+        self.assertFalse(row["stopped"])
+
+    def test_a_unit_that_loses_its_power_for_a_moment_is_stopped_by_its_guard(self):
+        row = self.ended_in_error(4, "restarted", "sim:can?fault=power@900/dmc60c:5")
+        self.assertTrue(row["stopped"])
+
+    def test_what_leaves_no_room_to_identify_is_refused_with_status_one_and_no_gain_changes(self):
+        row, run = self.ended(1, CIM, "--travel", "3000")
+        self.assertEqual((row["result"], row["stopped"], row["gains"]), ("refused", True, {}))
+        self.assertIn("room", row["evidence"], run.err)
+
+    def test_a_signal_interrupts_it_and_the_gains_are_as_before(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            with subprocess.Popen([contract.PROGRAM, "--json", "tune", CIM, "--loop", "velocity"], stdout=subprocess.PIPE,
+                                  stderr=subprocess.PIPE, text=True) as process:
+                for line in process.stderr:
+                    if "pushing" in line:
+                        break
+                process.send_signal(number)
+                out, err = process.communicate(timeout=contract.LIMIT)
+            row = json.loads(out)
+            self.assertEqual(process.returncode, 4, err)
+            self.assertEqual((row["result"], row["stopped"], row["gains"]), ("stopped", True, {}))
+            self.assertIn("interrupted", err)
 
 
 class Report(ContractTest):

@@ -68,6 +68,13 @@ KeptTuning tuned()
     report.plant = {105'000.0, 0.168, 0.052, 0.021};
     report.motor.emplace();
     report.motor->line.gainError = 120.0;
+    report.motor->line.offset = 0.0123;
+    report.motor->line.offsetError = 0.0045;
+    report.motor->line.forward = 106'000.0;
+    report.motor->line.reverse = 103'000.0;
+    report.motor->restNoise = 0.37;
+    report.motor->latency = 0.0137;
+    report.profile = ProfileLimits{82'000.0, 491'000.0};
     report.gates = {{"fit", say("what the fit leaves is 1.4 times"), true, {}}};
     report.proposed.rows = {{"slot0.p", 38083, 0.5811}};
     report.proposed.made = {1e-5, 6e-5, 0.0, 0.0};
@@ -114,6 +121,19 @@ TEST(Report, TellsTheUnitItsTuningItsTrialItsParametersAndItsHistory)
         EXPECT_TRUE(html.contains(QString::fromUtf8(word))) << word << "\n";
     EXPECT_TRUE(html.contains(QStringLiteral("with the &lt;new&gt; belt")));
     EXPECT_EQ(html.count(QStringLiteral("<svg ")), 3); // the proof, the loop, the trial
+}
+
+TEST(Report, TellsBothDirectionsApartAndWhatASetPointMayAskFor)
+{
+    const QString html = htmlOf(reportOf(true));
+    for (const char *word : {"Load one way kG", "1.23", "0.45", "Gain forwards", "106000", "Gain backwards", "103000",
+             "Noise at rest", "0.37", "From an order to its motion", "13.7", "82000 counts/s", "491000 counts/s²"})
+        EXPECT_TRUE(html.contains(QString::fromUtf8(word))) << word;
+    Report unseen = reportOf(true);
+    unseen.units.front().tunings.front().report.motor.emplace();
+    const QString less = htmlOf(unseen);
+    for (const char *word : {"Load one way", "Gain forwards", "Noise at rest", "From an order"})
+        EXPECT_FALSE(less.contains(QString::fromUtf8(word))) << word;
 }
 
 TEST(Report, MarksASimulatedUnitInWordsInEveryPlotAndForPrograms)

@@ -16,7 +16,7 @@ import unittest
 from bench import PATIENCE, Motor, Program
 from rows import ROWS
 from scenarios import ROUNDS, CableScenarios, MotionScenarios, Rounds, SteadyCase
-from trials import TrialScenarios
+from trials import TrialScenarios, TuneScenarios
 
 
 def ip(*arguments, check=True):
@@ -106,6 +106,8 @@ class Dmc60cRig(CanRig):
     family, unit, mode, target, watchdog = "DMC60C", "dmc60c:5", "duty", "0.2", 0.104
     gain, far_enough, stores_after = "slot0.p", 10000, 21
     loop = ("--mode", "velocity", "--to", "60000", "--travel", "10000000", "--speed", "100000", "--duty", "1", "--current", "100")
+    tuning = ("--loop", "velocity", "--travel", "10000000", "--speed", "100000", "--duty", "1", "--current", "100")
+    tried = ("slot1.p", "slot1.i")  # the result is for slot 0
 
     def is_ours(self, frame):
         return frame.startswith("02060005#")
@@ -131,6 +133,13 @@ class Dmc60cSwitched(MotionScenarios, CableScenarios, SteadyCase):
 
 @unittest.skipUnless(ROUNDS > 1, "a machine that tests meanwhile loses samples, and a guard ends the trial: scripts/soak safety")
 class Dmc60cTrial(TrialScenarios, SteadyCase):
+    def setUp(self):
+        super().setUp()
+        self.rig = Dmc60cRig(self.control, Switch())
+
+
+@unittest.skipUnless(ROUNDS > 1, "a machine that tests meanwhile loses samples, and a guard ends the proof: scripts/soak safety")
+class Dmc60cTuning(TuneScenarios, SteadyCase):
     def setUp(self):
         super().setUp()
         self.rig = Dmc60cRig(self.control, Switch())

@@ -11,7 +11,7 @@ import unittest
 from bench import Motor, SerialCable, SocketCable
 from rows import ROWS
 from scenarios import CableScenarios, MotionScenarios, Rounds, WindowScenarios, SteadyCase
-from trials import TrialScenarios
+from trials import TrialScenarios, TuneScenarios
 
 
 class LineRig:
@@ -58,6 +58,14 @@ class SerialRig(LineRig):
         return heard[:2] == b"\x55\xaa" and len(heard) > 4 and heard[4] in (0x1B, 0xCB)  # addressed, or to all
 
 
+class TunedRig(SerialRig):
+    """A motor without a gear, which the unit's own profile leads in its proof: that is owed with the gains."""
+
+    unit = "supermodified:5,dialect=D3,motor=rs775"
+    tuning = ("--loop", "position", "--travel", "60000", "--duty", "1", "--speed", "500000", "--current", "5")
+    tried = ("gain.p", "gain.d", "profile.velocity", "profile.acceleration")
+
+
 class SocketRig(LineRig):
     family, unit, mode, target = "QuadQuad2Drv", "quadquad2drv:0", "duty", "0.3"
     make_cable = SocketCable
@@ -81,6 +89,12 @@ class SerialTrial(TrialScenarios, SteadyCase):
     def setUp(self):
         super().setUp()
         self.rig = SerialRig(self.control)
+
+
+class SerialTuning(TuneScenarios, SteadyCase):
+    def setUp(self):
+        super().setUp()
+        self.rig = TunedRig(self.control)
 
 
 class Socket(MotionScenarios, CableScenarios, SteadyCase):

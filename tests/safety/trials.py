@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A program that is killed in the middle of an experiment: the motor, the gains that were tried, and the notebook.
+"""A program that is killed in the middle of an experiment, or of the proof of a tuning: the motor, the gains that were tried, and the
+notebook.
 
 Beside what a Rounds rig brings: `gain` (its key), `loop` (options of step), `far_enough` (counts), `stores_after` (seconds,
-after which it has stored what was written; 0: at once).
+after which it has stored what was written; 0: at once); for a tuning `tuning` (options of tune), `tried` (keys that its proof writes).
 """
 import json
 import os
@@ -17,10 +18,11 @@ from rows import ROWS
 from scenarios import Rounds
 
 RESUMES_NOT = 1.0  # so long the motor is watched
+IN_A_PROOF = 0.2  # seconds
 ATTEMPTS = 10  # a machine that is busy loses samples, and a guard ends the trial
 
 
-class TrialScenarios(Rounds):
+class KilledCase(Rounds):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
@@ -46,6 +48,17 @@ class TrialScenarios(Rounds):
         """What it says on standard error. How the experiment ends is not judged: this machine may be busy."""
         return self.run_control("step", self.rig.device, *self.rig.loop, *more, status=None)[1]
 
+    def assert_owed(self, trial):
+        """The next connection asks, and nobody answers; then it is told to, and once is enough."""
+        said = self.step()
+        self.assertIn(f"trial {trial} did not put back", said, "it asks, and nobody answers")
+        self.assertIn("--yes", said)
+        said = self.step("--yes")
+        self.assertIn(f"is put back, owed by trial {trial}", said)
+        self.assertNotIn("put back", self.step(), "once is enough")
+
+
+class TrialScenarios(KilledCase):
     def try_gain(self, value):
         """A program in the middle of a trial of another gain, the motor far from where it was."""
         for _ in range(ATTEMPTS):
@@ -96,3 +109,43 @@ class TrialScenarios(Rounds):
             self.assertEqual(self.owed(), 0)
         ROWS.add(self.rig.family, "the program is killed in a trial", self.by(), taken, self.silence())
 
+
+class TuneScenarios(KilledCase):
+    """Killed while it proves: what is tried is in the slot that does not run where there are two, else in the only one."""
+
+    def tried(self):
+        rows = self.run_control("get", self.rig.device, *self.rig.tried)[0]["parameters"]
+        return {key: row["raw"] for key, row in rows.items()}
+
+    def prove(self):
+        """A program in the middle of its first proof, the motor on its way."""
+        for _ in range(ATTEMPTS):
+            program = Program(self.control, "--json", "tune", self.rig.device, *self.rig.tuning, environment=self.environment)
+            self.addCleanup(program.end, signal.SIGKILL)
+            line = program.wait_for(lambda line: "proving:" in line or '"result"' in line or '"error"' in line, patience=3 * PATIENCE)
+            if line and "proving:" in line and self.rig.motor.await_output(True, time.time()):
+                time.sleep(IN_A_PROOF)
+                if program.is_running():
+                    return program
+            program.end()  # a busy machine: a guard ended it before it proved anything
+        self.fail(f"it proves nothing: {program.lines[-5:]}")
+        return None
+
+    def test_a_killed_proof_stops_and_all_that_it_tried_goes_back_after_asking(self):
+        taken = []
+        for _ in self.rounds():
+            before = self.tried()
+            program = self.prove()
+            at = time.time()
+            program.send(signal.SIGKILL)
+            taken.append(self.off_after(at, self.silence(), "killed in a proof"))
+            self.assertTrue(self.rig.motor.stays_off(RESUMES_NOT))
+            left = self.tried()
+            for key in self.rig.tried:
+                self.assertNotEqual(left[key], before[key], f"{key}: nobody has put it back yet")
+            row = self.run_control("trials")[0]["trials"][-1]
+            self.assertIn("aborted", row["flags"])
+            self.assertGreaterEqual(self.owed(), len(self.rig.tried))
+            self.assert_owed(row["trial"])
+            self.assertEqual(self.tried(), before)
+        ROWS.add(self.rig.family, "the program is killed while it proves gains", self.by(), taken, self.silence())

@@ -53,6 +53,10 @@ protected:
         MotorFound motor;
         motor.pushes.tauError = 0.002;
         motor.line.gainError = 120.0;
+        motor.line.offset = 0.004;
+        motor.line.offsetError = 0.002;
+        motor.restNoise = 0.4;
+        motor.latency = 0.013;
         motor.filter = VelocityFilter{VelocityFilter::Kind::Block, 0.1, 0.09, 0.1};
         report.motor = motor;
         report.gates = {{"fit", say("the fit leaves 1.4 times"), true, {}},
@@ -64,11 +68,13 @@ protected:
         normal.margins = {1.44, std::numeric_limits<double>::infinity(), 67.0, 4.0};
         normal.predicted = prediction(5000);
         normal.step = 30'000.0;
+        normal.profile = ProfileLimits{82'000.0, 490'000.0};
         report.proposals = {normal};
         report.design = normal.design;
         report.proposed = normal.gains;
         report.margins = normal.margins;
         report.predicted = normal.predicted;
+        report.profile = normal.profile;
         report.before = {{"slot0.p", 1.165}, {"slot0.d", std::nullopt}};
         report.measured.overshoot = 0.013;
         report.seconds = 38.2;
@@ -114,6 +120,11 @@ TEST_F(KeptTunings, ATuningComesBackWithItsModelProposalsAndProof)
     ASSERT_TRUE(back.motor && back.motor->filter);
     EXPECT_EQ(back.motor->filter->kind, VelocityFilter::Kind::Block);
     EXPECT_DOUBLE_EQ(back.motor->line.gainError, 120.0);
+    EXPECT_DOUBLE_EQ(back.motor->line.offset, 0.004);
+    EXPECT_DOUBLE_EQ(back.motor->line.offsetError, 0.002);
+    EXPECT_EQ(back.motor->restNoise, kept.motor->restNoise);
+    EXPECT_EQ(back.motor->latency, kept.motor->latency);
+    EXPECT_EQ(back.profile, kept.profile);
     ASSERT_EQ(back.gates.size(), 2U);
     EXPECT_FALSE(back.gates[1].passed);
     EXPECT_EQ(back.gates[1].remedy, "go faster");
@@ -126,6 +137,7 @@ TEST_F(KeptTunings, ATuningComesBackWithItsModelProposalsAndProof)
     EXPECT_EQ(normal.gains.made, kept.proposals.front().gains.made);
     ASSERT_EQ(normal.gains.rows.size(), 2U);
     EXPECT_EQ(normal.gains.rows[0].raw, 38083);
+    EXPECT_EQ(normal.profile, kept.profile);
     EXPECT_TRUE(std::isinf(normal.margins.gain));
     EXPECT_DOUBLE_EQ(normal.margins.ms, 1.44);
     EXPECT_LE(normal.predicted.measured.size(), 400U);

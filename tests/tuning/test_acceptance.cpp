@@ -2,6 +2,7 @@
 // The criteria of acceptance that need whole tunings; those of pure parts stand with their parts, under the same name.
 #include "families/quadquad2drv/calibrations.h"
 #include "families/quadquad2drv/simulatoraxis.h"
+#include "simulation/motormodel.h"
 #include "tests/tuning/tuningbench.h"
 #include "tuning/autotune.h"
 
@@ -41,6 +42,38 @@ Rest restOf(const Trial &trial, double ramp)
     return rest;
 }
 
+/// V, that Coulomb's friction of a simulated motor takes from its supply.
+double frictionVolts(const MotorParameters &motor)
+{
+    constexpr double bridge = 0.005; // Ohm
+    return (motor.resistance + bridge) * motor.friction / (motor.constant * (1.0 - motor.torqueLoss));
+}
+
+TEST(Acceptance, A02_FrictionThatATuningFindsIsWithinFiftyMillivolt)
+{
+    double worst = 0.0;
+    for (const std::string_view name : {"cim", "775pro", "25d"}) {
+        const MotorParameters &motor = *motorByName(name);
+        const double truth = frictionVolts(motor);
+        for (const std::string_view load : {"5", "8"}) {
+            ExperimentBench bench(
+                "sim:can", "dmc60c", 6, "dmc60c:6,motor=" + std::string(name) + ",load=" + std::string(load));
+            TunePlan plan = planOf(Mode::Velocity);
+            plan.propose = true;
+            const auto report = tune(bench, plan);
+            ASSERT_TRUE(report) << report.error().text();
+            ASSERT_EQ(report->result, TuneResult::Proposed) << report->evidence;
+            const double off = std::abs(report->plant.friction * motor.nominalVoltage - truth);
+            worst = std::max(worst, off);
+            std::printf("A2 %s, load %s: friction %.0f mV, found %.0f mV ± %.0f\n", std::string(name).c_str(),
+                std::string(load).c_str(), 1e3 * truth, 1e3 * report->plant.friction * motor.nominalVoltage,
+                1e3 * report->motor->line.frictionError * motor.nominalVoltage);
+            EXPECT_LT(off, std::max(0.15 * truth, 0.05)) << name << " of " << truth << " V";
+        }
+    }
+    std::printf("A2 friction within %.0f mV\n", 1e3 * worst);
+}
+
 TEST(Acceptance, A04_TheVelocityLoopOfADmc60cHardlyOvershootsAndSettlesInTime)
 {
     ExperimentBench bench("sim:can", "dmc60c", 5);
@@ -56,27 +89,40 @@ TEST(Acceptance, A04_TheVelocityLoopOfADmc60cHardlyOvershootsAndSettlesInTime)
     EXPECT_LE(std::abs(*measured.sse), 0.002);
 }
 
+/// A position loop that was tuned makes a move of a profile of 1.5 s.
+struct Moved {
+    TuneReport report;
+    Rest rest;
+    double omega = 0.0;
+};
+
+void moveTuned(ExperimentBench &bench, double counts, Moved &moved)
+{
+    TunePlan plan = planOf(Mode::Position);
+    plan.slot = 1;
+    const auto report = tune(bench, plan);
+    ASSERT_TRUE(report) << report.error().text();
+    ASSERT_EQ(report->result, TuneResult::Kept) << report->evidence;
+    ExperimentPlan move;
+    move.mode = Mode::Position;
+    move.slot = 1;
+    move.profile = Profile::Ramp;
+    move.from = report->proof.back().signal("position")->trace.y.back();
+    move.to = *move.from + counts;
+    move.seconds = 1.5;
+    const auto trial = bench.run(move);
+    ASSERT_TRUE(trial) << trial.error().text();
+    ASSERT_EQ(trial->reason, "done") << trial->detail;
+    moved = {*report, restOf(*trial, *move.seconds), 1.0 / report->design->response};
+}
+
 TEST(Acceptance, A05_ProfiledMovesOfATunedPositionLoopComeToRestAtTheirTarget)
 {
     for (const int number : {5, 7}) {
         ExperimentBench bench("sim:can", "dmc60c", number);
-        TunePlan plan = planOf(Mode::Position);
-        plan.slot = 1;
-        const auto report = tune(bench, plan);
-        ASSERT_TRUE(report) << report.error().text();
-        ASSERT_EQ(report->result, TuneResult::Kept) << report->evidence;
-        ExperimentPlan move;
-        move.mode = Mode::Position;
-        move.slot = 1;
-        move.profile = Profile::Ramp;
-        move.from = report->proof.back().signal("position")->trace.y.back();
-        move.to = *move.from + 40'000.0;
-        move.seconds = 1.5;
-        const auto trial = bench.run(move);
-        ASSERT_TRUE(trial) << trial.error().text();
-        ASSERT_EQ(trial->reason, "done") << trial->detail;
-        const Rest rest = restOf(*trial, *move.seconds);
-        const double omega = 1.0 / report->design->response;
+        Moved moved;
+        moveTuned(bench, 40'000.0, moved);
+        const auto &[report, rest, omega] = moved;
         std::printf(
             "A5 dmc60c %d: beyond %.0f counts of 40000 (%.2f %%), residual %.0f counts, settled %.1f/omega after "
             "its profile\n",
@@ -84,6 +130,23 @@ TEST(Acceptance, A05_ProfiledMovesOfATunedPositionLoopComeToRestAtTheirTarget)
         EXPECT_LE(rest.beyond, 400.0);
         EXPECT_LE(rest.residual, 6.0);
         EXPECT_LE(rest.late * omega, 7.0);
+    }
+}
+
+/// 48 and 12 counts a turn of the rotor, behind a gear: at rest within a second, or the answer says that it creeps.
+TEST(Acceptance, A05_GearedMotorsOfFewCountsComeToRestOrTheAnswerSaysThatTheyCreep)
+{
+    for (const auto &[motor, counts] : {std::pair("25d", 2000.0), std::pair("n20", 600.0)}) {
+        ExperimentBench bench("sim:can", "dmc60c", 6, std::string("dmc60c:6,motor=") + motor + ",load=5");
+        Moved moved;
+        moveTuned(bench, counts, moved);
+        const bool creeps = moved.report.evidence.english().find("may rest") != std::string::npos;
+        std::printf("A5 dmc60c with a %s: beyond %.0f counts of %.0f, residual %.0f counts, at rest %.2f s after its "
+                    "profile%s\n",
+            motor, moved.rest.beyond, counts, moved.rest.residual, moved.rest.late, creeps ? ", creeping told" : "");
+        EXPECT_LE(moved.rest.beyond, std::max(0.01 * counts, 6.0)) << motor;
+        EXPECT_TRUE(moved.rest.late <= 1.0 || creeps) << motor << ": " << moved.report.evidence;
+        EXPECT_TRUE(moved.rest.residual <= 6.0 || creeps) << motor << ": " << moved.report.evidence;
     }
 }
 

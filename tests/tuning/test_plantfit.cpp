@@ -180,36 +180,37 @@ TEST(GainFit, TellsALoadThatAlwaysPullsOneWayFromFriction)
     EXPECT_NEAR(fit->gain, 50'000.0, 1.0);
     EXPECT_NEAR(fit->friction, 0.03, 1e-6);
     EXPECT_NEAR(fit->offset, 0.06, 1e-6);
+    EXPECT_NEAR(fit->offsetError, 0.0, 1e-6);
     EXPECT_GT(fit->asymmetry(), 0.1);
+}
+
+TEST(GainFit, TellsHowWellItKnowsALoad)
+{
+    constexpr double load = 0.02;
+    std::mt19937_64 random(7);
+    std::normal_distribution<double> noise(0.0, 150.0);
+    int within = 0;
+    double mean = 0.0;
+    constexpr int rounds = 200;
+    for (int round = 0; round < rounds; ++round) {
+        std::vector<double> duties{0.2, 0.2, 0.4, 0.4, -0.2, -0.2, -0.4, -0.4};
+        std::vector<double> speeds;
+        for (const double duty : duties)
+            speeds.push_back(50'000.0 * (duty - load - (duty > 0.0 ? 0.03 : -0.03)) + noise(random));
+        const auto fit = fitGain(duties, speeds);
+        ASSERT_TRUE(fit);
+        within += std::abs(fit->offset - load) <= fit->offsetError ? 1 : 0;
+        mean += fit->offsetError / rounds;
+    }
+    std::printf("the load is within its ± in %d of %d, ± %.4f duty\n", within, rounds, mean);
+    EXPECT_GE(within, rounds * 85 / 100); // two standard errors
+    EXPECT_GT(mean, 0.0005);
+    EXPECT_LT(mean, 0.01);
 }
 
 TEST(GainFit, NeedsTwoSizesOfDuty)
 {
     EXPECT_FALSE(fitGain(std::vector{0.3, -0.3}, std::vector{900.0, -900.0}));
-}
-
-TEST(Acceptance, A02_FrictionWithinFiftyMillivolt)
-{
-    double worst = 0.0;
-    for (const std::string_view motor : {"cim", "775pro", "25d"}) {
-        const Plant plant{motor, 7.0};
-        const Truth truth(plant);
-        for (std::uint64_t seed = 0; seed < 4; ++seed) {
-            std::vector<RampRecord> ramps;
-            for (const double sign : {1.0, -1.0}) {
-                Recorder recorder(plant, 0.01, 0.001, seed);
-                recorder.run(4.0, 0.002, [sign](double t) { return sign * 0.6 * t / 4.0; });
-                ramps.push_back({recorder.position, recorder.applied});
-            }
-            const auto fit = fitRamps(ramps, truth.tau);
-            ASSERT_TRUE(fit) << fit.error().text();
-            const double off = std::abs(fit->friction - truth.friction) * 12.0;
-            worst = std::max(worst, off);
-            EXPECT_LT(off, std::max(0.15 * truth.volts, 0.05)) << motor << " of " << truth.volts << " V";
-            EXPECT_LT(std::abs(fit->gain / truth.gain - 1.0), 0.02) << motor;
-        }
-    }
-    std::printf("A2 friction within %.0f mV\n", 1000.0 * worst);
 }
 
 struct Window {

@@ -5,6 +5,7 @@
 #include "tuning/envelope.h"
 #include "tuning/frequencyresponse.h"
 #include "tuning/gains.h"
+#include "tuning/margins.h"
 #include "tuning/proposals.h"
 #include "tuning/uncertainty.h"
 
@@ -53,6 +54,49 @@ TEST(Proposals, AreThoseOfTheEngineWithoutADevice)
         basis.slot = slot;
         EXPECT_EQ(proposalFor(basis, {})->gains.rows.front().key, slot == 0 ? "slot0.p" : "slot1.p");
     }
+}
+
+/// Of what ships: searched, rounded to the device's steps, at 400 points a decade.
+TEST(Acceptance, A09_ProposalsKeepTheirMarginsAsTheDeviceStoresThem)
+{
+    struct Bounds {
+        Aim aim;
+        double ms, off;
+    };
+    int checked = 0;
+    for (const auto &[family, address] : {std::pair("dmc60c", 5), std::pair("abstractdc", 3)}) {
+        const ExperimentBench bench("sim:can", family, address);
+        for (const Bounds &bounds :
+            {Bounds{Aim::Calm, 1.6, 1.9}, Bounds{Aim::Normal, 1.6, 1.9}, Bounds{Aim::Brisk, 1.7, 2.3}}) {
+            double worst = 0.0;
+            double worstOff = 0.0;
+            for (const Mode loop : {Mode::Velocity, Mode::Position}) {
+                for (const PlantModel &plant : {PlantModel{367'000.0, 0.168, 0.052, 0.018, 1.2}, slow,
+                         PlantModel{8620.0, 0.1066, 0.0134, 0.0759, 2.2}, PlantModel{362'000.0, 0.019, 0.03, 0.02}}) {
+                    ProposalBasis basis = basisOf(bench, loop);
+                    basis.plant = plant;
+                    if (loop == Mode::Position)
+                        basis.plant.delay = std::min(plant.delay, 0.03);
+                    const auto proposal = proposalFor(basis, {bounds.aim, {}, {}});
+                    if (!proposal)
+                        continue; // it has too few steps for such a motor
+                    ++checked;
+                    PlantModel off = basis.plant;
+                    off.gain *= 1.2;
+                    off.delay *= 1.3;
+                    const double ms = marginsOf(loop, basis.plant, proposal->gains.made, 400).ms;
+                    const double msOff = marginsOf(loop, off, proposal->gains.made, 400).ms;
+                    EXPECT_LE(ms, bounds.ms) << family << ' ' << toString(loop) << ' ' << toString(bounds.aim);
+                    EXPECT_LE(msOff, bounds.off) << family << ' ' << toString(loop) << ' ' << toString(bounds.aim);
+                    worst = std::max(worst, ms);
+                    worstOff = std::max(worstOff, msOff);
+                }
+            }
+            std::printf("A9 %s, proposed %s: Ms %.4f, %.4f where the model is off\n", family,
+                std::string(toString(bounds.aim)).c_str(), worst, worstOff);
+        }
+    }
+    EXPECT_GE(checked, 40);
 }
 
 TEST(Proposals, TheSlidersAreFollowedUntilABoundHoldsThemAndSaysSo)

@@ -39,7 +39,7 @@ void Loops::start(const std::array<Record, 3> &gains)
     m_velocityTime = 0;
     m_current = {};
     m_overrunTold = false;
-    m_cycle.startIn(loopPeriod, [this] { cycle(); });
+    m_cycle.startIn(m_period, [this] { cycle(); });
 }
 
 void Loops::stop()
@@ -63,6 +63,17 @@ void Loops::enter(Loop mode, std::int32_t value)
     }
 }
 
+bool Loops::disturb(std::string_view what, double value)
+{
+    if (what == "loop-period")
+        m_period = std::chrono::duration_cast<Duration>(std::chrono::duration<double>(value));
+    else if (what == "derivative-inverted")
+        m_derivativeInverted = value != 0.0;
+    else
+        return false;
+    return true;
+}
+
 std::int64_t Loops::milliseconds() const
 {
     return (m_clock.now() - m_startedAt) / 1ms;
@@ -70,7 +81,7 @@ std::int64_t Loops::milliseconds() const
 
 void Loops::cycle()
 {
-    m_cycle.startIn(loopPeriod, [this] { cycle(); });
+    m_cycle.startIn(m_period, [this] { cycle(); });
     m_shaft.advance();
     const MotorModel &motor = m_shaft.motor();
     m_current.add(toAdc(std::abs(motor.current()) * countsPerAmpere), gainsOf(Loop::Current).averaging);
@@ -78,7 +89,7 @@ void Loops::cycle()
         m_overrunTold = true;
         m_notify(m_clock.now(), "memory-overrun", 0.0);
     }
-    if ((m_clock.now() - m_startedAt) / loopPeriod % temperatureCycles == 0)
+    if ((m_clock.now() - m_startedAt) / m_period % temperatureCycles == 0)
         m_temperature = toAdc(motor.housingTemperature() * countsPerDegree);
     if (m_mode != Loop::None && m_mode != Loop::Direct)
         regulate(milliseconds());
@@ -99,7 +110,9 @@ void Loops::regulate(std::int64_t now)
     } else {
         feedback = m_shaft.encoder();
     }
-    m_output = m_pids.at(static_cast<std::size_t>(m_mode) - 1).step(gainsOf(m_mode), m_target - feedback, now);
+    Record gains = gainsOf(m_mode);
+    gains.d = m_derivativeInverted ? -gains.d : gains.d;
+    m_output = m_pids.at(static_cast<std::size_t>(m_mode) - 1).step(gains, m_target - feedback, now);
     m_shaft.drive(pwmOf(m_output));
 }
 

@@ -19,6 +19,8 @@ public:
     /// It has gone.
     void stop();
     void enter(Loop mode, std::int32_t value);
+    /// A build of another hand: "loop-period" s, "derivative-inverted" where not 0. False for what it does not know.
+    [[nodiscard]] bool disturb(std::string_view what, double value);
     /// Of velocity, current or position; what is written holds at once.
     [[nodiscard]] Record &gainsOf(Loop loop) { return m_gains.at(static_cast<std::size_t>(loop) - 1); }
 
@@ -50,6 +52,8 @@ private:
     int m_temperature = 0;
     Averager m_current;
     bool m_overrunTold = false;
+    Duration m_period = loopPeriod;
+    bool m_derivativeInverted = false;
     Timer m_cycle;
 };
 

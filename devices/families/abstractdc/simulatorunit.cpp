@@ -126,7 +126,7 @@ double Unit::position()
 bool Unit::disturb(std::string_view what, double value)
 {
     if (what != "glitch")
-        return m_shaft.disturb(what, value);
+        return m_loops.disturb(what, value) || m_shaft.disturb(what, value);
     m_glitchNext = true;
     return true;
 }

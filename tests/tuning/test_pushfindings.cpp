@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a tuning tells beside the model: rest and latency, one way and the other, what set-points may ask for.
+#include "tests/tuning/tuningbench.h"
+#include "tuning/identification.h"
+#include "tuning/proposals.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <random>
+
+namespace mb::tuning {
+namespace {
+
+using test::ExperimentBench;
+using test::planOf;
+using test::tune;
+
+constexpr double sampleTime = 0.005;
+
+/// A push of a motor of 50 000 counts/s per duty, 100 ms, 3 % friction, whose encoder trembles by `noise` counts, `late` after its order.
+Trial pushed(double duty, double late, double noise, std::uint64_t seed)
+{
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> tremble(0.0, noise > 0.0 ? noise : 1.0);
+    Trial trial;
+    trial.mode = Mode::Duty;
+    trial.stimulus = *Stimulus::make(Profile::Step, 0.0, duty, 1.0, 0.02);
+    trial.holds = {{0.0, 1.0}};
+    Signal position{"position", "counts", {}};
+    const double speed = 50'000.0 * (duty - std::copysign(0.03, duty));
+    for (double t = -0.4; t < 1.0; t += sampleTime) {
+        const double since = std::max(t - late, 0.0);
+        const double place = speed * (since - 0.1 * (1.0 - std::exp(-since / 0.1)));
+        position.trace.add(t, std::round(place + (noise > 0.0 ? tremble(random) : 0.0)));
+    }
+    trial.signals.push_back(std::move(position));
+    return trial;
+}
+
+std::vector<Trial> pushes(double late, double noise)
+{
+    std::vector<Trial> all;
+    std::uint64_t seed = 1;
+    for (const double duty : {0.4, -0.4, 0.24, -0.24})
+        all.push_back(pushed(duty, late, noise, seed++));
+    return all;
+}
+
+TEST(Findings, NoiseAtRestAndTheTimeFromAnOrderToItsMotion)
+{
+    for (const double late : {0.012, 0.06}) {
+        for (const double noise : {0.0, 2.0}) {
+            const auto found = identify(pushes(late, noise));
+            ASSERT_TRUE(found) << found.error().text();
+            ASSERT_TRUE(found->restNoise && found->latency);
+            std::printf("late by %.0f ms, trembling by %.1f counts: %.0f ms, %.2f counts\n", 1e3 * late, noise,
+                1e3 * *found->latency, *found->restNoise);
+            EXPECT_NEAR(*found->restNoise, std::sqrt(noise * noise + (noise > 0.0 ? 1.0 / 12.0 : 0.0)), 0.25 * noise);
+            EXPECT_GE(*found->latency, late);
+            EXPECT_LE(*found->latency, late + 0.015);
+        }
+    }
+}
+
+TEST(Findings, WhatWasNotSeenIsNotTold)
+{
+    std::vector<Trial> all = pushes(0.02, 0.0);
+    for (Trial &trial : all) {
+        Trace &position = trial.signals.front().trace;
+        position = position.part(-0.01, 1.0);
+    }
+    const auto found = identify(all);
+    ASSERT_TRUE(found) << found.error().text();
+    EXPECT_FALSE(found->restNoise) << "two samples tell no noise";
+    EXPECT_TRUE(found->latency);
+}
+
+TEST(Findings, ATuningTellsBothDirectionsItsLoadAndWhatSetPointsMayAskFor)
+{
+    ExperimentBench bench("sim:can", "dmc60c", 5);
+    TunePlan plan = planOf(Mode::Position);
+    plan.slot = 1;
+    plan.propose = true;
+    const auto report = tune(bench, plan);
+    ASSERT_TRUE(report) << report.error().text();
+    ASSERT_TRUE(report->motor);
+    const MotorFound &motor = *report->motor;
+    EXPECT_NEAR(motor.line.forward, motor.line.gain, 0.02 * motor.line.gain);
+    EXPECT_NEAR(motor.line.reverse, motor.line.gain, 0.02 * motor.line.gain);
+    EXPECT_GT(motor.line.offsetError, 0.0);
+    EXPECT_LE(std::abs(motor.line.offset), 2.0 * motor.line.offsetError + 1e-4);
+    ASSERT_TRUE(motor.restNoise && motor.latency);
+    EXPECT_LT(*motor.restNoise, 1.0);
+    EXPECT_GT(*motor.latency, 0.0);
+    EXPECT_LT(*motor.latency, 0.06);
+    ASSERT_TRUE(report->profile);
+    const PlantModel &plant = report->plant;
+    const double duty = 1.0;
+    EXPECT_NEAR(report->profile->speed, 0.8 * plant.gain * (duty - plant.friction), 1.0);
+    EXPECT_NEAR(report->profile->acceleration, report->profile->speed / plant.tau, 1.0);
+    for (const Proposal &proposal : report->proposals)
+        EXPECT_EQ(proposal.profile, report->profile);
+    std::printf("order to motion %.1f ms, profile %.0f counts/s, %.0f counts/s²\n", 1e3 * *motor.latency,
+        report->profile->speed, report->profile->acceleration);
+}
+
+/// What a model says that set-points may ask for is followed without an output at its end.
+TEST(Findings, AMotorFollowsTheProfileThatItIsToldToFollow)
+{
+    const PlantModel plant{50'000.0, 0.2, 0.01, 0.05};
+    const ProfileLimits limits = profileLimits(plant, 0.6);
+    EXPECT_DOUBLE_EQ(limits.speed, 0.8 * 50'000.0 * 0.55);
+    EXPECT_DOUBLE_EQ(limits.acceleration, limits.speed / 0.2);
+    // at rest it can speed up so quickly, and at its speed it still has a fifth of the duty left
+    EXPECT_LE(limits.acceleration * plant.tau / plant.gain + plant.friction, 0.6);
+    EXPECT_LE(limits.speed / plant.gain + plant.friction, 0.6);
+    EXPECT_DOUBLE_EQ(profileLimits(plant, 0.04).speed, 0.0);
+}
+
+TEST(Findings, FeedForwardIsWrittenAsZeroSoThatItDoesNotFightTheIntegral)
+{
+    ExperimentBench bench("sim:can", "dmc60c", 7);
+    const auto report = tune(bench, planOf(Mode::Velocity));
+    ASSERT_TRUE(report) << report.error().text();
+    ASSERT_EQ(report->result, TuneResult::Kept) << report->evidence;
+    for (const Proposal &proposal : report->proposals) {
+        bool written = false;
+        for (const ScaledGains::Row &row : proposal.gains.rows) {
+            if (row.key == "slot0.f") {
+                EXPECT_EQ(row.raw, 0);
+                written = true;
+            }
+        }
+        EXPECT_TRUE(written) << "one that is left there would fight the integral";
+    }
+    EXPECT_EQ(test::rawOf(bench, "slot0.f"), 0);
+    EXPECT_EQ(test::rawOf(bench, "slot0.i_zone"), 0);
+}
+
+} // namespace
+} // namespace mb::tuning
