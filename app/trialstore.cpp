@@ -250,9 +250,9 @@ Task<std::vector<service::Visit>> StoredService::visits(service::VisitFilter fil
         [filter = std::move(filter)](service::ServiceJournal &journal) { return journal.visits(filter); });
 }
 
-Task<int> StoredService::number(service::NumberWish wish)
+Task<std::optional<int>> StoredService::number(service::NumberWish wish)
 {
-    return askJournal<int>(
+    return askJournal<std::optional<int>>(
         m_store, m_home, [wish = std::move(wish)](service::ServiceJournal &journal) { return journal.number(wish); });
 }
 

@@ -42,15 +42,8 @@ void printParameters(Console &console, const Device &device, const std::vector<P
 std::optional<Error> firstError(const Device &device, const std::vector<TransferOutcome> &outcomes)
 {
     for (const TransferOutcome &outcome : outcomes) {
-        if (outcome.raw)
-            continue;
-        const std::string key(device.parameters().parameter(outcome.index).key);
-        Error error = outcome.raw.error();
-        if (error.detail.empty())
-            error.detail = Message::verbatim(std::string(toString(error.fault)));
-        if (error.detail.english().find(key) == std::string::npos)
-            error = error.about(key);
-        return error;
+        if (!outcome.raw)
+            return errorOf(outcome, device.parameters().parameter(outcome.index).key);
     }
     return std::nullopt;
 }

@@ -150,7 +150,7 @@ private:
     }
     void print(const service::Visit &visit)
     {
-        m_isUnconfirmed = m_isUnconfirmed || visit.cause.english().find("was not confirmed") != std::string::npos;
+        m_isUnconfirmed = m_isUnconfirmed || visit.ending == service::Ending::StopUnconfirmed;
         if (m_console.json())
             m_console.out().json(visitLine(visit));
         else

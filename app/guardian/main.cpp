@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The guardian of one link (docs/architecture.md, Guardian). Started by the program that drives motors there, with the packet socket
+// The guardian of one link (docs/architecture.md#guardian). Started by the program that drives motors there, with the packet socket
 // to it as descriptor 0 and a duplicate of the link's as 3:   motorbench-guardian packet|stream|spi FOLDER IDENTITY NAME
 // The last three say where debts are kept, and how the line is found again.
 #include "app/guardian/debts.h"

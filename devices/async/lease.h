@@ -5,7 +5,7 @@
 
 namespace mb {
 
-/// Something that ends unless it is renewed in time: the motion lease of docs/architecture.md.
+/// Something that ends unless it is renewed in time: the motion lease of docs/architecture.md#motion-lease.
 class Lease {
 public:
     Lease(Clock &clock, Duration term, std::function<void()> expired)

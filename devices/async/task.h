@@ -15,7 +15,7 @@ namespace mb {
 /// error; `co_await std::move(task).attempt()` yields the Result. Destroying a Task cancels it, wherever it is suspended.
 ///
 /// A coroutine ends with `co_return value;`, `co_return fail(Fault::…);`, or, for Task<void>, `co_return {};`.
-/// Rules that keep this safe (name the operand first, no capturing lambdas): docs/architecture.md, Asynchrony.
+/// Rules that keep this safe (name the operand first, no capturing lambdas): docs/architecture.md#asynchrony.
 template <class T> class Task;
 
 namespace detail {

@@ -11,7 +11,7 @@ namespace mb {
 
 class Stoppable;
 
-/// Keeps a device without a watchdog under guard while it may be driven (docs/architecture.md, Guardian). Nothing of it is needed
+/// Keeps a device without a watchdog under guard while it may be driven (docs/architecture.md#guardian). Nothing of it is needed
 /// for devices with a watchdog, and for simulated ones, which end with this process. Engine thread.
 class DeviceGuard {
 public:

@@ -5,7 +5,31 @@
 #include "model/family.h"
 #include "model/writeorder.h"
 
+#include <algorithm>
+
 namespace mb {
+namespace {
+
+/// It has this text in one of its places, or in those of a message in one of them.
+bool says(const Message &message, std::string_view text)
+{
+    const auto arguments = message.arguments();
+    return std::any_of(arguments.begin(), arguments.end(), [text](const MessageArgument &argument) {
+        const auto *const inner = std::get_if<Message>(&argument.value);
+        const auto *const words = std::get_if<std::string>(&argument.value);
+        return inner ? says(*inner, text) : words && *words == text;
+    });
+}
+
+} // namespace
+
+Error errorOf(const TransferOutcome &outcome, std::string_view key)
+{
+    Error error = outcome.raw.error();
+    if (error.detail.empty())
+        error.detail = Message::verbatim(std::string(toString(error.fault)));
+    return says(error.detail, key) ? error : error.about(key);
+}
 
 std::vector<ParameterIndex> readable(const Device &device)
 {

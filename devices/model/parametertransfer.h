@@ -13,6 +13,9 @@ struct TransferOutcome {
     std::optional<bool> verified; ///< of a write: read back and equal; nothing where it cannot be read back
 };
 
+/// Why it failed, told of the parameter of this key: it stands before a cause that does not say it. Of one that failed.
+[[nodiscard]] Error errorOf(const TransferOutcome &outcome, std::string_view key);
+
 /// Every parameter that this device has and that can be read, in table order.
 [[nodiscard]] std::vector<ParameterIndex> readable(const Device &device);
 

@@ -19,7 +19,7 @@ struct Glide {
 };
 
 /// Keeps a motor's set-point alive, or those of several axes of one device: one control frame an axis every command period, only as long as somebody renews the lease
-/// (docs/architecture.md, Motion lease). Whatever ends it ends in Device::stop(): the lease, another master, a lost link, a
+/// (docs/architecture.md#motion-lease). Whatever ends it ends in Device::stop(): the lease, another master, a lost link, a
 /// restarted or silent device, a frame that is later than the device waits for one, a computer that slept, its destruction. It never starts again by itself. Engine thread.
 class SetPointStream {
 public:

@@ -24,7 +24,7 @@ public:
     /// See Device.
     [[nodiscard]] virtual Result<void> mayStop() const = 0;
     /// What stops this device when this process, or its engine thread, cannot: sent by the guardian and by the stop lane
-    /// (docs/architecture.md).
+    /// (docs/architecture.md#stop).
     [[nodiscard]] virtual StopScript stopScript() const { return {}; }
     virtual void stop() = 0;
     virtual void repeatStop() = 0;

@@ -33,7 +33,7 @@ Task<void> QueueRun::recall()
 void QueueRun::count(const Visit &visit)
 {
     change(visit, 1);
-    if (visit.cause.english().starts_with(numbersUsedUp)) {
+    if (visit.ending == Ending::NumbersUsedUp) {
         m_isFinishing = true;
         m_trouble = Error{Fault::OutOfRange, visit.cause, visit.remedy};
     }

@@ -63,7 +63,7 @@ struct SelfTest {
 /// The experiment that it is, without its limits.
 [[nodiscard]] tuning::ExperimentPlan planOf(const SelfTest &test);
 
-/// What is done to every unit, as its file says (docs/recipes.md). A value.
+/// What is done to every unit, as its file says (docs/recipes.md#a-recipe). A value.
 struct Recipe {
     std::string name;
     const Family *family = nullptr;

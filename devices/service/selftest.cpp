@@ -50,6 +50,12 @@ Error failureOf(const Trial &trial)
         say("remove the cause, then test again")};
 }
 
+void endBy(TestFinding &finding, const Trial &trial)
+{
+    finding.failure = failureOf(trial);
+    finding.ending = trial.stopped ? Ending::None : Ending::StopUnconfirmed;
+}
+
 std::optional<double> metricOf(const Trial &trial, std::string_view key)
 {
     for (const tuning::MetricKey &metric : tuning::metricKeys()) {
@@ -116,7 +122,7 @@ Task<TestFinding> runSelfTest(
         auto measuring = measureMotor(device, stream, test.axis, test.slot, test.limits, surroundings);
         figures = co_await std::move(measuring);
         if (figures.ended) {
-            finding.failure = failureOf(*figures.ended);
+            endBy(finding, *figures.ended);
             co_return finding;
         }
     }
@@ -130,7 +136,7 @@ Task<TestFinding> runSelfTest(
     }
     finding.trial = trial->number;
     if (trial->reason != "done" || !trial->stopped) {
-        finding.failure = failureOf(*trial);
+        endBy(finding, *trial);
         co_return finding;
     }
     evaluate(finding, test, *trial, figures);

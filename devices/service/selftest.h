@@ -12,6 +12,7 @@ struct TestFinding {
     std::vector<TestValue> values;     ///< one for each limit of the recipe, judged
     std::optional<std::int64_t> trial; ///< of the step, in the notebook
     std::optional<Error> failure;      ///< a guard, a stop, a value out of limits; nothing: it passed
+    Ending ending = Ending::None;      ///< of the failure
 };
 
 /// The step of the recipe, and before it pushes of duty where a limit asks for a figure of the motor. The motor stands

@@ -18,9 +18,6 @@ struct NumberWish {
     std::set<int> taken; ///< by others that are connected now
 };
 
-/// How the cause begins when all numbers up to the family's highest are given.
-constexpr std::string_view numbersUsedUp = "all numbers are used up";
-
 /// Which visits are meant; what is empty, or nothing, leaves it open.
 struct VisitFilter {
     std::string recipe;
@@ -46,10 +43,9 @@ public:
     [[nodiscard]] virtual Task<Visit> write(Visit visit) = 0;
     /// Oldest first.
     [[nodiscard]] virtual Task<std::vector<Visit>> visits(VisitFilter filter) = 0;
-    /// Reserved for this unit for good, by nobody else. OutOfRange, the cause beginning with
-    /// `numbersUsedUp`: all are given, up to the highest. Timeout: there is none
+    /// Reserved for this unit for good, by nobody else; nothing where all are given, up to the highest. Timeout: there is none
     /// left here, and the server that has more does not answer.
-    [[nodiscard]] virtual Task<int> number(NumberWish wish) = 0;
+    [[nodiscard]] virtual Task<std::optional<int>> number(NumberWish wish) = 0;
 };
 
 } // namespace mb::service

@@ -307,6 +307,7 @@ Task<Message> UnitRun::test()
     const Message unusual = others ? markUnusual(finding.values, *others) : Message();
     m_visit.test = std::move(finding.values);
     m_visit.trial = finding.trial;
+    m_visit.ending = finding.ending;
     if (finding.failure)
         co_return fail(*finding.failure);
     const Message held = tries == 1 ? say("within its limits")
@@ -322,9 +323,16 @@ Task<int> UnitRun::reserve()
         m_around.matter.recipe.number->first, family.capabilities.lastAddress, m_around.taken};
     for (;;) {
         auto asking = m_around.journal.number(wish);
-        const Result<int> number = co_await std::move(asking).attempt();
-        if (number || number.error().fault != Fault::Timeout)
-            co_return number;
+        const Result<std::optional<int>> number = co_await std::move(asking).attempt();
+        if (number && *number)
+            co_return **number;
+        if (number) {
+            m_visit.ending = Ending::NumbersUsedUp;
+            co_return fail(Fault::OutOfRange, say("all numbers are used up, the highest is %1", wish.last),
+                say("begin another recipe, or another bus"));
+        }
+        if (number.error().fault != Fault::Timeout)
+            co_return fail(number.error());
         if (m_around.experiments.interruption && m_around.experiments.interruption->isRequested())
             co_return fail(Fault::Cancelled, say("stopped while it waited for a number"));
         m_progress.step(say("no number: server silent"), 0, 0);

@@ -10,6 +10,7 @@ namespace {
 constexpr std::array<std::string_view, 8> steps{MB_LABEL("preflight"), MB_LABEL("backup"), MB_LABEL("firmware"),
     MB_LABEL("parameters"), MB_LABEL("self-test"), MB_LABEL("number"), MB_LABEL("proof"), MB_LABEL("done")};
 constexpr std::array<std::string_view, 4> outcomes{"open", "passed", "failed", "refused"};
+constexpr std::array<std::string_view, 3> endings{"", "stop-unconfirmed", "numbers-used-up"};
 
 template <std::size_t N> std::size_t placeOf(const std::array<std::string_view, N> &words, std::string_view text)
 {
@@ -37,6 +38,16 @@ std::string_view toString(Outcome outcome)
 Outcome outcomeFromString(std::string_view text)
 {
     return static_cast<Outcome>(placeOf(outcomes, text));
+}
+
+std::string_view toString(Ending ending)
+{
+    return endings[static_cast<std::size_t>(ending)];
+}
+
+Ending endingFromString(std::string_view text)
+{
+    return static_cast<Ending>(placeOf(endings, text));
 }
 
 } // namespace mb::service

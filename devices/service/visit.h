@@ -22,6 +22,15 @@ enum class Outcome { Open, Passed, Failed, Refused };
 [[nodiscard]] std::string_view toString(Outcome outcome); ///< open passed failed refused
 [[nodiscard]] Outcome outcomeFromString(std::string_view text);
 
+/// What of a unit that has failed or was refused concerns more than this unit; None for everything else.
+enum class Ending {
+    None,
+    StopUnconfirmed, ///< nobody has seen its motor stand after a self-test
+    NumbersUsedUp,   ///< there is none for the next unit either
+};
+[[nodiscard]] std::string_view toString(Ending ending); ///< "" stop-unconfirmed numbers-used-up
+[[nodiscard]] Ending endingFromString(std::string_view text);
+
 /// One value of a self-test.
 struct TestValue {
     std::string key;
@@ -70,6 +79,7 @@ struct Visit {
     std::optional<std::int64_t> trial;    ///< the self-test's, likewise
     double seconds = 0.0;
     Message cause; ///< of Failed and Refused
+    Ending ending = Ending::None;
     Message remedy;
     Message evidence; ///< one sentence: what proves it
     std::string note; ///< of the operator

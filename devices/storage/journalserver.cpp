@@ -10,15 +10,26 @@
 namespace mb {
 namespace {
 
-constexpr int newest = 1; ///< version of the tables on a server: journalSchema()
+Result<void> runAll(SqlConnection &sql, const char *statements)
+{
+    for (const QString &statement : QString::fromUtf8(statements).split(QStringLiteral(";\n"), Qt::SkipEmptyParts)) {
+        if (statement.trimmed().isEmpty())
+            continue;
+        if (auto done = sql.run(statement.toUtf8().constData()); !done)
+            return done;
+    }
+    return {};
+}
 
-/// Two stations may come at the same moment: one of them makes the tables.
+/// Two stations may come at the same moment: one of them makes the tables, or brings them up to date.
 Result<void> makeTables(SqlConnection &sql)
 {
     return sql.transact([&sql]() -> Result<void> {
         auto done = sql.run("SELECT pg_advisory_xact_lock(7733101)");
         if (done)
             done = sql.run("CREATE TABLE IF NOT EXISTS motorbench_schema (version BIGINT NOT NULL)");
+        const auto versions = journalSchemaVersions();
+        const auto newest = static_cast<int>(versions.size());
         int version = 0;
         if (done)
             done = sql.run("SELECT version FROM motorbench_schema", {},
@@ -28,12 +39,14 @@ Result<void> makeTables(SqlConnection &sql)
         if (version > newest)
             return fail(Fault::OutOfRange, say("the journal on the server was made by a newer version of this program"),
                 say("use that one"));
-        for (const QString &statement :
-            QString::fromUtf8(journalSchema()).split(QStringLiteral(";\n"), Qt::SkipEmptyParts)) {
-            if (done && !statement.trimmed().isEmpty())
-                done = sql.run(statement.toUtf8().constData());
-        }
-        return done ? sql.run("INSERT INTO motorbench_schema (version) VALUES (1)") : done;
+        const bool isFresh = version == 0;
+        for (; done && version < newest; ++version)
+            done = runAll(sql, versions[static_cast<std::size_t>(version)]);
+        if (!done)
+            return done;
+        return sql.run(
+            isFresh ? "INSERT INTO motorbench_schema (version) VALUES (?)" : "UPDATE motorbench_schema SET version = ?",
+            {newest});
     });
 }
 

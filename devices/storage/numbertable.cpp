@@ -39,11 +39,7 @@ Result<NumberBlock> advance(SqlConnection &sql, const NumberWish &wish, int size
             [&next](const QSqlQuery &row) { next = row.value(0).toInt(); });
     if (!done)
         return fail(done.error());
-    const NumberBlock block{next - size, std::min(next - 1, wish.last)};
-    if (block.first > wish.last)
-        return fail(Fault::OutOfRange, say("all numbers are used up, the highest is %1", wish.last),
-            say("begin another recipe, or another bus"));
-    return block;
+    return NumberBlock{next - size, std::min(next - 1, wish.last)};
 }
 
 } // namespace
@@ -64,6 +60,8 @@ Result<NumberBlock> takeBlock(SqlConnection &sql, const std::string &token, cons
         if (!next)
             return fail(next.error());
         block = *next;
+        if (block.isEmpty())
+            return {};
         return sql.run("INSERT INTO service_block (token, scope, first, last, station, time) VALUES (?, ?, ?, ?, ?, ?)",
             {qt(token), qt(wish.scope), block.first, block.last, qt(station), time});
     });

@@ -13,9 +13,10 @@ namespace mb {
 struct NumberBlock {
     int first = 1;
     int last = 0;
+    [[nodiscard]] bool isEmpty() const { return last < first; }
 };
 /// Takes the next `size` numbers of a scope that nobody has, beginning at wish.first. The same token yields the same block again.
-/// OutOfRange with `numbersUsedUp` past wish.last.
+/// None where all are given, up to wish.last.
 [[nodiscard]] Result<NumberBlock> takeBlock(SqlConnection &sql, const std::string &token,
     const service::NumberWish &wish, int size, const std::string &station, double time);
 /// They lie here from now on, for nobody yet; those that were given before are left out.

@@ -173,7 +173,13 @@ CREATE TABLE service_number (
     PRIMARY KEY (scope, number));
 )";
 
-constexpr std::array versions{firstSchema, secondSchema, thirdSchema, fourthSchema, fifthSchema};
+/// What of a unit that has failed concerns the others too: service::Ending. For a shared journal as well.
+constexpr const char *sixthSchema = R"(
+ALTER TABLE service_visit ADD COLUMN ending TEXT NOT NULL DEFAULT '';
+)";
+
+constexpr std::array versions{firstSchema, secondSchema, thirdSchema, fourthSchema, fifthSchema, sixthSchema};
+constexpr std::array journalVersions{fifthSchema, sixthSchema};
 
 } // namespace
 
@@ -182,9 +188,9 @@ std::span<const char *const> schemaVersions()
     return versions;
 }
 
-const char *journalSchema()
+std::span<const char *const> journalSchemaVersions()
 {
-    return fifthSchema;
+    return journalVersions;
 }
 
 } // namespace mb

@@ -9,7 +9,7 @@ namespace mb {
 /// never changed once released; the next version is a new one at the end.
 [[nodiscard]] std::span<const char *const> schemaVersions();
 
-/// The part of it that stations share: the same statements make it on a server.
-[[nodiscard]] const char *journalSchema();
+/// The part of it that stations share: the same statements make it on a server, whose versions are counted by themselves.
+[[nodiscard]] std::span<const char *const> journalSchemaVersions();
 
 } // namespace mb

@@ -70,18 +70,20 @@ Task<std::vector<Visit>> ServiceBook::visits(VisitFilter filter)
 }
 
 /// Nobody else gives numbers here, so there is always a next one until the highest.
-Task<int> ServiceBook::number(NumberWish wish)
+Task<std::optional<int>> ServiceBook::number(NumberWish wish)
 {
     for (;;) {
         const auto given = giveNumber(m_database, wish);
         if (!given)
             co_return fail(given.error());
         if (*given)
-            co_return **given;
+            co_return *given;
         const std::string token = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
         const auto block = takeBlock(m_database, token, wish, numbersInBlock, m_station, now());
         if (!block)
             co_return fail(block.error());
+        if (block->isEmpty())
+            co_return std::nullopt;
         if (auto kept = keepBlock(m_database, wish.scope, *block); !kept)
             co_return fail(kept.error());
     }

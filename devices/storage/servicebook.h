@@ -19,7 +19,7 @@ public:
     [[nodiscard]] Task<service::Visit> open(service::Visit visit) override;
     [[nodiscard]] Task<service::Visit> write(service::Visit visit) override;
     [[nodiscard]] Task<std::vector<service::Visit>> visits(service::VisitFilter filter) override;
-    [[nodiscard]] Task<int> number(service::NumberWish wish) override;
+    [[nodiscard]] Task<std::optional<int>> number(service::NumberWish wish) override;
 
     /// The same at once.
     [[nodiscard]] Result<std::vector<service::Visit>> list(const service::VisitFilter &filter);

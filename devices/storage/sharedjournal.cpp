@@ -139,7 +139,7 @@ Task<NumberBlock> SharedJournal::take(std::string token, NumberWish wish)
     co_return co_await std::move(working).attempt();
 }
 
-Task<int> SharedJournal::number(NumberWish wish)
+Task<std::optional<int>> SharedJournal::number(NumberWish wish)
 {
     SqlConnection &sql = m_book.database();
     for (;;) {
@@ -147,7 +147,7 @@ Task<int> SharedJournal::number(NumberWish wish)
         if (!given)
             co_return fail(given.error());
         if (*given)
-            co_return **given;
+            co_return *given;
         const auto token = tokenFor(wish.scope);
         if (!token)
             co_return fail(token.error());
@@ -155,6 +155,8 @@ Task<int> SharedJournal::number(NumberWish wish)
         const Result<NumberBlock> block = co_await std::move(taking).attempt();
         if (!block)
             co_return fail(block.error());
+        if (block->isEmpty())
+            co_return std::nullopt;
         auto kept = keepBlock(sql, wish.scope, *block); // again after a cut: the token is still asked for then
         if (kept)
             kept = sql.run("UPDATE service_block SET first = ?, last = ? WHERE token = ?",

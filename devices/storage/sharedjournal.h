@@ -20,7 +20,7 @@ public:
     [[nodiscard]] Task<service::Visit> open(service::Visit visit) override;
     [[nodiscard]] Task<service::Visit> write(service::Visit visit) override;
     [[nodiscard]] Task<std::vector<service::Visit>> visits(service::VisitFilter filter) override;
-    [[nodiscard]] Task<int> number(service::NumberWish wish) override;
+    [[nodiscard]] Task<std::optional<int>> number(service::NumberWish wish) override;
 
     /// Everything that waits, now; fails when the server does not take it. Also by itself after every write, and every 5 s
     /// while something waits.

@@ -22,7 +22,7 @@ constexpr const char *visitColumns
       "serial, device, family, simulated, "
       "step, outcome, firmware_before, firmware_after, parameters, test, number, snapshot, "
       "trial, seconds, cause, remedy, "
-      "evidence, note";
+      "evidence, note, ending";
 
 template <class Number> QVariant sqlOrNull(const std::optional<Number> &number)
 {
@@ -47,7 +47,7 @@ QVariantList visitValues(const KeptVisit &kept)
         qt(v.recipe), qt(v.recipeHash), qt(v.imageHash), qt(v.unit), qt(v.serial), qt(v.device), qt(v.family),
         v.simulated ? 1 : 0, qt(toString(v.step)), qt(toString(v.outcome)), qt(v.from), qt(v.to),
         sqlOrNull(v.parameters), testText(v.test), sqlOrNull(v.number), sqlOrNull(v.snapshot), sqlOrNull(v.trial),
-        v.seconds, savedText(v.cause), savedText(v.remedy), savedText(v.evidence), qt(v.note)};
+        v.seconds, savedText(v.cause), savedText(v.remedy), savedText(v.evidence), qt(v.note), qt(toString(v.ending))};
 }
 
 KeptVisit visitFrom(const QSqlQuery &row)
@@ -82,6 +82,7 @@ KeptVisit visitFrom(const QSqlQuery &row)
     v.remedy = messageFrom(textAt(row, 25));
     v.evidence = messageFrom(textAt(row, 26));
     v.note = textAt(row, 27);
+    v.ending = service::endingFromString(textAt(row, 28));
     return kept;
 }
 

@@ -12,7 +12,7 @@ struct Attempts {
 };
 
 /// Sends `request` and yields the first frame that `match` accepts; asks again on a time-out. The patience of the link wins. The link and the clock
-/// outlive the task. Name the match before the call (docs/architecture.md, Asynchrony).
+/// outlive the task. Name the match before the call (docs/architecture.md#asynchrony).
 [[nodiscard]] Task<CanFrame> exchange(
     CanLink &link, Clock &clock, CanFrame request, CanInbox::Match match, Attempts attempts);
 

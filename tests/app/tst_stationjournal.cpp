@@ -59,13 +59,13 @@ struct Station {
     }
     void takeNumber()
     {
-        store.askJournal<int>(
+        store.askJournal<std::optional<int>>(
             [unit = "unit " + std::to_string(++asked)](service::ServiceJournal &journal) {
                 return journal.number({"dmc60c", unit, unit, 10, 62, {}});
             },
-            [this](const Result<int> &number) {
+            [this](const Result<std::optional<int>> &number) {
                 const std::lock_guard lock(mutex);
-                numbers.insert(number ? *number : -1);
+                numbers.insert(number ? number->value_or(-1) : -1);
             });
     }
     template <class T> [[nodiscard]] T read(T Station::*what)

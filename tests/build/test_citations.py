@@ -8,7 +8,10 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FOLDERS = ("app", "devices", "widgets", "tests")
 CITED = re.compile(r"(?<![\w/.])((?:docs/\w[\w-]*|(?:\w+/)?README)\.md)#([\w-]+)")
-ELSEWHERE = re.compile(r"\bproduct\.md|\bpeers\.md|(?<!docs/)\btuning\.md [0-9]|\btraps? [0-9]|protocol reference|\(section [0-9]", re.IGNORECASE)
+PAGE = re.compile(r"(?<![\w/.])(docs/[\w/-]+\.md|(?:\w+/)?README\.md)(?!\w)")
+ELSEWHERE = re.compile(r"\bproduct\.md|\bpeers\.md|(?<!docs/)\btuning\.md [0-9]|\btraps? [0-9]|protocol reference|\bsections? [0-9]"
+                       r"|(?://|\*|#).*?(?<![\w/])(?!README)[\w-]+\.md, [a-z]", re.IGNORECASE)
+NAMED = re.compile(r'docs/[\w/-]+\.md,\s*(?:///?\s*)?(?:"\w|[A-Z]\w+[).])')
 
 
 def slug(heading):
@@ -48,6 +51,15 @@ class Citations(unittest.TestCase):
                     lost.append(f"{path.relative_to(ROOT)}: {page}#{anchor}")
         self.assertGreater(cited, 100)
         self.assertEqual(lost, [])
+
+    def test_every_page_that_is_cited_exists(self):
+        lost = [f"{path.relative_to(ROOT)}: {page}" for path, text in self.sources for page in PAGE.findall(text)
+                if not page_of(path, page).exists() and not (ROOT / page).exists()]
+        self.assertEqual(lost, [])
+
+    def test_a_part_of_a_page_is_cited_by_its_anchor(self):
+        found = [f"{path.relative_to(ROOT)}: {cited}" for path, text in self.sources for cited in NAMED.findall(text)]
+        self.assertEqual(found, [])
 
     def test_nothing_is_cited_that_a_reader_does_not_have(self):
         found = [f"{path.relative_to(ROOT)}:{text.count(chr(10), 0, match.start()) + 1}: {match[0]}"

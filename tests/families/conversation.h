@@ -9,7 +9,7 @@
 
 namespace mb::test {
 
-/// What happened in a story, line by line, and the stored text that it must be equal to (docs/testing.md, Golden conversations).
+/// What happened in a story, line by line, and the stored text that it must be equal to (docs/testing.md#golden-conversations).
 class Conversation {
 public:
     /// A line that is always written: a heading, a result.

@@ -12,7 +12,7 @@
 
 namespace mb::supermodified::test {
 
-/// An example of the datasheet as it is printed, sections 15.2 to 15.4 (94 frames), of dialect D1.
+/// An example of the datasheet as it is printed, chapters 15.2 to 15.4 (94 frames), of dialect D1.
 struct Example {
     std::string_view name;
     std::string_view host;

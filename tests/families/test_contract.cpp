@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every family promises (docs/architecture.md). Iterates over the registry: a new folder is tested from its first day.
+// What every family promises (docs/adding-a-family.md#what-each-part-promises). Iterates over the registry: a new folder is tested from its first day.
 #include "model/parametertransfer.h"
 #include "support/simulatedsession.h"
 #include "transport/canlink.h"

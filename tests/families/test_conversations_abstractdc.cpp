@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whole stories of Abstract DC Drives, compared with stored texts (docs/testing.md, Golden conversations).
+// Whole stories of Abstract DC Drives, compared with stored texts (docs/testing.md#golden-conversations).
 #include "families/storysteps.h"
 #include "transport/canlink.h"
 

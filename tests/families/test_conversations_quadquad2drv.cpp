@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whole stories of a QuadQuad2Drv, compared with stored texts (docs/testing.md, Golden conversations).
+// Whole stories of a QuadQuad2Drv, compared with stored texts (docs/testing.md#golden-conversations).
 #include "families/quadquad2drvupdatebench.h"
 #include "families/storysteps.h"
 #include "traffic/trafficline.h"

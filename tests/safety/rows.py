@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The table of docs/safety.md, one row a family and a fault, as it is measured."""
+"""The table of docs/safety.md#what-stops-a-motor, one row a family and a fault, as it is measured."""
 import statistics
 
 

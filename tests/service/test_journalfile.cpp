@@ -155,7 +155,7 @@ TEST_F(JournalFiles, TwoProgramsAtOnceLoseNoEntryAndGiveNoNumberTwice)
                 ASSERT_TRUE(opened) << opened.error().text();
                 const auto number = test::run(time, book.number({"dmc60c rev C", visit.unit, opened->id, 1, 1000, {}}));
                 ASSERT_TRUE(number) << number.error().text();
-                given[program].push_back(*number);
+                given[program].push_back(**number);
                 ASSERT_TRUE(test::run(time, book.write(passed(*opened))));
             }
         });

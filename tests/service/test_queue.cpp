@@ -312,7 +312,10 @@ public:
     {
         return m_journal.visits(std::move(filter));
     }
-    [[nodiscard]] Task<int> number(NumberWish wish) override { return through(m_journal.number(std::move(wish))); }
+    [[nodiscard]] Task<std::optional<int>> number(NumberWish wish) override
+    {
+        return through(m_journal.number(std::move(wish)));
+    }
     bool isDead = false;
 
 private:

@@ -44,10 +44,13 @@ TEST_P(Schemas, AFileOfAnOlderVersionIsBroughtUpToDateAndKeepsEverything)
     EXPECT_EQ(settings.resolved(place), GetParam() < 4 ? place : "tag supermodified left arm");
     ServiceBook journal(**opened, clock, "bench 1", "anna");
     EXPECT_TRUE(test::run(clock, journal.open({})));
-    EXPECT_EQ(journal.list({})->size(), 1U);
+    const auto visits = journal.list({});
+    ASSERT_EQ(visits->size(), GetParam() < 5 ? 1U : 2U);
+    EXPECT_EQ(visits->back().note, GetParam() < 5 ? "" : "kept by schema 5");
+    EXPECT_EQ(visits->back().ending, service::Ending::None);
 }
 
-INSTANTIATE_TEST_SUITE_P(Kept, Schemas, testing::Values(1, 2, 3, 4));
+INSTANTIATE_TEST_SUITE_P(Kept, Schemas, testing::Values(1, 2, 3, 4, 5));
 
 } // namespace
 } // namespace mb

@@ -5,7 +5,7 @@
 
 namespace mb::test {
 
-/// When the condition of a guard (docs/tuning.md) was fulfilled, out of the samples alone; `struck` is when the fault came.
+/// When the condition of a guard (docs/safety.md#what-ends-an-experiment) was fulfilled, out of the samples alone; `struck` is when the fault came.
 using Condition = std::function<std::optional<Instant>(const TripWatch &watch, Instant struck)>;
 
 inline Condition above(std::string_view key, double limit)

@@ -213,7 +213,7 @@ void BusFilterTest::fieldsKnowTheirBits()
         found[QString::fromUtf8(
             meaning->frame.fields[i].name.data(), static_cast<int>(meaning->frame.fields[i].name.size()))]
             = bitsText(bits[i]);
-    // dmc60c.md, status frames
+    // dmc60c/README.md#status-general
     QCOMPARE(found[QStringLiteral("dtcApplied")], QStringLiteral("0–1"));
     QCOMPARE(found[QStringLiteral("fFwdLimitHit")], QStringLiteral("2.1"));
     QCOMPARE(found[QStringLiteral("modeSelect")], QStringLiteral("4.3–6"));

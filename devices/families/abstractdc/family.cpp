@@ -81,7 +81,7 @@ constexpr std::array<FaultRow, 2> faultRows{{
 
 constexpr std::array<ChannelRate, 3> watched{{{"velocity", 100.0}, {"position", 100.0}, {"current", 50.0}}};
 
-/// Section 4: time in milliseconds, the change taken the wrong way round.
+/// README.md#control-law: time in milliseconds, the change taken the wrong way round.
 constexpr LoopScale controlLoop{
     .fullDuty = fullPwm,
     .period = 1e-3,

@@ -8,7 +8,8 @@
 #include <string_view>
 #include <vector>
 
-/// OpenOCD as the programmer of the drive: what it is asked for, and what its lines mean. Section 7. Pure functions.
+/// OpenOCD as the programmer of the drive: what it is asked for, and what its lines mean
+/// (README.md#firmware). Pure functions.
 namespace mb::abstractdc::openocd {
 
 struct Job {

@@ -5,8 +5,8 @@
 
 namespace mb::dmc60c {
 
-/// Section 8: three enumeration windows of 150 ms, their union paired by number and session; up to three more while
-/// half an answer is missing. Descriptors are read one device at a time in the quiet part of the windows. Only gets,
+/// Finds the units of a bus (README.md#enumeration): three windows of 150 ms, their union paired by number and session; up to
+/// three more while half an answer is missing. Descriptors are read one device at a time in the quiet part of the windows. Only gets,
 /// never a set. Unsupported when the link is no CAN link.
 [[nodiscard]] Task<void> scan(Link &link, Clock &clock, ScanSink &sink);
 

@@ -29,7 +29,7 @@ public:
     virtual void note(std::string_view what, double value) = 0;
 };
 
-/// Section 3: the vendor commands and their transfers.
+/// The vendor commands and their transfers (README.md#vendor-commands).
 class VendorPort {
 public:
     /// `crc`: how the bootloader checks a page. All outlive it.

@@ -5,8 +5,7 @@
 
 namespace mb::quadquad2drv {
 
-/// Section 6: asks for the version, which changes nothing; there is one board on a link, under address 0. Unsupported when
-/// the link is no SPI link.
+/// Finds the board of a link by asking for its version (README.md#scan). Unsupported when the link is no SPI link.
 [[nodiscard]] Task<void> scan(Link &link, Clock &clock, ScanSink &sink);
 
 /// Family::probe: like scan, but a board that was named and does not answer is reported too, as one that may wait in its

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-/// avrdude as the programmer of the controller's ATmega328P: what it is asked for, and what its lines mean. Section 7. Pure
-/// functions. Only flash is ever written: no fuse, no lock bit.
+/// avrdude as the programmer of the controller's ATmega328P: what it is asked for, and what its lines mean
+/// (README.md#firmware). Pure functions. Only flash is ever written: no fuse, no lock bit.
 namespace mb::supermodified::avrdude {
 
 constexpr std::string_view scheme = "avrdude";

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What of one unit concerns more than that unit, as the journal has it.
+#include "servicebench.h"
+
+namespace mb::service {
+namespace {
+
+using namespace std::chrono_literals;
+using test::QueueRun;
+using test::ServiceBooks;
+using test::UnitRack;
+
+class Endings : public testing::Test {
+protected:
+    RecipeMatter load(UnitRack &rack, const QByteArray &text)
+    {
+        books.emplace(rack.clock);
+        books->write("recipe.json", text);
+        books->write("base_c.json", R"({"family":"dmc60c","parameters":{"slot1.d":{"raw":77}}})");
+        auto matter = loadRecipe(books->path("recipe.json"), rack.list());
+        EXPECT_TRUE(matter) << (matter ? "" : matter.error().text());
+        return matter ? *matter : RecipeMatter{};
+    }
+    std::optional<ServiceBooks> books;
+};
+
+TEST_F(Endings, AStopThatNobodyHasSeenIsWrittenDownAsSuch)
+{
+    UnitRack rack({"dmc60c:5,serial=210334000001"});
+    QueueRun run(rack, *books, load(rack, R"({"recipe":1,"name":"turn","family":"dmc60c",
+"test":{"loop":"velocity","to":8000,"time":0.8,
+"limits":{"travel":400000,"speed":40000,"duty":0.9,"current":60},"accept":{"settle":0.9}}})"));
+    Timer cut(rack.clock);
+    run.permit.asked = [&] { cut.startIn(500ms, [&rack] { rack.putOn(std::nullopt); }); };
+    ASSERT_TRUE(run.run());
+    const auto visits = books->visits();
+    ASSERT_EQ(visits.size(), 1U);
+    EXPECT_EQ(visits[0].outcome, Outcome::Failed);
+    EXPECT_EQ(visits[0].step, Step::Test);
+    EXPECT_EQ(visits[0].ending, Ending::StopUnconfirmed) << visits[0].cause.english();
+}
+
+TEST_F(Endings, NoUnitIsBegunAfterTheLastNumber)
+{
+    UnitRack rack({"dmc60c:5,serial=210334000001", "dmc60c:6,serial=210334000002", "dmc60c:7,serial=210334000003"});
+    QueueRun run(rack, *books, load(rack, R"({"recipe":1,"name":"full","family":"dmc60c",
+"parameters":{"file":"base_c.json"},"number":{"first":63}})"));
+    ASSERT_TRUE(run.run());
+    const auto visits = books->visits();
+    ASSERT_EQ(visits.size(), 2U) << "the third has not begun";
+    EXPECT_EQ(visits[0].ending, Ending::None) << visits[0].cause.english();
+    EXPECT_EQ(visits[0].number, 63);
+    EXPECT_EQ(visits[1].outcome, Outcome::Failed);
+    EXPECT_EQ(visits[1].step, Step::Number);
+    EXPECT_EQ(visits[1].ending, Ending::NumbersUsedUp) << visits[1].cause.english();
+    ASSERT_TRUE(run.queue.trouble());
+    EXPECT_EQ(run.queue.trouble()->detail, "all numbers are used up, the highest is 63");
+}
+
+} // namespace
+} // namespace mb::service
