@@ -106,6 +106,15 @@ TEST_F(OneNode, ANodeWithAnotherNumberIsPolledUnderThatOneAndNobodyUnderTheOld)
         EXPECT_EQ(frame.to, 9);
 }
 
+TEST_F(OneNode, ANodeIsGivenTheFirstAndTheLastNumberThereIsAndNoneBeside)
+{
+    for (const int number : {0, 128, -1})
+        EXPECT_FALSE(run(bench.clock, device->renumber(number))) << number;
+    EXPECT_EQ(bench.count(Command::NodeId), 0);
+    for (const int number : {127, 1})
+        EXPECT_TRUE(run(bench.clock, device->renumber(number))) << number;
+}
+
 TEST_F(OneNode, WhatItsDialectHasNotIsNotAsked)
 {
     bench.clock.advance(200ms);

@@ -15,6 +15,8 @@
 #include <fstream>
 #include <memory>
 
+#include <linux/serial.h>
+
 using namespace mb;
 using namespace mb::test;
 using namespace std::chrono_literals;
@@ -252,6 +254,19 @@ TEST_F(SerialPort, AnAnswerThatItsGuardianReadsFirstIsNoLostLink)
         loop.runReady();
     }
     ::close(other);
+}
+
+TEST(SerialPortErrors, BytesThatWereLostInTheDriverOrBehindItCountAndSoDoBadOnes)
+{
+    serial_icounter_struct counted{};
+    counted.frame = 1;
+    counted.parity = 20;
+    counted.brk = 300;
+    counted.overrun = 4000;
+    counted.buf_overrun = 50000;
+    counted.rx = counted.tx = counted.cts = 7; // none of them is an error
+    EXPECT_EQ(errorsOf(counted).framing, 321U);
+    EXPECT_EQ(errorsOf(counted).overrun, 54000U);
 }
 
 TEST(SerialPortCauses, NameWhatIsMissingAndWhatHelps)

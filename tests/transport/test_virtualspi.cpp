@@ -107,6 +107,7 @@ TEST_F(VirtualSpi, UnpluggingEndsWhatWaits)
     EXPECT_EQ(first.result().error().fault, Fault::LinkLost);
     EXPECT_EQ(second.result().error().fault, Fault::LinkLost);
     EXPECT_FALSE(link.sendUrgent({9}));
+    EXPECT_TRUE(board.heard.empty()) << "what was on its way is cut off";
 }
 
 TEST_F(VirtualSpi, WaitingForTheReadyLineEndsWhenItRisesOrTheTimeIsOver)

@@ -46,14 +46,19 @@ bool askLowLatency(int descriptor)
     return ::ioctl(descriptor, TIOCSSERIAL, &settings) == 0;
 }
 
+DriverErrors errorsOf(const serial_icounter_struct &counted)
+{
+    return {static_cast<std::uint64_t>(counted.frame) + static_cast<std::uint64_t>(counted.parity)
+            + static_cast<std::uint64_t>(counted.brk),
+        static_cast<std::uint64_t>(counted.overrun) + static_cast<std::uint64_t>(counted.buf_overrun)};
+}
+
 std::optional<DriverErrors> driverErrors(int descriptor)
 {
     serial_icounter_struct counted{};
     if (::ioctl(descriptor, TIOCGICOUNT, &counted) != 0)
         return std::nullopt;
-    return DriverErrors{static_cast<std::uint64_t>(counted.frame) + static_cast<std::uint64_t>(counted.parity)
-            + static_cast<std::uint64_t>(counted.brk),
-        static_cast<std::uint64_t>(counted.overrun) + static_cast<std::uint64_t>(counted.buf_overrun)};
+    return errorsOf(counted);
 }
 
 } // namespace mb

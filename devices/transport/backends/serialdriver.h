@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <optional>
 
+struct serial_icounter_struct;
+
 namespace mb {
 
 /// What the driver of an open serial port tells and takes beyond QSerialPort. Nothing, or false, where it cannot.
@@ -25,6 +27,7 @@ struct DriverErrors {
     std::uint64_t framing = 0; ///< parity errors and breaks too
     std::uint64_t overrun = 0; ///< bytes lost before we could read them, at least
 };
+[[nodiscard]] DriverErrors errorsOf(const serial_icounter_struct &counted);
 [[nodiscard]] std::optional<DriverErrors> driverErrors(int descriptor);
 
 } // namespace mb
