@@ -61,6 +61,8 @@ FORBIDDEN = [
      r"\bQMessageBox\s*::\s*(?:question|warning|information|critical|about)\s*\(|\bQFileDialog\s*::\s*get\w+\s*\("
      r"|\bQInputDialog\s*::\s*get\w+\s*\(|\b\w*(?:[dD]ialog|[bB]ox|[mM]enu)(?:\.|->)exec\s*\(",
      "this runs a nested event loop: open() it and connect to its result"),
+    (("tests/widgets/",), ("tests/widgets/gallery", "tests/widgets/plotgallery"), r"\bqWait\s*\(\s*(?!0\s*\))\w",
+     "wait for a condition, or for a timer that is due later (tests/support/timers.h)"),
     (("",), (), r"\b(?:SIGNAL|SLOT)\s*\(", "connect to the member function, not to its spelling"),
     (("",), (), r"(?m)^[ \t]*#[ \t]*if[ \t]+0\b", "remove what is switched off"),
     (("devices/",), ("devices/report/",), r"\btr\s*\(",  # whose product is a text for people, with and without a screen
