@@ -191,10 +191,6 @@ FAMILY_EXAMPLES = {
     "app/console/simulate.cpp",
     "devices/model/identity.cpp",
     "devices/simulation/simulator.cpp",
-    "app/welcome.cpp",  # the first minute: its stories are about units of the simulated bench, and so are the next four
-    "widgets/connection/linkchoices.cpp",
-    "widgets/help/helptopics.cpp",  # a page of hardware for each
-    "widgets/start/story.cpp",
     "widgets/monitor/framefilterterms.cpp",  # the help of the filter's language
 }
 

@@ -157,8 +157,8 @@ ExperimentPlan TuneProof::planOf(double sign) const
     return plan;
 }
 
-/// What the steps so far did, against what was predicted.
-Message TuneProof::judge()
+/// What the steps so far did worse than was predicted; empty: nothing.
+Message TuneProof::shortcoming()
 {
     TuneReport &report = m_run.report();
     report.measured = worseOf(report.proof);
@@ -188,7 +188,7 @@ Task<void> TuneProof::prove()
         report.proof.push_back(co_await std::move(running));
         if (m_run.isOver())
             co_return {};
-        const Message wrong = judge();
+        const Message wrong = shortcoming();
         if (!wrong.empty()) { // what fails one way needs no proof the other way
             report.result = TuneResult::RolledBack;
             report.evidence = joined(wrong, m_design.before());

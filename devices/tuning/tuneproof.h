@@ -29,7 +29,7 @@ private:
     [[nodiscard]] int repeats() const;
     [[nodiscard]] double target(double sign) const;
     [[nodiscard]] double resting() const;
-    [[nodiscard]] Message judge();
+    [[nodiscard]] Message shortcoming();
     [[nodiscard]] std::vector<ParameterChange> inProvingSlot() const;
     [[nodiscard]] ExperimentPlan planOf(double sign) const;
 

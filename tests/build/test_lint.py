@@ -8,6 +8,11 @@ import tempfile
 import unittest
 
 LINT = pathlib.Path(__file__).resolve().parents[2] / "scripts" / "lint"
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(LINT.parent))
+from lintrules import FAMILY_EXAMPLES, FAMILY_NAME  # noqa: E402
+from linttext import without_comments  # noqa: E402
+
 LICENCE = "// SPDX-License-Identifier: GPL-3.0-or-later\n"
 
 
@@ -126,6 +131,12 @@ class Lint(unittest.TestCase):
             with self.subTest(name):
                 found = [finding for finding in findings if finding.startswith(f"{name}:{line}: error: ") and words in finding]
                 self.assertTrue(found, [finding for finding in findings if finding.startswith(f"{name}:")])
+
+    def test_what_may_name_a_family_does(self):
+        root = LINT.parents[1]
+        for path in sorted(FAMILY_EXAMPLES):
+            with self.subTest(path):
+                self.assertTrue(FAMILY_NAME.search(without_comments((root / path).read_text(encoding="utf-8"))), "it needs no exception any more")
 
     def test_one_bad_snippet_alone_fails_the_run(self):
         name, text, _, _ = BAD[0]
