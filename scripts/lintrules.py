@@ -113,6 +113,12 @@ GLUED = [
     (r'\bsay\(\s*(?:QT_TRANSLATE_NOOP|std::string\b|\w+\s*\+)', "say() takes a literal: what varies stands in %1 … %9"),
     (r'\bsay\((?:\s*"(?:[^"\\\n]|\\.)*")+\s*\+', "nothing is glued to a literal: what varies stands in %1 … %9"),
     (r'\bfail\(Fault::\w+,\s*"', "a cause is said by say(\"…\"), which has a translation"),
+    (r'\benglish\(\)\s*\.\s*(?:r?find\w*|starts_with|ends_with|contains|compare)\b',
+     "what a sentence means is not looked for in it: a value beside it tells"),
+    (r'\bstatus(?:\(\))?(?:\.|->)title\s*[=!]=|[=!]=\s*(?:\w+(?:\(\))?(?:\.|->))*status(?:\(\))?(?:\.|->)title\b',
+     "a title is for people: OperationStatus::kind tells what a job does"),
+    (r'\b(?:qt|fromStdString)\([^;"]*?\b\w*[eE]rror(?:\(\))?(?:\.|->)text\(\)',
+     "this is English in every language: errorText() of widgets/common/devicetext"),
 ]
 
 
