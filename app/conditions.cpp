@@ -26,7 +26,7 @@ const OperationView *rewriting(const Snapshot &shot, DeviceId device)
 {
     const OperationView *operation = shot.operation(device);
     const bool runs = operation && operation->status.state == OperationStatus::State::Running
-        && operation->status.title == "Write settings again";
+        && operation->status.kind == OperationKind::RewriteSettings;
     return runs ? operation : nullptr;
 }
 

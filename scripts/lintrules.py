@@ -61,6 +61,8 @@ FORBIDDEN = [
      r"\bQMessageBox\s*::\s*(?:question|warning|information|critical|about)\s*\(|\bQFileDialog\s*::\s*get\w+\s*\("
      r"|\bQInputDialog\s*::\s*get\w+\s*\(|\b\w*(?:[dD]ialog|[bB]ox|[mM]enu)(?:\.|->)exec\s*\(",
      "this runs a nested event loop: open() it and connect to its result"),
+    (("tests/widgets/",), ("tests/widgets/gallery", "tests/widgets/plotgallery"), r"\bqWait\s*\(\s*(?!0\s*\))\w",
+     "wait for a condition, or for a timer that is due later (tests/support/timers.h)"),
     (("",), (), r"\b(?:SIGNAL|SLOT)\s*\(", "connect to the member function, not to its spelling"),
     (("",), (), r"(?m)^[ \t]*#[ \t]*if[ \t]+0\b", "remove what is switched off"),
     (("devices/",), ("devices/report/",), r"\btr\s*\(",  # whose product is a text for people, with and without a screen
@@ -111,6 +113,12 @@ GLUED = [
     (r'\bsay\(\s*(?:QT_TRANSLATE_NOOP|std::string\b|\w+\s*\+)', "say() takes a literal: what varies stands in %1 … %9"),
     (r'\bsay\((?:\s*"(?:[^"\\\n]|\\.)*")+\s*\+', "nothing is glued to a literal: what varies stands in %1 … %9"),
     (r'\bfail\(Fault::\w+,\s*"', "a cause is said by say(\"…\"), which has a translation"),
+    (r'\benglish\(\)\s*\.\s*(?:r?find\w*|starts_with|ends_with|contains|compare)\b',
+     "what a sentence means is not looked for in it: a value beside it tells"),
+    (r'\bstatus(?:\(\))?(?:\.|->)title\s*[=!]=|[=!]=\s*(?:\w+(?:\(\))?(?:\.|->))*status(?:\(\))?(?:\.|->)title\b',
+     "a title is for people: OperationStatus::kind tells what a job does"),
+    (r'\b(?:qt|fromStdString)\([^;"]*?\b\w*[eE]rror(?:\(\))?(?:\.|->)text\(\)',
+     "this is English in every language: errorText() of widgets/common/devicetext"),
 ]
 
 
@@ -189,10 +197,6 @@ FAMILY_EXAMPLES = {
     "app/console/simulate.cpp",
     "devices/model/identity.cpp",
     "devices/simulation/simulator.cpp",
-    "app/welcome.cpp",  # the first minute: its stories are about units of the simulated bench, and so are the next four
-    "widgets/connection/linkchoices.cpp",
-    "widgets/help/helptopics.cpp",  # a page of hardware for each
-    "widgets/start/story.cpp",
     "widgets/monitor/framefilterterms.cpp",  # the help of the filter's language
 }
 

@@ -4,6 +4,7 @@
 #include "app/console/target.h"
 #include "app/console/verb.h"
 #include "async/sleep.h"
+#include "model/leaserenewal.h"
 #include "transport/linkcatalog.h"
 
 #include <algorithm>
@@ -280,13 +281,13 @@ Task<bool> confirmStop(Console &console, Device &device)
 Task<void> keepAlive(Console &console, SetPointStream &stream, Duration time, std::function<bool()> done)
 {
     const Instant end = console.clock().now() + time;
+    const LeaseRenewal renewal(console.clock(), [&stream] { stream.renew(); });
     while (stream.isRunning() && !console.isInterrupted() && !done()) {
         const Duration left = end - console.clock().now();
         if (left <= Duration::zero())
             break;
-        Sleep nap(console.clock(), std::min(left, leaseRenewal));
+        Sleep nap(console.clock(), std::min<Duration>(left, LeaseRenewal::period));
         co_await nap;
-        stream.renew();
     }
     co_return {};
 }
@@ -319,7 +320,7 @@ Task<Outcome> move(Console &console, Device &device, DrivePlan plan)
     SetPointStream &stream = console.session().stream(device);
     const Subscription signal = console.interrupted().add([&console] { console.session().stopAll(StopCause::User); });
     if (!console.isInterrupted()) {
-        if (auto started = stream.start(plan.setPoint, leaseTerm, glideOf(device, plan)); !started) {
+        if (auto started = stream.start(plan.setPoint, LeaseRenewal::term, glideOf(device, plan)); !started) {
             if (!plan.zero)
                 console.onlyAsk();
             co_return fail(started.error());

@@ -2,6 +2,7 @@
 #include "app/console/nudge.h"
 
 #include "app/console/pace.h"
+#include "model/leaserenewal.h"
 
 #include "async/sleep.h"
 #include "model/axis.h"
@@ -38,7 +39,7 @@ Task<double> push(Console &console, Device &device, SetPoint setPoint, Duration 
 {
     SetPointStream &stream = console.session().stream(device);
     const double before = positionOf(device, setPoint.axis).value_or(0.0);
-    if (auto started = stream.start(setPoint, leaseTerm); !started)
+    if (auto started = stream.start(setPoint, LeaseRenewal::term); !started)
         co_return fail(started.error());
     Sleep pushing(console.clock(), time);
     co_await pushing;

@@ -8,8 +8,6 @@
 /// How long and how often the verbs wait on a motion: durations of the program's clock.
 namespace mb::console {
 
-inline constexpr Duration leaseTerm = std::chrono::milliseconds(500);    ///< a set-point lives without its renewal
-inline constexpr Duration leaseRenewal = std::chrono::milliseconds(100); ///< between two renewals
 inline constexpr Duration lookEvery = std::chrono::milliseconds(5);      ///< between two looks at what a device tells
 inline constexpr Duration masterListen = std::chrono::milliseconds(150); ///< another master sends at least this often
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/linkrows.h"
-#include "app/console/pace.h"
 #include "app/console/servicedesk.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
 #include "app/folders/account.h"
 #include "async/sleep.h"
+#include "model/leaserenewal.h"
 #include "storage/visitjson.h"
 
 #include <algorithm>
@@ -100,7 +100,6 @@ public:
         , m_queue(console.clock(), plan.matter, {desk.journal(), &desk.settings(), &desk.trials(), &m_permit, {}},
               std::move(options))
         , m_progress(console)
-        , m_renewal(console.clock())
         , m_begun(console.clock().now())
     {
         m_subscriptions.push_back(m_queue.changed().add([this] { showProgress(); }));
@@ -118,21 +117,16 @@ public:
             m_queue.addBus(stage.session(), *link);
         }
         m_console.begin();
-        renew();
+        LeaseRenewal renewal(m_console.clock(), [this] { m_queue.renewLease(); });
         m_queue.start();
         co_await m_ended.wait();
-        m_renewal.stop();
+        renewal.stop();
         m_console.stayAwake(false);
         summarize();
         co_return verdict();
     }
 
 private:
-    void renew()
-    {
-        m_queue.renewLease();
-        m_renewal.startIn(leaseRenewal, [this] { renew(); });
-    }
     void interrupt()
     {
         m_console.note("motors stop; what must not be cut is brought to its end, and --resume goes on after that");
@@ -193,7 +187,6 @@ private:
     std::list<Stage> m_stages;
     service::ServiceQueue m_queue;
     ProgressLine m_progress;
-    Timer m_renewal;
     const Instant m_begun;
     Event m_ended;
     bool m_isInterrupted = false;

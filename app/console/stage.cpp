@@ -2,15 +2,10 @@
 #include "app/console/stage.h"
 
 #include "app/console/pace.h"
-
 #include "app/console/simulationclock.h"
 #include "async/sleep.h"
 
 namespace mb::console {
-namespace {
-
-} // namespace
-
 Stage::Stage(Console &console, const LinkAddress &link)
     : m_console(console)
 {
@@ -61,24 +56,11 @@ Task<int> performOn(Console &console, Target target, Performance performance)
     co_return performed;
 }
 
-LeaseRenewal::LeaseRenewal(Clock &clock, SetPointStream &stream)
-    : m_stream(stream)
-    , m_timer(clock)
-{
-    renew();
-}
-
-void LeaseRenewal::renew()
-{
-    m_stream.renew();
-    m_timer.startIn(leaseRenewal, [this] { renew(); });
-}
-
 Experimenting::Experimenting(Console &console, Session &session, Device &device, Notebook &notebook)
     : m_console(console)
     , m_notebook(notebook)
     , m_stream(session.stream(device))
-    , m_renewal(session.clock(), m_stream)
+    , m_renewal(session.clock(), [this] { m_stream.renew(); })
 {
     if (console.isInterrupted())
         m_interruption.interrupt();

@@ -4,6 +4,7 @@
 #include "app/console/console.h"
 #include "app/console/notebook.h"
 #include "app/console/target.h"
+#include "model/leaserenewal.h"
 #include "model/session.h"
 #include "model/setpointstream.h"
 #include "tuning/experiment.h"
@@ -33,18 +34,6 @@ private:
 using Performance = std::function<Task<int>(Session &, Device &)>;
 /// A signal ends it through its own stop.
 [[nodiscard]] Task<int> performOn(Console &console, Target target, Performance performance);
-
-/// From this program's own loop: if that hangs, the stream stops the motor.
-class LeaseRenewal {
-public:
-    LeaseRenewal(Clock &clock, SetPointStream &stream);
-
-private:
-    void renew();
-
-    SetPointStream &m_stream;
-    Timer m_timer;
-};
 
 /// What the experiments of one verb share with this program while they run: the notebook, the signals that end them, its notes.
 class Experimenting {

@@ -8,11 +8,6 @@ namespace mb {
 namespace {
 constexpr Duration transcriptLimit = std::chrono::seconds(30);
 
-Message updateTitle()
-{
-    return say("Update firmware");
-}
-
 /// One story after another, which may fail.
 template <class T> Task<T> after(Task<void> first, Task<T> then)
 {
@@ -47,7 +42,7 @@ void FirmwareUpdates::carryOut(const orders::UpdateFirmware &order, const Finish
         return refused(fail(Fault::Unsafe,
             say("one update a bus: %1 is being written; nothing was sent", m_context.log.labelOf(*other))));
     m_context.operations.begin<UpdateReport>(
-        order.device, updateTitle(),
+        order.device, {say("Update firmware"), OperationKind::UpdateFirmware},
         [this, image = order.image, options = order.options](Device &unit, Progress &progress) {
             unit.gate().setBusy(say("firmware update"));
             return after<UpdateReport>(m_parameters.keepBefore(unit, settings::Occasion::Update, progress),
@@ -81,7 +76,7 @@ const Device *FirmwareUpdates::updatedBeside(const Device &device) const
     for (const Operations::Job &job : m_context.operations.jobs()) {
         const Device *other = m_context.session.find(job.device);
         if (other && other != &device && &other->link() == &device.link() && job.operation->isRunning()
-            && job.operation->status().title == updateTitle())
+            && job.operation->status().kind == OperationKind::UpdateFirmware)
             return other;
     }
     return nullptr;

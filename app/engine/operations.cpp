@@ -35,18 +35,18 @@ Result<Device *> Operations::freeDevice(DeviceId id)
     return device;
 }
 
-Operations::Job &Operations::add(DeviceId device, const Message &title)
+Operations::Job &Operations::add(DeviceId device, const Name &name)
 {
     prune();
-    return m_jobs.emplace_back(Job{
-        OperationId{++m_last}, device, std::make_unique<Operation>(m_clock, title), std::nullopt, false, {}, false});
+    return m_jobs.emplace_back(Job{OperationId{++m_last}, device,
+        std::make_unique<Operation>(m_clock, name.title, name.kind), std::nullopt, {}, false});
 }
 
-Operations::Job *Operations::begin(DeviceId id, const Message &title, const Make<void> &make, const Finished &finished)
+Operations::Job *Operations::begin(DeviceId id, const Name &name, const Make<void> &make, const Finished &finished)
 {
     return begin<void>(
-        id, title, make,
-        [this, id, title, finished](Job &, const Result<void> &result) {
+        id, name, make,
+        [this, id, title = name.title, finished](Job &, const Result<void> &result) {
             if (!result)
                 m_log.tell(Severity::Danger, id, say("%1: %2", title, result.error().message()));
             finished(result);
@@ -100,11 +100,11 @@ bool Operations::isAnyRunning() const
     return std::any_of(m_jobs.begin(), m_jobs.end(), isRunning);
 }
 
-/// One that prepares has nothing to stop yet, and would move later.
+/// An experiment that prepares has nothing to stop yet, and would move later: it ends, whatever it is doing.
 void Operations::stopExperiments()
 {
     for (Job &job : m_jobs) {
-        if (job.isExperiment)
+        if (job.operation->status().kind == OperationKind::FamilyExperiment)
             (void)job.operation->cancel();
     }
     interruptTrials(std::nullopt);

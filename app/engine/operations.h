@@ -22,9 +22,18 @@ public:
         DeviceId device;
         std::unique_ptr<Operation> operation;
         std::optional<UpdateReport> update;
-        bool isExperiment = false;                            ///< STOP ends it, whatever it is doing
         std::shared_ptr<tuning::Interruption> interruption{}; ///< of a trial, which puts back what it changed
         bool yields = false; ///< it began by itself and is done again later: an order ends it
+    };
+    /// What a job is called and, where somebody asks, what it does.
+    struct Name {
+        Name(Message what, OperationKind does = OperationKind::Other) // NOLINT(google-explicit-constructor)
+            : title(std::move(what))
+            , kind(does)
+        {
+        }
+        Message title;
+        OperationKind kind;
     };
     template <class T> using Make = std::function<Task<T>(Device &, Progress &)>;
 
@@ -33,10 +42,10 @@ public:
     /// Starts a job that has the device for itself; refuses when another one has it, and yields nullptr. The maker runs at
     /// once.
     template <class T>
-    Job *begin(DeviceId device, const Message &title, const Make<T> &make,
-        std::function<void(Job &, Result<T>)> finished, const Finished &refused);
+    Job *begin(DeviceId device, const Name &name, const Make<T> &make, std::function<void(Job &, Result<T>)> finished,
+        const Finished &refused);
     /// The same where nothing comes of it but that it went well, or a line in the log.
-    Job *begin(DeviceId device, const Message &title, const Make<void> &make, const Finished &finished);
+    Job *begin(DeviceId device, const Name &name, const Make<void> &make, const Finished &finished);
     void carryOut(const orders::CancelOperation &order, const Finished &finished);
 
     /// Lends a link to whoever serves units there: no job begins on its devices until it is given back, and each counts as
@@ -62,7 +71,7 @@ public:
 
 private:
     [[nodiscard]] Result<Device *> freeDevice(DeviceId device);
-    Job &add(DeviceId device, const Message &title);
+    Job &add(DeviceId device, const Name &name);
     void makeWay(DeviceId device);
     void dismiss(DeviceId device, const Error &error);
     void prune();
@@ -76,7 +85,7 @@ private:
 };
 
 template <class T>
-Operations::Job *Operations::begin(DeviceId id, const Message &title, const Make<T> &make,
+Operations::Job *Operations::begin(DeviceId id, const Name &name, const Make<T> &make,
     std::function<void(Job &, Result<T>)> finished, const Finished &refused)
 {
     const Result<Device *> device = freeDevice(id);
@@ -84,7 +93,7 @@ Operations::Job *Operations::begin(DeviceId id, const Message &title, const Make
         refused(fail(device.error()));
         return nullptr;
     }
-    Job &job = add(id, title);
+    Job &job = add(id, name);
     job.operation->run<T>(make(**device, *job.operation),
         [&job, finished = std::move(finished)](Result<T> result) { finished(job, std::move(result)); });
     return &job;

@@ -53,7 +53,7 @@ Message proofOf(const Outcomes &outcomes)
 void ParameterJobs::carryOut(const orders::ReadParameters &order, const Finished &finished)
 {
     m_context.operations.begin<Outcomes>(
-        order.device, say("Read parameters"),
+        order.device, {say("Read parameters"), OperationKind::ReadParameters},
         [](Device &device, Progress &progress) { return mb::readParameters(device, readable(device), progress); },
         [this, finished](Operations::Job &job, const Result<Outcomes> &outcomes) { finished(tellRead(job, outcomes)); },
         finished);
@@ -96,7 +96,7 @@ void ParameterJobs::carryOut(const orders::StoreParameters &order, const Finishe
 void ParameterJobs::carryOut(const orders::RewriteSettings &order, const Finished &finished)
 {
     m_context.operations.begin(
-        order.device, say("Write settings again"),
+        order.device, {say("Write settings again"), OperationKind::RewriteSettings},
         [this](Device &device, Progress &progress) { return rewrite(device, m_settings, progress); },
         [this, id = order.device, finished](const Result<void> &result) {
             if (result)

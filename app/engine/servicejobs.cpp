@@ -48,7 +48,7 @@ Result<void> ServiceJobs::begin(const ServiceDesk::Plan &plan)
     m_links = plan.links;
     if (auto lent = lendAll(); !lent)
         return lent;
-    m_trouble.clear();
+    m_trouble = {};
     m_station.leaving = false;
     m_judged.clear();
     m_chosen.reset();
@@ -67,7 +67,7 @@ Result<void> ServiceJobs::begin(const ServiceDesk::Plan &plan)
     m_visitEnded = m_queue->unitEnded().add([this](const service::Visit &visit) { ended(visit); });
     m_queueEnded = m_queue->ended().add([this] {
         if (m_queue->trouble())
-            m_trouble = m_queue->trouble()->text();
+            m_trouble = m_queue->trouble()->message();
         arm(false);
         giveBack();
     });
@@ -175,7 +175,7 @@ void ServiceJobs::again(const std::function<void()> &order)
     const bool idle = !isRunning();
     if (idle && !lendAll())
         return;
-    m_trouble.clear();
+    m_trouble = {};
     m_station.leaving = false;
     order();
     if (idle && !isRunning())

@@ -79,7 +79,7 @@ private:
         bool leaving = false; ///< nobody will arm any more
     };
     Station m_station;
-    std::string m_trouble;
+    Message m_trouble;
     ServiceView m_last; ///< of a queue whose link is gone
     Listeners<> m_changed;
     Listeners<const service::Visit &> m_unitEnded;

@@ -77,13 +77,11 @@ void Trials::carryOut(const orders::RunExperiment &order, const Finished &finish
     SetPointStream &stream = m_context.session.stream(*device);
     if (stream.isRunning())
         return finished(fail(Fault::Unsafe, say("stop the motor before an experiment begins")));
-    Operations::Job *const job = m_context.operations.begin(
-        order.device, Message::label(found->title),
+    m_context.operations.begin(
+        order.device, {Message::label(found->title), OperationKind::FamilyExperiment},
         [&stream, &experiment = *found, options = order.options](
             Device &unit, Progress &progress) { return runOf(unit, stream, experiment, options, progress); },
         finished);
-    if (job)
-        job->isExperiment = true;
 }
 
 /// An operation that moves the device by experiments: what is notable in it is told, what it interrupts puts back what it changed.

@@ -3,11 +3,12 @@
 
 namespace mb {
 
-Operation::Operation(Clock &clock, Message title)
+Operation::Operation(Clock &clock, Message title, OperationKind kind)
     : m_clock(clock)
     , m_timer(clock)
 {
     m_status.title = std::move(title);
+    m_status.kind = kind;
     m_status.startedAt = clock.now();
 }
 

@@ -19,10 +19,14 @@ struct LogLine {
     Message text;
 };
 
+/// What a long job does, for who has to know: its title is for people. Other: nobody asks.
+enum class OperationKind { Other, ReadParameters, RewriteSettings, UpdateFirmware, FamilyExperiment };
+
 /// What a long job looks like from outside, by value.
 struct OperationStatus {
     enum class State { Running, Done, Failed, Cancelled };
     Message title;
+    OperationKind kind = OperationKind::Other;
     State state = State::Running;
     Message step;
     int done = 0;
@@ -39,7 +43,7 @@ struct OperationStatus {
 /// they may destroy the operation.
 class Operation final : public Progress {
 public:
-    Operation(Clock &clock, Message title);
+    Operation(Clock &clock, Message title, OperationKind kind = OperationKind::Other);
     ~Operation() override;
 
     /// Once. `finished` gets the result, Cancelled included.

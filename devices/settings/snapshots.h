@@ -4,6 +4,7 @@
 #include "model/parametertransfer.h"
 #include "settings/settingslog.h"
 
+/// Snapshots of a unit: all its values at one moment, as they are known, or read and kept.
 namespace mb::settings {
 
 /// Every parameter that this device has, also those that can only be written, in table order.

@@ -10,7 +10,7 @@ namespace mb {
 
 struct CanInterface;
 
-/// One cause and one remedy, in English, each one clause.
+/// What is wrong with a link and what helps: one cause and one remedy, each one clause. The same for window and console.
 struct Diagnosis {
     Ailment ailment = Ailment::None;
     Message cause;

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+/// What a current loop has to move: resistance, noise and what a current does, out of pushes of a motor that hardly turns.
 namespace mb::tuning {
 
 /// Ohm's law out of short pushes: duty × supply = R·I + Ke·speed, each term as its integral, so that nothing is differentiated.

@@ -3,6 +3,7 @@
 
 #include "tuning/searchtask.h"
 
+/// The search for gains of a loop on its model: around those that a rule gives, for those that leave least error.
 namespace mb::tuning {
 
 /// Counts beside a target that nobody asks to be mended.

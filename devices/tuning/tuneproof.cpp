@@ -159,8 +159,8 @@ ExperimentPlan TuneProof::planOf(double sign) const
     return plan;
 }
 
-/// What the steps so far did, against what was predicted.
-Message TuneProof::judge()
+/// What the steps so far did worse than was predicted; empty: nothing.
+Message TuneProof::shortcoming()
 {
     TuneReport &report = m_run.report();
     report.measured = worseOf(report.proof);
@@ -220,7 +220,7 @@ Task<void> TuneProof::prove()
             co_return {};
         if (const auto timed = checkPass(); !timed)
             co_return fail(timed.error());
-        const Message wrong = judge();
+        const Message wrong = shortcoming();
         if (!wrong.empty()) { // what fails one way needs no proof the other way
             report.result = TuneResult::RolledBack;
             const double beyond

@@ -31,7 +31,7 @@ private:
     [[nodiscard]] double resting() const;
     [[nodiscard]] Result<void> checkPass();
     [[nodiscard]] Message withDerivative(Message why) const;
-    [[nodiscard]] Message judge();
+    [[nodiscard]] Message shortcoming();
     [[nodiscard]] std::vector<ParameterChange> inProvingSlot() const;
     [[nodiscard]] ExperimentPlan planOf(double sign) const;
 

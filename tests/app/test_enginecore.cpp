@@ -267,6 +267,7 @@ TEST_F(Core, ReadsARestartedUnitAgain)
 {
     open("sim:can");
     core.send(orders::ReadParameters{id(7)});
+    EXPECT_EQ(core.snapshot().operation(id(7))->status.kind, OperationKind::ReadParameters);
     clock.advance(2s);
     ASSERT_EQ(unknown(7), 0U);
     unit("dmc60c:7")->setPowered(false);
@@ -362,6 +363,7 @@ TEST_F(Core, OneUpdateABusAndTheSecondIsRefusedWithWords)
     open("sim:can");
     const auto image = std::make_shared<FirmwareImage>();
     core.send(orders::UpdateFirmware{id(7), image, {}});
+    EXPECT_EQ(core.snapshot().operation(id(7))->status.kind, OperationKind::UpdateFirmware);
     core.send(orders::UpdateFirmware{id(5), image, {}});
     EXPECT_FALSE(core.snapshot().operation(id(5)));
     EXPECT_TRUE(said("one update a bus: DMC60C #7 is being written; nothing was sent"));

@@ -87,6 +87,7 @@ TEST_F(BoardCore, ShowsWhatAResetTookAndWritesItAgain)
     EXPECT_EQ(lost(), 2U);
     test::Heard<> again;
     core.send(orders::RewriteSettings{id()}, again.finished());
+    EXPECT_EQ(core.snapshot().operations.back().status.kind, OperationKind::RewriteSettings);
     ASSERT_TRUE(clock.runUntil([&again] { return again.has_value(); }, 10s));
     EXPECT_TRUE(*again);
     EXPECT_EQ(lost(), 0U);
@@ -145,6 +146,7 @@ TEST_F(BoardCore, AnExperimentTellsInItsLogWhatItFound)
 {
     test::Heard<> end;
     core.send(orders::RunExperiment{id(), "input-reading", {}}, end.finished());
+    EXPECT_EQ(core.snapshot().operations.back().status.kind, OperationKind::FamilyExperiment);
     ASSERT_TRUE(clock.runUntil([&end] { return end.has_value(); }, 10s));
     ASSERT_TRUE(*end);
     const OperationView operation = core.snapshot().operations.back();

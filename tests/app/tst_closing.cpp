@@ -51,6 +51,7 @@ public:
         operation.id = {3};
         operation.device = {1};
         operation.status.title = say("Update firmware");
+        operation.status.kind = OperationKind::UpdateFirmware;
         operation.status.mayInterrupt = mayInterrupt;
         workbench.shot.operations = {operation};
         workbench.publish();

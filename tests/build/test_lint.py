@@ -8,6 +8,11 @@ import tempfile
 import unittest
 
 LINT = pathlib.Path(__file__).resolve().parents[2] / "scripts" / "lint"
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(LINT.parent))
+from lintrules import FAMILY_EXAMPLES, FAMILY_NAME  # noqa: E402
+from linttext import without_comments  # noqa: E402
+
 LICENCE = "// SPDX-License-Identifier: GPL-3.0-or-later\n"
 
 
@@ -47,6 +52,14 @@ BAD = [
     ("devices/model/said2.cpp", 'auto x = Message::verbatim("no answer of " + name);\n', 2, "which has a translation"),
     ("devices/model/said3.cpp", 'auto x = say("no answer of " + name);\n', 2, "nothing is glued"),
     ("app/said4.cpp", 'auto x = say(std::string("no answer"));\n', 2, "say() takes a literal"),
+    ("app/meant1.cpp", 'bool x = visit.cause.english().find("was not confirmed") != npos;\n', 2, "what a sentence means"),
+    ("devices/model/meant2.cpp", "bool x = cause.english().starts_with(usedUp);\n", 2, "what a sentence means"),
+    ("widgets/common/meant3.cpp", 'bool x = operation->status.title == "Update firmware";\n', 2, "OperationStatus::kind"),
+    ("widgets/common/meant4.cpp", "bool x = experiment.title == job->status.title;\n", 2, "OperationStatus::kind"),
+    ("app/meant5.cpp", "bool x = job.operation->status().title != updateTitle();\n", 2, "OperationStatus::kind"),
+    ("widgets/common/english1.cpp", "auto x = qt(written.error().text());\n", 2, "errorText()"),
+    ("widgets/common/english2.cpp", "auto x = QString::fromStdString(error.text());\n", 2, "errorText()"),
+    ("tests/widgets/wait.cpp", "void f() { QTest::qWait(150); }\n", 2, "wait for a condition"),
     ("devices/model/number.cpp", "auto x = std::strtod(text, nullptr);\n", 2, "wire/number.h"),
     ("devices/families/one/number.cpp", "auto x = std::from_chars(a, b, c);\n", 2, "wire/number.h"),
     ("devices/model/throw.cpp", "void f() { throw 1; }\n", 2, "exceptions are not used"),
@@ -92,6 +105,9 @@ GOOD = [
     ("tests/widgets/a.cpp", "void f() { QCoreApplication::processEvents(); }\n"),
     ("tests/wire/a.cpp", 'auto file = "a/home/tmp/x";\n'),
     ("devices/model/said.cpp", 'auto x = fail(Fault::Timeout, say("%1 does not answer", name), Message::verbatim(line));\n'),
+    ("widgets/common/c.cpp", "auto x = qt(link.text()) + tableText(status.title) + qt(message.english());\nbool y = row.title == other.title;\n"),
+    ("app/d.cpp", 'std::fprintf(stderr, "%s\\n", error.text().c_str());\n'),
+    ("tests/widgets/b.cpp", "void f() { QTest::qWait(0); QTest::qWaitFor(reached); }\n"),
     ("devices/model/f.cpp", "constexpr Row rows[] = {\n" + "    {1, 2},\n" * 100 + "};\n"),
     ("devices/model/g.cpp", "namespace {\nstruct A {\n" + "    int x;\n" * 100 + "};\n}\nvoid f()\n" + body(40)),
     ("widgets/common/b.cpp", "Page::Page(int a)\n    : m_x{a}\n" + body(25) + "void g()\n" + body(40)),
@@ -124,6 +140,12 @@ class Lint(unittest.TestCase):
             with self.subTest(name):
                 found = [finding for finding in findings if finding.startswith(f"{name}:{line}: error: ") and words in finding]
                 self.assertTrue(found, [finding for finding in findings if finding.startswith(f"{name}:")])
+
+    def test_what_may_name_a_family_does(self):
+        root = LINT.parents[1]
+        for path in sorted(FAMILY_EXAMPLES):
+            with self.subTest(path):
+                self.assertTrue(FAMILY_NAME.search(without_comments((root / path).read_text(encoding="utf-8"))), "it needs no exception any more")
 
     def test_one_bad_snippet_alone_fails_the_run(self):
         name, text, _, _ = BAD[0]

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "busbench.h"
+#include "support/timers.h"
 #include "widgets/common/applytheme.h"
 #include "widgets/common/holdbutton.h"
 #include "widgets/common/segmented.h"
@@ -67,7 +68,7 @@ struct BusBench {
     void hold(int milliseconds)
     {
         QTest::mousePress(&sendButton(), Qt::LeftButton);
-        QTest::qWait(milliseconds);
+        passTimers(std::chrono::milliseconds(milliseconds));
         QTest::mouseRelease(&sendButton(), Qt::LeftButton);
     }
     /// Presses until it is so; false when that does not come.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "recording/loadrecording.h"
+#include "support/timers.h"
 #include "support/utf8.h"
 #include "tunebench.h"
 #include "widgets/common/segmented.h"
@@ -63,7 +64,7 @@ struct PlotBench {
         other.run(seconds, -velocity);
         workbench.time = recording.now();
         workbench.publish();
-        QTest::qWait(60); // some ticks of the page
+        passTimers(16ms, 4); // some ticks of the page
     }
     [[nodiscard]] PlotBoard &board() const { return page->board(); }
     [[nodiscard]] PlotStack &stack() const { return page->stack(); }

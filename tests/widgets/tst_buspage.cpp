@@ -161,13 +161,13 @@ void BusPageTest::theDetailMovesBesideTheIdentifiersWhenNarrow()
     auto *detail = bench.named<QWidget>("Selected frame");
     const auto right = [&] { return detail->mapTo(bench.page.get(), QPoint(0, 0)); };
     bench.page->resize(1600, 900);
-    QTest::qWait(1);
+    QTest::qWait(0);
     const QPoint wide = right();
     bench.page->resize(1000, 640);
-    QTest::qWait(1);
+    QTest::qWait(0);
     QVERIFY(right().y() > wide.y() + 100);
     bench.page->resize(1600, 900);
-    QTest::qWait(1);
+    QTest::qWait(0);
     QCOMPARE(right().y(), wide.y());
 }
 

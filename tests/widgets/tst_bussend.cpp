@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sending frames on the Bus page as a person does it; above all, that no click alone makes a motor move.
 #include "buspagebench.h"
+#include "support/timers.h"
 #include "support/windowtests.h"
 
 using namespace mb;
 using namespace mb::test;
+using namespace std::chrono_literals;
 
 class BusSendTest : public QObject {
     Q_OBJECT
@@ -70,7 +72,7 @@ void BusSendTest::aControlFrameNeedsArmingAndAHeldButton()
     QTest::keyClick(&bench.sendButton(), Qt::Key_Return);
     bench.sendButton().click();
     bench.sendButton().animateClick(1);
-    QTest::qWait(20);
+    passTimers(20ms);
     QCOMPARE(bench.sent(), std::size_t{0});
     QCOMPARE(bench.sendButton().holdMilliseconds(), 1000);
     bench.sendButton().setHoldMilliseconds(40);
@@ -85,11 +87,12 @@ void BusSendTest::aShortPressSendsNoControlFrame()
     BusBench bench;
     bench.arming.arm({1});
     bench.type("02060005", "71 00 00 00 00 28 00 00");
-    bench.sendButton().setHoldMilliseconds(400);
+    bench.sendButton().setHoldMilliseconds(60'000);
     bench.hold(40);
+    bench.sendButton().setHoldMilliseconds(400);
     QTest::mousePress(&bench.sendButton(), Qt::LeftButton);
     bench.arming.stopAll(QStringLiteral("test")); // STOP while it is held
-    QTest::qWait(500);
+    passTimers(500ms);
     QTest::mouseRelease(&bench.sendButton(), Qt::LeftButton);
     QCOMPARE(bench.sent(), std::size_t{0});
 }

@@ -58,6 +58,7 @@ struct FirmwareBench {
         operation.id = {3};
         operation.device = {1};
         operation.status.title = say("Update firmware");
+        operation.status.kind = OperationKind::UpdateFirmware;
         operation.status.step = say("writing page");
         operation.status.done = 4;
         operation.status.total = 31;

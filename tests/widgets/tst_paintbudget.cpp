@@ -73,9 +73,10 @@ void PaintBudgetTest::anExpensivePlotLeavesHalfOfTheThreadToOthers()
     data.start(5);
     QElapsedTimer time;
     time.start();
-    QTest::qWait(1500);
-    QVERIFY2(painting.paintings >= 3, qPrintable(QString::number(painting.paintings)));
-    const double share = painting.paintings * 25.0 / static_cast<double>(time.elapsed());
+    QTRY_VERIFY_WITH_TIMEOUT(painting.paintings >= 20, 60'000);
+    const double share
+        = painting.paintings * 25.0 / static_cast<double>(time.elapsed()); // less where others hold it up
+    qInfo("a drawing of 25 ms takes %.0f %% of the thread", 100.0 * share);
     QVERIFY2(share < 0.55, qPrintable(QString::number(share)));
 }
 

@@ -134,6 +134,7 @@ void TestParameterOrders::progressOfReadingIsShown()
     operation.id = {4};
     operation.device = {1};
     operation.status.title = say("Read parameters");
+    operation.status.kind = OperationKind::ReadParameters;
     operation.status.done = 23;
     operation.status.total = 55;
     bench.workbench.shot.operations.push_back(operation);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plotbench.h"
+#include "support/timers.h"
 #include "support/utf8.h"
 #include "support/windowtests.h"
 #include "tunebench.h"
@@ -172,9 +173,9 @@ void TestPlotsPage::nothingIsDrawnWhenNothingIsNew()
     bench.pass(1.0, 1000.0);
     QSignalSpy drawn(&bench.page->stack().plot(), &QCustomPlot::afterReplot);
     QTRY_VERIFY(drawn.count() > 0);
-    QTest::qWait(50);
+    passTimers(16ms, 3);
     drawn.clear();
-    QTest::qWait(200); // a dozen ticks
+    passTimers(16ms, 12); // a dozen ticks
     QCOMPARE(drawn.count(), 0);
     bench.pass(0.1, 1000.0);
     QTRY_VERIFY(drawn.count() > 0);
@@ -184,11 +185,11 @@ void TestPlotsPage::nothingIsDrawnWhileHidden()
 {
     PlotsBench bench;
     QTRY_VERIFY(!bench.page->stack().plot().visibleRegion().isEmpty());
-    QTest::qWait(50); // the layout has settled
+    passTimers(16ms, 3); // the layout has settled
     bench.page->hide();
     QSignalSpy drawn(&bench.page->stack().plot(), &QCustomPlot::afterReplot);
     bench.pass(1.0, 1000.0);
-    QTest::qWait(100);
+    passTimers(16ms, 6);
     QCOMPARE(drawn.count(), 0);
     bench.page->show();
     QTRY_VERIFY(drawn.count() > 0);

@@ -22,6 +22,7 @@
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTranslator>
 
 using namespace mb;
 using namespace mb::test;
@@ -92,6 +93,7 @@ private Q_SLOTS:
     void aShiftIsCountedInFigures();
     void aSmallPageKeepsItsVerdict();
     void theJournalOfTheStationIsChosenAndItsServerFollowed();
+    void whatEndedItIsSaidInTheLanguageOfTheWindow();
     void soundCanBeSwitchedOff();
     void aUnitThatWaitsForArmingSaysSo();
     void pictures();
@@ -241,6 +243,26 @@ void TestProduction::aShiftIsCountedInFigures()
     QCOMPARE(texts.mid(0, 3), (QStringList{s("26 passed"), s("1 failed"), s("0 refused before start")}));
     QVERIFY2(texts.at(3).startsWith(s("21.6")), qPrintable(texts.at(3)));
     QCOMPARE(texts.at(4), s("41 units an hour")); // 27 in 26 × 90 s + 21.6 s
+}
+
+void TestProduction::whatEndedItIsSaidInTheLanguageOfTheWindow()
+{
+    class Words : public QTranslator {
+        bool isEmpty() const override { return false; }
+        QString translate(const char *, const char *source, const char *, int) const override
+        {
+            return qstrcmp(source, "all numbers are used up, the highest is %1") == 0 ? s("keine Nummer mehr bis %1")
+                                                                                      : QString();
+        }
+    } words;
+    QVERIFY(QCoreApplication::installTranslator(&words));
+    ProductionBench bench;
+    const Message cause = say("all numbers are used up, the highest is %1", 63);
+    bench.desk.shown.trouble = Error{Fault::OutOfRange, cause, Message::verbatim("x")}.message();
+    bench.show({}, false);
+    const QString said = bench.page->verdict().verdict().cause;
+    QCoreApplication::removeTranslator(&words);
+    QCOMPARE(said, s("keine Nummer mehr bis 63; x"));
 }
 
 void TestProduction::soundCanBeSwitchedOff()

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is on screen is wished for faster, and nothing else; who wins is tests/app/test_engineparts.
+#include "support/timers.h"
 #include "support/windowtests.h"
 #include "tunebench.h"
 #include "widgets/plots/plotspage.h"
@@ -8,6 +9,7 @@
 
 using namespace mb;
 using namespace mb::test;
+using namespace std::chrono_literals;
 
 namespace {
 
@@ -79,7 +81,7 @@ private Q_SLOTS:
 void TestRates::whatIsPlottedIsFastWhileItIsSeen()
 {
     RatesBench bench;
-    QTest::qWait(150);
+    passTimers(150ms);
     QVERIFY(bench.asked().empty()); // nothing is visible yet
     bench.plots->show();
     const Asked four{{{1, "velocity"}, 100.0}, {{1, "position"}, 100.0}, {{1, "current"}, 100.0}, {{1, "duty"}, 100.0}};
@@ -94,7 +96,7 @@ void TestRates::whatIsPlottedIsFastWhileItIsSeen()
     QTRY_VERIFY(bench.asked().empty());
     const auto calls = bench.workbench.given<orders::WishRates>().size();
     bench.workbench.publish();
-    QTest::qWait(250);
+    passTimers(250ms);
     QCOMPARE(bench.workbench.given<orders::WishRates>().size(), calls);
 }
 
@@ -129,7 +131,7 @@ void TestRates::nothingIsAskedForOfADeviceWhoseRatesAreASetting()
     RatesBench bench(dmc60c());
     bench.plots->show();
     bench.workbench.publish();
-    QTest::qWait(250);
+    passTimers(250ms);
     QVERIFY(bench.asked().empty());
     bench.workbench.device(0).motion.running = true; // who drives it may
     bench.workbench.publish();

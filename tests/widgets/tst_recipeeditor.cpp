@@ -3,6 +3,7 @@
 #include "model/family.h"
 #include "model/registry.h"
 #include "service/recipematter.h"
+#include "support/timers.h"
 #include "support/windowtests.h"
 #include "widgets/common/applytheme.h"
 #include "widgets/common/iconbutton.h"
@@ -30,6 +31,8 @@
 #include <set>
 
 using namespace mb;
+using namespace mb::test;
+using namespace std::chrono_literals;
 
 namespace {
 
@@ -130,7 +133,7 @@ struct EditorBench {
         for (const bool dark : {true, false}) {
             const_cast<ThemeSource &>(theme).setTheme(dark ? darkTheme(points) : lightTheme(points));
             applyTheme(*qApp, theme.theme());
-            QTest::qWait(100);
+            passTimers(100ms);
             editor->grab().save(QDir(pictures).filePath(
                 QStringLiteral("%1-%2.png")
                     .arg(QLatin1String(name), dark ? QStringLiteral("dark") : QStringLiteral("light"))));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The keys of the Tune page: each that F1 lists does what it says, and letters belong to who is written in.
+#include "support/timers.h"
 #include "support/windowtests.h"
 #include "trialbench.h"
 #include "widgets/common/pagekeys.h"
@@ -20,6 +21,7 @@
 
 using namespace mb;
 using namespace mb::test;
+using namespace std::chrono_literals;
 
 namespace {
 
@@ -264,7 +266,7 @@ void TestTuneKeys::aButtonHeldDownMovesUntilItIsLetGo()
     QTest::mousePress(nudge, Qt::LeftButton);
     bench.workbench.publish();
     QVERIFY(nudge->isEnabled()); // it must hear that it is let go
-    QTest::qWait(150);
+    passTimers(150ms);           // longer than a click nudges
     QVERIFY(bench.workbench.given<orders::StopMotion>().empty());
     QTest::mouseRelease(nudge, Qt::LeftButton);
     QCOMPARE(bench.workbench.given<orders::StopMotion>().size(), 1U); // at once

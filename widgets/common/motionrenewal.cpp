@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/motionrenewal.h"
 
+#include "model/leaserenewal.h"
+
 #include <algorithm>
 
 namespace mb {
-namespace {
-
-constexpr std::chrono::milliseconds renewEvery{100};
-
-} // namespace
 
 MotionRenewal::MotionRenewal(Workbench &workbench)
     : m_workbench(workbench)
 {
-    m_timer.setInterval(renewEvery);
+    m_timer.setInterval(LeaseRenewal::period);
     connect(&m_timer, &QTimer::timeout, this, &MotionRenewal::renew);
 }
 

@@ -7,13 +7,10 @@
 
 namespace mb {
 
-/// Renews the leases of motions ten times a second, for as long as it is told to: by the window's own thread, so that a window
+/// LeaseRenewal of the window, for as long as it is told to: by the window's own thread, so that a window
 /// that hangs lets its motors stop. GUI thread.
 class MotionRenewal : public QObject {
 public:
-    /// A motion of the window lives so long without renewal.
-    static constexpr std::chrono::milliseconds lease{500};
-
     explicit MotionRenewal(Workbench &workbench);
     /// From now on these; none ends it.
     void keep(std::vector<DeviceId> devices);

@@ -20,7 +20,8 @@ std::vector<const OperationView *> runningUpdates(const Snapshot &shot)
 {
     std::vector<const OperationView *> found;
     for (const OperationView &operation : shot.operations) {
-        if (operation.status.state == OperationStatus::State::Running && operation.status.title == "Update firmware")
+        const OperationStatus &status = operation.status;
+        if (status.state == OperationStatus::State::Running && status.kind == OperationKind::UpdateFirmware)
             found.push_back(&operation);
     }
     return found;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/control/arming.h"
 
+#include "model/leaserenewal.h"
 #include "tuning/autotune.h"
 #include "tuning/experiment.h"
 #include "tuning/frequencyresponse.h"
@@ -152,7 +153,7 @@ void Arming::run(const SetPoint &setPoint, const Glide &glide)
     }
     m_runAt = m_workbench.now();
     enter(LampState::Moving);
-    m_workbench.send(orders::StartMotion{m_device, setPoint, MotionRenewal::lease, glide}, finished);
+    m_workbench.send(orders::StartMotion{m_device, setPoint, LeaseRenewal::term, glide}, finished);
 }
 
 void Arming::refused(const Error &error)
@@ -291,7 +292,7 @@ QString Arming::endOf(const MotionView &motion) const
 {
     if (motion.end != SetPointStream::End::LeaseExpired)
         return messageText(motion.reason);
-    const Duration silence = std::max<Duration>(m_renewal.silence(), MotionRenewal::lease);
+    const Duration silence = std::max<Duration>(m_renewal.silence(), LeaseRenewal::term);
     return tr("this window did not respond for %1 s")
         .arg(formatNumber(std::chrono::duration<double>(silence).count(), 1));
 }

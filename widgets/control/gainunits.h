@@ -29,13 +29,13 @@ struct GainSet {
 [[nodiscard]] std::string_view gainName(const Parameter &parameter);
 /// "throttle per count/100 ms": the unit of a gain in this mode, for people; the table's where nothing better is known.
 [[nodiscard]] QString gainUnit(const Family &family, const Parameter &parameter, Mode mode);
-/// `divisor` of the loop; 1 where there is none or it is not known.
 /// A gain in units of the physical loop, such as 2.49e-3 duty/(rad/s) (docs/names.md#integer-gains). Nothing where the family's scale
 /// or the divisor is not known.
 struct SiGain {
     double value = 0.0;
     QString unit;
 };
+/// `divisor`: of the loop; 1 where there is none or it is not known.
 [[nodiscard]] std::optional<SiGain> siGain(const Family &family, const Parameter &parameter, Mode mode, double number,
     double countsPerRevolution, double divisor = 1.0);
 

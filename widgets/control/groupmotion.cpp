@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/control/groupmotion.h"
 
+#include "model/leaserenewal.h"
 #include "widgets/common/devicetext.h"
 
 #include <QPointer>
@@ -71,7 +72,7 @@ void GroupMotion::command(const Member &member)
     if (view && view->motion.running)
         m_workbench.send(orders::UpdateMotion{member.device, member.setPoint}, finished);
     else
-        m_workbench.send(orders::StartMotion{member.device, member.setPoint, MotionRenewal::lease}, finished);
+        m_workbench.send(orders::StartMotion{member.device, member.setPoint, LeaseRenewal::term}, finished);
 }
 
 bool GroupMotion::hasAcknowledged(DeviceId device) const

@@ -43,10 +43,8 @@ const DeviceView *experimentedWith(const Snapshot &shot)
 {
     const auto found = std::find_if(shot.devices.begin(), shot.devices.end(), [&shot](const DeviceView &device) {
         const OperationView *job = shot.operation(device.id);
-        const auto &known = device.family->experiments;
         return device.motion.running && job && job->status.state == OperationStatus::State::Running
-            && std::any_of(known.begin(), known.end(),
-                [job](const Experiment &experiment) { return experiment.title == job->status.title; });
+            && job->status.kind == OperationKind::FamilyExperiment;
     });
     return found == shot.devices.end() ? nullptr : &*found;
 }

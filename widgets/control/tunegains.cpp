@@ -35,18 +35,11 @@ void TuneGains::follow(const DeviceView &view)
 {
     const TuneChoice &chosen = *m_choices.current();
     const bool reading = operation(view) != nullptr;
-    const QString rows = QStringLiteral("%1 %2 %3 %4 %5 %6 %7 %8")
-                             .arg(view.id.value)
-                             .arg(view.parameterRevision)
-                             .arg(reading)
-                             .arg(m_choices.editRevision())
-                             .arg(static_cast<int>(chosen.mode))
-                             .arg(chosen.editedSlot)
-                             .arg(chosen.units.countsPerRevolution)
-                             .arg(m_choices.axis());
-    if (rows == m_rowsShown)
+    const Shown shown{view.id, view.parameterRevision, reading, m_choices.editRevision(), chosen.mode,
+        chosen.editedSlot, chosen.units.countsPerRevolution, m_choices.axis()};
+    if (m_shown == shown)
         return;
-    m_rowsShown = rows;
+    m_shown = shown;
     GainsPanel &panel = m_column.gainsPanel();
     panel.choose(*view.family, *chosen.edits, chosen.mode, chosen.editedSlot, m_choices.axis());
     panel.refresh(view, reading);

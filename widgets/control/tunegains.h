@@ -6,6 +6,7 @@
 #include "widgets/control/tunechoices.h"
 
 #include <functional>
+#include <optional>
 #include <set>
 
 namespace mb {
@@ -45,6 +46,19 @@ Q_SIGNALS:
     void changed();
 
 private:
+    /// What the rows show, and what they show of it.
+    struct Shown {
+        DeviceId device;
+        std::uint64_t parameters = 0; ///< DeviceView::parameterRevision
+        bool reading = false;
+        std::uint64_t edits = 0; ///< TuneChoices::editRevision()
+        Mode mode = Mode::Off;
+        int slot = 0;
+        double countsPerRevolution = 0.0;
+        int axis = 0;
+
+        friend bool operator==(const Shown &, const Shown &) = default;
+    };
     [[nodiscard]] const OperationView *operation(const DeviceView &view) const;
     void written(const TuneMotor &motor, const std::vector<ParameterChange> &changes, const Result<void> &result,
         const std::function<void()> &next);
@@ -55,7 +69,7 @@ private:
     TuneColumn &m_column;
     std::set<DeviceId> m_asked;
     bool m_writing = false;
-    QString m_rowsShown;
+    std::optional<Shown> m_shown;
 };
 
 } // namespace mb

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/design/ownproposal.h"
 
+#include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/control/logslider.h"
@@ -114,8 +115,7 @@ void OwnProposal::show(const Result<tuning::Proposal> &proposal)
     m_figures->setVisible(proposal.has_value());
     m_gains->setVisible(proposal.has_value());
     if (!proposal) {
-        m_bounds->setText(
-            tr("The device cannot have this set: %1").arg(QString::fromStdString(proposal.error().text())));
+        m_bounds->setText(tr("The device cannot have this set: %1").arg(messageText(proposal.error().message())));
         m_bounds->setVisible(true);
         return;
     }

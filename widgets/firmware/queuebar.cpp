@@ -79,7 +79,7 @@ void QueueBar::follow(const ServiceView &view, const QueueTotals &totals, const 
     m_pausing = view.pausing;
     const int now = std::min(totals.ended + std::max(totals.running, 1), totals.units);
     if (!view.trouble.empty())
-        m_headline->setText(tr("Ended before its time: %1").arg(tableText(view.trouble)));
+        m_headline->setText(tr("Ended before its time: %1").arg(messageText(view.trouble)));
     else if (view.running && view.pausing)
         m_headline->setText(totals.running > 0 ? tr("Pauses after this unit") : tr("Paused"));
     else if (view.running)

@@ -277,7 +277,7 @@ void BusPage::exportTo(const QString &path, bool all)
     const QString name = QString::fromStdString(shown->name);
     const auto written = exportTraffic(path, count, at, shown->name, exportShift());
     if (!written)
-        m_workbench.report(Severity::Danger, name, qt(written.error().text()));
+        m_workbench.report(Severity::Danger, name, errorText(written.error()));
     else
         m_workbench.report(Severity::Info, name, tr("%1 frames written to %2").arg(formatCount(count), path));
 }

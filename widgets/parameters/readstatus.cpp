@@ -12,11 +12,9 @@
 namespace mb {
 namespace {
 
-constexpr const char *readingTitle = "Read parameters"; // what the engine calls it
-
 bool isReading(const OperationView *operation)
 {
-    return operation && operation->status.title == readingTitle;
+    return operation && operation->status.kind == OperationKind::ReadParameters;
 }
 
 } // namespace

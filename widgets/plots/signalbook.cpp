@@ -111,7 +111,7 @@ QString SignalBook::whatIsWrong(const QString &name, const QString &formula) con
     for (const Variable &variable : variables())
         names.push_back(variable.name.toStdString());
     const auto expression = Expression::parse(formula.toStdString(), names);
-    return expression ? QString() : qt(expression.error().text());
+    return expression ? QString() : errorText(expression.error());
 }
 
 Result<Signal> SignalBook::add(const QString &name, const QString &unit, const QString &formula)

@@ -2,6 +2,7 @@
 #include "widgets/service/productionpage.h"
 
 #include "model/family.h"
+#include "model/leaserenewal.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/holdbutton.h"
 #include "widgets/common/keystrip.h"
@@ -26,7 +27,6 @@
 namespace mb {
 namespace {
 
-constexpr std::chrono::milliseconds renewEvery{100};
 constexpr std::chrono::milliseconds betweenBeeps{250};
 constexpr int unitsWidth = 400;
 constexpr int widthForUnits = 960; ///< of the page, so that the verdict keeps its room beside them
@@ -58,7 +58,7 @@ ProductionPage::ProductionPage(ServiceDesk &desk, Workbench &workbench, std::spa
     column->addLayout(row, 1);
     column->addWidget(separatorLine(Qt::Horizontal, this));
     column->addWidget(m_foot = buildFoot());
-    m_renewal.setInterval(renewEvery);
+    m_renewal.setInterval(LeaseRenewal::period);
     connect(&m_renewal, &QTimer::timeout, this, [this] { m_desk.renew(); });
     connect(&desk, &ServiceDesk::changed, this, &ProductionPage::follow);
     connect(&desk, &ServiceDesk::unitEnded, this, &ProductionPage::ended);

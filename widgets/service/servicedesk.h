@@ -31,7 +31,7 @@ struct ServiceView {
     std::vector<std::string> links;
     std::string recipe;                  ///< its name
     std::string run;                     ///< to be gone on with; empty: nothing has begun
-    std::string trouble;                 ///< what ended it before its time
+    Message trouble;                     ///< what ended it before its time
     std::vector<service::QueueRow> rows; ///< in the order in which units were found
     service::QueueCounts counts;
 };

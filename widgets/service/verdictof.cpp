@@ -82,7 +82,7 @@ Verdict waiting(const ServiceView &view)
     Verdict verdict;
     if (!view.trouble.empty()) {
         verdict.kind = Verdict::Kind::Refused;
-        verdict.cause = tableText(view.trouble);
+        verdict.cause = messageText(view.trouble);
     } else if (view.running) {
         verdict.next = BenchText::tr("Connect a unit");
         verdict.hint = BenchText::tr("It starts by itself when it answers on %1.").arg(linksOf(view));
