@@ -10,7 +10,8 @@ namespace mb::tuning {
 namespace {
 
 constexpr double patienceForCounts = 0.671; ///< s, that a window of counts waits for them
-constexpr double breakawayShare = 1.2;      ///< of the friction while it moves
+constexpr double breakawayShare = 1.2;      ///< of a motor's own friction, where no gear loses torque
+constexpr double helpBeyondFriction = 0.99; ///< of the help against friction, which is written so that it moves the motor
 /// Passes of the plant's delay that are not waited for: half of one is what an output held from pass to pass is late already, and one
 /// is counted for a loop that may put out in the next pass what it has measured in this one, which these do at once.
 constexpr double promptPasses = 1.5;
@@ -34,6 +35,16 @@ std::size_t passesOf(double seconds, double period)
     return static_cast<std::size_t>(std::lround(std::max(seconds, 0.0) / period));
 }
 
+/// Duty that a motor at rest does not follow. Friction is known as it is while the motor moves, when a gear loses torque as well; one at rest
+/// loses none. The device's help overcomes it also where friction is doubted: an output that is held back is not what was measured.
+double heldBelow(const PlantModel &plant, const LoopShape &shape)
+{
+    const double own = 2.0 / (1.0 + plant.braking); // of the friction while it moves
+    const double holds = std::max(1.0, breakawayShare * own) * plant.friction;
+    return shape.leastOutput > 0.0 ? std::min(breakawayShare * plant.friction, helpBeyondFriction * shape.leastOutput)
+                                   : holds;
+}
+
 double dutyAt(const PlantModel &plant, const ContinuousGains &gains, double value)
 {
     if (value == 0.0)
@@ -52,6 +63,7 @@ SimulatedLoop::SimulatedLoop(
     , m_shape(shape)
     , m_kept(std::exp(-shape.period / plant.tau))
     , m_braked(std::exp(-shape.period * plant.braking / plant.tau))
+    , m_held(heldBelow(plant, shape))
     , m_speed(m_integrates ? 0.0 : from)
     , m_place(m_integrates ? from : 0.0)
     , m_measured(from)
@@ -119,7 +131,7 @@ double SimulatedLoop::output(double target, double measured)
 double SimulatedLoop::advance(double duty, double seconds)
 {
     const double push = std::abs(duty);
-    if (m_speed == 0.0 && push <= breakawayShare * m_plant.friction)
+    if (m_speed == 0.0 && push <= m_held)
         return 0.0;
     const double sign = m_speed != 0.0 ? std::copysign(1.0, m_speed) : std::copysign(1.0, duty);
     const bool brakes = (m_plant.gain * duty - m_speed) * sign < 0.0;

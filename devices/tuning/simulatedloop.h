@@ -56,6 +56,7 @@ private:
     LoopShape m_shape;
     double m_kept;   ///< of the speed, of one pass to the next
     double m_braked; ///< the same while its current brakes it
+    double m_held;   ///< duty that does not move it from rest
     double m_speed;
     double m_place;
     double m_measured;
