@@ -20,7 +20,7 @@ constexpr int roundsOfAFactor = 6;
 constexpr std::size_t starts = 4; ///< of the grid, that are followed downhill
 constexpr double passesOfDelay = 20.0;
 constexpr double mostPasses = 1200.0;       ///< of one step
-constexpr double quickestOfSetPoints = 2.0; ///< natural frequency over theirs, about
+constexpr double quickestOfSetPoints = 1.95; ///< natural frequency over theirs; 2 is the bound
 constexpr double longerSteps = 2.0;         ///< of an integral that adds whole steps: where it rests shows late
 constexpr double restOfCounts = 1.5;        ///< s, until a velocity that waits for its counts is known to be 0
 constexpr int restingPasses = 25;           ///< of a loop without an integral, after which nothing happens any more
@@ -317,7 +317,8 @@ private:
         const double natural = position ? m_plant.tau * omega * omega / m_plant.gain
             : m_task.isHeldToRule       ? 0.0
                                         : never;
-        return 1.001 * std::max(m_start.gains.p, natural);
+        const bool isBounded = position && m_task.setPoints > 0.0 && !m_task.isHeldToRule;
+        return 1.001 * (isBounded ? natural : std::max(m_start.gains.p, natural));
     }
 
     static constexpr int pointsOfSearch = 30; ///< of a decade
