@@ -87,6 +87,7 @@ struct LoopScale {
     double period = 0.0;              ///< seconds that I and D count in: the period of the loop, or a unit of time
     double cycle = 0.0;               ///< seconds between two passes of the loop
     double integralStep = 0.0;        ///< output that one pass must add to the integral, or it adds nothing; 0: exact
+    double clock = 0.0;               ///< seconds that its loop counts in, whole ones, from pass to pass; 0: exactly
     double velocityTime = 1.0;        ///< velocities are counts per so many seconds
     double velocityWindow = 0.0;      ///< seconds over which its loop takes a velocity; 0: found out, or by the next
     std::string_view velocityEdges{}; ///< parameter: it takes it over 4 × so many counts

@@ -19,11 +19,11 @@ constexpr std::array<double, 3> factors{1.16, 1.06, 1.02};
 constexpr int roundsOfAFactor = 6;
 constexpr std::size_t starts = 4; ///< of the grid, that are followed downhill
 constexpr double passesOfDelay = 20.0;
-constexpr double mostPasses = 1200.0;       ///< of one step
-constexpr double quickestOfSetPoints = 2.0; ///< natural frequency over theirs, about
-constexpr double longerSteps = 2.0;         ///< of an integral that adds whole steps: where it rests shows late
-constexpr double restOfCounts = 1.5;        ///< s, until a velocity that waits for its counts is known to be 0
-constexpr int restingPasses = 25;           ///< of a loop without an integral, after which nothing happens any more
+constexpr double mostPasses = 1200.0;        ///< of one step
+constexpr double quickestOfSetPoints = 1.95; ///< natural frequency over theirs; 2 is the bound
+constexpr double longerSteps = 2.0;          ///< of an integral that adds whole steps: where it rests shows late
+constexpr double restOfCounts = 1.5;         ///< s, until a velocity that waits for its counts is known to be 0
+constexpr int restingPasses = 25;            ///< of a loop without an integral, after which nothing happens any more
 
 /// A motor that is not quite as thought, and what it may overshoot by.
 struct Doubt {
@@ -111,6 +111,7 @@ public:
         , m_seconds(secondsOf(plant, start.response, task))
         , m_rest(task.shape.windowCounts > 0.0 ? restOfCounts : 0.0)
         , m_doubts(doubtsOf(task))
+        , m_nextPhase(m_doubts.size() > doubts.size() ? 1.0 / static_cast<double>(m_doubts.size()) : 0.0)
         , m_near(loop == Mode::Position ? nearTarget / std::abs(task.step) : 0.0)
     {
         if (task.shape.integralStep == 0.0)
@@ -121,7 +122,7 @@ public:
     [[nodiscard]] double errorOf(const ContinuousGains &gains) const
     {
         double overshoot = 0.0;
-        return steps(m_plant, gains, never, overshoot);
+        return steps(m_plant, gains, never, overshoot, 0.0);
     }
 
     [[nodiscard]] Found best() const
@@ -252,13 +253,15 @@ private:
             return never;
         double sum = 0.0;
         double beyond = 0.0;
+        double phase = 0.0;
         for (const Doubt &doubt : m_doubts) {
             PlantModel plant = m_plant;
             plant.gain *= doubt.gain;
             plant.tau *= doubt.tau;
             plant.friction *= doubt.friction;
             double overshoot = 0.0;
-            sum += doubt.weight * steps(plant, gains, (most - sum) / doubt.weight, overshoot);
+            sum += doubt.weight * steps(plant, gains, (most - sum) / doubt.weight, overshoot, phase);
+            phase += m_nextPhase;
             beyond = std::max(beyond, overshoot - m_task.overshoot - doubt.moreOvershoot);
             if (sum >= most)
                 return never;
@@ -275,15 +278,17 @@ private:
         plant.tau *= 1.0 + heatOfATuning * m_plant.warming;
         plant.gain *= 1.0 + speedOfWarming * heatOfATuning * m_plant.warming;
         double overshoot = 0.0;
-        (void)steps(plant, gains, never, overshoot);
+        (void)steps(plant, gains, never, overshoot, 0.0);
         return overshoot;
     }
 
     /// From rest, back, and once more: what the proof does. The mean of both integrals.
     [[nodiscard]] double steps(
-        const PlantModel &plant, const ContinuousGains &gains, double most, double &overshoot) const
+        const PlantModel &plant, const ContinuousGains &gains, double most, double &overshoot, double phase) const
     {
-        SimulatedLoop simulated(m_loop, plant, gains, m_task.shape, 0.0);
+        LoopShape shape = m_task.shape;
+        shape.phase = phase;
+        SimulatedLoop simulated(m_loop, plant, gains, shape, 0.0);
         const double period = m_task.shape.period;
         double itae = 0.0;
         for (const bool up : {true, false, true}) {
@@ -332,7 +337,8 @@ private:
         const double natural = position ? m_plant.tau * omega * omega / m_plant.gain
             : m_task.isHeldToRule       ? 0.0
                                         : never;
-        return 1.001 * std::max(m_start.gains.p, natural);
+        const bool isBounded = position && m_task.setPoints > 0.0 && !m_task.isHeldToRule;
+        return 1.001 * (isBounded ? natural : std::max(m_start.gains.p, natural));
     }
 
     static constexpr int pointsOfSearch = 30; ///< of a decade
@@ -344,6 +350,7 @@ private:
     double m_seconds;
     double m_rest; ///< s, of the way back, at least
     std::span<const Doubt> m_doubts;
+    double m_nextPhase; ///< of a count and of its clock, from doubt to doubt, where they make luck
     double m_near;
 };
 

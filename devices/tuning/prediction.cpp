@@ -18,7 +18,7 @@ Prediction predictStep(Mode loop, const PlantModel &plant, const ContinuousGains
 {
     Prediction result;
     result.shape = shape;
-    SimulatedLoop simulated(loop, plant, gains, shape, from);
+    SimulatedLoop simulated(loop, plant, gains, withoutClock(shape), from);
     double next = -restBefore;
     double peak = 0.0;
     const double end = std::min(seconds, longestPrediction);

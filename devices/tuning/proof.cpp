@@ -154,6 +154,7 @@ LoopShape shapeOf(
     shape.mostDuty = envelope.duty.value_or(1.0);
     shape.outputStep = 1.0 / scale.fullDuty;
     shape.integralStep = scale.integralStep / scale.fullDuty;
+    shape.clock = scale.clock;
     shape.isCounted = loop != Mode::Current;
     if (loop == Mode::Velocity) {
         shape.window = std::min(taking.window, 2.0 * plant.delay);

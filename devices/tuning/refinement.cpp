@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 namespace mb::tuning {
 namespace {
@@ -22,30 +24,49 @@ constexpr double leastFriction = 0.002; ///< duty, that may be found where none 
 double PlantModel::*const correctedNumbers[]
     = {&PlantModel::gain, &PlantModel::tau, &PlantModel::friction, &PlantModel::delay};
 
-/// Mean square of what is left over of a trial, in squares of its step.
+/// What the loop of a trial measures in each of its passes, from `begin` to `end`.
+std::vector<double> passesOf(
+    const SteppedLoop &stepped, const Trial &trial, const PlantModel &plant, double step, double begin, double end)
+{
+    SimulatedLoop simulated(trial.mode, plant, stepped.gains, withoutClock(stepped.shape), 0.0);
+    std::vector<double> passes;
+    std::size_t hold = 0;
+    for (double t = begin; t < end; t += stepped.shape.period) {
+        while (hold + 1 < trial.holds.size() && t >= trial.holds[hold + 1].from)
+            ++hold;
+        const bool up = t >= trial.holds[hold].from && t < trial.holds[hold].to;
+        (void)simulated.pass(up ? step : 0.0);
+        passes.push_back(simulated.measured());
+    }
+    return passes;
+}
+
+/// Mean square of what is left over of a trial, in squares of its step; at the time the link takes with which it is least.
 double leftOfSteps(const SteppedLoop &stepped, const Trial &trial, const PlantModel &plant)
 {
     const Signal *const signal = trial.signal(measuredOf(trial.mode));
     if (!signal || trial.holds.empty() || trial.returns.empty())
         return 0.0;
-    const Trace measured = signal->trace.part(trial.holds.front().from - restBeforeStep, trial.returns.back().to);
-    const double from = trial.mode == Mode::Position && !measured.isEmpty() ? measured.y.front() : trial.stimulus.from;
+    const double begin = trial.holds.front().from - restBeforeStep;
+    const Trace measured = signal->trace.part(begin, trial.returns.back().to);
+    if (measured.isEmpty())
+        return 0.0;
+    const double from = trial.mode == Mode::Position ? measured.y.front() : trial.stimulus.from;
     const double step = trial.stimulus.to - from;
-    SimulatedLoop simulated(trial.mode, plant, stepped.gains, stepped.shape, 0.0);
-    double t = trial.holds.front().from - restBeforeStep;
-    double sum = 0.0;
-    std::size_t hold = 0;
-    for (std::size_t i = 0; i < measured.size(); ++i) {
-        for (; t < measured.t[i]; t += stepped.shape.period) {
-            while (hold + 1 < trial.holds.size() && t >= trial.holds[hold + 1].from)
-                ++hold;
-            const bool up = t >= trial.holds[hold].from && t < trial.holds[hold].to;
-            (void)simulated.pass(up ? step : 0.0);
+    const double period = stepped.shape.period;
+    const std::vector<double> passes = passesOf(stepped, trial, plant, step, begin, measured.t.back());
+    double least = std::numeric_limits<double>::infinity();
+    for (double later = 0.0; later <= stepped.mostLater; later += 0.5 * period) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < measured.size() && sum < least; ++i) {
+            const double past = std::ceil((measured.t[i] - later - begin) / period);
+            const double seen = past < 1.0 ? 0.0 : passes[std::min(static_cast<std::size_t>(past), passes.size()) - 1];
+            const double off = (measured.y[i] - from - seen) / step;
+            sum += off * off;
         }
-        const double off = (measured.y[i] - from - simulated.measured()) / step;
-        sum += off * off;
+        least = std::min(least, sum);
     }
-    return measured.isEmpty() ? 0.0 : sum / static_cast<double>(measured.size());
+    return least / static_cast<double>(measured.size());
 }
 
 class Refinement {

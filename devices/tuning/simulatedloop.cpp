@@ -10,7 +10,8 @@ namespace mb::tuning {
 namespace {
 
 constexpr double patienceForCounts = 0.671; ///< s, that a window of counts waits for them
-constexpr double breakawayShare = 1.2;      ///< of the friction while it moves
+constexpr double breakawayShare = 1.2;      ///< of a motor's own friction, where no gear loses torque
+constexpr double helpBeyondFriction = 0.99; ///< of the help, which is written so that it moves the motor
 /// Passes of the plant's delay that are not waited for: half of one is what an output held from pass to pass is late already, and one
 /// is counted for a loop that may put out in the next pass what it has measured in this one, which these do at once.
 constexpr double promptPasses = 1.5;
@@ -34,6 +35,16 @@ std::size_t passesOf(double seconds, double period)
     return static_cast<std::size_t>(std::lround(std::max(seconds, 0.0) / period));
 }
 
+/// Duty that a motor at rest does not follow. Friction is known as it is while the motor moves, when a gear loses torque as well; one at rest
+/// loses none. The device's help overcomes it also where friction is doubted: an output that is held back is not what was measured.
+double heldBelow(const PlantModel &plant, const LoopShape &shape)
+{
+    const double own = 2.0 / (1.0 + plant.braking); // of the friction while it moves
+    const double holds = std::max(1.0, breakawayShare * own) * plant.friction;
+    return shape.leastOutput > 0.0 ? std::min(breakawayShare * plant.friction, helpBeyondFriction * shape.leastOutput)
+                                   : holds;
+}
+
 double dutyAt(const PlantModel &plant, const ContinuousGains &gains, double value)
 {
     if (value == 0.0)
@@ -52,10 +63,13 @@ SimulatedLoop::SimulatedLoop(
     , m_shape(shape)
     , m_kept(std::exp(-shape.period / plant.tau))
     , m_braked(std::exp(-shape.period * plant.braking / plant.tau))
+    , m_held(heldBelow(plant, shape))
     , m_speed(m_integrates ? 0.0 : from)
-    , m_place(m_integrates ? from : 0.0)
+    , m_place(m_integrates ? from : shape.phase)
     , m_measured(from)
     , m_setPoint(from)
+    , m_time(shape.phase * shape.clock)
+    , m_elapsed(shape.period)
     , m_integral(m_integrates ? 0.0 : dutyAt(plant, gains, from))
 {
     if (m_windowed)
@@ -65,8 +79,18 @@ SimulatedLoop::SimulatedLoop(
     const double before = static_cast<double>(m_lag + m_span);
     for (std::size_t i = 0; i < m_lag + m_span; ++i) {
         const double ago = before - static_cast<double>(i);
-        m_late.push_back(m_windowed ? -from * ago * shape.period : from);
+        m_late.push_back(m_windowed ? m_place - from * ago * shape.period : from);
     }
+}
+
+/// A clock of whole milliseconds takes a pass of 20.04 ms for 20, and each 25th for 21.
+void SimulatedLoop::lookAtClock()
+{
+    if (m_shape.clock <= 0.0)
+        return;
+    const double before = std::floor(m_time / m_shape.clock);
+    m_time += m_shape.period;
+    m_elapsed = std::max(std::floor(m_time / m_shape.clock) - before, 1.0) * m_shape.clock;
 }
 
 double SimulatedLoop::measure()
@@ -80,9 +104,10 @@ double SimulatedLoop::measure()
     m_late.push_back(m_shape.isCounted ? std::floor(m_place) : m_place);
     if (m_shape.windowCounts > 0.0)
         return measureByCounts();
-    const double seen = (m_late[m_span] - m_late.front()) / (static_cast<double>(m_span) * m_shape.period);
+    const double past = static_cast<double>(m_span - 1) * m_shape.period + m_elapsed;
+    const double seen = (m_late[m_span] - m_late.front()) / past;
     m_late.pop_front();
-    return seen;
+    return m_shape.clock > 0.0 ? std::trunc(seen) : seen; // a division of whole numbers
 }
 
 /// Over the shortest time in which it went so far.
@@ -99,13 +124,13 @@ double SimulatedLoop::measureByCounts()
 double SimulatedLoop::output(double target, double measured)
 {
     const double error = target - measured;
-    const double slope = (error - m_lastError) / m_shape.period;
+    const double slope = (error - m_lastError) / m_elapsed;
     m_lastError = error;
     if (m_shape.goodEnough > 0.0 && std::abs(error) < m_shape.goodEnough) {
         m_integral = 0.0;
         return m_gains.f * target;
     }
-    m_integral += wholeSteps(m_gains.i * error * m_shape.period, m_shape.integralStep);
+    m_integral += wholeSteps(m_gains.i * error * m_elapsed, m_shape.integralStep);
     if (m_shape.integralMost > 0.0)
         m_integral = std::clamp(m_integral, -m_shape.integralMost, m_shape.integralMost);
     const double now = wholeSteps(m_gains.p * error + m_gains.d * slope, m_shape.outputStep);
@@ -119,7 +144,7 @@ double SimulatedLoop::output(double target, double measured)
 double SimulatedLoop::advance(double duty, double seconds)
 {
     const double push = std::abs(duty);
-    if (m_speed == 0.0 && push <= breakawayShare * m_plant.friction)
+    if (m_speed == 0.0 && push <= m_held)
         return 0.0;
     const double sign = m_speed != 0.0 ? std::copysign(1.0, m_speed) : std::copysign(1.0, duty);
     const bool brakes = (m_plant.gain * duty - m_speed) * sign < 0.0;
@@ -159,6 +184,7 @@ double SimulatedLoop::follow(double target)
 
 double SimulatedLoop::pass(double target)
 {
+    lookAtClock();
     m_measured = measure();
     const double duty = output(follow(target), m_measured);
     turn(duty);

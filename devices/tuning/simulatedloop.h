@@ -20,8 +20,17 @@ struct LoopShape {
     double leastOutput = 0.0;  ///< duty, of any output while the error is more than `goodEnough`
     double goodEnough = 0.0;   ///< within it the output is 0
     bool isCounted = false;    ///< positions are whole counts
+    double clock = 0.0;        ///< s, that it counts in, whole ones, from pass to pass; 0: exactly
+    double phase = 0.0;        ///< of a count and of its clock, with which it begins: nobody knows it
     double setPointRate = 0.0; ///< counts/s, with which the set-point goes to its target; 0: at once
 };
+
+/// What nobody can foresee of one step taken away: which of its passes a clock of whole milliseconds takes for longer.
+[[nodiscard]] inline LoopShape withoutClock(LoopShape shape)
+{
+    shape.clock = 0.0;
+    return shape;
+}
 
 /// The motor of a model in a device's loop, from rest at a value: seconds of it in microseconds. The integral goes on
 /// while the output is at its end: few devices know better.
@@ -42,6 +51,7 @@ public:
     [[nodiscard]] double current() const { return m_plant.stallCurrent * (m_duty - m_plant.backDuty * m_speed); }
 
 private:
+    void lookAtClock();
     [[nodiscard]] double follow(double target);
     [[nodiscard]] double measure();
     [[nodiscard]] double measureByCounts();
@@ -56,10 +66,13 @@ private:
     LoopShape m_shape;
     double m_kept;   ///< of the speed, of one pass to the next
     double m_braked; ///< the same while its current brakes it
+    double m_held;   ///< duty that does not move it from rest
     double m_speed;
     double m_place;
     double m_measured;
     double m_setPoint;
+    double m_time;    ///< s, at the next pass
+    double m_elapsed; ///< s, of the last one as it counts them
     double m_duty = 0.0;
     double m_integral = 0.0;
     double m_lastError = 0.0; ///< it begins at rest

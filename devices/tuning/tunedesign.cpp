@@ -26,6 +26,7 @@ constexpr double clearly = 2.0;       ///< standard deviations, by which noise a
 constexpr double laterIsLonger = 0.2; ///< of the time since an edge, over which a current is taken
 constexpr double restFrom = 0.75;     ///< of a step
 constexpr double wholeHold = 10.0;    ///< s
+constexpr double mostOfLink = 0.025;  ///< s, that it takes from an order to the position that shows it
 
 /// The shortest hold of all steps, s.
 double shortestHold(const std::vector<Trial> &proof, double shortest)
@@ -372,7 +373,8 @@ void TuneDesign::beginAnew()
 Task<std::optional<PlantModel>> TuneDesign::corrected()
 {
     const TuneReport &report = m_run.report();
-    const SteppedLoop stepped{report.proposed.made, report.predicted->shape, report.proof};
+    const bool isSteps = report.scale && report.scale->rate == 0.0; // what is led tells too little of its link
+    const SteppedLoop stepped{report.proposed.made, report.predicted->shape, report.proof, isSteps ? mostOfLink : 0.0};
     if (m_plan.loop == Mode::Current)
         co_return withWindingOf(stepped, report.plant);
     auto working = aside<std::optional<PlantModel>>(m_run.device(),

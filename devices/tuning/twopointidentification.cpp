@@ -417,7 +417,7 @@ LoopLaw TwoPointIdentification::lawOf(const AutotuneRun &run, const TwoPointFit 
     const double firmest = damper * m_first.d;
     const double strongest = m_known ? std::max(noiseShare * full, m_stored.d)
         : m_isLed                    ? firmest
-                                     : std::max(firmest, m_stored.d);
+                                     : std::min(noiseShare * full, trust * firmest);
     const double quickest = 1.0 / ((m_known ? trustOfLaw : trust) * std::sqrt(linear.p * firmer * m_first.p));
     const double i = m_known ? 1.0 / (full * run.device().family().trials->raw.integral * cycle) : 0.0;
     return {{1.0 / full, m_known || m_isLed ? cycle / full : linear.d / (linear.p * full), cycle, strongest, quickest,

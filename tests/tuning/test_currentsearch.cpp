@@ -86,7 +86,7 @@ SteppedLoop steppedWinding(const MotorParameters &motor, int count, double noise
     const PlantModel plant = windingPlant(motor);
     std::mt19937_64 random(7);
     std::uniform_real_distribution<double> share(0.0, 1.0);
-    SteppedLoop all{currentRule(plant, 1.5e-3), {}, {}};
+    SteppedLoop all{currentRule(plant, 1.5e-3), {}, {}, 0.0};
     all.shape.period = loopPass;
     for (const double sign : {1.0, -1.0}) {
         Trial trial;

@@ -95,6 +95,34 @@ TEST(GainSearch, ThreeAimsAreDesignedForEachLoopAndTheirTimeIsTold)
     }
 }
 
+/// Passes of 20.04 ms are 20 by a clock of whole milliseconds, and each 25th is 21: it reads a speed that does not change 4.6 % low.
+TEST(SimulatedLoop, AClockOfWholeMillisecondsReadsEachTwentyFifthPassLow)
+{
+    LoopShape shape;
+    shape.period = shape.window = 20.04e-3;
+    shape.clock = 1e-3;
+    const PlantModel plant{8620.0, 0.1066, 0.04, 0.0759, 1.0};
+    const auto lowOf = [&](double phase) {
+        shape.phase = phase;
+        SimulatedLoop simulated(Mode::Velocity, plant, {0.0, 1e-9, 0.0, 0.0}, shape, 1000.0);
+        std::vector<int> low;
+        for (int pass = 0; pass < 100; ++pass) {
+            (void)simulated.pass(1000.0);
+            if (std::abs(simulated.measured() - 954.0) < 2.0)
+                low.push_back(pass);
+            else
+                EXPECT_NEAR(simulated.measured(), 1001.5, 1.0);
+        }
+        return low;
+    };
+    const std::vector<int> first = lowOf(0.0);
+    const std::vector<int> other = lowOf(0.5);
+    ASSERT_EQ(first.size(), 4U);
+    EXPECT_EQ(first[1] - first[0], 25);
+    ASSERT_FALSE(other.empty());
+    EXPECT_NE(first[0], other[0]);
+}
+
 TEST(Prediction, ALagWithoutEndEnds)
 {
     const PlantModel endless{1000.0, 1e9, 0.01, 0.0};

@@ -95,7 +95,7 @@ std::pair<double, std::string> tunedAgain(const Cell &cell)
     if (!first || !again || first->result != TuneResult::Kept || again->result != TuneResult::Kept)
         return {0.0, again ? again->evidence.english() : again.error().text()};
     const double step = again->proposals.at(1).step;
-    StepProbe probe(cell, step, 2.0);
+    StepProbe probe(cell, {step, 2.0});
     const auto before = probe.run(first->proposed.changes);
     const auto after = probe.run(again->proposed.changes);
     return {after && before ? after->itae / before->itae : 0.0, again->evidence.english()};
@@ -146,7 +146,7 @@ void expectAsTheBenchTells(const Cell &cell, double step, double response, doubl
 {
     const tuning::PlantModel truth = groundTruth(cell, step);
     const tuning::ContinuousGains gains = tuning::positionRule(truth, 1.0 / response);
-    StepProbe probe(cell, step, seconds);
+    StepProbe probe(cell, {step, seconds});
     const auto scaled = tuning::scaleGains(probe.device(), cell.loop, 1, 0, gains, trueScale(cell));
     ASSERT_TRUE(scaled) << scaled.error().text();
     const auto seen = probe.run(scaled->changes);

@@ -87,6 +87,7 @@ constexpr LoopScale controlLoop{
     .period = 1e-3,
     .cycle = 20.04e-3,
     .integralStep = 1.0,
+    .clock = 1e-3,
     .velocityTime = 1.0,
     .velocityWindow = 20.04e-3, // from pass to pass; its log is of the last velocity loop, not of now
     .velocityError = QT_TRANSLATE_NOOP("table", "count/s"),

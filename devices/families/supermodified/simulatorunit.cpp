@@ -165,6 +165,12 @@ double Unit::speed()
     return m_drive.encoder().shaftSpeed();
 }
 
+double Unit::current()
+{
+    m_drive.advance(m_clock.now());
+    return m_drive.motor().current();
+}
+
 double Unit::position()
 {
     m_drive.advance(m_clock.now());

@@ -22,6 +22,7 @@ public:
     [[nodiscard]] bool isOutputOn();
     [[nodiscard]] double speed();
     [[nodiscard]] double position();
+    [[nodiscard]] double current(); ///< A
     void setPowered(bool powered);
     bool disturb(std::string_view what, double value);
 

@@ -21,6 +21,7 @@ constexpr double mostMsOff = 1.9;
 constexpr double moreGain = 1.2;
 constexpr double moreDelay = 1.3;
 constexpr double mostOvershoot = 0.05;
+constexpr std::size_t bestFew = 5;
 constexpr double noiseShare = 0.1;
 constexpr double strongestError = 3.0 * 1.001;
 constexpr double quickestOfSetPoints = 2.0; ///< natural frequency times their period
@@ -46,10 +47,12 @@ public:
         std::vector<ParameterChange> changes = scaled->changes;
         changes.insert(changes.end(), m_also.begin(), m_also.end());
         const auto response = m_probe.run(changes);
-        if (!response || !response->isStable || response->overshoot > mostOvershoot)
+        if (!response || !isWithinBounds(m_probe, *response))
             return;
+        const BestGains found{gains, *response};
+        all.push_back(found);
         if (!best || response->itae < best->response.itae)
-            best = BestGains{gains, *response, 0};
+            best = found;
     }
     /// Each gain a little up and down from the best, as long as that helps.
     void refine(double factor)
@@ -71,6 +74,7 @@ public:
     }
 
     std::optional<BestGains> best;
+    std::vector<BestGains> all;
 
 private:
     StepProbe &m_probe;
@@ -124,6 +128,11 @@ void lookAtPositions(Search &search, const tuning::PlantModel &truth, bool withI
 
 } // namespace
 
+bool isWithinBounds(const StepProbe &probe, const ShaftResponse &response)
+{
+    return response.isStable && response.overshoot <= mostOvershoot && !probe.drawsTooMuch(response);
+}
+
 bool isWithinBounds(const Cell &cell, const tuning::PlantModel &truth, const ContinuousGains &gains, double step)
 {
     const auto scale = trueScale(cell);
@@ -139,10 +148,9 @@ bool isWithinBounds(const Cell &cell, const tuning::PlantModel &truth, const Con
         && tuning::marginsOf(cell.loop, off, gains).ms <= mostMsOff;
 }
 
-std::optional<BestGains> bruteForce(
+std::vector<BestGains> bruteForce(
     StepProbe &probe, const Cell &cell, const tuning::PlantModel &truth, const std::vector<ParameterChange> &also)
 {
-    const int before = probe.runs();
     Search search(probe, cell, truth, also);
     if (cell.loop == Mode::Position)
         lookAtPositions(search, truth, !trueScale(cell) && !tuning::hasFrictionHelp(probe.device().family()));
@@ -151,9 +159,11 @@ std::optional<BestGains> bruteForce(
     if (search.best) {
         search.refine(1.1);
         search.refine(1.04);
-        search.best->steps = probe.runs() - before;
     }
-    return search.best;
+    std::sort(search.all.begin(), search.all.end(),
+        [](const BestGains &a, const BestGains &b) { return a.response.itae < b.response.itae; });
+    search.all.resize(std::min(search.all.size(), bestFew));
+    return search.all;
 }
 
 } // namespace mb::test

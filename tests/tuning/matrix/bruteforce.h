@@ -8,15 +8,17 @@ namespace mb::test {
 struct BestGains {
     tuning::ContinuousGains gains;
     ShaftResponse response;
-    int steps = 0; ///< that it took
 };
 
 /// The gains with the least ITAE on the unit itself, of those within the bounds of every proposal: sensitivity of the true linear
-/// model at most 1.7, and 1.9 with 20 % more gain and 30 % more delay, overshoot at most 5 %, one count at most 10 % of duty
+/// model at most 1.7, and 1.9 with 20 % more gain and 30 % more delay, overshoot at most 5 %, no more current than is allowed, one count at most 10 % of duty
 /// through D, the step at most three full duties through P, natural frequency of a position loop at most twice that of its set-points. PI in a loop of velocity or current; PD or PID in a position loop, as the family's proposals have it. `also` is written with
-/// each (friction help). Nothing where none is within the bounds.
-[[nodiscard]] std::optional<BestGains> bruteForce(
+/// each (friction help). The best few, the best first; empty where none is within the bounds.
+[[nodiscard]] std::vector<BestGains> bruteForce(
     StepProbe &probe, const Cell &cell, const tuning::PlantModel &truth, const std::vector<ParameterChange> &also);
+
+/// Within the bounds that a step shows.
+[[nodiscard]] bool isWithinBounds(const StepProbe &probe, const ShaftResponse &response);
 
 /// Within the bounds that do not need a step.
 [[nodiscard]] bool isWithinBounds(

@@ -3,6 +3,7 @@
 
 #include "tests/tuning/matrix/groundtruth.h"
 #include "tests/tuning/matrix/publishedrules.h"
+#include "tuning/envelope.h"
 #include "tuning/gainscale.h"
 
 #include <algorithm>
@@ -58,6 +59,7 @@ std::optional<ShaftResponse> meanOf(StepProbe &probe, const std::vector<Paramete
         mean->itae += response->itae / runsOfMean;
         mean->overshoot = std::max(mean->overshoot, response->overshoot);
         mean->settle = std::max(mean->settle, response->settle);
+        mean->peakCurrent = std::max(mean->peakCurrent, response->peakCurrent);
         mean->isStable = mean->isStable && response->isStable;
     }
     return mean;
@@ -110,6 +112,17 @@ void compareWithRules(MatrixRow &row, StepProbe &probe, const std::vector<Parame
     }
 }
 
+/// A, that the limits of a tuning let a step of the cell draw; 0: nobody measures it.
+double mostCurrentOf(const Cell &cell)
+{
+    MatrixUnit unit(cell, true);
+    Device &device = unit.device();
+    const auto own = test::run(unit.clock(), tuning::readOwnLimits(device, 1, 0, 0.0));
+    const auto envelope
+        = tuning::resolve(device.family(), tuning::factsOf(device, 1), cell.loop, {}, own.value_or(Envelope()));
+    return envelope ? envelope->current.value_or(0.0) : 0.0;
+}
+
 void compareWithOthers(MatrixRow &row, const TuneReport &report, const std::vector<tuning::Trial> &trials, bool all)
 {
     const Cell &cell = row.cell;
@@ -117,15 +130,20 @@ void compareWithOthers(MatrixRow &row, const TuneReport &report, const std::vect
     const bool isCurrent = cell.loop == Mode::Current;
     const double seconds = std::clamp(
         holdSettles * settle, isCurrent ? shortestOfCurrent : shortestHold, isCurrent ? longestOfCurrent : longestHold);
-    StepProbe probe(cell, row.step, seconds);
+    StepProbe probe(cell, {row.step, seconds, report.scale ? report.scale->rate : 0.0, mostCurrentOf(cell)});
     row.before = meanOf(probe, {});
     row.kept = meanOf(probe, report.proposed.changes);
+    row.isWithin = row.isWithin && row.kept && !probe.drawsTooMuch(*row.kept);
     if (!all)
         return;
     const auto help = frictionHelp(probe.device(), report.proposed);
-    if (const auto best = bruteForce(probe, cell, row.truth, help)) {
-        row.best = tryRule(probe, cell, best->gains, help);
-        row.bestGains = best->gains;
+    for (const BestGains &best : bruteForce(probe, cell, row.truth, help)) {
+        const auto again = tryRule(probe, cell, best.gains, help);
+        if (!again || !isWithinBounds(probe, *again)) // which it was by luck
+            continue;
+        row.best = again;
+        row.bestGains = best.gains;
+        break;
     }
     compareWithRules(row, probe, help, trials);
 }

@@ -22,7 +22,7 @@ struct MatrixRow {
     std::vector<std::pair<double, std::string>> notes; ///< what it said, and when, s; its gates last
     bool gainsAsBefore = true;                         ///< of those that were not kept, where they can be read
     bool stopped = true;
-    bool isWithin = false; ///< the kept gains hold the bounds of bruteForce() on the true model
+    bool isWithin = false; ///< the kept gains hold the bounds of bruteForce(), but for the overshoot
     double step = 0.0;
     tuning::ContinuousGains keptGains;
     tuning::ContinuousGains bestGains;

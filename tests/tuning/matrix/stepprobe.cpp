@@ -16,7 +16,8 @@ using namespace std::chrono_literals;
 
 constexpr Duration look = 1ms;
 constexpr Duration lookAtCurrent = 250us;
-constexpr double restShare = 2e-3; ///< of the step, in a tenth of a second
+constexpr double passesOfStart = 2.0; ///< until a profile is as fast as it will be
+constexpr double restShare = 2e-3;    ///< of the step, in a tenth of a second
 constexpr int mostWaits = 100;
 constexpr double band = 0.05;
 constexpr double longRest = 2.0; ///< s
@@ -32,18 +33,32 @@ double restOf(const Cell &cell)
 
 } // namespace
 
-StepProbe::StepProbe(const Cell &cell, double step, double seconds)
+StepProbe::StepProbe(const Cell &cell, const ProbedStep &step)
     : m_cell(cell)
     , m_step(step)
-    , m_seconds(seconds)
     , m_unit(std::make_unique<MatrixUnit>(cell, true))
 {
+    if (step.rate > 0.0)
+        leadByProfile();
+}
+
+/// As a tuning has it lead.
+void StepProbe::leadByProfile()
+{
+    const RawLoop &raw = device().family().trials->raw;
+    std::vector<ParameterChange> changes;
+    for (const auto &[key, value] : {std::pair(raw.profileRate, m_step.rate),
+             std::pair(raw.profileAcceleration, m_step.rate / (passesOfStart * raw.cycle))}) {
+        if (const auto index = findParameter(device().family().parameters, key))
+            changes.push_back({*index, std::llround(value)});
+    }
+    EXPECT_TRUE(test::run(m_unit->clock(), tuning::writeGains(device(), changes)));
 }
 
 SetPoint StepProbe::setPoint(double target) const
 {
     SetPoint point;
-    point.mode = m_cell.loop;
+    point.mode = m_step.rate > 0.0 ? Mode::RampPosition : m_cell.loop;
     point.target = target;
     if (m_unit->device().family().capabilities.outputOptions)
         point.brake = true;
@@ -65,7 +80,7 @@ bool StepProbe::comeToRest()
     for (int i = 0; i < mostWaits && still < 2; ++i) {
         const double before = m_unit->simulator().position();
         clock.advance(100ms);
-        still = std::abs(m_unit->simulator().position() - before) < std::max(1.0, share * m_step) ? still + 1 : 0;
+        still = std::abs(m_unit->simulator().position() - before) < std::max(1.0, share * m_step.size) ? still + 1 : 0;
     }
     m_unit->stream().stop();
     clock.advance(50ms);
@@ -90,13 +105,18 @@ std::optional<double> StepProbe::begin()
 }
 
 /// A motor that a current has driven is brought to rest before it is driven again.
-bool StepProbe::waitForReturn(double origin, bool again)
+bool StepProbe::waitForReturn(double origin, bool again, ShaftResponse &response)
 {
     if (m_cell.loop == Mode::Current && again)
         return comeToRest() && begin();
     if (!m_unit->stream().update(setPoint(origin)))
         return false;
-    m_unit->clock().advance(std::chrono::milliseconds(std::lround(1e3 * std::max(m_seconds, restOf(m_cell)))));
+    const Duration rest = std::chrono::milliseconds(std::lround(1e3 * std::max(m_step.seconds, restOf(m_cell))));
+    const Duration pause = m_step.mostCurrent > 0.0 ? look : rest;
+    for (Duration past = pause; past <= rest; past += pause) {
+        m_unit->clock().advance(pause);
+        noteCurrent(response);
+    }
     return true;
 }
 
@@ -114,14 +134,15 @@ std::optional<ShaftResponse> StepProbe::run(const std::vector<ParameterChange> &
     ShaftResponse worse;
     worse.isStable = true;
     for (int repeat = 0; repeat < 2; ++repeat) {
-        if (!m_unit->stream().update(setPoint(*origin + m_step)))
+        if (!m_unit->stream().update(setPoint(*origin + m_step.size)))
             return std::nullopt;
         const ShaftResponse seen = watch(base);
         worse.itae += 0.5 * seen.itae;
         worse.overshoot = std::max(worse.overshoot, seen.overshoot);
         worse.settle = std::max(worse.settle, seen.settle);
+        worse.peakCurrent = std::max(worse.peakCurrent, seen.peakCurrent);
         worse.isStable = worse.isStable && seen.isStable;
-        if (!waitForReturn(*origin, repeat == 0))
+        if (!waitForReturn(*origin, repeat == 0, worse))
             return std::nullopt;
     }
     m_unit->stream().stop();
@@ -136,22 +157,29 @@ double StepProbe::looked() const
     return m_cell.loop == Mode::Position ? shaft.position() : shaft.speed();
 }
 
+void StepProbe::noteCurrent(ShaftResponse &response) const
+{
+    if (m_step.mostCurrent > 0.0)
+        response.peakCurrent = std::max(response.peakCurrent, std::abs(m_unit->simulator().current().value_or(0.0)));
+}
+
 ShaftResponse StepProbe::watch(double base)
 {
     ShaftResponse response;
-    const double near = m_cell.loop == Mode::Position ? goodEnough / m_step : 0.0;
+    const double near = m_cell.loop == Mode::Position ? goodEnough / m_step.size : 0.0;
     const Duration pause = m_cell.loop == Mode::Current ? lookAtCurrent : look;
     const double seconds = std::chrono::duration<double>(pause).count();
     double low = 1e9;
     double high = -1e9;
-    for (double t = seconds; t <= m_seconds + 1e-9; t += seconds) {
+    for (double t = seconds; t <= m_step.seconds + 1e-9; t += seconds) {
         m_unit->clock().advance(pause);
-        const double value = (looked() - base) / m_step;
+        noteCurrent(response);
+        const double value = (looked() - base) / m_step.size;
         response.itae += t * std::max(std::abs(1.0 - value) - near, 0.0) * seconds;
         response.overshoot = std::max(response.overshoot, value - 1.0);
         if (std::abs(1.0 - value) > band)
             response.settle = t;
-        if (t > 0.75 * m_seconds) {
+        if (t > 0.75 * m_step.seconds) {
             low = std::min(low, value);
             high = std::max(high, value);
         }

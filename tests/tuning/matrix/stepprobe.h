@@ -9,16 +9,23 @@ namespace mb::test {
 struct ShaftResponse {
     double itae = 0.0; ///< s², of the error over the step, to the end of the hold; of a position beyond 4 counts
     double overshoot = 0.0;
-    double settle = 0.0; ///< s, until it stays within 5 % of the target; the hold where it does not
-    double peakCurrent = 0.0;
-    bool isStable = false; ///< it stays within a band of 30 % of the step over the last quarter
+    double settle = 0.0;      ///< s, until it stays within 5 % of the target; the hold where it does not
+    double peakCurrent = 0.0; ///< A, of step and way back; 0 where the unit's limit needs no watching
+    bool isStable = false;    ///< it stays within a band of 30 % of the step over the last quarter
+};
+
+/// A step of a cell, for whoever is compared.
+struct ProbedStep {
+    double size = 0.0;        ///< in the unit of the loop
+    double seconds = 0.0;     ///< of each hold
+    double rate = 0.0;        ///< counts/s, at which the unit's own profile leads there; 0: nothing leads
+    double mostCurrent = 0.0; ///< A, that no step may draw; 0: nothing bounds it
 };
 
 /// The unit of a cell, without what is random in it, for steps with any gains: the same step for whoever is compared.
 class StepProbe {
 public:
-    /// `step` and `seconds` of each hold in the unit of the loop.
-    StepProbe(const Cell &cell, double step, double seconds);
+    StepProbe(const Cell &cell, const ProbedStep &step);
     /// Writes the changes and steps from rest, back, and once more: the mean of the integrals, of all else the worse. Nothing where
     /// the unit does not take them.
     [[nodiscard]] std::optional<ShaftResponse> run(const std::vector<ParameterChange> &changes);
@@ -26,19 +33,24 @@ public:
     [[nodiscard]] std::optional<ShaftResponse> run() { return run({}); }
     [[nodiscard]] Device &device() { return m_unit->device(); }
     [[nodiscard]] int runs() const { return m_runs; }
-    [[nodiscard]] double step() const { return m_step; }
+    [[nodiscard]] double step() const { return m_step.size; }
+    [[nodiscard]] bool drawsTooMuch(const ShaftResponse &response) const
+    {
+        return m_step.mostCurrent > 0.0 && response.peakCurrent > m_step.mostCurrent;
+    }
 
 private:
     [[nodiscard]] bool comeToRest();
     [[nodiscard]] std::optional<double> begin();
-    [[nodiscard]] bool waitForReturn(double origin, bool again);
+    [[nodiscard]] bool waitForReturn(double origin, bool again, ShaftResponse &response);
+    void leadByProfile();
+    void noteCurrent(ShaftResponse &response) const;
     [[nodiscard]] double looked() const;
     [[nodiscard]] ShaftResponse watch(double base);
     [[nodiscard]] SetPoint setPoint(double target) const;
 
     Cell m_cell;
-    double m_step;
-    double m_seconds;
+    ProbedStep m_step;
     std::unique_ptr<MatrixUnit> m_unit;
     int m_runs = 0;
 };
