@@ -7936,6 +7936,10 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
         <source>Set-points that it can follow: at most %1 and %2</source>
         <translation>Sollwerte, denen er folgen kann: höchstens %1 und %2</translation>
     </message>
+    <message>
+        <source>to be looked at</source>
+        <translation>zu prüfen</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -17354,6 +17358,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>see which firmware it runs</source>
         <translation>prüfen, welche Firmware läuft</translation>
+    </message>
+    <message>
+        <source>a regression of mean speeds makes the lag %1, %2 beside what was fitted</source>
+        <translation>eine Regression mittlerer Geschwindigkeiten ergibt als Zeitkonstante %1, %2 neben der Anpassung</translation>
     </message>
 </context>
 </TS>

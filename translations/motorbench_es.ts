@@ -7936,6 +7936,10 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
         <source>Set-points that it can follow: at most %1 and %2</source>
         <translation>Consignas que puede seguir: como máximo %1 y %2</translation>
     </message>
+    <message>
+        <source>to be looked at</source>
+        <translation>para revisar</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -17354,6 +17358,10 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>see which firmware it runs</source>
         <translation>mire qué firmware ejecuta</translation>
+    </message>
+    <message>
+        <source>a regression of mean speeds makes the lag %1, %2 beside what was fitted</source>
+        <translation>una regresión de velocidades medias da una constante de tiempo de %1, %2 respecto al ajuste</translation>
     </message>
 </context>
 </TS>

@@ -7936,6 +7936,10 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
         <source>Set-points that it can follow: at most %1 and %2</source>
         <translation>Consignes qu’il peut suivre&#xa0;: au plus %1 et %2</translation>
     </message>
+    <message>
+        <source>to be looked at</source>
+        <translation>à examiner</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -17354,6 +17358,10 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>see which firmware it runs</source>
         <translation>vérifiez quel micrologiciel il exécute</translation>
+    </message>
+    <message>
+        <source>a regression of mean speeds makes the lag %1, %2 beside what was fitted</source>
+        <translation>une régression de vitesses moyennes donne une constante de temps de %1, à %2 de l’ajustement</translation>
     </message>
 </context>
 </TS>

@@ -7926,6 +7926,10 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <source>Set-points that it can follow: at most %1 and %2</source>
         <translation>追従できる目標値: 最大 %1、%2</translation>
     </message>
+    <message>
+        <source>to be looked at</source>
+        <translation>要確認</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -17340,6 +17344,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>see which firmware it runs</source>
         <translation>動作しているファームウェアを確認してください</translation>
+    </message>
+    <message>
+        <source>a regression of mean speeds makes the lag %1, %2 beside what was fitted</source>
+        <translation>平均速度の回帰による時定数は %1、フィッティングとの差は %2</translation>
     </message>
 </context>
 </TS>

@@ -7926,6 +7926,10 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <source>Set-points that it can follow: at most %1 and %2</source>
         <translation>能跟随的设定值：最多 %1 和 %2</translation>
     </message>
+    <message>
+        <source>to be looked at</source>
+        <translation>需要查看</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -17340,6 +17344,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>see which firmware it runs</source>
         <translation>检查它运行的是哪个固件</translation>
+    </message>
+    <message>
+        <source>a regression of mean speeds makes the lag %1, %2 beside what was fitted</source>
+        <translation>平均速度的回归给出滞后 %1，与拟合值相差 %2</translation>
     </message>
 </context>
 </TS>

@@ -8,6 +8,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -73,7 +74,7 @@ QJsonValue qualityToJson(const TuneReport &report)
     QJsonArray gates;
     for (const Gate &gate : report.gates)
         gates.append(QJsonObject{{QStringLiteral("gate"), qt(gate.name)}, {QStringLiteral("passed"), gate.passed},
-            {QStringLiteral("detail"), qt(gate.detail.english())}});
+            {QStringLiteral("warns"), gate.warns}, {QStringLiteral("detail"), qt(gate.detail.english())}});
     return gates;
 }
 
@@ -106,7 +107,16 @@ void printModel(Output &out, const TuneReport &report)
     for (const Gate &gate : report.gates) {
         if (!gate.passed)
             out.line("not believed: " + joined(gate.detail, gate.remedy).english());
+        else if (gate.warns)
+            out.line("to be looked at: " + gate.detail.english());
     }
+}
+
+/// F is written, so that one that was there does not stay.
+bool hasIdleFeedForward(const ScaledGains &gains)
+{
+    return std::any_of(gains.rows.begin(), gains.rows.end(),
+        [](const ScaledGains::Row &row) { return row.key.ends_with(".f") && row.raw == 0; });
 }
 
 void printGains(Output &out, const TuneReport &report)
@@ -121,6 +131,8 @@ void printGains(Output &out, const TuneReport &report)
         table.add({row.key, from, brief(row.number), std::to_string(row.raw)});
     }
     table.print(out);
+    if (hasIdleFeedForward(report.proposed))
+        out.line("F is 0: with an integral both would give what friction and speed take, and it would overshoot");
     if (report.margins)
         out.line("margins: Ms " + brief(report.margins->ms) + ", gain " + brief(report.margins->gain) + ", phase "
             + brief(report.margins->phase) + "°");

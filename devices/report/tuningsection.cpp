@@ -97,8 +97,8 @@ QString modelHtml(const TuneReport &report, const Report &whole)
     QString html = table.html();
     if (report.profile)
         html += paragraph(ReportText::tr("Set-points that it can follow: at most %1 and %2")
-                              .arg(figure(report.profile->speed, 3, QStringLiteral("counts/s")),
-                                  figure(report.profile->acceleration, 3, QStringLiteral("counts/s²"))),
+                              .arg(figure(report.profile->speed, 4, QStringLiteral("counts/s")),
+                                  figure(report.profile->acceleration, 4, QStringLiteral("counts/s²"))),
             "dim");
     if (motor)
         html += paragraph(ReportText::tr("Velocity filter of the device: %1").arg(filterWords(motor->filter)), "dim");
@@ -110,7 +110,9 @@ QString gatesHtml(const TuneReport &report, const Report &whole)
     QString html;
     for (const Gate &gate : report.gates) {
         const QString detail = escaped(whole.phrase ? whole.phrase(gate.detail) : qt(gate.detail.english()));
-        html += (gate.passed ? strong(ReportText::tr("passed"), "ok") : strong(ReportText::tr("failed"), "danger"))
+        html += (!gate.passed        ? strong(ReportText::tr("failed"), "danger")
+                        : gate.warns ? strong(ReportText::tr("to be looked at"), "caution")
+                                     : strong(ReportText::tr("passed"), "ok"))
             + QStringLiteral(" ") + detail + QStringLiteral("<br>");
     }
     return html.isEmpty() ? html : paragraph(ReportText::tr("What the model was judged by:"), "dim") + paragraph(html);

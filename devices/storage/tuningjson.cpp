@@ -246,7 +246,8 @@ QJsonArray gatesToJson(const std::vector<Gate> &gates)
     QJsonArray array;
     for (const Gate &gate : gates)
         array.append(QJsonObject{{QStringLiteral("gate"), qt(gate.name)}, {QStringLiteral("passed"), gate.passed},
-            {QStringLiteral("detail"), toJson(gate.detail)}, {QStringLiteral("remedy"), toJson(gate.remedy)}});
+            {QStringLiteral("detail"), toJson(gate.detail)}, {QStringLiteral("remedy"), toJson(gate.remedy)},
+            {QStringLiteral("warns"), gate.warns}});
     return array;
 }
 
@@ -259,7 +260,8 @@ std::vector<Gate> gatesFrom(const QJsonArray &array)
     for (const QJsonValue &value : array) {
         const QJsonObject gate = value.toObject();
         gates.push_back({text(gate, "gate"), messageFrom(gate.value(QLatin1String("detail"))),
-            gate.value(QStringLiteral("passed")).toBool(), messageFrom(gate.value(QLatin1String("remedy")))});
+            gate.value(QStringLiteral("passed")).toBool(), messageFrom(gate.value(QLatin1String("remedy"))),
+            gate.value(QStringLiteral("warns")).toBool()});
     }
     return gates;
 }

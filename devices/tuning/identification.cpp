@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/identification.h"
 
+#include "tuning/crosscheck.h"
 #include "tuning/figures.h"
 #include "tuning/pushedge.h"
 #include "tuning/rollout.h"
@@ -19,6 +20,7 @@ constexpr std::size_t leastRestSamples = 5;
 constexpr double clearOfNoise = 3.0; ///< σ, and a count, that a motion is
 constexpr double mostCost = 3.0;
 constexpr double mostAsymmetry = 0.10;
+constexpr double mostCrossCheck = 0.15;
 constexpr double leastCounts = 50.0;
 constexpr double mostFrictionShare = 0.7; ///< of the smallest push
 constexpr double nearLimit = 0.98;
@@ -208,6 +210,31 @@ Result<MotorFound> identify(const std::vector<Trial> &pushes)
     return found;
 }
 
+namespace {
+
+/// Another way to the same lag: it decides nothing, and is told where it comes out elsewhere.
+void addCrossCheck(const MotorFound &found, const std::vector<Trial> &pushes, std::vector<Gate> &gates)
+{
+    std::vector<PushRecord> records;
+    for (const Trial &trial : pushes) {
+        for (PushRecord &record : pushesOf(trial, found.line.friction))
+            records.push_back(std::move(record));
+    }
+    leaveOutBroken(records);
+    const auto lag = lagByRegression(records, found.pushes);
+    if (!lag)
+        return;
+    const double off = *lag / found.pushes.tau - 1.0;
+    Gate gate{"cross-check",
+        say("a regression of mean speeds makes the lag %1, %2 beside what was fitted", millisecondsText(*lag),
+            percentText(off)),
+        true, {}};
+    gate.warns = std::abs(off) > mostCrossCheck;
+    gates.push_back(std::move(gate));
+}
+
+} // namespace
+
 std::vector<Gate> gatesOf(const MotorFound &found, const std::vector<Trial> &pushes)
 {
     double smallest = 1.0;
@@ -228,6 +255,7 @@ std::vector<Gate> gatesOf(const MotorFound &found, const std::vector<Trial> &pus
     gates.push_back(
         {"asymmetric load", say("the two directions differ by %1, at most 10 %", percentText(found.line.asymmetry())),
             found.line.asymmetry() <= mostAsymmetry, say("see whether a load always pulls one way")});
+    addCrossCheck(found, pushes, gates);
     gates.push_back({"current limit",
         limited ? say("the current limit cut into the pushes") : say("no push met the current limit"), !limited});
     return gates;

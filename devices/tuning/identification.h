@@ -27,7 +27,8 @@ struct Gate {
     std::string name; ///< "fit", "friction", "asymmetric load", "resolution", "current limit"
     Message detail;   ///< with the number
     bool passed = true;
-    Message remedy{}; ///< what helps where it has not passed; empty: nothing is known
+    Message remedy{};   ///< what helps where it has not passed; empty: nothing is known
+    bool warns = false; ///< passed, and yet to be looked at
 };
 
 /// The pushes of trials in duty mode, each from its own edge. Trials that moved nothing give none. `friction`: duty that moves nothing,

@@ -130,7 +130,7 @@ class Tune(ContractTest):
             self.assertLessEqual(float(speed), 90000)
             self.assertLessEqual(float(travel), 400000)
         self.assertLess(min(float(travel) for _, _, travel in told[1:]), 400000, "what is expected, not only its limit")
-        for row in ("load one way", "gain forward", "gain reverse", "noise at rest", "order to motion", "profile:"):
+        for row in ("load one way", "gain forward", "gain reverse", "noise at rest", "order to motion", "profile:", "F is 0"):
             self.assertIn(row, run.out)
 
     @contract.long

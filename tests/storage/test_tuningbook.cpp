@@ -59,7 +59,7 @@ protected:
         motor.latency = 0.013;
         motor.filter = VelocityFilter{VelocityFilter::Kind::Block, 0.1, 0.09, 0.1};
         report.motor = motor;
-        report.gates = {{"fit", say("the fit leaves 1.4 times"), true, {}},
+        report.gates = {{"fit", say("the fit leaves 1.4 times"), true, {}, true},
             {"resolution", say("12 counts"), false, say("go faster")}};
         Proposal normal;
         normal.design = {{1e-5, 2e-4, 0.0, 0.0}, 0.152, 0.12, {"delay", "margin"}};
@@ -126,7 +126,9 @@ TEST_F(KeptTunings, ATuningComesBackWithItsModelProposalsAndProof)
     EXPECT_EQ(back.motor->latency, kept.motor->latency);
     EXPECT_EQ(back.profile, kept.profile);
     ASSERT_EQ(back.gates.size(), 2U);
+    EXPECT_TRUE(back.gates[0].warns);
     EXPECT_FALSE(back.gates[1].passed);
+    EXPECT_FALSE(back.gates[1].warns);
     EXPECT_EQ(back.gates[1].remedy, "go faster");
     EXPECT_EQ(back.before, kept.before);
     EXPECT_EQ(back.measured, kept.measured);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a tuning tells beside the model: rest and latency, one way and the other, what set-points may ask for.
 #include "tests/tuning/tuningbench.h"
+#include "tuning/crosscheck.h"
 #include "tuning/identification.h"
 #include "tuning/proposals.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <random>
@@ -104,6 +106,59 @@ TEST(Findings, ATuningTellsBothDirectionsItsLoadAndWhatSetPointsMayAskFor)
         EXPECT_EQ(proposal.profile, report->profile);
     std::printf("order to motion %.1f ms, profile %.0f counts/s, %.0f counts/s²\n", 1e3 * *motor.latency,
         report->profile->speed, report->profile->acceleration);
+}
+
+const Gate *crossCheckOf(const std::vector<Gate> &gates)
+{
+    const auto found
+        = std::find_if(gates.begin(), gates.end(), [](const Gate &gate) { return gate.name == "cross-check"; });
+    return found == gates.end() ? nullptr : &*found;
+}
+
+TEST(CrossCheck, AgreesWithTheFitOnMotorsOfManyCounts)
+{
+    for (const char *const motor : {"cim", "775pro", "rs775"}) {
+        ExperimentBench bench("sim:can", "dmc60c", 6, std::string("dmc60c:6,motor=") + motor + ",load=9");
+        TunePlan plan = planOf(Mode::Velocity);
+        plan.propose = true;
+        const auto report = tune(bench, plan);
+        ASSERT_TRUE(report) << report.error().text();
+        const Gate *const gate = crossCheckOf(report->gates);
+        ASSERT_NE(gate, nullptr) << motor;
+        std::printf("%s, fitted %.0f ms: %s\n", motor, 1e3 * report->plant.tau, gate->detail.english().c_str());
+        EXPECT_TRUE(gate->passed);
+        EXPECT_FALSE(gate->warns) << gate->detail;
+    }
+}
+
+TEST(CrossCheck, WarnsWhereThePushesAreNoneOfOneLagAndRefusesNothing)
+{
+    std::vector<Trial> all = pushes(0.012, 0.0);
+    const auto clean = identify(all);
+    ASSERT_TRUE(clean) << clean.error().text();
+    MotorFound wrong = *clean;
+    wrong.pushes.tau *= 1.3;
+    const std::vector<Gate> gates = gatesOf(wrong, all);
+    const Gate *const gate = crossCheckOf(gates);
+    ASSERT_NE(gate, nullptr);
+    EXPECT_TRUE(gate->passed) << "it decides nothing";
+    EXPECT_TRUE(gate->warns);
+    const std::vector<Gate> right = gatesOf(*clean, all);
+    ASSERT_NE(crossCheckOf(right), nullptr);
+    EXPECT_FALSE(crossCheckOf(right)->warns) << crossCheckOf(right)->detail;
+}
+
+TEST(CrossCheck, SaysNothingOfALagThatItCannotSee)
+{
+    PushFit quick;
+    quick.tau = 0.03;
+    quick.speeds = {9000.0};
+    PushRecord record;
+    record.duty = 0.3;
+    for (int i = 0; i < 100; ++i)
+        record.position.add(i * 0.01, i * 90.0);
+    EXPECT_FALSE(lagByRegression(std::vector{record}, quick));
+    EXPECT_FALSE(lagByRegression({}, quick));
 }
 
 /// What a model says that set-points may ask for is followed without an output at its end.
