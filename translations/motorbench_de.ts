@@ -1579,6 +1579,141 @@
     </message>
 </context>
 <context>
+    <name>mb::AdviserList</name>
+    <message>
+        <source>staged</source>
+        <translation>vorgemerkt</translation>
+    </message>
+    <message>
+        <source>ok</source>
+        <translation>in Ordnung</translation>
+    </message>
+    <message>
+        <source>fixed in the set</source>
+        <translation>im Satz behoben</translation>
+    </message>
+    <message>
+        <source>mind it</source>
+        <translation>beachten</translation>
+    </message>
+    <message>
+        <source>to fix</source>
+        <translation>zu beheben</translation>
+    </message>
+    <message>
+        <source>not read</source>
+        <translation>nicht gelesen</translation>
+    </message>
+    <message>
+        <source>This loop has no F that could fight with I.</source>
+        <translation>Dieser Regelkreis hat kein F, das gegen I arbeiten könnte.</translation>
+    </message>
+    <message>
+        <source>F·K is %1 in force, with I active: that overshoots. The set has no F.</source>
+        <translation>F·K ist derzeit %1 bei aktivem I: das schwingt über. Der Satz hat kein F.</translation>
+    </message>
+    <message>
+        <source>F is 0: nothing is paid back as overshoot.</source>
+        <translation>F ist 0: nichts wird als Überschwingen zurückgezahlt.</translation>
+    </message>
+    <message>
+        <source>F·K is %1, under %2: nothing is paid back as overshoot.</source>
+        <translation>F·K ist %1, unter %2: nichts wird als Überschwingen zurückgezahlt.</translation>
+    </message>
+    <message>
+        <source>uS/kp = %1: below this error only I moves the shaft.</source>
+        <translation>uS/kp = %1: unter diesem Fehler bewegt nur I die Welle.</translation>
+    </message>
+    <message>
+        <source>uS/kp = %1: below this error nothing moves the shaft.</source>
+        <translation>uS/kp = %1: unter diesem Fehler bewegt nichts die Welle.</translation>
+    </message>
+    <message>
+        <source>That is over 2 % of the step.</source>
+        <translation>Das sind mehr als 2 % des Sprungs.</translation>
+    </message>
+    <message>
+        <source>The drive&apos;s least output helps.</source>
+        <translation>Die kleinste Ausgabe des Reglers hilft.</translation>
+    </message>
+    <message>
+        <source>No gain of the set is an integer of its own.</source>
+        <translation>Keine Verstärkung des Satzes ist eine eigene Ganzzahl.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 steps of its integer, at least %3 are wanted: one step is %4 %.</source>
+        <translation>%1 hat %2 Stufen seiner Ganzzahl, mindestens %3 sollen es sein: eine Stufe ist %4 %.</translation>
+    </message>
+    <message>
+        <source>This drive has no ramp of its own.</source>
+        <translation>Dieser Regler hat keine eigene Rampe.</translation>
+    </message>
+    <message>
+        <source>The drive&apos;s ramp was not read yet.</source>
+        <translation>Die Rampe des Reglers wurde noch nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>The drive&apos;s ramp is off.</source>
+        <translation>Die Rampe des Reglers ist aus.</translation>
+    </message>
+    <message>
+        <source>Full duty takes %1, over τc/2 = %2: it acts as lag.</source>
+        <translation>Voller Tastgrad braucht %1, mehr als τc/2 = %2: sie wirkt als Verzögerung.</translation>
+    </message>
+    <message>
+        <source>Full duty takes %1, under τc/2 = %2.</source>
+        <translation>Voller Tastgrad braucht %1, weniger als τc/2 = %2.</translation>
+    </message>
+    <message>
+        <source>F–I conflict</source>
+        <translation>F–I-Konflikt</translation>
+    </message>
+    <message>
+        <source>Deadband</source>
+        <translation>Totband</translation>
+    </message>
+    <message>
+        <source>D noise</source>
+        <translation>D-Rauschen</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source>Ramp</source>
+        <translation>Rampe</translation>
+    </message>
+    <message>
+        <source>D is 0: one count moves no duty.</source>
+        <translation>D ist 0: ein Schritt ändert keinen Tastgrad.</translation>
+    </message>
+    <message>
+        <source>One count moves the duty by %1 % through D; %2 % is the most that is quiet.</source>
+        <translation>Ein Schritt ändert den Tastgrad über D um %1 %; ruhig bleibt es bis %2 %.</translation>
+    </message>
+    <message>
+        <source>Advisers</source>
+        <translation>Ratgeber</translation>
+    </message>
+    <message>
+        <source>for %1, slot %2</source>
+        <translation>für %1, Slot %2</translation>
+    </message>
+    <message>
+        <source>for %1</source>
+        <translation>für %1</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Stages these values; nothing is written yet.</source>
+        <translation>Merkt diese Werte vor; geschrieben wird noch nichts.</translation>
+    </message>
+</context>
+<context>
     <name>mb::AgainstView</name>
     <message>
         <source>Export plot</source>
@@ -2000,26 +2135,6 @@
 <context>
     <name>mb::BodePlot</name>
     <message>
-        <source>unstable</source>
-        <translation>instabil</translation>
-    </message>
-    <message>
-        <source>crossover %1 Hz</source>
-        <translation>Durchtritt %1 Hz</translation>
-    </message>
-    <message>
-        <source>phase margin %1°</source>
-        <translation>Phasenreserve %1°</translation>
-    </message>
-    <message>
-        <source>gain margin %1 dB</source>
-        <translation>Amplitudenreserve %1 dB</translation>
-    </message>
-    <message>
-        <source>Ms %1</source>
-        <translation>Ms %1</translation>
-    </message>
-    <message>
         <source>Magnitude of loop and motor</source>
         <translation>Betrag von Regelkreis und Motor</translation>
     </message>
@@ -2050,6 +2165,61 @@
     <message>
         <source>motor ÷ gain, measured</source>
         <translation>Motor ÷ Verstärkung, gemessen</translation>
+    </message>
+    <message>
+        <source>0.90 … 0.97</source>
+        <translation>0,90 … 0,97</translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation>nicht verwendet</translation>
+    </message>
+    <message>
+        <source>measured, γ² ≥ 0.97</source>
+        <translation>gemessen, γ² ≥ 0,97</translation>
+    </message>
+    <message>
+        <source>under 0.90, not used</source>
+        <translation>unter 0,90, nicht verwendet</translation>
+    </message>
+</context>
+<context>
+    <name>mb::BodeText</name>
+    <message>
+        <source>crossover %1 Hz</source>
+        <translation>Durchtritt %1 Hz</translation>
+    </message>
+    <message>
+        <source>PM %1° at %2 Hz</source>
+        <translation>PM %1° bei %2 Hz</translation>
+    </message>
+    <message>
+        <source>GM %1 dB at %2 Hz</source>
+        <translation>GM %1 dB bei %2 Hz</translation>
+    </message>
+    <message>
+        <source>GM –, beyond what was measured</source>
+        <translation>GM –, jenseits des Gemessenen</translation>
+    </message>
+    <message>
+        <source>usable up to %1 Hz</source>
+        <translation>brauchbar bis %1 Hz</translation>
+    </message>
+    <message>
+        <source>unstable</source>
+        <translation>instabil</translation>
+    </message>
+    <message>
+        <source>phase margin %1°</source>
+        <translation>Phasenreserve %1°</translation>
+    </message>
+    <message>
+        <source>gain margin %1 dB</source>
+        <translation>Amplitudenreserve %1 dB</translation>
+    </message>
+    <message>
+        <source>Ms %1</source>
+        <translation>Ms %1</translation>
     </message>
 </context>
 <context>
@@ -2448,6 +2618,25 @@
     </message>
 </context>
 <context>
+    <name>mb::ComparedText</name>
+    <message>
+        <source>in force</source>
+        <translation>in Kraft</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>vorher</translation>
+    </message>
+    <message>
+        <source>%1: unstable on this model</source>
+        <translation>%1: instabil an diesem Modell</translation>
+    </message>
+    <message>
+        <source>%1: over %2 %, Ms %3</source>
+        <translation>%1: über %2 %, Ms %3</translation>
+    </message>
+</context>
+<context>
     <name>mb::ComparisonBox</name>
     <message>
         <source>Compare with</source>
@@ -2658,6 +2847,13 @@
     </message>
 </context>
 <context>
+    <name>mb::DesignCourse</name>
+    <message>
+        <source>What the adviser proposes</source>
+        <translation>Was der Ratgeber vorschlägt</translation>
+    </message>
+</context>
+<context>
     <name>mb::DesignFrame</name>
     <message>
         <source>Part of the page</source>
@@ -2725,10 +2921,6 @@
 </context>
 <context>
     <name>mb::DesignPage</name>
-    <message>
-        <source>Proposals</source>
-        <translation>Vorschläge</translation>
-    </message>
     <message>
         <source>writes the chosen set and proves it</source>
         <translation>schreibt den gewählten Satz und beweist ihn</translation>
@@ -2809,18 +3001,6 @@
 <context>
     <name>mb::DesignPlots</name>
     <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>counts</source>
-        <translation>counts</translation>
-    </message>
-    <message>
         <source>Step, predicted and measured</source>
         <translation>Sprung, vorhergesagt und gemessen</translation>
     </message>
@@ -2831,6 +3011,10 @@
     <message>
         <source>What the gains will do appears here, before they are written.</source>
         <translation>Was die Verstärkungen tun werden, steht hier, bevor sie geschrieben sind.</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Sprung</translation>
     </message>
 </context>
 <context>
@@ -5279,6 +5463,10 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <source>Held at τc %1 by: %2</source>
         <translation>Bei τc %1 gehalten durch: %2</translation>
     </message>
+    <message>
+        <source>proposal %1</source>
+        <translation>Vorschlag %1</translation>
+    </message>
 </context>
 <context>
     <name>mb::PageKeys</name>
@@ -6413,24 +6601,8 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
         <translation>schnellster Anstieg</translation>
     </message>
     <message>
-        <source>over %</source>
-        <translation>über %</translation>
-    </message>
-    <message>
-        <source>settle ms</source>
-        <translation>einschw. ms</translation>
-    </message>
-    <message>
         <source>Ms</source>
         <translation>Ms</translation>
-    </message>
-    <message>
-        <source>GM dB</source>
-        <translation>AR dB</translation>
-    </message>
-    <message>
-        <source>PM °</source>
-        <translation>PR °</translation>
     </message>
     <message>
         <source>calm</source>
@@ -6464,12 +6636,64 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
         <source>%1 = 0</source>
         <translation>%1 = 0</translation>
     </message>
+    <message>
+        <source>over</source>
+        <translation>über</translation>
+    </message>
+    <message>
+        <source>settle</source>
+        <translation>einschw.</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>GM</source>
+        <translation>GM</translation>
+    </message>
+    <message>
+        <source>dB</source>
+        <translation>dB</translation>
+    </message>
+    <message>
+        <source>PM</source>
+        <translation>PM</translation>
+    </message>
+    <message>
+        <source>peak</source>
+        <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>s/count</source>
+        <translation>s/count</translation>
+    </message>
+    <message>
+        <source>1/count</source>
+        <translation>1/count</translation>
+    </message>
+    <message>
+        <source>1/(count·s)</source>
+        <translation>1/(count·s)</translation>
+    </message>
+    <message>
+        <source>s²/count</source>
+        <translation>s²/count</translation>
+    </message>
 </context>
 <context>
     <name>mb::ProposalList</name>
     <message>
         <source>own</source>
         <translation>eigener</translation>
+    </message>
+    <message>
+        <source>Proposals</source>
+        <translation>Vorschläge</translation>
     </message>
 </context>
 <context>
@@ -8930,6 +9154,58 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>measured: %1 % over, settled after %2</source>
         <translation>gemessen: %1 % Überschwingen, eingeschwungen nach %2</translation>
     </message>
+    <message>
+        <source>%1 % over</source>
+        <translation>%1 % über</translation>
+    </message>
+    <message>
+        <source>%1 A peak</source>
+        <translation>Spitze %1 A</translation>
+    </message>
+    <message>
+        <source>±2 %</source>
+        <translation>±2 %</translation>
+    </message>
+    <message>
+        <source>%1 settles %2</source>
+        <translation>%1: einschwingen %2</translation>
+    </message>
+    <message>
+        <source>%1 does not settle</source>
+        <translation>%1 schwingt nicht ein</translation>
+    </message>
+    <message>
+        <source>measured: peak %1, %2 % over</source>
+        <translation>gemessen: Spitze %1, %2 % über</translation>
+    </message>
+    <message>
+        <source>measured: settles %1</source>
+        <translation>gemessen: einschwingen %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>counts/s</source>
+        <translation>counts/s</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>counts</translation>
+    </message>
+    <message>
+        <source>Step of %1 %2</source>
+        <translation>Sprung von %1 %2</translation>
+    </message>
+    <message>
+        <source>band: ± of the model</source>
+        <translation>Band: ± des Modells</translation>
+    </message>
 </context>
 <context>
     <name>mb::StepsPanel</name>
@@ -10216,20 +10492,96 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Noch hat sich nichts bewegt</translation>
     </message>
     <message>
-        <source>2  Choose what it is to be like. The plots show what each set would do.</source>
-        <translation>2  Wählen, wie er sein soll. Die Kurven zeigen, was jeder Satz täte.</translation>
+        <source>over ≤ %1 %, settle ≤ %2, error ≤ %3 %</source>
+        <translation>über ≤ %1 %, einschw. ≤ %2, Fehler ≤ %3 %</translation>
     </message>
     <message>
-        <source>3  Write and prove: the gains are written, two steps in each direction are measured.</source>
-        <translation>3  Schreiben und beweisen: die Verstärkungen werden geschrieben, je zwei Sprünge in jede Richtung gemessen.</translation>
+        <source>over ≤ %1 %, error ≤ %2 %</source>
+        <translation>über ≤ %1 %, Fehler ≤ %2 %</translation>
     </message>
     <message>
-        <source>4  They stay if they do what was predicted; else everything is put back and the reason said.</source>
-        <translation>4  Sie bleiben, wenn sie tun, was vorhergesagt war; sonst wird alles zurückgestellt und der Grund genannt.</translation>
+        <source>over %1 %, settle %2, error %3 %</source>
+        <translation>über %1 %, einschw. %2, Fehler %3 %</translation>
     </message>
     <message>
-        <source>1  Identify: pushes with a part of the duty, both ways. No gain is changed.</source>
-        <translation>1  Vermessen: Stöße mit einem Teil des Tastgrads in beide Richtungen. Keine Verstärkung wird geändert.</translation>
+        <source>Identify the motor</source>
+        <translation>Den Motor vermessen</translation>
+    </message>
+    <message>
+        <source>Pushes with a part of the duty, both ways. No gain is changed.</source>
+        <translation>Stöße mit einem Teil des Tastgrads in beide Richtungen. Keine Verstärkung wird geändert.</translation>
+    </message>
+    <message>
+        <source>Choose a set</source>
+        <translation>Einen Satz wählen</translation>
+    </message>
+    <message>
+        <source>The plots show what each would do.</source>
+        <translation>Die Kurven zeigen, was jeder täte.</translation>
+    </message>
+    <message>
+        <source>Write and prove it</source>
+        <translation>Schreiben und beweisen</translation>
+    </message>
+    <message>
+        <source>The gains are written, steps both ways are measured.</source>
+        <translation>Die Verstärkungen werden geschrieben, Sprünge in beide Richtungen gemessen.</translation>
+    </message>
+    <message>
+        <source>Keep it, or put everything back</source>
+        <translation>Behalten oder alles zurückstellen</translation>
+    </message>
+    <message>
+        <source>It stays if it does what was predicted; else the reason is said.</source>
+        <translation>Er bleibt, wenn er tut, was vorhergesagt war; sonst wird der Grund genannt.</translation>
+    </message>
+    <message>
+        <source>Write %1 to slot %2</source>
+        <translation>%1 in Slot %2 schreiben</translation>
+    </message>
+    <message>
+        <source>Write %1</source>
+        <translation>%1 schreiben</translation>
+    </message>
+    <message>
+        <source>The slot that the result is not for; what it had comes back.</source>
+        <translation>Der Slot, für den das Ergebnis nicht ist; was er hatte, kommt zurück.</translation>
+    </message>
+    <message>
+        <source>What is replaced is kept, to be put back.</source>
+        <translation>Was ersetzt wird, ist aufgehoben und kann zurück.</translation>
+    </message>
+    <message>
+        <source>Run %1 steps of %2 %3</source>
+        <translation>%1 Sprünge von %2 %3 fahren</translation>
+    </message>
+    <message>
+        <source>Both ways, every guard on; each is a trial.</source>
+        <translation>In beide Richtungen, alle Wächter aktiv; jeder ist ein Versuch.</translation>
+    </message>
+    <message>
+        <source>Keep it in slot %1 when all hold</source>
+        <translation>In Slot %1 behalten, wenn alle gelten</translation>
+    </message>
+    <message>
+        <source>Keep it when all hold</source>
+        <translation>Behalten, wenn alle gelten</translation>
+    </message>
+    <message>
+        <source>measured: %1</source>
+        <translation>gemessen: %1</translation>
+    </message>
+    <message>
+        <source>Else put everything back</source>
+        <translation>Sonst alles zurückstellen</translation>
+    </message>
+    <message>
+        <source>Gains as before, the reason in the log.</source>
+        <translation>Verstärkungen wie zuvor, der Grund im Protokoll.</translation>
+    </message>
+    <message>
+        <source>motor turns %1 s</source>
+        <translation>Motor dreht %1 s</translation>
     </message>
 </context>
 <context>

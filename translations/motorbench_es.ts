@@ -1579,6 +1579,141 @@
     </message>
 </context>
 <context>
+    <name>mb::AdviserList</name>
+    <message>
+        <source>staged</source>
+        <translation>pendiente</translation>
+    </message>
+    <message>
+        <source>ok</source>
+        <translation>correcto</translation>
+    </message>
+    <message>
+        <source>fixed in the set</source>
+        <translation>resuelto en el juego</translation>
+    </message>
+    <message>
+        <source>mind it</source>
+        <translation>a tener en cuenta</translation>
+    </message>
+    <message>
+        <source>to fix</source>
+        <translation>por resolver</translation>
+    </message>
+    <message>
+        <source>not read</source>
+        <translation>no leído</translation>
+    </message>
+    <message>
+        <source>This loop has no F that could fight with I.</source>
+        <translation>Este lazo no tiene una F que pueda oponerse a I.</translation>
+    </message>
+    <message>
+        <source>F·K is %1 in force, with I active: that overshoots. The set has no F.</source>
+        <translation>F·K vigente es %1 con I activo: eso sobrepasa. El juego no tiene F.</translation>
+    </message>
+    <message>
+        <source>F is 0: nothing is paid back as overshoot.</source>
+        <translation>F es 0: nada se paga como sobreimpulso.</translation>
+    </message>
+    <message>
+        <source>F·K is %1, under %2: nothing is paid back as overshoot.</source>
+        <translation>F·K es %1, menos de %2: nada se paga como sobreimpulso.</translation>
+    </message>
+    <message>
+        <source>uS/kp = %1: below this error only I moves the shaft.</source>
+        <translation>uS/kp = %1: por debajo de este error solo I mueve el eje.</translation>
+    </message>
+    <message>
+        <source>uS/kp = %1: below this error nothing moves the shaft.</source>
+        <translation>uS/kp = %1: por debajo de este error nada mueve el eje.</translation>
+    </message>
+    <message>
+        <source>That is over 2 % of the step.</source>
+        <translation>Eso supera el 2 % del escalón.</translation>
+    </message>
+    <message>
+        <source>The drive&apos;s least output helps.</source>
+        <translation>La salida mínima del controlador ayuda.</translation>
+    </message>
+    <message>
+        <source>No gain of the set is an integer of its own.</source>
+        <translation>Ninguna ganancia del juego es un entero propio.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 steps of its integer, at least %3 are wanted: one step is %4 %.</source>
+        <translation>%1 tiene %2 pasos de su entero, se quieren al menos %3: un paso es el %4 %.</translation>
+    </message>
+    <message>
+        <source>This drive has no ramp of its own.</source>
+        <translation>Este controlador no tiene rampa propia.</translation>
+    </message>
+    <message>
+        <source>The drive&apos;s ramp was not read yet.</source>
+        <translation>La rampa del controlador aún no se ha leído.</translation>
+    </message>
+    <message>
+        <source>The drive&apos;s ramp is off.</source>
+        <translation>La rampa del controlador está desactivada.</translation>
+    </message>
+    <message>
+        <source>Full duty takes %1, over τc/2 = %2: it acts as lag.</source>
+        <translation>El ciclo máximo tarda %1, más que τc/2 = %2: actúa como retardo.</translation>
+    </message>
+    <message>
+        <source>Full duty takes %1, under τc/2 = %2.</source>
+        <translation>El ciclo máximo tarda %1, menos que τc/2 = %2.</translation>
+    </message>
+    <message>
+        <source>F–I conflict</source>
+        <translation>Conflicto F–I</translation>
+    </message>
+    <message>
+        <source>Deadband</source>
+        <translation>Banda muerta</translation>
+    </message>
+    <message>
+        <source>D noise</source>
+        <translation>Ruido de D</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Resolución</translation>
+    </message>
+    <message>
+        <source>Ramp</source>
+        <translation>Rampa</translation>
+    </message>
+    <message>
+        <source>D is 0: one count moves no duty.</source>
+        <translation>D es 0: una cuenta no cambia el ciclo.</translation>
+    </message>
+    <message>
+        <source>One count moves the duty by %1 % through D; %2 % is the most that is quiet.</source>
+        <translation>Una cuenta cambia el ciclo un %1 % a través de D; hasta un %2 % es silencioso.</translation>
+    </message>
+    <message>
+        <source>Advisers</source>
+        <translation>Asesores</translation>
+    </message>
+    <message>
+        <source>for %1, slot %2</source>
+        <translation>para %1, ranura %2</translation>
+    </message>
+    <message>
+        <source>for %1</source>
+        <translation>para %1</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Retirar</translation>
+    </message>
+    <message>
+        <source>Stages these values; nothing is written yet.</source>
+        <translation>Deja pendientes estos valores; aún no se escribe nada.</translation>
+    </message>
+</context>
+<context>
     <name>mb::AgainstView</name>
     <message>
         <source>Export plot</source>
@@ -2000,26 +2135,6 @@
 <context>
     <name>mb::BodePlot</name>
     <message>
-        <source>unstable</source>
-        <translation>inestable</translation>
-    </message>
-    <message>
-        <source>crossover %1 Hz</source>
-        <translation>cruce %1 Hz</translation>
-    </message>
-    <message>
-        <source>phase margin %1°</source>
-        <translation>margen de fase %1°</translation>
-    </message>
-    <message>
-        <source>gain margin %1 dB</source>
-        <translation>margen de ganancia %1 dB</translation>
-    </message>
-    <message>
-        <source>Ms %1</source>
-        <translation>Ms %1</translation>
-    </message>
-    <message>
         <source>Magnitude of loop and motor</source>
         <translation>Módulo del lazo y del motor</translation>
     </message>
@@ -2050,6 +2165,61 @@
     <message>
         <source>motor ÷ gain, measured</source>
         <translation>motor ÷ ganancia, medido</translation>
+    </message>
+    <message>
+        <source>0.90 … 0.97</source>
+        <translation>0,90 … 0,97</translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation>no usado</translation>
+    </message>
+    <message>
+        <source>measured, γ² ≥ 0.97</source>
+        <translation>medido, γ² ≥ 0,97</translation>
+    </message>
+    <message>
+        <source>under 0.90, not used</source>
+        <translation>menos de 0,90, no usado</translation>
+    </message>
+</context>
+<context>
+    <name>mb::BodeText</name>
+    <message>
+        <source>crossover %1 Hz</source>
+        <translation>cruce %1 Hz</translation>
+    </message>
+    <message>
+        <source>PM %1° at %2 Hz</source>
+        <translation>PM %1° a %2 Hz</translation>
+    </message>
+    <message>
+        <source>GM %1 dB at %2 Hz</source>
+        <translation>GM %1 dB a %2 Hz</translation>
+    </message>
+    <message>
+        <source>GM –, beyond what was measured</source>
+        <translation>GM –, más allá de lo medido</translation>
+    </message>
+    <message>
+        <source>usable up to %1 Hz</source>
+        <translation>utilizable hasta %1 Hz</translation>
+    </message>
+    <message>
+        <source>unstable</source>
+        <translation>inestable</translation>
+    </message>
+    <message>
+        <source>phase margin %1°</source>
+        <translation>margen de fase %1°</translation>
+    </message>
+    <message>
+        <source>gain margin %1 dB</source>
+        <translation>margen de ganancia %1 dB</translation>
+    </message>
+    <message>
+        <source>Ms %1</source>
+        <translation>Ms %1</translation>
     </message>
 </context>
 <context>
@@ -2448,6 +2618,25 @@
     </message>
 </context>
 <context>
+    <name>mb::ComparedText</name>
+    <message>
+        <source>in force</source>
+        <translation>vigente</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>antes</translation>
+    </message>
+    <message>
+        <source>%1: unstable on this model</source>
+        <translation>%1: inestable con este modelo</translation>
+    </message>
+    <message>
+        <source>%1: over %2 %, Ms %3</source>
+        <translation>%1: sobre %2 %, Ms %3</translation>
+    </message>
+</context>
+<context>
     <name>mb::ComparisonBox</name>
     <message>
         <source>Compare with</source>
@@ -2658,6 +2847,13 @@
     </message>
 </context>
 <context>
+    <name>mb::DesignCourse</name>
+    <message>
+        <source>What the adviser proposes</source>
+        <translation>Lo que propone el asesor</translation>
+    </message>
+</context>
+<context>
     <name>mb::DesignFrame</name>
     <message>
         <source>Part of the page</source>
@@ -2728,10 +2924,6 @@
     <message>
         <source>the limits were not kept: %1</source>
         <translation>los límites no se conservaron: %1</translation>
-    </message>
-    <message>
-        <source>Proposals</source>
-        <translation>Propuestas</translation>
     </message>
     <message>
         <source>writes the chosen set and proves it</source>
@@ -2809,18 +3001,6 @@
 <context>
     <name>mb::DesignPlots</name>
     <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>counts</source>
-        <translation>counts</translation>
-    </message>
-    <message>
         <source>Step, predicted and measured</source>
         <translation>Escalón, previsto y medido</translation>
     </message>
@@ -2831,6 +3011,10 @@
     <message>
         <source>What the gains will do appears here, before they are written.</source>
         <translation>Aquí aparece lo que harán las ganancias, antes de escribirlas.</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Escalón</translation>
     </message>
 </context>
 <context>
@@ -5279,6 +5463,10 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <source>Held at τc %1 by: %2</source>
         <translation>Retenido en τc %1 por: %2</translation>
     </message>
+    <message>
+        <source>proposal %1</source>
+        <translation>propuesta %1</translation>
+    </message>
 </context>
 <context>
     <name>mb::PageKeys</name>
@@ -6417,24 +6605,8 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
         <translation>subida más rápida</translation>
     </message>
     <message>
-        <source>over %</source>
-        <translation>sobre %</translation>
-    </message>
-    <message>
-        <source>settle ms</source>
-        <translation>estab. ms</translation>
-    </message>
-    <message>
         <source>Ms</source>
         <translation>Ms</translation>
-    </message>
-    <message>
-        <source>GM dB</source>
-        <translation>MG dB</translation>
-    </message>
-    <message>
-        <source>PM °</source>
-        <translation>MF °</translation>
     </message>
     <message>
         <source>calm</source>
@@ -6464,12 +6636,64 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
         <source>Proposal: %1</source>
         <translation>Propuesta: %1</translation>
     </message>
+    <message>
+        <source>over</source>
+        <translation>sobre</translation>
+    </message>
+    <message>
+        <source>settle</source>
+        <translation>estab.</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>GM</source>
+        <translation>GM</translation>
+    </message>
+    <message>
+        <source>dB</source>
+        <translation>dB</translation>
+    </message>
+    <message>
+        <source>PM</source>
+        <translation>PM</translation>
+    </message>
+    <message>
+        <source>peak</source>
+        <translation>pico</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>s/count</source>
+        <translation>s/count</translation>
+    </message>
+    <message>
+        <source>1/count</source>
+        <translation>1/count</translation>
+    </message>
+    <message>
+        <source>1/(count·s)</source>
+        <translation>1/(count·s)</translation>
+    </message>
+    <message>
+        <source>s²/count</source>
+        <translation>s²/count</translation>
+    </message>
 </context>
 <context>
     <name>mb::ProposalList</name>
     <message>
         <source>own</source>
         <translation>propia</translation>
+    </message>
+    <message>
+        <source>Proposals</source>
+        <translation>Propuestas</translation>
     </message>
 </context>
 <context>
@@ -8930,6 +9154,58 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>measured: %1 % over, settled after %2</source>
         <translation>medido: %1 % de sobreimpulso, establecido tras %2</translation>
     </message>
+    <message>
+        <source>%1 % over</source>
+        <translation>%1 % sobre</translation>
+    </message>
+    <message>
+        <source>%1 A peak</source>
+        <translation>pico de %1 A</translation>
+    </message>
+    <message>
+        <source>±2 %</source>
+        <translation>±2 %</translation>
+    </message>
+    <message>
+        <source>%1 settles %2</source>
+        <translation>%1: estab. %2</translation>
+    </message>
+    <message>
+        <source>%1 does not settle</source>
+        <translation>%1 no se establece</translation>
+    </message>
+    <message>
+        <source>measured: peak %1, %2 % over</source>
+        <translation>medido: pico %1, %2 % sobre</translation>
+    </message>
+    <message>
+        <source>measured: settles %1</source>
+        <translation>medido: estab. %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>counts/s</source>
+        <translation>counts/s</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>counts</translation>
+    </message>
+    <message>
+        <source>Step of %1 %2</source>
+        <translation>Escalón de %1 %2</translation>
+    </message>
+    <message>
+        <source>band: ± of the model</source>
+        <translation>banda: ± del modelo</translation>
+    </message>
 </context>
 <context>
     <name>mb::StepsPanel</name>
@@ -10216,20 +10492,96 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>Aún no se ha movido nada</translation>
     </message>
     <message>
-        <source>1  Identify: pushes with a part of the duty, both ways. No gain is changed.</source>
-        <translation>1  Identificar: empuja con una parte del ciclo, en ambos sentidos. No se cambia ninguna ganancia.</translation>
+        <source>over ≤ %1 %, settle ≤ %2, error ≤ %3 %</source>
+        <translation>sobre ≤ %1 %, estab. ≤ %2, error ≤ %3 %</translation>
     </message>
     <message>
-        <source>2  Choose what it is to be like. The plots show what each set would do.</source>
-        <translation>2  Elija cómo debe ser. Las gráficas muestran qué haría cada juego.</translation>
+        <source>over ≤ %1 %, error ≤ %2 %</source>
+        <translation>sobre ≤ %1 %, error ≤ %2 %</translation>
     </message>
     <message>
-        <source>3  Write and prove: the gains are written, two steps in each direction are measured.</source>
-        <translation>3  Escribir y verificar: se escriben las ganancias y se miden dos escalones en cada sentido.</translation>
+        <source>over %1 %, settle %2, error %3 %</source>
+        <translation>sobre %1 %, estab. %2, error %3 %</translation>
     </message>
     <message>
-        <source>4  They stay if they do what was predicted; else everything is put back and the reason said.</source>
-        <translation>4  Se quedan si hacen lo previsto; si no, se restituye todo y se indica el motivo.</translation>
+        <source>Identify the motor</source>
+        <translation>Identificar el motor</translation>
+    </message>
+    <message>
+        <source>Pushes with a part of the duty, both ways. No gain is changed.</source>
+        <translation>Empuja con una parte del ciclo, en ambos sentidos. No se cambia ninguna ganancia.</translation>
+    </message>
+    <message>
+        <source>Choose a set</source>
+        <translation>Elegir un juego</translation>
+    </message>
+    <message>
+        <source>The plots show what each would do.</source>
+        <translation>Las gráficas muestran qué haría cada uno.</translation>
+    </message>
+    <message>
+        <source>Write and prove it</source>
+        <translation>Escribirlo y verificarlo</translation>
+    </message>
+    <message>
+        <source>The gains are written, steps both ways are measured.</source>
+        <translation>Se escriben las ganancias y se miden escalones en ambos sentidos.</translation>
+    </message>
+    <message>
+        <source>Keep it, or put everything back</source>
+        <translation>Conservarlo o restituirlo todo</translation>
+    </message>
+    <message>
+        <source>It stays if it does what was predicted; else the reason is said.</source>
+        <translation>Se queda si hace lo previsto; si no, se indica el motivo.</translation>
+    </message>
+    <message>
+        <source>Write %1 to slot %2</source>
+        <translation>Escribir %1 en la ranura %2</translation>
+    </message>
+    <message>
+        <source>Write %1</source>
+        <translation>Escribir %1</translation>
+    </message>
+    <message>
+        <source>The slot that the result is not for; what it had comes back.</source>
+        <translation>La ranura a la que no va el resultado; lo que tenía vuelve.</translation>
+    </message>
+    <message>
+        <source>What is replaced is kept, to be put back.</source>
+        <translation>Lo que se sustituye se guarda para restituirlo.</translation>
+    </message>
+    <message>
+        <source>Run %1 steps of %2 %3</source>
+        <translation>Ejecutar %1 escalones de %2 %3</translation>
+    </message>
+    <message>
+        <source>Both ways, every guard on; each is a trial.</source>
+        <translation>En ambos sentidos, con todas las guardas; cada uno es un ensayo.</translation>
+    </message>
+    <message>
+        <source>Keep it in slot %1 when all hold</source>
+        <translation>Conservarlo en la ranura %1 si todo se cumple</translation>
+    </message>
+    <message>
+        <source>Keep it when all hold</source>
+        <translation>Conservarlo si todo se cumple</translation>
+    </message>
+    <message>
+        <source>measured: %1</source>
+        <translation>medido: %1</translation>
+    </message>
+    <message>
+        <source>Else put everything back</source>
+        <translation>Si no, restituirlo todo</translation>
+    </message>
+    <message>
+        <source>Gains as before, the reason in the log.</source>
+        <translation>Ganancias como antes, el motivo en el registro.</translation>
+    </message>
+    <message>
+        <source>motor turns %1 s</source>
+        <translation>el motor gira %1 s</translation>
     </message>
 </context>
 <context>

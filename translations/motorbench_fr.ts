@@ -1579,6 +1579,141 @@
     </message>
 </context>
 <context>
+    <name>mb::AdviserList</name>
+    <message>
+        <source>staged</source>
+        <translation>en attente</translation>
+    </message>
+    <message>
+        <source>ok</source>
+        <translation>correct</translation>
+    </message>
+    <message>
+        <source>fixed in the set</source>
+        <translation>corrigé dans le jeu</translation>
+    </message>
+    <message>
+        <source>mind it</source>
+        <translation>à noter</translation>
+    </message>
+    <message>
+        <source>to fix</source>
+        <translation>à corriger</translation>
+    </message>
+    <message>
+        <source>not read</source>
+        <translation>non lu</translation>
+    </message>
+    <message>
+        <source>This loop has no F that could fight with I.</source>
+        <translation>Cette boucle n’a pas de F qui puisse s’opposer à I.</translation>
+    </message>
+    <message>
+        <source>F·K is %1 in force, with I active: that overshoots. The set has no F.</source>
+        <translation>F·K en vigueur vaut %1 avec I actif : cela dépasse. Le jeu n’a pas de F.</translation>
+    </message>
+    <message>
+        <source>F is 0: nothing is paid back as overshoot.</source>
+        <translation>F vaut 0 : rien ne se paie en dépassement.</translation>
+    </message>
+    <message>
+        <source>F·K is %1, under %2: nothing is paid back as overshoot.</source>
+        <translation>F·K vaut %1, sous %2 : rien ne se paie en dépassement.</translation>
+    </message>
+    <message>
+        <source>uS/kp = %1: below this error only I moves the shaft.</source>
+        <translation>uS/kp = %1 : sous cette erreur, seul I déplace l’arbre.</translation>
+    </message>
+    <message>
+        <source>uS/kp = %1: below this error nothing moves the shaft.</source>
+        <translation>uS/kp = %1 : sous cette erreur, rien ne déplace l’arbre.</translation>
+    </message>
+    <message>
+        <source>That is over 2 % of the step.</source>
+        <translation>C’est plus de 2 % de l’échelon.</translation>
+    </message>
+    <message>
+        <source>The drive&apos;s least output helps.</source>
+        <translation>La sortie minimale du variateur aide.</translation>
+    </message>
+    <message>
+        <source>No gain of the set is an integer of its own.</source>
+        <translation>Aucun gain du jeu n’est un entier à part.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 steps of its integer, at least %3 are wanted: one step is %4 %.</source>
+        <translation>%1 a %2 pas de son entier, il en faut au moins %3 : un pas vaut %4 %.</translation>
+    </message>
+    <message>
+        <source>This drive has no ramp of its own.</source>
+        <translation>Ce variateur n’a pas de rampe propre.</translation>
+    </message>
+    <message>
+        <source>The drive&apos;s ramp was not read yet.</source>
+        <translation>La rampe du variateur n’a pas encore été lue.</translation>
+    </message>
+    <message>
+        <source>The drive&apos;s ramp is off.</source>
+        <translation>La rampe du variateur est désactivée.</translation>
+    </message>
+    <message>
+        <source>Full duty takes %1, over τc/2 = %2: it acts as lag.</source>
+        <translation>La pleine commande met %1, plus que τc/2 = %2 : elle agit comme un retard.</translation>
+    </message>
+    <message>
+        <source>Full duty takes %1, under τc/2 = %2.</source>
+        <translation>La pleine commande met %1, moins que τc/2 = %2.</translation>
+    </message>
+    <message>
+        <source>F–I conflict</source>
+        <translation>Conflit F–I</translation>
+    </message>
+    <message>
+        <source>Deadband</source>
+        <translation>Bande morte</translation>
+    </message>
+    <message>
+        <source>D noise</source>
+        <translation>Bruit de D</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Résolution</translation>
+    </message>
+    <message>
+        <source>Ramp</source>
+        <translation>Rampe</translation>
+    </message>
+    <message>
+        <source>D is 0: one count moves no duty.</source>
+        <translation>D vaut 0 : un incrément ne change pas le rapport cyclique.</translation>
+    </message>
+    <message>
+        <source>One count moves the duty by %1 % through D; %2 % is the most that is quiet.</source>
+        <translation>Un incrément fait varier le rapport cyclique de %1 % via D ; au-delà de %2 %, ce n’est plus calme.</translation>
+    </message>
+    <message>
+        <source>Advisers</source>
+        <translation>Conseillers</translation>
+    </message>
+    <message>
+        <source>for %1, slot %2</source>
+        <translation>pour %1, jeu %2</translation>
+    </message>
+    <message>
+        <source>for %1</source>
+        <translation>pour %1</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Stages these values; nothing is written yet.</source>
+        <translation>Met ces valeurs en attente&#x202f;; rien n’est encore écrit.</translation>
+    </message>
+</context>
+<context>
     <name>mb::AgainstView</name>
     <message>
         <source>Export plot</source>
@@ -2000,26 +2135,6 @@
 <context>
     <name>mb::BodePlot</name>
     <message>
-        <source>unstable</source>
-        <translation>instable</translation>
-    </message>
-    <message>
-        <source>crossover %1 Hz</source>
-        <translation>coupure %1 Hz</translation>
-    </message>
-    <message>
-        <source>phase margin %1°</source>
-        <translation>marge de phase %1°</translation>
-    </message>
-    <message>
-        <source>gain margin %1 dB</source>
-        <translation>marge de gain %1 dB</translation>
-    </message>
-    <message>
-        <source>Ms %1</source>
-        <translation>Ms %1</translation>
-    </message>
-    <message>
         <source>Magnitude of loop and motor</source>
         <translation>Module de la boucle et du moteur</translation>
     </message>
@@ -2050,6 +2165,61 @@
     <message>
         <source>motor ÷ gain, measured</source>
         <translation>moteur ÷ gain, mesuré</translation>
+    </message>
+    <message>
+        <source>0.90 … 0.97</source>
+        <translation>0,90 … 0,97</translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation>non utilisé</translation>
+    </message>
+    <message>
+        <source>measured, γ² ≥ 0.97</source>
+        <translation>mesuré, γ² ≥ 0,97</translation>
+    </message>
+    <message>
+        <source>under 0.90, not used</source>
+        <translation>sous 0,90, non utilisé</translation>
+    </message>
+</context>
+<context>
+    <name>mb::BodeText</name>
+    <message>
+        <source>crossover %1 Hz</source>
+        <translation>coupure %1 Hz</translation>
+    </message>
+    <message>
+        <source>PM %1° at %2 Hz</source>
+        <translation>PM %1° à %2 Hz</translation>
+    </message>
+    <message>
+        <source>GM %1 dB at %2 Hz</source>
+        <translation>GM %1 dB à %2 Hz</translation>
+    </message>
+    <message>
+        <source>GM –, beyond what was measured</source>
+        <translation>GM –, au-delà du mesuré</translation>
+    </message>
+    <message>
+        <source>usable up to %1 Hz</source>
+        <translation>utilisable jusqu’à %1 Hz</translation>
+    </message>
+    <message>
+        <source>unstable</source>
+        <translation>instable</translation>
+    </message>
+    <message>
+        <source>phase margin %1°</source>
+        <translation>marge de phase %1°</translation>
+    </message>
+    <message>
+        <source>gain margin %1 dB</source>
+        <translation>marge de gain %1 dB</translation>
+    </message>
+    <message>
+        <source>Ms %1</source>
+        <translation>Ms %1</translation>
     </message>
 </context>
 <context>
@@ -2448,6 +2618,25 @@
     </message>
 </context>
 <context>
+    <name>mb::ComparedText</name>
+    <message>
+        <source>in force</source>
+        <translation>en vigueur</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>avant</translation>
+    </message>
+    <message>
+        <source>%1: unstable on this model</source>
+        <translation>%1 : instable sur ce modèle</translation>
+    </message>
+    <message>
+        <source>%1: over %2 %, Ms %3</source>
+        <translation>%1 : dép. %2 %, Ms %3</translation>
+    </message>
+</context>
+<context>
     <name>mb::ComparisonBox</name>
     <message>
         <source>Compare with</source>
@@ -2658,6 +2847,13 @@
     </message>
 </context>
 <context>
+    <name>mb::DesignCourse</name>
+    <message>
+        <source>What the adviser proposes</source>
+        <translation>Ce que propose le conseiller</translation>
+    </message>
+</context>
+<context>
     <name>mb::DesignFrame</name>
     <message>
         <source>Part of the page</source>
@@ -2728,10 +2924,6 @@
     <message>
         <source>the limits were not kept: %1</source>
         <translation>les limites n’ont pas été respectées&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>Proposals</source>
-        <translation>Propositions</translation>
     </message>
     <message>
         <source>writes the chosen set and proves it</source>
@@ -2809,18 +3001,6 @@
 <context>
     <name>mb::DesignPlots</name>
     <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>counts</source>
-        <translation>counts</translation>
-    </message>
-    <message>
         <source>Step, predicted and measured</source>
         <translation>Échelon, prédit et mesuré</translation>
     </message>
@@ -2831,6 +3011,10 @@
     <message>
         <source>What the gains will do appears here, before they are written.</source>
         <translation>L’effet des gains apparaît ici, avant leur écriture.</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Échelon</translation>
     </message>
 </context>
 <context>
@@ -5279,6 +5463,10 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <source>Held at τc %1 by: %2</source>
         <translation>Tenu à τc %1 par&#xa0;: %2</translation>
     </message>
+    <message>
+        <source>proposal %1</source>
+        <translation>proposition %1</translation>
+    </message>
 </context>
 <context>
     <name>mb::PageKeys</name>
@@ -6417,24 +6605,8 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
         <translation>montée la plus rapide</translation>
     </message>
     <message>
-        <source>over %</source>
-        <translation>dép. %</translation>
-    </message>
-    <message>
-        <source>settle ms</source>
-        <translation>étabt ms</translation>
-    </message>
-    <message>
         <source>Ms</source>
         <translation>Ms</translation>
-    </message>
-    <message>
-        <source>GM dB</source>
-        <translation>MG dB</translation>
-    </message>
-    <message>
-        <source>PM °</source>
-        <translation>MP °</translation>
     </message>
     <message>
         <source>calm</source>
@@ -6464,12 +6636,64 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
         <source>Proposal: %1</source>
         <translation>Proposition&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>over</source>
+        <translation>dép.</translation>
+    </message>
+    <message>
+        <source>settle</source>
+        <translation>établt</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>GM</source>
+        <translation>GM</translation>
+    </message>
+    <message>
+        <source>dB</source>
+        <translation>dB</translation>
+    </message>
+    <message>
+        <source>PM</source>
+        <translation>PM</translation>
+    </message>
+    <message>
+        <source>peak</source>
+        <translation>pointe</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>s/count</source>
+        <translation>s/count</translation>
+    </message>
+    <message>
+        <source>1/count</source>
+        <translation>1/count</translation>
+    </message>
+    <message>
+        <source>1/(count·s)</source>
+        <translation>1/(count·s)</translation>
+    </message>
+    <message>
+        <source>s²/count</source>
+        <translation>s²/count</translation>
+    </message>
 </context>
 <context>
     <name>mb::ProposalList</name>
     <message>
         <source>own</source>
         <translation>propre</translation>
+    </message>
+    <message>
+        <source>Proposals</source>
+        <translation>Propositions</translation>
     </message>
 </context>
 <context>
@@ -8930,6 +9154,58 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>measured: %1 % over, settled after %2</source>
         <translation>mesuré&#xa0;: %1 % de dépassement, établi après %2</translation>
     </message>
+    <message>
+        <source>%1 % over</source>
+        <translation>%1 % dép.</translation>
+    </message>
+    <message>
+        <source>%1 A peak</source>
+        <translation>pointe %1 A</translation>
+    </message>
+    <message>
+        <source>±2 %</source>
+        <translation>±2 %</translation>
+    </message>
+    <message>
+        <source>%1 settles %2</source>
+        <translation>%1 : établt %2</translation>
+    </message>
+    <message>
+        <source>%1 does not settle</source>
+        <translation>%1 ne s’établit pas</translation>
+    </message>
+    <message>
+        <source>measured: peak %1, %2 % over</source>
+        <translation>mesuré : pointe %1, dép. %2 %</translation>
+    </message>
+    <message>
+        <source>measured: settles %1</source>
+        <translation>mesuré : établt %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>counts/s</source>
+        <translation>counts/s</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>counts</translation>
+    </message>
+    <message>
+        <source>Step of %1 %2</source>
+        <translation>Échelon de %1 %2</translation>
+    </message>
+    <message>
+        <source>band: ± of the model</source>
+        <translation>bande : ± du modèle</translation>
+    </message>
 </context>
 <context>
     <name>mb::StepsPanel</name>
@@ -10216,20 +10492,96 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>Rien n’a encore bougé</translation>
     </message>
     <message>
-        <source>1  Identify: pushes with a part of the duty, both ways. No gain is changed.</source>
-        <translation>1  Identifier&#xa0;: pousse avec une partie du rapport cyclique, dans les deux sens. Aucun gain n’est modifié.</translation>
+        <source>over ≤ %1 %, settle ≤ %2, error ≤ %3 %</source>
+        <translation>dép. ≤ %1 %, établt ≤ %2, erreur ≤ %3 %</translation>
     </message>
     <message>
-        <source>2  Choose what it is to be like. The plots show what each set would do.</source>
-        <translation>2  Choisissez le comportement voulu. Les courbes montrent l’effet de chaque jeu.</translation>
+        <source>over ≤ %1 %, error ≤ %2 %</source>
+        <translation>dép. ≤ %1 %, erreur ≤ %2 %</translation>
     </message>
     <message>
-        <source>3  Write and prove: the gains are written, two steps in each direction are measured.</source>
-        <translation>3  Écrire et vérifier&#xa0;: les gains sont écrits, deux échelons dans chaque sens sont mesurés.</translation>
+        <source>over %1 %, settle %2, error %3 %</source>
+        <translation>dép. %1 %, établt %2, erreur %3 %</translation>
     </message>
     <message>
-        <source>4  They stay if they do what was predicted; else everything is put back and the reason said.</source>
-        <translation>4  Ils restent s’ils font ce qui était prédit&#x202f;; sinon tout est rétabli et la raison indiquée.</translation>
+        <source>Identify the motor</source>
+        <translation>Identifier le moteur</translation>
+    </message>
+    <message>
+        <source>Pushes with a part of the duty, both ways. No gain is changed.</source>
+        <translation>Pousse avec une partie du rapport cyclique, dans les deux sens. Aucun gain n’est modifié.</translation>
+    </message>
+    <message>
+        <source>Choose a set</source>
+        <translation>Choisir un jeu</translation>
+    </message>
+    <message>
+        <source>The plots show what each would do.</source>
+        <translation>Les courbes montrent l’effet de chacun.</translation>
+    </message>
+    <message>
+        <source>Write and prove it</source>
+        <translation>L’écrire et le vérifier</translation>
+    </message>
+    <message>
+        <source>The gains are written, steps both ways are measured.</source>
+        <translation>Les gains sont écrits, des échelons dans les deux sens sont mesurés.</translation>
+    </message>
+    <message>
+        <source>Keep it, or put everything back</source>
+        <translation>Le garder, ou tout rétablir</translation>
+    </message>
+    <message>
+        <source>It stays if it does what was predicted; else the reason is said.</source>
+        <translation>Il reste s’il fait ce qui était prédit ; sinon la raison est indiquée.</translation>
+    </message>
+    <message>
+        <source>Write %1 to slot %2</source>
+        <translation>Écrire %1 dans le jeu %2</translation>
+    </message>
+    <message>
+        <source>Write %1</source>
+        <translation>Écrire %1</translation>
+    </message>
+    <message>
+        <source>The slot that the result is not for; what it had comes back.</source>
+        <translation>Le jeu auquel le résultat n’est pas destiné ; son contenu revient.</translation>
+    </message>
+    <message>
+        <source>What is replaced is kept, to be put back.</source>
+        <translation>Ce qui est remplacé est gardé, pour être rétabli.</translation>
+    </message>
+    <message>
+        <source>Run %1 steps of %2 %3</source>
+        <translation>Exécuter %1 échelons de %2 %3</translation>
+    </message>
+    <message>
+        <source>Both ways, every guard on; each is a trial.</source>
+        <translation>Dans les deux sens, toutes les gardes actives ; chacun est un essai.</translation>
+    </message>
+    <message>
+        <source>Keep it in slot %1 when all hold</source>
+        <translation>Le garder dans le jeu %1 si tout tient</translation>
+    </message>
+    <message>
+        <source>Keep it when all hold</source>
+        <translation>Le garder si tout tient</translation>
+    </message>
+    <message>
+        <source>measured: %1</source>
+        <translation>mesuré : %1</translation>
+    </message>
+    <message>
+        <source>Else put everything back</source>
+        <translation>Sinon tout rétablir</translation>
+    </message>
+    <message>
+        <source>Gains as before, the reason in the log.</source>
+        <translation>Gains comme avant, la raison dans le journal.</translation>
+    </message>
+    <message>
+        <source>motor turns %1 s</source>
+        <translation>le moteur tourne %1 s</translation>
     </message>
 </context>
 <context>

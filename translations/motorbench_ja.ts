@@ -1578,6 +1578,141 @@
     </message>
 </context>
 <context>
+    <name>mb::AdviserList</name>
+    <message>
+        <source>staged</source>
+        <translation>書込み待ち</translation>
+    </message>
+    <message>
+        <source>ok</source>
+        <translation>正常</translation>
+    </message>
+    <message>
+        <source>fixed in the set</source>
+        <translation>この組で解消</translation>
+    </message>
+    <message>
+        <source>mind it</source>
+        <translation>注意</translation>
+    </message>
+    <message>
+        <source>to fix</source>
+        <translation>要対処</translation>
+    </message>
+    <message>
+        <source>not read</source>
+        <translation>未読取り</translation>
+    </message>
+    <message>
+        <source>This loop has no F that could fight with I.</source>
+        <translation>このループには I と競合する F がありません。</translation>
+    </message>
+    <message>
+        <source>F·K is %1 in force, with I active: that overshoots. The set has no F.</source>
+        <translation>現在は I が有効で F·K が %1 です: オーバーシュートします。この組に F はありません。</translation>
+    </message>
+    <message>
+        <source>F is 0: nothing is paid back as overshoot.</source>
+        <translation>F は 0 です: オーバーシュートとして現れるものはありません。</translation>
+    </message>
+    <message>
+        <source>F·K is %1, under %2: nothing is paid back as overshoot.</source>
+        <translation>F·K は %1 で %2 未満です: オーバーシュートとして現れるものはありません。</translation>
+    </message>
+    <message>
+        <source>uS/kp = %1: below this error only I moves the shaft.</source>
+        <translation>uS/kp = %1: これより小さい誤差では I だけが軸を動かします。</translation>
+    </message>
+    <message>
+        <source>uS/kp = %1: below this error nothing moves the shaft.</source>
+        <translation>uS/kp = %1: これより小さい誤差では軸は動きません。</translation>
+    </message>
+    <message>
+        <source>That is over 2 % of the step.</source>
+        <translation>ステップの 2 % を超えています。</translation>
+    </message>
+    <message>
+        <source>The drive&apos;s least output helps.</source>
+        <translation>ドライブの最小出力が補います。</translation>
+    </message>
+    <message>
+        <source>No gain of the set is an integer of its own.</source>
+        <translation>この組に整数のゲインはありません。</translation>
+    </message>
+    <message>
+        <source>%1 is %2 steps of its integer, at least %3 are wanted: one step is %4 %.</source>
+        <translation>%1 は整数で %2 段階です。%3 以上が望まれます: 1 段階は %4 % です。</translation>
+    </message>
+    <message>
+        <source>This drive has no ramp of its own.</source>
+        <translation>このドライブに独自のランプはありません。</translation>
+    </message>
+    <message>
+        <source>The drive&apos;s ramp was not read yet.</source>
+        <translation>ドライブのランプはまだ読み取っていません。</translation>
+    </message>
+    <message>
+        <source>The drive&apos;s ramp is off.</source>
+        <translation>ドライブのランプはオフです。</translation>
+    </message>
+    <message>
+        <source>Full duty takes %1, over τc/2 = %2: it acts as lag.</source>
+        <translation>最大デューティまで %1 かかり、τc/2 = %2 を超えています: 遅れとして働きます。</translation>
+    </message>
+    <message>
+        <source>Full duty takes %1, under τc/2 = %2.</source>
+        <translation>最大デューティまで %1 で、τc/2 = %2 未満です。</translation>
+    </message>
+    <message>
+        <source>F–I conflict</source>
+        <translation>F–I の競合</translation>
+    </message>
+    <message>
+        <source>Deadband</source>
+        <translation>不感帯</translation>
+    </message>
+    <message>
+        <source>D noise</source>
+        <translation>D のノイズ</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>分解能</translation>
+    </message>
+    <message>
+        <source>Ramp</source>
+        <translation>ランプ</translation>
+    </message>
+    <message>
+        <source>D is 0: one count moves no duty.</source>
+        <translation>D は 0 です: 1 カウントではデューティは動きません。</translation>
+    </message>
+    <message>
+        <source>One count moves the duty by %1 % through D; %2 % is the most that is quiet.</source>
+        <translation>1 カウントが D を介してデューティを %1 % 動かします。静かに動く上限は %2 % です。</translation>
+    </message>
+    <message>
+        <source>Advisers</source>
+        <translation>アドバイザ</translation>
+    </message>
+    <message>
+        <source>for %1, slot %2</source>
+        <translation>%1、スロット %2</translation>
+    </message>
+    <message>
+        <source>for %1</source>
+        <translation>%1</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>取り消す</translation>
+    </message>
+    <message>
+        <source>Stages these values; nothing is written yet.</source>
+        <translation>これらの値を書込み待ちにします。まだ書き込みません。</translation>
+    </message>
+</context>
+<context>
     <name>mb::AgainstView</name>
     <message>
         <source>Export plot</source>
@@ -1998,26 +2133,6 @@
 <context>
     <name>mb::BodePlot</name>
     <message>
-        <source>unstable</source>
-        <translation>不安定</translation>
-    </message>
-    <message>
-        <source>crossover %1 Hz</source>
-        <translation>交差周波数 %1 Hz</translation>
-    </message>
-    <message>
-        <source>phase margin %1°</source>
-        <translation>位相余裕 %1°</translation>
-    </message>
-    <message>
-        <source>gain margin %1 dB</source>
-        <translation>ゲイン余裕 %1 dB</translation>
-    </message>
-    <message>
-        <source>Ms %1</source>
-        <translation>Ms %1</translation>
-    </message>
-    <message>
         <source>Magnitude of loop and motor</source>
         <translation>制御ループとモーターのゲイン特性</translation>
     </message>
@@ -2048,6 +2163,61 @@
     <message>
         <source>motor ÷ gain, measured</source>
         <translation>モーター ÷ ゲイン、実測</translation>
+    </message>
+    <message>
+        <source>0.90 … 0.97</source>
+        <translation>0.90 … 0.97</translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation>不使用</translation>
+    </message>
+    <message>
+        <source>measured, γ² ≥ 0.97</source>
+        <translation>実測、γ² ≥ 0.97</translation>
+    </message>
+    <message>
+        <source>under 0.90, not used</source>
+        <translation>0.90 未満、不使用</translation>
+    </message>
+</context>
+<context>
+    <name>mb::BodeText</name>
+    <message>
+        <source>crossover %1 Hz</source>
+        <translation>交差周波数 %1 Hz</translation>
+    </message>
+    <message>
+        <source>PM %1° at %2 Hz</source>
+        <translation>PM %1°（%2 Hz）</translation>
+    </message>
+    <message>
+        <source>GM %1 dB at %2 Hz</source>
+        <translation>GM %1 dB（%2 Hz）</translation>
+    </message>
+    <message>
+        <source>GM –, beyond what was measured</source>
+        <translation>GM –、測定範囲外</translation>
+    </message>
+    <message>
+        <source>usable up to %1 Hz</source>
+        <translation>%1 Hz まで有効</translation>
+    </message>
+    <message>
+        <source>unstable</source>
+        <translation>不安定</translation>
+    </message>
+    <message>
+        <source>phase margin %1°</source>
+        <translation>位相余裕 %1°</translation>
+    </message>
+    <message>
+        <source>gain margin %1 dB</source>
+        <translation>ゲイン余裕 %1 dB</translation>
+    </message>
+    <message>
+        <source>Ms %1</source>
+        <translation>Ms %1</translation>
     </message>
 </context>
 <context>
@@ -2446,6 +2616,25 @@
     </message>
 </context>
 <context>
+    <name>mb::ComparedText</name>
+    <message>
+        <source>in force</source>
+        <translation>現在</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>変更前</translation>
+    </message>
+    <message>
+        <source>%1: unstable on this model</source>
+        <translation>%1: このモデルでは不安定</translation>
+    </message>
+    <message>
+        <source>%1: over %2 %, Ms %3</source>
+        <translation>%1: OS %2 %、Ms %3</translation>
+    </message>
+</context>
+<context>
     <name>mb::ComparisonBox</name>
     <message>
         <source>Compare with</source>
@@ -2656,6 +2845,13 @@
     </message>
 </context>
 <context>
+    <name>mb::DesignCourse</name>
+    <message>
+        <source>What the adviser proposes</source>
+        <translation>アドバイザの提案</translation>
+    </message>
+</context>
+<context>
     <name>mb::DesignFrame</name>
     <message>
         <source>Part of the page</source>
@@ -2726,10 +2922,6 @@
     <message>
         <source>the limits were not kept: %1</source>
         <translation>制限が保持されませんでした: %1</translation>
-    </message>
-    <message>
-        <source>Proposals</source>
-        <translation>候補</translation>
     </message>
     <message>
         <source>writes the chosen set and proves it</source>
@@ -2807,18 +2999,6 @@
 <context>
     <name>mb::DesignPlots</name>
     <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>counts</source>
-        <translation>counts</translation>
-    </message>
-    <message>
         <source>Step, predicted and measured</source>
         <translation>ステップ応答、予測と実測</translation>
     </message>
@@ -2829,6 +3009,10 @@
     <message>
         <source>What the gains will do appears here, before they are written.</source>
         <translation>書込み前に、ゲインの効果がここに表示されます。</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>ステップ</translation>
     </message>
 </context>
 <context>
@@ -5272,6 +5456,10 @@ Double click or Enter plots it; drag it to a plot.</source>
         <source>Held at τc %1 by: %2</source>
         <translation>τc %1 で制限: %2</translation>
     </message>
+    <message>
+        <source>proposal %1</source>
+        <translation>候補 %1</translation>
+    </message>
 </context>
 <context>
     <name>mb::PageKeys</name>
@@ -6409,24 +6597,8 @@ double click or End returns to the present · right click for more</source>
         <translation>立上り最速</translation>
     </message>
     <message>
-        <source>over %</source>
-        <translation>OS %</translation>
-    </message>
-    <message>
-        <source>settle ms</source>
-        <translation>整定 ms</translation>
-    </message>
-    <message>
         <source>Ms</source>
         <translation>Ms</translation>
-    </message>
-    <message>
-        <source>GM dB</source>
-        <translation>GM dB</translation>
-    </message>
-    <message>
-        <source>PM °</source>
-        <translation>PM °</translation>
     </message>
     <message>
         <source>calm</source>
@@ -6456,12 +6628,64 @@ double click or End returns to the present · right click for more</source>
         <source>Proposal: %1</source>
         <translation>候補: %1</translation>
     </message>
+    <message>
+        <source>over</source>
+        <translation>OS</translation>
+    </message>
+    <message>
+        <source>settle</source>
+        <translation>整定</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>GM</source>
+        <translation>GM</translation>
+    </message>
+    <message>
+        <source>dB</source>
+        <translation>dB</translation>
+    </message>
+    <message>
+        <source>PM</source>
+        <translation>PM</translation>
+    </message>
+    <message>
+        <source>peak</source>
+        <translation>ピーク</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>s/count</source>
+        <translation>s/count</translation>
+    </message>
+    <message>
+        <source>1/count</source>
+        <translation>1/count</translation>
+    </message>
+    <message>
+        <source>1/(count·s)</source>
+        <translation>1/(count·s)</translation>
+    </message>
+    <message>
+        <source>s²/count</source>
+        <translation>s²/count</translation>
+    </message>
 </context>
 <context>
     <name>mb::ProposalList</name>
     <message>
         <source>own</source>
         <translation>独自</translation>
+    </message>
+    <message>
+        <source>Proposals</source>
+        <translation>候補</translation>
     </message>
 </context>
 <context>
@@ -8919,6 +9143,58 @@ double click plots it, drag it to a pane or below them</source>
         <source>measured: %1 % over, settled after %2</source>
         <translation>実測: オーバーシュート %1 %、整定 %2</translation>
     </message>
+    <message>
+        <source>%1 % over</source>
+        <translation>OS %1 %</translation>
+    </message>
+    <message>
+        <source>%1 A peak</source>
+        <translation>ピーク %1 A</translation>
+    </message>
+    <message>
+        <source>±2 %</source>
+        <translation>±2 %</translation>
+    </message>
+    <message>
+        <source>%1 settles %2</source>
+        <translation>%1: 整定 %2</translation>
+    </message>
+    <message>
+        <source>%1 does not settle</source>
+        <translation>%1: 整定しません</translation>
+    </message>
+    <message>
+        <source>measured: peak %1, %2 % over</source>
+        <translation>実測: ピーク %1、OS %2 %</translation>
+    </message>
+    <message>
+        <source>measured: settles %1</source>
+        <translation>実測: 整定 %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>counts/s</source>
+        <translation>counts/s</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>counts</translation>
+    </message>
+    <message>
+        <source>Step of %1 %2</source>
+        <translation>%1 %2 のステップ</translation>
+    </message>
+    <message>
+        <source>band: ± of the model</source>
+        <translation>帯: モデルの ±</translation>
+    </message>
 </context>
 <context>
     <name>mb::StepsPanel</name>
@@ -10202,20 +10478,96 @@ double click plots it, drag it to a pane or below them</source>
         <translation>まだ何も動いていません</translation>
     </message>
     <message>
-        <source>1  Identify: pushes with a part of the duty, both ways. No gain is changed.</source>
-        <translation>1  同定: デューティの一部で両方向に動かします。ゲインは変更しません。</translation>
+        <source>over ≤ %1 %, settle ≤ %2, error ≤ %3 %</source>
+        <translation>OS ≤ %1 %、整定 ≤ %2、誤差 ≤ %3 %</translation>
     </message>
     <message>
-        <source>2  Choose what it is to be like. The plots show what each set would do.</source>
-        <translation>2  特性を選択します。プロットに各組の効果が表示されます。</translation>
+        <source>over ≤ %1 %, error ≤ %2 %</source>
+        <translation>OS ≤ %1 %、誤差 ≤ %2 %</translation>
     </message>
     <message>
-        <source>3  Write and prove: the gains are written, two steps in each direction are measured.</source>
-        <translation>3  書込みと検証: ゲインを書き込み、各方向 2 回のステップを測定します。</translation>
+        <source>over %1 %, settle %2, error %3 %</source>
+        <translation>OS %1 %、整定 %2、誤差 %3 %</translation>
     </message>
     <message>
-        <source>4  They stay if they do what was predicted; else everything is put back and the reason said.</source>
-        <translation>4  予測どおりであればゲインを維持します。そうでなければすべて元に戻し、理由を示します。</translation>
+        <source>Identify the motor</source>
+        <translation>モーターを同定</translation>
+    </message>
+    <message>
+        <source>Pushes with a part of the duty, both ways. No gain is changed.</source>
+        <translation>デューティの一部で両方向に動かします。ゲインは変更しません。</translation>
+    </message>
+    <message>
+        <source>Choose a set</source>
+        <translation>組を選択</translation>
+    </message>
+    <message>
+        <source>The plots show what each would do.</source>
+        <translation>プロットに各組の効果が表示されます。</translation>
+    </message>
+    <message>
+        <source>Write and prove it</source>
+        <translation>書き込んで検証</translation>
+    </message>
+    <message>
+        <source>The gains are written, steps both ways are measured.</source>
+        <translation>ゲインを書き込み、両方向のステップを測定します。</translation>
+    </message>
+    <message>
+        <source>Keep it, or put everything back</source>
+        <translation>維持、またはすべて元に戻す</translation>
+    </message>
+    <message>
+        <source>It stays if it does what was predicted; else the reason is said.</source>
+        <translation>予測どおりであれば維持します。そうでなければ理由を示します。</translation>
+    </message>
+    <message>
+        <source>Write %1 to slot %2</source>
+        <translation>%1 をスロット %2 に書込み</translation>
+    </message>
+    <message>
+        <source>Write %1</source>
+        <translation>%1 を書込み</translation>
+    </message>
+    <message>
+        <source>The slot that the result is not for; what it had comes back.</source>
+        <translation>結果を入れない側のスロット。元の値は戻します。</translation>
+    </message>
+    <message>
+        <source>What is replaced is kept, to be put back.</source>
+        <translation>置き換える値は保管し、戻せます。</translation>
+    </message>
+    <message>
+        <source>Run %1 steps of %2 %3</source>
+        <translation>%2 %3 のステップを %1 回実行</translation>
+    </message>
+    <message>
+        <source>Both ways, every guard on; each is a trial.</source>
+        <translation>両方向、すべての監視が有効。それぞれ試行になります。</translation>
+    </message>
+    <message>
+        <source>Keep it in slot %1 when all hold</source>
+        <translation>すべて満たせばスロット %1 に維持</translation>
+    </message>
+    <message>
+        <source>Keep it when all hold</source>
+        <translation>すべて満たせば維持</translation>
+    </message>
+    <message>
+        <source>measured: %1</source>
+        <translation>実測: %1</translation>
+    </message>
+    <message>
+        <source>Else put everything back</source>
+        <translation>そうでなければすべて元に戻す</translation>
+    </message>
+    <message>
+        <source>Gains as before, the reason in the log.</source>
+        <translation>ゲインは元のまま、理由はログに記録します。</translation>
+    </message>
+    <message>
+        <source>motor turns %1 s</source>
+        <translation>モーターが %1 秒回転</translation>
     </message>
 </context>
 <context>

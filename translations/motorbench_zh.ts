@@ -1578,6 +1578,141 @@
     </message>
 </context>
 <context>
+    <name>mb::AdviserList</name>
+    <message>
+        <source>staged</source>
+        <translation>已暂存</translation>
+    </message>
+    <message>
+        <source>ok</source>
+        <translation>正常</translation>
+    </message>
+    <message>
+        <source>fixed in the set</source>
+        <translation>本组已解决</translation>
+    </message>
+    <message>
+        <source>mind it</source>
+        <translation>注意</translation>
+    </message>
+    <message>
+        <source>to fix</source>
+        <translation>待解决</translation>
+    </message>
+    <message>
+        <source>not read</source>
+        <translation>未读取</translation>
+    </message>
+    <message>
+        <source>This loop has no F that could fight with I.</source>
+        <translation>此回路没有会与 I 冲突的 F。</translation>
+    </message>
+    <message>
+        <source>F·K is %1 in force, with I active: that overshoots. The set has no F.</source>
+        <translation>当前 F·K 为 %1 且 I 有效：会超调。本组没有 F。</translation>
+    </message>
+    <message>
+        <source>F is 0: nothing is paid back as overshoot.</source>
+        <translation>F 为 0：没有以超调偿还的滞后。</translation>
+    </message>
+    <message>
+        <source>F·K is %1, under %2: nothing is paid back as overshoot.</source>
+        <translation>F·K 为 %1，低于 %2：没有以超调偿还的滞后。</translation>
+    </message>
+    <message>
+        <source>uS/kp = %1: below this error only I moves the shaft.</source>
+        <translation>uS/kp = %1：误差小于此值时只有 I 能转动轴。</translation>
+    </message>
+    <message>
+        <source>uS/kp = %1: below this error nothing moves the shaft.</source>
+        <translation>uS/kp = %1：误差小于此值时轴不会转动。</translation>
+    </message>
+    <message>
+        <source>That is over 2 % of the step.</source>
+        <translation>这超过阶跃的 2 %。</translation>
+    </message>
+    <message>
+        <source>The drive&apos;s least output helps.</source>
+        <translation>驱动器的最小输出可弥补。</translation>
+    </message>
+    <message>
+        <source>No gain of the set is an integer of its own.</source>
+        <translation>本组没有单独的整数增益。</translation>
+    </message>
+    <message>
+        <source>%1 is %2 steps of its integer, at least %3 are wanted: one step is %4 %.</source>
+        <translation>%1 为其整数的 %2 个级差，至少应有 %3 个：一个级差为 %4 %。</translation>
+    </message>
+    <message>
+        <source>This drive has no ramp of its own.</source>
+        <translation>此驱动器没有自带斜坡。</translation>
+    </message>
+    <message>
+        <source>The drive&apos;s ramp was not read yet.</source>
+        <translation>驱动器的斜坡尚未读取。</translation>
+    </message>
+    <message>
+        <source>The drive&apos;s ramp is off.</source>
+        <translation>驱动器的斜坡已关闭。</translation>
+    </message>
+    <message>
+        <source>Full duty takes %1, over τc/2 = %2: it acts as lag.</source>
+        <translation>到满占空比需 %1，超过 τc/2 = %2：起滞后作用。</translation>
+    </message>
+    <message>
+        <source>Full duty takes %1, under τc/2 = %2.</source>
+        <translation>到满占空比需 %1，低于 τc/2 = %2。</translation>
+    </message>
+    <message>
+        <source>F–I conflict</source>
+        <translation>F–I 冲突</translation>
+    </message>
+    <message>
+        <source>Deadband</source>
+        <translation>死区</translation>
+    </message>
+    <message>
+        <source>D noise</source>
+        <translation>D 噪声</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>分辨率</translation>
+    </message>
+    <message>
+        <source>Ramp</source>
+        <translation>斜坡</translation>
+    </message>
+    <message>
+        <source>D is 0: one count moves no duty.</source>
+        <translation>D 为 0：一个计数不会改变占空比。</translation>
+    </message>
+    <message>
+        <source>One count moves the duty by %1 % through D; %2 % is the most that is quiet.</source>
+        <translation>一个计数经 D 使占空比变化 %1 %；不超过 %2 % 才算平静。</translation>
+    </message>
+    <message>
+        <source>Advisers</source>
+        <translation>顾问</translation>
+    </message>
+    <message>
+        <source>for %1, slot %2</source>
+        <translation>%1，槽 %2</translation>
+    </message>
+    <message>
+        <source>for %1</source>
+        <translation>%1</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>撤回</translation>
+    </message>
+    <message>
+        <source>Stages these values; nothing is written yet.</source>
+        <translation>暂存这些值；尚未写入任何内容。</translation>
+    </message>
+</context>
+<context>
     <name>mb::AgainstView</name>
     <message>
         <source>Export plot</source>
@@ -1998,26 +2133,6 @@
 <context>
     <name>mb::BodePlot</name>
     <message>
-        <source>unstable</source>
-        <translation>不稳定</translation>
-    </message>
-    <message>
-        <source>crossover %1 Hz</source>
-        <translation>穿越频率 %1 Hz</translation>
-    </message>
-    <message>
-        <source>phase margin %1°</source>
-        <translation>相位裕度 %1°</translation>
-    </message>
-    <message>
-        <source>gain margin %1 dB</source>
-        <translation>增益裕度 %1 dB</translation>
-    </message>
-    <message>
-        <source>Ms %1</source>
-        <translation>Ms %1</translation>
-    </message>
-    <message>
         <source>Magnitude of loop and motor</source>
         <translation>回路与电机的幅值</translation>
     </message>
@@ -2048,6 +2163,61 @@
     <message>
         <source>motor ÷ gain, measured</source>
         <translation>电机 ÷ 增益，实测</translation>
+    </message>
+    <message>
+        <source>0.90 … 0.97</source>
+        <translation>0.90 … 0.97</translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation>未使用</translation>
+    </message>
+    <message>
+        <source>measured, γ² ≥ 0.97</source>
+        <translation>实测，γ² ≥ 0.97</translation>
+    </message>
+    <message>
+        <source>under 0.90, not used</source>
+        <translation>低于 0.90，未使用</translation>
+    </message>
+</context>
+<context>
+    <name>mb::BodeText</name>
+    <message>
+        <source>crossover %1 Hz</source>
+        <translation>穿越频率 %1 Hz</translation>
+    </message>
+    <message>
+        <source>PM %1° at %2 Hz</source>
+        <translation>PM %1°（%2 Hz）</translation>
+    </message>
+    <message>
+        <source>GM %1 dB at %2 Hz</source>
+        <translation>GM %1 dB（%2 Hz）</translation>
+    </message>
+    <message>
+        <source>GM –, beyond what was measured</source>
+        <translation>GM –，超出测量范围</translation>
+    </message>
+    <message>
+        <source>usable up to %1 Hz</source>
+        <translation>可用至 %1 Hz</translation>
+    </message>
+    <message>
+        <source>unstable</source>
+        <translation>不稳定</translation>
+    </message>
+    <message>
+        <source>phase margin %1°</source>
+        <translation>相位裕度 %1°</translation>
+    </message>
+    <message>
+        <source>gain margin %1 dB</source>
+        <translation>增益裕度 %1 dB</translation>
+    </message>
+    <message>
+        <source>Ms %1</source>
+        <translation>Ms %1</translation>
     </message>
 </context>
 <context>
@@ -2446,6 +2616,25 @@
     </message>
 </context>
 <context>
+    <name>mb::ComparedText</name>
+    <message>
+        <source>in force</source>
+        <translation>当前</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>之前</translation>
+    </message>
+    <message>
+        <source>%1: unstable on this model</source>
+        <translation>%1：在此模型上不稳定</translation>
+    </message>
+    <message>
+        <source>%1: over %2 %, Ms %3</source>
+        <translation>%1：超调 %2 %，Ms %3</translation>
+    </message>
+</context>
+<context>
     <name>mb::ComparisonBox</name>
     <message>
         <source>Compare with</source>
@@ -2656,6 +2845,13 @@
     </message>
 </context>
 <context>
+    <name>mb::DesignCourse</name>
+    <message>
+        <source>What the adviser proposes</source>
+        <translation>顾问的建议</translation>
+    </message>
+</context>
+<context>
     <name>mb::DesignFrame</name>
     <message>
         <source>Part of the page</source>
@@ -2726,10 +2922,6 @@
     <message>
         <source>the limits were not kept: %1</source>
         <translation>限值未被保留：%1</translation>
-    </message>
-    <message>
-        <source>Proposals</source>
-        <translation>建议方案</translation>
     </message>
     <message>
         <source>writes the chosen set and proves it</source>
@@ -2807,18 +2999,6 @@
 <context>
     <name>mb::DesignPlots</name>
     <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>counts</source>
-        <translation>counts</translation>
-    </message>
-    <message>
         <source>Step, predicted and measured</source>
         <translation>阶跃，预测与实测</translation>
     </message>
@@ -2829,6 +3009,10 @@
     <message>
         <source>What the gains will do appears here, before they are written.</source>
         <translation>写入之前，增益的效果会在此显示。</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>阶跃</translation>
     </message>
 </context>
 <context>
@@ -5272,6 +5456,10 @@ Double click or Enter plots it; drag it to a plot.</source>
         <source>Held at τc %1 by: %2</source>
         <translation>τc 停在 %1，受限于：%2</translation>
     </message>
+    <message>
+        <source>proposal %1</source>
+        <translation>建议 %1</translation>
+    </message>
 </context>
 <context>
     <name>mb::PageKeys</name>
@@ -6409,24 +6597,8 @@ double click or End returns to the present · right click for more</source>
         <translation>上升最快</translation>
     </message>
     <message>
-        <source>over %</source>
-        <translation>超调 %</translation>
-    </message>
-    <message>
-        <source>settle ms</source>
-        <translation>调节 ms</translation>
-    </message>
-    <message>
         <source>Ms</source>
         <translation>Ms</translation>
-    </message>
-    <message>
-        <source>GM dB</source>
-        <translation>GM dB</translation>
-    </message>
-    <message>
-        <source>PM °</source>
-        <translation>PM °</translation>
     </message>
     <message>
         <source>calm</source>
@@ -6456,12 +6628,64 @@ double click or End returns to the present · right click for more</source>
         <source>Proposal: %1</source>
         <translation>建议方案：%1</translation>
     </message>
+    <message>
+        <source>over</source>
+        <translation>超调</translation>
+    </message>
+    <message>
+        <source>settle</source>
+        <translation>调节</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>GM</source>
+        <translation>GM</translation>
+    </message>
+    <message>
+        <source>dB</source>
+        <translation>dB</translation>
+    </message>
+    <message>
+        <source>PM</source>
+        <translation>PM</translation>
+    </message>
+    <message>
+        <source>peak</source>
+        <translation>峰值</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>s/count</source>
+        <translation>s/count</translation>
+    </message>
+    <message>
+        <source>1/count</source>
+        <translation>1/count</translation>
+    </message>
+    <message>
+        <source>1/(count·s)</source>
+        <translation>1/(count·s)</translation>
+    </message>
+    <message>
+        <source>s²/count</source>
+        <translation>s²/count</translation>
+    </message>
 </context>
 <context>
     <name>mb::ProposalList</name>
     <message>
         <source>own</source>
         <translation>自定</translation>
+    </message>
+    <message>
+        <source>Proposals</source>
+        <translation>建议方案</translation>
     </message>
 </context>
 <context>
@@ -8919,6 +9143,58 @@ double click plots it, drag it to a pane or below them</source>
         <source>measured: %1 % over, settled after %2</source>
         <translation>实测：超调 %1 %，%2 后稳定</translation>
     </message>
+    <message>
+        <source>%1 % over</source>
+        <translation>超调 %1 %</translation>
+    </message>
+    <message>
+        <source>%1 A peak</source>
+        <translation>峰值 %1 A</translation>
+    </message>
+    <message>
+        <source>±2 %</source>
+        <translation>±2 %</translation>
+    </message>
+    <message>
+        <source>%1 settles %2</source>
+        <translation>%1：调节 %2</translation>
+    </message>
+    <message>
+        <source>%1 does not settle</source>
+        <translation>%1：不稳定到位</translation>
+    </message>
+    <message>
+        <source>measured: peak %1, %2 % over</source>
+        <translation>实测：峰值 %1，超调 %2 %</translation>
+    </message>
+    <message>
+        <source>measured: settles %1</source>
+        <translation>实测：调节 %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>counts/s</source>
+        <translation>counts/s</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>counts</translation>
+    </message>
+    <message>
+        <source>Step of %1 %2</source>
+        <translation>%1 %2 的阶跃</translation>
+    </message>
+    <message>
+        <source>band: ± of the model</source>
+        <translation>带：模型的 ±</translation>
+    </message>
 </context>
 <context>
     <name>mb::StepsPanel</name>
@@ -10202,20 +10478,96 @@ double click plots it, drag it to a pane or below them</source>
         <translation>尚无任何运动</translation>
     </message>
     <message>
-        <source>1  Identify: pushes with a part of the duty, both ways. No gain is changed.</source>
-        <translation>1  辨识：以部分占空比向两个方向推动。不更改任何增益。</translation>
+        <source>over ≤ %1 %, settle ≤ %2, error ≤ %3 %</source>
+        <translation>超调 ≤ %1 %，调节 ≤ %2，误差 ≤ %3 %</translation>
     </message>
     <message>
-        <source>2  Choose what it is to be like. The plots show what each set would do.</source>
-        <translation>2  选择期望的特性。曲线图显示每组参数的效果。</translation>
+        <source>over ≤ %1 %, error ≤ %2 %</source>
+        <translation>超调 ≤ %1 %，误差 ≤ %2 %</translation>
     </message>
     <message>
-        <source>3  Write and prove: the gains are written, two steps in each direction are measured.</source>
-        <translation>3  写入并验证：写入增益，每个方向测量两次阶跃。</translation>
+        <source>over %1 %, settle %2, error %3 %</source>
+        <translation>超调 %1 %，调节 %2，误差 %3 %</translation>
     </message>
     <message>
-        <source>4  They stay if they do what was predicted; else everything is put back and the reason said.</source>
-        <translation>4  若效果与预测相符则保留；否则全部恢复并说明原因。</translation>
+        <source>Identify the motor</source>
+        <translation>辨识电机</translation>
+    </message>
+    <message>
+        <source>Pushes with a part of the duty, both ways. No gain is changed.</source>
+        <translation>以部分占空比向两个方向推动。不更改任何增益。</translation>
+    </message>
+    <message>
+        <source>Choose a set</source>
+        <translation>选择一组</translation>
+    </message>
+    <message>
+        <source>The plots show what each would do.</source>
+        <translation>曲线图显示每组的效果。</translation>
+    </message>
+    <message>
+        <source>Write and prove it</source>
+        <translation>写入并验证</translation>
+    </message>
+    <message>
+        <source>The gains are written, steps both ways are measured.</source>
+        <translation>写入增益，测量两个方向的阶跃。</translation>
+    </message>
+    <message>
+        <source>Keep it, or put everything back</source>
+        <translation>保留，或全部恢复</translation>
+    </message>
+    <message>
+        <source>It stays if it does what was predicted; else the reason is said.</source>
+        <translation>若效果与预测相符则保留；否则说明原因。</translation>
+    </message>
+    <message>
+        <source>Write %1 to slot %2</source>
+        <translation>将 %1 写入槽 %2</translation>
+    </message>
+    <message>
+        <source>Write %1</source>
+        <translation>写入 %1</translation>
+    </message>
+    <message>
+        <source>The slot that the result is not for; what it had comes back.</source>
+        <translation>非结果所属的槽；其原值会恢复。</translation>
+    </message>
+    <message>
+        <source>What is replaced is kept, to be put back.</source>
+        <translation>被替换的值会保留，以便恢复。</translation>
+    </message>
+    <message>
+        <source>Run %1 steps of %2 %3</source>
+        <translation>运行 %1 次 %2 %3 的阶跃</translation>
+    </message>
+    <message>
+        <source>Both ways, every guard on; each is a trial.</source>
+        <translation>双向，所有监护有效；每次都是一次试验。</translation>
+    </message>
+    <message>
+        <source>Keep it in slot %1 when all hold</source>
+        <translation>全部满足则保留在槽 %1</translation>
+    </message>
+    <message>
+        <source>Keep it when all hold</source>
+        <translation>全部满足则保留</translation>
+    </message>
+    <message>
+        <source>measured: %1</source>
+        <translation>实测：%1</translation>
+    </message>
+    <message>
+        <source>Else put everything back</source>
+        <translation>否则全部恢复</translation>
+    </message>
+    <message>
+        <source>Gains as before, the reason in the log.</source>
+        <translation>增益如前，原因见日志。</translation>
+    </message>
+    <message>
+        <source>motor turns %1 s</source>
+        <translation>电机转动 %1 s</translation>
     </message>
 </context>
 <context>

@@ -187,6 +187,37 @@ Result<ScaledGains> scaleGains(const Family &family, const DeviceProfile &profil
     return scaled;
 }
 
+KnownGains knownGains(
+    const Family &family, Mode loop, int axis, int slot, std::span<const ParameterStore::Entry> entries)
+{
+    KnownGains known;
+    const LoopGains *const parameters = loopOf(family, loop);
+    if (!parameters)
+        return known;
+    for (const std::string_view name : parameters->names) {
+        const std::string key = gainKey(family, std::string(parameters->prefix) + std::string(name), axis, slot);
+        const auto index = findParameter(family.parameters, key);
+        if (!index)
+            continue;
+        const ParameterStore::Entry entry
+            = index->value < entries.size() ? entries[index->value] : ParameterStore::Entry();
+        std::optional<double> number;
+        if (entry.raw && entry.state != ParameterState::Unknown && entry.state != ParameterState::Failed) {
+            const Value value = toValue(family.parameters[index->value], *entry.raw);
+            if (const double *const plain = std::get_if<double>(&value))
+                number = *plain;
+        }
+        known.emplace_back(key, number);
+    }
+    return known;
+}
+
+bool isSameSet(const ScaledGains &a, const ScaledGains &b)
+{
+    return std::equal(a.rows.begin(), a.rows.end(), b.rows.begin(), b.rows.end(),
+        [](const auto &one, const auto &other) { return one.key == other.key && one.raw == other.raw; });
+}
+
 std::optional<ScaledGains> gainsMadeBy(const Family &family, const DeviceProfile &profile, Mode loop, int axis,
     int slot, const KnownGains &numbers, const std::optional<TriedScale> &tried)
 {

@@ -6,6 +6,7 @@
 #include "tuning/gainrules.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,6 +50,12 @@ struct TriedScale {
 
 /// Numbers of parameters by key, in their units; nothing for what is not known.
 using KnownGains = std::vector<std::pair<std::string, std::optional<double>>>;
+
+/// The loop's parameters as they are known of a device, by key, in their units.
+[[nodiscard]] KnownGains knownGains(
+    const Family &family, Mode loop, int axis, int slot, std::span<const ParameterStore::Entry> entries);
+/// The same parameters with the same values.
+[[nodiscard]] bool isSameSet(const ScaledGains &a, const ScaledGains &b);
 
 /// scaleGains() read backwards: what these numbers make on a device. Nothing where one of a gain's is not known, or has no scale and is
 /// not 0.

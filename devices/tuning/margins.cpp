@@ -52,8 +52,10 @@ Margins marginsOf(Mode loop, const PlantModel &plant, const ContinuousGains &gai
                 margins.phase = 180.0 + now * 180.0 / std::numbers::pi;
                 margins.crossover = omega;
             }
-            if (total > -std::numbers::pi && now <= -std::numbers::pi)
-                margins.gain = std::min(margins.gain, 1.0 / size);
+            if (total > -std::numbers::pi && now <= -std::numbers::pi && 1.0 / size < margins.gain) {
+                margins.gain = 1.0 / size;
+                margins.turnover = omega;
+            }
         }
         margins.ms = std::max(margins.ms, 1.0 / std::abs(1.0 + std::polar(size, now)));
         phase = angle;

@@ -14,6 +14,7 @@ struct Margins {
     double gain = 0.0;      ///< factor that the gain may grow by
     double phase = 0.0;     ///< degrees
     double crossover = 0.0; ///< rad/s
+    double turnover = 0.0;  ///< rad/s, with which it would swing with so much more gain; 0: with none
     [[nodiscard]] bool isStable() const { return gain > 1.0 && phase > 0.0; }
 };
 

@@ -226,23 +226,33 @@ std::optional<double> restOfCurrent(const std::vector<Trial> &trials)
     return worst;
 }
 
+ProofLimits proofLimits(const Metrics &predicted, double step, double resting)
+{
+    ProofLimits limits;
+    limits.overshoot = std::min(predicted.overshoot.value_or(0.0) + moreOvershoot, mostOvershoot);
+    if (predicted.settle)
+        limits.settle = moreSettle * *predicted.settle + laterSettle;
+    limits.error = std::max(leastError, 1.2 * resting / std::abs(step));
+    return limits;
+}
+
 Message judgeProof(const Metrics &measured, const Metrics &predicted, double step, double resting)
 {
     if (!measured.rise || !measured.overshoot)
         return say("the response could not be measured");
     const double blur = std::min(blurOfNoise * measured.noise.value_or(0.0), mostBlur);
-    const double overshoot = std::min(predicted.overshoot.value_or(0.0) + moreOvershoot, mostOvershoot) + blur;
+    const ProofLimits limits = proofLimits(predicted, step, resting);
+    const double overshoot = limits.overshoot + blur;
     if (*measured.overshoot > overshoot)
         return say("it overshot by %1, predicted were %2", percentText(*measured.overshoot),
             percentText(predicted.overshoot.value_or(0.0)));
-    const double settle = moreSettle * predicted.settle.value_or(*measured.rise * 4.0) + laterSettle;
+    const double settle = limits.settle.value_or(moreSettle * *measured.rise * 4.0 + laterSettle);
     const bool blurred = !measured.settle && measured.noise.value_or(0.0) > quietNoise; // noise alone leaves the band
     if (!blurred && (!measured.settle || *measured.settle > settle))
         return measured.settle ? say("it took %1 to settle, predicted were %2", millisecondsText(*measured.settle),
                    millisecondsText(predicted.settle.value_or(0.0)))
                                : say("it did not settle");
-    const double error = std::max(leastError, 1.2 * resting / std::abs(step));
-    if (std::abs(measured.sse.value_or(0.0)) > error)
+    if (std::abs(measured.sse.value_or(0.0)) > limits.error)
         return say("it came to rest %1 of the step away from its target", percentText(std::abs(*measured.sse)));
     return {};
 }

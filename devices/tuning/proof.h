@@ -54,6 +54,15 @@ void freeIntegral(const Family &family, Mode loop, int axis, int slot, ScaledGai
 /// behind; and half a step of what is read. Of the largest speeding up in the trials; 0 where the model does not know what a count/s takes off the duty.
 [[nodiscard]] double droopOf(const std::vector<Trial> &trials, const PlantModel &plant, const ContinuousGains &gains);
 
+/// What a proof may do and is still kept, where its samples are quiet.
+struct ProofLimits {
+    double overshoot = 0.0;       ///< of the step
+    std::optional<double> settle; ///< s; empty: it depends on how quickly it rises
+    double error = 0.0;           ///< of the step, at rest
+};
+/// `resting` error in the unit of the step.
+[[nodiscard]] ProofLimits proofLimits(const Metrics &predicted, double step, double resting);
+
 /// Empty when a proof did what was predicted; else what it did instead, with the numbers. `resting` error in the unit of the step.
 [[nodiscard]] Message judgeProof(const Metrics &measured, const Metrics &predicted, double step, double resting);
 

@@ -8,6 +8,7 @@
 #include "tuning/looppass.h"
 #include "tuning/plateau.h"
 #include "tuning/proof.h"
+#include "tuning/proofcourse.h"
 #include "tuning/rawstep.h"
 #include "tuning/tunedesign.h"
 
@@ -17,30 +18,10 @@
 namespace mb::tuning {
 namespace {
 
-constexpr int usualRepeats = 2;
-constexpr double proofSettles
-    = 2.5; ///< predicted times to settle that a proof holds its step: twice may pass until it has settled
-constexpr double proofCreeps = 2.0;     ///< times of the integral, in which it creeps to its target, at least
-constexpr double slowProof = 1.2;       ///< s, that a slow one waits at most beyond what was predicted
-constexpr double proofRest = 0.3;       ///< s longer
-constexpr double leastProof = 0.7;      ///< s
-constexpr double countedProof = 2.0;    ///< s, of a velocity that is counted over edges: swinging grows slowly
-constexpr double countedRest = 1.5;     ///< s, until such a velocity is known to be 0, and the integral is at rest
-constexpr double longestProof = 5.0;    ///< s
-constexpr double unknownSettle = 1.5;   ///< s, where none was predicted
-constexpr double currentSettles = 4.0;  ///< of a current loop
-constexpr double leastCurrent = 0.08;   ///< s that it is held
-constexpr double longestCurrent = 0.2;  ///< s
+constexpr double countedRest
+    = 1.5; ///< s, until a velocity that is counted over edges is known to be 0, and the integral is at rest
 constexpr double notableRest = 0.02;    ///< of the step
-constexpr double aroundTrial = 1.5;     ///< s, to set it up and to come to rest
 constexpr double clearOvershoot = 0.15; ///< more than predicted, that a wrong D may be the cause of
-constexpr double aroundStep = 0.3;      ///< s before each step
-
-/// s of an experiment in one direction, at most.
-double secondsOf(double hold, int repeats)
-{
-    return aroundTrial + repeats * (aroundStep + 2.0 * hold);
-}
 
 } // namespace
 
@@ -73,14 +54,7 @@ double TuneProof::profileRate() const
 double TuneProof::hold() const
 {
     const TuneReport &report = m_run.report();
-    const double settle = report.predicted->metrics.settle.value_or(unknownSettle);
-    if (m_run.plan().loop == Mode::Current)
-        return std::clamp(currentSettles * settle, leastCurrent, longestCurrent);
-    const ContinuousGains &gains = report.proposed.made;
-    const double creeps = m_run.plan().loop == Mode::Velocity && gains.i > 0.0 ? gains.p / gains.i : 0.0;
-    const double least = report.predicted->shape.windowCounts > 0.0 ? countedProof : leastProof;
-    return std::clamp(std::max(std::min(proofSettles * settle, settle + slowProof), proofCreeps * creeps) + proofRest,
-        least, longestProof);
+    return proofHold(m_run.plan().loop, report.proposed.made, *report.predicted);
 }
 
 /// As many as take the noise out of a current, or as there is time for; of other loops two, or one where the time is short.
@@ -89,17 +63,17 @@ int TuneProof::repeats() const
     const TuneReport &report = m_run.report();
     if (m_run.plan().loop == Mode::Current) {
         const double room = m_run.left() / (report.proof.empty() ? 2.0 : 1.0);
-        const double fit = (room - secondsOf(hold(), 0)) / (secondsOf(hold(), 1) - secondsOf(hold(), 0));
+        const double fit = (room - proofSeconds(hold(), 0)) / (proofSeconds(hold(), 1) - proofSeconds(hold(), 0));
         const int asked = currentRepeats(report.plant.noise, m_design.step());
         return std::clamp(static_cast<int>(fit), currentRepeats(0.0, 1.0), asked);
     }
-    return m_run.left() >= 2.0 * secondsOf(hold(), usualRepeats) ? usualRepeats : 1;
+    return m_run.left() >= 2.0 * proofSeconds(hold(), usualProofs) ? usualProofs : 1;
 }
 
 double TuneProof::seconds() const
 {
     const bool isCurrent = m_run.plan().loop == Mode::Current;
-    return 2.0 * secondsOf(hold(), isCurrent ? currentRepeats(m_run.report().plant.noise, m_design.step()) : 1);
+    return 2.0 * proofSeconds(hold(), isCurrent ? currentRepeats(m_run.report().plant.noise, m_design.step()) : 1);
 }
 
 /// The proposal as changes of the slot that it is proven in, with everything else of the slot that it is for.

@@ -1,86 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "designbench.h"
 #include "support/windowtests.h"
-#include "tunebench.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/control/logslider.h"
+#include "widgets/design/adviserlist.h"
+#include "widgets/design/bodemarks.h"
 #include "widgets/design/bodeplot.h"
 #include "widgets/design/designpage.h"
 #include "widgets/design/ownproposal.h"
 #include "widgets/design/proposalcard.h"
 #include "widgets/design/sweeppanel.h"
+#include "widgets/design/tuningsteps.h"
+#include "widgets/parameters/editdesk.h"
 #include "widgets/plots/curveplot.h"
 
 #include <QLabel>
+#include <QPushButton>
 #include <QTest>
 
 using namespace mb;
 using namespace mb::test;
 using namespace mb::tuning;
-
-namespace {
-
-/// A report as an identification of the simulated drive gives it.
-TuneReport identified()
-{
-    TuneReport report;
-    report.result = TuneResult::Proposed;
-    report.simulated = true;
-    report.motor = MotorFound{};
-    report.motor->line.gain = 350000.0;
-    report.motor->pushes.tau = 0.12;
-    report.motor->line.gainError = 9000.0;
-    report.motor->pushes.tauError = 0.004;
-    report.motor->pushes.delayError = 0.002;
-    report.plant = {350000.0, 0.12, 0.03, 0.02};
-    report.gates = {{"fit", say("the fit leaves 1.1 of what whole counts explain"), true}};
-    for (const Aim aim : {Aim::Calm, Aim::Normal, Aim::Brisk}) {
-        Proposal proposal;
-        proposal.aim = aim;
-        proposal.design = design(Mode::Velocity, report.plant, responseOf(Mode::Velocity, aim, report.plant), {});
-        proposal.gains.made = proposal.design.gains;
-        proposal.gains.rows = {{"slot0.p", 40000, 0.6}, {"slot0.i", 113, 0.0017}};
-        proposal.gains.changes = {{named("slot0.p"), 40000 + static_cast<int>(aim)}};
-        proposal.margins = marginsOf(Mode::Velocity, report.plant, proposal.gains.made);
-        proposal.step = 60000.0;
-        proposal.predicted = predictStep(Mode::Velocity, report.plant, proposal.gains.made, 0.0, 60000.0, 2.0);
-        report.proposals.push_back(proposal);
-    }
-    return report;
-}
-
-struct DesignBench {
-    FakeWorkbench workbench;
-    Selection selection;
-    ThemeSource theme{darkTheme()};
-    Arming arming{workbench};
-    Recording recording{workbench.time};
-    std::unique_ptr<DesignPage> page;
-
-    explicit DesignBench(double points = 10.0)
-        : theme(darkTheme(points))
-    {
-        workbench.shot.devices.push_back(tunableDrive(recording.telemetry()));
-        LinkView link;
-        link.address = link.name = "sim:can";
-        link.simulated = true;
-        workbench.shot.links.push_back(link);
-        selection.select({1});
-        page = std::make_unique<DesignPage>(workbench, selection, arming, theme, nullptr);
-        page->resize(1208, 760);
-        page->show();
-        QApplication::setActiveWindow(page.get());
-    }
-    void arm() { arming.arm({1}); }
-    void finish(const Result<TuneReport> &report)
-    {
-        const auto finished = workbench.given<orders::RunTuning>().back().finished;
-        finished(report);
-    }
-    [[nodiscard]] OwnProposal *own() { return page->findChild<OwnProposal *>(); }
-    [[nodiscard]] QList<ProposalCard *> cards() { return page->findChildren<ProposalCard *>(); }
-};
-
-} // namespace
 
 class TestDesignPage : public QObject {
     Q_OBJECT
@@ -103,6 +43,9 @@ private Q_SLOTS:
     void aUnitInItsBootloaderIsNotTried();
     void theColumnScrollsBeforeItIsSqueezed();
     void wordsBelowACurveContinueOnTheNextLine();
+    void advisersSayWhatIsToBeKnownOfTheSetAndStageWhatHelps();
+    void whatWillHappenIsSaidBeforeAndWhatCameOfItAfter();
+    void marginsStandAtTheirPlacesAndAreNotToldBeyondWhatWasMeasured();
     void everyControlHasAName();
 };
 
@@ -417,6 +360,76 @@ void TestDesignPage::wordsBelowACurveContinueOnTheNextLine()
     for (const QString &line : lines)
         QVERIFY2(QFontMetrics(words->font()).horizontalAdvance(line) <= plot.width(), qPrintable(line));
     QCOMPARE(plot.note(), note);
+}
+
+void TestDesignPage::advisersSayWhatIsToBeKnownOfTheSetAndStageWhatHelps()
+{
+    DesignBench bench;
+    DeviceView &device = bench.workbench.shot.devices[0];
+    device.parameters[named("slot0.ramp").value].raw = 20; // 0.8 s to full duty
+    auto *const advisers = bench.page->findChild<AdviserList *>();
+    QVERIFY(advisers && !advisers->isVisible());
+    bench.arm();
+    bench.page->identify();
+    bench.finish(identified());
+    QVERIFY(advisers->isVisible());
+    const auto says = [&](const QString &words) {
+        const auto labels = advisers->findChildren<QLabel *>();
+        return std::any_of(
+            labels.begin(), labels.end(), [&](const QLabel *label) { return label->text().contains(words); });
+    };
+    for (const Cause cause :
+        {Cause::FeedForward, Cause::Deadband, Cause::DerivativeNoise, Cause::Resolution, Cause::Ramp})
+        QVERIFY2(says(placeText(cause)), qPrintable(placeText(cause)));
+    QCOMPARE(advisers->findChildren<QPushButton *>().size(), 2); // the deadband has a remedy too
+    advisers->findChildren<QPushButton *>().back()->click();
+    const StagedEdits &edits = EditDesk::of(bench.workbench).editsOf(device);
+    QCOMPARE(edits.count(), 1);
+    QVERIFY2(bench.workbench.given<orders::WriteParameters>().empty(), "staged is not written");
+    advisers->findChildren<QPushButton *>().back()->click();
+    QCOMPARE(edits.count(), 0);
+}
+
+void TestDesignPage::whatWillHappenIsSaidBeforeAndWhatCameOfItAfter()
+{
+    DesignBench bench;
+    bench.arm();
+    bench.page->identify();
+    bench.finish(identified());
+    const auto said = [&] {
+        QStringList words;
+        for (const QLabel *label : bench.page->findChild<TuningSteps *>()->findChildren<QLabel *>())
+            words << label->text();
+        return words.join(QLatin1Char('|'));
+    };
+    QVERIFY2(said().contains(QStringLiteral("Write P, I to slot 1|")), qPrintable(said()));
+    QVERIFY2(said().contains(QStringLiteral("Run 4 steps of 60")), qPrintable(said()));
+    QVERIFY2(!said().contains(QStringLiteral("measured:")), qPrintable(said()));
+    TuneReport proof = identified();
+    proof.result = TuneResult::Kept;
+    proof.proposed = proof.proposals[1].gains;
+    proof.proof.resize(1);
+    proof.measured.overshoot = 0.021;
+    bench.finish(proof);
+    QVERIFY2(said().contains(QStringLiteral("measured: over 2.1 %")), qPrintable(said()));
+}
+
+void TestDesignPage::marginsStandAtTheirPlacesAndAreNotToldBeyondWhatWasMeasured()
+{
+    const Margins margins{1.44, 4.0, 67.0, 4.0, 15.0};
+    const auto words = [](const std::vector<CurveMark> &marks) {
+        QStringList all;
+        for (const CurveMark &mark : marks)
+            all << mark.text;
+        return all.join(QLatin1Char('|'));
+    };
+    const BodeMarks free = bodeMarks(margins, 0.0);
+    QVERIFY2(
+        words(free.magnitude).contains(QStringLiteral("GM 12.0 dB at 2.39 Hz")), qPrintable(words(free.magnitude)));
+    QVERIFY2(words(free.phase).contains(QStringLiteral("PM 67° at 0.637 Hz")), qPrintable(words(free.phase)));
+    const BodeMarks bounded = bodeMarks(margins, 2.0);
+    QVERIFY2(words(bounded.magnitude).contains(QStringLiteral("GM –")), "of what was not measured nothing is told");
+    QVERIFY(words(bounded.magnitude).contains(QStringLiteral("usable up to 2.0 Hz")));
 }
 
 void TestDesignPage::everyControlHasAName()

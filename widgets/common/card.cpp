@@ -68,6 +68,18 @@ void Card::addHeadWidget(QWidget *widget)
     m_head->addWidget(widget);
 }
 
+void Card::addHeadMark(QWidget *widget)
+{
+    ensureHead();
+    m_head->insertWidget(0, widget);
+}
+
+void Card::setDense(bool dense)
+{
+    m_dense = dense;
+    restyle();
+}
+
 void Card::setFlush(bool flush)
 {
     m_flush = flush;
@@ -110,14 +122,16 @@ void Card::setActivatable(bool activatable)
 void Card::restyle()
 {
     const Theme &theme = m_theme.theme();
-    const int pad = theme.u(12);
+    const int pad = theme.u(m_dense ? 10 : 12);
+    const int air = theme.u(m_dense ? 6 : 10);
     m_column->setContentsMargins(1, 1, 1, 1);
     if (m_head) {
-        m_head->setContentsMargins(pad, theme.u(10), pad, m_flush ? theme.u(10) : 0);
+        m_head->setContentsMargins(pad, air, pad, m_flush ? air : 0);
         m_head->setSpacing(theme.u(8));
     }
-    m_body->setContentsMargins(m_flush ? QMargins() : QMargins(pad, theme.u(m_head ? 8 : 12), pad, pad));
-    m_body->setSpacing(theme.u(m_flush ? 0 : 8));
+    const int above = theme.u(m_dense ? 3 : m_head ? 8 : 12);
+    m_body->setContentsMargins(m_flush ? QMargins() : QMargins(pad, above, pad, m_dense ? air : pad));
+    m_body->setSpacing(theme.u(m_flush ? 0 : m_dense ? 3 : 8));
     if (m_foot) {
         m_foot->setContentsMargins(pad, theme.u(6), pad, theme.u(6));
         m_foot->setSpacing(theme.u(12));

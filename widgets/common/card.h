@@ -25,6 +25,10 @@ public:
     void setGlyph(std::optional<GlyphState> state);
     /// At the right of the head (badge, icon button); the card takes it.
     void addHeadWidget(QWidget *widget);
+    /// At the left of the head; the card takes it.
+    void addHeadMark(QWidget *widget);
+    /// Less air, where several stand below each other.
+    void setDense(bool dense);
     /// Where the content goes. Margins are those of a card; setFlush(true) removes them for tables and plots.
     QVBoxLayout &body() { return *m_body; }
     void setFlush(bool flush);
@@ -57,6 +61,7 @@ private:
     QLabel *m_title = nullptr;
     QLabel *m_subtitle = nullptr;
     bool m_flush = false;
+    bool m_dense = false;
     bool m_activatable = false;
 };
 

@@ -9,14 +9,18 @@
 #include <QFrame>
 #include <QScrollArea>
 
+#include <algorithm>
+
 namespace mb {
 namespace {
 
-constexpr int modelWidth = 344;
-constexpr int courseWidth = 252;
-constexpr int leastCurves = 340; ///< between the two
-constexpr int leastStatus = 260; ///< beside the orders
-constexpr int curvesHeight = 420;
+constexpr int modelWidth = 368;
+constexpr int courseWidth = 264;
+constexpr int mostCourse = 312;
+constexpr double courseShare = 0.25; ///< of the page, between the two
+constexpr int leastCurves = 350;     ///< between the two
+constexpr int leastStatus = 260;     ///< beside the orders
+constexpr int curvesHeight = 470;
 enum FrameRow { Commands, CommandsLine, Tabs, Work };
 
 } // namespace
@@ -88,10 +92,19 @@ void DesignFrame::fold()
     const bool compact = width() < look.u(modelWidth + leastCurves + courseWidth);
     const bool stacked = compact || width() < m_parts.orders->sizeHint().width() + look.u(leastStatus);
     const bool changed = compact != m_compact || stacked != m_stacked;
+    if (!compact && !changed)
+        setWidth(*m_parts.course, courseNow());
     m_compact = compact;
     m_stacked = stacked;
     if (changed)
         arrange();
+}
+
+/// Units of the right column: what is said there takes fewer lines where there is room.
+int DesignFrame::courseNow() const
+{
+    const int share = static_cast<int>(courseShare * width() / m_theme.theme().u(100) * 100.0);
+    return std::clamp(share, courseWidth, mostCourse);
 }
 
 void DesignFrame::setWidth(QWidget &column, int width) const
@@ -115,7 +128,7 @@ void DesignFrame::arrange()
     m_curvesArea->setVisible(!m_compact || part == Part::Curves);
     m_parts.course->setVisible(!m_compact || part == Part::Course);
     setWidth(*m_parts.model, modelWidth);
-    setWidth(*m_parts.course, courseWidth);
+    setWidth(*m_parts.course, courseNow());
     m_parts.curves->setMinimumHeight(m_theme.theme().u(curvesHeight));
     m_grid->setColumnStretch(0, m_compact && part == Part::Model ? 1 : 0);
     m_grid->setColumnStretch(2, !m_compact || part == Part::Curves ? 1 : 0);

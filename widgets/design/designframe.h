@@ -42,6 +42,7 @@ private:
 
     void arrange();
     void fold();
+    [[nodiscard]] int courseNow() const;
     void setWidth(QWidget &column, int width) const;
 
     const ThemeSource &m_theme;

@@ -33,7 +33,7 @@ DesignOrders::DesignOrders(const ThemeSource &theme, QWidget *parent)
     auto *row = new WrapLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(theme.theme().u(8));
-    for (QWidget *part : std::initializer_list<QWidget *>{m_loops, m_slots, m_identify, m_autotune, m_prove})
+    for (QWidget *part : std::initializer_list<QWidget *>{m_loops, m_slots, m_identify, m_autotune})
         row->addWidget(part);
     connect(m_loops, &Segmented::currentChanged, this,
         [this](int index) { Q_EMIT loopChosen(designedLoops.at(static_cast<std::size_t>(index))); });
@@ -41,6 +41,11 @@ DesignOrders::DesignOrders(const ThemeSource &theme, QWidget *parent)
     connect(m_identify, &QPushButton::clicked, this, &DesignOrders::identifyRequested);
     connect(m_autotune, &QPushButton::clicked, this, &DesignOrders::autotuneRequested);
     connect(m_prove, &QPushButton::clicked, this, &DesignOrders::proveRequested);
+}
+
+QWidget *DesignOrders::proveButton() const
+{
+    return m_prove;
 }
 
 void DesignOrders::follow(const DesignBook &book, const Family &family, bool mayRun, bool mayProve)

@@ -11,7 +11,7 @@ namespace mb {
 class CommandButton;
 class Segmented;
 
-/// The row of orders of the Design page: which loop, which slot, and the three buttons. Decides nothing. GUI thread.
+/// The row of orders of the Design page: which loop, which slot, Identify and Autotune; and the button that proves, which stands elsewhere. Decides nothing. GUI thread.
 class DesignOrders : public QWidget {
     Q_OBJECT
 public:
@@ -19,6 +19,9 @@ public:
 
     /// Shows what is chosen for the motor in question; `mayRun`: its motor may be pushed, `mayProve`: there is something to write.
     void follow(const DesignBook &book, const Family &family, bool mayRun, bool mayProve);
+
+    /// Write and prove, to be put where what it does is told.
+    [[nodiscard]] QWidget *proveButton() const;
 
 Q_SIGNALS:
     void loopChosen(mb::Mode loop);

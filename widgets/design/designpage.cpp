@@ -10,6 +10,7 @@
 #include "widgets/common/pagekeys.h"
 #include "widgets/control/envelopepanel.h"
 #include "widgets/control/experimentplan.h"
+#include "widgets/design/designcourse.h"
 #include "widgets/design/designframe.h"
 #include "widgets/design/designorders.h"
 #include "widgets/design/designplots.h"
@@ -18,7 +19,6 @@
 #include "widgets/design/proposallist.h"
 #include "widgets/design/scrollcolumn.h"
 #include "widgets/design/sweeppanel.h"
-#include "widgets/design/tuningsteps.h"
 #include "widgets/report/reportorder.h"
 
 #include <QPointer>
@@ -59,7 +59,10 @@ void DesignPage::buildContent(const ThemeSource &theme)
     m_status = new StatusLine(theme, content);
     m_plots = new DesignPlots(theme, content);
     auto *const column = buildColumn(theme);
-    content->setParts({m_status, m_orders, column, m_plots, buildSide(theme)});
+    m_course = new DesignCourse(m_workbench, m_book, theme, m_orders->proveButton(), content);
+    m_sweep = new SweepPanel(m_arming, theme, m_plots);
+    m_plots->setFoot(m_sweep);
+    content->setParts({m_status, m_orders, column, m_plots, m_course});
     m_stack->addWidget(m_empty);
     m_stack->addWidget(content);
     auto *all = layoutIn<QVBoxLayout>(this);
@@ -75,23 +78,10 @@ QWidget *DesignPage::buildColumn(const ThemeSource &theme)
     m_proposals = new ProposalList(m_book, *m_plots, theme, column);
     area->rows().addWidget(m_model);
     area->rows().addWidget(separatorLine(Qt::Horizontal, column));
-    area->rows().addWidget(m_envelope);
-    area->rows().addWidget(separatorLine(Qt::Horizontal, column));
-    area->rows().addWidget(new SectionLabel(tr("Proposals"), column));
     area->rows().addWidget(m_proposals);
+    area->rows().addWidget(separatorLine(Qt::Horizontal, column));
+    area->rows().addWidget(m_envelope);
     area->rows().addStretch(1);
-    return area;
-}
-
-/// What happens, the sliders, and the sines: in sight whatever the left column shows.
-QWidget *DesignPage::buildSide(const ThemeSource &theme)
-{
-    auto *area = new ScrollColumn(theme.theme(), this);
-    m_steps = new TuningSteps(theme, area->content());
-    m_sweep = new SweepPanel(m_arming, theme, area->content());
-    area->rows().addWidget(m_steps, 1);
-    area->rows().addWidget(&m_proposals->own());
-    area->rows().addWidget(m_sweep);
     return area;
 }
 
@@ -257,9 +247,11 @@ void DesignPage::followDevice(const DeviceView &view, const QString &whyNot)
     followLimits(view);
     const OperationView *const job = m_workbench.snapshot().operation(view.id);
     const bool works = m_arming.isOnTrial() && job && job->status.state == OperationStatus::State::Running;
-    m_steps->show(works ? job : nullptr, report());
     if (std::exchange(m_shown, m_book.place()) != m_book.place())
         showReport();
+    else if (std::exchange(m_revision, view.parameterRevision) != view.parameterRevision)
+        m_proposals->showChosen(); // beside other gains
+    m_course->follow(view, works ? job : nullptr, {chosen(), m_proposals->chosenName(), m_inForce});
     m_sweep->follow({view.family, report(), m_inForce, m_envelope->entered(), now.mayRun});
     m_orders->follow(m_book, *view.family, now.mayRun, chosen());
 }

@@ -11,6 +11,7 @@ class QStackedWidget;
 
 namespace mb {
 
+class DesignCourse;
 class DesignOrders;
 class DesignPlots;
 class EmptyState;
@@ -19,7 +20,6 @@ class ModelPanel;
 class ProposalList;
 class ReportOrder;
 class SweepPanel;
-class TuningSteps;
 
 /// From an unknown motor to proven gains: the model of the selected motor, three sets of gains that it may have, what each will
 /// do, and the order that writes one of them and proves it. Every motion goes through Arming.
@@ -58,7 +58,6 @@ protected:
 private:
     void buildContent(const ThemeSource &theme);
     QWidget *buildColumn(const ThemeSource &theme);
-    QWidget *buildSide(const ThemeSource &theme);
     void connectOrders();
     void buildKeys();
 
@@ -74,6 +73,7 @@ private:
     DesignBook m_book;
     Envelope m_inForce;                 ///< what the step may use
     DeviceId m_limitsOf;                ///< whose limits stand in the panel
+    std::uint64_t m_revision = 0;       ///< of its parameters, that the comparison stands on
     std::optional<DesignPlace> m_shown; ///< whose report is on the page
     QStackedWidget *m_stack = nullptr;
     EmptyState *m_empty = nullptr;
@@ -82,7 +82,7 @@ private:
     DesignPlots *m_plots = nullptr;
     ModelPanel *m_model = nullptr;
     EnvelopePanel *m_envelope = nullptr;
-    TuningSteps *m_steps = nullptr;
+    DesignCourse *m_course = nullptr;
     ProposalList *m_proposals = nullptr;
     SweepPanel *m_sweep = nullptr;
     ReportOrder *m_report = nullptr;

@@ -13,6 +13,8 @@
 namespace mb {
 namespace {
 
+constexpr int halfWidth = 140; ///< units, of two gates beside each other
+
 enum Column { NameColumn, ValueColumn, ErrorColumn, UnitColumn };
 
 QString filterText(const tuning::VelocityFilter &filter)
@@ -32,7 +34,7 @@ ModelPanel::ModelPanel(const ThemeSource &theme, QWidget *parent)
     , m_theme(theme)
 {
     const Theme &look = theme.theme();
-    auto *column = layoutIn<QVBoxLayout>(this, look.u(6));
+    auto *column = layoutIn<QVBoxLayout>(this, look.u(4));
     auto *head = new QHBoxLayout;
     head->addWidget(new SectionLabel(tr("Model"), this));
     head->addStretch(1);
@@ -59,18 +61,34 @@ void ModelPanel::addFigure(
     m_grid->addWidget(textLabel(unit, TextRole::Caption, Tone::Dim, m_box), row, UnitColumn);
 }
 
+/// Two beside each other where both are short; a long one has the width for itself.
 void ModelPanel::addGates(const std::vector<tuning::Gate> &gates)
 {
+    auto *const box = new QWidget(m_box);
+    auto *const grid = layoutIn<QGridLayout>(box);
+    grid->setHorizontalSpacing(m_theme.theme().u(10));
+    grid->setVerticalSpacing(m_theme.theme().u(2));
+    grid->setColumnStretch(0, 1);
+    grid->setColumnStretch(1, 1);
+    const QFontMetrics metrics(m_theme.theme().font(TextRole::Caption, font()));
+    int row = 0;
+    int column = 0;
     for (const tuning::Gate &gate : gates) {
-        auto *line = new QWidget(m_box);
-        auto *row = layoutIn<QHBoxLayout>(line);
-        row->addWidget(
+        const QString words = messageText(gate.detail);
+        const bool isLong = metrics.horizontalAdvance(words) > m_theme.theme().u(halfWidth);
+        if (isLong && column == 1)
+            ++row;
+        column = isLong ? 0 : column;
+        auto *line = new QWidget(box);
+        auto *const parts = layoutIn<QHBoxLayout>(line, m_theme.theme().u(5));
+        parts->addWidget(
             new StateGlyph(m_theme, gate.passed ? GlyphState::Done : GlyphState::Warning, line), 0, Qt::AlignTop);
-        row->addWidget(
-            wrappedLabel(messageText(gate.detail), TextRole::Caption, gate.passed ? Tone::Dim : Tone::Caution, line),
-            1);
-        m_grid->addWidget(line, m_grid->rowCount(), NameColumn, 1, 4);
+        parts->addWidget(wrappedLabel(words, TextRole::Caption, gate.passed ? Tone::Dim : Tone::Caution, line), 1);
+        grid->addWidget(line, row, column, 1, isLong ? 2 : 1, Qt::AlignTop);
+        row += isLong || column == 1 ? 1 : 0;
+        column = isLong ? 0 : 1 - column;
     }
+    m_grid->addWidget(box, m_grid->rowCount(), NameColumn, 1, 4);
 }
 
 void ModelPanel::setReport(const tuning::TuneReport *report)
@@ -78,7 +96,7 @@ void ModelPanel::setReport(const tuning::TuneReport *report)
     delete m_grid;
     qDeleteAll(m_box->findChildren<QWidget *>(QString(), Qt::FindDirectChildrenOnly));
     m_grid = layoutIn<QGridLayout>(m_box);
-    m_grid->setVerticalSpacing(m_theme.theme().u(3));
+    m_grid->setVerticalSpacing(m_theme.theme().u(1));
     m_grid->setHorizontalSpacing(m_theme.theme().u(10));
     m_grid->setColumnStretch(UnitColumn, 1);
     const bool known = report && report->motor;

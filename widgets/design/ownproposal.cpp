@@ -6,7 +6,9 @@
 #include "widgets/common/numberformat.h"
 #include "widgets/control/logslider.h"
 #include "widgets/control/wrappedlabel.h"
+#include "widgets/design/choicemark.h"
 #include "widgets/design/proposalcard.h"
+#include "widgets/design/sliderscale.h"
 
 #include <QHBoxLayout>
 
@@ -39,7 +41,10 @@ QString boundWord(std::string_view bound)
 OwnProposal::OwnProposal(const ThemeSource &theme, QWidget *parent)
     : Card(theme, tr("own"), parent)
 {
+    setDense(true);
     setTitle(tr("own"), tr("by two sliders"));
+    m_mark = new ChoiceMark(theme, this);
+    addHeadMark(m_mark);
     setActivatable(true);
     setAccessibleName(tr("Own proposal"));
     m_speed = new LogSlider(theme, this);
@@ -47,24 +52,26 @@ OwnProposal::OwnProposal(const ThemeSource &theme, QWidget *parent)
     m_damping->setRange(static_cast<int>(leastMs * hundredth), static_cast<int>(mostMs * hundredth));
     m_damping->setSingleStep(1);
     m_damping->setPageStep(5);
-    m_response = addSlider(tr("Speed"), m_speed, tr("calm"), tr("brisk"));
-    m_ms = addSlider(tr("Damping"), m_damping, tr("robust"), tr("lively"));
+    m_speedScale = new SliderScale(theme, tr("calm"), tr("brisk"), this);
+    m_dampingScale = new SliderScale(theme, tr("robust"), tr("lively"), this);
+    m_response = addSlider(tr("Speed"), m_speed, m_speedScale);
+    m_ms = addSlider(tr("Damping"), m_damping, m_dampingScale);
     m_gains = wrappedLabel({}, TextRole::Emphasis, Tone::Text, this);
     m_figures = wrappedLabel({}, TextRole::Caption, Tone::Dim, this);
     m_bounds = wrappedLabel({}, TextRole::Caption, Tone::Caution, this);
     for (QLabel *line : {m_gains, m_figures, m_bounds})
         body().addWidget(line);
-    connect(m_speed, &LogSlider::numberChosen, this, [this] {
-        sayWish();
-        Q_EMIT wished();
-    });
-    connect(m_damping, &QSlider::valueChanged, this, [this] {
-        sayWish();
-        Q_EMIT wished();
-    });
+    connect(m_speed, &LogSlider::numberChosen, this, &OwnProposal::tellWish);
+    connect(m_damping, &QSlider::valueChanged, this, &OwnProposal::tellWish);
 }
 
-QLabel *OwnProposal::addSlider(const QString &name, QSlider *slider, const QString &low, const QString &high)
+void OwnProposal::tellWish()
+{
+    sayWish();
+    Q_EMIT wished();
+}
+
+QLabel *OwnProposal::addSlider(const QString &name, QSlider *slider, SliderScale *scale)
 {
     slider->setAccessibleName(name);
     auto *head = new QHBoxLayout;
@@ -74,18 +81,16 @@ QLabel *OwnProposal::addSlider(const QString &name, QSlider *slider, const QStri
     head->addWidget(value);
     body().addLayout(head);
     body().addWidget(slider);
-    auto *ends = new QHBoxLayout;
-    ends->addWidget(textLabel(low, TextRole::Caption, Tone::Dim, this));
-    ends->addStretch(1);
-    ends->addWidget(textLabel(high, TextRole::Caption, Tone::Dim, this));
-    body().addLayout(ends);
+    body().addWidget(scale);
     return value;
 }
 
-void OwnProposal::setWish(double response, double ms, double usual)
+void OwnProposal::setWish(double response, double ms, double usual, double usualMs)
 {
     m_speed->setCentre(1.0 / usual);
     m_speed->showNumber(1.0 / response);
+    m_speedScale->setMark(0.5, tr("proposal %1").arg(formatDuration(usual)));
+    m_dampingScale->setMark((usualMs - leastMs) / (mostMs - leastMs), tr("proposal %1").arg(formatNumber(usualMs, 2)));
     const QSignalBlocker quiet(m_damping);
     m_damping->setValue(static_cast<int>(std::lround(ms * hundredth)));
     sayWish();
@@ -112,8 +117,8 @@ void OwnProposal::sayWish()
 
 void OwnProposal::show(const Result<tuning::Proposal> &proposal)
 {
-    m_figures->setVisible(proposal.has_value());
-    m_gains->setVisible(proposal.has_value());
+    m_isPossible = proposal.has_value();
+    showFigures();
     if (!proposal) {
         m_bounds->setText(tr("The device cannot have this set: %1").arg(messageText(proposal.error().message())));
         m_bounds->setVisible(true);
@@ -144,7 +149,16 @@ QString OwnProposal::boundText() const
 
 void OwnProposal::setChosen(bool chosen)
 {
+    m_mark->setChosen(chosen);
     setEdge(chosen ? std::optional(Tone::Accent) : std::nullopt);
+    showFigures();
+}
+
+/// What came of the sliders matters where it is the set that would be written.
+void OwnProposal::showFigures()
+{
+    for (QLabel *line : {m_gains, m_figures})
+        line->setVisible(m_isPossible && m_mark->isChosen());
 }
 
 } // namespace mb

@@ -9,7 +9,9 @@ class QSlider;
 
 namespace mb {
 
+class ChoiceMark;
 class LogSlider;
+class SliderScale;
 
 /// The set between the three proposals: how quick the closed loop shall be and how robust, by two sliders in the units of the plant,
 /// and what came of it, with every bound that held it back. Tells each move; whoever listens designs and shows.
@@ -18,8 +20,9 @@ class OwnProposal : public Card {
 public:
     OwnProposal(const ThemeSource &theme, QWidget *parent);
 
-    /// Where the sliders stand without telling anybody; `usual` is the response, s, at the tick of Speed.
-    void setWish(double response, double ms, double usual);
+    /// Where the sliders stand without telling anybody; `usual` is the response, s, at the tick of Speed,
+    /// `usualMs` the sensitivity at that of Damping.
+    void setWish(double response, double ms, double usual, double usualMs);
     [[nodiscard]] double response() const; ///< s, as asked
     [[nodiscard]] double ms() const;
     /// What the wish gives, or why the device cannot have it.
@@ -36,9 +39,15 @@ Q_SIGNALS:
     void wished();
 
 private:
-    QLabel *addSlider(const QString &name, QSlider *slider, const QString &low, const QString &high);
+    QLabel *addSlider(const QString &name, QSlider *slider, SliderScale *scale);
+    void showFigures();
     void sayWish();
+    void tellWish();
 
+    ChoiceMark *m_mark = nullptr;
+    SliderScale *m_speedScale = nullptr;
+    SliderScale *m_dampingScale = nullptr;
+    bool m_isPossible = false;
     LogSlider *m_speed = nullptr; ///< of 1/response: to the right is quicker
     QSlider *m_damping = nullptr; ///< hundredths of Ms
     QLabel *m_response = nullptr;

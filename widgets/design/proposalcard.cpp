@@ -3,6 +3,8 @@
 
 #include "widgets/common/labels.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/control/gainunits.h"
+#include "widgets/design/choicemark.h"
 
 #include <QGridLayout>
 
@@ -24,6 +26,7 @@ QString characterText(tuning::Aim aim)
 struct Figure {
     QString name;
     QString value;
+    QString unit;
 };
 
 std::vector<Figure> figuresOf(const tuning::Proposal &proposal)
@@ -32,13 +35,55 @@ std::vector<Figure> figuresOf(const tuning::Proposal &proposal)
     const auto number = [](const std::optional<double> &value, double scale, int decimals) {
         return value ? formatNumber(*value * scale, decimals) : QStringLiteral("–");
     };
-    return {{ProposalCard::tr("over %"), number(metrics.overshoot, 100.0, 1)},
-        {ProposalCard::tr("settle ms"), number(metrics.settle, 1e3, 0)},
-        {ProposalCard::tr("Ms"), formatNumber(proposal.margins.ms, 2)},
-        {ProposalCard::tr("GM dB"),
+    return {{ProposalCard::tr("over"), number(metrics.overshoot, 100.0, 1), QStringLiteral("%")},
+        {ProposalCard::tr("settle"), number(metrics.settle, 1e3, 0), ProposalCard::tr("ms")},
+        {ProposalCard::tr("Ms"), formatNumber(proposal.margins.ms, 2), {}},
+        {ProposalCard::tr("GM"),
             std::isfinite(proposal.margins.gain) ? formatNumber(20.0 * std::log10(proposal.margins.gain), 1)
-                                                 : QStringLiteral("–")},
-        {ProposalCard::tr("PM °"), formatNumber(proposal.margins.phase)}};
+                                                 : QStringLiteral("–"),
+            ProposalCard::tr("dB")},
+        {ProposalCard::tr("PM"), formatNumber(proposal.margins.phase), QStringLiteral("°")},
+        {ProposalCard::tr("peak"), number(metrics.peakCurrent, 1.0, 1), ProposalCard::tr("A")}};
+}
+
+QString inUnit(const Figure &figure)
+{
+    return figure.unit.isEmpty() || figure.value == QStringLiteral("–") ? figure.value
+        : figure.unit == QStringLiteral("°")                            ? figure.value + figure.unit
+                                                                        : figure.value + QChar(0x00A0) + figure.unit;
+}
+
+/// "1.61e−6": one digit of an exponent is enough.
+QString physicalNumber(double value)
+{
+    return formatSignificant(value, 3).replace(QStringLiteral("e−0"), QStringLiteral("e−"));
+}
+
+/// What a gain is to the motor, a share of full duty per count; nothing for what is no gain.
+QString perCount(std::string_view name, const tuning::ContinuousGains &made, Mode loop)
+{
+    const bool velocity = loop == Mode::Velocity;
+    const QString perSpeed = ProposalCard::tr("s/count");
+    const QString perPlace = ProposalCard::tr("1/count");
+    const auto text = [](double value, const QString &unit) {
+        return value == 0.0 ? QString() : physicalNumber(value) + QLatin1Char(' ') + unit;
+    };
+    if (name == "p" || name == "f")
+        return text(name == "p" ? made.p : made.f, velocity ? perSpeed : perPlace);
+    if (name == "i")
+        return text(made.i, velocity ? perPlace : ProposalCard::tr("1/(count·s)"));
+    return name == "d" ? text(made.d, velocity ? ProposalCard::tr("s²/count") : perSpeed) : QString();
+}
+
+/// The same of a turn of the shaft, where its counts are known.
+QString physicalText(const Family &family, const Parameter &row, const tuning::ScaledGains &gains, double number,
+    const ProposalCard::Scale &scale)
+{
+    const double counts = scale.loop == Mode::Current ? 1.0 : scale.countsPerRevolution;
+    const auto si = counts > 0.0 ? siGain(family, row, scale.loop, number, counts, scale.divisor) : std::nullopt;
+    return si                         ? physicalNumber(si->value) + QLatin1Char(' ') + si->unit
+        : scale.loop == Mode::Current ? QString()
+                                      : perCount(gainName(row), gains.made, scale.loop);
 }
 
 } // namespace
@@ -68,51 +113,73 @@ QString figuresText(const tuning::Proposal &proposal)
 {
     QStringList words;
     for (const Figure &figure : figuresOf(proposal))
-        words << figure.name + QChar(0x00A0) + figure.value;
+        words << figure.name + QChar(0x00A0) + inUnit(figure);
     return words.join(QStringLiteral(" · "));
 }
 
-ProposalCard::ProposalCard(
-    const ThemeSource &theme, const Family &family, const tuning::Proposal &proposal, QWidget *parent)
+ProposalCard::ProposalCard(const ThemeSource &theme, const Family &family, const tuning::Proposal &proposal,
+    const Scale &scale, QWidget *parent)
     : Card(theme, aimText(proposal.aim), parent)
     , m_aim(proposal.aim)
+    , m_mark(new ChoiceMark(theme, this))
 {
+    setDense(true);
     setTitle(aimText(m_aim), characterText(m_aim));
+    addHeadMark(m_mark);
     setActivatable(true);
     addHeadWidget(
         textLabel(tr("τc %1").arg(formatDuration(proposal.design.response)), TextRole::Emphasis, Tone::Text, this));
+    addGains(family, proposal, scale, theme.theme());
+    addFigures(proposal, theme.theme());
+}
+
+/// What is not 0, one below the other.
+void ProposalCard::addGains(
+    const Family &family, const tuning::Proposal &proposal, const Scale &scale, const Theme &look)
+{
     auto *gains = new QGridLayout;
+    gains->setHorizontalSpacing(look.u(6));
+    gains->setVerticalSpacing(0);
     gains->setColumnStretch(3, 1);
     int row = 0;
-    QStringList zeros;
     for (const tuning::ScaledGains::Row &gain : proposal.gains.rows) {
-        if (gain.raw == 0) {
-            zeros << shortGainName(gain.key);
-            continue;
-        }
         const auto index = findParameter(family.parameters, gain.key);
-        const std::string_view unit = index ? family.parameters[index->value].unit : std::string_view();
+        if (gain.raw == 0 || !index)
+            continue;
         gains->addWidget(textLabel(shortGainName(gain.key), TextRole::Emphasis, Tone::Text, this), row, 0);
+        auto *const value = new QLabel(formatSignificant(gain.number, 4), this);
+        setTextRole(*value, TextRole::Emphasis);
+        gains->addWidget(value, row, 1, Qt::AlignRight);
         gains->addWidget(
-            textLabel(formatSignificant(gain.number, 4), TextRole::Emphasis, Tone::Text, this), row, 1, Qt::AlignRight);
-        gains->addWidget(textLabel(tr("raw %1").arg(formatCount(gain.raw)), TextRole::Raw, Tone::Dim, this), row, 2);
-        gains->addWidget(textLabel(QString::fromUtf8(unit.data(), static_cast<int>(unit.size())), TextRole::Caption,
-                             Tone::Dim, this),
-            row++, 3);
+            textLabel(tr("raw %1").arg(formatCount(gain.raw)), TextRole::Raw, Tone::Dim, this), row, 2, Qt::AlignRight);
+        QLabel *const physical
+            = textLabel(physicalText(family, family.parameters[index->value], proposal.gains, gain.number, scale),
+                TextRole::Caption, Tone::Dim, this);
+        physical->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        gains->addWidget(physical, row++, 3);
     }
-    if (!zeros.isEmpty())
-        gains->addWidget(
-            textLabel(tr("%1 = 0").arg(zeros.join(QStringLiteral(", "))), TextRole::Caption, Tone::Dim, this), row, 0,
-            1, 4);
     body().addLayout(gains);
+}
+
+void ProposalCard::addFigures(const tuning::Proposal &proposal, const Theme &look)
+{
     auto *figures = new QGridLayout;
+    figures->setHorizontalSpacing(look.u(6));
+    figures->setVerticalSpacing(0);
     int column = 0;
     QStringList spoken;
     for (const Figure &figure : figuresOf(proposal)) {
         figures->addWidget(textLabel(figure.name, TextRole::Caption, Tone::Dim, this), 0, column);
-        figures->addWidget(textLabel(figure.value, TextRole::Emphasis, Tone::Text, this), 1, column++);
-        spoken << figure.name + QLatin1Char(' ') + figure.value;
+        figures->addWidget(textLabel(inUnit(figure), TextRole::Emphasis, Tone::Text, this), 1, column++);
+        spoken << figure.name + QLatin1Char(' ') + inUnit(figure);
     }
+    QStringList zeros;
+    for (const tuning::ScaledGains::Row &gain : proposal.gains.rows) {
+        if (gain.raw == 0)
+            zeros << shortGainName(gain.key);
+    }
+    if (!zeros.isEmpty())
+        spoken << tr("%1 = 0").arg(zeros.join(QStringLiteral(", ")));
     body().addLayout(figures);
     setAccessibleName(tr("Proposal: %1").arg(aimText(m_aim)));
     setAccessibleDescription(spoken.join(QStringLiteral(", ")));
@@ -120,6 +187,7 @@ ProposalCard::ProposalCard(
 
 void ProposalCard::setChosen(bool chosen)
 {
+    m_mark->setChosen(chosen);
     setEdge(chosen ? std::optional(Tone::Accent) : std::nullopt);
 }
 

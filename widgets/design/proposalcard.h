@@ -7,17 +7,30 @@
 
 namespace mb {
 
+class ChoiceMark;
+
 /// One set of gains that may be had: the device's own numbers, and what they will do. Clicked, or activated by keys, it is chosen.
 class ProposalCard : public Card {
     Q_OBJECT
 public:
-    ProposalCard(const ThemeSource &theme, const Family &family, const tuning::Proposal &proposal, QWidget *parent);
+    /// What the gains are to the motor.
+    struct Scale {
+        Mode loop = Mode::Velocity;
+        double countsPerRevolution = 0.0; ///< 0: not known
+        double divisor = 1.0;             ///< of the set, where the loop has one
+    };
+    ProposalCard(const ThemeSource &theme, const Family &family, const tuning::Proposal &proposal, const Scale &scale,
+        QWidget *parent);
 
     void setChosen(bool chosen);
     [[nodiscard]] tuning::Aim aim() const { return m_aim; }
 
 private:
+    void addGains(const Family &family, const tuning::Proposal &proposal, const Scale &scale, const Theme &look);
+    void addFigures(const tuning::Proposal &proposal, const Theme &look);
+
     tuning::Aim m_aim;
+    ChoiceMark *m_mark;
 };
 
 /// "P" of "slot0.p".

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/design/proposallist.h"
 
+#include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/design/designplots.h"
 #include "widgets/design/ownproposal.h"
 #include "widgets/design/proposalcard.h"
@@ -16,10 +18,16 @@ ProposalList::ProposalList(DesignBook &book, DesignPlots &plots, const ThemeSour
     , m_plots(plots)
     , m_theme(theme)
     , m_own(new OwnProposal(theme, this))
-    , m_column(new QVBoxLayout(this))
+    , m_head(new QWidget(this))
+    , m_column(layoutIn<QVBoxLayout>(this, theme.theme().u(6)))
 {
-    m_column->setContentsMargins(0, 0, 0, 0);
-    m_column->setSpacing(theme.theme().u(8));
+    auto *head = layoutIn<QHBoxLayout>(m_head);
+    head->addWidget(new SectionLabel(tr("Proposals"), m_head));
+    m_comparedWords = textLabel({}, TextRole::Caption, Tone::Dim, m_head);
+    m_comparedWords->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    head->addWidget(m_comparedWords, 1);
+    m_column->addWidget(m_head);
+    m_column->addWidget(m_own);
     m_own->hide();
     connect(m_own, &OwnProposal::wished, this, &ProposalList::ownWished);
     connect(m_own, &Card::activated, this, &ProposalList::ownWished);
@@ -64,17 +72,28 @@ void ProposalList::showReport()
         delete card;
     m_designed.clear();
     m_ownDesigned.reset();
+    m_comparison.forget();
     if (const DeviceView *const view = m_book.device(); view && m_book.report()) {
         designAll(*view);
-        for (const tuning::Proposal &proposal : m_designed) {
-            auto *card = new ProposalCard(m_theme, *view->family, proposal, this);
-            connect(card, &Card::activated, this, [this, aim = proposal.aim] { chooseAim(aim); });
-            m_column->addWidget(card);
-            m_cards.push_back(card);
-        }
+        for (const tuning::Proposal &proposal : m_designed)
+            addCard(*view, proposal);
     }
+    m_head->setVisible(!m_designed.empty());
     m_own->setVisible(!m_designed.empty());
     showChosen();
+}
+
+void ProposalList::addCard(const DeviceView &view, const tuning::Proposal &proposal)
+{
+    ProposalCard::Scale scale{m_book.loop(), view.profile.calibrated(countsPerRevolutionKey), 1.0};
+    for (const tuning::ScaledGains::Row &row : proposal.gains.rows) {
+        if (row.key.ends_with(".divisor"))
+            scale.divisor = row.number;
+    }
+    auto *card = new ProposalCard(m_theme, *view.family, proposal, scale, this);
+    connect(card, &Card::activated, this, [this, aim = proposal.aim] { chooseAim(aim); });
+    m_column->insertWidget(m_column->count() - 1, card); // the own one is the last
+    m_cards.push_back(card);
 }
 
 /// What the engine proposed; the same gains in another slot.
@@ -106,7 +125,7 @@ void ProposalList::designOwn()
     const double response = now.response > 0.0 ? now.response : usual;
     const double ms = now.ms > 0.0 ? now.ms : tuning::msBoundsOf({}).model;
     const auto proposal = tuning::proposalFor(m_book.basisOf(*view, m_inForce), {tuning::Aim::Normal, response, ms});
-    m_own->setWish(response, ms, usual);
+    m_own->setWish(response, ms, usual, tuning::msBoundsOf({}).model);
     m_own->show(proposal);
     if (proposal)
         m_ownDesigned = *proposal;
@@ -122,9 +141,17 @@ void ProposalList::showChosen()
     const DeviceView *const view = m_book.device();
     if (!proposal || !view)
         return m_plots.clear();
+    const tuning::ProposalBasis basis = m_book.basisOf(*view, m_inForce);
+    const std::optional<ComparedGains> &compared = m_comparison.with(*view, basis, *m_book.report(), *proposal);
+    m_comparedWords->setText(compared ? comparedText(*compared) : QString());
     m_plots.setMeasured(m_book.response());
-    m_plots.show(
-        *m_book.report(), *proposal, now.own ? tr("own") : aimText(proposal->aim), m_book.basisOf(*view, m_inForce));
+    m_plots.show(*m_book.report(), {*proposal, chosenName(), compared}, basis);
+}
+
+QString ProposalList::chosenName() const
+{
+    const tuning::Proposal *const proposal = chosen();
+    return !proposal ? QString() : m_book.choice().own ? tr("own") : aimText(proposal->aim);
 }
 
 } // namespace mb

@@ -2,9 +2,12 @@
 #pragma once
 
 #include "widgets/common/theme.h"
+#include "widgets/design/comparedgains.h"
 #include "widgets/design/designbook.h"
 
 #include <QVBoxLayout>
+
+class QLabel;
 
 namespace mb {
 
@@ -20,7 +23,7 @@ public:
     /// Has the cards in it; the plots stand elsewhere on the page.
     ProposalList(DesignBook &book, DesignPlots &plots, const ThemeSource &theme, QWidget *parent);
 
-    /// The set of the two sliders, to be put where there is a place for it.
+    /// The set of the two sliders, below the cards.
     [[nodiscard]] OwnProposal &own() { return *m_own; }
     /// What a step may use; proposals are designed for it from now on.
     void setInForce(const Envelope &inForce) { m_inForce = inForce; }
@@ -33,9 +36,12 @@ public:
     void chooseOwn(double response, double ms);
     /// nullptr: there is nothing yet.
     [[nodiscard]] const tuning::Proposal *chosen() const;
+    [[nodiscard]] QString chosenName() const;
+    [[nodiscard]] const Envelope &inForce() const { return m_inForce; }
 
 private:
     void designAll(const DeviceView &view);
+    void addCard(const DeviceView &view, const tuning::Proposal &proposal);
     void designOwn();
     void ownWished();
 
@@ -47,6 +53,9 @@ private:
     std::optional<tuning::Proposal> m_ownDesigned; ///< of the sliders
     std::vector<ProposalCard *> m_cards;
     OwnProposal *m_own = nullptr;
+    QWidget *m_head = nullptr;
+    QLabel *m_comparedWords = nullptr;
+    GainComparison m_comparison;
     QVBoxLayout *m_column = nullptr;
 };
 

@@ -31,12 +31,13 @@ SweepPanel::SweepPanel(Arming &arming, const ThemeSource &theme, QWidget *parent
     : QWidget(parent)
     , m_arming(arming)
 {
-    auto *column = layoutIn<QVBoxLayout>(this, theme.theme().u(4));
+    const Theme &look = theme.theme();
+    auto *row = layoutIn<QHBoxLayout>(this, look.u(12), {look.u(12), look.u(6), look.u(12), look.u(6)});
     m_button = new CommandButton(theme, tr("Frequency response"), this);
     m_button->setToolTip(tr("Measures the motor by sines and draws it over its model, as far as it may be trusted"));
     m_words = wrappedLabel({}, TextRole::Caption, Tone::Dim, this);
-    column->addWidget(m_button);
-    column->addWidget(m_words);
+    row->addWidget(m_button);
+    row->addWidget(m_words, 1);
     connect(m_button, &QPushButton::clicked, this, &SweepPanel::measure);
     follow({});
 }

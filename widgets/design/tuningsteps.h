@@ -3,6 +3,7 @@
 
 #include "model/snapshot.h"
 #include "tuning/autotune.h"
+#include "tuning/proofcourse.h"
 #include "widgets/common/theme.h"
 
 #include <QWidget>
@@ -14,24 +15,44 @@ namespace mb {
 
 class StateGlyph;
 
-/// What an order will do, before; what it is doing, meanwhile; what came of it, after.
+/// What an order will do, step by step, before; what it is doing, meanwhile; what came of it, after.
 class TuningSteps : public QWidget {
     Q_OBJECT
 public:
     explicit TuningSteps(const ThemeSource &theme, QWidget *parent = nullptr);
 
-    /// `running` while it runs; else the last report, or nullptr.
-    void show(const OperationView *running, const tuning::TuneReport *report);
+    /// A set that may be put to the proof.
+    struct Ahead {
+        const tuning::Proposal &proposal;
+        tuning::ProofCourse course;
+        int slot = 0;      ///< that the result is for
+        int gainSlots = 1; ///< of the device
+        Mode loop = Mode::Velocity;
+    };
+    /// `running` while it runs; else the last report and what may come next, each nullptr where there is none.
+    void show(const OperationView *running, const tuning::TuneReport *report, const Ahead *ahead);
 
 private:
-    void say(QStringList lines);
+    struct Step {
+        QString head;
+        QString words;
+        friend bool operator==(const Step &, const Step &) = default;
+    };
+    QWidget *buildHead();
+    void showState(const OperationView *running, const tuning::TuneReport *report);
+    [[nodiscard]] static std::vector<Step> stepsOf(const OperationView &running);
+    [[nodiscard]] static std::vector<Step> stepsOf(const Ahead &ahead, const tuning::TuneReport *report);
+    [[nodiscard]] static std::vector<Step> stepsFromTheBeginning();
+    void say(std::vector<Step> steps, bool numbered);
 
     const ThemeSource &m_theme;
+    QWidget *m_time = nullptr; ///< beside the head, below it where it is narrow
+    QLabel *m_seconds = nullptr;
     StateGlyph *m_glyph = nullptr;
     QLabel *m_head = nullptr;
     QLabel *m_words = nullptr;
     QVBoxLayout *m_lines = nullptr;
-    QStringList m_said;
+    std::vector<Step> m_said;
 };
 
 /// "kept", "rolled back" …, in front of people.

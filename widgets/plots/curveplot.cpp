@@ -7,6 +7,9 @@
 
 #include <QKeyEvent>
 
+#include <numeric>
+#include <utility>
+
 namespace mb {
 namespace {
 
@@ -49,6 +52,7 @@ CurvePlot::CurvePlot(const ThemeSource &theme, const QString &accessibleName, QW
     m_mark = new QCPItemText(m_plot);
     m_mark->position->setType(QCPItemPosition::ptAxisRectRatio);
     m_mark->position->setCoords(0.5, 0.5);
+    m_marks = new CurveMarks(*m_plot, theme);
     auto *column = layoutIn<QVBoxLayout>(this, -1, {2, 2, 2, 2});
     column->addWidget(m_plot);
     connect(m_plot, &QCustomPlot::mouseDoubleClick, this, &CurvePlot::fit);
@@ -77,7 +81,7 @@ void CurvePlot::resizeEvent(QResizeEvent *event)
 
 void CurvePlot::showNote()
 {
-    m_words->setText(inLines(m_note, QFontMetrics(m_words->font()), width() - besideNote));
+    m_words->setText(m_around.note ? inLines(m_note, QFontMetrics(m_words->font()), width() - besideNote) : QString());
 }
 
 void CurvePlot::restyle()
@@ -109,6 +113,8 @@ void CurvePlot::restyle()
     faint.setAlphaF(0.12);
     m_mark->setFont(big);
     m_mark->setColor(faint);
+    setSurroundings(m_around);
+    setMarks(std::vector<CurveMark>(marks()));
     setCurves(std::vector<Curve>(m_curves));
 }
 
@@ -149,29 +155,78 @@ void CurvePlot::addBand(const Curve &curve)
     high->setChannelFillGraph(low);
 }
 
+void CurvePlot::addCurve(const Curve &curve)
+{
+    if (!curve.low.isEmpty())
+        addBand(curve);
+    auto *drawn = new QCPCurve(m_plot->xAxis, m_plot->yAxis);
+    drawn->setName(curve.name);
+    QPen pen = tracePen(curve.look, m_theme.theme());
+    if (curve.look.emphasis && curve.look.dash == TraceDash::Solid)
+        pen.setWidth(m_theme.theme().u(2));
+    drawn->setPen(pen);
+    if (curve.points) {
+        drawn->setLineStyle(QCPCurve::lsNone);
+        drawn->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssTriangle, pen,
+            curve.hollow ? QBrush(m_theme.theme().canvas) : QBrush(pen.color()), m_theme.theme().u(8)));
+    }
+    QVector<double> order(curve.x.size());
+    std::iota(order.begin(), order.end(), 0.0);
+    drawn->setData(order, curve.x, curve.y, true);
+}
+
 void CurvePlot::setCurves(const std::vector<Curve> &curves)
 {
     m_curves = curves;
     m_plot->clearPlottables();
-    for (const Curve &curve : m_curves) {
-        if (!curve.low.isEmpty())
-            addBand(curve);
-        auto *drawn = new QCPCurve(m_plot->xAxis, m_plot->yAxis);
-        drawn->setName(curve.name);
-        drawn->setPen(tracePen(curve.look, m_theme.theme()));
-        if (curve.points) {
-            drawn->setLineStyle(QCPCurve::lsNone);
-            drawn->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssTriangle, m_theme.theme().u(8)));
-        }
-        QVector<double> order(curve.x.size());
-        std::iota(order.begin(), order.end(), 0.0);
-        drawn->setData(order, curve.x, curve.y, true);
-    }
-    m_plot->legend->setVisible(m_curves.size() > 0);
+    for (const Curve &curve : m_behind)
+        addCurve(curve);
+    for (const Curve &curve : m_curves)
+        addCurve(curve);
+    m_plot->legend->setVisible(m_around.legend && m_curves.size() > 0);
+    showLabels();
     if (!m_fitted && !m_curves.empty())
         fit();
     else
         replotSoon();
+}
+
+/// Numbers beside nothing say nothing.
+void CurvePlot::showLabels()
+{
+    m_plot->xAxis->setTickLabels(m_around.xLabels && !m_curves.empty());
+    m_plot->yAxis->setTickLabels(!m_curves.empty());
+}
+
+void CurvePlot::setBehind(std::vector<Curve> curves)
+{
+    m_behind = std::move(curves);
+    setCurves(std::vector<Curve>(m_curves));
+}
+
+void CurvePlot::setMarks(std::vector<CurveMark> marks)
+{
+    m_marks->set(std::move(marks), font());
+    replotSoon();
+}
+
+void CurvePlot::setSurroundings(const Surroundings &surroundings)
+{
+    m_around = surroundings;
+    m_plot->legend->setVisible(m_around.legend && !m_curves.empty());
+    showLabels();
+    QCPAxisRect &frame = *m_plot->axisRect();
+    frame.setAutoMargins(m_around.left > 0 ? QCP::msTop | QCP::msRight | QCP::msBottom : QCP::msAll);
+    if (!m_around.note && m_words->layout()) {
+        m_plot->plotLayout()->take(m_words);
+        m_plot->plotLayout()->simplify();
+    }
+    if (m_around.left > 0) {
+        const Theme &look = m_theme.theme();
+        frame.setMargins(QMargins(look.u(m_around.left), 0, 0, 0));
+        frame.setMinimumMargins(QMargins(0, look.u(6), look.u(14), look.u(6)));
+    }
+    showNote();
 }
 
 void CurvePlot::setNote(const QString &note)
@@ -195,7 +250,11 @@ void CurvePlot::setWatermark(const QString &text)
 void CurvePlot::fit()
 {
     m_fitted = !m_curves.empty();
-    m_plot->rescaleAxes();
+    bool first = true;
+    for (int i = static_cast<int>(m_behind.size()); i < m_plot->plottableCount(); ++i)
+        m_plot->plottable(i)->rescaleAxes(!std::exchange(first, false));
+    if (m_least.size() > 0.0)
+        m_plot->yAxis->setRange(m_plot->yAxis->range().expanded(m_least));
     for (QCPAxis *axis : {m_plot->xAxis, m_plot->yAxis}) {
         if (axis->scaleType() == QCPAxis::stLinear)
             axis->scaleRange(1.06, axis->range().center());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "async/result.h"
+#include "widgets/plots/curvemarks.h"
 #include "widgets/plots/traceplottable.h"
 
 #include <QWidget>
@@ -18,6 +19,7 @@ struct Curve {
     QVector<double> low{};
     QVector<double> high{};
     bool points = false; ///< its values are marks without a line between them
+    bool hollow = false; ///< and only their outline
 };
 
 /// Values against something else than time: a spectrum, one signal against another. One plot, named axes, a legend, a
@@ -29,9 +31,25 @@ public:
 
     void setAxes(const QString &x, const QString &y, bool logarithmicY, bool logarithmicX = false);
     void setCurves(const std::vector<Curve> &curves);
+    /// Drawn behind them, without bands, and no reason for fit() to make room.
+    void setBehind(std::vector<Curve> curves);
+    /// What stands beside the curves: bands, lines, words at their places.
+    void setMarks(std::vector<CurveMark> marks);
+    [[nodiscard]] const std::vector<CurveMark> &marks() const { return m_marks->marks(); }
     void setNote(const QString &note);
     /// Where the names stand: where the curves leave room, AlignTop | AlignRight otherwise.
     void setLegendPlace(Qt::Alignment place);
+    /// What stands around the curves; names and notes may have another place on the page.
+    struct Surroundings {
+        bool legend = true;
+        bool note = true;
+        bool xLabels = true;
+        int left
+            = 0; ///< units of room for the labels of y, so that plots below each other stand in line; 0: what they need
+    };
+    void setSurroundings(const Surroundings &surroundings);
+    /// Values of y that fit() shows in any case.
+    void setLeastRange(double lower, double upper) { m_least = QCPRange(lower, upper); }
     void setWatermark(const QString &text);
     void fit();
     [[nodiscard]] Result<void> exportTo(const QString &path);
@@ -47,8 +65,10 @@ protected:
 
 private:
     void addBand(const Curve &curve);
+    void addCurve(const Curve &curve);
     void setAxis(QCPAxis &axis, const QString &label, bool logarithmic);
     void replotSoon();
+    void showLabels();
     void showNote();
     void restyle();
 
@@ -56,7 +76,11 @@ private:
     QCustomPlot *m_plot = nullptr;
     QCPTextElement *m_words = nullptr;
     QCPItemText *m_mark = nullptr;
+    CurveMarks *m_marks = nullptr;
     std::vector<Curve> m_curves;
+    std::vector<Curve> m_behind;
+    Surroundings m_around;
+    QCPRange m_least; ///< of no size: whatever the curves have
     QString m_note;
     bool m_fitted = false;
 };

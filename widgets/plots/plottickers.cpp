@@ -36,6 +36,24 @@ QString NumberTicker::getTickLabel(double tick, const QLocale &, QChar, int)
     return formatNumber(rounded, decimals);
 }
 
+QVector<double> DecadeTicker::createTickVector(double, const QCPRange &range)
+{
+    QVector<double> ticks;
+    if (range.lower <= 0.0)
+        return ticks;
+    for (double decade = std::pow(10.0, std::floor(std::log10(range.lower))); decade <= range.upper; decade *= 10.0) {
+        for (const double share : {1.0, 2.0, 5.0})
+            ticks.append(share * decade);
+    }
+    return ticks;
+}
+
+QString DecadeTicker::getTickLabel(double tick, const QLocale &, QChar, int)
+{
+    const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(tick) - 1e-9)));
+    return formatNumber(tick, decimals);
+}
+
 double TimeTicker::getTickStep(const QCPRange &range)
 {
     const double rough = range.size() / tickCount();

@@ -18,6 +18,13 @@ protected:
     QString getTickLabel(double tick, const QLocale &locale, QChar formatChar, int precision) override;
 };
 
+/// Frequencies on a logarithmic axis: 1, 2 and 5 of each decade.
+class DecadeTicker : public QCPAxisTickerLog {
+protected:
+    QVector<double> createTickVector(double tickStep, const QCPRange &range) override;
+    QString getTickLabel(double tick, const QLocale &locale, QChar formatChar, int precision) override;
+};
+
 /// Time as seconds from an origin, or as the time of day when the Unix time of key 0 is known.
 class TimeTicker : public QCPAxisTicker {
 public:

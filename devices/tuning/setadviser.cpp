@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tuning/setadviser.h"
+
+#include "model/family.h"
+#include "tuning/envelope.h"
+#include "tuning/gains.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mb::tuning {
+namespace {
+
+constexpr double conflict = 0.3;    ///< F·K with I active, as of a trial (adviser.h)
+constexpr double leastSteps = 50.0; ///< of a gain's integer
+constexpr double largeBand = 0.02;  ///< of the step, that friction alone may keep P from
+constexpr double slowRamp = 0.5;    ///< of the response
+constexpr double overFriction = 1.25;
+
+using State = SetAdvice::State;
+
+/// The loop's parameter of this name; empty where it has none.
+std::string setKey(const ProposalBasis &basis, std::string_view name)
+{
+    const LoopGains *const loop = loopOf(basis.family, basis.loop);
+    if (!loop || std::find(loop->names.begin(), loop->names.end(), name) == loop->names.end())
+        return {};
+    return gainKey(basis.family, std::string(loop->prefix) + std::string(name), basis.axis, basis.slot);
+}
+
+/// As it will be once the set is written.
+std::optional<double> afterwards(const Proposal &proposal, const KnownGains &now, const std::string &key)
+{
+    for (const ScaledGains::Row &row : proposal.gains.rows) {
+        if (row.key == key)
+            return row.number;
+    }
+    const auto found = std::find_if(now.begin(), now.end(), [&key](const auto &known) { return known.first == key; });
+    return found == now.end() ? std::nullopt : found->second;
+}
+
+SetAdvice onFeedForward(const ProposalBasis &basis, const Proposal &proposal, const KnownGains &now)
+{
+    SetAdvice advice{Cause::FeedForward, State::Fine, 0.0, conflict, setKey(basis, "f"), {}};
+    if (basis.loop != Mode::Velocity || advice.key.empty())
+        return advice;
+    advice.number = proposal.gains.made.f * basis.plant.gain;
+    if (proposal.gains.made.i != 0.0 && advice.number >= conflict) {
+        advice.state = State::Notable;
+        return advice;
+    }
+    const auto before = gainsMadeBy(basis.family, basis.profile, basis.loop, basis.axis, basis.slot, now, basis.scale);
+    if (before && before->made.i != 0.0 && before->made.f * basis.plant.gain >= conflict) {
+        advice.state = State::Fixed;
+        advice.number = before->made.f * basis.plant.gain;
+    }
+    return advice;
+}
+
+SetAdvice onDeadband(const ProposalBasis &basis, const Proposal &proposal, const KnownGains &now)
+{
+    SetAdvice advice{Cause::Deadband, State::Fine, deadband(basis.plant, proposal.gains.made),
+        largeBand * std::abs(proposal.step), setKey(basis, "nominal_forward"), {}};
+    const bool helps = afterwards(proposal, now, advice.key).value_or(0.0) != 0.0;
+    if (advice.number <= advice.limit || helps)
+        return advice;
+    advice.state = State::Notable;
+    const double duty
+        = std::round(overFriction * basis.plant.friction * (basis.family.loop ? basis.family.loop->fullDuty : 0.0));
+    for (const auto &[name, sign] : {std::pair("nominal_forward", 1.0), std::pair("nominal_reverse", -1.0)}) {
+        if (const std::string key = setKey(basis, name); !key.empty() && duty > 0.0)
+            advice.changes.emplace_back(key, sign * duty);
+    }
+    return advice;
+}
+
+SetAdvice onNoise(const ProposalBasis &basis, const Proposal &proposal)
+{
+    const double period = basis.scale ? basis.scale->cycle : basis.family.loop ? basis.family.loop->period : 0.0;
+    SetAdvice advice{Cause::DerivativeNoise, State::Fine, 0.0, LoopBounds().derivativeShare, setKey(basis, "d"), {}};
+    if (basis.loop == Mode::Position && period > 0.0)
+        advice.number = std::abs(proposal.gains.made.d) / period;
+    if (advice.number > advice.limit)
+        advice.state = State::Notable;
+    return advice;
+}
+
+SetAdvice onResolution(const Proposal &proposal)
+{
+    SetAdvice advice{Cause::Resolution, State::Fine, 0.0, leastSteps, {}, {}};
+    for (const ScaledGains::Row &row : proposal.gains.rows) {
+        const std::string_view name = std::string_view(row.key).substr(row.key.rfind('.') + 1);
+        const double steps = std::abs(static_cast<double>(row.raw));
+        if (name.size() != 1 || steps == 0.0 || (!advice.key.empty() && steps >= advice.number))
+            continue;
+        advice.number = steps;
+        advice.key = row.key;
+    }
+    if (!advice.key.empty() && advice.number < leastSteps)
+        advice.state = State::Notable;
+    return advice;
+}
+
+SetAdvice onRamp(const ProposalBasis &basis, const Proposal &proposal, const KnownGains &now)
+{
+    SetAdvice advice{Cause::Ramp, State::Fine, 0.0, slowRamp * proposal.design.response, setKey(basis, "ramp"), {}};
+    if (advice.key.empty() || !basis.family.loop)
+        return advice;
+    const auto ramp = afterwards(proposal, now, advice.key);
+    if (!ramp)
+        advice.state = State::Unread;
+    else if (*ramp > 0.0)
+        advice.number = basis.family.loop->period * basis.family.loop->fullDuty / *ramp;
+    if (advice.number > advice.limit) {
+        advice.state = State::Notable;
+        advice.changes = {{advice.key, 0.0}};
+    }
+    return advice;
+}
+
+} // namespace
+
+std::vector<SetAdvice> adviseOnSet(const ProposalBasis &basis, const Proposal &proposal, const KnownGains &now)
+{
+    std::vector<SetAdvice> all{onFeedForward(basis, proposal, now)};
+    if (basis.loop != Mode::Current)
+        all.push_back(onDeadband(basis, proposal, now));
+    all.push_back(onNoise(basis, proposal));
+    all.push_back(onResolution(proposal));
+    all.push_back(onRamp(basis, proposal, now));
+    return all;
+}
+
+} // namespace mb::tuning

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/design/adviserlist.h"
+
+#include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
+#include "widgets/common/numberformat.h"
+#include "widgets/common/stateglyph.h"
+#include "widgets/control/advicepanel.h"
+#include "widgets/control/wrappedlabel.h"
+#include "widgets/design/proposalcard.h"
+#include "widgets/design/stepcurves.h"
+
+#include <QPushButton>
+
+#include <cmath>
+
+namespace mb {
+namespace {
+
+using tuning::Cause;
+using State = tuning::SetAdvice::State;
+
+QString adviceState(const tuning::SetAdvice &advice, bool staged)
+{
+    if (staged)
+        return AdviserList::tr("staged");
+    switch (advice.state) {
+    case State::Fine: return AdviserList::tr("ok");
+    case State::Fixed: return AdviserList::tr("fixed in the set");
+    case State::Notable: return advice.changes.empty() ? AdviserList::tr("mind it") : AdviserList::tr("to fix");
+    case State::Unread: return AdviserList::tr("not read");
+    }
+    return {};
+}
+
+GlyphState adviceGlyph(State state)
+{
+    return state == State::Notable ? GlyphState::Warning
+        : state == State::Unread   ? GlyphState::Waiting
+                                   : GlyphState::Done;
+}
+
+Tone adviceTone(State state)
+{
+    return state == State::Notable ? Tone::Caution : state == State::Unread ? Tone::Dim : Tone::Ok;
+}
+
+QString sharePercent(double fraction)
+{
+    return formatNumber(fraction * 100.0, fraction < 0.1 ? 1 : 0);
+}
+
+QString feedForwardText(Mode loop, const tuning::SetAdvice &advice)
+{
+    const QString number = formatNumber(advice.number, 2);
+    if (advice.key.empty() || loop != Mode::Velocity)
+        return AdviserList::tr("This loop has no F that could fight with I.");
+    if (advice.state == State::Fixed)
+        return AdviserList::tr("F·K is %1 in force, with I active: that overshoots. The set has no F.").arg(number);
+    if (advice.state == State::Notable)
+        return adviceText(tuning::Advice{advice.cause, advice.number, 0.0, {}});
+    return advice.number == 0.0 ? AdviserList::tr("F is 0: nothing is paid back as overshoot.")
+                                : AdviserList::tr("F·K is %1, under %2: nothing is paid back as overshoot.")
+                                      .arg(number, formatNumber(advice.limit, 2));
+}
+
+QString deadbandText(Mode loop, const tuning::ContinuousGains &gains, const tuning::SetAdvice &advice)
+{
+    const QString band = QStringLiteral("%1 %2").arg(formatSignificant(advice.number, 3), stepUnit(loop));
+    QString words = gains.i != 0.0 ? AdviserList::tr("uS/kp = %1: below this error only I moves the shaft.").arg(band)
+                                   : AdviserList::tr("uS/kp = %1: below this error nothing moves the shaft.").arg(band);
+    if (advice.state == State::Notable)
+        words += QLatin1Char(' ') + AdviserList::tr("That is over 2 % of the step.");
+    else if (advice.number > advice.limit)
+        words += QLatin1Char(' ') + AdviserList::tr("The drive's least output helps.");
+    return words;
+}
+
+QString resolutionText(const tuning::SetAdvice &advice)
+{
+    if (advice.key.empty())
+        return AdviserList::tr("No gain of the set is an integer of its own.");
+    return AdviserList::tr("%1 is %2 steps of its integer, at least %3 are wanted: one step is %4 %.")
+        .arg(shortGainName(advice.key), formatNumber(advice.number), formatNumber(advice.limit),
+            formatSignificant(100.0 / advice.number, 2));
+}
+
+QString rampText(const tuning::SetAdvice &advice)
+{
+    if (advice.key.empty())
+        return AdviserList::tr("This drive has no ramp of its own.");
+    if (advice.state == State::Unread)
+        return AdviserList::tr("The drive's ramp was not read yet.");
+    if (advice.number == 0.0)
+        return AdviserList::tr("The drive's ramp is off.");
+    const QString words = advice.state == State::Notable
+        ? AdviserList::tr("Full duty takes %1, over τc/2 = %2: it acts as lag.")
+        : AdviserList::tr("Full duty takes %1, under τc/2 = %2.");
+    return words.arg(formatDuration(advice.number), formatDuration(advice.limit));
+}
+
+} // namespace
+
+QString placeText(Cause cause)
+{
+    switch (cause) {
+    case Cause::FeedForward: return AdviserList::tr("F–I conflict");
+    case Cause::Deadband: return AdviserList::tr("Deadband");
+    case Cause::DerivativeNoise: return AdviserList::tr("D noise");
+    case Cause::Resolution: return AdviserList::tr("Resolution");
+    case Cause::Ramp: return AdviserList::tr("Ramp");
+    default: return {};
+    }
+}
+
+QString adviceText(
+    const tuning::ProposalBasis &basis, const tuning::Proposal &proposal, const tuning::SetAdvice &advice)
+{
+    switch (advice.cause) {
+    case Cause::FeedForward: return feedForwardText(basis.loop, advice);
+    case Cause::Deadband: return deadbandText(basis.loop, proposal.gains.made, advice);
+    case Cause::DerivativeNoise:
+        return advice.number == 0.0
+            ? AdviserList::tr("D is 0: one count moves no duty.")
+            : AdviserList::tr("One count moves the duty by %1 % through D; %2 % is the most that is quiet.")
+                  .arg(sharePercent(advice.number), sharePercent(advice.limit));
+    case Cause::Resolution: return resolutionText(advice);
+    case Cause::Ramp: return rampText(advice);
+    default: return {};
+    }
+}
+
+AdviserList::AdviserList(const ThemeSource &theme, QWidget *parent)
+    : QWidget(parent)
+    , m_theme(theme)
+{
+    const Theme &look = theme.theme();
+    auto *column = layoutIn<QVBoxLayout>(this, look.u(6));
+    auto *head = new QHBoxLayout;
+    head->addWidget(new SectionLabel(tr("Advisers"), this));
+    head->addStretch(1);
+    m_of = textLabel({}, TextRole::Caption, Tone::Dim, this);
+    head->addWidget(m_of);
+    column->addLayout(head);
+    m_box = new QWidget(this);
+    m_rows = layoutIn<QVBoxLayout>(m_box, look.u(6));
+    column->addWidget(m_box);
+    hide();
+}
+
+void AdviserList::show(const tuning::ProposalBasis &basis, const tuning::Proposal &proposal, const QString &name,
+    const std::vector<tuning::SetAdvice> &advice, const std::function<bool(const tuning::SetAdvice &)> &isStaged)
+{
+    m_of->setText(basis.family.capabilities.gainSlots > 1 ? tr("for %1, slot %2").arg(name).arg(basis.slot)
+                                                          : tr("for %1").arg(name));
+    std::vector<Place> places;
+    for (const tuning::SetAdvice &one : advice)
+        places.push_back({one, adviceText(basis, proposal, one), !one.changes.empty() && isStaged(one)});
+    setVisible(true);
+    if (places == m_places)
+        return;
+    m_places = std::move(places);
+    rebuild();
+}
+
+void AdviserList::clear()
+{
+    m_places.clear();
+    rebuild();
+    hide();
+}
+
+void AdviserList::rebuild()
+{
+    while (QLayoutItem *item = m_rows->takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+    for (const Place &place : m_places) {
+        if (m_rows->count() > 0)
+            m_rows->addWidget(separatorLine(Qt::Horizontal, m_box));
+        addPlace(place);
+    }
+}
+
+void AdviserList::addPlace(const Place &place)
+{
+    const State state = place.staged ? State::Fixed : place.advice.state;
+    auto *const box = new QWidget(m_box);
+    auto *const grid = layoutIn<QGridLayout>(box);
+    grid->setHorizontalSpacing(m_theme.theme().u(8));
+    grid->setVerticalSpacing(m_theme.theme().u(1));
+    grid->addWidget(new StateGlyph(m_theme, adviceGlyph(state), box), 0, 0);
+    auto *const title = new QLabel(placeText(place.advice.cause), box);
+    setTextRole(*title, TextRole::Emphasis);
+    grid->addWidget(title, 0, 1);
+    grid->addWidget(
+        textLabel(adviceState(place.advice, place.staged), TextRole::Caption, adviceTone(state), box), 0, 2);
+    grid->setColumnStretch(2, 1);
+    grid->addWidget(wrappedLabel(place.words, TextRole::Caption, Tone::Dim, box), 1, 1, 1, 2);
+    if (!place.advice.changes.empty()) {
+        auto *const button = new QPushButton(place.staged
+                ? tr("Take back")
+                : remedyText({place.advice.cause, place.advice.number, 0.0, place.advice.changes}),
+            box);
+        button->setToolTip(tr("Stages these values; nothing is written yet."));
+        connect(
+            button, &QPushButton::clicked, this, [this, place] { Q_EMIT stageRequested(place.advice, !place.staged); });
+        grid->addWidget(button, 2, 1, 1, 2, Qt::AlignLeft);
+    }
+    m_rows->addWidget(box);
+    box->show();
+}
+
+} // namespace mb

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tuning/setadviser.h"
+#include "widgets/common/theme.h"
+
+#include <QWidget>
+
+#include <functional>
+#include <vector>
+
+class QLabel;
+class QVBoxLayout;
+
+namespace mb {
+
+/// What is to be known of the chosen set before it is written, one place for each property, also where all is well: its state in a shape and
+/// a word, one sentence with the numbers, and one button where there is a value to stage.
+class AdviserList : public QWidget {
+    Q_OBJECT
+public:
+    explicit AdviserList(const ThemeSource &theme, QWidget *parent = nullptr);
+
+    /// Of this set, by name; `isStaged`: whether the values that an advice changes are staged already.
+    void show(const tuning::ProposalBasis &basis, const tuning::Proposal &proposal, const QString &name,
+        const std::vector<tuning::SetAdvice> &advice, const std::function<bool(const tuning::SetAdvice &)> &isStaged);
+    /// There is no set.
+    void clear();
+
+Q_SIGNALS:
+    /// To be staged, or no longer.
+    void stageRequested(const mb::tuning::SetAdvice &advice, bool staged);
+
+private:
+    struct Place {
+        tuning::SetAdvice advice;
+        QString words;
+        bool staged = false;
+        friend bool operator==(const Place &, const Place &) = default;
+    };
+    void rebuild();
+    void addPlace(const Place &place);
+
+    const ThemeSource &m_theme;
+    QLabel *m_of = nullptr;
+    QVBoxLayout *m_rows = nullptr;
+    QWidget *m_box = nullptr;
+    std::vector<Place> m_places;
+};
+
+/// "D noise", in front of people.
+[[nodiscard]] QString placeText(tuning::Cause cause);
+/// One sentence with the numbers.
+[[nodiscard]] QString adviceText(
+    const tuning::ProposalBasis &basis, const tuning::Proposal &proposal, const tuning::SetAdvice &advice);
+
+} // namespace mb

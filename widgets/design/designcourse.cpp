@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/design/designcourse.h"
+
+#include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
+#include "widgets/design/adviserlist.h"
+#include "widgets/design/scrollcolumn.h"
+#include "widgets/design/tuningsteps.h"
+#include "widgets/parameters/editdesk.h"
+
+#include <algorithm>
+
+namespace mb {
+namespace {
+
+std::vector<ParameterChange> changesOf(const Family &family, const tuning::SetAdvice &advice)
+{
+    std::vector<ParameterChange> changes;
+    for (const auto &[key, number] : advice.changes) {
+        const auto index = findParameter(family.parameters, key);
+        const auto raw = index ? toRaw(family.parameters[index->value], number) : Result<std::int64_t>(0);
+        if (index && raw)
+            changes.push_back({*index, *raw});
+    }
+    return changes;
+}
+
+bool isStaged(StagedEdits &edits, const std::vector<ParameterChange> &changes)
+{
+    const std::vector<StagedChange> staged = edits.ordered();
+    return !changes.empty() && std::all_of(changes.begin(), changes.end(), [&staged](const ParameterChange &wanted) {
+        return std::any_of(staged.begin(), staged.end(),
+            [&wanted](const StagedChange &one) { return one.index == wanted.index && one.to == wanted.raw; });
+    });
+}
+
+} // namespace
+
+DesignCourse::DesignCourse(
+    Workbench &workbench, DesignBook &book, const ThemeSource &theme, QWidget *prove, QWidget *parent)
+    : QWidget(parent)
+    , m_workbench(workbench)
+    , m_book(book)
+{
+    const Theme &look = theme.theme();
+    auto *column = layoutIn<QVBoxLayout>(this, 0);
+    auto *area = new ScrollColumn(look, this);
+    m_advisers = new AdviserList(theme, area->content());
+    m_steps = new TuningSteps(theme, area->content());
+    area->rows().addWidget(m_advisers);
+    area->rows().addStretch(1);
+    area->rows().addWidget(m_steps);
+    column->addWidget(area, 1);
+    auto *foot = new QWidget(this);
+    auto *row = layoutIn<QHBoxLayout>(foot, 0, {look.u(12), look.u(4), look.u(12), look.u(10)});
+    row->addWidget(prove);
+    column->addWidget(foot);
+    connect(m_advisers, &AdviserList::stageRequested, this, &DesignCourse::stage);
+}
+
+void DesignCourse::follow(const DeviceView &view, const OperationView *running, const Chosen &chosen)
+{
+    if (!chosen.proposal || !m_book.report()) {
+        m_advisers->clear();
+        m_steps->show(running, m_book.report(), nullptr);
+        return;
+    }
+    advise(view, chosen);
+    const TuningSteps::Ahead ahead{*chosen.proposal,
+        tuning::courseOf(m_book.basisOf(view, chosen.inForce), *chosen.proposal), m_book.choice().slot,
+        view.family->capabilities.gainSlots, m_book.loop()};
+    m_steps->show(running, m_book.report(), &ahead);
+}
+
+void DesignCourse::advise(const DeviceView &view, const Chosen &chosen)
+{
+    const tuning::ProposalBasis basis = m_book.basisOf(view, chosen.inForce);
+    const tuning::KnownGains now
+        = tuning::knownGains(basis.family, basis.loop, basis.axis, basis.slot, view.parameters);
+    StagedEdits &edits = EditDesk::of(m_workbench).editsOf(view);
+    m_advisers->show(basis, *chosen.proposal, chosen.name, tuning::adviseOnSet(basis, *chosen.proposal, now),
+        [&](const tuning::SetAdvice &advice) { return isStaged(edits, changesOf(basis.family, advice)); });
+}
+
+void DesignCourse::stage(const tuning::SetAdvice &advice, bool staged)
+{
+    const DeviceView *const view = m_book.device();
+    if (!view)
+        return;
+    StagedEdits &edits = EditDesk::of(m_workbench).editsOf(*view);
+    const std::vector<ParameterChange> changes = changesOf(*view->family, advice);
+    if (staged)
+        edits.stageAll(changes, tr("What the adviser proposes"));
+    for (std::size_t i = 0; !staged && i < changes.size(); ++i)
+        edits.revert(changes[i].index);
+    Q_EMIT m_workbench.changed();
+}
+
+} // namespace mb

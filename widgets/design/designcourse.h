@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tuning/setadviser.h"
+#include "widgets/common/theme.h"
+#include "widgets/design/designbook.h"
+
+#include <QWidget>
+
+namespace mb {
+
+class AdviserList;
+class TuningSteps;
+
+/// The right column of the Design page: what is to be known of the chosen set, what will happen to it, and at the foot, always in sight,
+/// the order that begins it. What an adviser proposes is staged here (EditDesk), and written on the pages where it is edited.
+class DesignCourse : public QWidget {
+    Q_OBJECT
+public:
+    /// Takes the button.
+    DesignCourse(Workbench &workbench, DesignBook &book, const ThemeSource &theme, QWidget *prove, QWidget *parent);
+
+    /// A set that is chosen, or nothing.
+    struct Chosen {
+        const tuning::Proposal *proposal = nullptr;
+        QString name;
+        Envelope inForce;
+    };
+    /// Of the device that is shown; `running` while an order runs.
+    void follow(const DeviceView &view, const OperationView *running, const Chosen &chosen);
+
+private:
+    void advise(const DeviceView &view, const Chosen &chosen);
+    void stage(const tuning::SetAdvice &advice, bool staged);
+
+    Workbench &m_workbench;
+    DesignBook &m_book;
+    AdviserList *m_advisers = nullptr;
+    TuningSteps *m_steps = nullptr;
+};
+
+} // namespace mb
