@@ -21,6 +21,7 @@ constexpr double shortestShown = 0.05; ///< s, of one of them
 constexpr double mostCompared = 1.6;   ///< of the step, that other gains are given room for
 constexpr double headroom = 1.08;      ///< of the step, above which there is room for words
 constexpr double settleBand = 0.02;
+constexpr double belowLine = 0.7; ///< of the step
 
 Curve curveOf(
     const QString &name, const TraceLook &look, const tuning::Trace &whole, double origin, double sign, double end)
@@ -117,13 +118,15 @@ void markMeasured(StepCurves &step, const tuning::Metrics &measured, double targ
             }
         }
     }
-    if (measured.overshoot && *measured.overshoot > settleBand / 2.0)
-        step.marks.push_back(wordsAt(x, peak,
-            StepText::tr("measured: peak %1, %2 % over")
-                .arg(formatSignificant(peak, 4), formatNumber(*measured.overshoot * 100.0, 1)),
-            Qt::AlignRight | Qt::AlignTop, false));
+    QStringList words;
     if (measured.settle)
-        step.marks.push_back(wordsAt(*measured.settle, 0.7 * target, settled, Qt::AlignRight | Qt::AlignBottom, false));
+        words << settled;
+    if (measured.overshoot && *measured.overshoot > settleBand / 2.0)
+        words << StepText::tr("measured: peak %1, %2 % over")
+                     .arg(formatSignificant(peak, 4), formatNumber(*measured.overshoot * 100.0, 1));
+    if (!words.isEmpty()) // below the line, which they would cover
+        step.marks.push_back(wordsAt(measured.settle.value_or(x), belowLine * target, words.join(QLatin1Char('\n')),
+            Qt::AlignRight | Qt::AlignBottom, false));
     step.highest = std::max(step.highest, headroom * peak);
 }
 
