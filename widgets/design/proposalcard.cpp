@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/design/proposalcard.h"
 
+#include "files/qttext.h"
+#include "model/loopparameters.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/numberformat.h"
 
@@ -41,6 +43,13 @@ std::vector<Figure> figuresOf(const tuning::Proposal &proposal)
         {ProposalCard::tr("PM °"), formatNumber(proposal.margins.phase)}};
 }
 
+/// "P" of "slot0.p".
+QString shortGainName(const Family &family, const std::string &key)
+{
+    const Role role = roleOf(family, key);
+    return isGain(role) ? qt(gainLetter(role)) : QString::fromStdString(key.substr(key.rfind('.') + 1)).toUpper();
+}
+
 } // namespace
 
 QString aimText(tuning::Aim aim)
@@ -51,17 +60,6 @@ QString aimText(tuning::Aim aim)
     case tuning::Aim::Brisk: return ProposalCard::tr("brisk");
     }
     return {};
-}
-
-QString shortGainName(const std::string &key)
-{
-    return QString::fromStdString(key.substr(key.rfind('.') + 1)).toUpper();
-}
-
-bool isGainItself(const std::string &key)
-{
-    const std::string name = key.substr(key.rfind('.') + 1);
-    return name.size() == 1;
 }
 
 QString figuresText(const tuning::Proposal &proposal)
@@ -87,12 +85,12 @@ ProposalCard::ProposalCard(
     QStringList zeros;
     for (const tuning::ScaledGains::Row &gain : proposal.gains.rows) {
         if (gain.raw == 0) {
-            zeros << shortGainName(gain.key);
+            zeros << shortGainName(family, gain.key);
             continue;
         }
         const auto index = findParameter(family.parameters, gain.key);
         const std::string_view unit = index ? family.parameters[index->value].unit : std::string_view();
-        gains->addWidget(textLabel(shortGainName(gain.key), TextRole::Emphasis, Tone::Text, this), row, 0);
+        gains->addWidget(textLabel(shortGainName(family, gain.key), TextRole::Emphasis, Tone::Text, this), row, 0);
         gains->addWidget(
             textLabel(formatSignificant(gain.number, 4), TextRole::Emphasis, Tone::Text, this), row, 1, Qt::AlignRight);
         gains->addWidget(textLabel(tr("raw %1").arg(formatCount(gain.raw)), TextRole::Raw, Tone::Dim, this), row, 2);
