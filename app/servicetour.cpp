@@ -21,8 +21,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::chrono::seconds queueTime{120};
-constexpr std::string_view liveKey = "current_limit.peak"; ///< more of it makes a motor livelier
-constexpr int writtenShare = 40;                           ///< percent, when the picture of a queue is taken
+constexpr int writtenShare = 40; ///< percent, when the picture of a queue is taken
 
 } // namespace
 
@@ -40,7 +39,7 @@ QueueBoard &ServiceTour::board() const
 void ServiceTour::loosen()
 {
     const DeviceView *device = unit();
-    const auto index = findParameter(device->family->parameters, liveKey);
+    const auto index = findParameter(device->family->parameters, device->family->demo->livelierLimit);
     const auto raw = index ? device->parameters[index->value].raw : std::nullopt;
     if (raw)
         m_stage.workbench().send(orders::WriteParameters{device->id, {{*index, *raw / 6 * 7}}});

@@ -210,6 +210,29 @@ def families(path, text, _code):
         yield line, "error", f"{match[0]}: what is known of a family is data of its folder (model/family.h)"
 
 
+# What a parameter is stands in its row as a Role (model/parameter.h), and which one is meant is asked by model/loopparameters. Whoever
+# asks for the key of one, or for how it ends, knows one family's names.
+GAIN_NAMES = r"(?:[pidf]|divisor|windup|i_zone|(?:nominal|max)_(?:forward|reverse)|allowable_error|ramp|(?:dis|en)abled|scale)"
+FILE_ENDINGS = r"(?:csv|pdf|html?|mcap|md|svg|json)"
+KEY_NAMES = [
+    rf'\b(?:ends_with|endsWith)\(\s*(?:\w+\(\s*)?"(?!\.{FILE_ENDINGS}")\.?[a-z]\w*"',
+    r'\bstarts_with\(\s*"[a-z]\w*\."',
+    rf'[=!]=\s*(?:std::string_view\()?"\.?{GAIN_NAMES}"',
+    r'"p",\s*"[id]"',
+    r'"(?:divisor|i_zone|(?:nominal|max)_(?:forward|reverse)|allowable_error)"',
+    r'\b(?:findParameter|gainKey)\((?:[^;"()]|\([^"()]*\))*(?:\w+\([^"()]*)?"[^"]*"',
+    r'"(?:slot\d|gain|current_limit|limit)\.[a-z_.]+"',
+]
+
+
+def parameter_names(path, text, _code):
+    if not is_cpp(path) or not path.startswith(("devices/", "widgets/", "app/")) or path.startswith("devices/families/"):
+        return
+    for pattern in KEY_NAMES:
+        for line, match in matches(pattern, without_comments(text)):
+            yield line, "error", f"{' '.join(match[0].split())[:60]}: what a parameter is says its Role, no name (model/loopparameters.h)"
+
+
 FILE_LINES = (300, 500)
 FUNCTION_LINES = (40, 60)
 CONSTRUCTOR_LINES = 25
@@ -236,7 +259,7 @@ def absolute_paths(_path, text, _code):
         yield line, "error", f"{match[0]}: no path of one machine"
 
 
-RULES = (licence, names, forbidden, operands, sentences, layering, families, budgets, absolute_paths)
+RULES = (licence, names, forbidden, operands, sentences, layering, families, parameter_names, budgets, absolute_paths)
 
 
 def check_file(path, text):

@@ -116,7 +116,7 @@ void printModel(Output &out, const TuneReport &report)
 bool hasIdleFeedForward(const ScaledGains &gains)
 {
     return std::any_of(gains.rows.begin(), gains.rows.end(),
-        [](const ScaledGains::Row &row) { return row.key.ends_with(".f") && row.raw == 0; });
+        [](const ScaledGains::Row &row) { return row.role == Role::FeedForward && row.raw == 0; });
 }
 
 void printGains(Output &out, const TuneReport &report)

@@ -15,7 +15,7 @@ constexpr Duration inputsToldEvery = std::chrono::milliseconds(50);
 } // namespace
 
 Device::Device(const Family &family, Link &link, Clock &clock, Identity identity)
-    : Stoppable(family.capabilities.watchdog)
+    : Stoppable(family.capabilities.watchdog, family.capabilities.watchdogLimit)
     , DeviceDriver(family)
     , m_link(link)
     , m_clock(clock)

@@ -13,8 +13,7 @@ constexpr Duration confirmRarely = 250ms;
 constexpr Duration stopAgain = 250ms; ///< longer than a family's own confirmation of one stop
 constexpr Duration stopRarely = 1s;
 constexpr Duration noSignLimit = 1s;
-constexpr Duration coastLimit = 10s;      ///< of a device that is heard: a heavy load runs out
-constexpr Duration watchdogLimit = 250ms; ///< every family's with a margin; 104 ms of a DMC60C
+constexpr Duration coastLimit = 10s; ///< of a device that is heard: a heavy load runs out
 
 } // namespace
 
@@ -99,7 +98,7 @@ void DeviceStop::lookAtCutLine()
     m_look.startIn(m_state == StopState::Stopping ? confirmEvery : confirmRarely, [this] { look(); });
     if (!m_device.hasWatchdog())
         enter(since < debtLimit ? StopState::Owed : StopState::Unconfirmed);
-    else if (since >= watchdogLimit)
+    else if (since >= m_device.watchdogLimit())
         enter(StopState::ByWatchdog);
 }
 

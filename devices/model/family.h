@@ -57,6 +57,8 @@ struct Capabilities {
     /// A control frame that comes later than this after the one before finds a device that has stopped by itself, or one that
     /// nobody has watched for too long: motion ends then (SetPointStream::End::Late).
     std::chrono::milliseconds commandLimit{250};
+    /// With a watchdog: this long after the last frame that reached it a device has stopped by itself for certain.
+    std::chrono::milliseconds watchdogLimit{250};
     std::chrono::seconds storesAfter{
         0}; ///< flash has what RAM has this long after the last write; 0: only when told to
 };
@@ -77,6 +79,8 @@ struct Calibration {
     double minimum = 0.0;
     double maximum = 0.0;
     std::span<const Choice> choices{}; ///< not empty: one of these, the first while nobody chose
+    Mode loop = Mode::Off;             ///< it is what a raw gain of 1 of this loop puts out (LoopScale::calibrated) …
+    Role gain = Role::None;            ///< … for this gain; None: it is something else
 };
 /// The one calibration that widgets know by name: encoder counts of one turn, four edges a line.
 constexpr std::string_view countsPerRevolutionKey = "counts_per_revolution";
@@ -94,9 +98,9 @@ struct LoopScale {
     std::string_view velocityError;   ///< English unit of a velocity error; widgets translate it
     std::string_view currentError;
     std::string_view time;           ///< English name of `period`: "loop", "ms"
-    bool divided = false;            ///< each loop has a parameter `divisor`
+    bool divided = false;            ///< each loop has a Role::Divisor
     bool derivativeInverted = false; ///< a positive raw D pushes the same way as the change
-    bool calibrated = false; ///< what a raw gain of 1 puts out is not known but by calibration: "velocity.p.scale"
+    bool calibrated = false;         ///< what a raw gain of 1 puts out is not known but by Calibration::gain
 };
 
 /// A fault that devices of the family report in their telemetry.
@@ -122,6 +126,7 @@ struct ChannelRate {
 /// Units of `Family::bench` that show off the program (`--tour`): addresses.
 struct DemoUnits {
     int tuned = 0;
+    std::string_view livelierLimit{};                ///< its parameter: more of it makes its motor livelier
     int overshooting = 0;                            ///< with gains that are too lively …
     std::span<const std::string_view> livelyGains{}; ///< … of its velocity loop: P and I
     int inBootloader = 0;
@@ -241,9 +246,11 @@ struct Family {
     std::span<const FaultRow> faults{};          ///< empty: its devices tell no faults
     std::span<const ModeRange> ranges{};         ///< of modes where usualRange() is not what it seems
     std::span<const ChannelRate> watched{};      ///< while a motion is tuned
-    const DemoUnits *demo = nullptr;             ///< nullptr: the tour shows another family
-    const LoopScale *loop = nullptr;             ///< nullptr: what the gains mean is not known
-    const TrialTraits *trials = nullptr;         ///< nullptr: no loop of it can be tried
+    std::span<const std::string_view>
+        versionEntries{};                ///< keys of Identity::descriptors that tell its versions once more
+    const DemoUnits *demo = nullptr;     ///< nullptr: the tour shows another family
+    const LoopScale *loop = nullptr;     ///< nullptr: what the gains mean is not known
+    const TrialTraits *trials = nullptr; ///< nullptr: no loop of it can be tried
     /// Puts changes of write-only or interlocked parameters into the order that passes through safe states only.
     void (*arrange)(const ParameterStore &known, std::vector<ParameterChange> &changes) = nullptr;
 

@@ -61,14 +61,22 @@ enum class Nature : std::uint8_t {
 };
 
 /// What a parameter does to a motion, for what must know it without knowing the family: the order of writing, a leap that is
-/// asked about, units of gains.
+/// asked about, what gains mean and are made of. Nobody knows one by its key.
 enum class Role : std::uint8_t {
     None,
     Proportional, ///< P, I, D, F: gains of a loop (TrialTraits::loops)
     Integral,
     Derivative,
     FeedForward,
-    Limit, ///< bounds what a motor may do, whichever loop drives it; a boolean switches such a bound
+    Divisor,        ///< what the gains of its loop are divided by
+    IntegralLimit,  ///< greatest output that the integral of its loop may make
+    IntegralZone,   ///< bounds the sum of errors itself; 0: nothing does
+    LeastForward,   ///< least output of its loop, forward: overcomes friction
+    LeastReverse,   ///< the same, reverse: a number at or below 0
+    AllowableError, ///< error below which its loop does nothing
+    Ramp,           ///< greatest change of output in a period of its loop; 0: none
+    Limit,          ///< bounds what a motor may do, whichever loop drives it; a boolean switches such a bound
+    PowerLimit,     ///< such a limit: of the power that its motor gets at most
 };
 
 struct Choice {
@@ -108,17 +116,32 @@ struct Parameter {
         = false; ///< tells one unit from another, or was calibrated for it: not copied to another unit unasked
     bool afterRestart = false; ///< what is written is in force after the next power cycle only, and so not compared
     Role role = Role::None;
+    bool inverted = false; ///< of a boolean limit: on switches the limit off
 };
 
+[[nodiscard]] constexpr bool isGain(Role role)
+{
+    return role >= Role::Proportional && role <= Role::FeedForward;
+}
 [[nodiscard]] constexpr bool isGain(const Parameter &parameter)
 {
-    return parameter.role >= Role::Proportional && parameter.role <= Role::FeedForward;
+    return isGain(parameter.role);
+}
+[[nodiscard]] constexpr bool isLimit(const Parameter &parameter)
+{
+    return parameter.role >= Role::Limit;
 }
 
 /// For tables: the row with this role.
 [[nodiscard]] constexpr Parameter as(Role role, Parameter row)
 {
     row.role = role;
+    return row;
+}
+/// For tables: a switch that is on while its limit is off.
+[[nodiscard]] constexpr Parameter inverted(Parameter row)
+{
+    row.inverted = true;
     return row;
 }
 

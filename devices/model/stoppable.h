@@ -18,6 +18,8 @@ public:
     [[nodiscard]] virtual std::string selector() const = 0;
     /// Its own watchdog switches its output off when nobody commands it (Capabilities::watchdog).
     [[nodiscard]] bool hasWatchdog() const { return m_hasWatchdog; }
+    /// When it has done so for certain (Capabilities::watchdogLimit).
+    [[nodiscard]] Duration watchdogLimit() const { return m_watchdogLimit; }
     [[nodiscard]] virtual const Liveness &liveness() const = 0;
     /// By telemetry that is younger than the call to stop(): output off.
     [[nodiscard]] virtual bool isSeenStopped() const = 0;
@@ -30,14 +32,16 @@ public:
     virtual void repeatStop() = 0;
 
 protected:
-    explicit Stoppable(bool hasWatchdog)
+    explicit Stoppable(bool hasWatchdog, Duration watchdogLimit = std::chrono::milliseconds(250))
         : m_hasWatchdog(hasWatchdog)
+        , m_watchdogLimit(watchdogLimit)
     {
     }
     ~Stoppable() = default;
 
 private:
     bool m_hasWatchdog;
+    Duration m_watchdogLimit;
 };
 
 } // namespace mb

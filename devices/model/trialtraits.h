@@ -36,7 +36,7 @@ inline constexpr std::array<EnvelopeBound, 4> envelopeBounds{{
 struct LoopGains {
     Mode mode = Mode::Velocity;
     std::string_view prefix{};                 ///< of their keys, without the axis; '#' stands for the slot
-    std::span<const std::string_view> names{}; ///< what follows it: "p", "i", …
+    std::span<const std::string_view> names{}; ///< what follows it, in the order in which they are shown
     bool proportional = false;                 ///< its integral cannot be relied on: only P is tuned
 };
 

@@ -12,7 +12,7 @@ namespace {
 
 bool switchesOff(const Parameter &parameter, const StagedChange &change)
 {
-    return parameter.key.ends_with("disabled") ? change.to != 0 : change.to == 0;
+    return parameter.inverted ? change.to != 0 : change.to == 0;
 }
 
 bool isSwitch(const Parameter &parameter)
@@ -21,11 +21,6 @@ bool isSwitch(const Parameter &parameter)
 }
 
 } // namespace
-
-bool isLimit(const Parameter &parameter)
-{
-    return parameter.role == Role::Limit;
-}
 
 bool widensLimit(const Parameter &parameter, const StagedChange &change)
 {

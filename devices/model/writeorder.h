@@ -27,8 +27,6 @@ struct StagedChange {
 /// Raised means a greater amount, whatever the sign. From an unknown value, gains count as raised and limits as tighter.
 [[nodiscard]] int writeRank(const Parameter &parameter, const StagedChange &change);
 
-/// A limit of the motor: Role::Limit.
-[[nodiscard]] bool isLimit(const Parameter &parameter);
 /// The change makes a limit wider, or switches it off; false where it is not known what was in force.
 [[nodiscard]] bool widensLimit(const Parameter &parameter, const StagedChange &change);
 

@@ -18,7 +18,6 @@ using tuning::Trial;
 
 constexpr int measuredHeight = 150; // px
 constexpr int effortHeight = 62;
-constexpr std::string_view gainOrder = "pidf";
 
 tuning::Trace scaled(tuning::Trace trace, double factor)
 {
@@ -103,19 +102,21 @@ QString gainsTable(const Trial &trial, const ReportUnit &unit, const Report &rep
         std::string key;
         std::optional<double> value;
         std::optional<double> fallback;
-        std::size_t rank = 0;
+        Role rank = Role::None; ///< what is no gain comes last
     };
     std::vector<Tried> gains;
     int usual = 0;
     for (const auto &[key, value] : trial.gains) {
-        Tried row{key, value, {}, gainOrder.find(key.back())};
-        if (const auto index = unit.family ? findParameter(unit.family->parameters, key) : std::nullopt)
-            row.fallback = unit.family->parameters[index->value].fallback;
-        const bool gain = key.size() > 1 && key[key.size() - 2] == '.' && row.rank != std::string_view::npos;
-        if (!gain && value && value == row.fallback)
+        Tried row{key, value, {}, Role::Limit};
+        if (const auto index = unit.family ? findParameter(unit.family->parameters, key) : std::nullopt) {
+            const Parameter &parameter = unit.family->parameters[index->value];
+            row.fallback = parameter.fallback;
+            row.rank = isGain(parameter) ? parameter.role : Role::Limit;
+        }
+        if (!isGain(row.rank) && value && value == row.fallback)
             ++usual;
         else
-            gains.push_back(gain ? row : Tried{row.key, row.value, row.fallback, gainOrder.size()});
+            gains.push_back(row);
     }
     if (gains.empty())
         return {};

@@ -5,6 +5,7 @@
 #include "model/family.h"
 #include "report/htmltext.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mb {
@@ -44,8 +45,10 @@ QString identityHtml(const ReportUnit &unit, const Report &report)
     addFact(right, ReportText::tr("Firmware"), identity.firmware);
     addFact(right, ReportText::tr("Bootloader"), identity.bootloader);
     addFact(right, ReportText::tr("Dialect"), identity.dialect);
+    const auto versions = unit.family ? unit.family->versionEntries : std::span<const std::string_view>();
     for (const auto &[key, text] : identity.descriptors) {
-        const bool told = text == identity.name || text == identity.serial || key.find("version") != std::string::npos;
+        const bool told = text == identity.name || text == identity.serial
+            || std::find(versions.begin(), versions.end(), key) != versions.end();
         if (!text.empty() && !told)
             right.add({phrased(report, key).replace(QLatin1Char('_'), QLatin1Char(' ')), strong(escaped(text))});
     }

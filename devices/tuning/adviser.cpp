@@ -36,9 +36,9 @@ void add(std::vector<Advice> &all, Cause cause, double number, double weight, Ch
 Changes scaled(const Evidence &seen, double factor)
 {
     Changes changes;
-    for (const std::string_view name : {"p", "i"}) {
-        if (seen.gain(name) != 0.0)
-            changes.emplace_back(seen.key(name), seen.gain(name) * factor);
+    for (const Role role : {Role::Proportional, Role::Integral}) {
+        if (seen.gain(role) != 0.0)
+            changes.emplace_back(seen.key(role), seen.gain(role) * factor);
     }
     return changes;
 }
@@ -47,11 +47,11 @@ Changes scaled(const Evidence &seen, double factor)
 Changes nominal(const Evidence &seen, double duty)
 {
     Changes changes;
-    for (const std::string_view name : {"nominal_forward", "nominal_reverse"}) {
-        if (!seen.key(name).empty())
-            changes.emplace_back(seen.key(name),
+    for (const Role role : {Role::LeastForward, Role::LeastReverse}) {
+        if (!seen.key(role).empty())
+            changes.emplace_back(seen.key(role),
                 std::round(overFriction * std::abs(duty) * seen.scale()->fullDuty)
-                    * (name == "nominal_reverse" ? -1.0 : 1.0));
+                    * (role == Role::LeastReverse ? -1.0 : 1.0));
     }
     return changes;
 }
@@ -59,43 +59,41 @@ Changes nominal(const Evidence &seen, double duty)
 void adviseOnFeedForward(const Evidence &seen, std::vector<Advice> &all)
 {
     const auto product = seen.feedForwardTimesGain();
-    if (seen.trial().mode != Mode::Velocity || seen.gain("i") == 0.0 || !product || *product < conflict
+    if (seen.trial().mode != Mode::Velocity || seen.gain(Role::Integral) == 0.0 || !product || *product < conflict
         || seen.overshoot() < notableOvershoot)
         return;
-    add(all, Cause::FeedForward, *product, *product / conflict, {{seen.key("f"), 0.0}});
+    add(all, Cause::FeedForward, *product, *product / conflict, {{seen.key(Role::FeedForward), 0.0}});
 }
 
 void adviseOnDeadband(const Evidence &seen, std::vector<Advice> &all)
 {
     const auto left = seen.countsLeft();
     const auto duty = seen.dutyAtEnd();
-    if (seen.trial().mode != Mode::Position || seen.gain("i") != 0.0 || !left || std::abs(*left) <= shortBy || !duty
-        || *duty * *left <= 0.0) // it pushes the right way, and nothing moves
+    if (seen.trial().mode != Mode::Position || seen.gain(Role::Integral) != 0.0 || !left || std::abs(*left) <= shortBy
+        || !duty || *duty * *left <= 0.0) // it pushes the right way, and nothing moves
         return;
     Changes changes = seen.scale() ? nominal(seen, *duty) : Changes();
     if (changes.empty())
-        changes.emplace_back(seen.key("p"), seen.gain("p") * std::min(4.0, std::abs(*left) / shortBy));
+        changes.emplace_back(
+            seen.key(Role::Proportional), seen.gain(Role::Proportional) * std::min(4.0, std::abs(*left) / shortBy));
     add(all, Cause::Deadband, std::abs(*left), std::abs(*left) / shortBy, std::move(changes));
 }
 
 void adviseOnResolution(const Evidence &seen, std::vector<Advice> &all)
 {
-    std::string worst;
     double fewest = leastSteps;
-    for (const std::string_view name : {"p", "i", "d"}) {
-        const auto steps = seen.stepsOf(name);
-        if (steps && *steps > 0.0 && *steps < fewest) {
-            fewest = *steps;
-            worst = name;
-        }
+    for (const Role role : {Role::Proportional, Role::Integral, Role::Derivative}) {
+        const auto steps = seen.stepsOf(role);
+        if (steps && *steps > 0.0)
+            fewest = std::min(fewest, *steps);
     }
-    if (worst.empty())
+    if (fewest == leastSteps)
         return;
     Changes changes;
-    if (!seen.key("divisor").empty()) { // the same loop in finer steps
+    if (!seen.key(Role::Divisor).empty()) { // the same loop in finer steps
         constexpr double finer = 10.0;
-        for (const std::string_view name : {"divisor", "p", "i", "d"})
-            changes.emplace_back(seen.key(name), seen.gain(name) * finer);
+        for (const Role role : {Role::Divisor, Role::Proportional, Role::Integral, Role::Derivative})
+            changes.emplace_back(seen.key(role), seen.gain(role) * finer);
     }
     add(all, Cause::Resolution, fewest, leastSteps / fewest, std::move(changes));
 }
@@ -105,7 +103,8 @@ void adviseOnNoise(const Evidence &seen, std::vector<Advice> &all)
     const auto leap = seen.leapOfOneCount();
     if (!leap || *leap <= mostLeap)
         return;
-    add(all, Cause::DerivativeNoise, *leap, *leap / mostLeap, {{seen.key("d"), seen.gain("d") * mostLeap / *leap}});
+    add(all, Cause::DerivativeNoise, *leap, *leap / mostLeap,
+        {{seen.key(Role::Derivative), seen.gain(Role::Derivative) * mostLeap / *leap}});
 }
 
 void adviseOnRamp(const Evidence &seen, std::vector<Advice> &all)
@@ -114,7 +113,7 @@ void adviseOnRamp(const Evidence &seen, std::vector<Advice> &all)
     const auto rise = seen.trial().metrics.rise;
     if (!time || !rise || *time <= slowRamp * *rise)
         return;
-    add(all, Cause::Ramp, *time, *time / (slowRamp * *rise), {{seen.key("ramp"), 0.0}});
+    add(all, Cause::Ramp, *time, *time / (slowRamp * *rise), {{seen.key(Role::Ramp), 0.0}});
 }
 
 void adviseOnLimit(const Evidence &seen, std::vector<Advice> &all)
@@ -122,11 +121,11 @@ void adviseOnLimit(const Evidence &seen, std::vector<Advice> &all)
     const double time = seen.timeAtLimit();
     if (time < leastAtLimit)
         return;
-    const bool wound = seen.gain("i") != 0.0 && seen.overshoot() >= notableOvershoot;
+    const bool wound = seen.gain(Role::Integral) != 0.0 && seen.overshoot() >= notableOvershoot;
     if (wound) {
-        Changes changes{{seen.key("i"), seen.gain("i") / 2.0}};
-        if (const auto zone = seen.errorAfterLimit(); zone && !seen.key("i_zone").empty())
-            changes = {{seen.key("i_zone"), std::max(1.0, std::round(*zone))}};
+        Changes changes{{seen.key(Role::Integral), seen.gain(Role::Integral) / 2.0}};
+        if (const auto zone = seen.errorAfterLimit(); zone && !seen.key(Role::IntegralZone).empty())
+            changes = {{seen.key(Role::IntegralZone), std::max(1.0, std::round(*zone))}};
         add(all, Cause::Windup, time, time / leastAtLimit, std::move(changes));
         return;
     }
@@ -157,8 +156,8 @@ void adviseOnFriction(const Evidence &seen, std::vector<Advice> &all)
     if (!start || start->time <= usual)
         return;
     Changes changes = seen.scale() ? nominal(seen, start->duty) : Changes();
-    if (changes.empty() && seen.gain("i") != 0.0)
-        changes.emplace_back(seen.key("i"), seen.gain("i") * 1.5);
+    if (changes.empty() && seen.gain(Role::Integral) != 0.0)
+        changes.emplace_back(seen.key(Role::Integral), seen.gain(Role::Integral) * 1.5);
     add(all, Cause::Friction, std::abs(start->duty), start->time / usual, std::move(changes));
 }
 
@@ -172,8 +171,9 @@ void adviseOnGravity(const Evidence &seen, std::vector<Advice> &all)
     const double holding = (*before + *after) / 2.0;
     Changes changes;
     const auto rise = seen.trial().metrics.rise;
-    if (seen.gain("i") == 0.0 && seen.scale() && rise && *rise > 0.0) // resets in four times the rise
-        changes.emplace_back(seen.key("i"), seen.gain("p") * seen.scale()->period / (4.0 * *rise));
+    if (seen.gain(Role::Integral) == 0.0 && seen.scale() && rise && *rise > 0.0) // resets in four times the rise
+        changes.emplace_back(
+            seen.key(Role::Integral), seen.gain(Role::Proportional) * seen.scale()->period / (4.0 * *rise));
     add(all, Cause::Gravity, holding, std::abs(holding) / leastHolding, std::move(changes));
 }
 
@@ -183,10 +183,10 @@ void adviseOnBacklash(const Evidence &seen, std::vector<Advice> &all)
     if (seen.trial().mode != Mode::Position || !swing || swing->counts < leastPlay || swing->turns < leastTurns)
         return;
     Changes changes;
-    if (!seen.key("allowable_error").empty())
-        changes.emplace_back(seen.key("allowable_error"), std::ceil(swing->counts / 2.0));
-    else if (seen.gain("i") != 0.0)
-        changes.emplace_back(seen.key("i"), seen.gain("i") / 2.0);
+    if (!seen.key(Role::AllowableError).empty())
+        changes.emplace_back(seen.key(Role::AllowableError), std::ceil(swing->counts / 2.0));
+    else if (seen.gain(Role::Integral) != 0.0)
+        changes.emplace_back(seen.key(Role::Integral), seen.gain(Role::Integral) / 2.0);
     add(all, Cause::Backlash, swing->counts, swing->counts / leastPlay, std::move(changes));
 }
 

@@ -2,6 +2,7 @@
 #include "tuning/autotune.h"
 
 #include "model/family.h"
+#include "model/loopparameters.h"
 #include "tuning/autotunerun.h"
 #include "tuning/figures.h"
 #include "tuning/gains.h"

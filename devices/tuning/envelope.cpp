@@ -3,6 +3,7 @@
 
 #include "model/axis.h"
 #include "model/family.h"
+#include "model/loopparameters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -87,14 +88,6 @@ double wayOf(const Stimulus &stimulus)
 }
 
 } // namespace
-
-std::string gainKey(const Family &family, std::string_view pattern, int axis, int slot)
-{
-    std::string key(pattern);
-    if (const auto at = key.find('#'); at != std::string::npos)
-        key.replace(at, 1, std::to_string(slot));
-    return family.capabilities.axes > 1 ? axisKey(axis, key) : key;
-}
 
 std::optional<ChannelIndex> axisChannel(const Device &device, std::string_view key, int axis)
 {

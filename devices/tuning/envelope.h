@@ -7,8 +7,6 @@
 
 namespace mb::tuning {
 
-/// Key of a parameter of a family's traits, for this axis and slot.
-[[nodiscard]] std::string gainKey(const Family &family, std::string_view pattern, int axis, int slot);
 /// Channel of an axis; nothing where the family has none of this key.
 [[nodiscard]] std::optional<ChannelIndex> axisChannel(const Device &device, std::string_view key, int axis);
 /// The device tells its current in ampere.

@@ -2,10 +2,12 @@
 #include "tuning/evidence.h"
 
 #include "model/family.h"
+#include "model/loopparameters.h"
 #include "tuning/envelope.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 namespace mb::tuning {
@@ -55,6 +57,8 @@ Evidence::Evidence(const Family &family, const Trial &trial)
     , m_trial(trial)
     , m_hold(trial.holds.empty() ? 0.0 : trial.holds.front().to - trial.holds.front().from)
 {
+    std::transform(trial.gains.begin(), trial.gains.end(), std::back_inserter(m_roles),
+        [&family](const auto &gain) { return roleOf(family, gain.first); });
 }
 
 const LoopScale *Evidence::scale() const
@@ -62,31 +66,27 @@ const LoopScale *Evidence::scale() const
     return m_family.loop;
 }
 
-std::string Evidence::key(std::string_view name) const
+std::string Evidence::key(Role role) const
 {
-    for (const auto &[key, value] : m_trial.gains) {
-        if (key.size() > name.size() && key.ends_with(name) && key[key.size() - name.size() - 1] == '.')
-            return key;
-    }
-    return {};
+    const auto found = std::find(m_roles.begin(), m_roles.end(), role);
+    return found == m_roles.end() ? std::string()
+                                  : m_trial.gains[static_cast<std::size_t>(found - m_roles.begin())].first;
 }
 
-double Evidence::gain(std::string_view name) const
+double Evidence::gain(Role role) const
 {
-    const std::string whole = key(name);
-    for (const auto &[candidate, value] : m_trial.gains) {
-        if (candidate == whole)
-            return value.value_or(0.0);
-    }
-    return 0.0;
+    const auto found = std::find(m_roles.begin(), m_roles.end(), role);
+    return found == m_roles.end()
+        ? 0.0
+        : m_trial.gains[static_cast<std::size_t>(found - m_roles.begin())].second.value_or(0.0);
 }
 
-std::optional<double> Evidence::stepsOf(std::string_view name) const
+std::optional<double> Evidence::stepsOf(Role role) const
 {
-    const auto index = findParameter(m_family.parameters, key(name));
+    const auto index = findParameter(m_family.parameters, key(role));
     if (!index)
         return std::nullopt;
-    return std::abs(gain(name)) * m_family.parameters[index->value].one;
+    return std::abs(gain(role)) * m_family.parameters[index->value].one;
 }
 
 Trace Evidence::held(std::string_view channel, double from, double to) const
@@ -115,9 +115,9 @@ std::optional<double> Evidence::feedForwardTimesGain() const
 {
     const auto duty = dutyAtEnd();
     const auto velocity = meanOf("velocity", 0.75 * m_hold, m_hold);
-    if (!scale() || gain("f") == 0.0 || !duty || !velocity || std::abs(*duty) < leastDuty)
+    if (!scale() || gain(Role::FeedForward) == 0.0 || !duty || !velocity || std::abs(*duty) < leastDuty)
         return std::nullopt;
-    const double perCount = gain("f") * scale()->velocityTime / scale()->fullDuty; // duty for 1 count/s
+    const double perCount = gain(Role::FeedForward) * scale()->velocityTime / scale()->fullDuty; // duty for 1 count/s
     return perCount * *velocity / *duty;
 }
 
@@ -129,17 +129,18 @@ std::optional<double> Evidence::countsLeft() const
 
 std::optional<double> Evidence::leapOfOneCount() const
 {
-    if (!scale() || gain("d") == 0.0 || m_trial.mode != Mode::Position)
+    if (!scale() || gain(Role::Derivative) == 0.0 || m_trial.mode != Mode::Position)
         return std::nullopt;
-    const double divisor = scale()->divided ? gain("divisor") : 1.0;
-    return divisor == 0.0 ? std::nullopt : std::optional(std::abs(gain("d")) / divisor / scale()->fullDuty);
+    const double divisor = scale()->divided ? gain(Role::Divisor) : 1.0;
+    return divisor == 0.0 ? std::nullopt
+                          : std::optional(std::abs(gain(Role::Derivative)) / divisor / scale()->fullDuty);
 }
 
 std::optional<double> Evidence::rampTime() const
 {
-    if (!scale() || gain("ramp") <= 0.0)
+    if (!scale() || gain(Role::Ramp) <= 0.0)
         return std::nullopt;
-    return scale()->period * scale()->fullDuty / gain("ramp");
+    return scale()->period * scale()->fullDuty / gain(Role::Ramp);
 }
 
 double Evidence::timeAtLimit() const
@@ -171,12 +172,13 @@ std::optional<double> Evidence::errorAfterLimit() const
 
 std::optional<double> Evidence::demandOfStep() const
 {
-    if (!scale() || gain("p") == 0.0)
+    if (!scale() || gain(Role::Proportional) == 0.0)
         return std::nullopt;
-    const double divisor = scale()->divided ? gain("divisor") : 1.0;
+    const double divisor = scale()->divided ? gain(Role::Divisor) : 1.0;
     const double time = m_trial.mode == Mode::Velocity ? scale()->velocityTime : 1.0;
     const double step = std::abs(m_trial.stimulus.to - m_trial.stimulus.from) * time;
-    return divisor == 0.0 ? std::nullopt : std::optional(std::abs(gain("p")) * step / divisor / scale()->fullDuty);
+    return divisor == 0.0 ? std::nullopt
+                          : std::optional(std::abs(gain(Role::Proportional)) * step / divisor / scale()->fullDuty);
 }
 
 std::optional<double> Evidence::velocityDelay() const

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/parameter.h"
 #include "tuning/trial.h"
 
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace mb {
 struct Family;
@@ -23,12 +25,12 @@ public:
     [[nodiscard]] const Trial &trial() const { return m_trial; }
     /// nullptr: what the gains mean is not known.
     [[nodiscard]] const LoopScale *scale() const;
-    /// A gain in force, by the last part of its key; 0 where the loop has none or it is not known.
-    [[nodiscard]] double gain(std::string_view name) const;
-    /// Its whole key; empty where the loop has none.
-    [[nodiscard]] std::string key(std::string_view name) const;
+    /// What was in force of this role; 0 where the loop has none or it is not known.
+    [[nodiscard]] double gain(Role role) const;
+    /// Its key; empty where the loop has none.
+    [[nodiscard]] std::string key(Role role) const;
     /// Steps of the integer that hold it.
-    [[nodiscard]] std::optional<double> stepsOf(std::string_view name) const;
+    [[nodiscard]] std::optional<double> stepsOf(Role role) const;
     [[nodiscard]] double overshoot() const { return m_trial.metrics.overshoot.value_or(0.0); }
 
     /// Velocity that full duty would give times what F gives for it.
@@ -73,7 +75,8 @@ private:
 
     const Family &m_family;
     const Trial &m_trial;
-    double m_hold = 0.0; ///< s
+    std::vector<Role> m_roles; ///< of the trial's gains
+    double m_hold = 0.0;       ///< s
 };
 
 } // namespace mb::tuning

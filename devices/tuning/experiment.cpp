@@ -2,6 +2,7 @@
 #include "tuning/experiment.h"
 
 #include "model/family.h"
+#include "model/loopparameters.h"
 #include "tuning/envelope.h"
 #include "tuning/experimentrun.h"
 #include "tuning/gains.h"

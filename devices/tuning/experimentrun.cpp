@@ -429,7 +429,7 @@ void ExperimentRun::tellMeasured() const
     Trial sofar = m_trial;
     sofar.samples = m_recorder.samples();
     sofar.lost = m_recorder.lost();
-    measure(sofar, m_recorder, m_holds, m_returns);
+    measure(sofar, m_device.family(), m_recorder, m_holds, m_returns);
     m_around.measured(sofar);
 }
 
@@ -477,7 +477,7 @@ Task<void> ExperimentRun::conclude(std::optional<Error> error)
     }
     m_trial.samples = m_recorder.samples();
     m_trial.lost = m_recorder.lost();
-    measure(m_trial, m_recorder, m_holds, m_returns);
+    measure(m_trial, m_device.family(), m_recorder, m_holds, m_returns);
     if (m_device.link().state() == LinkState::Open) {
         auto putting = putBack();
         co_await std::move(putting);

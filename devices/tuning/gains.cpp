@@ -3,7 +3,7 @@
 
 #include "async/progress.h"
 #include "model/family.h"
-#include "tuning/envelope.h"
+#include "model/loopparameters.h"
 
 #include <algorithm>
 
@@ -23,16 +23,6 @@ bool isKnown(const Device &device, ParameterIndex index)
 
 } // namespace
 
-const LoopGains *loopOf(const Family &family, Mode mode)
-{
-    if (!family.trials)
-        return nullptr;
-    const auto &loops = family.trials->loops;
-    const auto found
-        = std::find_if(loops.begin(), loops.end(), [mode](const LoopGains &loop) { return loop.mode == mode; });
-    return found == loops.end() ? nullptr : &*found;
-}
-
 Result<void> checkTried(const Family &family, ParameterIndex index)
 {
     const Parameter &parameter = family.parameters[index.value];
@@ -50,23 +40,21 @@ Task<std::vector<std::pair<std::string, std::optional<double>>>> readGains(
 {
     std::vector<std::pair<std::string, std::optional<double>>> gains;
     const LoopGains *const loop = loopOf(device.family(), mode);
-    for (std::size_t i = 0; loop && i < loop->names.size(); ++i) {
-        const std::string key
-            = gainKey(device.family(), std::string(loop->prefix) + std::string(loop->names[i]), axis, slot);
-        const auto index = findParameter(device.family().parameters, key);
-        if (!index || !device.offers(*index))
+    const auto rows = loop ? loopParameters(device.family(), *loop, axis, slot) : std::vector<ParameterIndex>();
+    for (const ParameterIndex index : rows) {
+        if (!device.offers(index))
             continue;
-        if (isReadable(device, *index)) {
-            auto reading = device.read(*index);
+        if (isReadable(device, index)) {
+            auto reading = device.read(index);
             co_await std::move(reading);
         }
         std::optional<double> value;
-        if (isKnown(device, *index)) {
-            const Value known = toValue(device.parameters().parameter(*index), *device.parameters().entry(*index).raw);
+        if (isKnown(device, index)) {
+            const Value known = toValue(device.parameters().parameter(index), *device.parameters().entry(index).raw);
             if (const double *number = std::get_if<double>(&known))
                 value = *number;
         }
-        gains.emplace_back(key, value);
+        gains.emplace_back(device.parameters().parameter(index).key, value);
     }
     co_return gains;
 }

@@ -7,9 +7,6 @@
 
 namespace mb::tuning {
 
-/// The loop of a mode; nullptr where the family has none that can be tried.
-[[nodiscard]] const LoopGains *loopOf(const Family &family, Mode mode);
-
 /// OutOfRange for a parameter that is no part of an experiment: read-only, live, or named so by the family.
 [[nodiscard]] Result<void> checkTried(const Family &family, ParameterIndex index);
 

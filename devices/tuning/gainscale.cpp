@@ -2,14 +2,12 @@
 #include "tuning/gainscale.h"
 
 #include "model/family.h"
+#include "model/loopparameters.h"
 #include "model/parameterfile.h"
-#include "tuning/envelope.h"
-#include "tuning/gains.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 
 namespace mb::tuning {
 namespace {
@@ -19,43 +17,53 @@ constexpr double fineSteps = 50.0;
 constexpr double largestDivisor = 1e9;
 
 struct Term {
-    std::string_view name;
+    Role role;
     double ContinuousGains::*gain;
     double scale; ///< parameter's number for a gain of 1
 };
+using Terms = std::array<Term, 4>;
 
-std::string scaleKey(Mode loop, std::string_view gain)
+/// What a gain of 1 of each is as a parameter's number; 0: not known, or the loop has none.
+Terms termsOf(double p, double i, double d, double f)
 {
-    return std::string(toString(loop)) + '.' + std::string(gain) + ".scale";
+    return {{{Role::Proportional, &ContinuousGains::p, p}, {Role::Integral, &ContinuousGains::i, i},
+        {Role::Derivative, &ContinuousGains::d, d}, {Role::FeedForward, &ContinuousGains::f, f}}};
+}
+
+const Term *termOf(const Terms &terms, Role role)
+{
+    const auto found = std::find_if(terms.begin(), terms.end(), [role](const Term &term) { return term.role == role; });
+    return found == terms.end() ? nullptr : &*found;
 }
 
 /// Of a device whose scales are calibrated; 0 for what is not known.
-double calibratedScale(const DeviceProfile &profile, Mode loop, std::string_view gain)
+double calibratedScale(const Family &family, const DeviceProfile &profile, Mode loop, Role gain)
 {
-    const double one = profile.calibrated(scaleKey(loop, gain));
-    return one > 0.0 ? 1.0 / one : 0.0;
+    for (const Calibration &row : family.calibrations) {
+        const double one = row.loop == loop && row.gain == gain ? profile.calibrated(row.key) : 0.0;
+        if (one > 0.0)
+            return 1.0 / one;
+    }
+    return 0.0;
 }
 
-std::array<Term, 4> termsOf(const TriedScale &tried)
+Terms termsOf(const TriedScale &tried)
 {
-    return {{{"p", &ContinuousGains::p, 1.0 / tried.p}, {"i", &ContinuousGains::i, tried.i > 0.0 ? 1.0 / tried.i : 0.0},
-        {"d", &ContinuousGains::d, 1.0 / tried.d}, {"f", &ContinuousGains::f, 0.0}}};
+    return termsOf(1.0 / tried.p, tried.i > 0.0 ? 1.0 / tried.i : 0.0, 1.0 / tried.d, 0.0);
 }
 
-std::array<Term, 4> termsOf(const Family &family, const DeviceProfile &profile, Mode loop, double units)
+Terms termsOf(const Family &family, const DeviceProfile &profile, Mode loop, double units)
 {
     const LoopScale &scale = *family.loop;
     if (scale.calibrated) {
         const double full = scale.fullDuty;
-        return {{{"p", &ContinuousGains::p, full * calibratedScale(profile, loop, "p")},
-            {"i", &ContinuousGains::i, full * scale.period * calibratedScale(profile, loop, "i")},
-            {"d", &ContinuousGains::d, full / scale.period * calibratedScale(profile, loop, "d")},
-            {"f", &ContinuousGains::f, 0.0}}};
+        const auto one = [&](Role gain) { return calibratedScale(family, profile, loop, gain); };
+        return termsOf(full * one(Role::Proportional), full * scale.period * one(Role::Integral),
+            full / scale.period * one(Role::Derivative), 0.0);
     }
     const double p = scale.fullDuty / units;
     const double sign = scale.derivativeInverted ? -1.0 : 1.0;
-    return {{{"p", &ContinuousGains::p, p}, {"i", &ContinuousGains::i, p * scale.period},
-        {"d", &ContinuousGains::d, sign * p / scale.period}, {"f", &ContinuousGains::f, p}}};
+    return termsOf(p, p * scale.period, sign * p / scale.period, p);
 }
 
 /// The nearest number that the parameter has; OutOfRange beyond its ends.
@@ -65,13 +73,14 @@ Result<std::int64_t> nearest(const Parameter &parameter, double number)
 }
 
 /// The largest power of ten with which every gain fits its parameter; 1 where none does.
-double divisorFor(const Family &family, const std::function<std::string(std::string_view)> &keyOf,
-    const std::array<Term, 4> &terms, const ContinuousGains &gains)
+double divisorFor(
+    const Family &family, const std::vector<ParameterIndex> &rows, const Terms &terms, const ContinuousGains &gains)
 {
     for (double divisor = largestDivisor; divisor > 1.0; divisor /= 10.0) {
-        const bool fits = std::all_of(terms.begin(), terms.end(), [&](const Term &term) {
-            const auto index = findParameter(family.parameters, keyOf(term.name));
-            return !index || nearest(family.parameters[index->value], gains.*term.gain * term.scale * divisor);
+        const bool fits = std::all_of(rows.begin(), rows.end(), [&](ParameterIndex index) {
+            const Parameter &parameter = family.parameters[index.value];
+            const Term *const term = termOf(terms, parameter.role);
+            return !term || nearest(parameter, gains.*term->gain * term->scale * divisor);
         });
         if (fits)
             return divisor;
@@ -79,25 +88,25 @@ double divisorFor(const Family &family, const std::function<std::string(std::str
     return 1.0;
 }
 
-Result<void> add(const Family &family, const std::string &key, double number, ScaledGains &into)
+Result<void> add(const Family &family, ParameterIndex index, double number, ScaledGains &into)
 {
-    const auto index = findParameter(family.parameters, key);
-    if (!index)
-        return fail(Fault::Unsupported, say("%1 has no %2", family.key, key));
-    const auto raw = nearest(family.parameters[index->value], number);
+    const Parameter &parameter = family.parameters[index.value];
+    const std::string key(parameter.key);
+    const auto raw = nearest(parameter, number);
     if (!raw)
         return fail(Fault::OutOfRange, say("%1 would have to be %2, which it cannot be", key, number),
             say("aim for a calmer loop"));
-    const Value value = toValue(family.parameters[index->value], *raw);
-    into.rows.push_back({key, *raw, std::get<double>(value)});
-    into.changes.push_back({*index, *raw});
+    const Value value = toValue(parameter, *raw);
+    into.rows.push_back({key, *raw, std::get<double>(value), parameter.role});
+    into.changes.push_back({index, *raw});
     return {};
 }
 
-Result<void> addGain(const Family &family, const std::string &key, double number, ScaledGains &into)
+Result<void> addGain(const Family &family, ParameterIndex index, double number, ScaledGains &into)
 {
-    if (auto added = add(family, key, number, into); !added)
+    if (auto added = add(family, index, number, into); !added)
         return added;
+    const std::string key(family.parameters[index.value].key);
     const double steps = std::abs(static_cast<double>(into.rows.back().raw));
     if (number != 0.0 && steps < leastSteps)
         return fail(Fault::OutOfRange,
@@ -108,10 +117,10 @@ Result<void> addGain(const Family &family, const std::string &key, double number
     return {};
 }
 
-std::optional<double> numberOf(const KnownGains &numbers, const std::string &key)
+std::optional<double> numberOf(const KnownGains &numbers, std::string_view key)
 {
     const auto found
-        = std::find_if(numbers.begin(), numbers.end(), [&key](const auto &known) { return known.first == key; });
+        = std::find_if(numbers.begin(), numbers.end(), [key](const auto &known) { return known.first == key; });
     return found == numbers.end() ? std::nullopt : found->second;
 }
 
@@ -138,8 +147,7 @@ Result<void> checkScales(const Family &family, const DeviceProfile &profile, Mod
     if (!family.loop || !family.loop->calibrated)
         return {};
     for (const Calibration &row : family.calibrations) {
-        const bool ofThisLoop = row.key.starts_with(std::string(toString(loop)) + '.') && row.key.ends_with(".scale");
-        if (ofThisLoop && profile.calibrated(row.key) <= 0.0)
+        if (row.loop == loop && isGain(row.gain) && profile.calibrated(row.key) <= 0.0)
             return fail(Fault::OutOfRange, say("what a raw gain of this board puts out is not known (%1)", row.key),
                 say("find its gain scales first: Overview, Find the gain scales"));
     }
@@ -163,25 +171,23 @@ Result<ScaledGains> scaleGains(const Family &family, const DeviceProfile &profil
     if (auto known = checkScales(family, profile, loop); !known)
         return fail(known.error());
     const auto terms = tried ? termsOf(*tried) : termsOf(family, profile, loop, *units);
-    const auto keyOf = [&](std::string_view name) {
-        return gainKey(family, std::string(parameters->prefix) + std::string(name), axis, slot);
-    };
-    const double divisor = family.loop && family.loop->divided ? divisorFor(family, keyOf, terms, gains) : 1.0;
+    const auto rows = loopParameters(family, *parameters, axis, slot);
+    if (rows.empty())
+        return fail(Fault::Unsupported,
+            say("%1 has no %2", family.key,
+                gainKey(family, std::string(parameters->prefix) + std::string(parameters->names.front()), axis, slot)));
+    const double divisor = family.loop && family.loop->divided ? divisorFor(family, rows, terms, gains) : 1.0;
     ScaledGains scaled;
-    for (const std::string_view name : parameters->names) {
-        const std::string key = keyOf(name);
-        if (name == "divisor") {
-            if (auto added = add(family, key, divisor, scaled); !added)
+    for (const ParameterIndex index : rows) {
+        const Role role = family.parameters[index.value].role;
+        if (role == Role::Divisor) {
+            if (auto added = add(family, index, divisor, scaled); !added)
                 return fail(added.error());
-            continue;
-        }
-        for (const Term &term : terms) {
-            if (term.name != name)
-                continue;
-            if (auto added = addGain(family, key, gains.*term.gain * term.scale * divisor, scaled); !added)
+        } else if (const Term *const term = termOf(terms, role)) {
+            if (auto added = addGain(family, index, gains.*term->gain * term->scale * divisor, scaled); !added)
                 return fail(added.error());
-            if (term.scale != 0.0)
-                scaled.made.*term.gain = scaled.rows.back().number / (term.scale * divisor);
+            if (term->scale != 0.0)
+                scaled.made.*term->gain = scaled.rows.back().number / (term->scale * divisor);
         }
     }
     return scaled;
@@ -226,26 +232,24 @@ std::optional<ScaledGains> gainsMadeBy(const Family &family, const DeviceProfile
     if (!parameters || (!units && !tried) || !checkScales(family, profile, loop))
         return std::nullopt;
     const auto terms = tried ? termsOf(*tried) : termsOf(family, profile, loop, *units);
-    const auto keyOf = [&](std::string_view name) {
-        return gainKey(family, std::string(parameters->prefix) + std::string(name), axis, slot);
-    };
     const bool isDivided = family.loop && family.loop->divided;
-    const double divisor = isDivided ? numberOf(numbers, keyOf("divisor")).value_or(0.0) : 1.0;
-    if (divisor <= 0.0)
+    const auto by = isDivided ? parameterOf(family, loop, axis, slot, Role::Divisor) : std::nullopt;
+    const double divisor
+        = isDivided ? numberOf(numbers, by ? family.parameters[by->value].key : "").value_or(0.0) : 1.0;
+    const auto rows = loopParameters(family, *parameters, axis, slot);
+    if (divisor <= 0.0 || rows.size() < parameters->names.size())
         return std::nullopt;
     ScaledGains made;
-    for (const std::string_view name : parameters->names) {
-        const std::string key = keyOf(name);
-        const auto index = findParameter(family.parameters, key);
-        const auto number = numberOf(numbers, key);
-        const auto raw = index && number ? toRaw(family.parameters[index->value], *number) : Result<std::int64_t>();
-        if (!index || !number || !raw)
+    for (const ParameterIndex index : rows) {
+        const Parameter &parameter = family.parameters[index.value];
+        const auto number = numberOf(numbers, parameter.key);
+        const auto raw = number ? toRaw(parameter, *number) : Result<std::int64_t>();
+        if (!number || !raw)
             return std::nullopt;
-        made.rows.push_back({key, *raw, *number});
-        made.changes.push_back({*index, *raw});
-        const auto term
-            = std::find_if(terms.begin(), terms.end(), [name](const Term &known) { return known.name == name; });
-        if (term == terms.end())
+        made.rows.push_back({std::string(parameter.key), *raw, *number, parameter.role});
+        made.changes.push_back({index, *raw});
+        const Term *const term = termOf(terms, parameter.role);
+        if (!term)
             continue;
         if (term->scale == 0.0 && *number != 0.0)
             return std::nullopt;

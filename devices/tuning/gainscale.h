@@ -18,7 +18,8 @@ struct ScaledGains {
     struct Row {
         std::string key;
         std::int64_t raw = 0;
-        double number = 0.0; ///< in the unit of the parameter
+        double number = 0.0;    ///< in the unit of the parameter
+        Role role = Role::None; ///< not of one that was kept in a file
     };
     std::vector<Row> rows;
     std::vector<ParameterChange> changes; ///< the same

@@ -2,9 +2,8 @@
 #include "tuning/proof.h"
 
 #include "model/family.h"
-#include "tuning/envelope.h"
+#include "model/loopparameters.h"
 #include "tuning/figures.h"
-#include "tuning/gains.h"
 #include "tuning/leastsquares.h"
 #include "tuning/verdict.h"
 
@@ -39,21 +38,21 @@ constexpr double quietNoise = 0.005;     ///< of the step, with which settling c
 constexpr double endOfHold = 0.25;
 constexpr double leastError = 0.02; ///< of the step
 
-void addNumber(const Family &family, const std::string &key, double number, ScaledGains &into)
+void addNumber(const Family &family, std::optional<ParameterIndex> index, double number, ScaledGains &into)
 {
-    const auto index = findParameter(family.parameters, key);
     if (!index)
         return;
-    if (const auto raw = toRaw(family.parameters[index->value], number)) {
-        into.rows.push_back({key, *raw, number});
+    const Parameter &parameter = family.parameters[index->value];
+    if (const auto raw = toRaw(parameter, number)) {
+        into.rows.push_back({std::string(parameter.key), *raw, number, parameter.role});
         into.changes.push_back({*index, *raw});
     }
 }
 
-bool hasName(const Family &family, std::string_view name, Mode mode = Mode::Position)
+/// On any of its axes, in any of its slots.
+bool hasRole(const Family &family, Role role)
 {
-    const LoopGains &loop = *loopOf(family, mode);
-    return std::find(loop.names.begin(), loop.names.end(), name) != loop.names.end();
+    return parameterOf(family, Mode::Position, 1, 0, role).has_value();
 }
 
 /// Enough for friction and some load, not enough to fly past the target.
@@ -90,7 +89,7 @@ double mostNoise(double step)
 
 bool hasFrictionHelp(const Family &family)
 {
-    return hasName(family, "nominal_forward");
+    return hasRole(family, Role::LeastForward);
 }
 
 double restingError(
@@ -107,26 +106,21 @@ double restingError(
 
 void addFrictionHelp(const Family &family, int axis, int slot, const PlantModel &plant, ScaledGains &into)
 {
-    const LoopGains &loop = *loopOf(family, Mode::Position);
-    const auto key = [&](std::string_view name) {
-        return gainKey(family, std::string(loop.prefix) + std::string(name), axis, slot);
-    };
-    if (hasName(family, "windup"))
-        addNumber(family, key("windup"), std::round(windupOf(plant) * family.loop->fullDuty), into);
+    const auto row = [&](Role role) { return parameterOf(family, Mode::Position, axis, slot, role); };
+    if (const auto windup = row(Role::IntegralLimit))
+        addNumber(family, windup, std::round(windupOf(plant) * family.loop->fullDuty), into);
     if (!hasFrictionHelp(family))
         return;
     const double push = std::round(helpOfFriction * plant.friction * family.loop->fullDuty);
-    addNumber(family, key("nominal_forward"), push, into);
-    addNumber(family, key("nominal_reverse"), -push, into);
-    addNumber(family, key("allowable_error"), goodEnough, into);
+    addNumber(family, row(Role::LeastForward), push, into);
+    addNumber(family, row(Role::LeastReverse), -push, into);
+    addNumber(family, row(Role::AllowableError), goodEnough, into);
 }
 
 void freeIntegral(const Family &family, Mode loop, int axis, int slot, ScaledGains &into)
 {
-    constexpr std::string_view zone = "i_zone";
-    if (into.made.i != 0.0 && hasName(family, zone, loop))
-        addNumber(family, gainKey(family, std::string(loopOf(family, loop)->prefix) + std::string(zone), axis, slot),
-            0.0, into);
+    if (into.made.i != 0.0)
+        addNumber(family, parameterOf(family, loop, axis, slot, Role::IntegralZone), 0.0, into);
 }
 
 VelocityTaking velocityTaking(const Device &device, double speed, const std::optional<VelocityFilter> &found)
@@ -160,7 +154,7 @@ LoopShape shapeOf(
         shape.window = std::min(taking.window, 2.0 * plant.delay);
         shape.windowCounts = taking.counts;
     }
-    if (loop == Mode::Position && hasName(family, "windup"))
+    if (loop == Mode::Position && hasRole(family, Role::IntegralLimit))
         shape.integralMost = windupOf(plant);
     if (loop == Mode::Position && hasFrictionHelp(family)) {
         shape.leastOutput = helpOfFriction * plant.friction;

@@ -79,11 +79,11 @@ LoopShape shapeWith(const ProposalBasis &basis, const ScaledGains &gains)
     shape.integralMost = shape.leastOutput = shape.goodEnough = 0.0;
     const double full = basis.family.loop->fullDuty;
     for (const ScaledGains::Row &row : gains.rows) {
-        if (row.key.ends_with(".windup"))
+        if (row.role == Role::IntegralLimit)
             shape.integralMost = row.number / full;
-        else if (row.key.ends_with(".nominal_forward"))
+        else if (row.role == Role::LeastForward)
             shape.leastOutput = row.number / full;
-        else if (row.key.ends_with(".allowable_error"))
+        else if (row.role == Role::AllowableError)
             shape.goodEnough = row.number;
     }
     return shape;
@@ -109,10 +109,10 @@ ContinuousGains leastOf(const ProposalBasis &basis, const ContinuousGains &gains
     const auto scaled = scaleGains(basis.family, basis.profile, basis.loop, basis.axis, basis.slot, gains, basis.scale);
     if (!scaled)
         return least;
-    for (const auto &[ending, gain] : {std::pair(".p", &ContinuousGains::p), std::pair(".i", &ContinuousGains::i),
-             std::pair(".d", &ContinuousGains::d)}) {
+    for (const auto &[role, gain] : {std::pair(Role::Proportional, &ContinuousGains::p),
+             std::pair(Role::Integral, &ContinuousGains::i), std::pair(Role::Derivative, &ContinuousGains::d)}) {
         for (const ScaledGains::Row &row : scaled->rows) {
-            if (row.key.ends_with(ending) && row.raw != 0)
+            if (row.role == role && row.raw != 0)
                 least.*gain = scaled->made.*gain * clearSteps / std::abs(static_cast<double>(row.raw));
         }
     }

@@ -2,9 +2,9 @@
 #include "tuning/rawstep.h"
 
 #include "model/family.h"
+#include "model/loopparameters.h"
 #include "tuning/autotunerun.h"
 #include "tuning/envelope.h"
-#include "tuning/gains.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,15 +21,14 @@ constexpr double passesOfStart = 2.0; ///< until the profile is as fast as it wi
 ExperimentPlan rawStep(const AutotuneRun &run, RawGains gains, double counts, double seconds)
 {
     const Family &family = run.device().family();
-    const LoopGains &loop = *loopOf(family, Mode::Position);
     ExperimentPlan plan;
     plan.mode = Mode::Position;
     plan.slot = run.plan().slot;
     plan.to = counts;
     plan.seconds = seconds;
-    for (const auto &[name, value] : {std::pair("p", gains.p), std::pair("i", 0.0), std::pair("d", gains.d)}) {
-        const std::string key = gainKey(family, std::string(loop.prefix) + name, run.plan().axis, run.plan().slot);
-        if (const auto index = findParameter(family.parameters, key))
+    for (const auto &[role, value] : {std::pair(Role::Proportional, gains.p), std::pair(Role::Integral, 0.0),
+             std::pair(Role::Derivative, gains.d)}) {
+        if (const auto index = parameterOf(family, Mode::Position, run.plan().axis, run.plan().slot, role))
             plan.gains.push_back({*index, static_cast<std::int64_t>(value)});
     }
     run.note(say("a step of %1 counts with P %2, D %3", std::round(counts), std::round(gains.p), std::round(gains.d)));

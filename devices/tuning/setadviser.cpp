@@ -2,6 +2,7 @@
 #include "tuning/setadviser.h"
 
 #include "model/family.h"
+#include "model/loopparameters.h"
 #include "tuning/envelope.h"
 #include "tuning/gains.h"
 
@@ -19,13 +20,16 @@ constexpr double overFriction = 1.25;
 
 using State = SetAdvice::State;
 
-/// The loop's parameter of this name; empty where it has none.
-std::string setKey(const ProposalBasis &basis, std::string_view name)
+/// The loop's parameter with this role; empty where it has none.
+std::string keyOf(const ProposalBasis &basis, Role role)
 {
-    const LoopGains *const loop = loopOf(basis.family, basis.loop);
-    if (!loop || std::find(loop->names.begin(), loop->names.end(), name) == loop->names.end())
-        return {};
-    return gainKey(basis.family, std::string(loop->prefix) + std::string(name), basis.axis, basis.slot);
+    const auto index = parameterOf(basis.family, basis.loop, basis.axis, basis.slot, role);
+    return index ? std::string(basis.family.parameters[index->value].key) : std::string();
+}
+
+SetAdvice about(const ProposalBasis &basis, Cause cause, Role role, double number, double limit)
+{
+    return {cause, State::Fine, number, limit, keyOf(basis, role), role, {}};
 }
 
 /// As it will be once the set is written.
@@ -41,7 +45,7 @@ std::optional<double> afterwards(const Proposal &proposal, const KnownGains &now
 
 SetAdvice onFeedForward(const ProposalBasis &basis, const Proposal &proposal, const KnownGains &now)
 {
-    SetAdvice advice{Cause::FeedForward, State::Fine, 0.0, conflict, setKey(basis, "f"), {}};
+    SetAdvice advice = about(basis, Cause::FeedForward, Role::FeedForward, 0.0, conflict);
     if (basis.loop != Mode::Velocity || advice.key.empty())
         return advice;
     advice.number = proposal.gains.made.f * basis.plant.gain;
@@ -59,16 +63,16 @@ SetAdvice onFeedForward(const ProposalBasis &basis, const Proposal &proposal, co
 
 SetAdvice onDeadband(const ProposalBasis &basis, const Proposal &proposal, const KnownGains &now)
 {
-    SetAdvice advice{Cause::Deadband, State::Fine, deadband(basis.plant, proposal.gains.made),
-        largeBand * std::abs(proposal.step), setKey(basis, "nominal_forward"), {}};
+    SetAdvice advice = about(basis, Cause::Deadband, Role::LeastForward, deadband(basis.plant, proposal.gains.made),
+        largeBand * std::abs(proposal.step));
     const bool helps = afterwards(proposal, now, advice.key).value_or(0.0) != 0.0;
     if (advice.number <= advice.limit || helps)
         return advice;
     advice.state = State::Notable;
     const double duty
         = std::round(overFriction * basis.plant.friction * (basis.family.loop ? basis.family.loop->fullDuty : 0.0));
-    for (const auto &[name, sign] : {std::pair("nominal_forward", 1.0), std::pair("nominal_reverse", -1.0)}) {
-        if (const std::string key = setKey(basis, name); !key.empty() && duty > 0.0)
+    for (const auto &[role, sign] : {std::pair(Role::LeastForward, 1.0), std::pair(Role::LeastReverse, -1.0)}) {
+        if (const std::string key = keyOf(basis, role); !key.empty() && duty > 0.0)
             advice.changes.emplace_back(key, sign * duty);
     }
     return advice;
@@ -77,7 +81,7 @@ SetAdvice onDeadband(const ProposalBasis &basis, const Proposal &proposal, const
 SetAdvice onNoise(const ProposalBasis &basis, const Proposal &proposal)
 {
     const double period = basis.scale ? basis.scale->cycle : basis.family.loop ? basis.family.loop->period : 0.0;
-    SetAdvice advice{Cause::DerivativeNoise, State::Fine, 0.0, LoopBounds().derivativeShare, setKey(basis, "d"), {}};
+    SetAdvice advice = about(basis, Cause::DerivativeNoise, Role::Derivative, 0.0, LoopBounds().derivativeShare);
     if (basis.loop == Mode::Position && period > 0.0)
         advice.number = std::abs(proposal.gains.made.d) / period;
     if (advice.number > advice.limit)
@@ -85,16 +89,17 @@ SetAdvice onNoise(const ProposalBasis &basis, const Proposal &proposal)
     return advice;
 }
 
-SetAdvice onResolution(const Proposal &proposal)
+SetAdvice onResolution(const ProposalBasis &basis, const Proposal &proposal)
 {
-    SetAdvice advice{Cause::Resolution, State::Fine, 0.0, leastSteps, {}, {}};
+    SetAdvice advice = about(basis, Cause::Resolution, Role::None, 0.0, leastSteps);
     for (const ScaledGains::Row &row : proposal.gains.rows) {
-        const std::string_view name = std::string_view(row.key).substr(row.key.rfind('.') + 1);
+        const Role role = roleOf(basis.family, row.key);
         const double steps = std::abs(static_cast<double>(row.raw));
-        if (name.size() != 1 || steps == 0.0 || (!advice.key.empty() && steps >= advice.number))
+        if (!isGain(role) || steps == 0.0 || (!advice.key.empty() && steps >= advice.number))
             continue;
         advice.number = steps;
         advice.key = row.key;
+        advice.role = role;
     }
     if (!advice.key.empty() && advice.number < leastSteps)
         advice.state = State::Notable;
@@ -103,7 +108,7 @@ SetAdvice onResolution(const Proposal &proposal)
 
 SetAdvice onRamp(const ProposalBasis &basis, const Proposal &proposal, const KnownGains &now)
 {
-    SetAdvice advice{Cause::Ramp, State::Fine, 0.0, slowRamp * proposal.design.response, setKey(basis, "ramp"), {}};
+    SetAdvice advice = about(basis, Cause::Ramp, Role::Ramp, 0.0, slowRamp * proposal.design.response);
     if (advice.key.empty() || !basis.family.loop)
         return advice;
     const auto ramp = afterwards(proposal, now, advice.key);
@@ -126,7 +131,7 @@ std::vector<SetAdvice> adviseOnSet(const ProposalBasis &basis, const Proposal &p
     if (basis.loop != Mode::Current)
         all.push_back(onDeadband(basis, proposal, now));
     all.push_back(onNoise(basis, proposal));
-    all.push_back(onResolution(proposal));
+    all.push_back(onResolution(basis, proposal));
     all.push_back(onRamp(basis, proposal, now));
     return all;
 }

@@ -19,6 +19,7 @@ struct SetAdvice {
     double number = 0.0;
     double limit = 0.0;                                  ///< of the number; 0: none
     std::string key;                                     ///< the parameter that it is about; empty: none
+    Role role = Role::None;                              ///< of that parameter
     std::vector<std::pair<std::string, double>> changes; ///< as Advice::changes
 
     friend bool operator==(const SetAdvice &, const SetAdvice &) = default;

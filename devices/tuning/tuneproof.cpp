@@ -2,6 +2,7 @@
 #include "tuning/tuneproof.h"
 
 #include "model/family.h"
+#include "model/loopparameters.h"
 #include "tuning/autotunerun.h"
 #include "tuning/envelope.h"
 #include "tuning/gains.h"

@@ -2,6 +2,7 @@
 #include "tuning/twopointidentification.h"
 
 #include "model/family.h"
+#include "model/loopparameters.h"
 #include "tuning/aside.h"
 #include "tuning/autotunerun.h"
 #include "tuning/envelope.h"
@@ -154,9 +155,10 @@ Task<void> TwoPointIdentification::look(AutotuneRun &run)
     auto reading = readGains(run.device(), plan.loop, plan.axis, plan.slot);
     const auto gains = co_await std::move(reading);
     for (const auto &[key, value] : gains) {
-        if (key.ends_with(".p"))
+        const Role role = roleOf(run.device().family(), key);
+        if (role == Role::Proportional)
             m_stored.p = value.value_or(0.0);
-        if (key.ends_with(".d"))
+        if (role == Role::Derivative)
             m_stored.d = value.value_or(0.0);
     }
     auto bounding = run.readEnvelope();

@@ -3,6 +3,7 @@
 
 #include "model/device.h"
 #include "model/family.h"
+#include "model/loopparameters.h"
 #include "tuning/effort.h"
 #include "tuning/envelope.h"
 #include "tuning/equivalenttime.h"
@@ -61,10 +62,11 @@ void averageEffort(Metrics &into, const std::vector<Metrics> &runs)
     }
 }
 
-bool isRampLimited(const Trial &trial)
+bool isRampLimited(const Trial &trial, const Family &family)
 {
-    return std::any_of(trial.gains.begin(), trial.gains.end(),
-        [](const auto &gain) { return gain.first.ends_with(".ramp") && gain.second.value_or(0.0) > 0.0; });
+    return std::any_of(trial.gains.begin(), trial.gains.end(), [&family](const auto &gain) {
+        return gain.second.value_or(0.0) > 0.0 && roleOf(family, gain.first) == Role::Ramp;
+    });
 }
 
 void addFlag(Trial &trial, std::string_view name, bool holds)
@@ -73,14 +75,14 @@ void addFlag(Trial &trial, std::string_view name, bool holds)
         trial.flags.emplace_back(name);
 }
 
-void addFlags(Trial &trial, const Response &response, const Response &back, const Trace &measured)
+void addFlags(Trial &trial, const Family &family, const Response &response, const Response &back, const Trace &measured)
 {
     const double swing = std::abs(trial.stimulus.to - trial.stimulus.from);
     const bool steps = !trial.stimulus.edges().empty();
     addFlag(trial, flag::saturated, trial.metrics.saturated.value_or(0.0) > notable);
     addFlag(trial, flag::currentLimit,
         trial.envelope.current && trial.metrics.peakCurrent.value_or(0.0) >= nearlyAll * *trial.envelope.current);
-    addFlag(trial, flag::rampLimit, isRampLimited(trial));
+    addFlag(trial, flag::rampLimit, isRampLimited(trial, family));
     addFlag(trial, flag::lostSamples, trial.lost > 0);
     const double resolution = resolutionOf(measured);
     addFlag(
@@ -189,7 +191,8 @@ std::string_view endingLabel(std::string_view reason)
     return row == labels.end() ? std::string_view() : row->second;
 }
 
-void measure(Trial &trial, const TrialRecorder &recorder, const Spans &holds, const Spans &returns)
+void measure(
+    Trial &trial, const Family &family, const TrialRecorder &recorder, const Spans &holds, const Spans &returns)
 {
     if (holds.empty())
         return;
@@ -221,7 +224,7 @@ void measure(Trial &trial, const TrialRecorder &recorder, const Spans &holds, co
     trial.holds = spansOf(holds, zero);
     trial.returns = spansOf(returns, zero);
     trial.signals = recorder.signals(zero);
-    addFlags(trial, reading.response, back.response, recorder.trace(key, zero));
+    addFlags(trial, family, reading.response, back.response, recorder.trace(key, zero));
 }
 
 } // namespace mb::tuning

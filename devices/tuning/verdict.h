@@ -30,7 +30,7 @@ void nameEnding(Trial &trial, const Ending &ending);
 /// empty: not a reason that is known here.
 [[nodiscard]] std::string_view endingLabel(std::string_view reason);
 /// Metrics with their errors, signals and flags, from the steps to Y (edge and end) and the ways back.
-void measure(Trial &trial, const TrialRecorder &recorder, const std::vector<std::pair<Instant, Instant>> &holds,
-    const std::vector<std::pair<Instant, Instant>> &returns);
+void measure(Trial &trial, const Family &family, const TrialRecorder &recorder,
+    const std::vector<std::pair<Instant, Instant>> &holds, const std::vector<std::pair<Instant, Instant>> &returns);
 
 } // namespace mb::tuning

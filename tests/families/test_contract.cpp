@@ -361,6 +361,10 @@ TEST_P(Contract, ADeviceWithAWatchdogStopsWhenNobodyCommandsIt)
     EXPECT_TRUE(simulatorOf(*device)->isOutputOn());
     bench->clock.advance(150ms);
     EXPECT_FALSE(simulatorOf(*device)->isOutputOn());
+    EXPECT_GE(family().capabilities.watchdogLimit, family().capabilities.commandLimit);
+    ASSERT_TRUE(device->command(setPoint));
+    bench->clock.advance(family().capabilities.watchdogLimit);
+    EXPECT_FALSE(simulatorOf(*device)->isOutputOn());
 }
 
 TEST_P(Contract, ADeviceSaysHowItIsStoppedFromOutside)

@@ -28,6 +28,7 @@ constexpr Family commonFamily(bool keepsSettings, bool storesAtOnce)
     Family family = test::looseFamily;
     family.parameters = commonRows;
     family.capabilities.watchdog = true;
+    family.capabilities.watchdogLimit = 330ms;
     family.capabilities.keepsSettings = keepsSettings;
     family.capabilities.storesAtOnce = storesAtOnce;
     family.capabilities.restart = true;
@@ -182,6 +183,13 @@ TEST_F(CommonDevice, AWriteThatWasNotAnsweredChangesNothingThatIsKnown)
         EXPECT_FALSE(entry(askedRow).raw);
         EXPECT_TRUE(motor->knowledge().profile().isEmpty());
     }
+}
+
+TEST_F(CommonDevice, ItsWatchdogIsThatOfItsFamily)
+{
+    make(plainFamily);
+    EXPECT_TRUE(motor->hasWatchdog());
+    EXPECT_EQ(motor->watchdogLimit(), 330ms);
 }
 
 TEST_F(CommonDevice, NothingMovesThatMayNot)

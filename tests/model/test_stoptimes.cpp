@@ -15,8 +15,8 @@ using Milliseconds = std::vector<std::int64_t>;
 
 /// A device of which only its stop knows anything; it does what the test says.
 struct Told final : Stoppable {
-    Told(Link &where, Clock &when, bool dog)
-        : Stoppable(dog)
+    Told(Link &where, Clock &when, bool dog, Duration dogLimit = 250ms)
+        : Stoppable(dog, dogLimit)
         , line(where)
         , time(when)
         , begin(when.now())
@@ -59,9 +59,9 @@ class StopTimes : public testing::Test {
 protected:
     using States = decltype(Told::states);
     StopTimes() { EXPECT_TRUE(link.open()); }
-    Told &make(bool watchdog, bool heard, bool driven)
+    Told &make(bool watchdog, bool heard, bool driven, Duration watchdogLimit = 250ms)
     {
-        told.emplace(link, clock, watchdog);
+        told.emplace(link, clock, watchdog, watchdogLimit);
         told->life.heard = heard;
         if (driven)
             told->stopping.driven();
@@ -172,6 +172,9 @@ TEST_F(StopTimes, OverACutLineAWatchdogIsBelievedAfterAQuarterOfASecond)
     clock.advance(20s);
     EXPECT_EQ(motor.states, (States{{0, StopState::Stopping}, {250, StopState::ByWatchdog}}));
     EXPECT_TRUE(motor.repeats.empty());
+    const Told &slower = make(true, false, true, 400ms);
+    clock.advance(20s);
+    EXPECT_EQ(slower.states.back(), (States::value_type{400, StopState::ByWatchdog})) << "as its family says";
 }
 
 TEST_F(StopTimes, ALineThatIsCutWhileAMotorIsToldMakesItOwedWithinTenMilliseconds)

@@ -27,7 +27,7 @@ enum Row : std::uint16_t { Threshold, Enabled, SwitchOff, P, I, D, Name, Positio
 
 const std::array<Parameter, Rows> table{orderedRow("limit.current", Role::Limit),
     orderedRow("limit.enabled", Role::Limit, WireType::Boolean),
-    orderedRow("limit.forward.disabled", Role::Limit, WireType::Boolean), orderedRow("velocity.p", Role::Proportional),
+    inverted(orderedRow("limit.forward", Role::Limit, WireType::Boolean)), orderedRow("velocity.p", Role::Proportional),
     orderedRow("velocity.i", Role::Integral), orderedRow("velocity.d", Role::Derivative),
     orderedRow("input.period", Role::None), orderedRow("position", Role::None, WireType::Int32, Nature::Live)};
 

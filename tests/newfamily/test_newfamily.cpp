@@ -2,14 +2,21 @@
 // A made-up family is taken through the whole program, and nothing outside its folder knows it: scan, parameters, drive, telemetry,
 // update, rows of the window, translation. The contract of every family (test_contract.cpp) runs over it in this same program.
 // docs/adding-a-family.md tells this file.
+#include "model/loopparameters.h"
 #include "model/parametertransfer.h"
 #include "model/snapshot.h"
 #include "model/unknownframes.h"
+#include "support/fakejournal.h"
 #include "support/fakeworkbench.h"
 #include "support/simulatedsession.h"
+#include "tuning/adviser.h"
+#include "tuning/evidence.h"
+#include "tuning/experiment.h"
+#include "tuning/gainscale.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/connection/devicemodel.h"
 #include "widgets/control/gainunits.h"
+#include "widgets/control/trialmodel.h"
 #include "widgets/firmware/drawingview.h"
 #include "widgets/firmware/firmwarepage.h"
 #include "widgets/parameters/parametermodel.h"
@@ -74,7 +81,7 @@ TEST_F(NewFamily, IsFoundWithItsVersion)
 TEST_F(NewFamily, KeepsWhatIsStoredAndLosesWhatIsNot)
 {
     NoProgress progress;
-    const auto gain = bench.index(*unit, "loop.p");
+    const auto gain = bench.index(*unit, "loop.stiffness");
     ASSERT_TRUE(run(bench.clock, writeParameters(*unit, {{gain, 7000}}, progress)));
     EXPECT_TRUE(run(bench.clock, unit->store(progress)).value_or(false));
     ASSERT_TRUE(run(bench.clock, writeParameters(*unit, {{gain, 9000}}, progress)));
@@ -154,10 +161,73 @@ TEST_F(NewFamily, HasItsRowsInTheWindow)
 
 TEST_F(NewFamily, ItsGainsAreKnownByTheirRoles)
 {
-    const GainSet set = gainSet(unit->family(), Mode::Position, 0);
+    const Family &family = unit->family();
+    const GainSet set = gainSet(family, Mode::Position, 0);
     ASSERT_EQ(set.gains.size(), 2U);
-    EXPECT_EQ(shortName(unit->family().parameters[set.gains[1].value]), QStringLiteral("D"));
-    EXPECT_EQ(usualRange(unit->family().ranges, Mode::Position), 5000.0);
+    EXPECT_EQ(shortName(family.parameters[set.gains[0].value]), QStringLiteral("D")) << "in the family's own order";
+    EXPECT_EQ(shortName(family.parameters[set.gains[1].value]), QStringLiteral("P"));
+    EXPECT_EQ(usualRange(family.ranges, Mode::Position), 5000.0);
+    EXPECT_EQ(parameterOf(family, Mode::Position, 1, 0, Role::Proportional), bench.index(*unit, "loop.stiffness"));
+    EXPECT_EQ(parameterOf(family, Mode::Position, 1, 0, Role::Integral), std::nullopt);
+}
+
+TEST_F(NewFamily, ItsGainsAreScaledThereAndBack)
+{
+    const Family &family = unit->family();
+    const tuning::TriedScale scale{.p = 0.001, .d = 0.002, .cycle = 1e-3};
+    const auto scaled = tuning::scaleGains(*unit, Mode::Position, 1, 0, {.p = 0.01, .d = 0.004}, scale);
+    ASSERT_TRUE(scaled) << scaled.error().text();
+    tuning::KnownGains numbers;
+    for (const tuning::ScaledGains::Row &row : scaled->rows)
+        numbers.emplace_back(row.key, row.number);
+    EXPECT_EQ(numbers, (tuning::KnownGains{{"loop.damping", 2.0}, {"loop.stiffness", 10.0}}));
+    const auto made = tuning::gainsMadeBy(family, {}, Mode::Position, 1, 0, numbers, scale);
+    ASSERT_TRUE(made);
+    EXPECT_DOUBLE_EQ(made->made.p, 0.01);
+    EXPECT_DOUBLE_EQ(made->made.d, 0.004);
+}
+
+TEST_F(NewFamily, AStepIsTriedWithOtherGainsAndAdvisedOn)
+{
+    const auto damping = bench.index(*unit, "loop.damping");
+    tuning::ExperimentPlan plan;
+    plan.mode = Mode::Position;
+    plan.to = 2000.0;
+    plan.gains = {{damping, 5}}; // raw: far too few of its steps, and it swings
+    test::FakeJournal journal;
+    tuning::DirectionBook directions;
+    tuning::ExperimentSurroundings surroundings;
+    surroundings.journal = &journal;
+    surroundings.directions = &directions;
+    Timer renewal(bench.clock);
+    const std::function<void()> renew = [&] {
+        bench.session.stream(*unit).renew();
+        renewal.startIn(100ms, renew);
+    };
+    renew();
+    const auto trial
+        = run(bench.clock, tuning::runExperiment(*unit, bench.session.stream(*unit), std::move(plan), surroundings));
+    ASSERT_TRUE(trial) << trial.error().text();
+    EXPECT_EQ(trial->reason, "done") << trial->detail;
+    ASSERT_EQ(trial->gains.size(), 2U);
+    const tuning::Evidence seen(unit->family(), *trial);
+    EXPECT_EQ(seen.key(Role::Derivative), "loop.damping");
+    EXPECT_EQ(seen.gain(Role::Derivative), 0.005);
+    EXPECT_EQ(seen.gain(Role::Proportional), 5.0);
+    const auto advice = tuning::advise(unit->family(), *trial);
+    EXPECT_TRUE(std::any_of(advice.begin(), advice.end(),
+        [](const tuning::Advice &one) { return one.cause == tuning::Cause::Resolution; }));
+    EXPECT_EQ(run(bench.clock, unit->read(damping)).value_or(0), 200) << "put back";
+
+    ThemeSource theme(lightTheme());
+    TrialModel list(theme);
+    list.setFamily(&unit->family());
+    KeptTrial kept;
+    kept.trial = *trial;
+    list.setTrials({kept});
+    EXPECT_EQ(list.index(0, TrialModel::GainP).data().toString().toDouble(), 5.0);
+    EXPECT_TRUE(list.usesGain(TrialModel::GainD));
+    EXPECT_FALSE(list.usesGain(TrialModel::GainI));
 }
 
 TEST_F(NewFamily, ShowsItsOwnStepsAndDrawingOnTheFirmwarePage)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "async/scope.h"
+#include "model/loopparameters.h"
 #include "support/heldbackground.h"
 #include "tests/tuning/tuningbench.h"
 #include "tuning/envelope.h"

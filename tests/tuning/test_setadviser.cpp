@@ -13,7 +13,7 @@ namespace {
 using test::ExperimentBench;
 using State = SetAdvice::State;
 
-const PlantModel motor{1'285'000.0, 0.26, 0.0507, 0.002};
+const PlantModel livelyMotor{1'285'000.0, 0.26, 0.0507, 0.002};
 
 ProposalBasis basisOf(const ExperimentBench &bench, Mode loop = Mode::Velocity)
 {
@@ -21,7 +21,7 @@ ProposalBasis basisOf(const ExperimentBench &bench, Mode loop = Mode::Velocity)
     envelope.duty = 1.0;
     envelope.speed = 1'500'000.0;
     envelope.travel = 2e7;
-    return {bench.device->family(), bench.device->knowledge().profile(), loop, 1, 0, motor, envelope, {}};
+    return {bench.device->family(), bench.device->knowledge().profile(), loop, 1, 0, livelyMotor, envelope, {}};
 }
 
 /// Of a drive whose slot has these, and zeros beside them.

@@ -43,7 +43,7 @@ void SlotsTest::oneChoiceEditsAndRunsASlot()
     slot(bench, "Gain slot, edit and run", 1)->click();
     QCOMPARE(bench.page->column().modePanel().editedSlot(), 1);
     QCOMPARE(bench.page->column().modePanel().runningSlot(), 1);
-    QCOMPARE(*bench.page->column().gainsPanel().row("f")->number(), 0.5); // of slot 1
+    QCOMPARE(*bench.page->column().gainsPanel().row(Role::FeedForward)->number(), 0.5); // of slot 1
     QVERIFY(!note(bench)->isVisible());
 }
 

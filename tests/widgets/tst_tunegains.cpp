@@ -79,13 +79,14 @@ void TestTuneGains::theSliderStagesAndRevertBringsBack()
     auto *slider = bench.find<QSlider>("P, one decade either way");
     slider->setFocus();
     QTest::keyClick(slider, Qt::Key_Right);
-    const double raised = *bench.page->column().gainsPanel().row("p")->number();
+    const double raised = *bench.page->column().gainsPanel().row(Role::Proportional)->number();
     QVERIFY(std::abs(raised / 1.165 - 1.02) < 1e-3);
     QTest::keyClick(slider, Qt::Key_Left, Qt::ShiftModifier);
-    QVERIFY(std::abs(*bench.page->column().gainsPanel().row("p")->number() / 1.165 - 1.02 / 1.002) < 1e-3);
+    QVERIFY(
+        std::abs(*bench.page->column().gainsPanel().row(Role::Proportional)->number() / 1.165 - 1.02 / 1.002) < 1e-3);
     click(bench, "Revert P");
-    QCOMPARE(
-        *bench.page->column().gainsPanel().row("p")->number(), static_cast<double>(rawOf("slot0.p", 1.165)) / 65536.0);
+    QCOMPARE(*bench.page->column().gainsPanel().row(Role::Proportional)->number(),
+        static_cast<double>(rawOf("slot0.p", 1.165)) / 65536.0);
     QVERIFY(bench.page->column().gainsPanel().toWrite().empty());
 }
 
@@ -95,9 +96,9 @@ void TestTuneGains::editsOfAnotherSlotStayStaged()
     type(bench.find<QLineEdit>("P"), "2");
     slot(bench, "Gain slot, edit and run", 1)->click();
     QVERIFY(bench.page->column().gainsPanel().toWrite().empty());
-    QCOMPARE(*bench.page->column().gainsPanel().row("f")->number(), 0.5);
+    QCOMPARE(*bench.page->column().gainsPanel().row(Role::FeedForward)->number(), 0.5);
     slot(bench, "Gain slot, edit and run", 0)->click();
-    QCOMPARE(*bench.page->column().gainsPanel().row("p")->number(), 2.0);
+    QCOMPARE(*bench.page->column().gainsPanel().row(Role::Proportional)->number(), 2.0);
 }
 
 void TestTuneGains::writeAndRunWaitsForTheGains()

@@ -3,6 +3,7 @@
 
 #include "model/axis.h"
 #include "model/family.h"
+#include "model/loopparameters.h"
 #include "tuning/envelope.h"
 #include "tuning/gains.h"
 #include "widgets/common/devicetext.h"
@@ -127,7 +128,7 @@ ExperimentCheck checkExperiment(
     auto probe = plan;
     if (!wish.stimulus.to)
         probe.to = 1.0;
-    if (!family.trials || (wish.mode != Mode::Duty && !tuning::loopOf(family, wish.mode))) {
+    if (!family.trials || (wish.mode != Mode::Duty && !loopOf(family, wish.mode))) {
         check.words = ExperimentText::tr("This mode has no loop that can be tried; Live drives it.");
         return check;
     }

@@ -116,7 +116,7 @@ void GainsPanel::refresh(const DeviceView &device, bool reading)
 {
     if (!m_edits || m_edits->entries().size() != device.parameters.size())
         return;
-    const GainRow *const divisor = m_family->loop && m_family->loop->divided ? row("divisor") : nullptr;
+    const GainRow *const divisor = m_family->loop && m_family->loop->divided ? row(Role::Divisor) : nullptr;
     const double divided = divisor ? divisor->number().value_or(0.0) : 1.0;
     for (GainRow *row : m_rows) {
         const auto number = row->number();
@@ -187,10 +187,10 @@ void GainsPanel::focusFirst()
         m_rows.front()->focusField();
 }
 
-GainRow *GainsPanel::row(std::string_view name) const
+GainRow *GainsPanel::row(Role role) const
 {
     const auto found = std::find_if(m_rows.begin(), m_rows.end(),
-        [&](const GainRow *row) { return gainName(m_edits->parameter(row->index())) == name; });
+        [&](const GainRow *row) { return m_edits->parameter(row->index()).role == role; });
     return found == m_rows.end() ? nullptr : *found;
 }
 

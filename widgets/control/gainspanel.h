@@ -35,7 +35,7 @@ public:
     [[nodiscard]] QString unconfirmed() const;
     void revertAll();
     void focusFirst();
-    [[nodiscard]] GainRow *row(std::string_view name) const;
+    [[nodiscard]] GainRow *row(Role role) const;
 
 private:
     void rebuild();

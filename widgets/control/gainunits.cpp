@@ -2,6 +2,7 @@
 #include "widgets/control/gainunits.h"
 
 #include "model/axis.h"
+#include "model/loopparameters.h"
 #include "widgets/common/devicetext.h"
 
 #include <QCoreApplication>
@@ -44,25 +45,15 @@ QString siUnit(Role gain, Mode mode)
 }
 
 /// The family's loop of a mode. Where all its loops have the same gains, those of the first: they act in every mode.
-const LoopGains *loopOf(const Family &family, Mode mode)
+const LoopGains *shownLoopOf(const Family &family, Mode mode)
 {
+    if (const LoopGains *const loop = loopOf(family, mode))
+        return loop;
     const std::span<const LoopGains> loops = family.trials ? family.trials->loops : std::span<const LoopGains>();
-    for (const LoopGains &loop : loops) {
-        if (loop.mode == mode)
-            return &loop;
-    }
     const bool shared = !loops.empty() && std::all_of(loops.begin(), loops.end(), [&](const LoopGains &loop) {
         return loop.prefix == loops.front().prefix;
     });
     return shared ? &loops.front() : nullptr;
-}
-
-std::string prefixOf(const LoopGains &loop, int slot)
-{
-    std::string prefix(loop.prefix);
-    if (const auto place = prefix.find('#'); place != std::string::npos)
-        prefix.replace(place, 1, std::to_string(slot));
-    return prefix;
 }
 
 } // namespace
@@ -79,15 +70,12 @@ GainSet gainSet(const Family &family, Mode mode, int slot, int axis)
         : mode == Mode::RampVelocity               ? Mode::Velocity
                                                    : mode;
     GainSet set;
-    if (const LoopGains *const loop = loopOf(family, closed)) {
-        const std::string prefix = axisKey(axis, prefixOf(*loop, slot));
-        for (const std::string_view name : loop->names) {
-            if (const auto index = findParameter(family.parameters, prefix + std::string(name)))
-                (isGain(family.parameters[index->value]) ? set.gains : set.bounds).push_back(*index);
-        }
+    if (const LoopGains *const loop = shownLoopOf(family, closed)) {
+        for (const ParameterIndex index : loopParameters(family, *loop, axis, slot))
+            (isGain(family.parameters[index.value]) ? set.gains : set.bounds).push_back(index);
     }
     for (std::uint16_t i = 0; axis > 0 && i < family.parameters.size(); ++i) { // they act whatever the loop does
-        if (family.parameters[i].role == Role::Limit && axisOf(family.parameters[i].key) == axis)
+        if (isLimit(family.parameters[i]) && axisOf(family.parameters[i].key) == axis)
             set.bounds.push_back({i});
     }
     return set;
@@ -95,13 +83,7 @@ GainSet gainSet(const Family &family, Mode mode, int slot, int axis)
 
 QString shortName(const Parameter &parameter)
 {
-    return isGain(parameter) ? qt(gainName(parameter)).toUpper() : tableText(parameter.label);
-}
-
-std::string_view gainName(const Parameter &parameter)
-{
-    const auto dot = parameter.key.rfind('.');
-    return dot == std::string_view::npos ? parameter.key : parameter.key.substr(dot + 1);
+    return isGain(parameter) ? qt(gainLetter(parameter.role)) : tableText(parameter.label);
 }
 
 QString gainUnit(const Family &family, const Parameter &parameter, Mode mode)

@@ -25,8 +25,6 @@ struct GainSet {
 /// Whether the device closes a loop in this mode.
 [[nodiscard]] bool isClosedLoop(Mode mode);
 
-/// The last part of a key: p, i, d, f, …
-[[nodiscard]] std::string_view gainName(const Parameter &parameter);
 /// "throttle per count/100 ms": the unit of a gain in this mode, for people; the table's where nothing better is known.
 [[nodiscard]] QString gainUnit(const Family &family, const Parameter &parameter, Mode mode);
 /// A gain in units of the physical loop, such as 2.49e-3 duty/(rad/s) (docs/names.md#integer-gains). Nothing where the family's scale

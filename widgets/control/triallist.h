@@ -21,6 +21,7 @@ class TrialList : public QWidget {
 public:
     explicit TrialList(const ThemeSource &theme, QWidget *parent = nullptr);
 
+    void setFamily(const Family *family) { m_model->setFamily(family); }
     void setTrials(std::vector<KeptTrial> trials);
     void setUnits(const DisplayUnits &units) { m_model->setUnits(units); }
     void setLetters(std::int64_t a, std::int64_t b);

@@ -18,7 +18,8 @@
 namespace mb {
 namespace {
 
-constexpr std::array<std::string_view, 4> shownGains{"p", "i", "d", "f"};
+constexpr std::array<Role, 4> shownGains{
+    Role::Proportional, Role::Integral, Role::Derivative, Role::FeedForward}; ///< of the columns from GainP on
 
 QString orNone(const QString &text)
 {
@@ -50,10 +51,22 @@ TrialModel::TrialModel(const ThemeSource &theme, QObject *parent)
 {
 }
 
-std::optional<double> TrialModel::gainOf(const tuning::Trial &trial, std::string_view name)
+void TrialModel::setFamily(const Family *family)
 {
+    m_gainKeys = {};
+    for (std::size_t i = 0; family && i < shownGains.size(); ++i) {
+        for (const Parameter &parameter : family->parameters) {
+            if (parameter.role == shownGains.at(i))
+                m_gainKeys.at(i).push_back(parameter.key);
+        }
+    }
+}
+
+std::optional<double> TrialModel::gainOf(const tuning::Trial &trial, int column) const
+{
+    const auto &keys = m_gainKeys.at(static_cast<std::size_t>(column - GainP));
     for (const auto &[key, value] : trial.gains) {
-        if (key.size() > name.size() && key.ends_with(name) && key[key.size() - name.size() - 1] == '.')
+        if (std::find(keys.begin(), keys.end(), key) != keys.end())
             return value;
     }
     return std::nullopt;
@@ -61,9 +74,8 @@ std::optional<double> TrialModel::gainOf(const tuning::Trial &trial, std::string
 
 bool TrialModel::usesGain(int column) const
 {
-    const std::string_view name = shownGains.at(static_cast<std::size_t>(column - GainP));
     return std::any_of(m_trials.begin(), m_trials.end(),
-        [name](const KeptTrial &kept) { return gainOf(kept.trial, name).value_or(0.0) != 0.0; });
+        [this, column](const KeptTrial &kept) { return gainOf(kept.trial, column).value_or(0.0) != 0.0; });
 }
 
 QString TrialModel::useText()
@@ -148,7 +160,7 @@ std::optional<double> TrialModel::sortKey(const KeptTrial &kept) const
     case GainP:
     case GainI:
     case GainD:
-    case GainF: return gainOf(kept.trial, shownGains.at(static_cast<std::size_t>(m_sortColumn - GainP)));
+    case GainF: return gainOf(kept.trial, m_sortColumn);
     case Over: return metrics.overshoot;
     case Settle: return metrics.settle;
     case Rise: return metrics.rise;
@@ -226,7 +238,7 @@ QString TrialModel::textOf(const KeptTrial &kept, int column) const
     case GainP:
     case GainI:
     case GainD:
-    case GainF: return orNone(gainText(gainOf(kept.trial, shownGains.at(static_cast<std::size_t>(column - GainP)))));
+    case GainF: return orNone(gainText(gainOf(kept.trial, column)));
     case Over: return orNone(percentText(metrics.overshoot));
     case Settle: return orNone(milliseconds(metrics.settle));
     case Rise: return orNone(milliseconds(metrics.rise));

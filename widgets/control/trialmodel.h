@@ -8,6 +8,8 @@
 
 #include <QAbstractTableModel>
 
+#include <array>
+#include <string_view>
 #include <vector>
 
 namespace mb {
@@ -40,6 +42,8 @@ public:
 
     explicit TrialModel(const ThemeSource &theme, QObject *parent = nullptr);
 
+    /// Whose gains are shown; nullptr: nobody's.
+    void setFamily(const Family *family);
     void setTrials(std::vector<KeptTrial> trials);
     void setUnits(const DisplayUnits &units);
     void setFilter(Filter filter);
@@ -52,8 +56,8 @@ public:
     [[nodiscard]] int rowOf(std::int64_t number) const;
     /// The quickest to settle of those that ended well, overshoot no more than `overshoot`; nullptr: none.
     [[nodiscard]] const KeptTrial *best(double overshoot) const;
-    /// A gain of this last part of its key, "p"; nothing where the loop has none.
-    [[nodiscard]] static std::optional<double> gainOf(const tuning::Trial &trial, std::string_view name);
+    /// The gain of a column, GainP to GainF; nothing where the loop has none.
+    [[nodiscard]] std::optional<double> gainOf(const tuning::Trial &trial, int column) const;
     /// Whether any trial has another gain than 0 in this column.
     [[nodiscard]] bool usesGain(int column) const;
     /// What stands in the column Use.
@@ -82,6 +86,7 @@ private:
 
     const ThemeSource &m_theme;
     DisplayUnits m_units;
+    std::array<std::vector<std::string_view>, 4> m_gainKeys; ///< of each of its columns
     std::vector<KeptTrial> m_trials;
     std::vector<std::size_t> m_rows;
     Filter m_filter = Filter::All;

@@ -163,6 +163,7 @@ void TrialsView::choose(const Family *family, const std::string &unit, int axis,
     m_axis = axis;
     m_mode = mode;
     m_pair = {};
+    m_list->setFamily(family);
     m_list->setTrials({});
     draw();
     reload();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/control/tunecolumn.h"
 
-#include "model/axis.h"
+#include "model/loopparameters.h"
 #include "widgets/common/calmwheel.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
@@ -106,7 +106,7 @@ std::vector<int> TuneColumn::motorsToRun() const
 
 void TuneColumn::showFirstPower(const DeviceView &view, int axis)
 {
-    const auto limit = findParameter(view.family->parameters, axisKey(axis, "limit.power"));
+    const auto limit = parameterOfAxis(*view.family, axis, Role::PowerLimit);
     const double first = view.family->capabilities.firstPower;
     const bool unknown = axis > 0 && first > 0.0 && limit && limit->value < view.parameters.size()
         && !view.parameters[limit->value].raw;

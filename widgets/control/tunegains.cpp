@@ -15,6 +15,15 @@
 #include <algorithm>
 
 namespace mb {
+namespace {
+
+/// What is the same in every slot and on every axis.
+std::string_view nameOf(std::string_view key)
+{
+    return key.substr(key.rfind('.') + 1);
+}
+
+} // namespace
 
 TuneGains::TuneGains(Workbench &workbench, Arming &arming, TuneChoices &choices, TuneColumn &column)
     : m_workbench(workbench)
@@ -144,7 +153,7 @@ void TuneGains::stageTrial(const KeptTrial &kept)
     for (const ParameterIndex index : rows) {
         const Parameter &row = view->family->parameters[index.value];
         for (const auto &[key, value] : kept.trial.gains) {
-            if (!value || gainName(row) != std::string_view(key).substr(key.rfind('.') + 1))
+            if (!value || nameOf(row.key) != nameOf(key))
                 continue;
             if (const auto raw = toRaw(row, *value))
                 changes.push_back({index, *raw});

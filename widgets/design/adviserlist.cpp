@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/design/adviserlist.h"
 
+#include "files/qttext.h"
+#include "model/loopparameters.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
@@ -81,7 +83,7 @@ QString resolutionText(const tuning::SetAdvice &advice)
     if (advice.key.empty())
         return AdviserList::tr("No gain of the set is an integer of its own.");
     return AdviserList::tr("%1 is %2 steps of its integer, at least %3 are wanted: one step is %4 %.")
-        .arg(shortGainName(advice.key), formatNumber(advice.number), formatNumber(advice.limit),
+        .arg(qt(gainLetter(advice.role)), formatNumber(advice.number), formatNumber(advice.limit),
             formatSignificant(100.0 / advice.number, 2));
 }
 

@@ -66,7 +66,7 @@ void DesignCourse::follow(const DeviceView &view, const OperationView *running, 
         return;
     }
     advise(view, chosen);
-    const TuningSteps::Ahead ahead{*chosen.proposal,
+    const TuningSteps::Ahead ahead{*view.family, *chosen.proposal,
         tuning::courseOf(m_book.basisOf(view, chosen.inForce), *chosen.proposal), m_book.choice().slot,
         view.family->capabilities.gainSlots, m_book.loop()};
     m_steps->show(running, m_book.report(), &ahead);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/design/ownproposal.h"
 
+#include "files/qttext.h"
+#include "model/loopparameters.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/numberformat.h"
@@ -126,8 +128,8 @@ void OwnProposal::show(const Result<tuning::Proposal> &proposal)
     }
     QStringList gains;
     for (const tuning::ScaledGains::Row &row : proposal->gains.rows) {
-        if (row.raw != 0 && isGainItself(row.key))
-            gains << shortGainName(row.key) + QChar(0x00A0) + formatSignificant(row.number, 4);
+        if (row.raw != 0 && isGain(row.role))
+            gains << qt(gainLetter(row.role)) + QChar(0x00A0) + formatSignificant(row.number, 4);
     }
     m_gains->setText(gains.join(QStringLiteral(" · ")));
     m_figures->setText(figuresText(*proposal));

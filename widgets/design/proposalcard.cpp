@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/design/proposalcard.h"
 
+#include "files/qttext.h"
+#include "model/loopparameters.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/control/gainunits.h"
@@ -60,7 +62,7 @@ QString physicalNumber(double value)
 }
 
 /// What a gain is to the motor, a share of full duty per count; nothing for what is no gain.
-QString perCount(std::string_view name, const tuning::ContinuousGains &made, Mode loop)
+QString perCount(Role role, const tuning::ContinuousGains &made, Mode loop)
 {
     const bool velocity = loop == Mode::Velocity;
     const QString perSpeed = ProposalCard::tr("s/count");
@@ -68,11 +70,13 @@ QString perCount(std::string_view name, const tuning::ContinuousGains &made, Mod
     const auto text = [](double value, const QString &unit) {
         return value == 0.0 ? QString() : physicalNumber(value) + QLatin1Char(' ') + unit;
     };
-    if (name == "p" || name == "f")
-        return text(name == "p" ? made.p : made.f, velocity ? perSpeed : perPlace);
-    if (name == "i")
-        return text(made.i, velocity ? perPlace : ProposalCard::tr("1/(count·s)"));
-    return name == "d" ? text(made.d, velocity ? ProposalCard::tr("s²/count") : perSpeed) : QString();
+    switch (role) {
+    case Role::Proportional: return text(made.p, velocity ? perSpeed : perPlace);
+    case Role::FeedForward: return text(made.f, velocity ? perSpeed : perPlace);
+    case Role::Integral: return text(made.i, velocity ? perPlace : ProposalCard::tr("1/(count·s)"));
+    case Role::Derivative: return text(made.d, velocity ? ProposalCard::tr("s²/count") : perSpeed);
+    default: return {};
+    }
 }
 
 /// The same of a turn of the shaft, where its counts are known.
@@ -83,7 +87,14 @@ QString physicalText(const Family &family, const Parameter &row, const tuning::S
     const auto si = counts > 0.0 ? siGain(family, row, scale.loop, number, counts, scale.divisor) : std::nullopt;
     return si                         ? physicalNumber(si->value) + QLatin1Char(' ') + si->unit
         : scale.loop == Mode::Current ? QString()
-                                      : perCount(gainName(row), gains.made, scale.loop);
+                                      : perCount(row.role, gains.made, scale.loop);
+}
+
+/// "P" of "slot0.p".
+QString shortGainName(const Family &family, const std::string &key)
+{
+    const Role role = roleOf(family, key);
+    return isGain(role) ? qt(gainLetter(role)) : QString::fromStdString(key.substr(key.rfind('.') + 1)).toUpper();
 }
 
 } // namespace
@@ -96,17 +107,6 @@ QString aimText(tuning::Aim aim)
     case tuning::Aim::Brisk: return ProposalCard::tr("brisk");
     }
     return {};
-}
-
-QString shortGainName(const std::string &key)
-{
-    return QString::fromStdString(key.substr(key.rfind('.') + 1)).toUpper();
-}
-
-bool isGainItself(const std::string &key)
-{
-    const std::string name = key.substr(key.rfind('.') + 1);
-    return name.size() == 1;
 }
 
 QString figuresText(const tuning::Proposal &proposal)
@@ -146,7 +146,7 @@ void ProposalCard::addGains(
         const auto index = findParameter(family.parameters, gain.key);
         if (gain.raw == 0 || !index)
             continue;
-        gains->addWidget(textLabel(shortGainName(gain.key), TextRole::Emphasis, Tone::Text, this), row, 0);
+        gains->addWidget(textLabel(shortGainName(family, gain.key), TextRole::Emphasis, Tone::Text, this), row, 0);
         auto *const value = new QLabel(formatSignificant(gain.number, 4), this);
         setTextRole(*value, TextRole::Emphasis);
         gains->addWidget(value, row, 1, Qt::AlignRight);
@@ -176,7 +176,7 @@ void ProposalCard::addFigures(const tuning::Proposal &proposal, const Theme &loo
     QStringList zeros;
     for (const tuning::ScaledGains::Row &gain : proposal.gains.rows) {
         if (gain.raw == 0)
-            zeros << shortGainName(gain.key);
+            zeros << shortGainName(family, gain.key);
     }
     if (!zeros.isEmpty())
         spoken << tr("%1 = 0").arg(zeros.join(QStringLiteral(", ")));

@@ -33,10 +33,6 @@ private:
     ChoiceMark *m_mark;
 };
 
-/// "P" of "slot0.p".
-[[nodiscard]] QString shortGainName(const std::string &key);
-/// P, I, D or F, and no bound beside them.
-[[nodiscard]] bool isGainItself(const std::string &key);
 /// Overshoot, settling and margins in one line.
 [[nodiscard]] QString figuresText(const tuning::Proposal &proposal);
 /// "calm", "normal", "brisk", in front of people.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/design/proposallist.h"
 
+#include "model/loopparameters.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
 #include "widgets/design/designplots.h"
@@ -87,7 +88,7 @@ void ProposalList::addCard(const DeviceView &view, const tuning::Proposal &propo
 {
     ProposalCard::Scale scale{m_book.loop(), view.profile.calibrated(countsPerRevolutionKey), 1.0};
     for (const tuning::ScaledGains::Row &row : proposal.gains.rows) {
-        if (row.key.ends_with(".divisor"))
+        if (roleOf(*view.family, row.key) == Role::Divisor)
             scale.divisor = row.number;
     }
     auto *card = new ProposalCard(m_theme, *view.family, proposal, scale, this);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/design/tuningsteps.h"
 
+#include "files/qttext.h"
+#include "model/loopparameters.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
@@ -179,8 +181,8 @@ std::vector<TuningSteps::Step> TuningSteps::stepsOf(const Ahead &ahead, const tu
 {
     QStringList gains;
     for (const tuning::ScaledGains::Row &row : ahead.proposal.gains.rows) {
-        if (isGainItself(row.key))
-            gains << shortGainName(row.key);
+        if (const Role role = roleOf(ahead.family, row.key); isGain(role))
+            gains << qt(gainLetter(role));
     }
     const QString written = gains.join(QStringLiteral(", "));
     const bool several = ahead.gainSlots > 1;

@@ -23,6 +23,7 @@ public:
 
     /// A set that may be put to the proof.
     struct Ahead {
+        const Family &family;
         const tuning::Proposal &proposal;
         tuning::ProofCourse course;
         int slot = 0;      ///< that the result is for

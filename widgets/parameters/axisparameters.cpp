@@ -5,17 +5,12 @@
 
 #include <QCoreApplication>
 
-#include <algorithm>
-#include <array>
-
 namespace mb {
 namespace {
 
 struct AxisParameters {
     Q_DECLARE_TR_FUNCTIONS(AxisParameters)
 };
-
-constexpr std::array<std::string_view, 3> copied{"position.", "velocity.", "limit."};
 
 std::string_view suffixOf(std::string_view key)
 {
@@ -41,9 +36,8 @@ std::vector<ParameterChange> gainsOfAxis(const Family &family, const StagedEdits
     std::vector<ParameterChange> changes;
     for (std::uint16_t i = 0; i < family.parameters.size(); ++i) {
         const std::string_view key = family.parameters[i].key;
-        const bool gain = std::any_of(
-            copied.begin(), copied.end(), [key](std::string_view prefix) { return suffixOf(key).starts_with(prefix); });
-        const auto twin = axisOf(key) == from && gain ? twinOf(family, {i}, to) : std::nullopt;
+        const bool isOfMotion = family.parameters[i].role != Role::None;
+        const auto twin = axisOf(key) == from && isOfMotion ? twinOf(family, {i}, to) : std::nullopt;
         if (const auto raw = valueOf(edits, {i}); twin && raw)
             changes.push_back({*twin, *raw});
     }

@@ -16,7 +16,7 @@
 namespace mb {
 namespace {
 
-enum Role { DeviceRole = Qt::UserRole, ChannelRole, UnitRole };
+enum SignalRole { DeviceRole = Qt::UserRole, ChannelRole, UnitRole };
 
 Signal signalOf(const QListWidgetItem &item)
 {

@@ -13,7 +13,7 @@
 namespace mb {
 namespace {
 
-enum Role { Glyph = Qt::UserRole + 1, Unit, Number, Word, Line, Seconds, Time };
+enum RowRole { Glyph = Qt::UserRole + 1, Unit, Number, Word, Line, Seconds, Time };
 
 GlyphState glyphOf(service::RowState state)
 {

@@ -55,6 +55,7 @@ constexpr Capabilities capabilities{
     .gainSlots = 2,
     .commandPeriod = controlPeriod,
     .commandLimit = controlLimit,
+    .watchdogLimit = std::chrono::milliseconds(250), // 104 with a margin
     .storesAfter = std::chrono::seconds(15),
 };
 
@@ -79,8 +80,10 @@ constexpr UpdateWords updateWords{
 constexpr std::array<ChannelRate, 3> watched{{{"velocity", 100.0}, {"position", 100.0}, {"current", 50.0}}};
 
 constexpr std::array<std::string_view, 2> livelyGains{"slot0.p", "slot0.i"};
+constexpr std::array<std::string_view, 2> versionEntries{"application_version", "bootloader_version"};
 constexpr DemoUnits demo{
     .tuned = 5,
+    .livelierLimit = "current_limit.peak",
     .overshooting = 7,
     .livelyGains = livelyGains,
     .inBootloader = 9,
@@ -127,6 +130,7 @@ const Family family{
     .states = stateTable(),
     .faults = faultRows,
     .watched = watched,
+    .versionEntries = versionEntries,
     .demo = &demo,
     .loop = &loop,
     .trials = &trials,

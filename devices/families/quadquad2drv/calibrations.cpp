@@ -34,11 +34,16 @@ constexpr double greatest = 1e6;
 constexpr std::array<Calibration, 7> rows{{
     {targetShift, "", QT_TRANSLATE_NOOP("table", "velocity target"), shiftHelp, plainTarget, shiftedTarget, shifts},
     {inputReading, "", QT_TRANSLATE_NOOP("table", "input polarity"), inputHelp, asLibrary, asDataSheet, inputs},
-    {velocityP, "", QT_TRANSLATE_NOOP("table", "velocity P scale"), scaleHelp, smallest, greatest},
-    {velocityI, "", QT_TRANSLATE_NOOP("table", "velocity I scale"), scaleHelp, smallest, greatest},
-    {positionP, "", QT_TRANSLATE_NOOP("table", "position P scale"), scaleHelp, smallest, greatest},
-    {positionI, "", QT_TRANSLATE_NOOP("table", "position I scale"), scaleHelp, smallest, greatest},
-    {positionD, "", QT_TRANSLATE_NOOP("table", "position D scale"), scaleHelp, smallest, greatest},
+    {velocityP, "", QT_TRANSLATE_NOOP("table", "velocity P scale"), scaleHelp, smallest, greatest, {}, Mode::Velocity,
+        Role::Proportional},
+    {velocityI, "", QT_TRANSLATE_NOOP("table", "velocity I scale"), scaleHelp, smallest, greatest, {}, Mode::Velocity,
+        Role::Integral},
+    {positionP, "", QT_TRANSLATE_NOOP("table", "position P scale"), scaleHelp, smallest, greatest, {}, Mode::Position,
+        Role::Proportional},
+    {positionI, "", QT_TRANSLATE_NOOP("table", "position I scale"), scaleHelp, smallest, greatest, {}, Mode::Position,
+        Role::Integral},
+    {positionD, "", QT_TRANSLATE_NOOP("table", "position D scale"), scaleHelp, smallest, greatest, {}, Mode::Position,
+        Role::Derivative},
 }};
 
 } // namespace

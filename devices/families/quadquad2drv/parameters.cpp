@@ -118,8 +118,9 @@ template <int Axis> constexpr void fillLoops(std::span<Parameter> out, std::uint
     gain(Role::Integral, key<Axis, "position.i">(), 500.0, QT_TRANSLATE_NOOP("table", "Position I"), positionGainHelp);
     gain(
         Role::Derivative, key<Axis, "position.d">(), 500.0, QT_TRANSLATE_NOOP("table", "Position D"), positionGainHelp);
-    out[3] = hidden(key<Axis, "position.windup">(), id++, WireType::Uint16, 1.0, "", fullPower, 600.0, group,
-        QT_TRANSLATE_NOOP("table", "Position windup"), windupHelp);
+    out[3] = as(Role::IntegralLimit,
+        hidden(key<Axis, "position.windup">(), id++, WireType::Uint16, 1.0, "", fullPower, 600.0, group,
+            QT_TRANSLATE_NOOP("table", "Position windup"), windupHelp));
     gain(Role::Proportional, key<Axis, "velocity.p">(), 100.0, QT_TRANSLATE_NOOP("table", "Velocity P"),
         velocityGainHelp);
     gain(Role::Integral, key<Axis, "velocity.i">(), 200.0, QT_TRANSLATE_NOOP("table", "Velocity I"), velocityGainHelp);
@@ -136,7 +137,7 @@ template <int Axis> constexpr void fillLimits(std::span<Parameter> out, std::uin
     out[9] = hidden(key<Axis, "limit.acceleration">(), id++, WireType::Uint32, limitOne, "counts/s²", steepest, 0.0,
         group, QT_TRANSLATE_NOOP("table", "Acceleration limit"), accelerationHelp);
     for (std::size_t limit = 7; limit < 10; ++limit)
-        out[limit].role = Role::Limit;
+        out[limit].role = limit == 7 ? Role::PowerLimit : Role::Limit;
     out[10] = hidden(key<Axis, "input.mode">(), id++, WireType::Uint8, 1.0, "", 3.0, 0.0, group,
         QT_TRANSLATE_NOOP("table", "Input mode"), inputHelp);
     out[10].choices = inputModes;

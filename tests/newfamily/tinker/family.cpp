@@ -21,11 +21,12 @@ constexpr Capabilities capabilities{
     .outputOptions = false,
     .freeRates = false,
     .commandLimit = driveLimit,
+    .watchdogLimit = 2 * driveLimit,
 };
 constexpr std::array<ModeRange, 1> ranges{{{Mode::Position, 5000.0}}};
 constexpr std::array<ChannelRate, 1> watched{{{"position", 100.0}}};
 
-constexpr std::array<std::string_view, 2> gains{"p", "d"};
+constexpr std::array<std::string_view, 2> gains{"damping", "stiffness"};
 constexpr std::array<LoopGains, 1> loops{{{Mode::Position, "loop.", gains}}};
 constexpr std::array<DeviceLimit, 1> limits{{{DeviceLimit::Bounds::Duty, "limit.duty", "", 1.0}}};
 constexpr TrialTraits trials{

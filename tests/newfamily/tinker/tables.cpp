@@ -19,10 +19,10 @@ constexpr Parameter row(std::uint16_t number, std::string_view key, double one, 
 
 constexpr std::array<Parameter, 3> parameters{{
     as(Role::Proportional,
-        row(1, "loop.p", 1000.0, "fraction/turn", 100.0, 5.0, QT_TRANSLATE_NOOP("table", "P"),
+        row(1, "loop.stiffness", 1000.0, "fraction/turn", 100.0, 5.0, QT_TRANSLATE_NOOP("table", "Tinkered stiffness"),
             QT_TRANSLATE_NOOP("table", "Tinkered duty for a turn of error."))),
     as(Role::Derivative,
-        row(2, "loop.d", 1000.0, "fraction·s/turn", 100.0, 0.2, QT_TRANSLATE_NOOP("table", "D"),
+        row(2, "loop.damping", 1000.0, "fraction·s/turn", 100.0, 0.2, QT_TRANSLATE_NOOP("table", "Tinkered damping"),
             QT_TRANSLATE_NOOP("table", "Tinkered duty for a turn per second."))),
     as(Role::Limit,
         row(3, "limit.duty", 10000.0, "fraction", 1.0, 1.0, QT_TRANSLATE_NOOP("table", "Tinkered limit"),

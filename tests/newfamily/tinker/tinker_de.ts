@@ -8,6 +8,14 @@
         <translation>Gebastelter Regelkreis</translation>
     </message>
     <message>
+        <source>Tinkered stiffness</source>
+        <translation>Gebastelte Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Tinkered damping</source>
+        <translation>Gebastelte Dämpfung</translation>
+    </message>
+    <message>
         <source>Tinkered limit</source>
         <translation>Gebastelte Grenze</translation>
     </message>
