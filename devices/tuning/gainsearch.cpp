@@ -111,7 +111,7 @@ public:
         , m_seconds(secondsOf(plant, start.response, task))
         , m_rest(task.shape.windowCounts > 0.0 ? restOfCounts : 0.0)
         , m_doubts(doubtsOf(task))
-        , m_nextPhase(m_doubts.size() > doubts.size() ? 1.0 / static_cast<double>(m_doubts.size()) : 0.0)
+        , m_nextPhase(task.shape.integralStep > 0.0 ? 1.0 / static_cast<double>(m_doubts.size()) : 0.0)
         , m_near(loop == Mode::Position ? nearTarget / std::abs(task.step) : 0.0)
     {
         if (task.shape.integralStep == 0.0)
@@ -350,7 +350,7 @@ private:
     double m_seconds;
     double m_rest; ///< s, of the way back, at least
     std::span<const Doubt> m_doubts;
-    double m_nextPhase; ///< of a count and of its clock, from doubt to doubt, where they make luck
+    double m_nextPhase; ///< of a count and of its clock, from doubt to doubt, where an integral adds whole steps
     double m_near;
 };
 

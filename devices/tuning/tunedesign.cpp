@@ -107,6 +107,12 @@ double doubtOfError(const std::vector<Trial> &proof, double seconds)
     return proof.empty() ? 0.0 : std::sqrt(squares) / static_cast<double>(proof.size());
 }
 
+/// It had no room for pushes, and was identified by a limit cycle.
+bool isSwung(const TuneReport &report)
+{
+    return std::any_of(report.gates.begin(), report.gates.end(), [](const Gate &gate) { return gate.name == "relay"; });
+}
+
 /// What was designed on a model that was corrected leaves less error than what was proven before, as far as that can be told.
 bool isBetter(const std::vector<Trial> &now, const std::vector<Trial> &before)
 {
@@ -373,6 +379,8 @@ void TuneDesign::beginAnew()
 Task<std::optional<PlantModel>> TuneDesign::corrected()
 {
     const TuneReport &report = m_run.report();
+    if (isSwung(report))
+        co_return std::nullopt; // so short steps tell less of its lag than it did when it swung
     const bool isSteps = report.scale && report.scale->rate == 0.0; // what is led tells too little of its link
     const SteppedLoop stepped{report.proposed.made, report.predicted->shape, report.proof, isSteps ? mostOfLink : 0.0};
     if (m_plan.loop == Mode::Current)

@@ -68,7 +68,7 @@ TEST(SetAdviser, AFeedForwardInForceThatTheSetTakesAwayIsFixedInTheSet)
     const ExperimentBench bench;
     const ProposalBasis basis = basisOf(bench);
     const Proposal proposal = proposalFor(basis, {}).value();
-    const double half = 0.5 / motor.gain * 32767.0 / basis.family.loop->velocityTime; // F·K of a half
+    const double half = 0.5 / livelyMotor.gain * 32767.0 / basis.family.loop->velocityTime; // F·K of a half
     const SetAdvice advice = adviceOn(
         Cause::FeedForward, basis, proposal, slotWith({{"slot0.p", 1.0}, {"slot0.i", 0.003}, {"slot0.f", half}}));
     EXPECT_EQ(advice.state, State::Fixed);

@@ -130,7 +130,7 @@ ProposalCard::ProposalCard(const ThemeSource &theme, const Family &family, const
     addHeadWidget(
         textLabel(tr("τc %1").arg(formatDuration(proposal.design.response)), TextRole::Emphasis, Tone::Text, this));
     addGains(family, proposal, scale, theme.theme());
-    addFigures(proposal, theme.theme());
+    addFigures(family, proposal, theme.theme());
 }
 
 /// What is not 0, one below the other.
@@ -161,7 +161,7 @@ void ProposalCard::addGains(
     body().addLayout(gains);
 }
 
-void ProposalCard::addFigures(const tuning::Proposal &proposal, const Theme &look)
+void ProposalCard::addFigures(const Family &family, const tuning::Proposal &proposal, const Theme &look)
 {
     auto *figures = new QGridLayout;
     figures->setHorizontalSpacing(look.u(6));

@@ -27,7 +27,7 @@ public:
 
 private:
     void addGains(const Family &family, const tuning::Proposal &proposal, const Scale &scale, const Theme &look);
-    void addFigures(const tuning::Proposal &proposal, const Theme &look);
+    void addFigures(const Family &family, const tuning::Proposal &proposal, const Theme &look);
 
     tuning::Aim m_aim;
     ChoiceMark *m_mark;
