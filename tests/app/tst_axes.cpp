@@ -218,7 +218,7 @@ void AxesTest::whatCannotBeReadIsUnknownUntilWritten()
 {
     select(1);
     chooseMode("Position");
-    GainRow *p = m_tune->column().gainsPanel().row("p");
+    GainRow *p = m_tune->column().gainsPanel().row(Role::Proportional);
     QVERIFY(p);
     QVERIFY(!p->number());
     QCOMPARE(p->findChild<QLineEdit *>()->text(), QString());
@@ -375,7 +375,7 @@ void AxesTest::gainsAreCopiedFromAnotherAxis()
     select(2);
     chooseMode("Position");
     Q_EMIT panel().copyGainsRequested(1);
-    QCOMPARE(m_tune->column().gainsPanel().row("p")->number(), std::optional(321.0));
+    QCOMPARE(m_tune->column().gainsPanel().row(Role::Proportional)->number(), std::optional(321.0));
     QVERIFY(!m_tune->column().gainsPanel().toWrite().empty());
     const auto *write = m_tune->findChild<CommandButton *>(QStringLiteral("writeGains"));
     QTRY_VERIFY_WITH_TIMEOUT(write->isEnabled(), axisPatience); // the write before may still be under way

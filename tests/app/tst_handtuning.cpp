@@ -122,7 +122,7 @@ tuning::Trial HandTuningTest::step(double p, double i)
 void HandTuningTest::aSluggishLoopIsTunedUntilItStepsWell()
 {
     auto &page = m_bench->page<TunePage>(PageId::Tune);
-    QTRY_VERIFY_WITH_TIMEOUT(page.column().gainsPanel().row("p") != nullptr, patience);
+    QTRY_VERIFY_WITH_TIMEOUT(page.column().gainsPanel().row(Role::Proportional) != nullptr, patience);
     StimulusChoice stimulus;
     stimulus.to = 5000.0;
     page.form().chooseStimulus(Mode::Velocity, stimulus);
