@@ -36,13 +36,14 @@ std::size_t passesOf(double seconds, double period)
 }
 
 /// Duty that a motor at rest does not follow. Friction is known as it is while the motor moves, when a gear loses torque as well; one at rest
-/// loses none. The device's help overcomes it also where friction is doubted: an output that is held back is not what was measured.
+/// loses none. The device's help overcomes it also where friction is doubted: an output that is held back is not what was measured. A velocity
+/// that is counted over edges hides what a shaft does within its play: there the motor is taken for one that lets go late.
 double heldBelow(const PlantModel &plant, const LoopShape &shape)
 {
     const double own = 2.0 / (1.0 + plant.braking); // of the friction while it moves
-    const double holds = std::max(1.0, breakawayShare * own) * plant.friction;
+    const double held = shape.windowCounts > 0.0 ? breakawayShare : std::max(1.0, breakawayShare * own);
     return shape.leastOutput > 0.0 ? std::min(breakawayShare * plant.friction, helpBeyondFriction * shape.leastOutput)
-                                   : holds;
+                                   : held * plant.friction;
 }
 
 double dutyAt(const PlantModel &plant, const ContinuousGains &gains, double value)

@@ -33,7 +33,7 @@ protected:
     {
         const auto text = readTextFile(path, maxBytes);
         ASSERT_FALSE(text);
-        EXPECT_EQ(text.error(), (Error{Fault::OutOfRange, say("%1: %2", path, cause)}));
+        EXPECT_EQ(text.error(), (Error{Fault::OutOfRange, say("%1: %2", path, cause), say("check the path")}));
     }
 
 private:
