@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/dmc60c/setpoints.h"
 #include "families/dmc60ccontrollerfixture.h"
 
 #include <algorithm>
@@ -125,6 +126,13 @@ TEST_F(Dmc60cController, SendsTheStopForAnOffSetPointAndForADuplicate)
     device->stop();
     clock.advance(1ms);
     EXPECT_EQ(unit.count("02060005#0F00000000000000"), 4) << "stopping is always allowed";
+}
+
+TEST(Dmc60cSetPoints, OffHasNoTarget)
+{
+    EXPECT_TRUE(controlFor(make(Mode::Off, 0.0), 5));
+    for (const double target : {0.5, -0.5})
+        EXPECT_FALSE(controlFor(make(Mode::Off, target), 5)) << target;
 }
 
 TEST_F(Dmc60cController, IsSeenStoppedOnlyByYoungerFramesWithoutOutput)

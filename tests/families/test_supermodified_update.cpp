@@ -115,6 +115,7 @@ TEST(SupermodifiedFirmware, TakesProgramsOfAnAvrOnly)
     ASSERT_TRUE(summary) << summary.error().text();
     EXPECT_EQ(summary->parts, std::vector<int>{0});
     EXPECT_EQ(inspect(image(":060000000C942000FFCF6C\n:01007F00017F\n:00000001FF\n"))->parts, (std::vector<int>{0}));
+    EXPECT_EQ(inspect(image(":060000000C942000FFCF6C\n:0101000000FE\n:00000001FF\n"))->parts, (std::vector<int>{0, 2}));
     EXPECT_EQ(inspect(image(":060000000C942000FFCF6C\n:0100800001"
                             "7E\n:00000001FF\n"))
                   ->parts,
