@@ -128,11 +128,14 @@ TEST_F(Dmc60cController, SendsTheStopForAnOffSetPointAndForADuplicate)
     EXPECT_EQ(unit.count("02060005#0F00000000000000"), 4) << "stopping is always allowed";
 }
 
-TEST(Dmc60cSetPoints, OffHasNoTarget)
+TEST(Dmc60cSetPoints, OffIsNeverRefusedAndCarriesNoTarget)
 {
-    EXPECT_TRUE(controlFor(make(Mode::Off, 0.0), 5));
-    for (const double target : {0.5, -0.5})
-        EXPECT_FALSE(controlFor(make(Mode::Off, target), 5)) << target;
+    for (const double target : {0.0, 0.5, -0.5, 1e9}) {
+        const auto control = controlFor(make(Mode::Off, target), 5);
+        ASSERT_TRUE(control) << target;
+        EXPECT_EQ(control->mode, ControlMode::NoDrive);
+        EXPECT_EQ(control->target, 0);
+    }
 }
 
 TEST_F(Dmc60cController, IsSeenStoppedOnlyByYoungerFramesWithoutOutput)
