@@ -11,9 +11,7 @@ namespace mb::tuning {
 namespace {
 
 constexpr double notableOvershoot = 0.05;
-constexpr double conflict = 0.3;        ///< F·K with I active; 0.5 has overshot by 6 to 13 %
 constexpr double shortBy = 2.0;         ///< that are left over
-constexpr double leastSteps = 50.0;     ///< of a gain's integer
 constexpr double mostLeap = 0.1;        ///< of full duty, by one count
 constexpr double slowRamp = 0.5;        ///< of the rise
 constexpr double leastAtLimit = 0.02;   ///< s
@@ -22,7 +20,6 @@ constexpr double latestMove = 0.06;     ///< s
 constexpr double leastHolding = 0.02;   ///< duty
 constexpr double leastPlay = 3.0;       ///< counts
 constexpr int leastTurns = 4;
-constexpr double overFriction = 1.25;
 constexpr double calmer = 0.6; ///< of P and I, where the loop is later than it looks
 
 using Changes = std::vector<std::pair<std::string, double>>;
@@ -50,7 +47,7 @@ Changes nominal(const Evidence &seen, double duty)
     for (const Role role : {Role::LeastForward, Role::LeastReverse}) {
         if (!seen.key(role).empty())
             changes.emplace_back(seen.key(role),
-                std::round(overFriction * std::abs(duty) * seen.scale()->fullDuty)
+                std::round(helpOverFriction * std::abs(duty) * seen.scale()->fullDuty)
                     * (role == Role::LeastReverse ? -1.0 : 1.0));
     }
     return changes;
@@ -59,10 +56,10 @@ Changes nominal(const Evidence &seen, double duty)
 void adviseOnFeedForward(const Evidence &seen, std::vector<Advice> &all)
 {
     const auto product = seen.feedForwardTimesGain();
-    if (seen.trial().mode != Mode::Velocity || seen.gain(Role::Integral) == 0.0 || !product || *product < conflict
-        || seen.overshoot() < notableOvershoot)
+    if (seen.trial().mode != Mode::Velocity || seen.gain(Role::Integral) == 0.0 || !product
+        || *product < mostFeedForward || seen.overshoot() < notableOvershoot)
         return;
-    add(all, Cause::FeedForward, *product, *product / conflict, {{seen.key(Role::FeedForward), 0.0}});
+    add(all, Cause::FeedForward, *product, *product / mostFeedForward, {{seen.key(Role::FeedForward), 0.0}});
 }
 
 void adviseOnDeadband(const Evidence &seen, std::vector<Advice> &all)
@@ -81,13 +78,13 @@ void adviseOnDeadband(const Evidence &seen, std::vector<Advice> &all)
 
 void adviseOnResolution(const Evidence &seen, std::vector<Advice> &all)
 {
-    double fewest = leastSteps;
+    double fewest = leastGainSteps;
     for (const Role role : {Role::Proportional, Role::Integral, Role::Derivative}) {
         const auto steps = seen.stepsOf(role);
         if (steps && *steps > 0.0)
             fewest = std::min(fewest, *steps);
     }
-    if (fewest == leastSteps)
+    if (fewest == leastGainSteps)
         return;
     Changes changes;
     if (!seen.key(Role::Divisor).empty()) { // the same loop in finer steps
@@ -95,7 +92,7 @@ void adviseOnResolution(const Evidence &seen, std::vector<Advice> &all)
         for (const Role role : {Role::Divisor, Role::Proportional, Role::Integral, Role::Derivative})
             changes.emplace_back(seen.key(role), seen.gain(role) * finer);
     }
-    add(all, Cause::Resolution, fewest, leastSteps / fewest, std::move(changes));
+    add(all, Cause::Resolution, fewest, leastGainSteps / fewest, std::move(changes));
 }
 
 void adviseOnNoise(const Evidence &seen, std::vector<Advice> &all)

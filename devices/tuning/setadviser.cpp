@@ -12,11 +12,8 @@
 namespace mb::tuning {
 namespace {
 
-constexpr double conflict = 0.3;    ///< F·K with I active, as of a trial (adviser.h)
-constexpr double leastSteps = 50.0; ///< of a gain's integer
-constexpr double largeBand = 0.02;  ///< of the step, that friction alone may keep P from
-constexpr double slowRamp = 0.5;    ///< of the response
-constexpr double overFriction = 1.25;
+constexpr double largeBand = 0.02; ///< of the step, that friction alone may keep P from
+constexpr double slowRamp = 0.5;   ///< of the response
 
 using State = SetAdvice::State;
 
@@ -45,16 +42,16 @@ std::optional<double> afterwards(const Proposal &proposal, const KnownGains &now
 
 SetAdvice onFeedForward(const ProposalBasis &basis, const Proposal &proposal, const KnownGains &now)
 {
-    SetAdvice advice = about(basis, Cause::FeedForward, Role::FeedForward, 0.0, conflict);
+    SetAdvice advice = about(basis, Cause::FeedForward, Role::FeedForward, 0.0, mostFeedForward);
     if (basis.loop != Mode::Velocity || advice.key.empty())
         return advice;
     advice.number = proposal.gains.made.f * basis.plant.gain;
-    if (proposal.gains.made.i != 0.0 && advice.number >= conflict) {
+    if (proposal.gains.made.i != 0.0 && advice.number >= mostFeedForward) {
         advice.state = State::Notable;
         return advice;
     }
     const auto before = gainsMadeBy(basis.family, basis.profile, basis.loop, basis.axis, basis.slot, now, basis.scale);
-    if (before && before->made.i != 0.0 && before->made.f * basis.plant.gain >= conflict) {
+    if (before && before->made.i != 0.0 && before->made.f * basis.plant.gain >= mostFeedForward) {
         advice.state = State::Fixed;
         advice.number = before->made.f * basis.plant.gain;
     }
@@ -70,7 +67,7 @@ SetAdvice onDeadband(const ProposalBasis &basis, const Proposal &proposal, const
         return advice;
     advice.state = State::Notable;
     const double duty
-        = std::round(overFriction * basis.plant.friction * (basis.family.loop ? basis.family.loop->fullDuty : 0.0));
+        = std::round(helpOverFriction * basis.plant.friction * (basis.family.loop ? basis.family.loop->fullDuty : 0.0));
     for (const auto &[role, sign] : {std::pair(Role::LeastForward, 1.0), std::pair(Role::LeastReverse, -1.0)}) {
         if (const std::string key = keyOf(basis, role); !key.empty() && duty > 0.0)
             advice.changes.emplace_back(key, sign * duty);
@@ -91,7 +88,7 @@ SetAdvice onNoise(const ProposalBasis &basis, const Proposal &proposal)
 
 SetAdvice onResolution(const ProposalBasis &basis, const Proposal &proposal)
 {
-    SetAdvice advice = about(basis, Cause::Resolution, Role::None, 0.0, leastSteps);
+    SetAdvice advice = about(basis, Cause::Resolution, Role::None, 0.0, leastGainSteps);
     for (const ScaledGains::Row &row : proposal.gains.rows) {
         const Role role = roleOf(basis.family, row.key);
         const double steps = std::abs(static_cast<double>(row.raw));
@@ -101,7 +98,7 @@ SetAdvice onResolution(const ProposalBasis &basis, const Proposal &proposal)
         advice.key = row.key;
         advice.role = role;
     }
-    if (!advice.key.empty() && advice.number < leastSteps)
+    if (!advice.key.empty() && advice.number < leastGainSteps)
         advice.state = State::Notable;
     return advice;
 }
