@@ -87,7 +87,7 @@ void Conditions::followDevice(const DeviceView &device)
     if (device.liveness.foreignMaster)
         m_banners.post(key, BannerKind::Caution, tr("Another master drives %1").arg(titleOf(device)),
             tr("Arming is off until it stops sending control frames."));
-    else if (device.identity.state == DeviceState::Duplicate)
+    else if (device.identity->state == DeviceState::Duplicate)
         m_banners.post(key, BannerKind::Caution, tr("Several units answer as %1").arg(titleOf(device)),
             tr("Control is locked. Assign one of them a new number from the menu of its row."));
     else

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/engine.h"
 
-#include "app/engine/servicejobs.h"
+#include "app/engine/linklister.h"
+#include "app/engine/servicefeed.h"
 #include "app/folders/account.h"
 #include "app/folders/userfolders.h"
 #include "app/guardian/client/guardianclient.h"
@@ -10,7 +11,6 @@
 #include "app/sleep/sleepguard.h"
 #include "app/trialdesk.h"
 #include "telemetry/chunkstore.h"
-#include "transport/linkwatch.h"
 #include "transport/workerthreads.h"
 #include "widgets/common/devicetext.h"
 
@@ -23,7 +23,6 @@ namespace mb {
 namespace {
 
 constexpr Duration snapshotPeriod = std::chrono::milliseconds(33);
-constexpr Duration listingPeriod = std::chrono::seconds(1);
 constexpr std::size_t keptNotices = 5000;
 constexpr std::size_t historyBudget = 256U << 20U; ///< of samples in memory; twenty minutes of sixteen signals at 1 kHz
 
@@ -37,21 +36,33 @@ std::shared_ptr<ChunkStore> historyStore()
 
 } // namespace
 
+/// What the engine writes to the user's file, and hears back.
+struct Engine::Journals {
+    explicit Journals(Engine &owner)
+        : trials(owner.m_store, owner.m_toEngine)
+        , settings(owner.m_store, owner.m_toEngine)
+        , service(owner.m_store, owner.m_toEngine)
+    {
+    }
+    StoredJournal trials;
+    StoredSettings settings;
+    StoredService service;
+};
+
 /// What lives in the engine thread, made and destroyed there.
-struct Engine::Worker {
+class Engine::Worker {
+public:
     Worker(Engine &owner, std::span<const Family *const> families, bool opensByItself)
         : engine(owner)
         , workers(owner.m_toEngine)
-        , journal(owner.m_store, owner.m_toEngine)
-        , settingsLog(owner.m_store, owner.m_toEngine)
-        , serviceJournal(owner.m_store, owner.m_toEngine)
+        , journals(owner)
         , core(clock, families, opensByItself, &guardian)
-        , service(core, {serviceJournal, &settingsLog, &journal, hostName()})
+        , service(core, {journals.service, &journals.settings, &journals.trials, hostName()})
+        , serviceFeed(service)
         , sleepGuard(core.session(), clock, inhibitor, [this] { return service.mustStayAwake(); })
         , arrivals(owner.m_toEngine.descriptor(), QSocketNotifier::Read)
-        , watch(clock)
+        , lister(clock, workers, core.links())
         , tick(clock)
-        , list(clock)
     {
         QObject::connect(&arrivals, &QSocketNotifier::activated, &arrivals, [this] { engine.m_toEngine.drain(); });
         noticed = core.noticed().add([this](Severity severity, const std::string &device, const Message &text) {
@@ -63,39 +74,19 @@ struct Engine::Worker {
             engine.m_toWindow.post([to = &engine, text] { to->report(Severity::Caution, {}, messageText(text)); });
         });
         core.setBackground(&workers);
-        core.setJournal(&journal);
-        core.setSettingsLog(&settingsLog);
+        core.setJournal(&journals.trials);
+        core.setSettingsLog(&journals.settings);
         core.session().keepHistoriesIn(store);
         core.session().setStopGate(&engine.m_stopLane.isPressed());
-        followedService = service.changed().add([this] { serviceChanged = true; });
-        followedUnits = service.unitEnded().add([this](const service::Visit &visit) {
-            if (unitEnded)
-                engine.m_toWindow.post([told = unitEnded, visit] { told(visit); });
-        });
         changed = core.session().changed().add([this] { engine.m_stopLane.follow(core.session()); });
-        plugged = watch.changed().add([this] { look(); });
-        look();
+        looked = lister.looked().add([this] { tellStore(); });
+        lister.look();
         publish();
-    }
-    void look()
-    {
-        list.startIn(listingPeriod, [this] { look(); });
-        tellStore();
-        if (std::exchange(isListing, true))
-            return;
-        const auto found = std::make_shared<std::vector<LinkListing>>();
-        workers.run(
-            "links", [found] { *found = listLinks(); },
-            [this, found] {
-                isListing = false;
-                core.links().takeListings(std::move(*found));
-            });
     }
     void publish()
     {
         tick.startIn(snapshotPeriod, [this] { publish(); });
-        if (serviceViewed && std::exchange(serviceChanged, false))
-            engine.m_toWindow.post([viewed = serviceViewed, view = service.view()] { viewed(view); });
+        serviceFeed.tell();
         if (engine.m_snapshotUnderWay.exchange(true))
             return;
         auto picture = std::make_shared<Picture>(Picture{core.changes(), core.links().listings(), core.owedGains()});
@@ -118,27 +109,19 @@ struct Engine::Worker {
     QtClock clock;
     GuardianClient guardian;
     WorkerThreads workers;
-    StoredJournal journal;
-    StoredSettings settingsLog;
-    StoredService serviceJournal;
+    Journals journals;
     EngineCore core;
     ServiceJobs service;
-    bool serviceChanged = false;
-    std::function<void(const ServiceView &)> serviceViewed; ///< called in the window's thread
-    std::function<void(const service::Visit &)> unitEnded;
-    bool isListing = false;
+    ServiceFeed serviceFeed;
     LogindInhibitor inhibitor;
     SleepGuard sleepGuard;
     QSocketNotifier arrivals;
-    LinkWatch watch;
+    LinkLister lister;
     Timer tick;
-    Timer list;
     Subscription noticed;
     Subscription mayBeSuspended;
-    Subscription plugged;
+    Subscription looked;
     Subscription changed;
-    Subscription followedService;
-    Subscription followedUnits;
 };
 
 /// The engine thread: its body is the worker's event loop.
@@ -208,8 +191,9 @@ void Engine::followService(
     std::function<void(const ServiceView &)> viewed, std::function<void(const service::Visit &)> ended)
 {
     m_toEngine.post([this, viewed = std::move(viewed), ended = std::move(ended)] {
-        m_worker->serviceViewed = viewed;
-        m_worker->unitEnded = ended;
+        m_worker->serviceFeed.follow(
+            [this, viewed](const ServiceView &view) { m_toWindow.post([viewed, view] { viewed(view); }); },
+            [this, ended](const service::Visit &visit) { m_toWindow.post([ended, visit] { ended(visit); }); });
     });
 }
 

@@ -64,7 +64,8 @@ public:
     void post(std::function<void(EngineCore &)> work);
 
 private:
-    struct Worker;
+    struct Journals;
+    class Worker;
     class Loop;
 
     void deliver(Order order, Reply::Finished finished) override;

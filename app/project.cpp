@@ -78,13 +78,13 @@ ProjectUnit fromJson(const QJsonObject &object)
 QJsonObject settingsOf(const DeviceView &device)
 {
     std::vector<ParameterIndex> indices;
-    for (std::size_t i = 0; i < device.parameters.size(); ++i) {
-        if (device.family->parameters[i].persistent && device.parameters[i].raw)
+    for (std::size_t i = 0; i < device.parameters->size(); ++i) {
+        if (device.family->parameters[i].persistent && (*device.parameters)[i].raw)
             indices.push_back(ParameterIndex{static_cast<std::uint16_t>(i)});
     }
     return indices.empty()
         ? QJsonObject()
-        : parametersToJson({*device.family, device.identity, device.selector, device.parameters}, indices);
+        : parametersToJson({*device.family, device.identity, device.selector, *device.parameters}, indices);
 }
 
 Result<void> copyLayouts(const QString &from, const QString &to)
@@ -111,10 +111,10 @@ Project Project::of(const Snapshot &shot, const EnvelopeBook &limits)
         unit.selector = device.selector;
         unit.unit = tuning::unitOf(device.identity, device.selector, device.link.starts_with("sim:"));
         unit.title = titleOf(device).toStdString();
-        unit.name = device.identity.name;
-        unit.serial = device.identity.serial;
-        unit.dialect = device.profile.dialect;
-        unit.calibration = device.profile.calibration;
+        unit.name = device.identity->name;
+        unit.serial = device.identity->serial;
+        unit.dialect = device.profile->dialect;
+        unit.calibration = device.profile->calibration;
         unit.limits = limits.entered(unit.unit);
         unit.parameters = settingsOf(device);
         project.units.push_back(std::move(unit));
@@ -182,7 +182,7 @@ Result<Project> Project::load(const QString &folder)
 const ProjectUnit *Project::unitOf(const DeviceView &device) const
 {
     const auto bySerial = std::find_if(units.begin(), units.end(),
-        [&device](const ProjectUnit &unit) { return !unit.serial.empty() && unit.serial == device.identity.serial; });
+        [&device](const ProjectUnit &unit) { return !unit.serial.empty() && unit.serial == device.identity->serial; });
     if (bySerial != units.end())
         return &*bySerial;
     const auto byPlace = std::find_if(units.begin(), units.end(),

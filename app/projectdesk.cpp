@@ -90,11 +90,11 @@ void ProjectDesk::follow()
 void ProjectDesk::apply(const DeviceView &device, const ProjectUnit &unit)
 {
     for (const auto &[key, value] : unit.calibration) {
-        const auto known = device.profile.calibration.find(key);
-        if (known == device.profile.calibration.end() || known->second != value)
+        const auto known = device.profile->calibration.find(key);
+        if (known == device.profile->calibration.end() || known->second != value)
             m_workbench.send(orders::Calibrate{device.id, key, value});
     }
-    if (!unit.dialect.empty() && unit.dialect != device.profile.dialect)
+    if (!unit.dialect.empty() && unit.dialect != device.profile->dialect)
         m_workbench.send(orders::SetDialect{device.id, unit.dialect});
     if (unit.limits != Envelope() && !unit.unit.empty()) {
         if (const auto entered = m_limits.enter(unit.unit, unit.limits); !entered)

@@ -40,7 +40,7 @@ void ServiceTour::loosen()
 {
     const DeviceView *device = unit();
     const auto index = findParameter(device->family->parameters, device->family->demo->livelierLimit);
-    const auto raw = index ? device->parameters[index->value].raw : std::nullopt;
+    const auto raw = index ? (*device->parameters)[index->value].raw : std::nullopt;
     if (raw)
         m_stage.workbench().send(orders::WriteParameters{device->id, {{*index, *raw / 6 * 7}}});
 }

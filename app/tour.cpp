@@ -58,7 +58,7 @@ void Tour::planOverview()
     m_stage.wait("find the bench", [this] {
         const DeviceView *first = m_stage.device(tuned);
         return first && m_stage.device(&DemoUnits::overshooting) && m_stage.device(inBootloader)
-            && first->liveness.heard && !first->identity.serial.empty();
+            && first->liveness.heard && !first->identity->serial.empty();
     });
     m_stage.act("select", [this] { m_stage.window().selection().select(m_stage.device(tuned)->id); });
     m_stage.picture("overview", 1500ms);

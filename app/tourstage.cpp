@@ -93,7 +93,7 @@ void TourStage::play(std::function<void(int)> ended)
 const DeviceView *TourStage::device(int DemoUnits::*unit) const
 {
     return firstOf(m_workbench.snapshot(),
-        [unit](const DeviceView &view) { return isDemoUnit(*view.family, view.identity.address, unit); });
+        [unit](const DeviceView &view) { return isDemoUnit(*view.family, view.identity->address, unit); });
 }
 
 const DeviceView *TourStage::board() const
@@ -160,7 +160,7 @@ void TourStage::finish(int status)
 
 bool isRead(const DeviceView &device)
 {
-    return std::all_of(device.parameters.begin(), device.parameters.end(),
+    return std::all_of(device.parameters->begin(), device.parameters->end(),
         [](const ParameterStore::Entry &entry) { return entry.raw.has_value(); });
 }
 

@@ -45,7 +45,7 @@ void TuningTour::tryGains(double p, double i)
     const std::span<const std::string_view> gains = view.family->demo->livelyGains;
     for (const auto &[key, share] : {std::pair(gains[0], p), std::pair(gains[1], i)}) {
         const ParameterIndex index = *findParameter(view.family->parameters, key);
-        const auto raw = view.parameters[index.value].raw;
+        const auto raw = (*view.parameters)[index.value].raw;
         if (raw && share != 1.0)
             changes.push_back({index, std::llround(static_cast<double>(*raw) * share)});
     }
@@ -120,7 +120,7 @@ void TuningTour::planDesign()
         "at most 2 % after one press",
         [this] {
             std::printf("#%d overshoots by %.1f %% as it was found, by %.1f %% after one press\n",
-                unit()->identity.address, 100.0 * m_found, 100.0 * overshoot());
+                unit()->identity->address, 100.0 * m_found, 100.0 * overshoot());
             std::fflush(stdout);
             m_stage.window().arming().disarm();
         },

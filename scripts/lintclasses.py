@@ -12,7 +12,7 @@ LIST = "scripts/lint-exceptions"
 # Where a .cpp needs no header of its own name: programs, console verbs, transport backends, the one fixed file of a family.
 HEADERLESS = re.compile(r"(?:^|/)main\.cpp$|^app/console/[a-z]+\.cpp$|^devices/transport/backends/|^devices/families/[^/]+/family\.cpp$")
 
-CLASS = re.compile(r"(?<!enum )\bclass\s+(?:\[\[[^\]]*\]\]\s*)?([\w:]+)\s*(?:final\s*)?(?::(?!:)[^;{(]*)?\{")
+CLASS = re.compile(r"(?<!enum )\b(class|struct)\s+(?:\[\[[^\]]*\]\]\s*)?([\w:]+)\s*(?:final\s*)?(?::(?!:)[^;{(]*)?\{")
 LABEL = re.compile(r"\b(?:public|private|protected|Q_SIGNALS|signals)\s*(?:Q_SLOTS|slots)?\s*:(?!:)|\bQ_OBJECT\b")
 NO_MEMBER = re.compile(r"^(?:using|friend|typedef|static_assert|enum|class|struct|union|template\s+class|Q_\w+)\b|\bconstexpr\b|=\s*(?:delete|default)$")
 
@@ -64,8 +64,11 @@ def size_of(name, body):
 
 
 def classes(code):
+    """Every class, and every struct that has a constructor: the others are data, as long as what they tell."""
     for match in CLASS.finditer(code):
-        yield code.count("\n", 0, match.start()) + 1, match[1].split("::")[-1], code[match.end():closing(code, match.end() - 1)]
+        name, body = match[2].split("::")[-1], code[match.end():closing(code, match.end() - 1)]
+        if match[1] == "class" or re.search(rf"(?<![~\w]){re.escape(name)}\s*\(", body):
+            yield code.count("\n", 0, match.start()) + 1, name, body
 
 
 def findings(files):

@@ -7,7 +7,7 @@ namespace mb {
 
 Motion::Motion(const EngineContext &context, MotionGuard *guard)
     : m_context(context)
-    , m_stopChanged(context.session.stopChanged().add([this](const Device &device) { followStop(device); }))
+    , m_stopChanged(context.session.stopChanged().add([this](Device &device) { followStop(device); }))
 {
     if (guard)
         m_guardianActed = guard->acted().add(
@@ -99,7 +99,7 @@ void Motion::carryOut(const orders::DismissStops &, const Finished &finished)
     finished({});
 }
 
-void Motion::followStop(const Device &device)
+void Motion::followStop(Device &device)
 {
     const DeviceStop &stop = device.stopping();
     switch (stop.state()) {

@@ -30,7 +30,7 @@ public:
 
 private:
     void streamChanged(DeviceId device);
-    void followStop(const Device &device);
+    void followStop(Device &device);
     void guardianActed(const std::string &name, MotionGuard::Verdict verdict);
 
     EngineContext m_context;

@@ -9,7 +9,7 @@ namespace {
 bool inOrder(const DeviceView &a, const DeviceView &b)
 {
     return a.link == b.link
-        && (a.family == b.family ? a.identity.address < b.identity.address : a.family->key < b.family->key);
+        && (a.family == b.family ? a.identity->address < b.identity->address : a.family->key < b.family->key);
 }
 
 OperationView showing(const Operations::Job &job)

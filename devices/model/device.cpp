@@ -21,12 +21,12 @@ Device::Device(const Family &family, Link &link, Clock &clock, Identity identity
     , m_clock(clock)
     , m_identity(std::move(identity))
     , m_parameters(family.parameters)
-    , m_knowledge(family, m_parameters, m_identity)
+    , m_knowledge(family, m_parameters, *m_identity)
     , m_telemetry(std::make_shared<Telemetry>(family.channels))
     , m_guard(*this)
     , m_stop(*this)
     , m_profileApplied(m_knowledge.applied().add([this] {
-        m_identity = m_knowledge.shown(std::move(m_identity));
+        m_identity.edit() = m_knowledge.shown(*m_identity);
         doProfileChanged();
         m_changed.notify();
     }))
@@ -37,12 +37,12 @@ Device::~Device() = default;
 
 void Device::setIdentity(Identity identity)
 {
-    if (identity == m_identity)
+    if (identity == *m_identity)
         return;
     identity = m_knowledge.probed(std::move(identity));
-    if (identity == m_identity)
+    if (identity == *m_identity)
         return;
-    m_identity = std::move(identity);
+    m_identity.edit() = std::move(identity);
     m_changed.notify();
 }
 
@@ -113,9 +113,9 @@ Result<void> Device::mayMove() const
         return fail(Fault::Unsupported,
             say("%1 is a recording: what is in it can be watched, not driven", m_link.address().shortName()),
             say("open the link that it was made on"));
-    switch (m_identity.state) {
+    switch (m_identity->state) {
     case DeviceState::Duplicate:
-        return fail(Fault::Unsafe, say("several units answer as number %1", m_identity.address),
+        return fail(Fault::Unsafe, say("several units answer as number %1", m_identity->address),
             say("control is locked until one has another number"));
     case DeviceState::Unassigned:
         return fail(Fault::Unsafe, say("this unit has no number yet"), say("assign one before it is driven"));
@@ -171,7 +171,7 @@ Result<void> Device::mayStop() const
         return fail(Fault::Unsafe, say("it is a recording"));
     if (!m_gate.busy().empty())
         return fail(Fault::Unsafe, m_gate.busy());
-    if (m_identity.state == DeviceState::Bootloader)
+    if (m_identity->state == DeviceState::Bootloader)
         return fail(Fault::Unsafe, say("bootloader"));
     return doMayStop();
 }

@@ -12,6 +12,7 @@
 #include "model/livestate.h"
 #include "model/motiongate.h"
 #include "model/parameterstore.h"
+#include "model/shared.h"
 #include "model/stoppable.h"
 #include "telemetry/telemetry.h"
 #include "transport/link.h"
@@ -30,10 +31,12 @@ public:
 
     [[nodiscard]] Link &link() const override { return m_link; }
     [[nodiscard]] Clock &clock() const override { return m_clock; }
-    [[nodiscard]] const Identity &identity() const { return m_identity; }
+    [[nodiscard]] const Identity &identity() const { return *m_identity; }
+    /// The same object until it changes; for other threads.
+    [[nodiscard]] const Shared<Identity> &sharedIdentity() const { return m_identity.shared(); }
     /// What a newer scan found.
     void setIdentity(Identity identity);
-    [[nodiscard]] std::string selector() const override { return selectorOf(m_link.address(), m_identity).text(); }
+    [[nodiscard]] std::string selector() const override { return selectorOf(m_link.address(), *m_identity).text(); }
 
     [[nodiscard]] ParameterStore &parameters() { return m_parameters; }
     [[nodiscard]] const ParameterStore &parameters() const { return m_parameters; }
@@ -78,7 +81,6 @@ public:
     /// update, a recording, and where what stops others of the family may start this one.
     [[nodiscard]] Result<void> mayStop() const override;
     [[nodiscard]] DeviceStop &stopping() { return m_stop; }
-    [[nodiscard]] const DeviceStop &stopping() const { return m_stop; }
     /// The same stop once more; telemetry that is younger than the first counts. Families that repeat a stop by themselves do
     /// nothing here.
     void repeatStop() override { doStop(); }
@@ -93,7 +95,7 @@ protected:
 private:
     Link &m_link;
     Clock &m_clock;
-    Identity m_identity;
+    Published<Identity> m_identity;
     ParameterStore m_parameters;
     DeviceKnowledge m_knowledge;
     std::shared_ptr<Telemetry> m_telemetry;

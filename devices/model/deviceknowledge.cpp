@@ -43,7 +43,7 @@ Identity DeviceKnowledge::shown(Identity probed) const
 {
     probed.dialect = m_probedDialect;
     probed.detail = m_probedDetail;
-    const DialectChoice *chosen = dialectOf(m_family, m_profile.dialect);
+    const DialectChoice *chosen = dialectOf(m_family, m_profile->dialect);
     if (!chosen || chosen->key == m_probedDialect)
         return probed;
     probed.dialect = chosen->key;
@@ -56,10 +56,10 @@ Identity DeviceKnowledge::shown(Identity probed) const
 
 void DeviceKnowledge::setProfile(DeviceProfile profile)
 {
-    m_profile = std::move(profile);
-    for (const auto &[key, raw] : m_profile.written) {
+    m_profile.edit() = std::move(profile);
+    for (const auto &[key, raw] : m_profile->written) {
         const auto index = findParameter(m_family.parameters, key);
-        if (!index || !isLegal(m_parameters.parameter(*index), raw) || m_profile.lost.contains(key))
+        if (!index || !isLegal(m_parameters.parameter(*index), raw) || m_profile->lost.contains(key))
             continue;
         if (m_parameters.parameter(*index).access == Access::WriteOnly)
             m_parameters.setWritten(*index, raw);
@@ -85,9 +85,9 @@ Result<void> DeviceKnowledge::calibrate(std::string_view key, std::optional<doub
     if (value && (!std::isfinite(*value) || *value < row->minimum || *value > row->maximum))
         return fail(Fault::OutOfRange, say("%1: legal is %2 … %3", key, row->minimum, row->maximum));
     if (value)
-        m_profile.calibration[std::string(key)] = *value;
+        m_profile.edit().calibration[std::string(key)] = *value;
     else
-        m_profile.calibration.erase(std::string(key));
+        m_profile.edit().calibration.erase(std::string(key));
     m_applied.notify();
     m_changed.notify();
     return {};
@@ -102,7 +102,7 @@ Result<void> DeviceKnowledge::setDialect(std::string_view key)
         return fail(known.empty() ? Fault::Unsupported : Fault::OutOfRange,
             say("%1 has no dialect '%2'", m_family.key, key), known.empty() ? Message() : say("it has %1", known));
     }
-    m_profile.dialect = key;
+    m_profile.edit().dialect = key;
     m_applied.notify();
     m_changed.notify();
     return {};
@@ -112,28 +112,28 @@ void DeviceKnowledge::assume(ParameterIndex index, std::int64_t raw)
 {
     m_parameters.setWritten(index, raw);
     const std::string key(m_parameters.parameter(index).key);
-    m_profile.written[key] = raw;
-    m_profile.lost.erase(key);
+    m_profile.edit().written[key] = raw;
+    m_profile.edit().lost.erase(key);
     m_changed.notify();
 }
 
 void DeviceKnowledge::settingsLost()
 {
     m_parameters.forgetAll();
-    for (const auto &[key, raw] : m_profile.written)
-        m_profile.lost.insert(key);
+    for (const auto &[key, raw] : m_profile->written)
+        m_profile.edit().lost.insert(key);
     m_changed.notify();
 }
 
 void DeviceKnowledge::setCounter(const std::string &key, std::int64_t value)
 {
-    m_profile.counters[key] = value;
+    m_profile.edit().counters[key] = value;
     m_changed.notify();
 }
 
 void DeviceKnowledge::setVerdict(const std::string &key, std::string verdict)
 {
-    m_profile.verdicts[key] = std::move(verdict);
+    m_profile.edit().verdicts[key] = std::move(verdict);
     m_changed.notify();
 }
 

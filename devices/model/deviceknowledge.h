@@ -5,6 +5,7 @@
 #include "model/deviceprofile.h"
 #include "model/identity.h"
 #include "model/parameterstore.h"
+#include "model/shared.h"
 
 #include <optional>
 #include <string>
@@ -22,7 +23,9 @@ public:
     DeviceKnowledge(const DeviceKnowledge &) = delete;
     DeviceKnowledge &operator=(const DeviceKnowledge &) = delete;
 
-    [[nodiscard]] const DeviceProfile &profile() const { return m_profile; }
+    [[nodiscard]] const DeviceProfile &profile() const { return *m_profile; }
+    /// The same object until it changes; for other threads.
+    [[nodiscard]] const Shared<DeviceProfile> &sharedProfile() const { return m_profile.shared(); }
     /// What a file kept. Write-only parameters become assumed, those that a reset took stay unknown.
     void setProfile(DeviceProfile profile);
     /// A number that only its user knows, in the unit of the row (Family::calibrations); nothing makes it unknown again.
@@ -36,7 +39,7 @@ public:
     /// A write-only parameter is known to have been set to this, by us or by somebody we heard.
     void assume(ParameterIndex index, std::int64_t raw);
     /// For devices that keep nothing: something was written that is believed to be in force.
-    [[nodiscard]] bool holdsSettings() const { return m_profile.lost.size() < m_profile.written.size(); }
+    [[nodiscard]] bool holdsSettings() const { return m_profile->lost.size() < m_profile->written.size(); }
     /// The same: a reset was noticed. Everything is unknown, what was written is lost until it is written again.
     void settingsLost();
 
@@ -52,7 +55,7 @@ public:
 private:
     const Family &m_family;
     ParameterStore &m_parameters;
-    DeviceProfile m_profile;
+    Published<DeviceProfile> m_profile;
     std::string m_probedDialect; ///< what the scan said, where the user chose another
     Message m_probedDetail;
     Listeners<> m_changed;

@@ -39,7 +39,7 @@ void OwedStops::pay(Link &link, const std::string &line)
     }
 }
 
-void OwedStops::add(const Device &device, const std::string &line)
+void OwedStops::add(Device &device, const std::string &line)
 {
     const DeviceStop &stop = device.stopping();
     if (!stop.isDue() || !stop.isForMotion() || device.link().address().isSimulated())

@@ -26,7 +26,7 @@ public:
     /// everything owed there is sent, before anything else.
     void pay(Link &link, const std::string &line);
     /// The link of a device is closed while nobody has seen its motor stand: the stop stays.
-    void add(const Device &device, const std::string &line);
+    void add(Device &device, const std::string &line);
     /// To a device that was found, or whose link is back, on this line: from now on its own stop follows it up.
     void passTo(Device &device, const std::string &line);
     /// The device was seen to stand.

@@ -44,7 +44,7 @@ void ParameterStore::setFailed(ParameterIndex index)
 
 void ParameterStore::setAllStored()
 {
-    for (Entry &e : m_entries) {
+    for (Entry &e : m_entries.edit()) {
         if (e.state == ParameterState::Ram)
             e.state = ParameterState::Stored;
     }
@@ -53,7 +53,7 @@ void ParameterStore::setAllStored()
 
 void ParameterStore::forgetVolatile()
 {
-    for (Entry &e : m_entries) {
+    for (Entry &e : m_entries.edit()) {
         if (e.state == ParameterState::Volatile)
             e = {};
     }
@@ -62,13 +62,13 @@ void ParameterStore::forgetVolatile()
 
 void ParameterStore::forgetAll()
 {
-    std::fill(m_entries.begin(), m_entries.end(), Entry{});
+    m_entries.edit().assign(m_table.size(), Entry{});
     touch();
 }
 
 void ParameterStore::set(ParameterIndex index, std::optional<std::int64_t> raw, ParameterState state)
 {
-    m_entries[index.value] = {raw, state};
+    m_entries.edit()[index.value] = {raw, state};
     touch();
 }
 

@@ -3,6 +3,7 @@
 
 #include "async/listeners.h"
 #include "model/parameter.h"
+#include "model/shared.h"
 
 #include <vector>
 
@@ -30,14 +31,16 @@ public:
 
     explicit ParameterStore(std::span<const Parameter> table)
         : m_table(table)
-        , m_entries(table.size())
+        , m_entries(std::vector<Entry>(table.size()))
     {
     }
 
     [[nodiscard]] std::span<const Parameter> table() const { return m_table; }
     [[nodiscard]] const Parameter &parameter(ParameterIndex index) const { return m_table[index.value]; }
-    [[nodiscard]] const Entry &entry(ParameterIndex index) const { return m_entries[index.value]; }
-    [[nodiscard]] std::span<const Entry> entries() const { return m_entries; }
+    [[nodiscard]] const Entry &entry(ParameterIndex index) const { return (*m_entries)[index.value]; }
+    [[nodiscard]] std::span<const Entry> entries() const { return *m_entries; }
+    /// The same object until one of them changes; for other threads.
+    [[nodiscard]] const Shared<std::vector<Entry>> &sharedEntries() const { return m_entries.shared(); }
 
     void setRead(ParameterIndex index, std::int64_t raw);
     void setWritten(ParameterIndex index, std::int64_t raw);
@@ -56,7 +59,7 @@ private:
     void touch();
 
     std::span<const Parameter> m_table;
-    std::vector<Entry> m_entries;
+    Published<std::vector<Entry>> m_entries;
     std::uint64_t m_revision = 0;
     Listeners<> m_changed;
 };

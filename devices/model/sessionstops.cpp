@@ -102,8 +102,8 @@ bool SessionStops::isOwing(const Link &link) const
 {
     const std::vector<Device *> there = m_devices.on(link);
     return link.state() == LinkState::Lost && !link.address().isRecording()
-        && std::any_of(there.begin(), there.end(),
-            [](const Device *device) { return device->stopping().state() == StopState::Owed; });
+        && std::any_of(
+            there.begin(), there.end(), [](Device *device) { return device->stopping().state() == StopState::Owed; });
 }
 
 void SessionStops::retryOwing()

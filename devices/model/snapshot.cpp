@@ -39,7 +39,7 @@ DeviceView viewOf(Session &session, Device &device)
     DeviceView view;
     view.id = session.idOf(device);
     view.family = &device.family();
-    view.identity = device.identity();
+    view.identity = device.sharedIdentity();
     view.selector = device.selector();
     view.link = device.link().address().text();
     view.liveness = device.liveness();
@@ -50,9 +50,9 @@ DeviceView viewOf(Session &session, Device &device)
     view.telemetry = device.telemetry();
     for (std::size_t i = 0; i < view.family->channels.size(); ++i)
         view.rates.push_back(device.telemetry()->rate({static_cast<std::uint16_t>(i)}));
-    view.parameters.assign(device.parameters().entries().begin(), device.parameters().entries().end());
+    view.parameters = device.parameters().sharedEntries();
     view.parameterRevision = device.parameters().revision();
-    view.profile = device.knowledge().profile();
+    view.profile = device.knowledge().sharedProfile();
     if (auto allowed = device.mayMove(); !allowed)
         view.mayNotMove = allowed.error().message();
     view.stop = device.stopping().state();

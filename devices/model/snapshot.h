@@ -50,10 +50,11 @@ struct MotionView {
     [[nodiscard]] const SetPoint *on(int axis) const;
 };
 
+/// What seldom changes is one object for all pictures until it does (Shared).
 struct DeviceView {
     DeviceId id;
     const Family *family = nullptr;
-    Identity identity;
+    Shared<Identity> identity;
     std::string selector;
     std::string link; ///< address of its link
     Liveness liveness;
@@ -61,10 +62,10 @@ struct DeviceView {
     Message busy;      ///< what it does now
     MotionView motion;
     std::shared_ptr<const Telemetry> telemetry;
-    std::vector<double> rates;                     ///< samples per second, in table order of the channels
-    std::vector<ParameterStore::Entry> parameters; ///< in table order
+    std::vector<double> rates;                             ///< samples per second, in table order of the channels
+    Shared<std::vector<ParameterStore::Entry>> parameters; ///< in table order
     std::uint64_t parameterRevision = 0;
-    DeviceProfile profile;
+    Shared<DeviceProfile> profile;
     Message mayNotMove; ///< empty when it may be driven
     StopState stop = StopState::None;
     bool stopsMotion = false; ///< somebody knew of a motion when it was told to stop (DeviceStop::isForMotion)

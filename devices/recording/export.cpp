@@ -75,11 +75,11 @@ std::vector<std::pair<std::string, mcap::Map>> describe(const DeviceView &device
     for (const auto &[key, text] : identity.descriptors)
         facts["descriptor." + key] = text;
     mcap::Map parameters;
-    for (std::size_t i = 0; i < device.parameters.size() && i < device.family->parameters.size(); ++i) {
+    for (std::size_t i = 0; i < device.parameters->size() && i < device.family->parameters.size(); ++i) {
         const Parameter &row = device.family->parameters[i];
-        if (!device.parameters[i].raw)
+        if (!(*device.parameters)[i].raw)
             continue;
-        std::string text = toText(row, *device.parameters[i].raw);
+        std::string text = toText(row, *(*device.parameters)[i].raw);
         if (!row.unit.empty())
             text += ' ' + std::string(row.unit);
         parameters[std::string(row.key)] = text;

@@ -116,12 +116,12 @@ void HourBench::write()
 {
     const Free &free = freeParameters.at(static_cast<std::size_t>(number(0, freeParameters.size() - 1)));
     const DeviceView view = drawn([&free](const DeviceView &device) {
-        return device.family->key == free.family && device.identity.state == DeviceState::Online;
+        return device.family->key == free.family && device.identity->state == DeviceState::Online;
     });
     const auto index = findParameter(view.family->parameters, free.key);
     ASSERT_TRUE(index);
     const Parameter &row = view.family->parameters[index->value];
-    const auto &before = view.parameters.at(index->value).raw;
+    const auto &before = view.parameters->at(index->value).raw;
     const std::int64_t raw = number(free.least, free.most);
     std::optional<Result<void>> done;
     m_core.send(
@@ -137,7 +137,7 @@ void HourBench::write()
 void HourBench::read()
 {
     const DeviceView view
-        = drawn([](const DeviceView &device) { return device.identity.state == DeviceState::Online; });
+        = drawn([](const DeviceView &device) { return device.identity->state == DeviceState::Online; });
     m_core.send(orders::ReadParameters{view.id});
     pass(4s);
 }
@@ -145,7 +145,7 @@ void HourBench::read()
 void HourBench::chooseRate()
 {
     const DeviceView view
-        = drawn([](const DeviceView &device) { return device.identity.state == DeviceState::Online; });
+        = drawn([](const DeviceView &device) { return device.identity->state == DeviceState::Online; });
     std::uint16_t channel = 0;
     do
         channel = static_cast<std::uint16_t>(number(0, std::ssize(view.family->channels) - 1));
@@ -204,10 +204,10 @@ void HourBench::check()
     for (const DeviceView &device : shot.devices)
         checkDevice(device);
     for (const DeviceView &device : shot.devices) {
-        for (std::size_t i = 0; i < device.parameters.size(); ++i) {
+        for (std::size_t i = 0; i < device.parameters->size(); ++i) {
             const auto written = m_written.find({device.selector, std::string(device.family->parameters[i].key)});
             if (written != m_written.end()) {
-                ASSERT_EQ(device.parameters[i].raw, written->second) << device.selector;
+                ASSERT_EQ((*device.parameters)[i].raw, written->second) << device.selector;
             }
         }
     }
@@ -257,15 +257,15 @@ void HourBench::checkLog()
 
 void HourBench::expect(const DeviceView &device, const std::string &line)
 {
-    m_due.insert(std::string(device.family->title) + " #" + std::to_string(device.identity.address) + ": " + line);
+    m_due.insert(std::string(device.family->title) + " #" + std::to_string(device.identity->address) + ": " + line);
 }
 
 std::set<std::string> HourBench::rows()
 {
     std::set<std::string> all;
     for (const DeviceView &device : m_core.snapshot().devices)
-        all.insert(device.selector + ' ' + device.identity.dialect + ' ' + std::string(toString(device.identity.state))
-            + (device.liveness.heard ? " heard" : ""));
+        all.insert(device.selector + ' ' + device.identity->dialect + ' '
+            + std::string(toString(device.identity->state)) + (device.liveness.heard ? " heard" : ""));
     return all;
 }
 

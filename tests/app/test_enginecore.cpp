@@ -87,7 +87,7 @@ TEST_F(Core, ShowsWhatItFoundInASnapshot)
     EXPECT_FALSE(shot.links[0].scanning);
     std::string order;
     for (const DeviceView &view : shot.devices)
-        order += std::string(view.family->key) + ':' + std::to_string(view.identity.address)
+        order += std::string(view.family->key) + ':' + std::to_string(view.identity->address)
             + (view.mayNotMove.empty() ? " " : "! ");
     EXPECT_EQ(order, "abstractdc:3 abstractdc:4 abstractdc:5 dmc60c:5 dmc60c:7 dmc60c:9! ");
     EXPECT_GT(shot.links[0].traffic->newest(), 100U);
@@ -108,7 +108,7 @@ TEST_F(Core, SaysWhatAMoveStoresAndMayPassBeforeItGoes)
     open("sim:serial");
     clock.advance(5s);
     for (const DeviceView &view : core.snapshot().devices) {
-        if (view.identity.dialect != "D1")
+        if (view.identity->dialect != "D1")
             continue;
         SetPoint ramp;
         ramp.mode = Mode::RampPosition;

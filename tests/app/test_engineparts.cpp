@@ -220,6 +220,47 @@ TEST_F(EngineParts, AnOperationIsPublishedAgainOnlyWhenItHasChanged)
     EXPECT_TRUE(merged(std::move(shown), publisher.changes()).operations.empty());
 }
 
+TEST_F(EngineParts, WhatADeviceIsAndHoldsIsOneObjectForAllPicturesUntilItChanges)
+{
+    Links links(context, motion, recordings, scans, false);
+    SnapshotPublisher publisher(context, links, provisional);
+    const auto next = [&] {
+        clock.advance(33ms);
+        return publisher.changes().snapshot;
+    };
+    const Snapshot first = next();
+    Snapshot now = next();
+    ASSERT_GE(now.devices.size(), 2U);
+    for (const DeviceView &view : now.devices) {
+        const DeviceView *before = first.device(view.id);
+        ASSERT_NE(before, nullptr);
+        EXPECT_TRUE(view.identity.isSameAs(before->identity)) << view.selector;
+        EXPECT_TRUE(view.parameters.isSameAs(before->parameters)) << view.selector;
+        EXPECT_TRUE(view.profile.isSameAs(before->profile)) << view.selector;
+    }
+
+    Device &written = device(5);
+    const ParameterIndex p = findParameter(written.family().parameters, "slot0.p").value();
+    written.parameters().setWritten(p, 4711);
+    now = next();
+    EXPECT_FALSE(now.device(id(5))->parameters.isSameAs(first.device(id(5))->parameters));
+    EXPECT_NE((*first.device(id(5))->parameters)[p.value].raw, 4711) << "an older picture stays as it was";
+    EXPECT_EQ((*now.device(id(5))->parameters)[p.value].raw, 4711);
+    EXPECT_TRUE(next().device(id(5))->parameters.isSameAs(now.device(id(5))->parameters)) << "one write, one new object";
+    EXPECT_TRUE(now.device(id(5))->profile.isSameAs(first.device(id(5))->profile));
+    EXPECT_TRUE(now.device(id(7))->parameters.isSameAs(first.device(id(7))->parameters)) << "of another device";
+
+    written.knowledge().setVerdict("direction", "same");
+    Identity renamed = written.identity();
+    renamed.name = "shooter";
+    written.setIdentity(renamed);
+    now = next();
+    EXPECT_EQ(now.device(id(5))->profile->verdicts.at("direction"), "same");
+    EXPECT_EQ(now.device(id(5))->identity->name, "shooter");
+    EXPECT_TRUE(first.device(id(5))->profile->verdicts.empty());
+    EXPECT_NE(first.device(id(5))->identity->name, "shooter");
+}
+
 TEST_F(EngineParts, AStopReachesEveryMotorAndEndsWhatMoves)
 {
     std::vector<Result<void>> answers;

@@ -48,7 +48,7 @@ protected:
         board().setPowered(true);
         clock.advance(4s);
     }
-    [[nodiscard]] std::size_t lost() { return core.snapshot().devices.front().profile.lost.size(); }
+    [[nodiscard]] std::size_t lost() { return core.snapshot().devices.front().profile->lost.size(); }
     [[nodiscard]] bool said(const std::string &part) const
     {
         return std::any_of(

@@ -101,7 +101,7 @@ TEST(EngineRecordings, AreMadeAndPlayedOnceTheirDevicesAreKnown)
     std::vector<std::string> found;
     for (const DeviceView &device : shot.devices) {
         if (onReplay(device))
-            found.push_back(device.selector.substr(address.size() + 1) + ' ' + device.identity.dialect);
+            found.push_back(device.selector.substr(address.size() + 1) + ' ' + device.identity->dialect);
     }
     EXPECT_EQ(found,
         (std::vector<std::string>{

@@ -366,7 +366,7 @@ void AxesTest::gainsAreCopiedFromAnotherAxis()
 {
     const auto p1 = *findParameter(board().family->parameters, "ch1.position.p");
     const auto written = [this, p1] {
-        if (board().parameters[p1.value].raw == 321)
+        if ((*board().parameters)[p1.value].raw == 321)
             return true;
         m_engine->send(orders::WriteParameters{board().id, {{p1, 321}}}); // refused while the page still reads
         return false;
@@ -381,8 +381,8 @@ void AxesTest::gainsAreCopiedFromAnotherAxis()
     QTRY_VERIFY_WITH_TIMEOUT(write->isEnabled(), axisPatience); // the write before may still be under way
     m_tune->write();
     const auto p2 = *findParameter(board().family->parameters, "ch2.position.p");
-    QTRY_VERIFY_WITH_TIMEOUT(board().parameters[p2.value].raw == 321, axisPatience);
-    QVERIFY(board().parameters[p2.value].state == ParameterState::Assumed);
+    QTRY_VERIFY_WITH_TIMEOUT((*board().parameters)[p2.value].raw == 321, axisPatience);
+    QVERIFY((*board().parameters)[p2.value].state == ParameterState::Assumed);
 }
 
 void AxesTest::channelsOfTheTreeComeIntoThePlotByDragAndDoubleClick()

@@ -35,7 +35,7 @@ private Q_SLOTS:
 
 private:
     [[nodiscard]] const DeviceView *board() { return m_bench->device(0, boardFamily); }
-    [[nodiscard]] std::size_t lost() { return board()->profile.lost.size(); }
+    [[nodiscard]] std::size_t lost() { return board()->profile->lost.size(); }
     /// Settings that are not the board's own, and then a power cycle.
     void writeAndReset(std::size_t settings);
     [[nodiscard]] ExperimentDialog *openExperiment(const char *key);
@@ -134,7 +134,7 @@ void BoardTest::aResetIsToldAndAClickWritesTheSettingsAgain()
     QTRY_VERIFY_WITH_TIMEOUT(banner(QStringLiteral("was reset: 12 settings")), patience);
     picture("board-reset");
     const auto gain = findParameter(board()->family->parameters, "ch1.velocity.p").value();
-    QVERIFY(!board()->parameters[gain.value].raw);
+    QVERIFY(!(*board()->parameters)[gain.value].raw);
     QPushButton *again = button(*banner(QStringLiteral("was reset")), QStringLiteral("Write them again"));
     QVERIFY(again);
     const auto idle = [this] {
@@ -145,8 +145,8 @@ void BoardTest::aResetIsToldAndAClickWritesTheSettingsAgain()
     again->click();
     QTRY_COMPARE_WITH_TIMEOUT(lost(), std::size_t{0}, patience);
     QTRY_VERIFY_WITH_TIMEOUT(!banner(QStringLiteral("was reset")), patience);
-    QTRY_VERIFY_WITH_TIMEOUT(board()->parameters[gain.value].raw == 120, patience);
-    QVERIFY(board()->parameters[gain.value].state == ParameterState::Assumed);
+    QTRY_VERIFY_WITH_TIMEOUT((*board()->parameters)[gain.value].raw == 120, patience);
+    QVERIFY((*board()->parameters)[gain.value].state == ParameterState::Assumed);
 }
 
 void BoardTest::writingAgainCanBeCancelled()
@@ -207,7 +207,7 @@ void BoardTest::anExperimentThatMovesNeedsAHeldButtonAndEndsWithItsDialog()
     QTRY_VERIFY_WITH_TIMEOUT(
         m_bench->engine().snapshot().operation(board()->id)->status.state == OperationStatus::State::Cancelled,
         patience);
-    QVERIFY(board()->profile.calibration.empty());
+    QVERIFY(board()->profile->calibration.empty());
 }
 
 void BoardTest::anExperimentKeepsWhatItFound()
@@ -220,8 +220,8 @@ void BoardTest::anExperimentKeepsWhatItFound()
     begin->click();
     QTRY_VERIFY_WITH_TIMEOUT(dialog->result().contains(QStringLiteral("Found")), patience);
     saveDialog(*dialog, "experiment-found");
-    QTRY_VERIFY_WITH_TIMEOUT(board()->profile.calibration.contains("input_reading"), patience);
-    QCOMPARE(board()->profile.calibrated("input_reading", -1.0), 0.0);
+    QTRY_VERIFY_WITH_TIMEOUT(board()->profile->calibration.contains("input_reading"), patience);
+    QCOMPARE(board()->profile->calibrated("input_reading", -1.0), 0.0);
     dialog->close();
 }
 
@@ -236,8 +236,8 @@ void BoardTest::gainScalesAreFoundInRealTimeToo()
     QTRY_VERIFY_WITH_TIMEOUT(!dialog->isRunning(), 400000);
     saveDialog(*dialog, "experiment-scales");
     QVERIFY2(dialog->result().contains(QStringLiteral("Found")), qPrintable(dialog->result()));
-    QTRY_VERIFY_WITH_TIMEOUT(board()->profile.calibration.size() >= 4, patience);
-    for (const auto &[key, scale] : board()->profile.calibration)
+    QTRY_VERIFY_WITH_TIMEOUT(board()->profile->calibration.size() >= 4, patience);
+    for (const auto &[key, scale] : board()->profile->calibration)
         qInfo("%s %g", key.c_str(), scale);
     m_bench->window().showPage(PageId::Overview);
     picture("board-scales");
@@ -259,7 +259,7 @@ void BoardTest::readingsAreChosenInTheInspector()
     QCOMPARE(target->currentIndex(), 0);
     target->setCurrentIndex(1);
     Q_EMIT target->activated(1);
-    QTRY_COMPARE_WITH_TIMEOUT(board()->profile.calibrated("velocity_target_shift"), 12.0, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(board()->profile->calibrated("velocity_target_shift"), 12.0, patience);
 }
 
 MB_WINDOW_TEST(BoardTest);

@@ -37,7 +37,7 @@ public:
     {
         device.id = {1};
         device.family = findFamily(families(), "dmc60c");
-        device.identity.address = 5;
+        device.identity.edit().address = 5;
         device.link = "sim:can";
         device.liveness.heard = true;
         workbench.shot.devices.push_back(device);

@@ -72,12 +72,12 @@ void HandTuningTest::theInspectorTakesWhatOnlyTheUserKnows()
 {
     QTest::qWait(200);
     type("Counts per revolution", "48");
-    QTRY_COMPARE_WITH_TIMEOUT(drive()->profile.calibrated(countsPerRevolutionKey), 48.0, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(drive()->profile->calibrated(countsPerRevolutionKey), 48.0, patience);
     type("Ampere per count", "0,05");
-    QTRY_COMPARE_WITH_TIMEOUT(drive()->profile.calibrated("amperes_per_count"), 0.05, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(drive()->profile->calibrated("amperes_per_count"), 0.05, patience);
     const auto current = drive()->telemetry->find("current");
     QVERIFY(drive()->telemetry->channels()[current->value].unit == "A");
-    QVERIFY(drive()->identity.dialect == "F");
+    QVERIFY(drive()->identity->dialect == "F");
 }
 
 /// Types the gains, presses the one key, and yields what the page then shows as B.

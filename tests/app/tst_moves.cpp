@@ -100,7 +100,7 @@ bool MovesTest::isReady() const
 {
     const auto &all = m_engine->snapshot().devices;
     return all.size() == units.size() && std::all_of(all.begin(), all.end(), [](const DeviceView &d) {
-        return d.liveness.heard && !d.identity.dialect.empty() && d.mayNotMove.empty();
+        return d.liveness.heard && !d.identity->dialect.empty() && d.mayNotMove.empty();
     });
 }
 

@@ -133,8 +133,8 @@ void ProjectTest::aFolderIsPutIntoForce()
     DeviceView device;
     device.id = DeviceId{1};
     device.family = families().front();
-    device.identity.family = "dmc60c";
-    device.identity.serial = "210334";
+    device.identity.edit().family = "dmc60c";
+    device.identity.edit().serial = "210334";
     workbench.shot.devices = {device};
     workbench.publish();
     workbench.publish(); // once is enough

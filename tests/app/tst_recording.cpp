@@ -105,7 +105,7 @@ void RecordingTest::playsInThePlots(WindowBench &bench, const std::string &addre
     auto &plots = bench.page<PlotsPage>(PageId::Plots);
     const auto &devices = bench.engine().snapshot().devices;
     const auto replayed = std::find_if(devices.begin(), devices.end(), [&](const DeviceView &device) {
-        return device.link == address && device.identity.address == WindowBench::tuned
+        return device.link == address && device.identity->address == WindowBench::tuned
             && device.family->key == "dmc60c";
     });
     QVERIFY(replayed != devices.end());

@@ -61,7 +61,7 @@ private:
 bool isReady(WindowBench &bench)
 {
     const DeviceView *device = bench.device(node, family);
-    return device && device->liveness.heard && !device->identity.dialect.empty() && device->mayNotMove.empty();
+    return device && device->liveness.heard && !device->identity->dialect.empty() && device->mayNotMove.empty();
 }
 
 } // namespace
@@ -147,7 +147,7 @@ void SupermodifiedTest::pictures()
         MainWindow &window = application.window();
         const auto device = [&]() -> const DeviceView * {
             for (const DeviceView &view : application.engine().snapshot().devices) {
-                if (view.family->key == family && view.identity.address == node)
+                if (view.family->key == family && view.identity->address == node)
                     return &view;
             }
             return nullptr;

@@ -154,8 +154,8 @@ void WindowTest::anUpdateEndsVerified()
     QCOMPARE(progress->value(), progress->maximum());
     QCOMPARE(progress->maximum(), 31);
     const auto now = [&bench] { return bench.device(WindowBench::inBootloader)->identity; };
-    QTRY_VERIFY_WITH_TIMEOUT(now().state == DeviceState::Online, patience);
-    QCOMPARE(QString::fromStdString(now().firmware), QStringLiteral("1.25"));
+    QTRY_VERIFY_WITH_TIMEOUT(now()->state == DeviceState::Online, patience);
+    QCOMPARE(QString::fromStdString(now()->firmware), QStringLiteral("1.25"));
 }
 
 void WindowTest::anImageThatIsNoneStartsNothing()

@@ -42,7 +42,7 @@ public:
     {
         const auto &all = engine().snapshot().devices;
         const auto found = std::find_if(all.begin(), all.end(),
-            [=](const DeviceView &d) { return d.identity.address == address && d.family->key == family; });
+            [=](const DeviceView &d) { return d.identity->address == address && d.family->key == family; });
         return found == all.end() ? nullptr : &*found;
     }
     /// All have answered and told who they are, as far as they can, and the one that is tuned may be armed.
@@ -53,18 +53,18 @@ public:
         const DeviceView *unit = device(tuned);
         return all.size() == benchSize && unit && unit->liveness.heard && unit->mayNotMove.empty()
             && std::all_of(all.begin(), all.end(),
-                [](const DeviceView &d) { return !d.identity.serial.empty() || !d.identity.dialect.empty(); });
+                [](const DeviceView &d) { return !d.identity->serial.empty() || !d.identity->dialect.empty(); });
     }
     void select(int address) { window().selection().select(device(address)->id); }
     [[nodiscard]] const ParameterStore::Entry &parameter(int address, std::string_view key)
     {
         const DeviceView *view = device(address);
-        return view->parameters[findParameter(view->family->parameters, key).value().value];
+        return (*view->parameters)[findParameter(view->family->parameters, key).value().value];
     }
     [[nodiscard]] bool isRead(int address)
     {
         const auto &all = device(address)->parameters;
-        return std::all_of(all.begin(), all.end(), [](const ParameterStore::Entry &e) { return e.raw.has_value(); });
+        return std::all_of(all->begin(), all->end(), [](const ParameterStore::Entry &e) { return e.raw.has_value(); });
     }
 
     /// The truth, not what the device says: whether the bridge of the simulated controller drives its motor.

@@ -226,6 +226,13 @@ class Lint(unittest.TestCase):
                 if words:
                     self.assertIn(f"widgets/common/a.h:2: error: {words}", output)
 
+    def test_a_struct_with_a_constructor_is_a_class_and_plain_data_is_none(self):
+        members = "".join(f"    int a{i} = 0;\n" for i in range(21))
+        for more, is_rejected in (("", False), ("    A();\n", True), ("    explicit A(int x)\n        : a0(x)\n    {\n    }\n", True)):
+            with self.subTest(more):
+                status, output = lint([("widgets/common/a.h", LICENCE + f"struct A {{\n{more}{members}}};\n")])
+                self.assertEqual(status, int(is_rejected), output)
+
     def test_what_is_listed_with_its_reason_warns_and_the_list_shrinks(self):
         bad = ("widgets/plots/more.cpp", LICENCE)
         status, output = lint([bad, ("scripts/lint-exceptions", "# the list\n" + bad[0] + ": why\n")])

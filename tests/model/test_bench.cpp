@@ -101,7 +101,7 @@ TEST(Snapshots, TellARateForEachChannelAndWhatIsKnownOfADevice)
     ASSERT_EQ(view.rates.size(), device.family().channels.size());
     const auto duty = findChannel(device.family().channels, "duty");
     EXPECT_NEAR(view.rates[duty->value], 100.0, 5.0);
-    EXPECT_EQ(view.parameters.size(), device.parameters().table().size());
+    EXPECT_EQ(view.parameters->size(), device.parameters().table().size());
     EXPECT_NE(viewOf(bench.session, *bench.device(9)).mayNotBeStopped, Message()) << "in its bootloader";
 }
 

@@ -43,7 +43,7 @@ public:
     {
         for (const mb::DeviceView &device : m_engine.snapshot().devices) {
             const bool board = device.family->capabilities.axes > 1;
-            if ((board || device.identity.address == 5) && (m_family.empty() || device.family->key == m_family))
+            if ((board || device.identity->address == 5) && (m_family.empty() || device.family->key == m_family))
                 follow(device);
         }
     }

@@ -39,14 +39,14 @@ inline DeviceView readDrive(std::uint32_t id = 1, int address = 5)
     DeviceView device;
     device.id = {id};
     device.family = &dmc60c();
-    device.identity.family = "dmc60c";
-    device.identity.address = address;
-    device.identity.serial = "2103343A79F2";
-    device.identity.firmware = "1.23";
+    device.identity.edit().family = "dmc60c";
+    device.identity.edit().address = address;
+    device.identity.edit().serial = "2103343A79F2";
+    device.identity.edit().firmware = "1.23";
     device.selector = "can:can0/dmc60c:" + std::to_string(address);
     device.liveness.heard = true;
     for (const Parameter &p : dmc60c().parameters)
-        device.parameters.push_back(
+        device.parameters.edit().push_back(
             {toRaw(p, p.fallback).value_or(0), p.persistent ? ParameterState::Stored : ParameterState::Volatile});
     device.parameterRevision = 1;
     return device;
@@ -83,7 +83,7 @@ struct ParameterBench {
     void set(const char *key, double value, ParameterState state)
     {
         DeviceView &device = workbench.device(0);
-        device.parameters[named(key).value] = {rawOf(key, value), state};
+        device.parameters.edit()[named(key).value] = {rawOf(key, value), state};
         ++device.parameterRevision;
         workbench.publish();
     }

@@ -49,7 +49,7 @@ struct QueueBench {
     {
         DeviceView device = readDrive(id, address);
         device.link = link;
-        device.identity.serial = serial;
+        device.identity.edit().serial = serial;
         device.telemetry = std::make_shared<Telemetry>(dmc60c().channels);
         workbench.shot.devices.push_back(device);
     }

@@ -321,7 +321,7 @@ void TestDesignPage::aUnitInItsBootloaderIsNotTried()
 {
     DesignBench bench;
     bench.arm();
-    bench.workbench.shot.devices[0].identity.state = DeviceState::Bootloader;
+    bench.workbench.shot.devices[0].identity.edit().state = DeviceState::Bootloader;
     Q_EMIT bench.workbench.changed();
     bench.page->identify();
     QVERIFY(bench.workbench.given<orders::RunTuning>().empty());
@@ -366,7 +366,7 @@ void TestDesignPage::advisersSayWhatIsToBeKnownOfTheSetAndStageWhatHelps()
 {
     DesignBench bench;
     DeviceView &device = bench.workbench.shot.devices[0];
-    device.parameters[named("slot0.ramp").value].raw = 20; // 0.8 s to full duty
+    device.parameters.edit()[named("slot0.ramp").value].raw = 20; // 0.8 s to full duty
     auto *const advisers = bench.page->findChild<AdviserList *>();
     QVERIFY(advisers && !advisers->isVisible());
     bench.arm();

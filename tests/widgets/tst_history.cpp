@@ -25,10 +25,10 @@ struct HistoryBench : ParameterBench {
         SettingsTimeline &kept = workbench.archive.kept[unit];
         kept.snapshots.push_back(snapshot(1, unit, "as found", drive));
         DeviceView other = drive;
-        other.parameters[named("slot1.p").value].raw = rawOf("slot1.p", 2);
-        other.parameters[named("slot1.max_forward").value].raw = 20000;
-        other.parameters[named("current.adc_multiplier").value].raw = 2100;
-        other.parameters[named("encoder.position").value].raw = 4711;
+        other.parameters.edit()[named("slot1.p").value].raw = rawOf("slot1.p", 2);
+        other.parameters.edit()[named("slot1.max_forward").value].raw = 20000;
+        other.parameters.edit()[named("current.adc_multiplier").value].raw = 2100;
+        other.parameters.edit()[named("encoder.position").value].raw = 4711;
         kept.snapshots.push_back(snapshot(2, unit, "limits for the demo", other));
         settings::SettingsChange change;
         change.number = 1;
@@ -54,13 +54,13 @@ struct HistoryBench : ParameterBench {
         kept.time = 100.0 * static_cast<double>(number);
         kept.unit = unit;
         kept.family = "dmc60c";
-        kept.serial = of.identity.serial;
+        kept.serial = of.identity->serial;
         kept.name = name;
         std::vector<ParameterIndex> all;
-        for (std::uint16_t i = 0; i < of.parameters.size(); ++i)
+        for (std::uint16_t i = 0; i < of.parameters->size(); ++i)
             all.push_back({i});
         kept.file
-            = QJsonDocument(parametersToJson(ParameterSource{*of.family, of.identity, of.selector, of.parameters}, all))
+            = QJsonDocument(parametersToJson(ParameterSource{*of.family, of.identity, of.selector, *of.parameters}, all))
                   .toJson()
                   .toStdString();
         return kept;

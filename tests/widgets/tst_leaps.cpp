@@ -129,9 +129,9 @@ void LeapsTest::writeOnlyFamiliesAreNotToldThatValuesAreCompared()
     DeviceView drive;
     drive.id = {1};
     drive.family = &family;
-    drive.identity.address = 3;
+    drive.identity.edit().address = 3;
     drive.liveness.heard = true;
-    drive.parameters.resize(family.parameters.size());
+    drive.parameters.edit().resize(family.parameters.size());
     drive.parameterRevision = 1;
     ParameterBench blind(drive);
     blind.workbench.publish();

@@ -132,8 +132,8 @@ void LiveStatesTest::unitsAreThoseOfTheDevice()
     Selection selection;
     DeviceView device = drive();
     device.family = findFamily(families(), "abstractdc");
-    device.identity.family = "abstractdc";
-    device.parameters.assign(device.family->parameters.size(), {});
+    device.identity.edit().family = "abstractdc";
+    device.parameters.edit().assign(device.family->parameters.size(), {});
     const auto telemetry = std::make_shared<Telemetry>(device.family->channels);
     telemetry->append({*telemetry->find("current"), workbench.time, 17.0});
     telemetry->commit();

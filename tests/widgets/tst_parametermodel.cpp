@@ -23,7 +23,7 @@ private Q_SLOTS:
 void TestParameterModel::modelHoldsThroughEditsFaultsAndSnapshots()
 {
     StagedEdits edits(dmc60c());
-    auto entries = readDrive().parameters;
+    auto entries = *readDrive().parameters;
     edits.setEntries(entries);
     ParameterModel model;
     QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);

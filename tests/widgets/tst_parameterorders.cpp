@@ -114,7 +114,7 @@ void TestParameterOrders::storeIsOfferedAfterTheCountdown()
 void TestParameterOrders::unknownValuesAreReadOnce()
 {
     DeviceView device = readDrive();
-    device.parameters.assign(device.parameters.size(), {});
+    device.parameters.edit().assign(device.parameters->size(), {});
     ParameterBench bench(device);
     QCOMPARE(bench.workbench.given<orders::ReadParameters>().size(), std::size_t{1});
     QCOMPARE(bench.shown("slot1.p", ParameterModel::ValueColumn), QStringLiteral("–"));
@@ -152,8 +152,8 @@ void TestParameterOrders::progressOfReadingIsShown()
 void TestParameterOrders::bootloaderHasNoParameters()
 {
     DeviceView device = readDrive();
-    device.parameters.assign(device.parameters.size(), {});
-    device.identity.state = DeviceState::Bootloader;
+    device.parameters.edit().assign(device.parameters->size(), {});
+    device.identity.edit().state = DeviceState::Bootloader;
     ParameterBench bench(device);
     QVERIFY(says(bench, QStringLiteral("No parameters in the bootloader")));
     QVERIFY(bench.workbench.given<orders::ReadParameters>().empty());

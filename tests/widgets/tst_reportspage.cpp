@@ -32,7 +32,7 @@ struct ReportsPageBench {
         workbench.shot.devices.push_back(tunableDrive(std::make_shared<Telemetry>(dmc60c().channels), 1, 5));
         workbench.device(0).selector = "sim:can/dmc60c:5";
         workbench.device(0).link = "sim:can";
-        workbench.device(0).identity.serial = "2103343A79F2";
+        workbench.device(0).identity.edit().serial = "2103343A79F2";
         ReportUnit unit;
         unit.family = &dmc60c();
         unit.identity = workbench.device(0).identity;

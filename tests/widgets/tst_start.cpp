@@ -30,7 +30,7 @@ DeviceView unit(std::uint32_t id, int address)
     device.link = "sim:can";
     device.selector = "sim:can/dmc60c:" + std::to_string(address);
     device.mayNotMove = {};
-    device.identity.state = DeviceState::Online;
+    device.identity.edit().state = DeviceState::Online;
     return device;
 }
 
@@ -75,7 +75,7 @@ DeviceView actor(std::uint32_t id, const Story &story)
 {
     DeviceView device = unit(id, storyFamily(story)->demo->*story.unit);
     device.family = storyFamily(story);
-    device.parameters.clear();
+    device.parameters.edit().clear();
     return device;
 }
 
@@ -107,7 +107,7 @@ struct GuideBench {
     }
     void setRam(ParameterState state)
     {
-        seven().parameters.front().state = state;
+        seven().parameters.edit().front().state = state;
         settle();
     }
 };
@@ -296,7 +296,7 @@ void StartTest::theFirstUnitThatCanBeTunedIsSelected()
     FirstSelection first(selection);
     Snapshot shot;
     DeviceView boot = unit(1, 5);
-    boot.identity.state = DeviceState::Bootloader;
+    boot.identity.edit().state = DeviceState::Bootloader;
     shot.devices = {boot};
     first.follow(shot);
     QCOMPARE(selection.device(), boot.id); // better than nothing
@@ -315,7 +315,7 @@ void StartTest::whatTheUserSelectedStays()
     Snapshot shot;
     DeviceView boot = unit(1, 5);
     DeviceView other = unit(2, 6);
-    boot.identity.state = other.identity.state = DeviceState::Bootloader;
+    boot.identity.edit().state = other.identity.edit().state = DeviceState::Bootloader;
     shot.devices = {boot, other};
     first.follow(shot);
     selection.select(other.id);

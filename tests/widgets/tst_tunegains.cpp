@@ -38,7 +38,7 @@ void TestTuneGains::anEditedGainGoesOutWithItsRawValue()
     QCOMPARE(writes[0].changes[0].index.value, named("slot0.p").value);
     QCOMPARE(writes[0].changes[0].raw, 82123);
     writes[0].finished({});
-    bench.device().parameters[named("slot0.p").value] = {82123, ParameterState::Ram};
+    bench.device().parameters.edit()[named("slot0.p").value] = {82123, ParameterState::Ram};
     ++bench.device().parameterRevision;
     bench.workbench.publish();
     QVERIFY(!button->isEnabled());

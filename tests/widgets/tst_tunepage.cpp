@@ -106,7 +106,7 @@ void TestTunePage::gainsAreReadOnceWhenTheyAreNotKnown()
 {
     TuneBench bench;
     QVERIFY(bench.workbench.given<orders::ReadParameters>().empty());
-    for (auto &entry : bench.device().parameters)
+    for (auto &entry : bench.device().parameters.edit())
         entry = {};
     ++bench.device().parameterRevision;
     bench.workbench.publish();
@@ -140,7 +140,7 @@ void TestTunePage::everyStateHasItsWords()
     if (state == s("locked"))
         bench.device().mayNotMove = say("another master drives it");
     if (state == s("reading")) {
-        for (auto &entry : bench.device().parameters)
+        for (auto &entry : bench.device().parameters.edit())
             entry = {};
         OperationView operation;
         operation.device = {1};
@@ -159,7 +159,7 @@ void TestTunePage::aBootloaderHasNothingToTune()
     TuneBench bench;
     auto *pages = bench.page->findChild<QStackedWidget *>();
     QCOMPARE(pages->currentIndex(), 1);
-    bench.device().identity.state = DeviceState::Bootloader;
+    bench.device().identity.edit().state = DeviceState::Bootloader;
     bench.workbench.publish();
     QCOMPARE(pages->currentIndex(), 0);
     bench.workbench.shot.devices.clear();

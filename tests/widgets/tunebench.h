@@ -73,12 +73,13 @@ private:
 inline DeviceView tunableDrive(const std::shared_ptr<Telemetry> &telemetry, std::uint32_t id = 1, int address = 5)
 {
     DeviceView device = readDrive(id, address);
-    device.identity.name = "shooter";
+    device.identity.edit().name = "shooter";
     device.link = "sim:can";
     device.telemetry = telemetry;
     device.rates = {100, 100, 50, 100, 100, 100, 10, 10, 10};
-    const auto set
-        = [&device](const char *key, double value) { device.parameters[named(key).value].raw = rawOf(key, value); };
+    const auto set = [&device](const char *key, double value) {
+        device.parameters.edit()[named(key).value].raw = rawOf(key, value);
+    };
     set("slot0.p", 1.165);
     set("slot0.i", 0.00346);
     set("slot1.p", 1.6);

@@ -123,7 +123,7 @@ GlyphState glyphOf(const DeviceView &device)
 {
     if (!device.busy.empty())
         return GlyphState::Busy;
-    switch (device.identity.state) {
+    switch (device.identity->state) {
     case DeviceState::Duplicate: return GlyphState::Duplicate;
     case DeviceState::Unassigned: return GlyphState::Unassigned;
     case DeviceState::Bootloader: return GlyphState::Bootloader;
@@ -149,7 +149,7 @@ GlyphState glyphOf(Severity severity)
 
 QString titleOf(const DeviceView &device)
 {
-    return QStringLiteral("%1 #%2").arg(qt(device.family->title)).arg(device.identity.address);
+    return QStringLiteral("%1 #%2").arg(qt(device.family->title)).arg(device.identity->address);
 }
 
 QString lineOf(const DeviceView &device)
@@ -176,7 +176,7 @@ QString lineOf(const DeviceView &device)
         break;
     }
     }
-    const QString name = QString::fromStdString(device.identity.name);
+    const QString name = QString::fromStdString(device.identity->name);
     return name.isEmpty() ? word : name + QStringLiteral(" · ") + word;
 }
 
@@ -227,11 +227,11 @@ QString statesText(const DeviceView &device)
 
 QString badgeOf(const DeviceView &device)
 {
-    if (device.identity.state == DeviceState::Bootloader)
+    if (device.identity->state == DeviceState::Bootloader)
         return DeviceText::tr("boot");
-    if (device.identity.state == DeviceState::Duplicate)
+    if (device.identity->state == DeviceState::Duplicate)
         return DeviceText::tr("2 ×");
-    return QString::fromStdString(device.identity.dialect);
+    return QString::fromStdString(device.identity->dialect);
 }
 
 bool keepsStoppedMove(const DeviceView &device)
@@ -242,12 +242,12 @@ bool keepsStoppedMove(const DeviceView &device)
 QString tooltipOf(const DeviceView &device)
 {
     QStringList lines{QString::fromStdString(device.selector)};
-    if (!device.identity.serial.empty())
-        lines += DeviceText::tr("Serial number %1").arg(QString::fromStdString(device.identity.serial));
-    if (!device.identity.dialect.empty())
-        lines += DeviceText::tr("Dialect %1").arg(QString::fromStdString(device.identity.dialect));
-    if (!device.identity.detail.empty())
-        lines += messageText(device.identity.detail);
+    if (!device.identity->serial.empty())
+        lines += DeviceText::tr("Serial number %1").arg(QString::fromStdString(device.identity->serial));
+    if (!device.identity->dialect.empty())
+        lines += DeviceText::tr("Dialect %1").arg(QString::fromStdString(device.identity->dialect));
+    if (!device.identity->detail.empty())
+        lines += messageText(device.identity->detail);
     if (!device.mayNotMove.empty())
         lines += messageText(device.mayNotMove);
     lines += conditionsText(device);

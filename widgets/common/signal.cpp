@@ -71,7 +71,7 @@ QString signalName(const DeviceView &device, ChannelIndex channel)
     const Channel &row = device.family->channels[channel.value];
     const int axis = axisOf(row.key);
     return QStringLiteral("#%1 %2%3")
-        .arg(device.identity.address)
+        .arg(device.identity->address)
         .arg(axis > 0 ? QStringLiteral("ch%1 ").arg(axis) : QString(), channelName(row));
 }
 

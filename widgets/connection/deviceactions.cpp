@@ -40,7 +40,7 @@ QInputDialog *ask(QWidget &parent, const QString &title, const QString &question
 bool isTaken(const Snapshot &shot, const std::string &link, int number)
 {
     return std::any_of(shot.devices.begin(), shot.devices.end(),
-        [&](const DeviceView &d) { return d.link == link && d.identity.address == number; });
+        [&](const DeviceView &d) { return d.link == link && d.identity->address == number; });
 }
 
 int firstFree(const Snapshot &shot, const std::string &link, int last)
@@ -60,7 +60,7 @@ void addDeviceActions(QMenu &menu, Workbench &workbench, DeviceId id, QWidget &p
         return;
     const Capabilities &can = device->family->capabilities;
     const QString label = titleOf(*device);
-    const bool running = device->identity.state != DeviceState::Bootloader;
+    const bool running = device->identity->state != DeviceState::Bootloader;
     QAction *identify = menu.addAction(DeviceActions::tr("Identify (blink)"), &parent, [&workbench, id, label] {
         workbench.send(orders::Identify{id}, reportTo(workbench, label, DeviceActions::tr("blinks for 5 s")));
     });
@@ -96,7 +96,7 @@ void askRename(Workbench &workbench, DeviceId id, QWidget &parent)
     const QString label = titleOf(*device);
     QInputDialog *dialog = ask(parent, DeviceActions::tr("Rename %1").arg(label),
         DeviceActions::tr("Name, 1 … 64 characters (some tools show only 28):"));
-    dialog->setTextValue(QString::fromStdString(device->identity.name));
+    dialog->setTextValue(QString::fromStdString(device->identity->name));
     QObject::connect(
         dialog, &QInputDialog::textValueSelected, &workbench, [&workbench, id, label](const QString &text) {
             const QString name = text.left(64);

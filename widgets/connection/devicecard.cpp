@@ -95,11 +95,11 @@ void DeviceCard::show(const DeviceView &device, Instant now, bool selected)
 {
     const GlyphState state = glyphOf(device);
     setTitle(
-        titleOf(device), hasAxes(*device.family) ? axesLine(device) : QString::fromStdString(device.identity.name));
+        titleOf(device), hasAxes(*device.family) ? axesLine(device) : QString::fromStdString(device.identity->name));
     setGlyph(state);
     setSpokenLive(*this, lineOf(device));
-    const bool ordinary = device.identity.state == DeviceState::Online;
-    const bool boot = device.identity.state == DeviceState::Bootloader;
+    const bool ordinary = device.identity->state == DeviceState::Online;
+    const bool boot = device.identity->state == DeviceState::Bootloader;
     m_badge->setText(ordinary ? device.liveness.mode ? modeText(*device.liveness.mode) : QString() : glyphWord(state));
     m_badge->setVisible(!m_badge->text().isEmpty());
     setStyleProperty(
@@ -175,8 +175,8 @@ void DeviceCard::showSparkline(const DeviceView &device, Instant now)
 
 void DeviceCard::showFoot(const DeviceView &device)
 {
-    if (device.identity.state == DeviceState::Bootloader) {
-        m_rate->setText(tr("boot %1 · no telemetry").arg(QString::fromStdString(device.identity.bootloader)));
+    if (device.identity->state == DeviceState::Bootloader) {
+        m_rate->setText(tr("boot %1 · no telemetry").arg(QString::fromStdString(device.identity->bootloader)));
         m_faultGlyph->hide();
         m_faults->setText({});
         return;

@@ -96,7 +96,7 @@ void DeviceLine::resizeEvent(QResizeEvent *event)
 QString DeviceLine::aboutOf(const DeviceView &device) const
 {
     if (!hasAxes(*device.family))
-        return QString::fromStdString(device.identity.name);
+        return QString::fromStdString(device.identity->name);
     return m_selection.axis() > 0 ? commandOfAxis(device, m_selection.axis()) : axesLine(device);
 }
 
@@ -151,7 +151,7 @@ void DeviceLine::follow()
     m_name->setText(aboutOf(*device));
     const auto known
         = [](const std::string &text) { return text.empty() ? QString(UnknownMark) : QString::fromStdString(text); };
-    m_identity->setText(tr("SN %1 · fw %2").arg(known(device->identity.serial), known(device->identity.firmware)));
+    m_identity->setText(tr("SN %1 · fw %2").arg(known(device->identity->serial), known(device->identity->firmware)));
     showValues(*device);
     const auto &faults = device->liveness.faults;
     const QStringList alerts = alertsOf(*device);

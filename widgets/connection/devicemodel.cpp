@@ -79,8 +79,8 @@ void DeviceModel::setHeld(bool held)
 bool DeviceModel::passes(const DeviceView &device) const
 {
     const auto has = [this](const QString &text) { return text.contains(m_filter, Qt::CaseInsensitive); };
-    return m_filter.isEmpty() || has(titleOf(device)) || has(QString::fromStdString(device.identity.name))
-        || has(QString::fromStdString(device.identity.serial)) || has(badgeOf(device));
+    return m_filter.isEmpty() || has(titleOf(device)) || has(QString::fromStdString(device.identity->name))
+        || has(QString::fromStdString(device.identity->serial)) || has(badgeOf(device));
 }
 
 void DeviceModel::follow()
@@ -229,7 +229,7 @@ ChannelIndex DeviceModel::channelAt(const QModelIndex &index) const
 std::vector<Signal> DeviceModel::signalsAt(const QModelIndex &index) const
 {
     const DeviceView *device = m_workbench.snapshot().device(deviceAt(index));
-    if (!device || !device->telemetry || device->identity.state == DeviceState::Bootloader)
+    if (!device || !device->telemetry || device->identity->state == DeviceState::Bootloader)
         return {};
     if (kindOf(index) == Kind::Channel)
         return {{device->id, channelAt(index)}};
@@ -361,7 +361,7 @@ QVariant DeviceModel::deviceData(const DeviceView &device, int role) const
     case GlyphRole: return static_cast<int>(glyphOf(device));
     case LineRole: return lineOf(device);
     case BadgeRole: return badgeOf(device);
-    case UsualRole: return device.identity.state == DeviceState::Online;
+    case UsualRole: return device.identity->state == DeviceState::Online;
     default: return {};
     }
 }

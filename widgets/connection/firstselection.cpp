@@ -8,7 +8,7 @@ namespace mb {
 bool canBeTuned(const DeviceView &device)
 {
     const Family &family = *device.family;
-    return device.identity.state == DeviceState::Online && device.mayNotMove.empty() && family.capabilities.readback
+    return device.identity->state == DeviceState::Online && device.mayNotMove.empty() && family.capabilities.readback
         && family.trials && !family.trials->loops.empty();
 }
 

@@ -128,8 +128,8 @@ void Inspector::follow()
         return;
     const DeviceView *device = m_workbench.snapshot().device(m_selection.device());
     m_identify->setEnabled(
-        device && device->family->capabilities.identify && device->identity.state != DeviceState::Bootloader);
-    m_read->setEnabled(device && device->identity.state == DeviceState::Online);
+        device && device->family->capabilities.identify && device->identity->state != DeviceState::Bootloader);
+    m_read->setEnabled(device && device->identity->state == DeviceState::Online);
     if (!device) {
         m_profile->show(nullptr);
         m_title->setText(tr("No device selected"));
@@ -140,9 +140,9 @@ void Inspector::follow()
     m_title->setText(axis > 0 ? tr("%1 · %2").arg(titleOf(*device), axisTitle(axis)) : titleOf(*device));
     const LinkView *link = m_workbench.snapshot().link(device->link);
     const QString linkName = link ? QString::fromStdString(link->name) : QString();
-    m_subtitle->setText(device->identity.name.empty()
+    m_subtitle->setText(device->identity->name.empty()
             ? linkName
-            : QString::fromStdString(device->identity.name) + QStringLiteral(" · ") + linkName);
+            : QString::fromStdString(device->identity->name) + QStringLiteral(" · ") + linkName);
     showLive(*device);
     m_profile->show(device);
     const auto text = [](ValueLabel *label, const std::string &value) {
@@ -151,12 +151,12 @@ void Inspector::follow()
         else
             label->setValue(QString::fromStdString(value));
     };
-    text(m_serial, device->identity.serial);
-    text(m_firmware, device->identity.firmware);
-    text(m_bootloader, device->identity.bootloader);
+    text(m_serial, device->identity->serial);
+    text(m_firmware, device->identity->firmware);
+    text(m_bootloader, device->identity->bootloader);
     text(m_session,
-        device->identity.session ? QString::number(*device->identity.session, 16).toUpper().toStdString()
-                                 : std::string());
+        device->identity->session ? QString::number(*device->identity->session, 16).toUpper().toStdString()
+                                  : std::string());
     showParameters(*device);
 }
 
@@ -193,9 +193,9 @@ void Inspector::showParameters(const DeviceView &device)
     int known = 0;
     int changed = 0;
     int ram = 0;
-    for (std::size_t i = 0; i < device.parameters.size(); ++i) {
+    for (std::size_t i = 0; i < device.parameters->size(); ++i) {
         const Parameter &parameter = device.family->parameters[i];
-        const auto &entry = device.parameters[i];
+        const auto &entry = (*device.parameters)[i];
         if (!entry.raw || parameter.nature != Nature::Setting || parameter.access == Access::ReadOnly)
             continue;
         ++known;

@@ -145,7 +145,7 @@ void ProfilePanel::typed(const Row &row)
         return;
     }
     const DeviceView *device = m_workbench.snapshot().device(m_device);
-    const double known = device ? device->profile.calibrated(row.calibration->key) : 0.0;
+    const double known = device ? device->profile->calibrated(row.calibration->key) : 0.0;
     if (text.isEmpty() ? known == 0.0 : *number == known)
         return;
     const QPointer<QLineEdit> field = row.field;
@@ -196,14 +196,14 @@ void ProfilePanel::chooseDialect(int place)
 void ProfilePanel::showRow(const Row &row, const DeviceView &device, bool another)
 {
     if (row.choices) {
-        const double known = device.profile.calibrated(
+        const double known = device.profile->calibrated(
             row.calibration->key, static_cast<double>(row.calibration->choices.front().raw));
         row.choices->setCurrentIndex(std::max(0, row.choices->findData(static_cast<int>(known))));
         return;
     }
     if (row.field->hasFocus() && !another)
         return;
-    const double known = device.profile.calibrated(row.calibration->key);
+    const double known = device.profile->calibrated(row.calibration->key);
     const QString text = known > 0.0 ? editText(known) : QString();
     if (row.field->text() != text && (another || row.field->property("state").toString().isEmpty()))
         row.field->setText(text);
@@ -227,13 +227,13 @@ void ProfilePanel::show(const DeviceView *device)
         return;
     int place = 0;
     for (std::size_t i = 0; i < m_family->dialects.size(); ++i) {
-        if (m_family->dialects[i].key == device->profile.dialect)
+        if (m_family->dialects[i].key == device->profile->dialect)
             place = static_cast<int>(i) + 1;
     }
     m_dialects->setCurrentIndex(place);
     m_dialects->setItemText(0,
-        device->profile.dialect.empty() && !device->identity.dialect.empty()
-            ? tr("dialect as found: %1").arg(QString::fromStdString(device->identity.dialect))
+        device->profile->dialect.empty() && !device->identity->dialect.empty()
+            ? tr("dialect as found: %1").arg(QString::fromStdString(device->identity->dialect))
             : tr("dialect as found"));
 }
 

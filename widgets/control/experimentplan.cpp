@@ -50,7 +50,7 @@ tuning::EnvelopeFacts factsOf(const DeviceView &device, int axis)
 Envelope ownOf(const DeviceView &device, const ExperimentWish &wish, Instant now)
 {
     const Envelope own
-        = tuning::ownLimits(*device.family, device.parameters, wish.axis, wish.slot, originOf(device, wish, now));
+        = tuning::ownLimits(*device.family, *device.parameters, wish.axis, wish.slot, originOf(device, wish, now));
     const Envelope bench = device.link.starts_with("sim:") ? device.family->trials->bench : Envelope();
     Envelope known;
     for (const auto &[key, bound] : envelopeBounds) {
@@ -112,8 +112,9 @@ tuning::ExperimentPlan planOf(const DeviceView &device, const ExperimentWish &wi
     plan.gains = triable(*device.family, wish.gains);
     const bool blind = std::any_of(plan.gains.begin(), plan.gains.end(), [&device](const ParameterChange &change) {
         const Parameter &row = device.family->parameters[change.index.value];
-        const bool known = change.index.value < device.parameters.size() && device.parameters[change.index.value].raw;
-        return row.access == Access::WriteOnly && (!known || device.profile.lost.count(std::string(row.key)) > 0);
+        const bool known
+            = change.index.value < device.parameters->size() && (*device.parameters)[change.index.value].raw;
+        return row.access == Access::WriteOnly && (!known || device.profile->lost.count(std::string(row.key)) > 0);
     });
     plan.keep = blind ? tuning::Keep::Always : tuning::Keep::WhenDone;
     return plan;
@@ -140,7 +141,7 @@ ExperimentCheck checkExperiment(
     }
     const double here = originOf(device, wish, now);
     const auto envelope = tuning::resolve(family, factsOf(device, wish.axis), wish.mode, wish.limits,
-        tuning::ownLimits(family, device.parameters, wish.axis, wish.slot, here));
+        tuning::ownLimits(family, *device.parameters, wish.axis, wish.slot, here));
     check.inForce = envelope ? *envelope : ownOf(device, wish, now);
     if (!envelope) {
         check.missing

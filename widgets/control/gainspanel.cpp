@@ -114,7 +114,7 @@ void GainsPanel::explain()
 
 void GainsPanel::refresh(const DeviceView &device, bool reading)
 {
-    if (!m_edits || m_edits->entries().size() != device.parameters.size())
+    if (!m_edits || m_edits->entries().size() != device.parameters->size())
         return;
     const GainRow *const divisor = m_family->loop && m_family->loop->divided ? row(Role::Divisor) : nullptr;
     const double divided = divisor ? divisor->number().value_or(0.0) : 1.0;
@@ -128,7 +128,7 @@ void GainsPanel::refresh(const DeviceView &device, bool reading)
                 : off && number           ? tr("off")
                                           : QString());
         row->setReading(reading);
-        row->refresh(device.parameters[row->index().value]);
+        row->refresh((*device.parameters)[row->index().value]);
     }
 }
 

@@ -19,7 +19,7 @@ struct MotionWords {
 QString addressIn(const Snapshot &shot, DeviceId device)
 {
     const DeviceView *const view = shot.device(device);
-    return view ? QStringLiteral("#%1").arg(view->identity.address) : QString();
+    return view ? QStringLiteral("#%1").arg(view->identity->address) : QString();
 }
 
 QString titleIn(const Snapshot &shot, DeviceId device)

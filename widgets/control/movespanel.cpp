@@ -117,7 +117,7 @@ void MovesPanel::rebuild(const std::vector<const DeviceView *> &devices)
     }
     m_rows.clear();
     for (const DeviceView *view : devices) {
-        const QString name = QStringLiteral("#%1").arg(view->identity.address);
+        const QString name = QStringLiteral("#%1").arg(view->identity->address);
         Row row;
         row.device = view->id;
         row.takesPart = new QCheckBox(name, m_table);

@@ -108,8 +108,8 @@ void TuneColumn::showFirstPower(const DeviceView &view, int axis)
 {
     const auto limit = parameterOfAxis(*view.family, axis, Role::PowerLimit);
     const double first = view.family->capabilities.firstPower;
-    const bool unknown = axis > 0 && first > 0.0 && limit && limit->value < view.parameters.size()
-        && !view.parameters[limit->value].raw;
+    const bool unknown = axis > 0 && first > 0.0 && limit && limit->value < view.parameters->size()
+        && !(*view.parameters)[limit->value].raw;
     m_firstPower->setVisible(unknown);
     if (unknown)
         m_firstPower->setText(tr("The power limit of axis %1 is unknown: its first motion sets it to %2. Write another "

@@ -72,7 +72,7 @@ void TuneForm::show(const DeviceView &view, int axis)
 void TuneForm::followProfile(const DeviceView &view)
 {
     TuneChoice &chosen = *m_choices.current();
-    const double counts = view.profile.calibrated(countsPerRevolutionKey);
+    const double counts = view.profile->calibrated(countsPerRevolutionKey);
     if (counts <= 0.0 || counts == std::exchange(chosen.profiled, counts))
         return;
     chosen.units.countsPerRevolution = counts;

@@ -77,7 +77,7 @@ std::optional<PageStatus> TuneGains::obstacle(const DeviceView &view) const
     if (m_writing)
         return PageStatus{GlyphState::Busy, tr("Writing gains"), {}};
     const bool known = std::any_of(
-        view.parameters.begin(), view.parameters.end(), [](const auto &entry) { return entry.raw.has_value(); });
+        view.parameters->begin(), view.parameters->end(), [](const auto &entry) { return entry.raw.has_value(); });
     if (const OperationView *const reading = operation(view); reading && !known)
         return PageStatus{
             GlyphState::Busy, tr("Reading gains"), tr("%1 of %2").arg(reading->status.done).arg(reading->status.total)};
@@ -86,7 +86,7 @@ std::optional<PageStatus> TuneGains::obstacle(const DeviceView &view) const
 
 void TuneGains::readOnce(const DeviceView &view)
 {
-    const bool unknown = std::all_of(view.parameters.begin(), view.parameters.end(),
+    const bool unknown = std::all_of(view.parameters->begin(), view.parameters->end(),
         [](const auto &entry) { return entry.state == ParameterState::Unknown; });
     const bool ready = view.liveness.heard && view.busy.empty() && view.family->capabilities.readback;
     if (!unknown || !ready || operation(view) || !m_asked.insert(view.id).second)

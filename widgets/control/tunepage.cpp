@@ -161,7 +161,7 @@ void TunePage::follow()
     if (!m_arming.isMoving())
         m_choices->forgetMotion();
     const DeviceView *const view = m_choices->device();
-    const bool usable = view && view->identity.state != DeviceState::Bootloader;
+    const bool usable = view && view->identity->state != DeviceState::Bootloader;
     wishRates(usable ? view : nullptr);
     if (usable)
         followDevice(*view);
@@ -243,7 +243,7 @@ PageStatus TunePage::status() const
     const DeviceView *const view = m_choices->device();
     if (!view)
         return {GlyphState::Gone, tr("No device"), {}, false};
-    const QString name = QStringLiteral("#%1").arg(view->identity.address);
+    const QString name = QStringLiteral("#%1").arg(view->identity->address);
     if (!view->liveness.heard)
         return {GlyphState::Gone, tr("No answer from %1").arg(name), tr("The plot keeps what it has."), false};
     if (m_arming.state() == LampState::Stopped)

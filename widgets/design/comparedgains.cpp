@@ -41,7 +41,7 @@ tuning::KnownGains replacedBy(const tuning::KnownGains &before, tuning::KnownGai
 const std::optional<ComparedGains> &GainComparison::with(const DeviceView &view, const tuning::ProposalBasis &basis,
     const tuning::TuneReport &report, const tuning::Proposal &proposal)
 {
-    tuning::KnownGains numbers = tuning::knownGains(basis.family, basis.loop, basis.axis, basis.slot, view.parameters);
+    tuning::KnownGains numbers = tuning::knownGains(basis.family, basis.loop, basis.axis, basis.slot, *view.parameters);
     QString name = ComparedText::tr("in force");
     if (isInForce(proposal, numbers)) {
         numbers = report.slot == basis.slot ? replacedBy(report.before, std::move(numbers)) : tuning::KnownGains();

@@ -51,7 +51,7 @@ void DesignBook::keepResponse(const tuning::FrequencyResponse &response)
 
 QString DesignBook::whyNot(const DeviceView &view) const
 {
-    if (view.identity.state == DeviceState::Bootloader)
+    if (view.identity->state == DeviceState::Bootloader)
         return tr("%1 waits in its bootloader.").arg(titleOf(view));
     if (!view.family->trials)
         return tr("This family has no loop that can be tuned.");

@@ -76,7 +76,7 @@ void DesignCourse::advise(const DeviceView &view, const Chosen &chosen)
 {
     const tuning::ProposalBasis basis = m_book.basisOf(view, chosen.inForce);
     const tuning::KnownGains now
-        = tuning::knownGains(basis.family, basis.loop, basis.axis, basis.slot, view.parameters);
+        = tuning::knownGains(basis.family, basis.loop, basis.axis, basis.slot, *view.parameters);
     StagedEdits &edits = EditDesk::of(m_workbench).editsOf(view);
     m_advisers->show(basis, *chosen.proposal, chosen.name, tuning::adviseOnSet(basis, *chosen.proposal, now),
         [&](const tuning::SetAdvice &advice) { return isStaged(edits, changesOf(basis.family, advice)); });

@@ -26,7 +26,7 @@ void QueueChecks::follow(const Snapshot &snapshot, const std::vector<DeviceId> &
         if (!device)
             continue;
         stands = stands && !device->liveness.moving;
-        alone = alone && !device->liveness.foreignMaster && device->identity.state != DeviceState::Duplicate;
+        alone = alone && !device->liveness.foreignMaster && device->identity->state != DeviceState::Duplicate;
         const auto supply = liveValue(*device, "bus_voltage", now);
         if (supply) {
             lowest = std::min(lowest.value_or(*supply), *supply);

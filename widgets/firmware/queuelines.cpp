@@ -39,9 +39,9 @@ double shareOf(const QueueRow &row)
 
 QString nameOf(const DeviceView &device)
 {
-    const bool named = device.identity.name != device.family->title; // as it comes from its maker
-    const QString name = named ? qt(device.identity.name) : QString();
-    return QStringLiteral("#%1").arg(device.identity.address) + (name.isEmpty() ? QString() : QLatin1Char(' ') + name);
+    const bool named = device.identity->name != device.family->title; // as it comes from its maker
+    const QString name = named ? qt(device.identity->name) : QString();
+    return QStringLiteral("#%1").arg(device.identity->address) + (name.isEmpty() ? QString() : QLatin1Char(' ') + name);
 }
 
 /// Of a unit that is gone: the last that the journal knows of it.
@@ -144,15 +144,15 @@ QueueLine lineOfDevice(const DeviceView &device, const std::string &version)
     QueueLine line;
     line.device = device.id;
     line.glyph = glyphOf(device);
-    line.serial = qt(device.identity.serial);
+    line.serial = qt(device.identity->serial);
     line.title = titleOf(device);
     line.name = nameOf(device);
     line.link = qt(device.link);
-    line.firmware = versionsOf(device.identity.firmware, version);
+    line.firmware = versionsOf(device.identity->firmware, version);
     line.tone = Tone::Caution;
-    if (device.identity.state == DeviceState::Duplicate)
+    if (device.identity->state == DeviceState::Duplicate)
         line.result = QueueText::tr("number taken twice");
-    else if (device.identity.state == DeviceState::Bootloader)
+    else if (device.identity->state == DeviceState::Bootloader)
         line.result = QueueText::tr("in its bootloader");
     else if (device.liveness.moving)
         line.result = QueueText::tr("motor is moving");

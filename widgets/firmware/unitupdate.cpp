@@ -220,7 +220,7 @@ bool UnitUpdate::canStart() const
     const DeviceView *device = m_workbench.snapshot().device(m_selection.device());
     return device && device->family->update && m_image.image() && m_image.summary() && device->busy.empty()
         && !device->liveness.moving && !device->liveness.foreignMaster
-        && device->identity.state != DeviceState::Duplicate && hindrance().isEmpty();
+        && device->identity->state != DeviceState::Duplicate && hindrance().isEmpty();
 }
 
 void UnitUpdate::start()
@@ -259,12 +259,12 @@ void UnitUpdate::follow()
 
 void UnitUpdate::followDevice(const DeviceView *device)
 {
-    m_deviceName->setText(device ? titleOf(*device) + QLatin1Char(' ') + QString::fromStdString(device->identity.name)
+    m_deviceName->setText(device ? titleOf(*device) + QLatin1Char(' ') + QString::fromStdString(device->identity->name)
                                  : tr("no device selected"));
     if (!device)
         return m_versions->clear();
     const QString now
-        = device->identity.firmware.empty() ? tr("none") : QString::fromStdString(device->identity.firmware);
+        = device->identity->firmware.empty() ? tr("none") : QString::fromStdString(device->identity->firmware);
     m_versions->setText(m_image.summary() ? tr("%1 → %2").arg(now, m_image.version()) : now);
 }
 
@@ -274,7 +274,7 @@ void UnitUpdate::followChecks(const DeviceView *device, const OperationView *)
     m_checks->set(ImageCheck, image, image ? tr("image fits this family") : tr("no usable image"));
     m_checks->set(StandCheck, device && !device->liveness.moving,
         device && device->liveness.moving ? tr("motor is moving") : tr("motor stopped"));
-    const bool alone = device && !device->liveness.foreignMaster && device->identity.state != DeviceState::Duplicate;
+    const bool alone = device && !device->liveness.foreignMaster && device->identity->state != DeviceState::Duplicate;
     m_checks->set(AloneCheck, alone,
         alone        ? tr("no other master, number unique")
             : device ? tr("another master, or a number taken twice")
@@ -294,7 +294,7 @@ void UnitUpdate::followOrders(const DeviceView *device, const OperationView *ope
     m_start->setEnabled(canStart() && !running);
     m_start->setToolTip(hindrance());
     m_start->setAccessibleDescription(m_start->toolTip());
-    const bool boot = device && device->identity.state == DeviceState::Bootloader;
+    const bool boot = device && device->identity->state == DeviceState::Bootloader;
     m_start->setText(boot ? tr("Run the update again") : tr("Update"));
     m_cancel->setEnabled(running && operation->status.mayInterrupt);
     const UpdateWords words = wordsFor(operation);

@@ -74,7 +74,7 @@ FrameDecoder decoderFor(const Snapshot &shot, const std::string &link)
     FrameDecoder decoder(families());
     for (const DeviceView &device : shot.devices) {
         if (device.link == link && device.family && device.family->decodeCan)
-            decoder.addDialect(device.family, device.identity.address, device.identity.dialect);
+            decoder.addDialect(device.family, device.identity->address, device.identity->dialect);
     }
     return decoder;
 }

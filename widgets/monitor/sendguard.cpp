@@ -19,7 +19,7 @@ std::vector<const DeviceView *> addressed(const FrameMeaning &meaning, const std
     std::vector<const DeviceView *> found;
     for (const DeviceView &device : shot.devices) {
         if (device.link == link && device.family && device.family->key == meaning.family->key
-            && device.identity.address == meaning.frame.address)
+            && device.identity->address == meaning.frame.address)
             found.push_back(&device);
     }
     return found;

@@ -198,9 +198,9 @@ QString ChangesPanel::obstacle(const DeviceView *device, bool busy) const
     }
     if (!device || !device->liveness.heard)
         return tr("no answer");
-    if (device->identity.state == DeviceState::Duplicate)
+    if (device->identity->state == DeviceState::Duplicate)
         return tr("two units, one number");
-    if (device->identity.state != DeviceState::Online)
+    if (device->identity->state != DeviceState::Online)
         return glyphWord(glyphOf(*device));
     return busy || !device->busy.empty() ? tr("busy") : QString();
 }

@@ -42,7 +42,7 @@ void ComparisonBox::remember(const DeviceView &device)
 {
     if (m_asFound.contains(device.id))
         return;
-    const bool complete = std::all_of(device.parameters.begin(), device.parameters.end(),
+    const bool complete = std::all_of(device.parameters->begin(), device.parameters->end(),
         [](const auto &entry) { return entry.raw && entry.state != ParameterState::Failed; });
     if (!complete)
         return;
@@ -50,7 +50,7 @@ void ComparisonBox::remember(const DeviceView &device)
         m_workbench.now().time_since_epoch() + m_workbench.unixOffset());
     ParameterReference found{
         tr("as found %1").arg(QDateTime::fromSecsSinceEpoch(seconds.count()).toString(QStringLiteral("HH:mm"))), {}};
-    for (const auto &entry : device.parameters)
+    for (const auto &entry : *device.parameters)
         found.raws.push_back(entry.raw);
     m_asFound.emplace(device.id, std::move(found));
     if (m_model.edits() && m_model.edits() == EditDesk::of(m_workbench).find(device.id))

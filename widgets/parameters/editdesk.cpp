@@ -29,10 +29,10 @@ StagedEdits &EditDesk::editsOf(const DeviceView &device)
     Desk &desk = m_desks[device.id];
     if (!desk.edits)
         desk.edits = std::make_unique<StagedEdits>(*device.family);
-    const bool complete = device.parameters.size() == device.family->parameters.size();
+    const bool complete = device.parameters->size() == device.family->parameters.size();
     if (complete && desk.revision != device.parameterRevision) {
         desk.revision = device.parameterRevision; // before anybody hears of it and asks again
-        desk.edits->setEntries(device.parameters);
+        desk.edits->setEntries(*device.parameters);
     }
     return *desk.edits;
 }

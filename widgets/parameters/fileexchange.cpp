@@ -85,13 +85,13 @@ void FileExchange::stage(const DeviceView &device, const QString &name, const st
 void FileExchange::exportOf(const DeviceView &device, const QString &path)
 {
     m_banners.clear(QLatin1String(fileNotice));
-    const QByteArray text = parameterFileText({*device.family, device.identity, device.selector, device.parameters});
+    const QByteArray text = parameterFileText({*device.family, device.identity, device.selector, *device.parameters});
     if (const auto saved = saveFile(path.toStdString(), text); !saved)
         m_banners.post(
             QLatin1String(fileNotice), BannerKind::Danger, errorText(saved.error()), tr("Choose another place."));
     else
         m_workbench.report(Severity::Good, titleOf(device),
-            tr("%1 parameters exported to %2").arg(device.parameters.size()).arg(path));
+            tr("%1 parameters exported to %2").arg(device.parameters->size()).arg(path));
 }
 
 std::optional<ParameterReference> FileExchange::referenceOf(

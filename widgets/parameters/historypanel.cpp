@@ -106,7 +106,7 @@ void HistoryPanel::showDevice(const DeviceView &device)
         m_chosenB = UnitStates::defaults;
     }
     m_states.setPresent(
-        settings::sideOf(ParameterSource{*device.family, device.identity, device.selector, device.parameters}));
+        settings::sideOf(ParameterSource{*device.family, device.identity, device.selector, *device.parameters}));
     rebuild();
     reload();
 }

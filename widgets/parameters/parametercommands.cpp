@@ -41,9 +41,9 @@ void ParameterCommands::read(DeviceId device)
 
 void ParameterCommands::readOnce(const DeviceView &device)
 {
-    const bool unknown = std::all_of(device.parameters.begin(), device.parameters.end(),
+    const bool unknown = std::all_of(device.parameters->begin(), device.parameters->end(),
         [](const auto &entry) { return entry.state == ParameterState::Unknown; });
-    const bool ready = device.identity.state == DeviceState::Online && device.liveness.heard && device.busy.empty()
+    const bool ready = device.identity->state == DeviceState::Online && device.liveness.heard && device.busy.empty()
         && device.family->capabilities.readback;
     if (unknown && ready && !isUnderWay(m_workbench.snapshot().operation(device.id))
         && m_asked.insert(device.id).second)

@@ -72,7 +72,7 @@ void ParameterHead::enable(const DeviceView *device, bool free, const QUndoStack
     m_history->setEnabled(device != nullptr);
     m_import->setEnabled(device != nullptr);
     m_export->setEnabled(device
-        && std::any_of(device->parameters.begin(), device->parameters.end(),
+        && std::any_of(device->parameters->begin(), device->parameters->end(),
             [](const auto &entry) { return entry.raw.has_value(); }));
 }
 

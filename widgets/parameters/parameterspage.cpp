@@ -114,7 +114,7 @@ void ParametersPage::connectHead()
     connect(m_head, &ParameterHead::exportRequested, this, [this] {
         if (const DeviceView *shown = device())
             askWhereToSave(*this, tr("Export parameters"),
-                QStringLiteral("%1-%2.json").arg(qt(shown->family->key)).arg(shown->identity.address),
+                QStringLiteral("%1-%2.json").arg(qt(shown->family->key)).arg(shown->identity->address),
                 [this](const QString &path) { exportTo(path); });
     });
 }
@@ -157,7 +157,7 @@ void ParametersPage::follow()
 {
     m_ledger.observe(m_workbench.snapshot(), m_workbench.now());
     for (const DeviceView &device : m_workbench.snapshot().devices) {
-        if (device.parameters.size() != device.family->parameters.size())
+        if (device.parameters->size() != device.family->parameters.size())
             continue;
         (void)m_desk.editsOf(device);
         m_tools->comparison().remember(device);
@@ -170,7 +170,7 @@ void ParametersPage::choose()
 {
     const DeviceView *shown = device();
     const bool hasParameters
-        = shown && shown->identity.state != DeviceState::Bootloader && !shown->family->parameters.empty();
+        = shown && shown->identity->state != DeviceState::Bootloader && !shown->family->parameters.empty();
     if (hasParameters)
         showDevice(*shown);
     else if (shown || !m_file)
@@ -182,7 +182,7 @@ void ParametersPage::showDevice(const DeviceView &device)
     StagedEdits &edits = m_desk.editsOf(device);
     m_stack->setCurrentIndex(1);
     const OperationView *operation = m_workbench.snapshot().operation(device.id);
-    Shown now{device.id, device.parameterRevision, device.liveness.heard, device.identity.state, {}, {}, 0, {},
+    Shown now{device.id, device.parameterRevision, device.liveness.heard, device.identity->state, {}, {}, 0, {},
         m_tools->axes().chosen()};
     if (operation) {
         now.operation = operation->id;
@@ -229,7 +229,7 @@ void ParametersPage::showEmpty()
     if (!shown)
         m_empty->setText(tr("Select a device"),
             tr("Its parameters appear here. A parameter file can be looked at and compared without a device."));
-    else if (shown->identity.state == DeviceState::Bootloader)
+    else if (shown->identity->state == DeviceState::Bootloader)
         m_empty->setText(tr("No parameters in the bootloader"),
             tr("%1 has no application running. Write firmware to it, then its parameters can be read.")
                 .arg(titleOf(*shown)));

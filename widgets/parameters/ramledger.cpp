@@ -7,18 +7,18 @@ void RamLedger::observe(const Snapshot &snapshot, Instant now)
 {
     for (const DeviceView &device : snapshot.devices) {
         Page &page = m_pages[device.id];
-        if (page.revision != device.parameterRevision || page.entries.size() != device.parameters.size())
+        if (page.revision != device.parameterRevision || page.entries.size() != device.parameters->size())
             follow(page, device, now);
     }
 }
 
 void RamLedger::follow(Page &page, const DeviceView &device, Instant now)
 {
-    page.entries.resize(device.parameters.size());
-    for (std::uint16_t i = 0; i < device.parameters.size(); ++i) {
+    page.entries.resize(device.parameters->size());
+    for (std::uint16_t i = 0; i < device.parameters->size(); ++i) {
         const ParameterIndex index{i};
         const auto &before = page.entries[i];
-        const auto &after = device.parameters[i];
+        const auto &after = (*device.parameters)[i];
         if (after.state == ParameterState::Stored || after.state == ParameterState::Unknown)
             page.flash.erase(index);
         if (after.state != ParameterState::Ram)

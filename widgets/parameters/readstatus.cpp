@@ -80,7 +80,7 @@ void ReadStatus::showDevice(const DeviceView &device, const OperationView *opera
 QString ReadStatus::outcome(
     const DeviceView &device, const OperationView *operation, const ParameterCounts &counts, GlyphState &glyph) const
 {
-    const auto known = std::count_if(device.parameters.begin(), device.parameters.end(),
+    const auto known = std::count_if(device.parameters->begin(), device.parameters->end(),
         [](const auto &entry) { return entry.raw && entry.state != ParameterState::Failed; });
     if (!device.liveness.heard) {
         glyph = GlyphState::Gone;

@@ -62,7 +62,7 @@ void PlotLayoutBook::takeDefaults()
     const DeviceView *device = m_workbench.snapshot().device(m_selection.device());
     const int axis = m_selection.axis();
     const bool same = device && device->id == m_defaultsOf && axis == m_defaultsOfAxis;
-    if (!device || same || device->identity.state == DeviceState::Bootloader)
+    if (!device || same || device->identity->state == DeviceState::Bootloader)
         return;
     m_defaultsOf = device->id;
     m_defaultsOfAxis = axis;

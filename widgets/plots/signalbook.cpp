@@ -14,7 +14,7 @@ QString variableName(const DeviceView &device, ChannelIndex channel)
 {
     QString key = qt(device.family->channels[channel.value].key);
     key.replace(QLatin1Char('.'), QLatin1Char('_'));
-    return QStringLiteral("d%1_%2").arg(device.identity.address).arg(key);
+    return QStringLiteral("d%1_%2").arg(device.identity->address).arg(key);
 }
 
 } // namespace
@@ -67,7 +67,7 @@ std::vector<SignalBook::Variable> SignalBook::variables() const
         return std::any_of(all.begin(), all.end(), [&](const Variable &variable) { return variable.name == name; });
     };
     for (const DeviceView &device : m_workbench.snapshot().devices) {
-        if (device.identity.state == DeviceState::Bootloader)
+        if (device.identity->state == DeviceState::Bootloader)
             continue;
         for (std::uint16_t i = 0; i < device.family->channels.size(); ++i) {
             QString name = variableName(device, {i});

@@ -105,7 +105,7 @@ void SignalList::setDevices(const std::vector<DeviceView> &devices)
 {
     QString shown;
     for (const DeviceView &device : devices)
-        shown += QStringLiteral("%1#%2 ").arg(device.id.value).arg(device.identity.address);
+        shown += QStringLiteral("%1#%2 ").arg(device.id.value).arg(device.identity->address);
     if (shown == m_shown)
         return;
     m_shown = shown;
@@ -142,7 +142,7 @@ void SignalList::fill()
                 tr("%1\nright click removes the signal").arg(m_derived.at(i)));
     }
     for (const DeviceView &device : m_devices) {
-        if (device.identity.state == DeviceState::Bootloader)
+        if (device.identity->state == DeviceState::Bootloader)
             continue;
         for (std::uint16_t i = 0; i < device.family->channels.size(); ++i) {
             const Channel &row = device.family->channels[i];

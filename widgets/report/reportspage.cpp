@@ -195,7 +195,7 @@ void ReportsPage::follow()
         ReportEntry card;
         card.unit = reportUnitOf(view);
         card.title = tr("Card of %1").arg(titleOf(view));
-        card.about = qt(view.identity.serial);
+        card.about = qt(view.identity->serial);
         ReportWish wish;
         wish.unit = card.unit.unit;
         m_entries.push_back(card);

@@ -29,15 +29,15 @@ std::string_view currentSwitch(const Family &family)
 bool isOn(const DeviceView &device, std::string_view key)
 {
     const auto index = findParameter(device.family->parameters, key);
-    if (!index || index->value >= device.parameters.size())
+    if (!index || index->value >= device.parameters->size())
         return false;
-    const ParameterStore::Entry &entry = device.parameters[index->value];
+    const ParameterStore::Entry &entry = (*device.parameters)[index->value];
     return entry.raw.value_or(0) != 0;
 }
 
 bool isAnyInRam(const DeviceView &device)
 {
-    return std::any_of(device.parameters.begin(), device.parameters.end(),
+    return std::any_of(device.parameters->begin(), device.parameters->end(),
         [](const ParameterStore::Entry &entry) { return entry.state == ParameterState::Ram; });
 }
 
@@ -57,7 +57,7 @@ Guide::Guide(Workbench &workbench, Selection &selection, Arming &arming, QObject
 const DeviceView *Guide::deviceOf(const Story &story, const Snapshot &shot)
 {
     const auto found = std::find_if(shot.devices.begin(), shot.devices.end(), [&story](const DeviceView &device) {
-        return isDemoUnit(*device.family, device.identity.address, story.unit) && device.link.starts_with(simulated);
+        return isDemoUnit(*device.family, device.identity->address, story.unit) && device.link.starts_with(simulated);
     });
     return found == shot.devices.end() ? nullptr : &*found;
 }
