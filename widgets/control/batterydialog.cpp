@@ -70,6 +70,7 @@ BatteryDialog::BatteryDialog(Arming &arming, const ThemeSource &theme, QWidget *
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    m_table->horizontalHeader()->setTextElideMode(Qt::ElideRight);
     m_plot = new CurvePlot(theme, tr("Responses of the battery over each other"), this);
     m_plot->setAxes(tr("s"), tr("share of the step"), false);
     m_plot->setSurroundings({false, false});

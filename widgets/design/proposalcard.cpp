@@ -149,7 +149,8 @@ void ProposalCard::addGains(
         const auto index = findParameter(family.parameters, gain.key);
         if (gain.raw == 0 || !index)
             continue;
-        brief << shortGainName(family, gain.key) + QChar(0x00A0) + formatSignificant(gain.number, 4);
+        if (isGain(roleOf(family, gain.key)))
+            brief << shortGainName(family, gain.key) + QChar(0x00A0) + formatSignificant(gain.number, 4);
         gains->addWidget(textLabel(shortGainName(family, gain.key), TextRole::Emphasis, Tone::Text, this), row, 0);
         auto *const value = new QLabel(formatSignificant(gain.number, 4), this);
         setTextRole(*value, TextRole::Emphasis);
@@ -171,7 +172,7 @@ void ProposalCard::addGains(
 void ProposalCard::addFigures(const Family &family, const tuning::Proposal &proposal, const Theme &look)
 {
     auto *figures = new QGridLayout;
-    figures->setHorizontalSpacing(look.u(6));
+    figures->setHorizontalSpacing(look.u(4));
     figures->setVerticalSpacing(0);
     int column = 0;
     QStringList spoken;

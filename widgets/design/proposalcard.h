@@ -23,7 +23,7 @@ public:
         QWidget *parent);
 
     void setChosen(bool chosen);
-    /// The gains in one line, by their numbers alone.
+    /// The gains in one line, by their numbers alone; what is beside them is not told.
     void setBrief(bool brief);
     [[nodiscard]] tuning::Aim aim() const { return m_aim; }
 
