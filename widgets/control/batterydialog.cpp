@@ -65,12 +65,7 @@ BatteryDialog::BatteryDialog(Arming &arming, const ThemeSource &theme, QWidget *
     m_start->setKeyHint(QStringLiteral("F7"));
     m_start->setShortcut(Qt::Key_F7);
     m_start->setAutoDefault(false);
-    m_table = new QTableWidget(0, static_cast<int>(columns.size()) + 1, this);
-    m_table->setAccessibleName(tr("Steps of the battery and the worst of each metric"));
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->verticalHeader()->hide();
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    m_table->horizontalHeader()->setTextElideMode(Qt::ElideRight);
+    buildTable();
     m_plot = new CurvePlot(theme, tr("Responses of the battery over each other"), this);
     m_plot->setAxes(tr("s"), tr("share of the step"), false);
     m_plot->setSurroundings({false, false});
@@ -81,6 +76,16 @@ BatteryDialog::BatteryDialog(Arming &arming, const ThemeSource &theme, QWidget *
     column->addWidget(m_plot, 3);
     connect(m_start, &QPushButton::clicked, this, &BatteryDialog::run);
     connect(&arming, &Arming::changed, this, &BatteryDialog::follow);
+}
+
+void BatteryDialog::buildTable()
+{
+    m_table = new QTableWidget(0, static_cast<int>(columns.size()) + 1, this);
+    m_table->setAccessibleName(tr("Steps of the battery and the worst of each metric"));
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->verticalHeader()->hide();
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    m_table->horizontalHeader()->setTextElideMode(Qt::ElideRight);
 }
 
 /// All of them have one colour; how each way is drawn is what tells them apart.

@@ -47,13 +47,27 @@ OwnProposal::OwnProposal(const ThemeSource &theme, QWidget *parent)
 {
     setDense(true);
     setTitle(tr("own"), tr("Speed"));
-    m_sliders = new QVBoxLayout;
-    m_sliders->setSpacing(0);
-    body().addLayout(m_sliders);
     m_mark = new ChoiceMark(theme, this);
     addHeadMark(m_mark);
     setActivatable(true);
     setAccessibleName(tr("Own proposal"));
+    addSliders();
+    m_gains = wrappedLabel({}, TextRole::Emphasis, Tone::Text, this);
+    m_figures = wrappedLabel({}, TextRole::Caption, Tone::Dim, this);
+    m_bounds = wrappedLabel({}, TextRole::Caption, Tone::Caution, this);
+    for (QLabel *line : {m_gains, m_figures, m_bounds})
+        body().addWidget(line);
+    connect(m_speed, &LogSlider::numberChosen, this, &OwnProposal::tellWish);
+    connect(m_damping, &QSlider::valueChanged, this, &OwnProposal::tellWish);
+}
+
+/// The first is named in the head of the card.
+void OwnProposal::addSliders()
+{
+    const ThemeSource &theme = m_theme;
+    m_sliders = new QVBoxLayout;
+    m_sliders->setSpacing(0);
+    body().addLayout(m_sliders);
     m_speed = new LogSlider(theme, this);
     m_damping = new QSlider(Qt::Horizontal, this);
     m_damping->setRange(static_cast<int>(leastMs * hundredth), static_cast<int>(mostMs * hundredth));
@@ -71,13 +85,6 @@ OwnProposal::OwnProposal(const ThemeSource &theme, QWidget *parent)
     damping->addWidget(m_ms);
     m_sliders->addLayout(damping);
     addSlider(tr("Damping"), m_damping, m_dampingScale);
-    m_gains = wrappedLabel({}, TextRole::Emphasis, Tone::Text, this);
-    m_figures = wrappedLabel({}, TextRole::Caption, Tone::Dim, this);
-    m_bounds = wrappedLabel({}, TextRole::Caption, Tone::Caution, this);
-    for (QLabel *line : {m_gains, m_figures, m_bounds})
-        body().addWidget(line);
-    connect(m_speed, &LogSlider::numberChosen, this, &OwnProposal::tellWish);
-    connect(m_damping, &QSlider::valueChanged, this, &OwnProposal::tellWish);
 }
 
 void OwnProposal::tellWish()

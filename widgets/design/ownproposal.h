@@ -39,6 +39,7 @@ Q_SIGNALS:
     void wished();
 
 private:
+    void addSliders();
     void addSlider(const QString &name, QSlider *slider, SliderScale *scale);
     void showFigures();
     void sayWish();
