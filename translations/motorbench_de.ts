@@ -2032,6 +2032,18 @@
         <source>Arm the device first: hold the Arm button for 1 s.</source>
         <translation>Erst das Gerät scharf schalten: Scharf-Taste 1 s halten.</translation>
     </message>
+    <message>
+        <source>Responses over each other</source>
+        <translation>Antworten übereinander</translation>
+    </message>
+    <message>
+        <source>forwards</source>
+        <translation>vorwärts</translation>
+    </message>
+    <message>
+        <source>backwards</source>
+        <translation>rückwärts</translation>
+    </message>
 </context>
 <context>
     <name>mb::BenchText</name>
@@ -5122,18 +5134,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
 <context>
     <name>mb::ModelPanel</name>
     <message>
-        <source>as fresh as the position</source>
-        <translation>so frisch wie die Position</translation>
-    </message>
-    <message>
-        <source>rolling, %1</source>
-        <translation>gleitend, %1</translation>
-    </message>
-    <message>
-        <source>block, %1</source>
-        <translation>blockweise, %1</translation>
-    </message>
-    <message>
         <source>Model</source>
         <translation>Modell</translation>
     </message>
@@ -5150,36 +5150,20 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>nicht geglaubt</translation>
     </message>
     <message>
-        <source>gain K</source>
-        <translation>Verstärkung K</translation>
-    </message>
-    <message>
-        <source>lag τ</source>
-        <translation>Zeitkonstante τ</translation>
-    </message>
-    <message>
-        <source>ms</source>
-        <translation>ms</translation>
-    </message>
-    <message>
-        <source>dead time θ</source>
-        <translation>Totzeit θ</translation>
-    </message>
-    <message>
-        <source>friction kS</source>
-        <translation>Reibung kS</translation>
-    </message>
-    <message>
-        <source>% duty</source>
-        <translation>% Tastgrad</translation>
-    </message>
-    <message>
         <source>velocity filter</source>
         <translation>Drehzahlfilter</translation>
     </message>
     <message>
         <source>counts/s</source>
         <translation>counts/s</translation>
+    </message>
+    <message>
+        <source>All figures</source>
+        <translation>Alle Werte</translation>
+    </message>
+    <message>
+        <source>Fold</source>
+        <translation>Einklappen</translation>
     </message>
 </context>
 <context>
@@ -5414,10 +5398,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>own</source>
         <translation>eigener</translation>
-    </message>
-    <message>
-        <source>by two sliders</source>
-        <translation>mit zwei Schiebern</translation>
     </message>
     <message>
         <source>Own proposal</source>
@@ -7822,10 +7802,6 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
         <translation>Verzögerung τ</translation>
     </message>
     <message>
-        <source>Dead time θ of the loop</source>
-        <translation>Totzeit θ des Kreises</translation>
-    </message>
-    <message>
         <source>Friction kS</source>
         <translation>Reibung kS</translation>
     </message>
@@ -8153,16 +8129,24 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
         <translation>Rauschen in Ruhe σ</translation>
     </message>
     <message>
-        <source>From an order to its motion</source>
-        <translation>Vom Befehl bis zur Bewegung</translation>
-    </message>
-    <message>
         <source>Set-points that it can follow: at most %1 and %2</source>
         <translation>Sollwerte, denen er folgen kann: höchstens %1 und %2</translation>
     </message>
     <message>
         <source>to be looked at</source>
         <translation>zu prüfen</translation>
+    </message>
+    <message>
+        <source>Order to motion</source>
+        <translation>Befehl bis Bewegung</translation>
+    </message>
+    <message>
+        <source>Dead time θ</source>
+        <translation>Totzeit θ</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>counts</translation>
     </message>
 </context>
 <context>
@@ -10582,6 +10566,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>motor turns %1 s</source>
         <translation>Motor dreht %1 s</translation>
+    </message>
+    <message>
+        <source>Identify and Autotune push first: %1</source>
+        <translation>Vermessen und Selbst abstimmen stoßen zuerst an: %1</translation>
     </message>
 </context>
 <context>
@@ -17714,6 +17702,14 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>a regression of mean speeds makes the lag %1, %2 beside what was fitted</source>
         <translation>eine Regression mittlerer Geschwindigkeiten ergibt als Zeitkonstante %1, %2 neben der Anpassung</translation>
+    </message>
+    <message>
+        <source>F is 0: in a position loop it would push by where the target lies, not by how far it is</source>
+        <translation>F ist 0: In der Positionsregelung würde es nach dem Ort des Ziels drücken, nicht nach seiner Entfernung</translation>
+    </message>
+    <message>
+        <source>F is 0: with an integral both would give what friction and speed take, and it would overshoot</source>
+        <translation>F ist 0: Zusammen mit einem Integral gäben beide, was Reibung und Drehzahl brauchen, und es schwänge über</translation>
     </message>
 </context>
 </TS>

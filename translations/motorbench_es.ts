@@ -2032,6 +2032,18 @@
         <source>Arm the device first: hold the Arm button for 1 s.</source>
         <translation>Arme antes el dispositivo: mantenga pulsado Armar 1 s.</translation>
     </message>
+    <message>
+        <source>Responses over each other</source>
+        <translation>Respuestas superpuestas</translation>
+    </message>
+    <message>
+        <source>forwards</source>
+        <translation>hacia delante</translation>
+    </message>
+    <message>
+        <source>backwards</source>
+        <translation>hacia atrás</translation>
+    </message>
 </context>
 <context>
     <name>mb::BenchText</name>
@@ -5122,18 +5134,6 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
 <context>
     <name>mb::ModelPanel</name>
     <message>
-        <source>as fresh as the position</source>
-        <translation>tan actual como la posición</translation>
-    </message>
-    <message>
-        <source>rolling, %1</source>
-        <translation>móvil, %1</translation>
-    </message>
-    <message>
-        <source>block, %1</source>
-        <translation>por bloques, %1</translation>
-    </message>
-    <message>
         <source>Model</source>
         <translation>Modelo</translation>
     </message>
@@ -5150,36 +5150,20 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <translation>no fiable</translation>
     </message>
     <message>
-        <source>gain K</source>
-        <translation>ganancia K</translation>
-    </message>
-    <message>
         <source>counts/s</source>
         <translation>counts/s</translation>
     </message>
     <message>
-        <source>lag τ</source>
-        <translation>constante τ</translation>
-    </message>
-    <message>
-        <source>ms</source>
-        <translation>ms</translation>
-    </message>
-    <message>
-        <source>dead time θ</source>
-        <translation>tiempo muerto θ</translation>
-    </message>
-    <message>
-        <source>friction kS</source>
-        <translation>fricción kS</translation>
-    </message>
-    <message>
-        <source>% duty</source>
-        <translation>% de ciclo</translation>
-    </message>
-    <message>
         <source>velocity filter</source>
         <translation>filtro de velocidad</translation>
+    </message>
+    <message>
+        <source>All figures</source>
+        <translation>Todos los valores</translation>
+    </message>
+    <message>
+        <source>Fold</source>
+        <translation>Plegar</translation>
     </message>
 </context>
 <context>
@@ -5414,10 +5398,6 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     <message>
         <source>own</source>
         <translation>propia</translation>
-    </message>
-    <message>
-        <source>by two sliders</source>
-        <translation>con dos deslizadores</translation>
     </message>
     <message>
         <source>Own proposal</source>
@@ -7834,10 +7814,6 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
         <translation>Constante τ</translation>
     </message>
     <message>
-        <source>Dead time θ of the loop</source>
-        <translation>Tiempo muerto θ del lazo</translation>
-    </message>
-    <message>
         <source>Friction kS</source>
         <translation>Fricción kS</translation>
     </message>
@@ -8153,16 +8129,24 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
         <translation>Ruido en reposo σ</translation>
     </message>
     <message>
-        <source>From an order to its motion</source>
-        <translation>De la orden al movimiento</translation>
-    </message>
-    <message>
         <source>Set-points that it can follow: at most %1 and %2</source>
         <translation>Consignas que puede seguir: como máximo %1 y %2</translation>
     </message>
     <message>
         <source>to be looked at</source>
         <translation>para revisar</translation>
+    </message>
+    <message>
+        <source>Order to motion</source>
+        <translation>Orden a movimiento</translation>
+    </message>
+    <message>
+        <source>Dead time θ</source>
+        <translation>Tiempo muerto θ</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>counts</translation>
     </message>
 </context>
 <context>
@@ -10582,6 +10566,10 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>motor turns %1 s</source>
         <translation>el motor gira %1 s</translation>
+    </message>
+    <message>
+        <source>Identify and Autotune push first: %1</source>
+        <translation>Identificar y Autoajuste empujan primero: %1</translation>
     </message>
 </context>
 <context>
@@ -17714,6 +17702,14 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>a regression of mean speeds makes the lag %1, %2 beside what was fitted</source>
         <translation>una regresión de velocidades medias da una constante de tiempo de %1, %2 respecto al ajuste</translation>
+    </message>
+    <message>
+        <source>F is 0: in a position loop it would push by where the target lies, not by how far it is</source>
+        <translation>F es 0: en un lazo de posición empujaría según dónde está el objetivo, no según lo lejos que está</translation>
+    </message>
+    <message>
+        <source>F is 0: with an integral both would give what friction and speed take, and it would overshoot</source>
+        <translation>F es 0: junto con una integral ambos darían lo que piden la fricción y la velocidad, y habría sobreimpulso</translation>
     </message>
 </context>
 </TS>

@@ -2032,6 +2032,18 @@
         <source>Arm the device first: hold the Arm button for 1 s.</source>
         <translation>Armez d’abord l’appareil&#xa0;: maintenez le bouton Armer pendant 1 s.</translation>
     </message>
+    <message>
+        <source>Responses over each other</source>
+        <translation>Réponses superposées</translation>
+    </message>
+    <message>
+        <source>forwards</source>
+        <translation>en avant</translation>
+    </message>
+    <message>
+        <source>backwards</source>
+        <translation>en arrière</translation>
+    </message>
 </context>
 <context>
     <name>mb::BenchText</name>
@@ -5122,18 +5134,6 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
 <context>
     <name>mb::ModelPanel</name>
     <message>
-        <source>as fresh as the position</source>
-        <translation>aussi récente que la position</translation>
-    </message>
-    <message>
-        <source>rolling, %1</source>
-        <translation>glissante, %1</translation>
-    </message>
-    <message>
-        <source>block, %1</source>
-        <translation>par bloc, %1</translation>
-    </message>
-    <message>
         <source>Model</source>
         <translation>Modèle</translation>
     </message>
@@ -5150,36 +5150,20 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <translation>non crédible</translation>
     </message>
     <message>
-        <source>gain K</source>
-        <translation>gain K</translation>
-    </message>
-    <message>
         <source>counts/s</source>
         <translation>counts/s</translation>
     </message>
     <message>
-        <source>lag τ</source>
-        <translation>constante τ</translation>
-    </message>
-    <message>
-        <source>ms</source>
-        <translation>ms</translation>
-    </message>
-    <message>
-        <source>dead time θ</source>
-        <translation>temps mort θ</translation>
-    </message>
-    <message>
-        <source>friction kS</source>
-        <translation>frottement kS</translation>
-    </message>
-    <message>
-        <source>% duty</source>
-        <translation>% rapp. cycl.</translation>
-    </message>
-    <message>
         <source>velocity filter</source>
         <translation>filtre de vitesse</translation>
+    </message>
+    <message>
+        <source>All figures</source>
+        <translation>Toutes les valeurs</translation>
+    </message>
+    <message>
+        <source>Fold</source>
+        <translation>Replier</translation>
     </message>
 </context>
 <context>
@@ -5414,10 +5398,6 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     <message>
         <source>own</source>
         <translation>propre</translation>
-    </message>
-    <message>
-        <source>by two sliders</source>
-        <translation>avec deux curseurs</translation>
     </message>
     <message>
         <source>Own proposal</source>
@@ -7834,10 +7814,6 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
         <translation>Constante de temps τ</translation>
     </message>
     <message>
-        <source>Dead time θ of the loop</source>
-        <translation>Temps mort θ de la boucle</translation>
-    </message>
-    <message>
         <source>Friction kS</source>
         <translation>Frottement kS</translation>
     </message>
@@ -8153,16 +8129,24 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
         <translation>Bruit au repos σ</translation>
     </message>
     <message>
-        <source>From an order to its motion</source>
-        <translation>De l’ordre au mouvement</translation>
-    </message>
-    <message>
         <source>Set-points that it can follow: at most %1 and %2</source>
         <translation>Consignes qu’il peut suivre&#xa0;: au plus %1 et %2</translation>
     </message>
     <message>
         <source>to be looked at</source>
         <translation>à examiner</translation>
+    </message>
+    <message>
+        <source>Order to motion</source>
+        <translation>Ordre au mouvement</translation>
+    </message>
+    <message>
+        <source>Dead time θ</source>
+        <translation>Temps mort θ</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>counts</translation>
     </message>
 </context>
 <context>
@@ -10582,6 +10566,10 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>motor turns %1 s</source>
         <translation>le moteur tourne %1 s</translation>
+    </message>
+    <message>
+        <source>Identify and Autotune push first: %1</source>
+        <translation>Identifier et Autoréglage poussent d’abord : %1</translation>
     </message>
 </context>
 <context>
@@ -17714,6 +17702,14 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>a regression of mean speeds makes the lag %1, %2 beside what was fitted</source>
         <translation>une régression de vitesses moyennes donne une constante de temps de %1, à %2 de l’ajustement</translation>
+    </message>
+    <message>
+        <source>F is 0: in a position loop it would push by where the target lies, not by how far it is</source>
+        <translation>F vaut 0 : dans une boucle de position il pousserait selon la place de la cible, et non selon sa distance</translation>
+    </message>
+    <message>
+        <source>F is 0: with an integral both would give what friction and speed take, and it would overshoot</source>
+        <translation>F vaut 0 : avec une intégrale, les deux donneraient ce que prennent le frottement et la vitesse, et il y aurait un dépassement</translation>
     </message>
 </context>
 </TS>

@@ -2030,6 +2030,18 @@
         <source>Arm the device first: hold the Arm button for 1 s.</source>
         <translation>先に機器を駆動許可してください: 駆動許可ボタンを 1 s 押し続けます。</translation>
     </message>
+    <message>
+        <source>Responses over each other</source>
+        <translation>応答の重ね表示</translation>
+    </message>
+    <message>
+        <source>forwards</source>
+        <translation>正方向</translation>
+    </message>
+    <message>
+        <source>backwards</source>
+        <translation>逆方向</translation>
+    </message>
 </context>
 <context>
     <name>mb::BenchText</name>
@@ -5115,18 +5127,6 @@ Double click or Enter plots it; drag it to a plot.</source>
 <context>
     <name>mb::ModelPanel</name>
     <message>
-        <source>as fresh as the position</source>
-        <translation>位置と同じ鮮度</translation>
-    </message>
-    <message>
-        <source>rolling, %1</source>
-        <translation>移動平均、%1</translation>
-    </message>
-    <message>
-        <source>block, %1</source>
-        <translation>ブロック、%1</translation>
-    </message>
-    <message>
         <source>Model</source>
         <translation>モデル</translation>
     </message>
@@ -5143,36 +5143,20 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>信頼性なし</translation>
     </message>
     <message>
-        <source>gain K</source>
-        <translation>ゲイン K</translation>
-    </message>
-    <message>
         <source>counts/s</source>
         <translation>counts/s</translation>
     </message>
     <message>
-        <source>lag τ</source>
-        <translation>時定数 τ</translation>
-    </message>
-    <message>
-        <source>ms</source>
-        <translation>ms</translation>
-    </message>
-    <message>
-        <source>dead time θ</source>
-        <translation>むだ時間 θ</translation>
-    </message>
-    <message>
-        <source>friction kS</source>
-        <translation>摩擦 kS</translation>
-    </message>
-    <message>
-        <source>% duty</source>
-        <translation>% デューティ</translation>
-    </message>
-    <message>
         <source>velocity filter</source>
         <translation>速度フィルタ</translation>
+    </message>
+    <message>
+        <source>All figures</source>
+        <translation>すべての値</translation>
+    </message>
+    <message>
+        <source>Fold</source>
+        <translation>折りたたむ</translation>
     </message>
 </context>
 <context>
@@ -5407,10 +5391,6 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>own</source>
         <translation>独自</translation>
-    </message>
-    <message>
-        <source>by two sliders</source>
-        <translation>2 つのスライダで設定</translation>
     </message>
     <message>
         <source>Own proposal</source>
@@ -7825,10 +7805,6 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <translation>時定数 τ</translation>
     </message>
     <message>
-        <source>Dead time θ of the loop</source>
-        <translation>ループのむだ時間 θ</translation>
-    </message>
-    <message>
         <source>Friction kS</source>
         <translation>摩擦 kS</translation>
     </message>
@@ -8143,16 +8119,24 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <translation>静止時のノイズ σ</translation>
     </message>
     <message>
-        <source>From an order to its motion</source>
-        <translation>指令から動き出すまで</translation>
-    </message>
-    <message>
         <source>Set-points that it can follow: at most %1 and %2</source>
         <translation>追従できる目標値: 最大 %1、%2</translation>
     </message>
     <message>
         <source>to be looked at</source>
         <translation>要確認</translation>
+    </message>
+    <message>
+        <source>Order to motion</source>
+        <translation>指令から動き出し</translation>
+    </message>
+    <message>
+        <source>Dead time θ</source>
+        <translation>むだ時間 θ</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>counts</translation>
     </message>
 </context>
 <context>
@@ -10568,6 +10552,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>motor turns %1 s</source>
         <translation>モーターが %1 秒回転</translation>
+    </message>
+    <message>
+        <source>Identify and Autotune push first: %1</source>
+        <translation>同定とオートチューニングは先に押します: %1</translation>
     </message>
 </context>
 <context>
@@ -17700,6 +17688,14 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>a regression of mean speeds makes the lag %1, %2 beside what was fitted</source>
         <translation>平均速度の回帰による時定数は %1、フィッティングとの差は %2</translation>
+    </message>
+    <message>
+        <source>F is 0: in a position loop it would push by where the target lies, not by how far it is</source>
+        <translation>F は 0 です: 位置ループでは、目標までの距離ではなく目標の位置に応じて押してしまいます</translation>
+    </message>
+    <message>
+        <source>F is 0: with an integral both would give what friction and speed take, and it would overshoot</source>
+        <translation>F は 0 です: 積分があると、摩擦と速度に必要な分を両方が出し、オーバーシュートします</translation>
     </message>
 </context>
 </TS>

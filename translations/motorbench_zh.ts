@@ -2030,6 +2030,18 @@
         <source>Arm the device first: hold the Arm button for 1 s.</source>
         <translation>请先解锁设备：按住“解锁”按钮 1 s。</translation>
     </message>
+    <message>
+        <source>Responses over each other</source>
+        <translation>响应叠加显示</translation>
+    </message>
+    <message>
+        <source>forwards</source>
+        <translation>正向</translation>
+    </message>
+    <message>
+        <source>backwards</source>
+        <translation>反向</translation>
+    </message>
 </context>
 <context>
     <name>mb::BenchText</name>
@@ -5115,18 +5127,6 @@ Double click or Enter plots it; drag it to a plot.</source>
 <context>
     <name>mb::ModelPanel</name>
     <message>
-        <source>as fresh as the position</source>
-        <translation>与位置同样及时</translation>
-    </message>
-    <message>
-        <source>rolling, %1</source>
-        <translation>滑动，%1</translation>
-    </message>
-    <message>
-        <source>block, %1</source>
-        <translation>分块，%1</translation>
-    </message>
-    <message>
         <source>Model</source>
         <translation>模型</translation>
     </message>
@@ -5143,36 +5143,20 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>不可信</translation>
     </message>
     <message>
-        <source>gain K</source>
-        <translation>增益 K</translation>
-    </message>
-    <message>
         <source>counts/s</source>
         <translation>counts/s</translation>
     </message>
     <message>
-        <source>lag τ</source>
-        <translation>滞后 τ</translation>
-    </message>
-    <message>
-        <source>ms</source>
-        <translation>ms</translation>
-    </message>
-    <message>
-        <source>dead time θ</source>
-        <translation>死区时间 θ</translation>
-    </message>
-    <message>
-        <source>friction kS</source>
-        <translation>摩擦 kS</translation>
-    </message>
-    <message>
-        <source>% duty</source>
-        <translation>% 占空比</translation>
-    </message>
-    <message>
         <source>velocity filter</source>
         <translation>速度滤波器</translation>
+    </message>
+    <message>
+        <source>All figures</source>
+        <translation>全部数值</translation>
+    </message>
+    <message>
+        <source>Fold</source>
+        <translation>收起</translation>
     </message>
 </context>
 <context>
@@ -5407,10 +5391,6 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>own</source>
         <translation>自定</translation>
-    </message>
-    <message>
-        <source>by two sliders</source>
-        <translation>用两个滑块</translation>
     </message>
     <message>
         <source>Own proposal</source>
@@ -7825,10 +7805,6 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <translation>滞后 τ</translation>
     </message>
     <message>
-        <source>Dead time θ of the loop</source>
-        <translation>回路死区时间 θ</translation>
-    </message>
-    <message>
         <source>Friction kS</source>
         <translation>摩擦 kS</translation>
     </message>
@@ -8143,16 +8119,24 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <translation>静止时噪声 σ</translation>
     </message>
     <message>
-        <source>From an order to its motion</source>
-        <translation>从指令到开始运动</translation>
-    </message>
-    <message>
         <source>Set-points that it can follow: at most %1 and %2</source>
         <translation>能跟随的设定值：最多 %1 和 %2</translation>
     </message>
     <message>
         <source>to be looked at</source>
         <translation>需要查看</translation>
+    </message>
+    <message>
+        <source>Order to motion</source>
+        <translation>指令到运动</translation>
+    </message>
+    <message>
+        <source>Dead time θ</source>
+        <translation>死区时间 θ</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>counts</translation>
     </message>
 </context>
 <context>
@@ -10568,6 +10552,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>motor turns %1 s</source>
         <translation>电机转动 %1 s</translation>
+    </message>
+    <message>
+        <source>Identify and Autotune push first: %1</source>
+        <translation>辨识和自整定会先推动电机：%1</translation>
     </message>
 </context>
 <context>
@@ -17700,6 +17688,14 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>a regression of mean speeds makes the lag %1, %2 beside what was fitted</source>
         <translation>平均速度的回归给出滞后 %1，与拟合值相差 %2</translation>
+    </message>
+    <message>
+        <source>F is 0: in a position loop it would push by where the target lies, not by how far it is</source>
+        <translation>F 为 0：在位置环中它会按目标所在的位置出力，而不是按与目标的距离出力</translation>
+    </message>
+    <message>
+        <source>F is 0: with an integral both would give what friction and speed take, and it would overshoot</source>
+        <translation>F 为 0：有积分时，两者都会给出摩擦和速度所需的输出，从而产生超调</translation>
     </message>
 </context>
 </TS>

@@ -4,11 +4,11 @@
 #include "app/console/table.h"
 #include "app/console/target.h"
 #include "files/filebytes.h"
+#include "tuning/feedforwardnote.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -78,6 +78,12 @@ QJsonValue qualityToJson(const TuneReport &report)
     return gates;
 }
 
+QJsonArray notesToJson(const TuneReport &report)
+{
+    const Message note = feedForwardNote(report);
+    return note.empty() ? QJsonArray() : QJsonArray{qt(note.english())};
+}
+
 std::string briefly(const std::optional<double> &value, double scale, const char *unit)
 {
     return value ? brief(*value * scale) + unit : std::string("-");
@@ -112,13 +118,6 @@ void printModel(Output &out, const TuneReport &report)
     }
 }
 
-/// F is written, so that one that was there does not stay.
-bool hasIdleFeedForward(const ScaledGains &gains)
-{
-    return std::any_of(gains.rows.begin(), gains.rows.end(),
-        [](const ScaledGains::Row &row) { return row.role == Role::FeedForward && row.raw == 0; });
-}
-
 void printGains(Output &out, const TuneReport &report)
 {
     Table table({"gain", "from", "to", "raw"});
@@ -131,8 +130,8 @@ void printGains(Output &out, const TuneReport &report)
         table.add({row.key, from, brief(row.number), std::to_string(row.raw)});
     }
     table.print(out);
-    if (hasIdleFeedForward(report.proposed))
-        out.line("F is 0: with an integral both would give what friction and speed take, and it would overshoot");
+    if (const Message note = feedForwardNote(report); !note.empty())
+        out.line(note.english());
     if (report.margins)
         out.line("margins: Ms " + brief(report.margins->ms) + ", gain " + brief(report.margins->gain) + ", phase "
             + brief(report.margins->phase) + "°");
@@ -162,7 +161,7 @@ QJsonObject toJson(const TuneReport &report)
         {QStringLiteral("simulated"), report.simulated}, {QStringLiteral("stopped"), report.stopped},
         {QStringLiteral("seconds"), report.seconds}, {QStringLiteral("trials"), trials},
         {QStringLiteral("evidence"), qt(report.evidence.english())}, {QStringLiteral("quality"), qualityToJson(report)},
-        {QStringLiteral("gains"), gainsToJson(report)}};
+        {QStringLiteral("gains"), gainsToJson(report)}, {QStringLiteral("notes"), notesToJson(report)}};
     object.insert(QStringLiteral("model"), report.motor ? QJsonValue(modelToJson(report)) : QJsonValue());
     object.insert(QStringLiteral("predicted"),
         report.predicted ? QJsonValue(metricsToJson(report.predicted->metrics)) : QJsonValue());

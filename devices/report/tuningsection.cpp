@@ -5,9 +5,11 @@
 #include "model/family.h"
 #include "report/htmltext.h"
 #include "report/metricwords.h"
+#include "report/modelfigures.h"
 #include "report/svgplot.h"
 #include "report/trialsection.h"
 #include "tuning/envelope.h"
+#include "tuning/feedforwardnote.h"
 
 #include <algorithm>
 #include <array>
@@ -44,64 +46,24 @@ QString verdictHtml(const TuneReport &report)
     return {};
 }
 
-QString filterWords(const std::optional<VelocityFilter> &filter)
-{
-    if (!filter)
-        return figure(std::nullopt);
-    const QString window = figure(1e3 * filter->window, 3, QStringLiteral("ms"));
-    switch (filter->kind) {
-    case VelocityFilter::Kind::None: return ReportText::tr("none, as fresh as the position");
-    case VelocityFilter::Kind::Rolling: return ReportText::tr("rolling, %1").arg(window);
-    case VelocityFilter::Kind::Block: return ReportText::tr("in blocks, %1").arg(window);
-    }
-    return {};
-}
-
-/// What the two directions tell apart, and what was seen before and at the begin of a push.
-void addWays(const MotorFound &motor, const Report &whole, HtmlTable &table)
-{
-    const QString unit = whole.phrase ? whole.phrase(Message::label(motor.unit)) : qt(motor.unit);
-    if (motor.line.forward > 0.0 && motor.line.reverse > 0.0) {
-        table.add({ReportText::tr("Load one way kG"), strong(figure(100.0 * motor.line.offset, 4)),
-            figure(100.0 * motor.line.offsetError, 2), ReportText::tr("% duty")});
-        table.add({ReportText::tr("Gain forwards"), strong(figure(motor.line.forward, 4)), QString(), unit});
-        table.add({ReportText::tr("Gain backwards"), strong(figure(motor.line.reverse, 4)), QString(), unit});
-    }
-    if (motor.restNoise)
-        table.add({ReportText::tr("Noise at rest σ"), strong(figure(*motor.restNoise, 2)), QString(),
-            QStringLiteral("counts")});
-    if (motor.latency)
-        table.add({ReportText::tr("From an order to its motion"), strong(figure(1e3 * *motor.latency, 3)), QString(),
-            QStringLiteral("ms")});
-}
-
 QString modelHtml(const TuneReport &report, const Report &whole)
 {
     HtmlTable table(QStringLiteral("lrrl"),
         {ReportText::tr("Model"), ReportText::tr("Value"), QStringLiteral("±"), ReportText::tr("Unit")});
-    const auto add = [&table](const QString &name, double value, std::optional<double> error, const QString &unit) {
-        table.add({name, strong(figure(value, 4)), figure(error, 2), unit});
-    };
-    const std::optional<MotorFound> &motor = report.motor;
-    const auto error = [&motor](double of) { return motor ? std::optional(of) : std::nullopt; };
-    const MotorFound found = motor.value_or(MotorFound());
-    add(ReportText::tr("Gain K"), report.plant.gain, error(found.line.gainError),
-        whole.phrase ? whole.phrase(Message::label(found.unit)) : qt(found.unit));
-    add(ReportText::tr("Lag τ"), 1e3 * report.plant.tau, error(1e3 * found.pushes.tauError), QStringLiteral("ms"));
-    add(ReportText::tr("Dead time θ of the loop"), 1e3 * report.plant.delay, error(1e3 * found.pushes.delayError),
-        QStringLiteral("ms"));
-    add(ReportText::tr("Friction kS"), 100.0 * report.plant.friction, error(100.0 * found.line.frictionError),
-        ReportText::tr("% duty"));
-    if (motor)
-        addWays(*motor, whole, table);
+    for (const ModelFigure &found : modelFigures(report, whole.phrase))
+        table.add({found.name, strong(figure(found.value, found.digits)),
+            found.error ? figure(*found.error, 2) : QString(), found.unit});
     QString html = table.html();
     if (report.profile)
-        html += paragraph(ReportText::tr("Set-points that it can follow: at most %1 and %2")
-                              .arg(figure(report.profile->speed, 4, QStringLiteral("counts/s")),
-                                  figure(report.profile->acceleration, 4, QStringLiteral("counts/s²"))),
+        html += paragraph(profileWords(figure(report.profile->speed, 4, QStringLiteral("counts/s")),
+                              figure(report.profile->acceleration, 4, QStringLiteral("counts/s²"))),
             "dim");
-    if (motor)
-        html += paragraph(ReportText::tr("Velocity filter of the device: %1").arg(filterWords(motor->filter)), "dim");
+    if (const std::optional<MotorFound> &motor = report.motor)
+        html += paragraph(ReportText::tr("Velocity filter of the device: %1")
+                              .arg(motor->filter ? filterWords(motor->filter->kind,
+                                       figure(1e3 * motor->filter->window, 3, QStringLiteral("ms")))
+                                                 : figure(std::nullopt)),
+            "dim");
     return html;
 }
 
@@ -133,7 +95,10 @@ QString gainsHtml(const TuneReport &report, const ReportUnit &unit, const Report
         table.add({gainLabel(unit, row.key, whole), figure(from, 6), strong(figure(row.number, 6)),
             QString::number(row.raw)});
     }
-    return table.html();
+    const Message note = feedForwardNote(report, unit.family);
+    return table.html()
+        + (note.empty() ? QString()
+                        : paragraph(escaped(whole.phrase ? whole.phrase(note) : qt(note.english())), "dim"));
 }
 
 QString proofHtml(const TuneReport &report)

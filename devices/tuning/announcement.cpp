@@ -74,6 +74,11 @@ Extent extentOf(const ExperimentPlan &plan, const Trial &trial, double origin, d
     return extent;
 }
 
+Extent extentOf(const Envelope &bounds)
+{
+    return {bounds.duty.value_or(1.0), bounds.speed, bounds.travel};
+}
+
 Message textOf(const Extent &extent)
 {
     const double travel = roundedUp(extent.travel.value_or(0.0)); // without a bound of it nothing moves

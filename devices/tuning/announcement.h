@@ -15,6 +15,9 @@ struct Extent {
 /// `gain` of the motor, counts/s per duty at most; 0: not known, and its guards alone are the bound.
 [[nodiscard]] Extent extentOf(const ExperimentPlan &plan, const Trial &trial, double origin, double gain);
 
+/// Of whatever stays within these bounds, where nothing more is known of it.
+[[nodiscard]] Extent extentOf(const Envelope &bounds);
+
 /// In a sentence, rounded up to two figures.
 [[nodiscard]] Message textOf(const Extent &extent);
 

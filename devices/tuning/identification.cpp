@@ -94,10 +94,11 @@ std::optional<double> restNoiseOf(const Trial &trial)
         return std::nullopt;
     double mean = 0.0;
     double squares = 0.0;
+    const double first = rest.y.front(); // a position that does not change has no noise, however large it is
     for (const double y : rest.y)
-        mean += y / static_cast<double>(rest.size());
+        mean += (y - first) / static_cast<double>(rest.size());
     for (const double y : rest.y)
-        squares += (y - mean) * (y - mean);
+        squares += (y - first - mean) * (y - first - mean);
     return std::sqrt(squares / static_cast<double>(rest.size() - 1));
 }
 

@@ -23,6 +23,19 @@ constexpr double longestCurrent = 0.2; ///< s
 constexpr double aroundTrial = 1.5;    ///< s, to set it up and to come to rest
 constexpr double aroundStep = 0.3;     ///< s before each step
 
+/// As each way is announced when it is run.
+Extent extentOfProof(const ProposalBasis &basis, double step, double hold, int repeats)
+{
+    ExperimentPlan plan;
+    plan.mode = basis.loop;
+    plan.repeat = repeats;
+    Trial trial;
+    trial.envelope = basis.envelope;
+    trial.stimulus.to = step;
+    trial.stimulus.time = hold;
+    return extentOf(plan, trial, 0.0, basis.loop == Mode::Current ? 0.0 : basis.plant.gain);
+}
+
 } // namespace
 
 double proofHold(Mode loop, const ContinuousGains &gains, const Prediction &predicted)
@@ -54,6 +67,7 @@ ProofCourse courseOf(const ProposalBasis &basis, const Proposal &proposal)
     course.slot = basis.family.capabilities.gainSlots > 1 ? 1 - basis.slot : basis.slot;
     course.steps = 2 * repeats;
     course.seconds = 2.0 * proofSeconds(hold, repeats);
+    course.extent = extentOfProof(basis, proposal.step, hold, repeats);
     course.limits = proofLimits(proposal.predicted.metrics, proposal.step, resting);
     return course;
 }

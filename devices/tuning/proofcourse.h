@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tuning/announcement.h"
 #include "tuning/proposals.h"
 
 namespace mb::tuning {
@@ -17,6 +18,7 @@ struct ProofCourse {
     int slot = 0;         ///< that it is tried in: the one that the result is not for, where there are two
     int steps = 0;        ///< both ways together
     double seconds = 0.0; ///< of the motor, at most
+    Extent extent;        ///< of the steps of one way
     ProofLimits limits;   ///< within which it is kept
 };
 [[nodiscard]] ProofCourse courseOf(const ProposalBasis &basis, const Proposal &proposal);

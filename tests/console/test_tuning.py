@@ -111,6 +111,7 @@ class Tune(ContractTest):
         self.assertAlmostEqual(row["model"]["window"], 0.1, delta=0.01)
         self.assertLess(row["margins"]["ms"], 1.6)
         self.assertIsNone(row["measured"])
+        self.assertEqual([note.split(":")[0] for note in row["notes"]], ["F is 0"])
         self.assertEqual(self.run_one("get", LIVELY), before)
         self.assertLessEqual({"load", "load_error", "forward", "reverse", "noise", "latency"}, row["model"].keys())
         for way in ("forward", "reverse"):
@@ -130,6 +131,7 @@ class Tune(ContractTest):
             self.assertLessEqual(float(speed), 90000)
             self.assertLessEqual(float(travel), 400000)
         self.assertLess(min(float(travel) for _, _, travel in told[1:]), 400000, "what is expected, not only its limit")
+        self.assertNotIn("e-", run.out.split("noise at rest")[1].split("counts")[0], "a position that stands has no noise")
         for row in ("load one way", "gain forward", "gain reverse", "noise at rest", "order to motion", "profile:", "F is 0"):
             self.assertIn(row, run.out)
 
@@ -191,6 +193,15 @@ class Trouble(ContractTest):
     def test_a_unit_that_loses_its_power_for_a_moment_is_stopped_by_its_guard(self):
         row = self.ended_in_error(4, "restarted", "sim:can?fault=power@900/dmc60c:5")
         self.assertTrue(row["stopped"])
+
+    def test_gains_that_overshoot_when_they_are_proven_are_rolled_back_with_status_one(self):
+        row, run = self.ended(1, CIM, "--response", "0.02", "--damping", "2.5")
+        self.assertEqual((row["result"], row["stopped"]), ("rolled-back", True), run.err)
+        self.assertRegex(row["evidence"], r"overshot by \d+\.\d %, predicted were \d+\.\d %")
+        self.assertGreater(row["measured"]["overshoot"], 0.075)
+        self.assertGreater(len(row["gains"]), 1, "what was tried is told")
+        for gain in row["gains"].values():
+            self.assertIsNotNone(gain["from"])
 
     def test_what_leaves_no_room_to_identify_is_refused_with_status_one_and_no_gain_changes(self):
         row, run = self.ended(1, CIM, "--travel", "3000")

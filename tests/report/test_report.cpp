@@ -127,15 +127,19 @@ TEST(Report, TellsBothDirectionsApartAndWhatASetPointMayAskFor)
 {
     const QString html = htmlOf(reportOf(true));
     for (const char *word : {"Load one way kG", "1.23", "0.45", "Gain forwards", "106000", "Gain backwards", "103000",
-             "Noise at rest", "0.37", "From an order to its motion", "13.7", "82000", "491000", "counts/s²"})
+             "Noise at rest", "0.37", "Order to motion", "13.7", "82000", "491000", "counts/s²"})
         EXPECT_TRUE(html.contains(QString::fromUtf8(word))) << word;
+    EXPECT_FALSE(html.contains(QStringLiteral("F is 0")));
+    Report idle = reportOf(true);
+    idle.units.front().tunings.front().report.proposed.rows.push_back({"slot0.f", 0, 0.0});
+    EXPECT_TRUE(htmlOf(idle).contains(QStringLiteral("F is 0: with an integral")));
     Report unseen = reportOf(true);
     unseen.units.front().tunings.front().report.motor.emplace();
     unseen.units.front().tunings.front().report.gates.front().warns = true;
     const QString less = htmlOf(unseen);
     EXPECT_TRUE(less.contains(QStringLiteral("to be looked at")));
     EXPECT_FALSE(html.contains(QStringLiteral("to be looked at")));
-    for (const char *word : {"Load one way", "Gain forwards", "Noise at rest", "From an order"})
+    for (const char *word : {"Load one way", "Gain forwards", "Noise at rest", "Order to motion"})
         EXPECT_FALSE(less.contains(QString::fromUtf8(word))) << word;
 }
 

@@ -143,6 +143,9 @@ TEST(ProofCourse, SaysWhereHowLongAndWithinWhat)
     EXPECT_EQ(course.steps, 4);
     EXPECT_GT(course.seconds, 4.0 * proposal.predicted.metrics.settle.value());
     EXPECT_LT(course.seconds, 30.0);
+    EXPECT_DOUBLE_EQ(course.extent.duty, basis.envelope.duty.value_or(1.0));
+    EXPECT_GE(course.extent.speed.value_or(0.0), proposal.step);
+    EXPECT_GT(course.extent.travel.value_or(0.0), 2.0 * proposal.step * proposal.predicted.metrics.settle.value());
     Metrics measured = proposal.predicted.metrics;
     EXPECT_TRUE(judgeProof(measured, proposal.predicted.metrics, proposal.step, 0.0).empty());
     measured.overshoot = course.limits.overshoot + 0.01;

@@ -46,8 +46,8 @@ struct DesignBench {
     Recording recording{workbench.time};
     std::unique_ptr<DesignPage> page;
 
-    explicit DesignBench(double points = 10.0)
-        : theme(darkTheme(points))
+    explicit DesignBench(const Theme &look = darkTheme())
+        : theme(look)
     {
         workbench.shot.devices.push_back(tunableDrive(recording.telemetry()));
         LinkView link;

@@ -60,6 +60,8 @@ void renderAll(const Theme &theme, const QString &prefix, double zoom)
     render(doctorPage(source, true), size(1280, 560), prefix + s("-doctor-empty.png"));
     render(livePlotPage(source), size(1000, 760), prefix + s("-live.png"));
     render(trialPlotPage(source), size(700, 560), prefix + s("-trial.png"));
+    render(responsePage(source), size(1240, 740), prefix + s("-response.png"));
+    render(batteryPage(source), size(900, 860), prefix + s("-battery.png"));
 }
 
 } // namespace
@@ -154,6 +156,7 @@ int main(int argc, char **argv)
         font.setFamily(QString::fromLocal8Bit(argv[2]));
     font.setPointSizeF(10);
     app.setFont(font);
+    reportPicture().save(directory + s("/report.png"));
     renderAll(darkTheme(), directory + s("/dark"), 1);
     renderAll(lightTheme(), directory + s("/light"), 1);
     font.setPointSizeF(20);

@@ -337,7 +337,8 @@ void TestDesignPage::theColumnScrollsBeforeItIsSqueezed()
     QCoreApplication::processEvents();
     for (const ProposalCard *card : bench.cards()) {
         for (const QLabel *label : card->findChildren<QLabel *>())
-            QVERIFY2(label->height() >= label->minimumSizeHint().height(), qPrintable(label->text()));
+            QVERIFY2(
+                !label->isVisible() || label->height() >= label->minimumSizeHint().height(), qPrintable(label->text()));
     }
 }
 

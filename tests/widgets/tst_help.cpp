@@ -320,7 +320,7 @@ void HelpTest::picturesAreThere()
             ++seen;
         }
     }
-    QCOMPARE(seen, 15); // four drawings, five pictures, six of the page about the bench
+    QCOMPARE(seen, 18); // four drawings, eight pictures, six of the page about the bench
 }
 
 void HelpTest::drawingsWearTheTheme()

@@ -159,9 +159,14 @@ void CommandButton::paintEvent(QPaintEvent *)
 
     const QFontMetrics hints(hintFont());
     const int iconWidth = m_symbol ? theme.u(16 + 8) : 0;
-    const QString key = keyShown(*this, m_key);
-    const int hintWidth = key.isEmpty() ? 0 : theme.u(8) + hints.horizontalAdvance(key);
-    const int room = width() - theme.u(16) - iconWidth - hintWidth;
+    const int most = width() - theme.u(16) - iconWidth;
+    QString key = keyShown(*this, m_key);
+    int hintWidth = key.isEmpty() ? 0 : theme.u(8) + hints.horizontalAdvance(key);
+    if (hintWidth > 0 && fontMetrics().size(Qt::TextShowMnemonic, text()).width() > most - hintWidth) {
+        key.clear(); // the words matter more
+        hintWidth = 0;
+    }
+    const int room = most - hintWidth;
     const QString shown = fontMetrics().elidedText(text(), Qt::ElideRight, room, Qt::TextShowMnemonic);
     const int textWidth = fontMetrics().size(Qt::TextShowMnemonic, shown).width();
     int x = (width() - iconWidth - textWidth - hintWidth) / 2;

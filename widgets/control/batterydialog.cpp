@@ -8,6 +8,7 @@
 #include "widgets/common/numberformat.h"
 #include "widgets/control/trialwords.h"
 #include "widgets/control/wrappedlabel.h"
+#include "widgets/plots/curvelegend.h"
 #include "widgets/plots/curveplot.h"
 
 #include <QHeaderView>
@@ -64,20 +65,41 @@ BatteryDialog::BatteryDialog(Arming &arming, const ThemeSource &theme, QWidget *
     m_start->setKeyHint(QStringLiteral("F7"));
     m_start->setShortcut(Qt::Key_F7);
     m_start->setAutoDefault(false);
+    buildTable();
+    m_plot = new CurvePlot(theme, tr("Responses of the battery over each other"), this);
+    m_plot->setAxes(tr("s"), tr("share of the step"), false);
+    m_plot->setSurroundings({false, false});
+    column->addWidget(m_words);
+    column->addWidget(m_start, 0, Qt::AlignLeft);
+    column->addWidget(m_table, 3);
+    column->addWidget(namesOfWays(theme));
+    column->addWidget(m_plot, 3);
+    connect(m_start, &QPushButton::clicked, this, &BatteryDialog::run);
+    connect(&arming, &Arming::changed, this, &BatteryDialog::follow);
+}
+
+void BatteryDialog::buildTable()
+{
     m_table = new QTableWidget(0, static_cast<int>(columns.size()) + 1, this);
     m_table->setAccessibleName(tr("Steps of the battery and the worst of each metric"));
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    m_plot = new CurvePlot(theme, tr("Responses of the battery over each other"), this);
-    m_plot->setAxes(tr("s"), tr("share of the step"), false);
-    m_plot->setLegendPlace(Qt::AlignBottom | Qt::AlignRight);
-    column->addWidget(m_words);
-    column->addWidget(m_start, 0, Qt::AlignLeft);
-    column->addWidget(m_table, 3);
-    column->addWidget(m_plot, 3);
-    connect(m_start, &QPushButton::clicked, this, &BatteryDialog::run);
-    connect(&arming, &Arming::changed, this, &BatteryDialog::follow);
+    m_table->horizontalHeader()->setTextElideMode(Qt::ElideRight);
+}
+
+/// All of them have one colour; how each way is drawn is what tells them apart.
+QWidget *BatteryDialog::namesOfWays(const ThemeSource &theme)
+{
+    auto *names = new CurveLegend(theme, tr("Responses over each other"), this);
+    TraceLook look;
+    look.role = TraceRole::Velocity;
+    look.dash = TraceDash::Solid;
+    std::vector<CurveLegend::Entry> entries{{tr("forwards"), look, CurveLegend::Shape::Line}};
+    look.dash = TraceDash::Long;
+    entries.push_back({tr("backwards"), look, CurveLegend::Shape::Line});
+    names->setEntries(entries);
+    return names;
 }
 
 void BatteryDialog::setBattery(tuning::Battery battery, DeviceId device, const QString &unit)

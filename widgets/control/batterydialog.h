@@ -33,6 +33,8 @@ public:
     [[nodiscard]] CurvePlot &plot() { return *m_plot; }
 
 private:
+    void buildTable();
+    QWidget *namesOfWays(const ThemeSource &theme);
     void next();
     void ended(const Result<tuning::Trial> &trial);
     void addRow(const tuning::Trial &trial);

@@ -167,9 +167,11 @@ void AdviserList::show(const tuning::ProposalBasis &basis, const tuning::Proposa
 
 void AdviserList::clear()
 {
+    hide();
+    if (m_places.empty())
+        return;
     m_places.clear();
     rebuild();
-    hide();
 }
 
 void AdviserList::rebuild()
@@ -178,11 +180,27 @@ void AdviserList::rebuild()
         delete item->widget();
         delete item;
     }
+    m_quiet.clear();
+    m_lines.clear();
     for (const Place &place : m_places) {
-        if (m_rows->count() > 0)
-            m_rows->addWidget(separatorLine(Qt::Horizontal, m_box));
+        if (m_rows->count() > 0) {
+            QFrame *const line = separatorLine(Qt::Horizontal, m_box);
+            m_rows->addWidget(line);
+            line->setHidden(m_isBrief);
+            m_lines.push_back(line);
+        }
         addPlace(place);
     }
+    Q_EMIT rebuilt();
+}
+
+void AdviserList::setBrief(bool brief)
+{
+    m_isBrief = brief;
+    for (QLabel *words : m_quiet)
+        words->setHidden(brief);
+    for (QFrame *line : m_lines)
+        line->setHidden(brief);
 }
 
 void AdviserList::addPlace(const Place &place)
@@ -199,7 +217,13 @@ void AdviserList::addPlace(const Place &place)
     grid->addWidget(
         textLabel(adviceState(place.advice, place.staged), TextRole::Caption, adviceTone(state), box), 0, 2);
     grid->setColumnStretch(2, 1);
-    grid->addWidget(wrappedLabel(place.words, TextRole::Caption, Tone::Dim, box), 1, 1, 1, 2);
+    QLabel *const words = wrappedLabel(place.words, TextRole::Caption, Tone::Dim, box);
+    grid->addWidget(words, 1, 1, 1, 2);
+    if (state == State::Fine || state == State::Fixed) {
+        box->setToolTip(place.words);
+        words->setHidden(m_isBrief);
+        m_quiet.push_back(words);
+    }
     if (!place.advice.changes.empty()) {
         auto *const button = new QPushButton(place.staged
                 ? tr("Take back")

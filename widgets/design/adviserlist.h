@@ -9,6 +9,7 @@
 #include <functional>
 #include <vector>
 
+class QFrame;
 class QLabel;
 class QVBoxLayout;
 
@@ -26,8 +27,12 @@ public:
         const std::vector<tuning::SetAdvice> &advice, const std::function<bool(const tuning::SetAdvice &)> &isStaged);
     /// There is no set.
     void clear();
+    /// Where there is little room: what is in order has its words in its tooltip.
+    void setBrief(bool brief);
 
 Q_SIGNALS:
+    /// Other places take more or less room.
+    void rebuilt();
     /// To be staged, or no longer.
     void stageRequested(const mb::tuning::SetAdvice &advice, bool staged);
 
@@ -46,6 +51,9 @@ private:
     QVBoxLayout *m_rows = nullptr;
     QWidget *m_box = nullptr;
     std::vector<Place> m_places;
+    bool m_isBrief = false;
+    std::vector<QLabel *> m_quiet; ///< words of what is in order
+    std::vector<QFrame *> m_lines;
 };
 
 /// "D noise", in front of people.

@@ -18,7 +18,7 @@ constexpr double decadesAround = 1.3; ///< of the crossover, either way
 constexpr double lowestPhase = -285.0;
 constexpr double quarterTurn = 90.0;  ///< degrees between two labels
 constexpr double fullyTrusted = 0.97; ///< coherence
-constexpr int labelRoom = 62;         ///< units, beside both plots
+constexpr int labelRoom = 78;         ///< units, beside both plots
 
 double decibel(double ratio)
 {

@@ -44,32 +44,47 @@ DesignCourse::DesignCourse(
 {
     const Theme &look = theme.theme();
     auto *column = layoutIn<QVBoxLayout>(this, 0);
-    auto *area = new ScrollColumn(look, this);
-    m_advisers = new AdviserList(theme, area->content());
-    m_steps = new TuningSteps(theme, area->content());
-    area->rows().addWidget(m_advisers);
-    area->rows().addStretch(1);
-    area->rows().addWidget(m_steps);
-    column->addWidget(area, 1);
+    m_area = new ScrollColumn(look, this);
+    m_advisers = new AdviserList(theme, m_area->content());
+    m_steps = new TuningSteps(theme, m_area->content());
+    m_area->rows().addWidget(m_advisers);
+    m_area->rows().addStretch(1);
+    m_area->rows().addWidget(m_steps);
+    column->addWidget(m_area, 1);
     auto *foot = new QWidget(this);
     auto *row = layoutIn<QHBoxLayout>(foot, 0, {look.u(12), look.u(4), look.u(12), look.u(10)});
     row->addWidget(prove);
     column->addWidget(foot);
     connect(m_advisers, &AdviserList::stageRequested, this, &DesignCourse::stage);
+    connect(m_advisers, &AdviserList::rebuilt, this, &DesignCourse::fit, Qt::QueuedConnection); // once they are shown
+    connect(m_steps, &TuningSteps::rebuilt, this, &DesignCourse::fit, Qt::QueuedConnection);
+}
+
+void DesignCourse::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    fit();
+}
+
+/// What an adviser finds in order takes one line where there is no room for its words.
+void DesignCourse::fit()
+{
+    m_advisers->setBrief(false);
+    m_advisers->setBrief(!m_area->isInSight({m_advisers, m_steps}));
 }
 
 void DesignCourse::follow(const DeviceView &view, const OperationView *running, const Chosen &chosen)
 {
     if (!chosen.proposal || !m_book.report()) {
         m_advisers->clear();
-        m_steps->show(running, m_book.report(), nullptr);
+        m_steps->show(running, m_book.report(), nullptr, chosen.inForce);
         return;
     }
     advise(view, chosen);
     const TuningSteps::Ahead ahead{*view.family, *chosen.proposal,
         tuning::courseOf(m_book.basisOf(view, chosen.inForce), *chosen.proposal), m_book.choice().slot,
         view.family->capabilities.gainSlots, m_book.loop()};
-    m_steps->show(running, m_book.report(), &ahead);
+    m_steps->show(running, m_book.report(), &ahead, chosen.inForce);
 }
 
 void DesignCourse::advise(const DeviceView &view, const Chosen &chosen)

@@ -10,6 +10,7 @@
 namespace mb {
 
 class AdviserList;
+class ScrollColumn;
 class TuningSteps;
 
 /// The right column of the Design page: what is to be known of the chosen set, what will happen to it, and at the foot, always in sight,
@@ -29,12 +30,17 @@ public:
     /// Of the device that is shown; `running` while an order runs.
     void follow(const DeviceView &view, const OperationView *running, const Chosen &chosen);
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
+    void fit();
     void advise(const DeviceView &view, const Chosen &chosen);
     void stage(const tuning::SetAdvice &advice, bool staged);
 
     Workbench &m_workbench;
     DesignBook &m_book;
+    ScrollColumn *m_area = nullptr;
     AdviserList *m_advisers = nullptr;
     TuningSteps *m_steps = nullptr;
 };

@@ -5,11 +5,11 @@
 #include "tuning/verdict.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/emptystate.h"
-#include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
 #include "widgets/common/pagekeys.h"
 #include "widgets/control/envelopepanel.h"
 #include "widgets/control/experimentplan.h"
+#include "widgets/design/designcolumn.h"
 #include "widgets/design/designcourse.h"
 #include "widgets/design/designframe.h"
 #include "widgets/design/designorders.h"
@@ -17,7 +17,6 @@
 #include "widgets/design/modelpanel.h"
 #include "widgets/design/ownproposal.h"
 #include "widgets/design/proposallist.h"
-#include "widgets/design/scrollcolumn.h"
 #include "widgets/design/sweeppanel.h"
 #include "widgets/report/reportorder.h"
 
@@ -71,18 +70,13 @@ void DesignPage::buildContent(const ThemeSource &theme)
 
 QWidget *DesignPage::buildColumn(const ThemeSource &theme)
 {
-    auto *area = new ScrollColumn(theme.theme(), this);
-    QWidget *const column = area->content();
+    m_column = new DesignColumn(theme, this);
+    QWidget *const column = m_column->content();
     m_model = new ModelPanel(theme, column);
     m_envelope = new EnvelopePanel(theme, column);
     m_proposals = new ProposalList(m_book, *m_plots, theme, column);
-    area->rows().addWidget(m_model);
-    area->rows().addWidget(separatorLine(Qt::Horizontal, column));
-    area->rows().addWidget(m_proposals);
-    area->rows().addWidget(separatorLine(Qt::Horizontal, column));
-    area->rows().addWidget(m_envelope);
-    area->rows().addStretch(1);
-    return area;
+    m_column->setParts(m_model, m_proposals, m_envelope);
+    return m_column;
 }
 
 void DesignPage::connectOrders()
@@ -241,10 +235,10 @@ void DesignPage::follow()
 
 void DesignPage::followDevice(const DeviceView &view, const QString &whyNot)
 {
+    followLimits(view);
     const PageStatus now
         = whyNot.isEmpty() ? status() : PageStatus{GlyphState::Warning, tr("Not by itself"), whyNot, false};
     m_status->say(now);
-    followLimits(view);
     const OperationView *const job = m_workbench.snapshot().operation(view.id);
     const bool works = m_arming.isOnTrial() && job && job->status.state == OperationStatus::State::Running;
     if (std::exchange(m_shown, m_book.place()) != m_book.place())
@@ -278,6 +272,7 @@ void DesignPage::showReport()
     m_model->setReport(known);
     m_plots->setWatermark(known && known->simulated ? tr("DEMO") : QString());
     m_proposals->showReport();
+    m_column->fitSoon();
 }
 
 } // namespace mb

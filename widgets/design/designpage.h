@@ -11,6 +11,7 @@ class QStackedWidget;
 
 namespace mb {
 
+class DesignColumn;
 class DesignCourse;
 class DesignOrders;
 class DesignPlots;
@@ -80,6 +81,7 @@ private:
     DesignOrders *m_orders = nullptr;
     StatusLine *m_status = nullptr;
     DesignPlots *m_plots = nullptr;
+    DesignColumn *m_column = nullptr;
     ModelPanel *m_model = nullptr;
     EnvelopePanel *m_envelope = nullptr;
     DesignCourse *m_course = nullptr;

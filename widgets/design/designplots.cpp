@@ -11,7 +11,7 @@
 namespace mb {
 namespace {
 
-constexpr int stepLabelRoom = 62;   ///< units, as beside the Bode plot
+constexpr int stepLabelRoom = 78;   ///< units, as beside the Bode plot
 constexpr double belowZero = -0.02; ///< of the step
 
 } // namespace

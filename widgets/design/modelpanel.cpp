@@ -13,18 +13,31 @@
 namespace mb {
 namespace {
 
-constexpr int halfWidth = 140; ///< units, of two gates beside each other
+constexpr int halfWidth = 140;    ///< units, of two gates beside each other
+constexpr std::size_t inLine = 4; ///< figures
 
 enum Column { NameColumn, ValueColumn, ErrorColumn, UnitColumn };
 
-QString filterText(const tuning::VelocityFilter &filter)
+/// Counts of a velocity have no room for what they are counted by.
+QString unitText(const Message &unit)
 {
-    switch (filter.kind) {
-    case tuning::VelocityFilter::Kind::None: return ModelPanel::tr("as fresh as the position");
-    case tuning::VelocityFilter::Kind::Rolling: return ModelPanel::tr("rolling, %1").arg(formatDuration(filter.window));
-    case tuning::VelocityFilter::Kind::Block: return ModelPanel::tr("block, %1").arg(formatDuration(filter.window));
-    }
-    return {};
+    return unit.english() == tuning::MotorFound().unit ? ModelPanel::tr("counts/s") : messageText(unit);
+}
+
+QString withUnit(double value, const char *unit)
+{
+    return formatSignificant(value, 4) + QChar(0x00A0) + QString::fromUtf8(unit);
+}
+
+/// Those that a loop is designed on, by their letters.
+QString lineText(const std::vector<ModelFigure> &figures)
+{
+    QStringList words;
+    for (std::size_t i = 0; i < std::min(figures.size(), inLine); ++i)
+        words << QStringLiteral("%1 %2 %3")
+                     .arg(figures[i].symbol, formatSignificant(figures[i].value, i + 1 < inLine ? 3 : 2),
+                         figures[i].unit.section(QLatin1Char(' '), 0, 0));
+    return words.join(QStringLiteral(", "));
 }
 
 } // namespace
@@ -33,32 +46,64 @@ ModelPanel::ModelPanel(const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
     , m_theme(theme)
 {
-    const Theme &look = theme.theme();
-    auto *column = layoutIn<QVBoxLayout>(this, look.u(4));
-    auto *head = new QHBoxLayout;
-    head->addWidget(new SectionLabel(tr("Model"), this));
-    head->addStretch(1);
-    m_glyph = new StateGlyph(theme, GlyphState::Gone, this);
-    m_verdict = textLabel({}, TextRole::Emphasis, Tone::Text, this);
-    head->addWidget(m_glyph);
-    head->addWidget(m_verdict);
-    column->addLayout(head);
+    auto *column = layoutIn<QVBoxLayout>(this, theme.theme().u(4));
+    column->addWidget(buildHead());
     m_box = new QWidget(this);
     column->addWidget(m_box);
     setReport(nullptr);
 }
 
-void ModelPanel::addFigure(
-    int row, const QString &name, double value, std::optional<double> error, int digits, const QString &unit)
+QWidget *ModelPanel::buildHead()
 {
-    m_grid->addWidget(textLabel(name, TextRole::Body, Tone::Text, m_box), row, NameColumn);
-    m_grid->addWidget(textLabel(formatSignificant(value, digits), TextRole::Emphasis, Tone::Text, m_box), row,
-        ValueColumn, Qt::AlignRight);
-    if (error)
+    auto *head = new QWidget(this);
+    auto *const grid = layoutIn<QGridLayout>(head, 0);
+    auto *const row = new QHBoxLayout;
+    row->setSpacing(m_theme.theme().u(6));
+    row->addWidget(new SectionLabel(tr("Model"), head));
+    m_glyph = new StateGlyph(m_theme, GlyphState::Gone, head);
+    m_verdict = textLabel({}, TextRole::Emphasis, Tone::Text, head);
+    m_more = linkButton({}, head);
+    m_line = textLabel({}, TextRole::Caption, Tone::Dim, head);
+    m_line->hide();
+    row->addWidget(m_glyph);
+    row->addWidget(m_verdict);
+    row->addStretch(1);
+    grid->addLayout(row, 0, 0);
+    grid->addWidget(m_more, 0, 1);
+    grid->addWidget(m_line, 1, 0, 1, 2);
+    grid->setColumnStretch(0, 1);
+    connect(m_more, &QPushButton::clicked, this, [this] { Q_EMIT wanted(m_isFolded); });
+    return head;
+}
+
+void ModelPanel::setFolded(bool folded)
+{
+    m_isFolded = folded && m_mayFold;
+    m_line->setVisible(m_isFolded);
+    m_box->setVisible(!m_isFolded);
+    m_more->setVisible(m_mayFold);
+    m_more->setText(m_isFolded ? tr("All figures") : tr("Fold"));
+}
+
+void ModelPanel::addFigure(const ModelFigure &figure)
+{
+    const int row = m_grid->rowCount();
+    m_grid->addWidget(textLabel(figure.name, TextRole::Body, Tone::Text, m_box), row, NameColumn);
+    m_grid->addWidget(textLabel(formatSignificant(figure.value, figure.digits), TextRole::Emphasis, Tone::Text, m_box),
+        row, ValueColumn, Qt::AlignRight);
+    if (figure.error)
         m_grid->addWidget(
-            textLabel(QStringLiteral("± ") + formatSignificant(*error, 2), TextRole::Body, Tone::Dim, m_box), row,
-            ErrorColumn);
-    m_grid->addWidget(textLabel(unit, TextRole::Caption, Tone::Dim, m_box), row, UnitColumn);
+            textLabel(QStringLiteral("± ") + formatSignificant(*figure.error, 2), TextRole::Body, Tone::Dim, m_box),
+            row, ErrorColumn);
+    m_grid->addWidget(textLabel(figure.unit, TextRole::Caption, Tone::Dim, m_box), row, UnitColumn);
+}
+
+/// What is no number.
+void ModelPanel::addWords(const QString &name, const QString &words)
+{
+    const int row = m_grid->rowCount();
+    m_grid->addWidget(textLabel(name, TextRole::Body, Tone::Text, m_box), row, NameColumn);
+    m_grid->addWidget(textLabel(words, TextRole::Emphasis, Tone::Text, m_box), row, ValueColumn, 1, 3);
 }
 
 /// Two beside each other where both are short; a long one has the width for itself.
@@ -91,6 +136,30 @@ void ModelPanel::addGates(const std::vector<tuning::Gate> &gates)
     m_grid->addWidget(box, m_grid->rowCount(), NameColumn, 1, 4);
 }
 
+void ModelPanel::showNothing()
+{
+    m_grid->addWidget(wrappedLabel(tr("Nobody has identified this motor yet. Identify pushes it both ways with a part "
+                                      "of the duty, inside the limits below, and changes no gain."),
+                          TextRole::Body, Tone::Dim, m_box),
+        0, 0);
+}
+
+void ModelPanel::showFigures(const tuning::TuneReport &report)
+{
+    const std::vector<ModelFigure> figures = modelFigures(report, unitText);
+    for (const ModelFigure &figure : figures)
+        addFigure(figure);
+    m_line->setText(lineText(figures));
+    if (const auto &filter = report.motor->filter)
+        addWords(tr("velocity filter"), filterWords(filter->kind, formatDuration(filter->window)));
+    if (report.profile)
+        m_grid->addWidget(wrappedLabel(profileWords(withUnit(report.profile->speed, "counts/s"),
+                                           withUnit(report.profile->acceleration, "counts/s²")),
+                              TextRole::Caption, Tone::Dim, m_box),
+            m_grid->rowCount(), NameColumn, 1, 4);
+    addGates(report.gates);
+}
+
 void ModelPanel::setReport(const tuning::TuneReport *report)
 {
     delete m_grid;
@@ -100,32 +169,19 @@ void ModelPanel::setReport(const tuning::TuneReport *report)
     m_grid->setHorizontalSpacing(m_theme.theme().u(10));
     m_grid->setColumnStretch(UnitColumn, 1);
     const bool known = report && report->motor;
+    const bool good = known && std::all_of(report->gates.begin(), report->gates.end(), [](const tuning::Gate &gate) {
+        return gate.passed;
+    });
+    m_mayFold = good;
     m_glyph->setVisible(known);
     m_verdict->setVisible(known);
-    if (!known) {
-        m_grid->addWidget(
-            wrappedLabel(tr("Nobody has identified this motor yet. Identify pushes it both ways with a part of the "
-                            "duty, inside the limits below, and changes no gain."),
-                TextRole::Body, Tone::Dim, m_box),
-            0, 0);
-        return;
-    }
-    const tuning::MotorFound &motor = *report->motor;
-    const bool good
-        = std::all_of(report->gates.begin(), report->gates.end(), [](const tuning::Gate &gate) { return gate.passed; });
     m_glyph->setState(good ? GlyphState::Done : GlyphState::Warning);
     m_verdict->setText(good ? tr("good fit") : tr("not believed"));
-    addFigure(0, tr("gain K"), motor.line.gain, motor.line.gainError, 4,
-        motor.unit == tuning::MotorFound().unit ? tr("counts/s") : tableText(motor.unit));
-    addFigure(1, tr("lag τ"), 1e3 * motor.pushes.tau, 1e3 * motor.pushes.tauError, 3, tr("ms"));
-    addFigure(2, tr("dead time θ"), 1e3 * report->plant.delay, 1e3 * motor.pushes.delayError, 3, tr("ms"));
-    addFigure(3, tr("friction kS"), 100.0 * motor.line.friction, 100.0 * motor.line.frictionError, 3, tr("% duty"));
-    if (motor.filter) {
-        m_grid->addWidget(textLabel(tr("velocity filter"), TextRole::Body, Tone::Text, m_box), 4, NameColumn);
-        m_grid->addWidget(
-            textLabel(filterText(*motor.filter), TextRole::Emphasis, Tone::Text, m_box), 4, ValueColumn, 1, 3);
-    }
-    addGates(report->gates);
+    if (known)
+        showFigures(*report);
+    else
+        showNothing();
+    setFolded(m_isFolded);
 }
 
 } // namespace mb

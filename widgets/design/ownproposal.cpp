@@ -21,6 +21,7 @@ namespace mb {
 namespace {
 
 constexpr double hundredth = 100.0;
+constexpr int sliderHeight = 24; ///< units
 constexpr double notable = 1.02; ///< times slower than asked that is said
 
 } // namespace
@@ -42,22 +43,15 @@ QString boundWord(std::string_view bound)
 
 OwnProposal::OwnProposal(const ThemeSource &theme, QWidget *parent)
     : Card(theme, tr("own"), parent)
+    , m_theme(theme)
 {
     setDense(true);
-    setTitle(tr("own"), tr("by two sliders"));
+    setTitle(tr("own"), tr("Speed"));
     m_mark = new ChoiceMark(theme, this);
     addHeadMark(m_mark);
     setActivatable(true);
     setAccessibleName(tr("Own proposal"));
-    m_speed = new LogSlider(theme, this);
-    m_damping = new QSlider(Qt::Horizontal, this);
-    m_damping->setRange(static_cast<int>(leastMs * hundredth), static_cast<int>(mostMs * hundredth));
-    m_damping->setSingleStep(1);
-    m_damping->setPageStep(5);
-    m_speedScale = new SliderScale(theme, tr("calm"), tr("brisk"), this);
-    m_dampingScale = new SliderScale(theme, tr("robust"), tr("lively"), this);
-    m_response = addSlider(tr("Speed"), m_speed, m_speedScale);
-    m_ms = addSlider(tr("Damping"), m_damping, m_dampingScale);
+    addSliders();
     m_gains = wrappedLabel({}, TextRole::Emphasis, Tone::Text, this);
     m_figures = wrappedLabel({}, TextRole::Caption, Tone::Dim, this);
     m_bounds = wrappedLabel({}, TextRole::Caption, Tone::Caution, this);
@@ -67,24 +61,44 @@ OwnProposal::OwnProposal(const ThemeSource &theme, QWidget *parent)
     connect(m_damping, &QSlider::valueChanged, this, &OwnProposal::tellWish);
 }
 
+/// The first is named in the head of the card.
+void OwnProposal::addSliders()
+{
+    const ThemeSource &theme = m_theme;
+    m_sliders = new QVBoxLayout;
+    m_sliders->setSpacing(0);
+    body().addLayout(m_sliders);
+    m_speed = new LogSlider(theme, this);
+    m_damping = new QSlider(Qt::Horizontal, this);
+    m_damping->setRange(static_cast<int>(leastMs * hundredth), static_cast<int>(mostMs * hundredth));
+    m_damping->setSingleStep(1);
+    m_damping->setPageStep(5);
+    m_speedScale = new SliderScale(theme, tr("calm"), tr("brisk"), this);
+    m_dampingScale = new SliderScale(theme, tr("robust"), tr("lively"), this);
+    m_response = textLabel({}, TextRole::Emphasis, Tone::Text, this);
+    m_ms = textLabel({}, TextRole::Emphasis, Tone::Text, this);
+    addHeadWidget(m_response);
+    addSlider(tr("Speed"), m_speed, m_speedScale);
+    auto *damping = new QHBoxLayout;
+    damping->addWidget(textLabel(tr("Damping"), TextRole::Body, Tone::Dim, this));
+    damping->addStretch(1);
+    damping->addWidget(m_ms);
+    m_sliders->addLayout(damping);
+    addSlider(tr("Damping"), m_damping, m_dampingScale);
+}
+
 void OwnProposal::tellWish()
 {
     sayWish();
     Q_EMIT wished();
 }
 
-QLabel *OwnProposal::addSlider(const QString &name, QSlider *slider, SliderScale *scale)
+void OwnProposal::addSlider(const QString &name, QSlider *slider, SliderScale *scale)
 {
     slider->setAccessibleName(name);
-    auto *head = new QHBoxLayout;
-    head->addWidget(textLabel(name, TextRole::Body, Tone::Text, this));
-    head->addStretch(1);
-    QLabel *value = textLabel({}, TextRole::Emphasis, Tone::Text, this);
-    head->addWidget(value);
-    body().addLayout(head);
-    body().addWidget(slider);
-    body().addWidget(scale);
-    return value;
+    slider->setFixedHeight(m_theme.theme().u(sliderHeight));
+    m_sliders->addWidget(slider);
+    m_sliders->addWidget(scale);
 }
 
 void OwnProposal::setWish(double response, double ms, double usual, double usualMs)

@@ -39,12 +39,15 @@ Q_SIGNALS:
     void wished();
 
 private:
-    QLabel *addSlider(const QString &name, QSlider *slider, SliderScale *scale);
+    void addSliders();
+    void addSlider(const QString &name, QSlider *slider, SliderScale *scale);
     void showFigures();
     void sayWish();
     void tellWish();
 
+    const ThemeSource &m_theme;
     ChoiceMark *m_mark = nullptr;
+    QVBoxLayout *m_sliders = nullptr;
     SliderScale *m_speedScale = nullptr;
     SliderScale *m_dampingScale = nullptr;
     bool m_isPossible = false;

@@ -4,6 +4,7 @@
 #include "files/qttext.h"
 #include "model/loopparameters.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/control/gainunits.h"
 #include "widgets/design/choicemark.h"
@@ -137,15 +138,19 @@ ProposalCard::ProposalCard(const ThemeSource &theme, const Family &family, const
 void ProposalCard::addGains(
     const Family &family, const tuning::Proposal &proposal, const Scale &scale, const Theme &look)
 {
-    auto *gains = new QGridLayout;
+    m_gains = new QWidget(this);
+    auto *gains = layoutIn<QGridLayout>(m_gains);
     gains->setHorizontalSpacing(look.u(6));
     gains->setVerticalSpacing(0);
     gains->setColumnStretch(3, 1);
     int row = 0;
+    QStringList brief;
     for (const tuning::ScaledGains::Row &gain : proposal.gains.rows) {
         const auto index = findParameter(family.parameters, gain.key);
         if (gain.raw == 0 || !index)
             continue;
+        if (isGain(roleOf(family, gain.key)))
+            brief << shortGainName(family, gain.key) + QChar(0x00A0) + formatSignificant(gain.number, 4);
         gains->addWidget(textLabel(shortGainName(family, gain.key), TextRole::Emphasis, Tone::Text, this), row, 0);
         auto *const value = new QLabel(formatSignificant(gain.number, 4), this);
         setTextRole(*value, TextRole::Emphasis);
@@ -158,13 +163,16 @@ void ProposalCard::addGains(
         physical->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         gains->addWidget(physical, row++, 3);
     }
-    body().addLayout(gains);
+    body().addWidget(m_gains);
+    m_brief = textLabel(brief.join(QStringLiteral(" · ")), TextRole::Emphasis, Tone::Text, this);
+    m_brief->hide();
+    body().addWidget(m_brief);
 }
 
 void ProposalCard::addFigures(const Family &family, const tuning::Proposal &proposal, const Theme &look)
 {
     auto *figures = new QGridLayout;
-    figures->setHorizontalSpacing(look.u(6));
+    figures->setHorizontalSpacing(look.u(4));
     figures->setVerticalSpacing(0);
     int column = 0;
     QStringList spoken;
@@ -183,6 +191,12 @@ void ProposalCard::addFigures(const Family &family, const tuning::Proposal &prop
     body().addLayout(figures);
     setAccessibleName(tr("Proposal: %1").arg(aimText(m_aim)));
     setAccessibleDescription(spoken.join(QStringLiteral(", ")));
+}
+
+void ProposalCard::setBrief(bool brief)
+{
+    m_gains->setVisible(!brief);
+    m_brief->setVisible(brief);
 }
 
 void ProposalCard::setChosen(bool chosen)

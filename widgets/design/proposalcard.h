@@ -23,6 +23,8 @@ public:
         QWidget *parent);
 
     void setChosen(bool chosen);
+    /// The gains in one line, by their numbers alone; what is beside them is not told.
+    void setBrief(bool brief);
     [[nodiscard]] tuning::Aim aim() const { return m_aim; }
 
 private:
@@ -31,6 +33,8 @@ private:
 
     tuning::Aim m_aim;
     ChoiceMark *m_mark;
+    QWidget *m_gains = nullptr;
+    QLabel *m_brief = nullptr;
 };
 
 /// Overshoot, settling and margins in one line.

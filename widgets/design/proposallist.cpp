@@ -20,7 +20,7 @@ ProposalList::ProposalList(DesignBook &book, DesignPlots &plots, const ThemeSour
     , m_theme(theme)
     , m_own(new OwnProposal(theme, this))
     , m_head(new QWidget(this))
-    , m_column(layoutIn<QVBoxLayout>(this, theme.theme().u(6)))
+    , m_column(layoutIn<QVBoxLayout>(this, theme.theme().u(4)))
 {
     auto *head = layoutIn<QHBoxLayout>(m_head);
     head->addWidget(new SectionLabel(tr("Proposals"), m_head));
@@ -84,6 +84,13 @@ void ProposalList::showReport()
     showChosen();
 }
 
+void ProposalList::setBrief(bool brief)
+{
+    m_isBrief = brief;
+    for (ProposalCard *card : m_cards)
+        card->setBrief(brief);
+}
+
 void ProposalList::addCard(const DeviceView &view, const tuning::Proposal &proposal)
 {
     ProposalCard::Scale scale{m_book.loop(), view.profile->calibrated(countsPerRevolutionKey), 1.0};
@@ -93,6 +100,7 @@ void ProposalList::addCard(const DeviceView &view, const tuning::Proposal &propo
     }
     auto *card = new ProposalCard(m_theme, *view.family, proposal, scale, this);
     connect(card, &Card::activated, this, [this, aim = proposal.aim] { chooseAim(aim); });
+    card->setBrief(m_isBrief);
     m_column->insertWidget(m_column->count() - 1, card); // the own one is the last
     m_cards.push_back(card);
 }

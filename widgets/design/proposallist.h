@@ -29,6 +29,8 @@ public:
     void setInForce(const Envelope &inForce) { m_inForce = inForce; }
     /// Another report, motor or slot.
     void showReport();
+    /// Where there is little room: the gains of each card in one line.
+    void setBrief(bool brief);
     /// Draws the one that is chosen.
     void showChosen();
     void chooseAim(tuning::Aim aim);
@@ -53,6 +55,7 @@ private:
     std::optional<tuning::Proposal> m_ownDesigned; ///< of the sliders
     std::vector<ProposalCard *> m_cards;
     OwnProposal *m_own = nullptr;
+    bool m_isBrief = false;
     QWidget *m_head = nullptr;
     QLabel *m_comparedWords = nullptr;
     GainComparison m_comparison;

@@ -5,6 +5,8 @@
 
 #include <QScrollArea>
 
+#include <initializer_list>
+
 class QVBoxLayout;
 
 namespace mb {
@@ -18,6 +20,8 @@ public:
     /// Parent of what goes into it.
     [[nodiscard]] QWidget *content() { return m_content; }
     [[nodiscard]] QVBoxLayout &rows() { return *m_rows; }
+    /// Whether there is room for these of its rows, one below the other, without scrolling. What was hidden or shown in them counts at once.
+    [[nodiscard]] bool isInSight(std::initializer_list<QWidget *> parts) const;
 
 private:
     QWidget *m_content = nullptr;

@@ -108,7 +108,9 @@ TuningSteps::TuningSteps(const ThemeSource &theme, QWidget *parent)
     m_lines = new QVBoxLayout;
     m_lines->setSpacing(look.u(5));
     column->addLayout(m_lines);
-    show(nullptr, nullptr, nullptr);
+    m_pushes = wrappedLabel({}, TextRole::Caption, Tone::Dim, this);
+    column->addWidget(m_pushes);
+    show(nullptr, nullptr, nullptr, {});
 }
 
 /// The title, and how long the motor will turn.
@@ -130,14 +132,18 @@ QWidget *TuningSteps::buildHead()
     return top;
 }
 
-void TuningSteps::show(const OperationView *running, const tuning::TuneReport *report, const Ahead *ahead)
+void TuningSteps::show(
+    const OperationView *running, const tuning::TuneReport *report, const Ahead *ahead, const Envelope &inForce)
 {
     showState(running, report);
+    const QString bounds = inForce.travel ? messageText(textOf(tuning::extentOf(inForce))) : QString();
+    m_pushes->setText(tr("Identify and Autotune push first: %1").arg(bounds));
+    m_pushes->setVisible(ahead && !running && !bounds.isEmpty());
     const bool tells = ahead && !running;
     m_time->setVisible(tells);
     if (tells)
         m_seconds->setText(tr("motor turns %1 s").arg(formatNumber(std::ceil(ahead->course.seconds))));
-    say(running ? stepsOf(*running) : ahead ? stepsOf(*ahead, report) : stepsFromTheBeginning(), !running);
+    say(running ? stepsOf(*running) : ahead ? stepsOf(*ahead, report) : stepsFromTheBeginning(bounds), !running);
 }
 
 void TuningSteps::showState(const OperationView *running, const tuning::TuneReport *report)
@@ -167,9 +173,10 @@ std::vector<TuningSteps::Step> TuningSteps::stepsOf(const OperationView &running
     return steps;
 }
 
-std::vector<TuningSteps::Step> TuningSteps::stepsFromTheBeginning()
+std::vector<TuningSteps::Step> TuningSteps::stepsFromTheBeginning(const QString &bounds)
 {
-    return {{tr("Identify the motor"), tr("Pushes with a part of the duty, both ways. No gain is changed.")},
+    const QString pushes = tr("Pushes with a part of the duty, both ways. No gain is changed.");
+    return {{tr("Identify the motor"), bounds.isEmpty() ? pushes : pushes + QLatin1Char('\n') + bounds},
         {tr("Choose a set"), tr("The plots show what each would do.")},
         {tr("Write and prove it"), tr("The gains are written, steps both ways are measured.")},
         {tr("Keep it, or put everything back"),
@@ -194,7 +201,8 @@ std::vector<TuningSteps::Step> TuningSteps::stepsOf(const Ahead &ahead, const tu
         {tr("Run %1 steps of %2 %3")
                 .arg(ahead.course.steps)
                 .arg(formatSignificant(ahead.proposal.step, 4), stepUnit(ahead.loop)),
-            tr("Both ways, every guard on; each is a trial.")},
+            tr("Both ways, every guard on; each is a trial.") + QLatin1Char('\n')
+                + messageText(textOf(ahead.course.extent))},
         {several ? tr("Keep it in slot %1 when all hold").arg(ahead.slot) : tr("Keep it when all hold"),
             proven ? limits + QLatin1Char('\n') + tr("measured: %1").arg(measuredText(report->measured)) : limits},
         {tr("Else put everything back"), tr("Gains as before, the reason in the log.")}};
@@ -225,6 +233,7 @@ void TuningSteps::say(std::vector<Step> steps, bool numbered)
         m_lines->addWidget(box);
         box->show();
     }
+    Q_EMIT rebuilt();
 }
 
 } // namespace mb

@@ -30,8 +30,14 @@ public:
         int gainSlots = 1; ///< of the device
         Mode loop = Mode::Velocity;
     };
-    /// `running` while it runs; else the last report and what may come next, each nullptr where there is none.
-    void show(const OperationView *running, const tuning::TuneReport *report, const Ahead *ahead);
+    /// `running` while it runs; else the last report and what may come next, each nullptr where there is none. `inForce` bounds whatever
+    /// is ordered.
+    void show(
+        const OperationView *running, const tuning::TuneReport *report, const Ahead *ahead, const Envelope &inForce);
+
+Q_SIGNALS:
+    /// Other steps take more or less room.
+    void rebuilt();
 
 private:
     struct Step {
@@ -43,7 +49,7 @@ private:
     void showState(const OperationView *running, const tuning::TuneReport *report);
     [[nodiscard]] static std::vector<Step> stepsOf(const OperationView &running);
     [[nodiscard]] static std::vector<Step> stepsOf(const Ahead &ahead, const tuning::TuneReport *report);
-    [[nodiscard]] static std::vector<Step> stepsFromTheBeginning();
+    [[nodiscard]] static std::vector<Step> stepsFromTheBeginning(const QString &bounds);
     void say(std::vector<Step> steps, bool numbered);
 
     const ThemeSource &m_theme;
@@ -53,6 +59,7 @@ private:
     QLabel *m_head = nullptr;
     QLabel *m_words = nullptr;
     QVBoxLayout *m_lines = nullptr;
+    QLabel *m_pushes = nullptr; ///< what the orders that push may make of the motor
     std::vector<Step> m_said;
 };
 

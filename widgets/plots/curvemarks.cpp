@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace mb {
 namespace {
@@ -35,8 +36,8 @@ bool isFree(const QRectF &box, const std::vector<QRectF> &taken)
     return std::none_of(taken.begin(), taken.end(), [&box](const QRectF &other) { return other.intersects(box); });
 }
 
-/// The nearest place above or below that no other words have.
-QRectF clearOf(const QRectF &box, const std::vector<QRectF> &taken, const QRectF &room)
+/// The nearest place above or below that no other words have; nothing where there is none.
+std::optional<QRectF> clearOf(const QRectF &box, const std::vector<QRectF> &taken, const QRectF &room)
 {
     for (int i = 0; i < mostMoves; ++i) {
         for (const int way : {1, -1}) {
@@ -45,7 +46,7 @@ QRectF clearOf(const QRectF &box, const std::vector<QRectF> &taken, const QRectF
                 return moved;
         }
     }
-    return box;
+    return {};
 }
 
 } // namespace
@@ -145,7 +146,7 @@ void CurveMarks::addWords(const CurveMark &mark)
     m_words.emplace_back(mark, words);
 }
 
-/// Words stand where there is room for them: nothing is cut at an edge, and none covers another.
+/// Words stand where there is room for them: nothing is cut at an edge, and none covers another; those for which none is left are not shown.
 void CurveMarks::arrange()
 {
     const QRectF room = m_plot.axisRect()->rect();
@@ -158,8 +159,12 @@ void CurveMarks::arrange()
             continue;
         const QSizeF size = QFontMetrics(words->font()).boundingRect({}, Qt::AlignLeft, mark.text).size();
         const QRectF wished = inside(besidePoint(at, size, mark.side, m_theme.theme().u(6)), room);
-        taken.push_back(clearOf(wished, taken, room));
-        words->position->setCoords(taken.back().topLeft());
+        const std::optional<QRectF> place = clearOf(wished, taken, room);
+        words->setVisible(place.has_value());
+        if (!place)
+            continue;
+        taken.push_back(*place);
+        words->position->setCoords(place->topLeft());
     }
 }
 

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the Design page says and shows without being asked: the model in full, bounds before a motor turns, and all that is chosen from in sight.
+#include "designbench.h"
+#include "report/modelfigures.h"
+#include "support/windowtests.h"
+#include "tuning/announcement.h"
+#include "widgets/common/applytheme.h"
+#include "widgets/common/devicetext.h"
+#include "widgets/design/adviserlist.h"
+#include "widgets/design/designcolumn.h"
+#include "widgets/design/modelpanel.h"
+#include "widgets/design/proposallist.h"
+#include "widgets/design/tuningsteps.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollBar>
+
+using namespace mb;
+using namespace mb::test;
+using namespace mb::tuning;
+
+class TestDesignSight : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase();
+    void theModelIsToldInTheWordsOfTheReport();
+    void whatIsNotKnownOfAModelHasNoLine();
+    void theArmedPageSaysDutySpeedAndTravelBeforeAnythingIsOrdered();
+    void eachStimulusIsSaidWhileItRuns();
+    void theSetsAndTheSlidersAreInSightInTheSmallestWindow();
+    void aModelThatIsNotBelievedIsNeverFolded();
+    void whatIsInOrderTakesOneLineWhereThereIsLittleRoom();
+};
+
+namespace {
+
+TuneReport inFull()
+{
+    TuneReport report = identified();
+    report.motor->line.offset = 0.0123;
+    report.motor->line.offsetError = 0.0045;
+    report.motor->line.forward = 352'000.0;
+    report.motor->line.reverse = 348'000.0;
+    report.motor->restNoise = 0.37;
+    report.motor->latency = 0.0137;
+    report.profile = ProfileLimits{82'000.0, 491'000.0};
+    return report;
+}
+
+QString wordsIn(const QWidget &widget)
+{
+    QStringList words;
+    for (const QLabel *label : widget.findChildren<QLabel *>()) {
+        if (label->isVisible())
+            words << label->text();
+    }
+    return words.join(QLatin1Char('|'));
+}
+
+/// As the page is in a window of 1280×800 with the stripe of a simulated bench.
+void makeSmall(DesignBench &bench)
+{
+    bench.page->resize(1047, 607);
+    QCoreApplication::processEvents();
+}
+
+bool isInSight(const QWidget &part, const DesignColumn &column)
+{
+    const QRect place(part.mapTo(column.viewport(), QPoint()), part.size());
+    return column.viewport()->rect().contains(place);
+}
+
+} // namespace
+
+/// As in the program: sizes depend on it.
+void TestDesignSight::initTestCase()
+{
+    QFont font = QApplication::font();
+    font.setPointSizeF(10.0);
+    QApplication::setFont(font);
+    applyTheme(*qApp, darkTheme());
+}
+
+void TestDesignSight::theModelIsToldInTheWordsOfTheReport()
+{
+    DesignBench bench;
+    bench.page->resize(1208, 1400);
+    bench.arm();
+    bench.page->identify();
+    bench.finish(inFull());
+    QCoreApplication::processEvents();
+    const auto *const panel = bench.page->findChild<ModelPanel *>();
+    const QString said = wordsIn(*panel);
+    const auto figures = modelFigures(inFull(), [](const Message &message) { return messageText(message); });
+    QCOMPARE(figures.size(), std::size_t(9));
+    for (const ModelFigure &figure : figures)
+        QVERIFY2(said.contains(figure.name + QLatin1Char('|')), qPrintable(figure.name));
+    for (const char *word : {"1.230|± 0.45|", "352 000", "348 000", "0.37|counts", "13.7|ms", "491 000 counts/s²"}) {
+        const QString plain
+            = QString(said).replace(ThinSpace, QLatin1Char(' ')).replace(QChar(0x00A0), QLatin1Char(' '));
+        QVERIFY2(plain.contains(QString::fromUtf8(word)), qPrintable(plain));
+    }
+}
+
+void TestDesignSight::whatIsNotKnownOfAModelHasNoLine()
+{
+    DesignBench bench;
+    bench.page->resize(1208, 1400);
+    bench.arm();
+    bench.page->identify();
+    bench.finish(identified());
+    QCoreApplication::processEvents();
+    const QString said = wordsIn(*bench.page->findChild<ModelPanel *>());
+    QVERIFY2(said.contains(QStringLiteral("Friction kS")), qPrintable(said));
+    QVERIFY2(!said.contains(QStringLiteral("Noise")) && !said.contains(QStringLiteral("forwards")), qPrintable(said));
+}
+
+void TestDesignSight::theArmedPageSaysDutySpeedAndTravelBeforeAnythingIsOrdered()
+{
+    DesignBench bench;
+    bench.arm();
+    const auto *const steps = bench.page->findChild<TuningSteps *>();
+    const QString pushes = messageText(textOf(extentOf(bench.page->findChild<ProposalList *>()->inForce())));
+    QVERIFY2(wordsIn(*steps).contains(pushes), qPrintable(wordsIn(*steps)));
+    QVERIFY2(pushes.contains(QStringLiteral("% duty")) && pushes.contains(QStringLiteral("counts from")),
+        qPrintable(pushes));
+    bench.page->identify();
+    bench.finish(identified());
+    const QString said = wordsIn(*steps);
+    QVERIFY2(said.contains(pushes), qPrintable(said));
+    QCOMPARE(said.count(QStringLiteral("counts from where it stands")), 2); // the steps of the proof have their own
+    QVERIFY(bench.workbench.given<orders::RunTuning>().size() == 1);
+}
+
+void TestDesignSight::eachStimulusIsSaidWhileItRuns()
+{
+    DesignBench bench;
+    bench.arm();
+    bench.page->identify();
+    const Message said = textOf({0.15, 52'000.0, 31'000.0});
+    OperationView job;
+    job.device = {1};
+    job.status.log.push_back({{}, Severity::Caution, said});
+    bench.workbench.shot.operations = {job};
+    bench.workbench.publish();
+    QVERIFY(wordsIn(*bench.page->findChild<TuningSteps *>()).contains(messageText(said)));
+}
+
+void TestDesignSight::theSetsAndTheSlidersAreInSightInTheSmallestWindow()
+{
+    DesignBench bench;
+    makeSmall(bench);
+    bench.arm();
+    bench.page->identify();
+    bench.finish(inFull());
+    QCoreApplication::processEvents();
+    const auto *const column = bench.page->findChild<DesignColumn *>();
+    auto *const model = bench.page->findChild<ModelPanel *>();
+    QVERIFY(model->isFolded());
+    for (const ProposalCard *card : bench.cards())
+        QVERIFY(isInSight(*card, *column));
+    QVERIFY(isInSight(*bench.own(), *column));
+    model->findChild<QPushButton *>()->click();
+    QCoreApplication::processEvents();
+    QVERIFY2(!model->isFolded(), "by hand it stays open");
+    QVERIFY(column->verticalScrollBar()->maximum() > 0);
+    model->findChild<QPushButton *>()->click();
+    bench.page->resize(1208, 1400);
+    QCoreApplication::processEvents();
+    QVERIFY2(model->isFolded(), "and folded");
+}
+
+void TestDesignSight::aModelThatIsNotBelievedIsNeverFolded()
+{
+    DesignBench bench;
+    makeSmall(bench);
+    bench.arm();
+    bench.page->identify();
+    TuneReport doubtful = inFull();
+    doubtful.gates.front().passed = false;
+    bench.finish(doubtful);
+    QCoreApplication::processEvents();
+    QVERIFY(!bench.page->findChild<ModelPanel *>()->isFolded());
+}
+
+void TestDesignSight::whatIsInOrderTakesOneLineWhereThereIsLittleRoom()
+{
+    DesignBench bench;
+    bench.page->resize(1208, 1400);
+    bench.arm();
+    bench.page->identify();
+    bench.finish(identified());
+    QCoreApplication::processEvents();
+    const auto *const advisers = bench.page->findChild<AdviserList *>();
+    const QString quiet = QStringLiteral("nothing is paid back as overshoot");
+    QVERIFY2(wordsIn(*advisers).contains(quiet), qPrintable(wordsIn(*advisers)));
+    makeSmall(bench);
+    QVERIFY2(!wordsIn(*advisers).contains(quiet), qPrintable(wordsIn(*advisers)));
+    QVERIFY(wordsIn(*advisers).contains(placeText(Cause::FeedForward)));
+}
+
+MB_WINDOW_TEST(TestDesignSight);
+#include "tst_designsight.moc"
