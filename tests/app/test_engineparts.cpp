@@ -246,7 +246,8 @@ TEST_F(EngineParts, WhatADeviceIsAndHoldsIsOneObjectForAllPicturesUntilItChanges
     EXPECT_FALSE(now.device(id(5))->parameters.isSameAs(first.device(id(5))->parameters));
     EXPECT_NE((*first.device(id(5))->parameters)[p.value].raw, 4711) << "an older picture stays as it was";
     EXPECT_EQ((*now.device(id(5))->parameters)[p.value].raw, 4711);
-    EXPECT_TRUE(next().device(id(5))->parameters.isSameAs(now.device(id(5))->parameters)) << "one write, one new object";
+    EXPECT_TRUE(next().device(id(5))->parameters.isSameAs(now.device(id(5))->parameters))
+        << "one write, one new object";
     EXPECT_TRUE(now.device(id(5))->profile.isSameAs(first.device(id(5))->profile));
     EXPECT_TRUE(now.device(id(7))->parameters.isSameAs(first.device(id(7))->parameters)) << "of another device";
 

@@ -59,10 +59,10 @@ struct HistoryBench : ParameterBench {
         std::vector<ParameterIndex> all;
         for (std::uint16_t i = 0; i < of.parameters->size(); ++i)
             all.push_back({i});
-        kept.file
-            = QJsonDocument(parametersToJson(ParameterSource{*of.family, of.identity, of.selector, *of.parameters}, all))
-                  .toJson()
-                  .toStdString();
+        kept.file = QJsonDocument(
+            parametersToJson(ParameterSource{*of.family, of.identity, of.selector, *of.parameters}, all))
+                        .toJson()
+                        .toStdString();
         return kept;
     }
     [[nodiscard]] QComboBox *boxOf(const char *name) const
