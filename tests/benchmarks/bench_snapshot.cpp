@@ -28,8 +28,9 @@ void takePictures(benchmark::State &state, bool copied)
         }
         benchmark::DoNotOptimize(views);
     }
-    state.counters["s/device"] = benchmark::Counter(static_cast<double>(state.iterations() * devices.size()),
-        benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+    state.counters["s/device"]
+        = benchmark::Counter(static_cast<double>(state.iterations()) * static_cast<double>(devices.size()),
+            benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 BENCHMARK_CAPTURE(takePictures, shared, false);
 BENCHMARK_CAPTURE(takePictures, copied, true);
