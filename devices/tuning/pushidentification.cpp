@@ -33,7 +33,9 @@ constexpr double mostOfFriction
     = 2.0; ///< friction of half the probe: a stronger push is not twice as quick for its duty
 constexpr int pushRepeats = 2;
 constexpr double loopDelays = 1.5;        ///< periods of the device's loop
-constexpr double orderWaits = 0.5;        ///< of them, until an order is looked at that nobody has seen carried out
+constexpr double orderWaits = 0.5;        ///< of them, until an order is looked at
+constexpr double electrical = 0.5e-3;     ///< s, L/R while nobody knows it
+constexpr double hidesElectrical = 5.0;   ///< times that, a wait in which no push shows it
 constexpr double mostCurrentDoubt = 0.15; ///< of what the motor draws at standstill
 
 /// Of a push, where travel is given: what it does beyond is not known yet.
@@ -171,9 +173,11 @@ Result<void> PushIdentification::conclude(AutotuneRun &run) const
     if (!found)
         return fail(found.error());
     const double loop = run.device().family().loop->cycle;
-    const double waited = m_pushes.front().signal("duty") ? 0.0 : orderWaits * loop;
-    PlantModel plant{found->line.gain, found->pushes.tau,
-        std::max(found->pushes.delay - waited, 0.0) + loopDelays * loop, found->line.friction, found->braking};
+    const double waited = orderWaits * loop;
+    const bool isHidden = m_pushes.front().signal("duty") || waited > hidesElectrical * electrical;
+    const double own = isHidden ? electrical : 0.0; // of the motor, that the wait taken off may have been
+    const double delay = std::max(found->pushes.delay - waited, own) + loopDelays * loop;
+    PlantModel plant{found->line.gain, found->pushes.tau, delay, found->line.friction, found->braking};
     plant.sag = found->pushes.sag;
     plant.warming = found->pushes.warming;
     if (const auto ohm = drawnBy(m_pushes)) {

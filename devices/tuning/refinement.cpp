@@ -20,6 +20,10 @@ constexpr double priceOfError = 1e-5;   ///< of that, in squares of the step
 constexpr double clearlyBetter = 0.7;   ///< of what the model leaves over
 constexpr double restBeforeStep = 0.05; ///< s
 constexpr double leastFriction = 0.002; ///< duty, that may be found where none was
+constexpr double shareOfPass = 0.25;    ///< to which an order's wait for its pass is told
+constexpr double longestSag = 0.8;
+constexpr double usualSag = 0.3;    ///< that nobody has told before
+constexpr double sagOfFactor = 3.0; ///< for each share that the other numbers move by
 
 double PlantModel::*const correctedNumbers[]
     = {&PlantModel::gain, &PlantModel::tau, &PlantModel::friction, &PlantModel::delay};
@@ -41,7 +45,56 @@ std::vector<double> passesOf(
     return passes;
 }
 
-/// Mean square of what is left over of a trial, in squares of its step; at the time the link takes with which it is least.
+/// Samples of a trial beside what its loop measures in each pass.
+struct Seen {
+    const Trace &measured;
+    std::vector<double> passes;
+    double begin;  ///< s, of the first pass
+    double period; ///< s
+    double from;
+    double step;
+
+    /// Squares of what is left over between two samples, of the step, where an order waits so long; given up beyond `most`.
+    [[nodiscard]] double left(std::size_t first, std::size_t last, double later, double most) const
+    {
+        double sum = 0.0;
+        for (std::size_t i = first; i < last && sum < most; ++i) {
+            const double past = std::ceil((measured.t[i] - later - begin) / period);
+            const double seen = past < 1.0 ? 0.0 : passes[std::min(static_cast<std::size_t>(past), passes.size()) - 1];
+            const double off = (measured.y[i] - from - seen) / step;
+            sum += off * off;
+        }
+        return sum;
+    }
+    /// The least of any wait up to `longest`.
+    [[nodiscard]] double least(std::size_t first, std::size_t last, double longest, double share) const
+    {
+        double least = std::numeric_limits<double>::infinity();
+        for (double later = 0.0; later <= longest; later += share * period)
+            least = std::min(least, left(first, last, later, least));
+        return least;
+    }
+};
+
+/// The first sample of each step and of each way back, and the end.
+std::vector<std::size_t> edgesOf(const Trial &trial, const Trace &measured)
+{
+    std::vector<std::size_t> edges{0}; // what rests before the first belongs to it
+    const auto add = [&](double at) {
+        const auto found = std::lower_bound(measured.t.begin(), measured.t.end(), at) - measured.t.begin();
+        edges.push_back(static_cast<std::size_t>(found));
+    };
+    for (const Span &hold : trial.holds) {
+        if (&hold != &trial.holds.front())
+            add(hold.from);
+        add(hold.to);
+    }
+    edges.push_back(measured.size());
+    return edges;
+}
+
+/// Mean square of what is left over of a trial, in squares of its step; of a loop that was tried by its gains alone at the time the link takes
+/// with which it is least; else each order waits for its pass, up to one: nobody knows when that comes.
 double leftOfSteps(const SteppedLoop &stepped, const Trial &trial, const PlantModel &plant)
 {
     const Signal *const signal = trial.signal(measuredOf(trial.mode));
@@ -54,19 +107,17 @@ double leftOfSteps(const SteppedLoop &stepped, const Trial &trial, const PlantMo
     const double from = trial.mode == Mode::Position ? measured.y.front() : trial.stimulus.from;
     const double step = trial.stimulus.to - from;
     const double period = stepped.shape.period;
-    const std::vector<double> passes = passesOf(stepped, trial, plant, step, begin, measured.t.back());
-    double least = std::numeric_limits<double>::infinity();
-    for (double later = 0.0; later <= stepped.mostLater; later += 0.5 * period) {
-        double sum = 0.0;
-        for (std::size_t i = 0; i < measured.size() && sum < least; ++i) {
-            const double past = std::ceil((measured.t[i] - later - begin) / period);
-            const double seen = past < 1.0 ? 0.0 : passes[std::min(static_cast<std::size_t>(past), passes.size()) - 1];
-            const double off = (measured.y[i] - from - seen) / step;
-            sum += off * off;
-        }
-        least = std::min(least, sum);
+    const Seen seen{
+        measured, passesOf(stepped, trial, plant, step, begin, measured.t.back()), begin, period, from, step};
+    double sum = 0.0;
+    if (stepped.isTried) {
+        sum = seen.least(0, measured.size(), stepped.mostLater, 0.5);
+    } else {
+        const std::vector<std::size_t> edges = edgesOf(trial, measured);
+        for (std::size_t i = 0; i + 1 < edges.size(); ++i)
+            sum += seen.least(edges[i], edges[i + 1], period, shareOfPass);
     }
-    return least / static_cast<double>(measured.size());
+    return sum / static_cast<double>(measured.size());
 }
 
 class Refinement {
@@ -88,6 +139,10 @@ public:
                 for (double PlantModel::*const member : correctedNumbers) {
                     for (const double by : {factor, 1.0 / factor})
                         look(member, by);
+                }
+                if (!m_stepped.isTried) {
+                    for (const double by : {factor - 1.0, 1.0 - factor})
+                        lookAtSag(sagOfFactor * by);
                 }
                 if (m_cost >= least)
                     break;
@@ -112,15 +167,27 @@ private:
             const double off = std::log(std::max(plant.*member, 1e-9) / std::max(m_start.*member, 1e-9)) / usualError;
             cost += priceOfError * off * off;
         }
-        return cost;
+        const double sagged = (plant.sag - m_start.sag) / usualSag;
+        return cost + priceOfError * sagged * sagged;
     }
     void look(double PlantModel::*member, double by)
     {
         PlantModel plant = m_best;
         plant.*member = std::max(plant.*member, member == &PlantModel::friction ? leastFriction : 0.0) * by;
         const double off = plant.*member / std::max(m_start.*member, 1e-9);
-        if (off > mostCorrection || off < 1.0 / mostCorrection)
-            return;
+        if (off <= mostCorrection && off >= 1.0 / mostCorrection)
+            take(plant);
+    }
+    /// A large step sees a supply sag that pushes have not shown: its motor is not weaker near its target.
+    void lookAtSag(double more)
+    {
+        PlantModel plant = m_best;
+        plant.sag = std::clamp(plant.sag + more, 0.0, longestSag);
+        if (plant.sag != m_best.sag)
+            take(plant);
+    }
+    void take(const PlantModel &plant)
+    {
         if (const double its = costOf(plant); its < m_cost) {
             m_best = plant;
             m_cost = its;

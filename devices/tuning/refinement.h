@@ -15,6 +15,7 @@ struct SteppedLoop {
     LoopShape shape;
     std::vector<Trial> trials; ///< steps from rest and back, all of one loop
     double mostLater = 0.0;    ///< s that the link may take, where the model's delay is without it
+    bool isTried = false;      ///< by its gains alone: fitted with its link, and its full output may not be known
 };
 
 /// The motor next to `plant` with which this loop makes the steps that were measured: gain, lag, friction and delay up to a third off,

@@ -200,7 +200,8 @@ Task<bool> TuneDesign::reconsider()
         co_return false;
     const Message why = m_run.report().evidence;
     const std::string_view aim = toString(m_plan.aim);
-    if (!std::exchange(m_refined, true)) {
+    const bool isSeen = m_run.report().predicted->shape.windowCounts == 0.0; // else its edges hide what play does
+    if (!std::exchange(m_refined, true) && isSeen) {
         auto correcting = corrected();
         const std::optional<PlantModel> plant = co_await std::move(correcting);
         bool proposed = false;
@@ -382,7 +383,8 @@ Task<std::optional<PlantModel>> TuneDesign::corrected()
     if (isSwung(report))
         co_return std::nullopt; // so short steps tell less of its lag than it did when it swung
     const bool isSteps = report.scale && report.scale->rate == 0.0; // what is led tells too little of its link
-    const SteppedLoop stepped{report.proposed.made, report.predicted->shape, report.proof, isSteps ? mostOfLink : 0.0};
+    const SteppedLoop stepped{report.proposed.made, report.predicted->shape, report.proof, isSteps ? mostOfLink : 0.0,
+        report.scale.has_value()};
     if (m_plan.loop == Mode::Current)
         co_return withWindingOf(stepped, report.plant);
     auto working = aside<std::optional<PlantModel>>(m_run.device(),

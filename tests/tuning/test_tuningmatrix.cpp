@@ -75,7 +75,7 @@ TEST(TuningMatrix, APushWhoseOrderWasLostOnItsWayIsLeftOut)
 
 TEST(TuningMatrix, WhatProvedToBeWrongAboutAMotorMakesItsGainsBetter)
 {
-    const MatrixRow row = tuneCell(cellOf("dmc60c", "cim", Mode::Velocity, 4, 0.0), Compare::All);
+    const MatrixRow row = tuneCell(cellOf("dmc60c", "rs775", Mode::Velocity, 3, 0.0), Compare::All);
     ASSERT_EQ(row.result, "kept") << textOf(row);
     EXPECT_NE(row.reason.find("left more error"), std::string::npos) << row.reason;
     ASSERT_TRUE(row.kept && row.best);
@@ -91,9 +91,12 @@ std::pair<double, std::string> tunedAgain(const Cell &cell)
     plan.loop = cell.loop;
     plan.keep = true; // a QuadQuad2Drv does not tell what it has
     const auto first = unit.tune(plan);
+    EXPECT_TRUE(unit.simulator().disturb("winding-temperature", 25.0)); // as cold as it is when both are compared
     const auto again = unit.tune(plan);
     if (!first || !again || first->result != TuneResult::Kept || again->result != TuneResult::Kept)
         return {0.0, again ? again->evidence.english() : again.error().text()};
+    if (first->proposed.made == again->proposed.made)
+        return {1.0, again->evidence.english()};
     const double step = again->proposals.at(1).step;
     StepProbe probe(cell, {step, 2.0});
     const auto before = probe.run(first->proposed.changes);
