@@ -3,6 +3,7 @@
 
 #include "model/family.h"
 #include "model/loopparameters.h"
+#include "tuning/adviser.h"
 #include "tuning/figures.h"
 #include "tuning/leastsquares.h"
 #include "tuning/verdict.h"
@@ -20,7 +21,6 @@ constexpr double deadbands = 10.0; ///< that a position step is clear of frictio
 constexpr int fewCurrents = 6;
 constexpr int manyCurrents = 30;
 constexpr double noiseOfOne = 0.06; ///< of a step of a current, σ with which one would be enough
-constexpr double helpOfFriction = 1.25;
 constexpr double stillSeconds = 0.5; ///< share of a proof in which friction holds the motor before its target
 constexpr double windupOverFriction = 1.5;
 constexpr double leastWindup = 0.1; ///< duty
@@ -111,7 +111,7 @@ void addFrictionHelp(const Family &family, int axis, int slot, const PlantModel 
         addNumber(family, windup, std::round(windupOf(plant) * family.loop->fullDuty), into);
     if (!hasFrictionHelp(family))
         return;
-    const double push = std::round(helpOfFriction * plant.friction * family.loop->fullDuty);
+    const double push = std::round(helpOverFriction * plant.friction * family.loop->fullDuty);
     addNumber(family, row(Role::LeastForward), push, into);
     addNumber(family, row(Role::LeastReverse), -push, into);
     addNumber(family, row(Role::AllowableError), goodEnough, into);
@@ -157,7 +157,7 @@ LoopShape shapeOf(
     if (loop == Mode::Position && hasRole(family, Role::IntegralLimit))
         shape.integralMost = windupOf(plant);
     if (loop == Mode::Position && hasFrictionHelp(family)) {
-        shape.leastOutput = helpOfFriction * plant.friction;
+        shape.leastOutput = helpOverFriction * plant.friction;
         shape.goodEnough = goodEnough;
     }
     return shape;
