@@ -113,6 +113,11 @@ QString figure(std::optional<double> value, int digits, const QString &unit)
     return value && std::isfinite(*value) && !unit.isEmpty() ? text + QChar(0xA0) + unit : text;
 }
 
+QString worded(const std::function<QString(const Message &)> &phrase, const Message &message)
+{
+    return phrase ? phrase(message) : qt(message.english());
+}
+
 QString timeText(double unixTime)
 {
     return QDateTime::fromMSecsSinceEpoch(std::llround(unixTime * 1e3)).toString(QStringLiteral("yyyy-MM-dd HH:mm"));

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/message.h"
+
 #include <QCoreApplication>
 #include <QString>
 #include <QStringList>
 
+#include <functional>
 #include <optional>
 
 namespace mb {
@@ -36,6 +39,8 @@ private:
 /// Two blocks beside each other.
 [[nodiscard]] QString beside(const QString &left, const QString &right);
 
+/// In the words of `phrase`, as in Report; without one in English.
+[[nodiscard]] QString worded(const std::function<QString(const Message &)> &phrase, const Message &message);
 [[nodiscard]] QString escaped(const QString &text);
 [[nodiscard]] QString escaped(std::string_view text);
 [[nodiscard]] QString heading(int level, const QString &text);

@@ -35,7 +35,7 @@ std::vector<ModelFigure> modelFigures(const TuneReport &report, const std::funct
     const std::optional<MotorFound> &motor = report.motor;
     const MotorFound found = motor.value_or(MotorFound());
     const auto error = [&motor](double of) { return motor ? std::optional(of) : std::nullopt; };
-    const QString unit = phrase ? phrase(Message::label(found.unit)) : qt(found.unit);
+    const QString unit = worded(phrase, Message::label(found.unit));
     std::vector<ModelFigure> figures{
         {ReportText::tr("Gain K"), QStringLiteral("K"), report.plant.gain, error(found.line.gainError), 4, unit},
         {ReportText::tr("Lag τ"), QStringLiteral("τ"), milli * report.plant.tau, error(milli * found.pushes.tauError),

@@ -152,7 +152,7 @@ QString gainLabel(const ReportUnit &unit, const std::string &key, const Report &
     if (!index)
         return escaped(key);
     const Parameter &parameter = unit.family->parameters[index->value];
-    const QString label = report.phrase ? report.phrase(Message::label(parameter.label)) : qt(parameter.label);
+    const QString label = worded(report.phrase, Message::label(parameter.label));
     return escaped(label) + QStringLiteral(" <span class=\"key\">") + escaped(key) + QStringLiteral("</span>");
 }
 
@@ -171,8 +171,7 @@ QString trialHtml(const KeptTrial &kept, const ReportUnit &unit, const Report &r
     html += paragraph(escaped(words.join(QStringLiteral(" · "))), "dim");
     QString ending = strong(escaped(endingWords(trial)), trial.reason == "done" ? "ok" : "danger");
     if (!trial.detail.empty())
-        ending
-            += QStringLiteral(": ") + escaped(report.phrase ? report.phrase(trial.detail) : qt(trial.detail.english()));
+        ending += QStringLiteral(": ") + escaped(worded(report.phrase, trial.detail));
     ending += QStringLiteral(" · ")
         + (trial.stopped ? ReportText::tr("motor seen stopped") : ReportText::tr("stop not confirmed"))
         + QStringLiteral(" · ") + ReportText::tr("%1 samples, %2 lost").arg(trial.samples).arg(trial.lost);

@@ -71,7 +71,7 @@ QString gatesHtml(const TuneReport &report, const Report &whole)
 {
     QString html;
     for (const Gate &gate : report.gates) {
-        const QString detail = escaped(whole.phrase ? whole.phrase(gate.detail) : qt(gate.detail.english()));
+        const QString detail = escaped(worded(whole.phrase, gate.detail));
         html += (!gate.passed        ? strong(ReportText::tr("failed"), "danger")
                         : gate.warns ? strong(ReportText::tr("to be looked at"), "caution")
                                      : strong(ReportText::tr("passed"), "ok"))
@@ -96,9 +96,7 @@ QString gainsHtml(const TuneReport &report, const ReportUnit &unit, const Report
             QString::number(row.raw)});
     }
     const Message note = feedForwardNote(report, unit.family);
-    return table.html()
-        + (note.empty() ? QString()
-                        : paragraph(escaped(whole.phrase ? whole.phrase(note) : qt(note.english())), "dim"));
+    return table.html() + (note.empty() ? QString() : paragraph(escaped(worded(whole.phrase, note)), "dim"));
 }
 
 QString proofHtml(const TuneReport &report)
@@ -230,8 +228,7 @@ QString tuningHtml(const KeptTuning &kept, const ReportUnit &unit, const Report 
     if (!numbers.isEmpty())
         words << ReportText::tr("trials %1").arg(numbers.join(QStringLiteral(", ")));
     html += paragraph(escaped(words.join(QStringLiteral(" · "))), "dim");
-    html += paragraph(verdictHtml(report) + QStringLiteral(": ")
-        + escaped(whole.phrase ? whole.phrase(report.evidence) : qt(report.evidence.english())));
+    html += paragraph(verdictHtml(report) + QStringLiteral(": ") + escaped(worded(whole.phrase, report.evidence)));
     if (report.plant.gain > 0.0)
         html += beside(modelHtml(report, whole), proofHtml(report));
     html += figureBlock(stepSvg(report));

@@ -21,7 +21,7 @@ void addFact(HtmlTable &table, const QString &name, const std::string &value)
 
 QString phrased(const Report &report, std::string_view text)
 {
-    return escaped(report.phrase ? report.phrase(Message::label(text)) : qt(text));
+    return escaped(worded(report.phrase, Message::label(text)));
 }
 
 } // namespace

@@ -79,7 +79,7 @@ QString testHtml(const ReportUnit &unit)
 
 QString phrased(const Report &report, const Message &text)
 {
-    return escaped(report.phrase ? report.phrase(text) : qt(text.english()));
+    return escaped(worded(report.phrase, text));
 }
 
 QString firmwareText(const Visit &visit)
