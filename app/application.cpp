@@ -5,7 +5,6 @@
 #include "app/helpdesk.h"
 #include "app/languages.h"
 #include "app/projectdesk.h"
-#include "app/servicedoor.h"
 #include "app/sessiondesk.h"
 #include "app/tour.h"
 #include "app/welcome.h"
@@ -18,6 +17,8 @@
 #include "widgets/control/tuneform.h"
 #include "widgets/control/tunepage.h"
 #include "widgets/design/designpage.h"
+#include "widgets/firmware/firmwarepage.h"
+#include "widgets/firmware/queueboard.h"
 #include "widgets/plots/plotspage.h"
 #include "widgets/plots/recorder.h"
 #include "widgets/service/productionpage.h"
@@ -169,6 +170,7 @@ Application::Application(QApplication &qt, const Options &options)
             core.keepTranscripts(transcriptFolder());
             core.session().memory().keepScans(scanFolder());
         });
+    keepJournal();
     makeWindow();
     if (const QStringList sides = options.size.split(QLatin1Char('x')); sides.size() == 2)
         m_window->resize(sides[0].toInt(), sides[1].toInt());
@@ -184,9 +186,6 @@ Application::~Application() = default;
 void Application::makeWindow()
 {
     m_window = std::make_unique<MainWindow>(*m_engine, *m_theme, m_settings);
-    if (!m_service)
-        makeService();
-    m_window->setService(*m_service);
     m_window->findChild<ProductionPage *>()->setSound(m_settings.look().sounds);
     setUpPlots();
     setUpLimits();
@@ -194,18 +193,19 @@ void Application::makeWindow()
     QObject::connect(m_window.get(), &MainWindow::lookChosen, &m_qt, [this] { followLook(); });
 }
 
-/// Of the engine, to which it belongs; its journal is where it was the last time.
-void Application::makeService()
+/// The journal of service is where it was the last time.
+void Application::keepJournal()
 {
-    m_service = new ServiceDoor(*m_engine);
-    QObject::connect(m_service, &ServiceDesk::journalKept, &m_qt,
+    QObject::connect(m_engine.get(), &Engine::journalChosen, &m_qt,
         [this](const QString &server, const QString &station) { m_settings.setJournal(server, station); });
-    if (const QString server = m_settings.journalServer(); !server.isEmpty() || !m_settings.station().isEmpty())
-        m_service->keepJournal(
-            server.toStdString(), m_settings.station().toStdString(), [this](const Result<void> &kept) {
-                if (!kept)
-                    m_engine->report(Severity::Caution, {}, errorText(kept.error()));
-            });
+    const QString server = m_settings.journalServer();
+    const QString station = m_settings.station();
+    if (server.isEmpty() && station.isEmpty())
+        return;
+    m_engine->send(orders::KeepJournal{server.toStdString(), station.toStdString()}, [this](const Result<void> &kept) {
+        if (!kept)
+            m_engine->report(Severity::Caution, {}, errorText(kept.error()));
+    });
 }
 
 /// Language and sizes are in every widget: the window is made anew, on the same page with the same device. The engine and what it
@@ -247,7 +247,14 @@ void Application::setUpStart()
     auto *project = new ProjectDesk(*m_engine, m_limits, m_options.demo ? QString() : layoutFolder(), *m_window);
     QObject::connect(m_window.get(), &MainWindow::projectWanted, project,
         [project](bool open) { open ? project->askOpen() : project->askSave(); });
-    QObject::connect(project, &ProjectDesk::folderChosen, m_service, &ServiceDesk::setRecipeFolder);
+    QObject::connect(project, &ProjectDesk::folderChosen, m_window.get(), [this](const QString &folder) {
+        m_machineFolder = folder;
+        qobject_cast<FirmwarePage *>(m_window->page(PageId::Firmware))->queue().setRecipeFolder(folder);
+    });
+    QObject::connect(m_window.get(), &MainWindow::pageMade, m_window.get(), [this](PageId, QWidget *page) {
+        if (const auto *firmware = qobject_cast<FirmwarePage *>(page))
+            firmware->queue().setRecipeFolder(m_machineFolder);
+    });
 }
 
 /// The recording begins with the program, not with a wish.

@@ -18,7 +18,6 @@ namespace mb {
 
 class Recorder;
 class SessionDesk;
-class ServiceDoor;
 class Tour;
 
 /// What the command line asked for.
@@ -60,7 +59,7 @@ private:
     void followDesktop();
     void openLinks();
     void makeWindow();
-    void makeService();
+    void keepJournal();
     void setUpPlots();
     void setUpLimits();
     void setUpStart();
@@ -76,8 +75,8 @@ private:
     Settings m_settings;
     std::unique_ptr<ThemeSource> m_theme;
     std::unique_ptr<Engine> m_engine;
-    ServiceDoor *m_service = nullptr;        ///< belongs to the engine
     EnvelopeBook m_limits;                   ///< of experiments
+    QString m_machineFolder;                 ///< chosen by its user; empty: none
     std::unique_ptr<SessionDesk> m_sessions; ///< none in a demo
     std::unique_ptr<MainWindow> m_window;
     std::unique_ptr<QTemporaryDir> m_demoFolder; ///< a demo leaves nothing behind

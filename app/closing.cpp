@@ -2,9 +2,9 @@
 #include "app/closing.h"
 
 #include "widgets/common/devicetext.h"
+#include "widgets/common/serviceview.h"
 #include "widgets/common/updates.h"
 #include "widgets/control/arming.h"
-#include "widgets/service/servicedesk.h"
 
 #include <QMessageBox>
 #include <QPushButton>
@@ -20,17 +20,12 @@ Closing::Closing(Workbench &workbench, Arming &arming, QWidget &window)
     , m_window(window)
 {
     connect(&workbench, &Workbench::changed, this, &Closing::follow);
-}
-
-void Closing::setService(ServiceDesk &desk)
-{
-    m_service = &desk;
-    connect(&desk, &ServiceDesk::changed, this, &Closing::follow);
+    connect(&workbench, &Workbench::serviceChanged, this, &Closing::follow);
 }
 
 bool Closing::isServing() const
 {
-    return m_service && m_service->view().running;
+    return m_workbench.service().running;
 }
 
 bool Closing::mayClose()
@@ -88,7 +83,7 @@ void Closing::askAboutUpdates()
 
 void Closing::askAboutService()
 {
-    const auto &rows = m_service->view().rows;
+    const auto &rows = m_workbench.service().rows;
     const bool critical
         = std::any_of(rows.begin(), rows.end(), [](const service::QueueRow &row) { return !row.mayInterrupt; });
     QAbstractButton &go = ask(tr("Units are being served. Cancel the queue?"),
@@ -96,7 +91,7 @@ void Closing::askAboutService()
                  : tr("The journal knows where it stood, and the queue can be gone on with."),
         tr("Cancel the queue and close"));
     connect(&go, &QAbstractButton::clicked, this, [this] {
-        m_service->cancel();
+        m_workbench.send(orders::CancelService{});
         begin();
     });
 }

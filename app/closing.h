@@ -14,7 +14,6 @@ class QMessageBox;
 namespace mb {
 
 class Arming;
-class ServiceDesk;
 
 /// Lets the window go only when nothing is cut by it. Asks while firmware is written, cancels what may be cancelled, waits
 /// out what must not be cut, and waits until what this program moved was seen to stop.
@@ -26,8 +25,6 @@ public:
 
     Closing(Workbench &workbench, Arming &arming, QWidget &window);
 
-    /// Units that are served are asked about, too. The desk outlives this.
-    void setService(ServiceDesk &desk);
     /// Of a close event: whether the window may go now. If not, it is closed from here later, or not at all.
     [[nodiscard]] bool mayClose();
 
@@ -50,7 +47,6 @@ private:
     Workbench &m_workbench;
     Arming &m_arming;
     QWidget &m_window;
-    ServiceDesk *m_service = nullptr;
     State m_state = State::Open;
     std::vector<DeviceId> m_moved; ///< to be seen stopped
     Instant m_since{};

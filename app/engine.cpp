@@ -10,6 +10,7 @@
 #include "app/sleep/logindinhibitor.h"
 #include "app/sleep/sleepguard.h"
 #include "app/trialdesk.h"
+#include "app/visitdesk.h"
 #include "telemetry/chunkstore.h"
 #include "transport/workerthreads.h"
 #include "widgets/common/devicetext.h"
@@ -57,9 +58,10 @@ public:
         , workers(owner.m_toEngine)
         , journals(owner)
         , core(clock, families, opensByItself, &guardian)
-        , service(core, {journals.service, &journals.settings, &journals.trials, hostName()})
-        , serviceFeed(service)
-        , sleepGuard(core.session(), clock, inhibitor, [this] { return service.mustStayAwake(); })
+        , serviceFeed(
+              core.service(), [this](const service::Visit &visit) { tellEnded(visit); },
+              [this](const JournalPlace &place, const orders::KeepJournal &order) { keepJournal(place, order); })
+        , sleepGuard(core.session(), clock, inhibitor, [this] { return core.service().mustStayAwake(); })
         , arrivals(owner.m_toEngine.descriptor(), QSocketNotifier::Read)
         , lister(clock, workers, core.links())
         , tick(clock)
@@ -76,6 +78,7 @@ public:
         core.setBackground(&workers);
         core.setJournal(&journals.trials);
         core.setSettingsLog(&journals.settings);
+        core.service().setBooks({&journals.service, &journals.settings, &journals.trials}, hostName());
         core.session().keepHistoriesIn(store);
         core.session().setStopGate(&engine.m_stopLane.isPressed());
         changed = core.session().changed().add([this] { engine.m_stopLane.follow(core.session()); });
@@ -86,11 +89,22 @@ public:
     void publish()
     {
         tick.startIn(snapshotPeriod, [this] { publish(); });
-        serviceFeed.tell();
         if (engine.m_snapshotUnderWay.exchange(true))
             return;
-        auto picture = std::make_shared<Picture>(Picture{core.changes(), core.links().listings(), core.owedGains()});
+        auto picture = std::make_shared<Picture>(
+            Picture{core.changes(), core.links().listings(), core.owedGains(), serviceFeed.news()});
         engine.m_toWindow.post([to = &engine, picture] { to->takePicture(std::move(*picture)); });
+    }
+
+    void tellEnded(const service::Visit &visit)
+    {
+        engine.m_toWindow.post([to = &engine, visit] { Q_EMIT to->unitEnded(visit); });
+    }
+
+    void keepJournal(const JournalPlace &place, const orders::KeepJournal &order)
+    {
+        engine.m_store.keepJournal(place);
+        engine.m_toWindow.post([to = &engine, station = place.station, order] { to->takeJournal(station, order); });
     }
 
     /// Samples that could not go to disk stay in memory; somebody should know before it is full.
@@ -111,7 +125,6 @@ public:
     WorkerThreads workers;
     Journals journals;
     EngineCore core;
-    ServiceJobs service;
     ServiceFeed serviceFeed;
     LogindInhibitor inhibitor;
     SleepGuard sleepGuard;
@@ -155,9 +168,14 @@ Engine::Engine(std::span<const Family *const> families, bool opensByItself, QObj
     , m_store(databaseFile(), m_clock, accountName())
     , m_notebook(std::make_unique<TrialDesk>(m_store, m_toWindow))
     , m_archive(std::make_unique<SettingsDesk>(m_store, m_toWindow))
+    , m_visits(std::make_unique<VisitDesk>(m_store, m_toWindow))
     , m_thread(std::make_unique<Loop>(*this, families, opensByItself))
 {
     connect(m_arrivals.get(), &QSocketNotifier::activated, this, [this] { m_toWindow.drain(); });
+    m_journal.station = hostName();
+    m_store.followJournal([this](int waiting, const Message &trouble) {
+        m_toWindow.post([this, waiting, trouble] { takeDelivery(waiting, trouble); });
+    });
     m_thread->setObjectName(QStringLiteral("engine"));
     m_thread->start(QThread::TimeCriticalPriority);
 }
@@ -176,31 +194,6 @@ Engine::~Engine()
 void Engine::post(std::function<void(EngineCore &)> work)
 {
     m_toEngine.post([this, work = std::move(work)] { work(m_worker->core); });
-}
-
-void Engine::askService(std::function<Result<void>(ServiceJobs &)> work, std::function<void(Result<void>)> finished)
-{
-    m_toEngine.post([this, work = std::move(work), finished = std::move(finished)] {
-        const Result<void> result = work(m_worker->service);
-        if (finished)
-            m_toWindow.post([finished, result] { finished(result); });
-    });
-}
-
-void Engine::followService(
-    std::function<void(const ServiceView &)> viewed, std::function<void(const service::Visit &)> ended)
-{
-    m_toEngine.post([this, viewed = std::move(viewed), ended = std::move(ended)] {
-        m_worker->serviceFeed.follow(
-            [this, viewed](const ServiceView &view) { m_toWindow.post([viewed, view] { viewed(view); }); },
-            [this, ended](const service::Visit &visit) { m_toWindow.post([ended, visit] { ended(visit); }); });
-    });
-}
-
-void Engine::followJournal(std::function<void(int, const Message &)> told)
-{
-    m_store.followJournal([to = &m_toWindow, told = std::move(told)](
-                              int waiting, const Message &trouble) { to->post([=] { told(waiting, trouble); }); });
 }
 
 /// Whatever becomes of it, its answer comes back through the window's mailbox.
@@ -224,6 +217,25 @@ void Engine::takePicture(Picture picture)
     m_owedGains = std::move(picture.owedGains);
     m_snapshotUnderWay = false;
     Q_EMIT changed();
+    if (!picture.service)
+        return;
+    m_service = std::move(*picture.service);
+    Q_EMIT serviceChanged();
+}
+
+void Engine::takeJournal(const std::string &station, const orders::KeepJournal &order)
+{
+    m_journal.server = order.server;
+    m_journal.station = station;
+    Q_EMIT serviceChanged();
+    Q_EMIT journalChosen(QString::fromStdString(order.server), QString::fromStdString(order.station));
+}
+
+void Engine::takeDelivery(int waiting, const Message &trouble)
+{
+    m_journal.waiting = waiting;
+    m_journal.trouble = trouble;
+    Q_EMIT serviceChanged();
 }
 
 void Engine::report(Severity severity, const QString &device, const QString &text)
@@ -244,6 +256,11 @@ TrialNotebook &Engine::trials()
     return *m_notebook;
 }
 
+VisitArchive &Engine::visits()
+{
+    return *m_visits;
+}
+
 /// Before every other order; past the engine thread where that does not come to it.
 void Engine::stopAll(StopCause cause)
 {
@@ -253,7 +270,6 @@ void Engine::stopAll(StopCause cause)
         m_worker->core.stopAll(cause);
         if (cause == StopCause::User)
             m_stopLane.served();
-        cause == StopCause::User ? m_worker->service.stop() : m_worker->service.arm(false);
     });
 }
 

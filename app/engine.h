@@ -6,6 +6,7 @@
 #include "app/trialstore.h"
 #include "async/mailbox.h"
 #include "transport/qtclock.h"
+#include "widgets/common/serviceview.h"
 #include "widgets/common/workbench.h"
 
 #include <atomic>
@@ -14,9 +15,6 @@
 class QSocketNotifier;
 
 namespace mb {
-
-class ServiceJobs;
-struct ServiceView;
 
 /// The door between the two threads, and the only one. Orders are posted to the engine thread's mailbox; snapshots, notices
 /// and results come back through the window's. At most one snapshot is under way, so a window that hangs is not buried.
@@ -34,6 +32,9 @@ public:
 
     [[nodiscard]] SettingsArchive &settings() override;
     [[nodiscard]] TrialNotebook &trials() override;
+    [[nodiscard]] VisitArchive &visits() override;
+    [[nodiscard]] const JournalState &journal() const override { return m_journal; }
+    [[nodiscard]] const ServiceView &service() const override { return m_service; }
     [[nodiscard]] const std::map<DeviceId, std::vector<tuning::OwedGains>> &owedGains() const override
     {
         return m_owedGains;
@@ -42,26 +43,12 @@ public:
     void report(Severity severity, const QString &device, const QString &text) override;
     [[nodiscard]] const std::vector<Notice> &notices() const override { return m_notices; }
 
-    /// The service of units: `work` runs on the engine thread, `finished` hears of it here.
-    void askService(std::function<Result<void>(ServiceJobs &)> work, std::function<void(Result<void>)> finished);
-    /// From now on, here: every view that is another, at most 30 times a second, and every unit that has ended.
-    void followService(
-        std::function<void(const ServiceView &)> viewed, std::function<void(const service::Visit &)> ended);
-
-    /// As ServiceDesk::keepJournal(); nothing is served meanwhile. From any thread.
-    void keepJournal(JournalPlace place) { m_store.keepJournal(std::move(place)); }
-    /// From now on, here: how many entries the journal's server has not got, and why. Before keepJournal().
-    void followJournal(std::function<void(int waiting, const Message &trouble)> told);
-
-    /// A question of the user's file, answered here later.
-    template <class T>
-    void askBooks(std::function<Result<T>(Books &)> question, std::function<void(Result<T>)> answered)
-    {
-        m_store.ask<T>(m_toWindow, std::move(question), std::move(answered));
-    }
-
     /// Runs `work` on the engine thread. For tests that disturb a simulated device.
     void post(std::function<void(EngineCore &)> work);
+
+Q_SIGNALS:
+    /// The journal is kept by this order from now on: to be remembered for the next start.
+    void journalChosen(const QString &server, const QString &station);
 
 private:
     struct Journals;
@@ -74,8 +61,11 @@ private:
         SnapshotChanges changes;
         std::vector<LinkListing> listings;
         std::map<DeviceId, std::vector<tuning::OwedGains>> owedGains;
+        std::optional<ServiceView> service; ///< nothing: as it was
     };
     void takePicture(Picture picture);
+    void takeJournal(const std::string &station, const orders::KeepJournal &order);
+    void takeDelivery(int waiting, const Message &trouble);
 
     QtClock m_clock;
     StopThread m_stopLane;
@@ -90,6 +80,9 @@ private:
     TrialStore m_store;
     std::unique_ptr<TrialNotebook> m_notebook;
     std::unique_ptr<SettingsArchive> m_archive;
+    std::unique_ptr<VisitArchive> m_visits;
+    ServiceView m_service;
+    JournalState m_journal;
     Worker *m_worker = nullptr; ///< the engine thread's; touched only there
     std::unique_ptr<Loop> m_thread;
 };

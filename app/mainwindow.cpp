@@ -52,9 +52,10 @@ MainWindow::MainWindow(Workbench &workbench, ThemeSource &theme, Settings &setti
     buildMenu();
     buildPages();
     buildDocks(); // beside the pages: they take what these leave
+    buildProduction();
     setStatusBar(new StatusBar(workbench, theme, this));
     m_keys = new WindowKeys({*m_pages, *m_docks, *m_menu, *m_help, settings}, *this,
-        [this] { m_production ? m_production->show(!m_production->isShown()) : void(); });
+        [this] { m_production->show(!m_production->isShown()); });
     qApp->installEventFilter(new ArmKey(m_header->lamp(), *this));
     restoreGeometry(settings.geometry());
     connect(&workbench, &Workbench::changed, this, &MainWindow::follow);
@@ -143,10 +144,11 @@ void MainWindow::addPages()
     m_pages->add(
         tr("Plots"), [this](QWidget *parent) { return new PlotsPage(m_workbench, m_selection, m_theme, parent); });
     m_pages->add(tr("Firmware"),
-        [this](QWidget *parent) { return new FirmwarePage(m_workbench, m_selection, m_theme, parent); });
+        [this](QWidget *parent) { return new FirmwarePage(m_workbench, m_selection, families(), m_theme, parent); });
     m_pages->add(tr("Bus"), [this](QWidget *parent) { return new BusPage(m_workbench, *m_arming, m_theme, parent); });
     m_pages->add(tr("Log"), [this](QWidget *parent) { return new LogPage(m_workbench, m_theme, parent); });
-    m_pages->add(tr("Reports"), [this](QWidget *parent) { return new ReportsPage(m_workbench, m_theme, parent); });
+    m_pages->add(
+        tr("Reports"), [this](QWidget *parent) { return new ReportsPage(m_workbench, families(), m_theme, parent); });
 }
 
 void MainWindow::addAbovePages(QWidget &strip)
@@ -154,19 +156,11 @@ void MainWindow::addAbovePages(QWidget &strip)
     m_pages->addAbovePages(strip);
 }
 
-void MainWindow::setService(ServiceDesk &desk)
+void MainWindow::buildProduction()
 {
-    m_closing->setService(desk);
-    m_station->setService(desk);
-    auto *bench = new ProductionPage(desk, m_workbench, families(), m_theme, m_faces);
+    auto *bench = new ProductionPage(m_workbench, families(), m_theme, m_faces);
     m_production = new ProductionFace(*this, *m_faces, *bench, m_docks->all());
     connect(bench, &ProductionPage::leaveRequested, m_production, [this] { m_production->show(false); });
-    connect(this, &MainWindow::pageMade, this, [&desk](PageId, QWidget *page) {
-        if (auto *firmware = qobject_cast<FirmwarePage *>(page))
-            firmware->setService(desk, families());
-        else if (auto *reports = qobject_cast<ReportsPage *>(page))
-            reports->setService(desk, families());
-    });
 }
 
 QWidget *MainWindow::makeOverview(QWidget *parent)

@@ -22,7 +22,6 @@ class HeaderBar;
 class HelpDesk;
 class PageStack;
 class ProductionFace;
-class ServiceDesk;
 class SideDocks;
 class StationLamp;
 class WindowKeys;
@@ -46,10 +45,7 @@ public:
     [[nodiscard]] PageId shownPage() const;
     /// Puts it above the pages, below what is said of the device; the window owns it from now on.
     void addAbovePages(QWidget &strip);
-    /// Production (F11), the queue of the page Firmware and the journal are there with it. Before a page is made. The desk outlives
-    /// the window.
-    void setService(ServiceDesk &desk);
-    [[nodiscard]] ProductionFace *production() const { return m_production; }
+    [[nodiscard]] ProductionFace &production() const { return *m_production; }
     /// A recording, as the menu opens it.
     void openFile(const QString &path);
     /// Every key, in a window of its own.
@@ -72,6 +68,7 @@ private:
     void buildDocks();
     void buildPages();
     void addPages();
+    void buildProduction();
     QWidget *makeOverview(QWidget *parent);
     void follow();
     void followInspector();

@@ -32,7 +32,7 @@ const DeviceView *ServiceTour::unit() const
 
 QueueBoard &ServiceTour::board() const
 {
-    return *m_stage.page<FirmwarePage>(PageId::Firmware).queue();
+    return m_stage.page<FirmwarePage>(PageId::Firmware).queue();
 }
 
 /// A limit that becomes wider.
@@ -94,7 +94,7 @@ bool ServiceTour::isOver() const
 void ServiceTour::enterProduction()
 {
     const QSize size = m_stage.window().size();
-    m_stage.window().production()->show(true);
+    m_stage.window().production().show(true);
     m_stage.window().setWindowState(m_stage.window().windowState() & ~Qt::WindowFullScreen);
     m_stage.window().resize(size);
 }
@@ -109,7 +109,7 @@ void ServiceTour::showVerdict(const char *name)
 {
     m_stage.act("production", [this] { enterProduction(); });
     m_stage.picture(name, 300ms, true);
-    m_stage.act("leave production", [this] { m_stage.window().production()->show(false); });
+    m_stage.act("leave production", [this] { m_stage.window().production().show(false); });
 }
 
 /// A self-test whose limits nobody keeps, of one unit.

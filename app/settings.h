@@ -50,7 +50,7 @@ public:
     /// Keys that the user gave to commands, by PageKeys::idOf.
     [[nodiscard]] KeyChoices keys() const;
     void setKeys(const KeyChoices &keys);
-    /// As ServiceDesk::keepJournal(): the server that stations share, and the name of this one; empty until chosen.
+    /// As orders::KeepJournal: the server that stations share, and the name of this one; empty until chosen.
     [[nodiscard]] QString journalServer() const;
     [[nodiscard]] QString station() const;
     void setJournal(const QString &server, const QString &station);

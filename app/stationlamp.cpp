@@ -16,14 +16,9 @@ StationLamp::StationLamp(Workbench &workbench, Arming &arming, Selection &select
     , m_selection(selection)
     , m_header(header)
 {
+    connect(&workbench, &Workbench::serviceChanged, this, &StationLamp::follow);
     connect(&header.lamp(), &Lamp::armRequested, this, &StationLamp::arm);
     connect(&header.lamp(), &Lamp::disarmRequested, this, &StationLamp::disarm);
-}
-
-void StationLamp::setService(ServiceDesk &desk)
-{
-    m_desk = &desk;
-    connect(&desk, &ServiceDesk::changed, this, &StationLamp::follow);
 }
 
 void StationLamp::follow()
@@ -34,7 +29,7 @@ void StationLamp::follow()
 /// The unit whose self-test runs now, its motor with it.
 const service::QueueRow *StationLamp::tested() const
 {
-    const ServiceView &view = m_desk->view();
+    const ServiceView &view = m_workbench.service();
     const auto found = std::find_if(view.rows.begin(), view.rows.end(), [](const service::QueueRow &row) {
         return row.state == service::RowState::Running && row.visit.step == service::Step::Test;
     });
@@ -44,9 +39,9 @@ const service::QueueRow *StationLamp::tested() const
 /// What a queue says never makes less of a motor that moves, or may.
 LampStatus StationLamp::over(LampStatus status) const
 {
-    if (!m_desk || !m_desk->view().running || (status.state != LampState::Safe && status.state != LampState::Stopped))
+    if (!m_workbench.service().running || (status.state != LampState::Safe && status.state != LampState::Stopped))
         return status;
-    const ServiceView &view = m_desk->view();
+    const ServiceView &view = m_workbench.service();
     status.remaining.reset();
     if (const service::QueueRow *row = tested()) {
         status.state = LampState::Moving;
@@ -66,20 +61,20 @@ LampStatus StationLamp::over(LampStatus status) const
 
 void StationLamp::arm()
 {
-    if (!m_desk || !m_desk->view().running)
+    if (!m_workbench.service().running)
         m_arming.arm(m_selection.device());
-    else if (m_desk->view().moves)
-        m_desk->arm(true);
+    else if (m_workbench.service().moves)
+        m_workbench.send(orders::ArmService{true});
 }
 
 /// A motor that turns is stopped, too.
 void StationLamp::disarm()
 {
-    if (!m_desk || !m_desk->view().armed)
+    if (!m_workbench.service().armed)
         return m_arming.disarm();
     if (tested())
         m_arming.stopAll(tr("Arm button"));
-    m_desk->arm(false);
+    m_workbench.send(orders::ArmService{false});
 }
 
 } // namespace mb

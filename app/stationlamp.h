@@ -4,12 +4,15 @@
 #include "widgets/common/lamp.h"
 #include "widgets/common/selection.h"
 #include "widgets/common/workbench.h"
-#include "widgets/service/servicedesk.h"
 
 namespace mb {
 
 class Arming;
 class HeaderBar;
+
+namespace service {
+struct QueueRow;
+} // namespace service
 
 /// The lamp of the header: what it says, and what holding it arms. That is the selected device; while units are served, the
 /// self-tests of the queue: armed is armed, whoever lets a motor turn. GUI thread.
@@ -17,8 +20,6 @@ class StationLamp : public QObject {
     Q_OBJECT
 public:
     StationLamp(Workbench &workbench, Arming &arming, Selection &selection, HeaderBar &header);
-    /// The desk outlives this.
-    void setService(ServiceDesk &desk);
     void follow();
 
 private:
@@ -31,7 +32,6 @@ private:
     Arming &m_arming;
     Selection &m_selection;
     HeaderBar &m_header;
-    ServiceDesk *m_desk = nullptr;
 };
 
 } // namespace mb

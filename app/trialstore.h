@@ -28,12 +28,6 @@ struct Books {
     }
 };
 
-/// Where the journal of service is kept. A value.
-struct JournalPlace {
-    std::string station;                 ///< name of this one in it
-    std::optional<JournalServer> server; ///< that stations share; nothing: this computer's file alone
-};
-
 /// The user's file in a thread of its own, so that neither disk nor server ever holds up engine or window. The file is opened
 /// with the first order. Orders are done one after the other, those that wait at the end too; what the journal's server has not
 /// got then, it gets the next time.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/engine/enginecore.h"
 
-#include <algorithm>
-
 namespace mb {
 namespace {
 
@@ -48,6 +46,7 @@ EngineCore::EngineCore(Clock &clock, std::span<const Family *const> families, bo
     , m_trials(m_context, m_parameters, m_owed, m_rates)
     , m_firmware(m_context, m_parameters, m_scans)
     , m_roll(m_context, m_parameters, m_encounters, m_trials)
+    , m_service(m_context, m_scans)
     , m_publisher(m_context, m_links, m_provisional)
     , m_look(clock)
 {
@@ -65,32 +64,15 @@ void EngineCore::carryOut(const Order &order, const Reply &reply)
     std::visit(
         [this, &reply](const auto &one) {
             giveTo(one, reply, m_operations, m_motion, m_recordings, m_scans, m_links, m_jobs, m_parameters,
-                m_provisional, m_rates, m_owed, m_trials, m_firmware);
+                m_provisional, m_rates, m_owed, m_trials, m_firmware, m_service);
         },
         order);
 }
 
-Link *EngineCore::linkAt(const std::string &address) const
+void EngineCore::stopAll(StopCause cause)
 {
-    const auto links = m_session.links();
-    const auto found = std::find_if(
-        links.begin(), links.end(), [&address](const Link *link) { return link->address().text() == address; });
-    return found == links.end() ? nullptr : *found;
-}
-
-Link *EngineCore::lend(const std::string &address)
-{
-    Link *link = linkAt(address);
-    if (!link || link->state() != LinkState::Open || !m_operations.lend(*link))
-        return nullptr;
-    m_scans.forget(*link);
-    return link;
-}
-
-void EngineCore::takeBack(const std::string &address)
-{
-    if (const Link *link = linkAt(address))
-        m_operations.takeBack(*link);
+    m_motion.stopAll(cause);
+    cause == StopCause::User ? m_service.stop() : m_service.arm(false);
 }
 
 void EngineCore::setBackground(Background *background)

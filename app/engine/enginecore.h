@@ -5,6 +5,7 @@
 #include "app/engine/firmwareupdates.h"
 #include "app/engine/links.h"
 #include "app/engine/rollcall.h"
+#include "app/engine/servicejobs.h"
 #include "app/engine/snapshotpublisher.h"
 #include "widgets/orders/reply.h"
 
@@ -29,8 +30,8 @@ public:
     {
         carryOut(Order(std::move(order)), Reply(Reply::from<AnswerOf<O>>(std::move(finished))));
     }
-    /// STOP: every motor, at once.
-    void stopAll(StopCause cause) { m_motion.stopAll(cause); }
+    /// STOP: every motor, at once; nothing that is served turns one any more.
+    void stopAll(StopCause cause);
 
     [[nodiscard]] Session &session() { return m_session; }
     [[nodiscard]] Snapshot snapshot() const { return m_publisher.take(); }
@@ -41,9 +42,7 @@ public:
     /// What goes back unless somebody keeps it.
     [[nodiscard]] ProvisionalChanges &provisional() { return m_provisional; }
     [[nodiscard]] Links &links() { return m_links; }
-    /// An open link for whoever serves units there (Operations::lend); nullptr: it is not there, or busy.
-    [[nodiscard]] Link *lend(const std::string &address);
-    void takeBack(const std::string &address);
+    [[nodiscard]] ServiceJobs &service() { return m_service; }
     /// What earlier experiments owe to units that are here; it is looked for when a unit has told who it is.
     [[nodiscard]] const std::map<DeviceId, std::vector<tuning::OwedGains>> &owedGains() const { return m_owed.owed(); }
 
@@ -57,7 +56,6 @@ public:
     void keepTranscripts(std::string folder) { m_firmware.keepTranscripts(std::move(folder)); }
 
 private:
-    [[nodiscard]] Link *linkAt(const std::string &address) const;
     void look();
 
     Session m_session;
@@ -77,6 +75,7 @@ private:
     Trials m_trials;
     FirmwareUpdates m_firmware;
     RollCall m_roll;
+    ServiceJobs m_service;
     SnapshotPublisher m_publisher;
     Timer m_look;
 };

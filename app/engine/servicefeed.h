@@ -3,42 +3,35 @@
 
 #include "app/engine/servicejobs.h"
 
+#include <utility>
+
 namespace mb {
 
-/// Tells somebody what became of the units that are served. Engine thread, where it also calls.
+/// Tells somebody what becomes of the units that are served, and where their journal goes. Engine thread, where it also calls.
 class ServiceFeed {
 public:
-    using Viewed = std::function<void(const ServiceView &)>;
     using Ended = std::function<void(const service::Visit &)>;
+    using Chosen = std::function<void(const JournalPlace &, const orders::KeepJournal &)>;
 
-    explicit ServiceFeed(ServiceJobs &service)
+    ServiceFeed(ServiceJobs &service, Ended ended, Chosen chosen)
         : m_service(service)
         , m_changed(service.changed().add([this] { m_isNew = true; }))
-        , m_unitEnded(service.unitEnded().add([this](const service::Visit &visit) {
-            if (m_ended)
-                m_ended(visit);
-        }))
+        , m_unitEnded(service.unitEnded().add(std::move(ended)))
+        , m_journalChosen(service.journalChosen().add(std::move(chosen)))
     {
     }
-    void follow(Viewed viewed, Ended ended)
+    /// The view, where it is another than it was the last time.
+    [[nodiscard]] std::optional<ServiceView> news()
     {
-        m_viewed = std::move(viewed);
-        m_ended = std::move(ended);
-    }
-    /// The view, where it is another than it was told last.
-    void tell()
-    {
-        if (m_viewed && std::exchange(m_isNew, false))
-            m_viewed(m_service.view());
+        return std::exchange(m_isNew, false) ? std::optional(m_service.view()) : std::nullopt;
     }
 
 private:
     ServiceJobs &m_service;
     bool m_isNew = false;
-    Viewed m_viewed;
-    Ended m_ended;
     Subscription m_changed;
     Subscription m_unitEnded;
+    Subscription m_journalChosen;
 };
 
 } // namespace mb

@@ -6,6 +6,7 @@
 #include "storage/serverconnection.h"
 #include "storage/visittable.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,12 @@ public:
 
 private:
     ServerAddress m_address;
+};
+
+/// Where the journal of service is kept. A value.
+struct JournalPlace {
+    std::string station;                 ///< name of this one in it
+    std::optional<JournalServer> server; ///< that stations share; nothing: this computer's file alone
 };
 
 } // namespace mb

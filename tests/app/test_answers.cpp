@@ -42,7 +42,8 @@ tuning::ExperimentPlan stepOf(const Place &place)
 template <class O> O example(const Place &place)
 {
     O order{};
-    order.device = place.id;
+    if constexpr (requires { order.device; })
+        order.device = place.id;
     return order;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Units served in the engine's session: the link is lent, nothing turns unarmed, STOP ends all. Virtual time.
-#include "app/engine/servicejobs.h"
+#include "app/engine/enginecore.h"
 #include "async/virtualclock.h"
 #include "heard.h"
 #include "model/registry.h"
@@ -38,13 +38,23 @@ protected:
         core->send(orders::OpenLink{*LinkAddress::parse("sim:can")});
         EXPECT_TRUE(clock.runUntil([this] { return device(7) && device(7)->liveness().heard; }, 10s));
         clock.advance(3s);
-        jobs = std::make_unique<ServiceJobs>(
-            *core, ServiceJobs::Surroundings{*journal, settings.get(), trials.get(), "bench 1"});
+        core->service().setBooks({journal.get(), settings.get(), trials.get()}, "bench 1");
     }
-    ~Served() override
+    /// What came of the order, which is answered at once.
+    [[nodiscard]] Result<void> serve(orders::ServeUnits order)
     {
-        jobs.reset();
-        core.reset();
+        test::Heard<> begun;
+        core->send(std::move(order), begun.finished());
+        EXPECT_TRUE(begun.has_value());
+        return begun ? *begun : fail(Fault::Timeout);
+    }
+    [[nodiscard]] ServiceView view() const { return core->service().view(); }
+    /// An order to a unit of the link is refused.
+    [[nodiscard]] bool isLent()
+    {
+        test::Heard<> named;
+        core->send(orders::Identify{core->session().idOf(*device(7))}, named.finished());
+        return named && !*named;
     }
     [[nodiscard]] Device *device(int address)
     {
@@ -77,12 +87,11 @@ protected:
     std::unique_ptr<SettingsBook> settings;
     std::unique_ptr<TrialBook> trials;
     std::unique_ptr<EngineCore> core;
-    std::unique_ptr<ServiceJobs> jobs;
 
     /// The row whose self-test waits for arming.
     [[nodiscard]] service::QueueRow waiting() const
     {
-        for (const service::QueueRow &row : jobs->view().rows) {
+        for (const service::QueueRow &row : view().rows) {
             if (row.state == service::RowState::Running)
                 return row;
         }
@@ -93,7 +102,7 @@ protected:
     {
         return clock.runUntil(
             [&] {
-                jobs->renew();
+                core->send(orders::RenewService{});
                 return is();
             },
             5min);
@@ -108,16 +117,16 @@ protected:
 
 TEST_F(Served, EveryUnitOfALinkAndTheEngineLeavesItAloneMeanwhile)
 {
-    ASSERT_TRUE(jobs->begin({recipe(plain), {"sim:can"}, std::nullopt}));
-    EXPECT_TRUE(jobs->view().running);
+    ASSERT_TRUE(serve({recipe(plain), {"sim:can"}, std::nullopt}));
+    EXPECT_TRUE(view().running);
     test::Heard<> refused;
     core->send(orders::Identify{core->session().idOf(*device(7))}, refused.finished());
     ASSERT_TRUE(refused.has_value());
     EXPECT_FALSE(*refused) << "the link is lent";
-    ASSERT_TRUE(clock.runUntil([this] { return !jobs->view().running; }, 10min));
-    EXPECT_GE(jobs->view().counts.passed, 2);
-    EXPECT_EQ(jobs->view().counts.ended(), static_cast<int>(jobs->view().rows.size()));
-    EXPECT_GE(journal->list({})->size(), static_cast<std::size_t>(jobs->view().counts.passed));
+    ASSERT_TRUE(clock.runUntil([this] { return !view().running; }, 10min));
+    EXPECT_GE(view().counts.passed, 2);
+    EXPECT_EQ(view().counts.ended(), static_cast<int>(view().rows.size()));
+    EXPECT_GE(journal->list({})->size(), static_cast<std::size_t>(view().counts.passed));
     core->send(orders::Identify{core->session().idOf(*device(7))}, refused.finished());
     ASSERT_TRUE(clock.runUntil([&refused] { return refused && *refused; }, 10s)) << "it is given back";
 }
@@ -125,13 +134,13 @@ TEST_F(Served, EveryUnitOfALinkAndTheEngineLeavesItAloneMeanwhile)
 TEST_F(Served, TheSameLinkAgainAndARetryOfNothingGivesItBack)
 {
     for (int round = 0; round < 2; ++round) {
-        ASSERT_TRUE(jobs->begin({recipe(plain), {"sim:can"}, std::nullopt}));
-        EXPECT_FALSE(jobs->begin({recipe(plain), {"sim:can"}, std::nullopt})) << "it runs";
-        EXPECT_EQ(core->lend("sim:can"), nullptr) << "it is lent";
-        ASSERT_TRUE(clock.runUntil([this] { return !jobs->view().running; }, 10min));
-        EXPECT_GE(jobs->view().counts.passed, 2);
-        jobs->retry(12345);
-        EXPECT_FALSE(jobs->view().running);
+        ASSERT_TRUE(serve({recipe(plain), {"sim:can"}, std::nullopt}));
+        EXPECT_FALSE(serve({recipe(plain), {"sim:can"}, std::nullopt})) << "it runs";
+        EXPECT_TRUE(isLent());
+        ASSERT_TRUE(clock.runUntil([this] { return !view().running; }, 10min));
+        EXPECT_GE(view().counts.passed, 2);
+        core->send(orders::RetryUnit{12345});
+        EXPECT_FALSE(view().running);
     }
     test::Heard<> free;
     core->send(orders::Identify{core->session().idOf(*device(7))}, free.finished());
@@ -141,37 +150,37 @@ TEST_F(Served, TheSameLinkAgainAndARetryOfNothingGivesItBack)
 
 TEST_F(Served, NothingTurnsUnlessItIsArmed)
 {
-    ASSERT_TRUE(jobs->begin({recipe(moving), {"sim:can"}, std::nullopt}));
-    EXPECT_FALSE(clock.runUntil([this] { return anyMoves() || !jobs->view().running; }, 20min));
-    EXPECT_TRUE(jobs->view().waits);
+    ASSERT_TRUE(serve({recipe(moving), {"sim:can"}, std::nullopt}));
+    EXPECT_FALSE(clock.runUntil([this] { return anyMoves() || !view().running; }, 20min));
+    EXPECT_TRUE(view().waits);
     EXPECT_EQ(waiting().visit.step, service::Step::Test);
     EXPECT_EQ(waiting().what.english(), "waits until the station is armed");
     EXPECT_TRUE(waiting().mayInterrupt);
-    EXPECT_EQ(jobs->view().counts.failed, 0);
-    jobs->cancel();
-    ASSERT_TRUE(clock.runUntil([this] { return !jobs->view().running; }, 1min));
-    EXPECT_EQ(jobs->view().counts.passed + jobs->view().counts.failed, 0) << "it goes on when it is resumed";
-    EXPECT_FALSE(jobs->view().waits);
+    EXPECT_EQ(view().counts.failed, 0);
+    core->send(orders::CancelService{});
+    ASSERT_TRUE(clock.runUntil([this] { return !view().running; }, 1min));
+    EXPECT_EQ(view().counts.passed + view().counts.failed, 0) << "it goes on when it is resumed";
+    EXPECT_FALSE(view().waits);
 }
 
 TEST_F(Served, WhoWaitsForArmingGoesOnByItselfAndWhoComesAfterAFailWaits)
 {
-    ASSERT_TRUE(jobs->begin({recipe(failing), {"sim:can"}, std::nullopt}));
-    ASSERT_TRUE(clock.runUntil([this] { return jobs->view().waits; }, 5min));
+    ASSERT_TRUE(serve({recipe(failing), {"sim:can"}, std::nullopt}));
+    ASSERT_TRUE(clock.runUntil([this] { return view().waits; }, 5min));
     clock.advance(1min);
     const std::uint32_t first = waiting().id;
-    jobs->arm(true);
-    EXPECT_FALSE(jobs->view().waits);
-    ASSERT_TRUE(renewedUntil([this] { return jobs->view().counts.failed == 1; }));
-    EXPECT_FALSE(jobs->view().armed) << "FAIL disarms";
-    ASSERT_TRUE(renewedUntil([this] { return jobs->view().waits; }));
+    core->send(orders::ArmService{true});
+    EXPECT_FALSE(view().waits);
+    ASSERT_TRUE(renewedUntil([this] { return view().counts.failed == 1; }));
+    EXPECT_FALSE(view().armed) << "FAIL disarms";
+    ASSERT_TRUE(renewedUntil([this] { return view().waits; }));
     EXPECT_NE(waiting().id, first);
     clock.advance(1min);
-    EXPECT_EQ(jobs->view().counts.failed, 1) << "the next waits, and has not failed";
-    jobs->arm(true);
-    ASSERT_TRUE(renewedUntil([this] { return !jobs->view().running; }));
-    EXPECT_EQ(jobs->view().counts.failed, 2);
-    for (const service::QueueRow &row : jobs->view().rows) {
+    EXPECT_EQ(view().counts.failed, 1) << "the next waits, and has not failed";
+    core->send(orders::ArmService{true});
+    ASSERT_TRUE(renewedUntil([this] { return !view().running; }));
+    EXPECT_EQ(view().counts.failed, 2);
+    for (const service::QueueRow &row : view().rows) {
         if (row.state == service::RowState::Failed) {
             EXPECT_NE(row.visit.cause.english().find("settle"), std::string::npos) << row.visit.cause.english();
         }
@@ -180,99 +189,98 @@ TEST_F(Served, WhoWaitsForArmingGoesOnByItselfAndWhoComesAfterAFailWaits)
 
 TEST_F(Served, DisarmedInTheLastThreeSecondsItWaitsAgain)
 {
-    ASSERT_TRUE(jobs->begin({recipe(moving), {"sim:can"}, std::nullopt}));
-    jobs->arm(true);
-    ASSERT_TRUE(clock.runUntil([this] { return jobs->view().announces; }, 5min));
-    jobs->arm(false);
+    ASSERT_TRUE(serve({recipe(moving), {"sim:can"}, std::nullopt}));
+    core->send(orders::ArmService{true});
+    ASSERT_TRUE(clock.runUntil([this] { return view().announces; }, 5min));
+    core->send(orders::ArmService{false});
     ASSERT_FALSE(clock.runUntil([this] { return anyMoves(); }, 1min));
-    EXPECT_TRUE(jobs->view().waits);
-    EXPECT_FALSE(jobs->view().announces);
-    EXPECT_EQ(jobs->view().counts.failed, 0);
-    jobs->arm(true);
+    EXPECT_TRUE(view().waits);
+    EXPECT_FALSE(view().announces);
+    EXPECT_EQ(view().counts.failed, 0);
+    core->send(orders::ArmService{true});
     EXPECT_TRUE(renewedUntil([this] { return anyMoves(); }));
 }
 
 TEST_F(Served, AUnitThatIsTakenOffWhileItWaitsForArmingHasFailedForThat)
 {
-    ASSERT_TRUE(jobs->begin({recipe(moving), {"sim:can"}, std::nullopt}));
-    ASSERT_TRUE(clock.runUntil([this] { return jobs->view().waits; }, 5min));
+    ASSERT_TRUE(serve({recipe(moving), {"sim:can"}, std::nullopt}));
+    ASSERT_TRUE(clock.runUntil([this] { return view().waits; }, 5min));
     const std::uint32_t first = waiting().id;
     const int address = core->session().find(waiting().device)->identity().address;
     for (Simulator *unit : core->session().bench(*core->session().links().front())->simulators()) {
         if (unit->name() == "dmc60c:" + std::to_string(address))
             unit->setPowered(false);
     }
-    ASSERT_TRUE(clock.runUntil([this] { return jobs->view().counts.failed == 1; }, 1min));
-    const service::QueueRow row = jobs->view().rows.front();
+    ASSERT_TRUE(clock.runUntil([this] { return view().counts.failed == 1; }, 1min));
+    const service::QueueRow row = view().rows.front();
     EXPECT_EQ(row.id, first);
     EXPECT_NE(row.visit.cause.english().find("taken off"), std::string::npos) << row.visit.cause.english();
-    ASSERT_TRUE(clock.runUntil([this] { return jobs->view().waits; }, 1min)) << "and the rest goes on";
+    ASSERT_TRUE(clock.runUntil([this] { return view().waits; }, 1min)) << "and the rest goes on";
 }
 
 TEST_F(Served, ArmedItSaysSoThreeSecondsBeforeAMotorTurns)
 {
-    ASSERT_TRUE(jobs->begin({recipe(moving), {"sim:can"}, std::nullopt}));
-    jobs->arm(true);
-    EXPECT_TRUE(jobs->view().armed);
-    ASSERT_TRUE(clock.runUntil([this] { return jobs->view().announces; }, 5min));
+    ASSERT_TRUE(serve({recipe(moving), {"sim:can"}, std::nullopt}));
+    core->send(orders::ArmService{true});
+    EXPECT_TRUE(view().armed);
+    ASSERT_TRUE(clock.runUntil([this] { return view().announces; }, 5min));
     const Instant told = clock.now();
     ASSERT_TRUE(clock.runUntil(
         [this] {
-            jobs->renew();
+            core->send(orders::RenewService{});
             return anyMoves();
         },
         1min));
     EXPECT_GE(clock.now() - told, 3s);
-    jobs->stop();
     core->stopAll(StopCause::User);
-    EXPECT_FALSE(jobs->view().armed);
-    ASSERT_TRUE(clock.runUntil([this] { return !jobs->view().running && !anyMoves(); }, 30s));
+    core->stopAll(StopCause::User);
+    EXPECT_FALSE(view().armed);
+    ASSERT_TRUE(clock.runUntil([this] { return !view().running && !anyMoves(); }, 30s));
 }
 
 TEST_F(Served, WhoeverEndsItDisarms)
 {
-    ASSERT_TRUE(jobs->begin({recipe(moving), {"sim:can"}, 0}));
-    jobs->arm(true);
-    jobs->finish();
-    EXPECT_FALSE(jobs->view().armed);
-    EXPECT_FALSE(jobs->begin({recipe(moving), {"sim:nowhere"}, 0})) << "no such link";
+    ASSERT_TRUE(serve({recipe(moving), {"sim:can"}, 0}));
+    core->send(orders::ArmService{true});
+    core->send(orders::FinishService{});
+    EXPECT_FALSE(view().armed);
+    EXPECT_FALSE(serve({recipe(moving), {"sim:nowhere"}, 0})) << "no such link";
 }
 
 TEST_F(Served, TickedUnitsOnlyAndTheOthersAreLeftOut)
 {
     const DeviceId seven = core->session().idOf(*device(7));
-    ASSERT_TRUE(jobs->begin({recipe(plain), {"sim:can"}, std::nullopt, std::vector{seven}}));
-    ASSERT_TRUE(clock.runUntil([this] { return !jobs->view().running; }, 10min));
-    const ServiceView view = jobs->view();
-    EXPECT_EQ(view.counts.ended(), 1);
-    for (const service::QueueRow &row : view.rows)
+    ASSERT_TRUE(serve({recipe(plain), {"sim:can"}, std::nullopt, std::vector{seven}}));
+    ASSERT_TRUE(clock.runUntil([this] { return !view().running; }, 10min));
+    const ServiceView last = view();
+    EXPECT_EQ(last.counts.ended(), 1);
+    for (const service::QueueRow &row : last.rows)
         EXPECT_EQ(row.state, row.device == seven ? service::RowState::Passed : service::RowState::Skipped);
-    EXPECT_GE(view.rows.size(), 2U);
-    EXPECT_FALSE(view.run.empty());
-    EXPECT_EQ(view.recipe, "look");
+    EXPECT_GE(last.rows.size(), 2U);
+    EXPECT_FALSE(last.run.empty());
+    EXPECT_EQ(last.recipe, "look");
 }
 
 TEST_F(Served, AnotherLinkThatIsNotThereLendsNone)
 {
-    EXPECT_FALSE(jobs->begin({recipe(plain), {"sim:can", "sim:nowhere"}, std::nullopt}));
-    EXPECT_NE(core->lend("sim:can"), nullptr) << "it was given back";
-    core->takeBack("sim:can");
+    EXPECT_FALSE(serve({recipe(plain), {"sim:can", "sim:nowhere"}, std::nullopt}));
+    EXPECT_FALSE(isLent()) << "it was given back";
 }
 
 TEST_F(Served, ALinkOnWhichUnitsAreServedStaysOpen)
 {
-    ASSERT_TRUE(jobs->begin({recipe(plain), {"sim:can"}, std::nullopt}));
+    ASSERT_TRUE(serve({recipe(plain), {"sim:can"}, std::nullopt}));
     test::Heard<> closed;
     core->send(orders::CloseLink{"sim:can"}, closed.finished());
     ASSERT_TRUE(closed.has_value());
     EXPECT_FALSE(*closed);
-    ASSERT_TRUE(clock.runUntil([this] { return !jobs->view().running; }, 10min));
-    const auto rows = jobs->view().rows.size();
+    ASSERT_TRUE(clock.runUntil([this] { return !view().running; }, 10min));
+    const auto rows = view().rows.size();
     core->send(orders::CloseLink{"sim:can"}, closed.finished());
     EXPECT_TRUE(*closed);
-    EXPECT_EQ(jobs->view().rows.size(), rows) << "what came of it stays in sight";
-    jobs->retryFailed(); // of a queue that is gone: nothing
-    EXPECT_FALSE(jobs->view().running);
+    EXPECT_EQ(view().rows.size(), rows) << "what came of it stays in sight";
+    core->send(orders::RetryFailedUnits{}); // of a queue that is gone: nothing
+    EXPECT_FALSE(view().running);
 }
 
 /// The firmware of the bench, over all three units that take it.
@@ -295,7 +303,7 @@ protected:
     [[nodiscard]] service::QueueRow row(int address)
     {
         const Device *unit = device(address);
-        for (const service::QueueRow &row : jobs->view().rows) {
+        for (const service::QueueRow &row : view().rows) {
             if (unit && row.device == core->session().idOf(*unit))
                 return row;
         }
@@ -323,13 +331,13 @@ protected:
     }
     void expectAllEnded()
     {
-        ASSERT_TRUE(clock.runUntil([this] { return !jobs->view().running; }, 20min));
+        ASSERT_TRUE(clock.runUntil([this] { return !view().running; }, 20min));
     }
 };
 
 TEST_F(Updated, ACableThatComesOutInTheMiddleFailsItsRowAndTheRestGoesOn)
 {
-    ASSERT_TRUE(jobs->begin({update(), {"sim:can"}, std::nullopt, units()}));
+    ASSERT_TRUE(serve({update(), {"sim:can"}, std::nullopt, units()}));
     ASSERT_TRUE(writes(5));
     simulated(5)->setPowered(false);
     expectAllEnded();
@@ -340,53 +348,52 @@ TEST_F(Updated, ACableThatComesOutInTheMiddleFailsItsRowAndTheRestGoesOn)
     EXPECT_FALSE(failed.log->empty());
     EXPECT_EQ(row(7).state, service::RowState::Passed);
     EXPECT_EQ(row(9).state, service::RowState::Passed) << row(9).visit.cause.english();
-    EXPECT_EQ(jobs->view().counts.failed, 1);
+    EXPECT_EQ(view().counts.failed, 1);
     simulated(5)->setPowered(true);
     clock.advance(2s);
-    jobs->retryFailed();
-    EXPECT_TRUE(jobs->view().running);
+    core->send(orders::RetryFailedUnits{});
+    EXPECT_TRUE(view().running);
     expectAllEnded();
-    EXPECT_EQ(jobs->view().counts.passed, 3) << row(5).visit.cause.english();
+    EXPECT_EQ(view().counts.passed, 3) << row(5).visit.cause.english();
     EXPECT_EQ(device(5)->identity().firmware, "1.25");
 }
 
 TEST_F(Updated, CancelEndsWhereNothingMustNotBeCutAndTheRunGoesOnFromTheJournal)
 {
-    ASSERT_TRUE(jobs->begin({update(), {"sim:can"}, std::nullopt, units()}));
+    ASSERT_TRUE(serve({update(), {"sim:can"}, std::nullopt, units()}));
     ASSERT_TRUE(writes(5));
-    const std::string run = jobs->view().run;
-    jobs->cancel();
-    ASSERT_TRUE(clock.runUntil([this] { return !jobs->view().running; }, 1min));
-    EXPECT_EQ(jobs->view().counts.ended(), 0);
+    const std::string run = view().run;
+    core->send(orders::CancelService{});
+    ASSERT_TRUE(clock.runUntil([this] { return !view().running; }, 1min));
+    EXPECT_EQ(view().counts.ended(), 0);
     service::VisitFilter filter;
     filter.run = run;
     auto visits = journal->list(filter);
     ASSERT_TRUE(visits);
     ASSERT_EQ(visits->size(), 1U);
     EXPECT_EQ(visits->front().outcome, service::Outcome::Open);
-    ASSERT_TRUE(jobs->begin({update(), {"sim:can"}, std::nullopt, std::vector<DeviceId>(), run}));
+    ASSERT_TRUE(serve({update(), {"sim:can"}, std::nullopt, std::vector<DeviceId>(), run}));
     expectAllEnded();
-    EXPECT_EQ(jobs->view().counts.passed, 1) << "what was cut off only";
+    EXPECT_EQ(view().counts.passed, 1) << "what was cut off only";
     EXPECT_EQ(journal->list(filter)->size(), 1U) << "no visit twice";
-    ASSERT_TRUE(jobs->begin({update(), {"sim:can"}, std::nullopt, units(), run}));
+    ASSERT_TRUE(serve({update(), {"sim:can"}, std::nullopt, units(), run}));
     expectAllEnded();
-    EXPECT_EQ(jobs->view().counts.passed, 3);
+    EXPECT_EQ(view().counts.passed, 3);
     EXPECT_EQ(journal->list(filter)->size(), 3U);
 }
 
 TEST_F(Updated, AProgramThatDiesInTheMiddleGoesOnFromTheJournal)
 {
-    ASSERT_TRUE(jobs->begin({update(), {"sim:can"}, std::nullopt, units()}));
-    ASSERT_TRUE(clock.runUntil([this] { return jobs->view().counts.passed == 1; }, 5min));
+    ASSERT_TRUE(serve({update(), {"sim:can"}, std::nullopt, units()}));
+    ASSERT_TRUE(clock.runUntil([this] { return view().counts.passed == 1; }, 5min));
     clock.advance(2s);
-    const std::string run = jobs->view().run;
-    jobs.reset(); // nothing is said to anybody
+    const std::string run = view().run;
+    core->service().setBooks({}, "bench 1"); // nothing is said to anybody
     clock.advance(5s);
-    jobs = std::make_unique<ServiceJobs>(
-        *core, ServiceJobs::Surroundings{*journal, settings.get(), trials.get(), "bench 1"});
-    ASSERT_TRUE(jobs->begin({update(), {"sim:can"}, std::nullopt, units(), run}));
+    core->service().setBooks({journal.get(), settings.get(), trials.get()}, "bench 1");
+    ASSERT_TRUE(serve({update(), {"sim:can"}, std::nullopt, units(), run}));
     expectAllEnded();
-    EXPECT_EQ(jobs->view().counts.passed, 3);
+    EXPECT_EQ(view().counts.passed, 3);
     service::VisitFilter filter;
     filter.run = run;
     EXPECT_EQ(journal->list(filter)->size(), 3U);
@@ -396,19 +403,19 @@ TEST_F(Updated, AProgramThatDiesInTheMiddleGoesOnFromTheJournal)
 
 TEST_F(Updated, PausedAfterThisUnitNothingBeginsUntilItGoesOn)
 {
-    ASSERT_TRUE(jobs->begin({update(), {"sim:can"}, std::nullopt, units()}));
+    ASSERT_TRUE(serve({update(), {"sim:can"}, std::nullopt, units()}));
     ASSERT_TRUE(writes(5));
-    jobs->pause(true);
-    ASSERT_TRUE(clock.runUntil([this] { return jobs->view().counts.ended() == 1; }, 5min));
+    core->send(orders::PauseService{true});
+    ASSERT_TRUE(clock.runUntil([this] { return view().counts.ended() == 1; }, 5min));
     clock.advance(1min);
-    EXPECT_EQ(jobs->view().counts.ended(), 1);
-    EXPECT_TRUE(jobs->view().running && jobs->view().pausing);
-    jobs->skip(row(7).id);
-    jobs->pause(false);
+    EXPECT_EQ(view().counts.ended(), 1);
+    EXPECT_TRUE(view().running && view().pausing);
+    core->send(orders::SkipUnit{row(7).id});
+    core->send(orders::PauseService{false});
     expectAllEnded();
     EXPECT_EQ(row(7).state, service::RowState::Skipped);
-    EXPECT_EQ(jobs->view().counts.passed, 2);
-    EXPECT_FALSE(jobs->mustStayAwake()) << "simulated units end with the program";
+    EXPECT_EQ(view().counts.passed, 2);
+    EXPECT_FALSE(core->service().mustStayAwake()) << "simulated units end with the program";
 }
 
 } // namespace

@@ -149,9 +149,9 @@ void BoardQueueTest::threeBoardsAreGuidedOneAfterTheOther()
     QCOMPARE(board.model().ticked().size(), std::size_t(boardCount));
     QTRY_VERIFY_WITH_TIMEOUT(board.canStart(), boardPatience);
     QTest::mouseClick(&board.bar().start(), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(rack.bench.door->view().running, boardPatience);
-    QTRY_VERIFY_WITH_TIMEOUT((rack.help(), !rack.bench.door->view().running), boardPatience);
-    for (const service::QueueRow &row : rack.bench.door->view().rows)
+    QTRY_VERIFY_WITH_TIMEOUT(rack.bench.engine->service().running, boardPatience);
+    QTRY_VERIFY_WITH_TIMEOUT((rack.help(), !rack.bench.engine->service().running), boardPatience);
+    for (const service::QueueRow &row : rack.bench.engine->service().rows)
         QVERIFY2(row.state == RowState::Passed, row.visit.cause.english().c_str());
     QCOMPARE(rack.bench.in(RowState::Passed).size(), std::size_t(boardCount));
     QCOMPARE(rack.mostAtOnce, std::size_t(1)); // one cable, one pair of hands

@@ -10,6 +10,7 @@
 #include "widgets/firmware/firmwarepage.h"
 #include "widgets/firmware/routepanel.h"
 #include "widgets/firmware/stepspanel.h"
+#include "widgets/firmware/unitupdate.h"
 
 #include <QApplication>
 #include <QDir>
@@ -86,7 +87,7 @@ void BoardUpdateTest::init()
     m_engine->post([folder = m_folder.filePath(QStringLiteral("logs")).toStdString()](
                        EngineCore &core) { core.keepTranscripts(folder); });
     m_engine->send(orders::OpenLink{*LinkAddress::parse("sim:spi")});
-    m_page = std::make_unique<FirmwarePage>(*m_engine, m_selection, *m_theme);
+    m_page = std::make_unique<FirmwarePage>(*m_engine, m_selection, families(), *m_theme);
     m_page->resize(1280, 720);
     m_page->show();
     QTRY_VERIFY_WITH_TIMEOUT(board() && board()->liveness.heard, updatePatience);
@@ -157,7 +158,8 @@ void BoardUpdateTest::picture(const char *name)
 
 void BoardUpdateTest::begin()
 {
-    m_page->findChild<RoutePanel *>()->setVia(QStringLiteral("serial:") + m_folder.filePath(QStringLiteral("boot")));
+    m_page->unit().findChild<RoutePanel *>()->setVia(
+        QStringLiteral("serial:") + m_folder.filePath(QStringLiteral("boot")));
     QTRY_VERIFY_WITH_TIMEOUT(m_page->canStart(), updatePatience);
     m_page->startUpdate();
     QTRY_VERIFY_WITH_TIMEOUT(holds(QStringLiteral("close the jumper")), updatePatience);
@@ -165,7 +167,7 @@ void BoardUpdateTest::begin()
 
 void BoardUpdateTest::handsAreGuidedAndTheVersionIsCompared()
 {
-    auto *drawing = m_page->findChild<DrawingView *>();
+    auto *drawing = m_page->unit().findChild<DrawingView *>();
     QVERIFY(drawing);
     begin();
     QVERIFY(drawing->isVisible() && shows(*drawing, "the jumper connects AUX1 and AUX2"));
@@ -202,7 +204,7 @@ void BoardUpdateTest::itCanBeCancelledWhileItWaitsForTheJumper()
 
 void BoardUpdateTest::everyControlHasAName()
 {
-    auto *route = m_page->findChild<RoutePanel *>();
+    auto *route = m_page->unit().findChild<RoutePanel *>();
     for (auto *button : route->findChildren<QPushButton *>()) {
         if (button->isCheckable())
             button->click();

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Closing the window cuts nothing: it asks about an update, waits out what must not be cut, and sees a motor stop first.
-#include "support/fakedesk.h"
 #include "support/fakeworkbench.h"
 #include "support/windowtests.h"
 #include "windowbench.h"
@@ -80,7 +79,6 @@ public:
     }
 
     FakeWorkbench workbench;
-    FakeDesk desk;
     DeviceView device;
     Arming arming{workbench};
     Closing closing{workbench, arming, *this};
@@ -156,19 +154,18 @@ void ClosingTest::anUpdateThatEndsTakesItsQuestionAway()
 void ClosingTest::aQueueIsNotAbandonedWithoutAQuestion()
 {
     ClosingWindow window;
-    window.closing.setService(window.desk);
     service::QueueRow row;
     row.state = service::RowState::Running;
     row.mayInterrupt = false;
-    window.desk.show({row});
+    window.workbench.serve({row});
     QVERIFY(!window.close());
     QVERIFY(window.question()->text().contains(QStringLiteral("Units are being served")));
     QVERIFY(window.question()->informativeText().contains(QStringLiteral("must not be cut")));
     window.answer(QStringLiteral("Cancel the queue and close"));
-    QCOMPARE(window.desk.cancelled, 1);
+    QCOMPARE(window.workbench.given<orders::CancelService>().size(), 1U);
     window.workbench.publish();
     QVERIFY(window.isVisible()); // until the unit may be left
-    window.desk.show({row}, false);
+    window.workbench.serve({row}, false);
     QVERIFY(!window.isVisible());
 }
 

@@ -37,7 +37,7 @@ struct QueueWindow : WindowBench {
     {
         auto &page = this->page<FirmwarePage>(PageId::Firmware);
         page.showQueue(true);
-        return *page.queue();
+        return page.queue();
     }
     [[nodiscard]] const QueueLine *line(int address)
     {
@@ -131,7 +131,7 @@ void QueueWindowTest::theHeaderSaysThatAStationIsArmed()
         = bench.write(R"({"recipe":1,"name":"turn","family":"dmc60c","test":{"loop":"velocity","to":2000,
 "limits":{"travel":20000,"speed":20000,"duty":0.5,"current":40},"accept":{"overshoot":9}}})");
     Lamp &lamp = bench.part<Lamp>();
-    bench.window().production()->show(true);
+    bench.window().production().show(true);
     auto &page = bench.part<ProductionPage>();
     page.setSound(false);
     QVERIFY(page.openRecipe(recipe));

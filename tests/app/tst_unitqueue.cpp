@@ -32,7 +32,7 @@ void UnitQueueTest::aDuplicateAndWrongHardwareAreRefusedInTheirRowsAndTheRestGoe
     QTRY_VERIFY_WITH_TIMEOUT(bench.board().canStart(), queuePatience);
     bench.board().start();
     QTRY_COMPARE_WITH_TIMEOUT(bench.in(RowState::Passed).size(), std::size_t(2), queuePatience);
-    QTRY_VERIFY_WITH_TIMEOUT(!bench.door->view().running, queuePatience);
+    QTRY_VERIFY_WITH_TIMEOUT(!bench.engine->service().running, queuePatience);
     const auto refused = bench.in(RowState::Refused);
     QCOMPARE(refused.size(), std::size_t(3));
     for (const QueueLine &line : refused) {

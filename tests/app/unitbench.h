@@ -2,7 +2,6 @@
 #pragma once
 
 #include "app/engine.h"
-#include "app/servicedoor.h"
 #include "model/registry.h"
 #include "widgets/common/selection.h"
 #include "widgets/common/theme.h"
@@ -22,9 +21,7 @@ struct UnitBench {
     {
         show({texts.begin(), texts.end()});
         engine = std::make_unique<Engine>(only, false);
-        door = new ServiceDoor(*engine);
-        page = std::make_unique<FirmwarePage>(*engine, selection, theme);
-        page->setService(*door, families()); // devices name the family of the program, not the one with this bench
+        page = std::make_unique<FirmwarePage>(*engine, selection, families(), theme);
         page->showQueue(true);
         page->resize(1280, 720);
         page->show();
@@ -44,7 +41,7 @@ struct UnitBench {
     }
     void open(const std::string &link) { engine->send(orders::OpenLink{*LinkAddress::parse(link)}); }
     [[nodiscard]] std::size_t found() const { return engine->snapshot().devices.size(); }
-    [[nodiscard]] QueueBoard &board() const { return *page->queue(); }
+    [[nodiscard]] QueueBoard &board() const { return page->queue(); }
     [[nodiscard]] std::vector<QueueLine> in(service::RowState state) const
     {
         std::vector<QueueLine> lines;
@@ -61,7 +58,6 @@ struct UnitBench {
     ThemeSource theme{darkTheme()};
     Selection selection;
     std::unique_ptr<Engine> engine;
-    ServiceDoor *door = nullptr;
     std::unique_ptr<FirmwarePage> page;
 };
 

@@ -19,6 +19,7 @@
 #include "widgets/control/trialmodel.h"
 #include "widgets/firmware/drawingview.h"
 #include "widgets/firmware/firmwarepage.h"
+#include "widgets/firmware/unitupdate.h"
 #include "widgets/parameters/parametermodel.h"
 
 #include <QApplication>
@@ -236,10 +237,10 @@ TEST_F(NewFamily, ShowsItsOwnStepsAndDrawingOnTheFirmwarePage)
     Selection selection;
     ThemeSource theme(lightTheme());
     selection.select(workbench.shot.devices.front().id);
-    FirmwarePage page(workbench, selection, theme);
+    FirmwarePage page(workbench, selection, families(), theme);
     page.show();
     publish();
-    auto *const view = page.findChild<DrawingView *>();
+    auto *const view = page.unit().findChild<DrawingView *>();
     ASSERT_NE(view, nullptr);
     ASSERT_EQ(view->drawing(), unit->family().routes.front().steps.front().drawing);
     EXPECT_EQ(view->accessibleName(), QStringLiteral("Drawing: a tinkered handle"));

@@ -10,7 +10,6 @@
 #include "app/engine.h"
 #include "app/mainwindow.h"
 #include "app/productionface.h"
-#include "app/servicedoor.h"
 #include "model/registry.h"
 #include "widgets/common/holdbutton.h"
 #include "widgets/service/productionpage.h"
@@ -194,16 +193,14 @@ class Producer {
 public:
     Producer(mb::Engine &engine, mb::MainWindow &window, const char *recipe, int units)
         : m_engine(engine)
-        , m_desk(new mb::ServiceDoor(engine)) // belongs to the engine
         , m_recipe(QString::fromLocal8Bit(recipe))
         , m_units(units)
     {
-        window.setService(*m_desk);
-        window.production()->show(true);
+        window.production().show(true);
         m_page = window.findChild<mb::ProductionPage *>();
         QObject::connect(
-            m_desk, &mb::ServiceDesk::unitEnded, m_page, [this](const mb::service::Visit &visit) { tell(visit); });
-        QObject::connect(m_desk, &mb::ServiceDesk::changed, m_page, [this] { arm(); });
+            &m_engine, &mb::Workbench::unitEnded, m_page, [this](const mb::service::Visit &visit) { tell(visit); });
+        QObject::connect(&m_engine, &mb::Workbench::serviceChanged, m_page, [this] { arm(); });
     }
     void follow()
     {
@@ -219,7 +216,7 @@ public:
 private:
     void arm()
     {
-        const mb::ServiceView &view = m_desk->view();
+        const mb::ServiceView &view = m_engine.service();
         m_holds = m_holds && !view.armed;
         if (!view.running || view.armed || m_page->armButton().isHidden() || std::exchange(m_holds, true))
             return;
@@ -239,7 +236,6 @@ private:
     }
 
     mb::Engine &m_engine;
-    mb::ServiceDoor *m_desk;
     mb::ProductionPage *m_page = nullptr;
     QString m_recipe;
     int m_units;

@@ -3,7 +3,9 @@
 
 #include "fakearchive.h"
 #include "fakenotebook.h"
+#include "fakevisits.h"
 #include "tuning/owedgains.h"
+#include "widgets/common/serviceview.h"
 #include "widgets/common/workbench.h"
 
 namespace mb::test {
@@ -31,6 +33,9 @@ public:
     std::vector<Stop> stops;
     FakeNotebook book;
     FakeArchive archive;
+    FakeVisits visited;
+    ServiceView served;
+    JournalState kept;
     std::map<DeviceId, std::vector<tuning::OwedGains>> owed;
     Snapshot shot;
     Instant time{std::chrono::seconds(1000)};
@@ -42,6 +47,14 @@ public:
     {
         shot.time = time;
         Q_EMIT changed();
+    }
+    /// Tells the pages of units that are served, or were.
+    void serve(std::vector<service::QueueRow> rows, bool running = true)
+    {
+        served.running = running;
+        served.links = {"sim:can"};
+        served.rows = std::move(rows);
+        Q_EMIT serviceChanged();
     }
     /// The orders of one kind, oldest first.
     template <class O> [[nodiscard]] std::vector<Given<O>> given() const
@@ -61,6 +74,9 @@ public:
     const std::vector<LinkListing> &listings() const override { return links; }
     SettingsArchive &settings() override { return archive; }
     TrialNotebook &trials() override { return book; }
+    VisitArchive &visits() override { return visited; }
+    const JournalState &journal() const override { return kept; }
+    const ServiceView &service() const override { return served; }
     const std::map<DeviceId, std::vector<tuning::OwedGains>> &owedGains() const override { return owed; }
     void stopAll(StopCause cause) override { stops.push_back({cause, sent.size()}); }
     void report(Severity severity, const QString &device, const QString &text) override

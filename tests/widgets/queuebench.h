@@ -3,7 +3,6 @@
 
 #include "model/registry.h"
 #include "parameterbench.h"
-#include "support/fakedesk.h"
 #include "widgets/firmware/firmwarepage.h"
 #include "widgets/firmware/queueboard.h"
 #include "widgets/firmware/queuemodel.h"
@@ -22,10 +21,9 @@ using service::RowState;
 
 inline const QString demoImage = QStringLiteral(":/firmware/dmc60c-demo.hex");
 
-/// The queue of the page Firmware over three units that are only told of, with a desk that only notes what is ordered.
+/// The queue of the page Firmware over three units that are only told of, on a workbench that only notes what is ordered.
 struct QueueBench {
     FakeWorkbench workbench;
-    FakeDesk desk;
     Selection selection;
     ThemeSource theme{darkTheme()};
     QTemporaryDir folder;
@@ -36,14 +34,13 @@ struct QueueBench {
         add(1, 5, "sim:can", "2103343A79F2");
         add(2, 7, "sim:can", "2103343A7A44");
         add(3, 9, "socketcan:can1", "2103343A79E0");
-        page = std::make_unique<FirmwarePage>(workbench, selection, theme);
-        page->setService(desk, families());
+        page = std::make_unique<FirmwarePage>(workbench, selection, families(), theme);
         page->showQueue(true);
         page->resize(1072, 640);
         page->show();
         QApplication::setActiveWindow(page.get());
     }
-    [[nodiscard]] QueueBoard &board() const { return *page->queue(); }
+    [[nodiscard]] QueueBoard &board() const { return page->queue(); }
     [[nodiscard]] QueueModel &model() const { return board().model(); }
     void add(std::uint32_t id, int address, const std::string &link, const std::string &serial)
     {

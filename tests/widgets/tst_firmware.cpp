@@ -34,7 +34,7 @@ struct FirmwareBench {
         add(1, 5, "sim:can");
         add(2, 7, secondLink);
         selection.select({1});
-        page = std::make_unique<FirmwarePage>(workbench, selection, theme);
+        page = std::make_unique<FirmwarePage>(workbench, selection, families(), theme);
         page->resize(1000, 700);
         page->show();
         page->loadImage(imageFile);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Production: unit after unit without a click, PASS or FAIL with cause and remedy, arming, a scanner as keyboard.
 #include "model/registry.h"
-#include "support/fakedesk.h"
 #include "support/fakeworkbench.h"
 #include "support/utf8.h"
 #include "support/windowtests.h"
@@ -44,7 +43,6 @@ service::QueueRow rowOf(std::uint32_t id, service::RowState state, const char *s
 }
 
 struct ProductionBench {
-    FakeDesk desk;
     FakeWorkbench workbench;
     ThemeSource theme{darkTheme()};
     QTemporaryDir folder;
@@ -57,7 +55,7 @@ struct ProductionBench {
         link.name = "sim:can";
         link.state = LinkState::Open;
         workbench.shot.links.push_back(link);
-        page = std::make_unique<ProductionPage>(desk, workbench, families(), theme, nullptr);
+        page = std::make_unique<ProductionPage>(workbench, families(), theme, nullptr);
         page->setSound(false);
         page->resize(1280, 748);
         page->show();
@@ -69,7 +67,15 @@ struct ProductionBench {
         return file.open(QIODevice::WriteOnly) && file.write(recipe) > 0 && (file.close(), true)
             && page->openRecipe(file.fileName());
     }
-    void show(std::vector<service::QueueRow> rows, bool running = true) { desk.show(std::move(rows), running); }
+    /// What was ordered of arming, oldest first.
+    [[nodiscard]] std::vector<bool> armed() const
+    {
+        std::vector<bool> orders;
+        for (const auto &order : workbench.given<orders::ArmService>())
+            orders.push_back(order.on);
+        return orders;
+    }
+    void show(std::vector<service::QueueRow> rows, bool running = true) { workbench.serve(std::move(rows), running); }
 };
 
 const QByteArray plain = R"({"recipe":1,"name":"drive-base rev C","family":"dmc60c"})";
@@ -103,13 +109,14 @@ void TestProduction::oneClickServesUnitAfterUnit()
 {
     ProductionBench bench;
     bench.page->start();
-    QVERIFY(bench.desk.begun.empty()); // without a recipe
+    QVERIFY(bench.workbench.given<orders::ServeUnits>().empty()); // without a recipe
     QVERIFY(bench.open(plain));
     bench.page->start();
-    QCOMPARE(bench.desk.begun.size(), 1U);
-    QCOMPARE(bench.desk.begun.front().links, std::vector<std::string>{"sim:can"});
-    QCOMPARE(bench.desk.begun.front().units, std::optional(0)); // as they are put on, until it is ended
-    QCOMPARE(bench.desk.begun.front().matter->recipe.name, std::string("drive-base rev C"));
+    const auto begun = bench.workbench.given<orders::ServeUnits>();
+    QCOMPARE(begun.size(), 1U);
+    QCOMPARE(begun.front().links, std::vector<std::string>{"sim:can"});
+    QCOMPARE(begun.front().units, std::optional(0)); // as they are put on, until it is ended
+    QCOMPARE(begun.front().matter->recipe.name, std::string("drive-base rev C"));
 }
 
 void TestProduction::theVerdictIsTheUnitThatRunsOrEndedLast()
@@ -151,7 +158,7 @@ void TestProduction::aFailureSaysCauseAndRemedyAndCanBeTestedAgain()
     QVERIFY(verdict.cause.contains(s("0.61")));
     QVERIFY(!verdict.remedy.isEmpty());
     QTest::keyClick(bench.page.get(), Qt::Key_F5);
-    QCOMPARE(bench.desk.retried, std::vector<std::uint32_t>{7});
+    QCOMPARE(bench.workbench.given<orders::RetryUnit>().at(0).row, 7U);
 }
 
 void TestProduction::whatIsSetAsideMakesRoom()
@@ -179,19 +186,19 @@ void TestProduction::armingShowsFirstWhatWillMove()
     QVERIFY(said);
     bench.show({});
     Q_EMIT bench.page->armButton().activated();
-    QCOMPARE(bench.desk.armed, std::vector<bool>{true});
-    bench.desk.shown.armed = true;
-    Q_EMIT bench.desk.changed();
-    QTRY_VERIFY(bench.desk.renewed > 1);
+    QCOMPARE(bench.armed(), std::vector<bool>{true});
+    bench.workbench.served.armed = true;
+    Q_EMIT bench.workbench.serviceChanged();
+    QTRY_VERIFY(bench.workbench.given<orders::RenewService>().size() > 1);
     Q_EMIT bench.page->armButton().activated();
-    QCOMPARE(bench.desk.armed, (std::vector<bool>{true, false}));
+    QCOMPARE(bench.armed(), (std::vector<bool>{true, false}));
 }
 
 void TestProduction::leavingDisarms()
 {
     ProductionBench bench;
     bench.page->hide();
-    QCOMPARE(bench.desk.armed, std::vector<bool>{false});
+    QCOMPARE(bench.armed(), std::vector<bool>{false});
 }
 
 void TestProduction::aScannerIsAKeyboard()
@@ -205,7 +212,7 @@ void TestProduction::aScannerIsAKeyboard()
     QCOMPARE(serial->text(), s("2"));
     QTest::keyClicks(serial, s("103343A7B2F"));
     QTest::keyClick(serial, Qt::Key_Return);
-    QCOMPARE(bench.desk.retried, std::vector<std::uint32_t>{4});
+    QCOMPARE(bench.workbench.given<orders::RetryUnit>().at(0).row, 4U);
     QVERIFY(serial->text().isEmpty());
 }
 
@@ -237,7 +244,7 @@ std::vector<service::QueueRow> aShift()
 void TestProduction::aShiftIsCountedInFigures()
 {
     ProductionBench bench;
-    bench.desk.shown.counts = {26, 1, 0};
+    bench.workbench.served.counts = {26, 1, 0};
     bench.show(aShift());
     const QStringList texts = bench.page->findChild<CountTiles *>()->texts();
     QCOMPARE(texts.mid(0, 3), (QStringList{s("26 passed"), s("1 failed"), s("0 refused before start")}));
@@ -258,7 +265,7 @@ void TestProduction::whatEndedItIsSaidInTheLanguageOfTheWindow()
     QVERIFY(QCoreApplication::installTranslator(&words));
     ProductionBench bench;
     const Message cause = say("all numbers are used up, the highest is %1", 63);
-    bench.desk.shown.trouble = Error{Fault::OutOfRange, cause, Message::verbatim("x")}.message();
+    bench.workbench.served.trouble = Error{Fault::OutOfRange, cause, Message::verbatim("x")}.message();
     bench.show({}, false);
     const QString said = bench.page->verdict().verdict().cause;
     QCoreApplication::removeTranslator(&words);
@@ -276,10 +283,10 @@ void TestProduction::soundCanBeSwitchedOff()
     const auto end = [&bench](service::Outcome outcome) {
         service::Visit visit;
         visit.outcome = outcome;
-        Q_EMIT bench.desk.unitEnded(visit);
+        Q_EMIT bench.workbench.unitEnded(visit);
     };
     const auto announce = [&bench](bool on) {
-        bench.desk.shown.announces = on;
+        bench.workbench.served.announces = on;
         bench.show({rowOf(1, service::RowState::Running, "A1")});
     };
     box->setChecked(true);
@@ -301,13 +308,13 @@ void TestProduction::aUnitThatWaitsForArmingSaysSo()
     auto row = rowOf(1, service::RowState::Running, "A1");
     row.visit.step = service::Step::Test;
     row.what = say("waits until the station is armed");
-    bench.desk.shown.waits = true;
+    bench.workbench.served.waits = true;
     bench.show({row});
     const Verdict &verdict = bench.page->verdict().verdict();
     QCOMPARE(verdict.step, s("waits until the station is armed"));
     QCOMPARE(verdict.next, s("Hold Arm to go on"));
     QVERIFY(bench.page->verdict().accessibleDescription().contains(s("Hold Arm to go on")));
-    bench.desk.shown.waits = false;
+    bench.workbench.served.waits = false;
     bench.show({row});
     QVERIFY(bench.page->verdict().verdict().next != s("Hold Arm to go on"));
 }
@@ -335,20 +342,25 @@ void TestProduction::theJournalOfTheStationIsChosenAndItsServerFollowed()
     QVERIFY(dialog && dialog->isVisible());
     dialog->server().setText(s("ftp://bench-db"));
     dialog->station().setText(s(" bench 2 "));
-    bench.desk.keeping = fail(Fault::Usage, Message::verbatim("no address of a server"));
     dialog->accept();
+    bench.workbench.given<orders::KeepJournal>().at(0).finished(
+        fail(Fault::Usage, Message::verbatim("no address of a server")));
     QVERIFY(dialog->isVisible()); // what is wrong is said, and nothing has changed
     QVERIFY(dialog->mistake().contains(s("no address")));
-    QVERIFY(bench.desk.journalState.server.empty());
-    bench.desk.keeping = {};
     dialog->server().setText(s("postgresql://anna@bench-db/journal"));
     dialog->accept();
+    QVERIFY(dialog->isVisible()); // until it is so
+    const auto chosen = bench.workbench.given<orders::KeepJournal>().at(1);
+    QCOMPARE(chosen.server, std::string("postgresql://anna@bench-db/journal"));
+    QCOMPARE(chosen.station, std::string("bench 2"));
+    chosen.finished({});
     QVERIFY(!dialog->isVisible());
-    QCOMPARE(bench.desk.journalState.station, std::string("bench 2"));
+    bench.workbench.kept = {chosen.server, chosen.station, 0, {}};
+    Q_EMIT bench.workbench.serviceChanged();
     QCOMPARE(card->text(), s("PostgreSQL, bench-db/journal\nstation bench 2"));
-    bench.desk.journalState.waiting = 3;
-    bench.desk.journalState.trouble = Message::verbatim("the server does not answer");
-    Q_EMIT bench.desk.changed();
+    bench.workbench.kept.waiting = 3;
+    bench.workbench.kept.trouble = Message::verbatim("the server does not answer");
+    Q_EMIT bench.workbench.serviceChanged();
     QVERIFY2(card->text().contains(s("3 entries wait for the server: the server does not answer")),
         qPrintable(card->text()));
     bench.show({});
@@ -366,7 +378,7 @@ void TestProduction::pictures()
         applyTheme(*qApp, bench.theme.theme());
         QVERIFY(bench.open(moving));
         bench.page->resize(1440, 820);
-        bench.desk.shown.counts = {26, 1, 0};
+        bench.workbench.served.counts = {26, 1, 0};
         auto rows = aShift();
         rows.back().visit.test
             = {{"resistance", 0.094, 0.080, 0.110, true, false}, {"overshoot", 0.02, {}, 0.4, true, true}};

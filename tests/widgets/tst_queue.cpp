@@ -46,8 +46,9 @@ void QueueTest::tickedUnitsAreServedAndNoOthers()
     bench.model().tick({1}, true);
     bench.model().tick({3}, true);
     QTest::keyClick(bench.page.get(), Qt::Key_F5);
-    QCOMPARE(bench.desk.begun.size(), 1U);
-    const ServiceDesk::Plan &plan = bench.desk.begun.front();
+    const auto begun = bench.workbench.given<orders::ServeUnits>();
+    QCOMPARE(begun.size(), 1U);
+    const orders::ServeUnits &plan = begun.front();
     QCOMPARE(plan.links, (std::vector<std::string>{"sim:can", "socketcan:can1"})); // buses side by side
     QVERIFY(plan.chosen == std::vector<DeviceId>({DeviceId{1}, DeviceId{3}}));
     QVERIFY(!plan.units);
@@ -79,10 +80,10 @@ void QueueTest::withoutRecipeOrTickNothingStarts()
     QVERIFY(bench.board().openImage(demoImage));
     QVERIFY(!bench.board().canStart()); // nothing is ticked
     bench.board().start();
-    QVERIFY(bench.desk.begun.empty());
+    QVERIFY(bench.workbench.given<orders::ServeUnits>().empty());
     bench.model().tick({1}, true);
     QVERIFY(bench.board().bar().start().isEnabled());
-    bench.desk.show({bench.row(1, 1, RowState::Running)});
+    bench.workbench.serve({bench.row(1, 1, RowState::Running)});
     QVERIFY(!bench.board().canStart()); // one runs
     QVERIFY(!bench.board().bar().start().toolTip().isEmpty());
 }
@@ -119,7 +120,7 @@ void QueueTest::eachRowTellsHowFarItIsAndWhatCameOfIt()
     failed.visit.cause = Message::verbatim("no answer");
     failed.visit.device = "sim:can/dmc60c:12";
     bench.workbench.time += std::chrono::seconds(5);
-    bench.desk.show({passed, running, refused, failed});
+    bench.workbench.serve({passed, running, refused, failed});
     QCOMPARE(bench.model().rowCount(), 4);
     QCOMPARE(bench.cell(0, QueueModel::Versions), QStringLiteral("1.23 → 1.25"));
     QVERIFY(bench.cell(0, QueueModel::Outcome).contains(QStringLiteral("55")));
@@ -143,10 +144,10 @@ void QueueTest::theUnitBesideTheQueueIsTheChosenOrTheRunningOrTheLastOne()
     QueueRow first = bench.row(1, 1, RowState::Passed);
     bench.workbench.time += std::chrono::seconds(9);
     QueueRow second = bench.row(2, 2, RowState::Running);
-    bench.desk.show({first, second});
+    bench.workbench.serve({first, second});
     QCOMPARE(shown(), QStringLiteral("DMC60C #7"));
     second.state = RowState::Failed;
-    bench.desk.show({first, second}, false); // the queue has ended
+    bench.workbench.serve({first, second}, false); // the queue has ended
     QCOMPARE(shown(), QStringLiteral("DMC60C #7"));
     QVERIFY(bench.board().steps().again().isEnabled());
     bench.board().table().selectRow(0);
@@ -179,16 +180,16 @@ void QueueTest::pagesThatWereSentAgainAreThoseOfTheShownUnit()
         return parts;
     };
     first.parts = pages(PartState::Repeated);
-    bench.desk.show({first});
+    bench.workbench.serve({first});
     QVERIFY(hasAmber());
     first.parts = pages(PartState::Done);
-    bench.desk.show({first});
+    bench.workbench.serve({first});
     QVERIFY(hasAmber()); // it was sent again
     first.state = RowState::Passed;
     bench.workbench.time += std::chrono::seconds(9);
     QueueRow second = bench.row(2, 2, RowState::Running);
     second.parts = pages(PartState::Done);
-    bench.desk.show({first, second});
+    bench.workbench.serve({first, second});
     QVERIFY(!hasAmber());
 }
 
@@ -197,10 +198,10 @@ void QueueTest::whatMustNotBeCutIsShown()
     QueueBench bench;
     QVERIFY(bench.board().openImage(demoImage));
     QueueRow running = bench.row(1, 1, RowState::Running);
-    bench.desk.show({running});
+    bench.workbench.serve({running});
     QVERIFY(bench.says(QStringLiteral("Safe to unplug: DMC60C #5")));
     running.mayInterrupt = false;
-    bench.desk.show({running});
+    bench.workbench.serve({running});
     QVERIFY(bench.says(QStringLiteral("Do not unplug: DMC60C #5")));
     QCOMPARE(bench.cell(0, QueueModel::Outcome), QStringLiteral("do not unplug"));
 }
@@ -216,13 +217,13 @@ void QueueTest::theLogTellsEveryUnit()
     };
     one.log = std::make_shared<std::vector<LogLine>>(std::vector{line(1, "first"), line(3, "third")});
     two.log = std::make_shared<std::vector<LogLine>>(std::vector{line(2, "second")});
-    bench.desk.show({one, two});
+    bench.workbench.serve({one, two});
     QCOMPARE(bench.board().log().count(), 3);
     const QStringList lines = bench.board().log().text().split(QLatin1Char('\n'));
     QVERIFY(lines[0].contains(QStringLiteral("SERIAL1  first")));
     QVERIFY(lines[1].contains(QStringLiteral("SERIAL2  second")));
     QVERIFY(lines[2].contains(QStringLiteral("third")));
-    bench.desk.show({one, two});
+    bench.workbench.serve({one, two});
     QCOMPARE(bench.board().log().count(), 3); // nothing twice
 }
 
@@ -232,39 +233,42 @@ void QueueTest::pauseSkipRetryAndCancelAreOrders()
     QVERIFY(bench.board().openImage(demoImage));
     QVERIFY(!bench.board().bar().cancel().isEnabled());
     QueueRow failed = bench.row(4, 2, RowState::Failed);
-    bench.desk.show({bench.row(3, 1, RowState::Running), failed});
+    bench.workbench.serve({bench.row(3, 1, RowState::Running), failed});
     bench.board().bar().pause().click();
-    bench.desk.shown.pausing = true;
-    Q_EMIT bench.desk.changed();
+    bench.workbench.served.pausing = true;
+    Q_EMIT bench.workbench.serviceChanged();
     QCOMPARE(bench.board().bar().headline(), QStringLiteral("Pauses after this unit"));
     bench.board().bar().pause().click();
-    QCOMPARE(bench.desk.paused, (std::vector<bool>{true, false}));
+    const auto pauses = bench.workbench.given<orders::PauseService>();
+    QCOMPARE(pauses.size(), 2U);
+    QVERIFY(pauses[0].on && !pauses[1].on);
     bench.board().steps().skip().click(); // of the one that runs
-    QCOMPARE(bench.desk.skipped, std::vector<std::uint32_t>{3});
+    QCOMPARE(bench.workbench.given<orders::SkipUnit>().at(0).row, 3U);
     bench.board().table().selectRow(1);
     QVERIFY(!bench.board().steps().skip().isEnabled());
     bench.board().steps().again().click();
-    QCOMPARE(bench.desk.retried, std::vector<std::uint32_t>{4});
+    QCOMPARE(bench.workbench.given<orders::RetryUnit>().at(0).row, 4U);
     bench.board().bar().retry().click();
-    QCOMPARE(bench.desk.failedRetried, 1);
+    QCOMPARE(bench.workbench.given<orders::RetryFailedUnits>().size(), 1U);
     bench.board().bar().cancel().click();
-    QCOMPARE(bench.desk.cancelled, 1);
+    QCOMPARE(bench.workbench.given<orders::CancelService>().size(), 1U);
 }
 
 void QueueTest::aCutQueueIsOfferedAndGoneOnWith()
 {
     QueueBench bench;
     auto *banner = bench.board().findChild<Banner *>();
-    bench.desk.cut = {"run 7", 3, 1};
+    bench.workbench.visited.cut = {"run 7", 3, 1};
     QVERIFY(bench.board().openImage(demoImage));
     QVERIFY(banner->isVisible());
     QVERIFY(banner->cause().contains(QStringLiteral("3 done, 1 open")));
     bench.board().goOn();
-    QCOMPARE(bench.desk.begun.size(), 1U);
-    QCOMPARE(bench.desk.begun.front().run, std::string("run 7"));
-    QVERIFY(bench.desk.begun.front().chosen && bench.desk.begun.front().chosen->empty()); // what was cut off only
-    QCOMPARE(bench.desk.begun.front().links.size(), 2U);                                  // wherever it hangs now
-    bench.desk.show({bench.row(1, 1, RowState::Running)});
+    const auto begun = bench.workbench.given<orders::ServeUnits>();
+    QCOMPARE(begun.size(), 1U);
+    QCOMPARE(begun.front().run, std::string("run 7"));
+    QVERIFY(begun.front().chosen && begun.front().chosen->empty()); // what was cut off only
+    QCOMPARE(begun.front().links.size(), 2U);                       // wherever it hangs now
+    bench.workbench.serve({bench.row(1, 1, RowState::Running)});
     QVERIFY(!banner->isVisible());
 }
 
@@ -274,9 +278,9 @@ void QueueTest::whatEndedIsSavedAsATable()
     QVERIFY(bench.board().openImage(demoImage));
     QueueRow waiting = bench.row(2, 2, RowState::Waiting);
     waiting.visit.id.clear();
-    bench.desk.show({bench.row(1, 1, RowState::Passed), waiting}, false);
+    bench.workbench.serve({bench.row(1, 1, RowState::Passed), waiting}, false);
     bench.board().save(QStringLiteral("queue.csv"));
-    QCOMPARE(bench.desk.exported.size(), 1U);
+    QCOMPARE(bench.workbench.visited.exported.size(), 1U);
     QVERIFY(bench.workbench.lines.back().text.contains(QStringLiteral("queue.csv")));
 }
 
@@ -285,8 +289,9 @@ void QueueTest::aRefusedStartIsSaid()
     QueueBench bench;
     QVERIFY(bench.board().openImage(demoImage));
     bench.model().tick({1}, true);
-    bench.desk.beginning = fail(Fault::Unsafe, say("units are served already"), say("end that first"));
     bench.board().start();
+    bench.workbench.given<orders::ServeUnits>().at(0).finished(
+        fail(Fault::Unsafe, say("units are served already"), say("end that first")));
     QVERIFY(bench.workbench.lines.back().text.contains(QStringLiteral("served already")));
 }
 

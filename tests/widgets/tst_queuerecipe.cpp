@@ -74,7 +74,7 @@ void QueueRecipeTest::aRecipeIsChangedByThePencil()
     QVERIFY(bench.says(QStringLiteral("next free from 20")));
     bench.model().tick({1}, true);
     bench.board().start();
-    QCOMPARE(bench.desk.begun.front().matter->recipe.name, std::string("drive-base rev D"));
+    QCOMPARE(bench.workbench.given<orders::ServeUnits>().at(0).matter->recipe.name, std::string("drive-base rev D"));
 }
 
 void QueueRecipeTest::aRecipeThatIsSavedWhileUnitsAreServedWaitsForThem()
@@ -83,12 +83,12 @@ void QueueRecipeTest::aRecipeThatIsSavedWhileUnitsAreServedWaitsForThem()
     QVERIFY(bench.board().openRecipe(bench.write(R"({"recipe":1,"name":"drive-base rev C","family":"dmc60c"})")));
     RecipeEditor *editor = bench.openEditor();
     QVERIFY(editor);
-    bench.desk.show({bench.row(1, 1, RowState::Running)});
+    bench.workbench.serve({bench.row(1, 1, RowState::Running)});
     type(*editor, "Name", "drive-base rev D");
     editor->save();
     QVERIFY(!editor->isUnsaved());
     QVERIFY(bench.says(QStringLiteral("drive-base rev C"))); // what they are served by
-    bench.desk.show({bench.row(1, 1, RowState::Passed)}, false);
+    bench.workbench.serve({bench.row(1, 1, RowState::Passed)}, false);
     QVERIFY(bench.says(QStringLiteral("drive-base rev D")));
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What can be handed out about the units that are here: listed, searched, looked at, written.
 #include "model/registry.h"
-#include "support/fakedesk.h"
 #include "support/windowtests.h"
 #include "tunebench.h"
 #include "tuning/verdict.h"
@@ -23,7 +22,6 @@ namespace {
 
 struct ReportsPageBench {
     FakeWorkbench workbench;
-    FakeDesk desk;
     ThemeSource theme{darkTheme()};
     std::unique_ptr<ReportsPage> page;
 
@@ -45,7 +43,7 @@ struct ReportsPageBench {
         trial.note = "before the new gearbox";
         unit.history.push_back(trial);
         workbench.book.matter = std::vector<ReportUnit>{unit};
-        page = std::make_unique<ReportsPage>(workbench, theme, nullptr);
+        page = std::make_unique<ReportsPage>(workbench, families(), theme, nullptr);
         page->resize(1208, 700);
         page->show();
     }
@@ -77,8 +75,8 @@ struct ReportsPageBench {
         gone.unit = passed.unit;
         gone.visits = {passed};
         workbench.book.matter->push_back(gone);
-        desk.entries = {failed, passed};
-        page->setService(desk, families());
+        workbench.visited.entries = {failed, passed};
+        Q_EMIT workbench.unitEnded(passed);
     }
 };
 
@@ -141,7 +139,7 @@ void TestReportsPage::withoutUnitsItSaysSo()
 {
     FakeWorkbench workbench;
     const ThemeSource theme(darkTheme());
-    ReportsPage page(workbench, theme, nullptr);
+    ReportsPage page(workbench, families(), theme, nullptr);
     page.show();
     QCOMPARE(page.list().count(), 0);
     QVERIFY(!page.list().isVisible());
@@ -219,8 +217,8 @@ void TestReportsPage::theJournalThatIsListedIsATable()
     bench.serve();
     bench.page->findChild<QLineEdit *>()->setText(QStringLiteral("7B2E"));
     bench.page->saveTable(QStringLiteral("journal.csv"));
-    QCOMPARE(bench.desk.exported.size(), 1U);
-    QCOMPARE(bench.desk.exported.front().id, std::string("b"));
+    QCOMPARE(bench.workbench.visited.exported.size(), 1U);
+    QCOMPARE(bench.workbench.visited.exported.front().id, std::string("b"));
     QVERIFY(bench.workbench.lines.back().text.contains(QStringLiteral("journal.csv")));
 }
 
@@ -233,7 +231,7 @@ void TestReportsPage::aNoteIsKept()
     QVERIFY(note->isVisible());
     note->setText(QStringLiteral("red box"));
     Q_EMIT note->editingFinished();
-    QCOMPARE(bench.desk.entries.back().note, std::string("red box"));
+    QCOMPARE(bench.workbench.visited.entries.back().note, std::string("red box"));
     QVERIFY(bench.page->list().item(0)->text().contains(QStringLiteral("red box")));
 }
 

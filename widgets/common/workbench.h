@@ -19,6 +19,13 @@ struct OwedGains;
 } // namespace tuning
 class SettingsArchive;
 class TrialNotebook;
+class VisitArchive;
+struct JournalState;
+struct ServiceView;
+
+namespace service {
+struct Visit;
+} // namespace service
 
 /// One line of the log of the window.
 struct Notice {
@@ -59,6 +66,11 @@ public:
     /// Snapshots and writes of earlier.
     [[nodiscard]] virtual SettingsArchive &settings() = 0;
     [[nodiscard]] virtual TrialNotebook &trials() = 0;
+    /// What was done to which unit, and where that is kept.
+    [[nodiscard]] virtual VisitArchive &visits() = 0;
+    [[nodiscard]] virtual const JournalState &journal() const = 0;
+    /// The queue of units that is served, or was last.
+    [[nodiscard]] virtual const ServiceView &service() const = 0;
     /// Gains that an experiment before has changed in a unit that is here, and that nobody has put back for certain.
     [[nodiscard]] virtual const std::map<DeviceId, std::vector<tuning::OwedGains>> &owedGains() const = 0;
     /// The present on the time line of a link: of a recording, where it stands; now() for others.
@@ -76,6 +88,10 @@ Q_SIGNALS:
     /// snapshot() is a new one; at most 30 times a second.
     void changed();
     void noticed(const mb::Notice &notice);
+    /// service() or journal() is another.
+    void serviceChanged();
+    /// Its row is in the journal.
+    void unitEnded(const mb::service::Visit &visit);
 
 private:
     virtual void deliver(Order order, Reply::Finished finished) = 0;

@@ -15,47 +15,37 @@
 
 namespace mb {
 
-FirmwarePage::FirmwarePage(Workbench &workbench, Selection &selection, const ThemeSource &theme, QWidget *parent)
+FirmwarePage::FirmwarePage(Workbench &workbench, Selection &selection, std::span<const Family *const> families,
+    const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
-    , m_workbench(workbench)
-    , m_selection(selection)
-    , m_theme(theme)
 {
     setObjectName(QStringLiteral("firmwarePage"));
     setAccessibleName(tr("Firmware"));
     setAcceptDrops(true);
     auto *column = layoutIn<QVBoxLayout>(this, 0);
+    auto *head = new QWidget(this);
+    const Theme &now = theme.theme();
+    auto *row = layoutIn<QHBoxLayout>(head, -1, {now.u(16), now.u(8), now.u(16), 0});
+    row->addWidget(m_which = new Segmented(tr("What is updated"), {tr("Selected unit"), tr("Queue of units")}, head));
+    row->addStretch(1);
+    column->addWidget(head);
     m_faces = new QStackedWidget(this);
-    m_unit = new UnitUpdate(workbench, selection, theme, m_faces);
-    m_faces->addWidget(m_unit);
+    m_faces->addWidget(m_unit = new UnitUpdate(workbench, selection, theme, m_faces));
+    m_faces->addWidget(m_queue = new QueueBoard(workbench, selection, families, theme, m_faces));
     column->addWidget(m_faces, 1);
+    connect(m_which, &Segmented::currentChanged, m_faces, &QStackedWidget::setCurrentIndex);
     auto *keys = new PageKeys(*this);
     keys->add({Qt::Key_F5}, tr("starts the update"), [this] { startUpdate(); });
 }
 
-void FirmwarePage::setService(ServiceDesk &desk, std::span<const Family *const> families)
-{
-    const Theme &theme = m_theme.theme();
-    auto *head = new QWidget(this);
-    auto *row = layoutIn<QHBoxLayout>(head, -1, {theme.u(16), theme.u(8), theme.u(16), 0});
-    m_which = new Segmented(tr("What is updated"), {tr("Selected unit"), tr("Queue of units")}, head);
-    row->addWidget(m_which);
-    row->addStretch(1);
-    static_cast<QVBoxLayout *>(layout())->insertWidget(0, head);
-    m_queue = new QueueBoard(desk, m_workbench, m_selection, families, m_theme, m_faces);
-    m_faces->addWidget(m_queue);
-    connect(m_which, &Segmented::currentChanged, m_faces, &QStackedWidget::setCurrentIndex);
-}
-
 void FirmwarePage::showQueue(bool on)
 {
-    if (m_which)
-        m_which->setCurrent(on ? 1 : 0);
+    m_which->setCurrent(on ? 1 : 0);
 }
 
 bool FirmwarePage::isQueueShown() const
 {
-    return m_queue && m_faces->currentWidget() == m_queue;
+    return m_faces->currentWidget() == m_queue;
 }
 
 void FirmwarePage::loadImage(const QString &path)

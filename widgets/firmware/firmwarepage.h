@@ -15,19 +15,16 @@ namespace mb {
 
 class QueueBoard;
 class Segmented;
-class ServiceDesk;
 class UnitUpdate;
 
 /// Firmware: of the selected device, or of many units one after the other. An image can be dropped on it. GUI thread.
 class FirmwarePage : public QWidget {
     Q_OBJECT
 public:
-    FirmwarePage(Workbench &workbench, Selection &selection, const ThemeSource &theme, QWidget *parent = nullptr);
+    FirmwarePage(Workbench &workbench, Selection &selection, std::span<const Family *const> families,
+        const ThemeSource &theme, QWidget *parent = nullptr);
 
-    /// The queue of units is there with it. The desk outlives this.
-    void setService(ServiceDesk &desk, std::span<const Family *const> families);
-    /// nullptr without a desk.
-    [[nodiscard]] QueueBoard *queue() const { return m_queue; }
+    [[nodiscard]] QueueBoard &queue() const { return *m_queue; }
     [[nodiscard]] UnitUpdate &unit() const { return *m_unit; }
     void showQueue(bool on);
     [[nodiscard]] bool isQueueShown() const;
@@ -42,9 +39,6 @@ protected:
     void dropEvent(QDropEvent *event) override;
 
 private:
-    Workbench &m_workbench;
-    Selection &m_selection;
-    const ThemeSource &m_theme;
     Segmented *m_which = nullptr;
     QStackedWidget *m_faces = nullptr;
     UnitUpdate *m_unit = nullptr;

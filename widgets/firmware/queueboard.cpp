@@ -25,10 +25,9 @@
 
 namespace mb {
 
-QueueBoard::QueueBoard(ServiceDesk &desk, Workbench &workbench, Selection &selection,
-    std::span<const Family *const> families, const ThemeSource &theme, QWidget *parent)
+QueueBoard::QueueBoard(Workbench &workbench, Selection &selection, std::span<const Family *const> families,
+    const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
-    , m_desk(desk)
     , m_workbench(workbench)
     , m_selection(selection)
     , m_families(families)
@@ -100,18 +99,20 @@ void QueueBoard::connectAll()
     connect(m_banner, &Banner::actionTriggered, this, &QueueBoard::goOn);
     connect(m_banner, &Banner::dismissed, m_banner, &QWidget::hide);
     connect(m_bar, &QueueBar::startWanted, this, &QueueBoard::start);
-    connect(m_bar, &QueueBar::pauseWanted, this, [this](bool on) { m_desk.pause(on); });
-    connect(m_bar, &QueueBar::cancelWanted, this, [this] { m_desk.cancel(); });
-    connect(m_bar, &QueueBar::retryWanted, this, [this] { m_desk.retryFailed(); });
+    connect(m_bar, &QueueBar::pauseWanted, this, [this](bool on) { m_workbench.send(orders::PauseService{on}); });
+    connect(m_bar, &QueueBar::cancelWanted, this, [this] { m_workbench.send(orders::CancelService{}); });
+    connect(m_bar, &QueueBar::retryWanted, this, [this] { m_workbench.send(orders::RetryFailedUnits{}); });
     connect(m_bar, &QueueBar::exportWanted, this, &QueueBoard::askSave);
-    connect(&steps(), &UnitSteps::skipWanted, this, [this](std::uint32_t row) { m_desk.skip(row); });
-    connect(&steps(), &UnitSteps::againWanted, this, [this](std::uint32_t row) { m_desk.retry(row); });
+    connect(
+        &steps(), &UnitSteps::skipWanted, this, [this](std::uint32_t row) { m_workbench.send(orders::SkipUnit{row}); });
+    connect(&steps(), &UnitSteps::againWanted, this,
+        [this](std::uint32_t row) { m_workbench.send(orders::RetryUnit{row}); });
     connect(&model(), &QueueModel::tickedChanged, this, &QueueBoard::follow);
     connect(m_table, &QueueTable::chosenChanged, this, &QueueBoard::followUnit);
     connect(&m_workbench, &Workbench::changed, this, &QueueBoard::follow);
     connect(&m_selection, &Selection::changed, this, &QueueBoard::follow);
-    connect(&m_desk, &ServiceDesk::changed, this, [this] {
-        if (m_desk.view().running)
+    connect(&m_workbench, &Workbench::serviceChanged, this, [this] {
+        if (m_workbench.service().running)
             return follow();
         if (!m_saved.isEmpty())
             take(m_saved);
@@ -151,7 +152,7 @@ void QueueBoard::edit()
         open->activateWindow();
         return;
     }
-    auto *editor = new RecipeEditor(m_families, m_desk.recipeFolder(), m_theme, this);
+    auto *editor = new RecipeEditor(m_families, m_recipeFolder, m_theme, this);
     editor->setAttribute(Qt::WA_DeleteOnClose);
     if (const auto read = m_recipe.path().isEmpty() ? Result<void>() : editor->openFile(m_recipe.path()); !read)
         m_workbench.report(Severity::Danger, {}, errorText(read.error()));
@@ -163,7 +164,7 @@ void QueueBoard::edit()
 void QueueBoard::take(const QString &recipe)
 {
     m_saved = recipe;
-    if (!m_desk.view().running)
+    if (!m_workbench.service().running)
         openRecipe(std::exchange(m_saved, {}));
 }
 
@@ -186,10 +187,10 @@ void QueueBoard::lookForCut()
 {
     if (!m_recipe.matter())
         return;
-    m_desk.findCut(*m_recipe.matter(), [self = QPointer<QueueBoard>(this)](const Result<ServiceDesk::CutRun> &cut) {
+    m_workbench.visits().findCut(*m_recipe.matter(), [self = QPointer<QueueBoard>(this)](const Result<CutRun> &cut) {
         if (!self)
             return;
-        const std::string before = std::exchange(self->m_cut, cut ? *cut : ServiceDesk::CutRun{}).run;
+        const std::string before = std::exchange(self->m_cut, cut ? *cut : CutRun{}).run;
         if (self->m_cut.run != before)
             self->m_banner->setVisible(!self->m_cut.run.empty());
         self->follow();
@@ -199,7 +200,7 @@ void QueueBoard::lookForCut()
 /// Why nothing can be started, in words; empty when it can.
 QString QueueBoard::hindrance() const
 {
-    if (m_desk.view().running)
+    if (m_workbench.service().running)
         return tr("A queue runs already.");
     if (!m_recipe.matter())
         return tr("Open an image or a recipe first.");
@@ -216,7 +217,7 @@ void QueueBoard::start()
 
 bool QueueBoard::mayGoOn() const
 {
-    return !m_cut.run.empty() && !m_desk.view().running;
+    return !m_cut.run.empty() && !m_workbench.service().running;
 }
 
 void QueueBoard::goOn()
@@ -244,7 +245,7 @@ void QueueBoard::begin(std::vector<DeviceId> chosen, const std::string &run)
     m_log->clear();
     m_banner->hide();
     std::vector<std::string> links = linksOf(run.empty() ? chosen : std::vector<DeviceId>());
-    m_desk.begin({m_recipe.matter(), std::move(links), std::nullopt, std::move(chosen), run},
+    m_workbench.send(orders::ServeUnits{m_recipe.matter(), std::move(links), std::nullopt, std::move(chosen), run},
         [self = QPointer<QueueBoard>(this)](const Result<void> &result) {
             if (self && !result)
                 self->m_workbench.report(Severity::Danger, {}, errorText(result.error()));
@@ -264,15 +265,16 @@ void QueueBoard::askSave()
 void QueueBoard::save(const QString &path)
 {
     std::vector<service::Visit> visits;
-    for (const service::QueueRow &row : m_desk.view().rows) {
+    for (const service::QueueRow &row : m_workbench.service().rows) {
         if (!row.visit.id.empty())
             visits.push_back(row.visit);
     }
-    m_desk.exportTo(path, std::move(visits), [self = QPointer<QueueBoard>(this), path](const Result<void> &result) {
-        if (self)
-            self->m_workbench.report(result ? Severity::Good : Severity::Danger, {},
-                result ? tr("the units are in %1").arg(path) : errorText(result.error()));
-    });
+    m_workbench.visits().exportTo(
+        path, std::move(visits), [self = QPointer<QueueBoard>(this), path](const Result<void> &result) {
+            if (self)
+                self->m_workbench.report(result ? Severity::Good : Severity::Danger, {},
+                    result ? tr("the units are in %1").arg(path) : errorText(result.error()));
+        });
 }
 
 void QueueBoard::showEvent(QShowEvent *event)
@@ -285,7 +287,7 @@ void QueueBoard::follow()
 {
     if (!isVisible())
         return;
-    const ServiceView &view = m_desk.view();
+    const ServiceView &view = m_workbench.service();
     const Instant now = m_workbench.now();
     const std::string version = m_recipe.matter() ? m_recipe.matter()->imageVersion : std::string();
     model().setChoosing(!view.running);
@@ -317,7 +319,7 @@ void QueueBoard::followLog()
         QString who;
     };
     std::vector<Said> news;
-    for (const service::QueueRow &row : m_desk.view().rows) {
+    for (const service::QueueRow &row : m_workbench.service().rows) {
         std::size_t &told = m_told[row.id];
         const std::size_t count = row.log ? row.log->size() : 0;
         for (; told < count; ++told)
@@ -336,7 +338,7 @@ const service::QueueRow *QueueBoard::shownRow() const
     const QueueLine *chosen = m_table->chosen();
     const QueueRow *running = nullptr;
     const QueueRow *last = nullptr;
-    for (const QueueRow &row : m_desk.view().rows) {
+    for (const QueueRow &row : m_workbench.service().rows) {
         if (model().rowOf(row.id) < 0)
             continue; // of a queue before
         if (chosen && chosen->row == row.id)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/common/selection.h"
+#include "widgets/common/visitarchive.h"
 #include "widgets/common/workbench.h"
 #include "widgets/firmware/queuelines.h"
 #include "widgets/firmware/queuerecipe.h"
@@ -30,10 +31,11 @@ class UpdateLog;
 class QueueBoard : public QWidget {
     Q_OBJECT
 public:
-    /// The desk outlives this.
-    QueueBoard(ServiceDesk &desk, Workbench &workbench, Selection &selection, std::span<const Family *const> families,
+    QueueBoard(Workbench &workbench, Selection &selection, std::span<const Family *const> families,
         const ThemeSource &theme, QWidget *parent);
 
+    /// Where recipes are kept: the folder of the project, empty without one.
+    void setRecipeFolder(const QString &folder) { m_recipeFolder = folder; }
     /// False, with a notice of what is wrong, where it is none.
     bool openImage(const QString &path);
     bool openRecipe(const QString &path);
@@ -73,14 +75,14 @@ private:
     [[nodiscard]] const service::QueueRow *shownRow() const;
     [[nodiscard]] QString hindrance() const;
 
-    ServiceDesk &m_desk;
     Workbench &m_workbench;
     Selection &m_selection;
     std::span<const Family *const> m_families;
     const ThemeSource &m_theme;
     QueueRecipe m_recipe;
+    QString m_recipeFolder;
     QString m_saved; ///< a recipe that was written while units were served; it is opened when they are done
-    ServiceDesk::CutRun m_cut;
+    CutRun m_cut;
     QueueHead *m_head = nullptr;
     QueueChecks *m_checks = nullptr;
     Banner *m_banner = nullptr;

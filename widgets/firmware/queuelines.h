@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/common/serviceview.h"
 #include "widgets/common/stateglyph.h"
-#include "widgets/service/servicedesk.h"
 
 #include "model/snapshot.h"
 

@@ -7,6 +7,7 @@
 #include "widgets/orders/motionorders.h"
 #include "widgets/orders/parameterorders.h"
 #include "widgets/orders/recordingorders.h"
+#include "widgets/orders/serviceorders.h"
 #include "widgets/orders/settingsorders.h"
 #include "widgets/orders/trialorders.h"
 
@@ -23,8 +24,9 @@ using Order = std::variant<orders::OpenLink, orders::CloseLink, orders::ScanLink
     orders::SetDialect, orders::WishRates, orders::StartMotion, orders::UpdateMotion, orders::RenewMotion,
     orders::StopMotion, orders::ReleaseMoves, orders::ZeroPosition, orders::DismissStops, orders::RunExperiment,
     orders::RunTrial, orders::RunTuning, orders::RunSweep, orders::PayGains, orders::DismissGains,
-    orders::UpdateFirmware, orders::CancelOperation, orders::StartRecording, orders::StopRecording,
-    orders::SteerReplay>;
+    orders::UpdateFirmware, orders::CancelOperation, orders::StartRecording, orders::StopRecording, orders::SteerReplay,
+    orders::ServeUnits, orders::PauseService, orders::SkipUnit, orders::RetryUnit, orders::RetryFailedUnits,
+    orders::FinishService, orders::CancelService, orders::ArmService, orders::RenewService, orders::KeepJournal>;
 
 /// What an order that went well is answered with: nothing for most, else what its struct names as its Answer.
 using Answer = std::variant<std::monostate, tuning::Trial, tuning::TuneReport, tuning::FrequencyResponse>;

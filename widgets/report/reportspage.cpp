@@ -11,9 +11,9 @@
 #include "widgets/common/searchfield.h"
 #include "widgets/common/segmented.h"
 #include "widgets/common/trialnotebook.h"
+#include "widgets/common/visitarchive.h"
 #include "widgets/report/reportdrawings.h"
 #include "widgets/report/reportorder.h"
-#include "widgets/service/servicedesk.h"
 
 #include <QAbstractTextDocumentLayout>
 #include <QComboBox>
@@ -34,10 +34,12 @@ constexpr int newestEntries = 2000; ///< of the journal, in the list
 
 } // namespace
 
-ReportsPage::ReportsPage(Workbench &workbench, const ThemeSource &theme, QWidget *parent)
+ReportsPage::ReportsPage(
+    Workbench &workbench, std::span<const Family *const> families, const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
     , m_workbench(workbench)
     , m_theme(theme)
+    , m_families(families)
     , m_order(new ReportOrder(workbench, *this))
 {
     setObjectName(QStringLiteral("reportsPage"));
@@ -54,6 +56,7 @@ ReportsPage::ReportsPage(Workbench &workbench, const ThemeSource &theme, QWidget
     auto *column = layoutIn<QVBoxLayout>(this);
     column->addWidget(m_states);
     addKeys();
+    connect(&workbench, &Workbench::unitEnded, this, &ReportsPage::askJournal);
     connect(&workbench, &Workbench::changed, this, &ReportsPage::follow);
     connect(&theme, &ThemeSource::changed, this, &ReportsPage::fill); // shapes have colours of their own
 }
@@ -140,14 +143,6 @@ void ReportsPage::addKeys()
     keys->add({QKeySequence::Find}, tr("goes to the search"), [this] { m_search->setFocus(Qt::ShortcutFocusReason); });
 }
 
-void ReportsPage::setService(ServiceDesk &desk, std::span<const Family *const> families)
-{
-    m_desk = &desk;
-    m_families = families;
-    connect(&desk, &ServiceDesk::unitEnded, this, &ReportsPage::askJournal);
-    askJournal();
-}
-
 void ReportsPage::setFilter(Filter filter)
 {
     m_filter->setCurrent(filter);
@@ -163,21 +158,22 @@ void ReportsPage::showEvent(QShowEvent *event)
 
 void ReportsPage::askJournal()
 {
-    if (!m_desk || !isVisible())
+    if (!isVisible())
         return;
-    m_desk->list({}, [self = QPointer<ReportsPage>(this)](const Result<std::vector<service::Visit>> &visits) {
-        if (!self || !visits)
-            return;
-        self->m_journal.clear();
-        for (auto visit = visits->rbegin(); visit != visits->rend(); ++visit) {
-            if (static_cast<int>(self->m_journal.size()) == newestEntries)
-                break;
-            const auto family = std::find_if(self->m_families.begin(), self->m_families.end(),
-                [visit](const Family *each) { return each->key == visit->family; });
-            self->m_journal.push_back(entryOf(*visit, family == self->m_families.end() ? nullptr : *family));
-        }
-        self->fill();
-    });
+    m_workbench.visits().list(
+        {}, [self = QPointer<ReportsPage>(this)](const Result<std::vector<service::Visit>> &visits) {
+            if (!self || !visits)
+                return;
+            self->m_journal.clear();
+            for (auto visit = visits->rbegin(); visit != visits->rend(); ++visit) {
+                if (static_cast<int>(self->m_journal.size()) == newestEntries)
+                    break;
+                const auto family = std::find_if(self->m_families.begin(), self->m_families.end(),
+                    [visit](const Family *each) { return each->key == visit->family; });
+                self->m_journal.push_back(entryOf(*visit, family == self->m_families.end() ? nullptr : *family));
+            }
+            self->fill();
+        });
 }
 
 /// Once for the units that are here.
@@ -326,15 +322,16 @@ void ReportsPage::setForm(int form)
 void ReportsPage::keepNote()
 {
     const ReportEntry *entry = chosen();
-    if (!m_desk || !entry || entry->kind != ReportEntry::Kind::Visit || qt(entry->visit.note) == m_note->text())
+    if (!entry || entry->kind != ReportEntry::Kind::Visit || qt(entry->visit.note) == m_note->text())
         return;
-    m_desk->setNote(entry->visit.id, m_note->text(), [self = QPointer<ReportsPage>(this)](const Result<void> &result) {
-        if (!self)
-            return;
-        if (!result)
-            self->m_workbench.report(Severity::Danger, {}, errorText(result.error()));
-        self->askJournal();
-    });
+    m_workbench.visits().setNote(
+        entry->visit.id, m_note->text(), [self = QPointer<ReportsPage>(this)](const Result<void> &result) {
+            if (!self)
+                return;
+            if (!result)
+                self->m_workbench.report(Severity::Danger, {}, errorText(result.error()));
+            self->askJournal();
+        });
 }
 
 void ReportsPage::exportChosen()
@@ -361,18 +358,17 @@ void ReportsPage::askTable()
 
 void ReportsPage::saveTable(const QString &path)
 {
-    if (!m_desk)
-        return;
     std::vector<service::Visit> visits;
     for (auto entry = m_journal.rbegin(); entry != m_journal.rend(); ++entry) {
         if (isShown(*entry))
             visits.push_back(entry->visit);
     }
-    m_desk->exportTo(path, std::move(visits), [self = QPointer<ReportsPage>(this), path](const Result<void> &result) {
-        if (self)
-            self->m_workbench.report(result ? Severity::Good : Severity::Danger, {},
-                result ? tr("the journal is in %1").arg(path) : errorText(result.error()));
-    });
+    m_workbench.visits().exportTo(
+        path, std::move(visits), [self = QPointer<ReportsPage>(this), path](const Result<void> &result) {
+            if (self)
+                self->m_workbench.report(result ? Severity::Good : Severity::Danger, {},
+                    result ? tr("the journal is in %1").arg(path) : errorText(result.error()));
+        });
 }
 
 } // namespace mb

@@ -21,7 +21,6 @@ class ReportDrawings;
 class ReportOrder;
 class SearchField;
 class Segmented;
-class ServiceDesk;
 class ThemeSource;
 
 /// What can be handed out or looked up: a card of each unit that is here, its tunings and its trials, and the journal of service, newest
@@ -31,10 +30,9 @@ class ReportsPage : public QWidget {
 public:
     enum Filter { All, Cards, Tunings, Journal };
 
-    ReportsPage(Workbench &workbench, const ThemeSource &theme, QWidget *parent);
+    ReportsPage(
+        Workbench &workbench, std::span<const Family *const> families, const ThemeSource &theme, QWidget *parent);
 
-    /// The journal is there with it. The desk outlives this.
-    void setService(ServiceDesk &desk, std::span<const Family *const> families);
     void setFilter(Filter filter);
     [[nodiscard]] QListWidget &list() { return *m_list; }
     /// The report that is looked at, as text; empty while there is none.
@@ -66,7 +64,6 @@ private:
 
     Workbench &m_workbench;
     const ThemeSource &m_theme;
-    ServiceDesk *m_desk = nullptr;
     std::span<const Family *const> m_families;
     QString m_asked; ///< of whom it was asked, to ask once
     std::vector<ReportEntry> m_entries;

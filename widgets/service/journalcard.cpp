@@ -5,17 +5,18 @@
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
+#include "widgets/common/serviceview.h"
 #include "widgets/common/stateglyph.h"
-#include "widgets/service/servicedesk.h"
+#include "widgets/common/workbench.h"
 #include "widgets/service/stationdialog.h"
 
 #include <QUrl>
 
 namespace mb {
 
-JournalCard::JournalCard(ServiceDesk &desk, const ThemeSource &theme, QWidget *parent)
+JournalCard::JournalCard(Workbench &workbench, const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
-    , m_desk(desk)
+    , m_workbench(workbench)
 {
     auto *column = layoutIn<QVBoxLayout>(this);
     column->addWidget(new SectionLabel(tr("Journal"), this));
@@ -36,13 +37,13 @@ JournalCard::JournalCard(ServiceDesk &desk, const ThemeSource &theme, QWidget *p
     row->addWidget(m_change);
     column->addLayout(row);
     connect(m_change, &QPushButton::clicked, this, &JournalCard::ask);
-    connect(&desk, &ServiceDesk::changed, this, &JournalCard::follow);
+    connect(&workbench, &Workbench::serviceChanged, this, &JournalCard::follow);
     follow();
 }
 
 void JournalCard::follow()
 {
-    const JournalState &journal = m_desk.journal();
+    const JournalState &journal = m_workbench.journal();
     const QUrl server(qt(journal.server));
     m_place->setText(
         journal.server.empty() ? tr("On this computer") : tr("PostgreSQL, %1").arg(server.host() + server.path()));
@@ -54,7 +55,7 @@ void JournalCard::follow()
     m_state->setText(state);
     m_glyph->setState(
         journal.trouble.empty() ? journal.waiting > 0 ? GlyphState::Busy : GlyphState::Done : GlyphState::Warning);
-    m_change->setEnabled(!m_desk.view().running);
+    m_change->setEnabled(!m_workbench.service().running);
 }
 
 QString JournalCard::text() const
@@ -64,7 +65,7 @@ QString JournalCard::text() const
 
 void JournalCard::ask()
 {
-    auto *dialog = new StationDialog(m_desk, this);
+    auto *dialog = new StationDialog(m_workbench, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->open();
 }

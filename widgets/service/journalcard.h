@@ -10,14 +10,14 @@ class QLabel;
 namespace mb {
 
 class CommandButton;
-class ServiceDesk;
 class StateGlyph;
+class Workbench;
 
 /// Where the journal of a bench is kept, and whether its server has every entry; to be changed while nothing is served. GUI thread.
 class JournalCard : public QWidget {
     Q_OBJECT
 public:
-    JournalCard(ServiceDesk &desk, const ThemeSource &theme, QWidget *parent);
+    JournalCard(Workbench &workbench, const ThemeSource &theme, QWidget *parent);
 
     /// "3 entries wait: the server does not answer", as it stands there.
     [[nodiscard]] QString text() const;
@@ -26,7 +26,7 @@ private:
     void follow();
     void ask();
 
-    ServiceDesk &m_desk;
+    Workbench &m_workbench;
     StateGlyph *m_glyph = nullptr;
     QLabel *m_place = nullptr;
     QLabel *m_state = nullptr;

@@ -8,9 +8,9 @@
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
+#include "widgets/common/serviceview.h"
 #include "widgets/common/wraplayout.h"
 #include "widgets/service/recipetext.h"
-#include "widgets/service/servicedesk.h"
 
 #include <QComboBox>
 #include <QLineEdit>

@@ -9,7 +9,6 @@
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
 #include "widgets/common/pagekeys.h"
-#include "widgets/common/workbench.h"
 #include "widgets/service/counttiles.h"
 #include "widgets/service/journalcard.h"
 #include "widgets/service/productionhead.h"
@@ -34,10 +33,9 @@ constexpr int heightForTiles = 560;
 
 } // namespace
 
-ProductionPage::ProductionPage(ServiceDesk &desk, Workbench &workbench, std::span<const Family *const> families,
-    const ThemeSource &theme, QWidget *parent)
+ProductionPage::ProductionPage(
+    Workbench &workbench, std::span<const Family *const> families, const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
-    , m_desk(desk)
     , m_workbench(workbench)
     , m_families(families)
     , m_theme(theme)
@@ -59,14 +57,14 @@ ProductionPage::ProductionPage(ServiceDesk &desk, Workbench &workbench, std::spa
     column->addWidget(separatorLine(Qt::Horizontal, this));
     column->addWidget(m_foot = buildFoot());
     m_renewal.setInterval(LeaseRenewal::period);
-    connect(&m_renewal, &QTimer::timeout, this, [this] { m_desk.renew(); });
-    connect(&desk, &ServiceDesk::changed, this, &ProductionPage::follow);
-    connect(&desk, &ServiceDesk::unitEnded, this, &ProductionPage::ended);
+    connect(&m_renewal, &QTimer::timeout, this, [this] { m_workbench.send(orders::RenewService{}); });
+    connect(&workbench, &Workbench::serviceChanged, this, &ProductionPage::follow);
+    connect(&workbench, &Workbench::unitEnded, this, &ProductionPage::ended);
     connect(&workbench, &Workbench::changed, this, [this] { m_head->follow(m_workbench.snapshot()); });
     connect(&theme, &ThemeSource::changed, this, &ProductionPage::follow); // shapes have colours of their own
     connect(qApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
-        if (state != Qt::ApplicationActive && m_desk.view().armed)
-            m_desk.arm(false);
+        if (state != Qt::ApplicationActive && m_workbench.service().armed)
+            arm(false);
     });
     connectHead();
     follow();
@@ -75,11 +73,17 @@ ProductionPage::ProductionPage(ServiceDesk &desk, Workbench &workbench, std::spa
 void ProductionPage::connectHead()
 {
     connect(m_head, &ProductionHead::recipeWanted, this, &ProductionPage::askRecipe);
-    connect(m_head, &ProductionHead::startWanted, this, [this] { m_desk.view().running ? m_desk.finish() : start(); });
-    connect(m_head, &ProductionHead::armWanted, this, [this] { m_desk.arm(!m_desk.view().armed); });
+    connect(m_head, &ProductionHead::startWanted, this,
+        [this] { m_workbench.service().running ? m_workbench.send(orders::FinishService{}) : start(); });
+    connect(m_head, &ProductionHead::armWanted, this, [this] { arm(!m_workbench.service().armed); });
     connect(m_head, &ProductionHead::leaveWanted, this, &ProductionPage::leaveRequested);
     connect(m_head, &ProductionHead::serialTaken, this, &ProductionPage::take);
     m_head->follow(m_workbench.snapshot());
+}
+
+void ProductionPage::arm(bool on)
+{
+    m_workbench.send(orders::ArmService{on});
 }
 
 HoldButton &ProductionPage::armButton()
@@ -111,7 +115,7 @@ QWidget *ProductionPage::buildUnits()
     column->addWidget(new SectionLabel(tr("Last ten units"), m_side));
     column->addWidget(m_units = new UnitList(m_theme, m_side), 1);
     column->addSpacing(theme.u(8));
-    column->addWidget(new JournalCard(m_desk, m_theme, m_side));
+    column->addWidget(new JournalCard(m_workbench, m_theme, m_side));
     return m_side;
 }
 
@@ -173,30 +177,31 @@ void ProductionPage::start()
         return;
     }
     m_setAside.clear();
-    m_desk.begin({m_matter, {link}, 0}, [self = QPointer<ProductionPage>(this)](const Result<void> &result) {
-        if (self && !result)
-            self->m_workbench.report(Severity::Danger, {}, errorText(result.error()));
-    });
+    m_workbench.send(
+        orders::ServeUnits{m_matter, {link}, 0}, [self = QPointer<ProductionPage>(this)](const Result<void> &result) {
+            if (self && !result)
+                self->m_workbench.report(Severity::Danger, {}, errorText(result.error()));
+        });
 }
 
 void ProductionPage::testAgain()
 {
-    if (const service::QueueRow *row = lastEnded(m_desk.view(), m_setAside))
-        m_desk.retry(row->id);
+    if (const service::QueueRow *row = lastEnded(m_workbench.service(), m_setAside))
+        m_workbench.send(orders::RetryUnit{row->id});
 }
 
 void ProductionPage::setAside()
 {
-    for (const service::QueueRow &row : m_desk.view().rows)
+    for (const service::QueueRow &row : m_workbench.service().rows)
         m_setAside.push_back(row.id);
     follow();
 }
 
 void ProductionPage::take(const QString &serial)
 {
-    for (const service::QueueRow &row : m_desk.view().rows) {
+    for (const service::QueueRow &row : m_workbench.service().rows) {
         if (!serial.isEmpty() && nameOf(row).compare(serial, Qt::CaseInsensitive) == 0)
-            return m_desk.retry(row.id);
+            return m_workbench.send(orders::RetryUnit{row.id});
     }
     if (!serial.isEmpty())
         m_workbench.report(Severity::Caution, {}, tr("no unit here has the serial number %1").arg(serial));
@@ -216,7 +221,7 @@ void ProductionPage::keyPressEvent(QKeyEvent *event)
 
 void ProductionPage::hideEvent(QHideEvent *event)
 {
-    m_desk.arm(false);
+    arm(false);
     QWidget::hideEvent(event);
 }
 
@@ -236,7 +241,7 @@ void ProductionPage::resizeEvent(QResizeEvent *event)
 
 void ProductionPage::follow()
 {
-    const ServiceView &view = m_desk.view();
+    const ServiceView &view = m_workbench.service();
     m_verdict->setVerdict(verdictOf(view, m_setAside));
     m_tiles->follow(view);
     m_head->follow(view);
@@ -250,7 +255,7 @@ void ProductionPage::follow()
 void ProductionPage::ended(const service::Visit &visit)
 {
     std::erase_if(m_setAside, [this, &visit](std::uint32_t id) {
-        const auto &rows = m_desk.view().rows;
+        const auto &rows = m_workbench.service().rows;
         return std::any_of(rows.begin(), rows.end(),
             [&](const service::QueueRow &row) { return row.id == id && row.visit.unit == visit.unit; });
     });

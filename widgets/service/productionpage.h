@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/service/servicedesk.h"
+#include "widgets/common/workbench.h"
 
 #include <QTimer>
 #include <QWidget>
@@ -17,15 +17,14 @@ class ProductionHead;
 class ThemeSource;
 class UnitList;
 class VerdictView;
-class Workbench;
 
 /// Production: one recipe on one link, unit after unit without a click, PASS or FAIL over the whole page. A self-test turns a
 /// motor only while it is armed here. GUI thread.
 class ProductionPage : public QWidget {
     Q_OBJECT
 public:
-    ProductionPage(ServiceDesk &desk, Workbench &workbench, std::span<const Family *const> families,
-        const ThemeSource &theme, QWidget *parent);
+    ProductionPage(
+        Workbench &workbench, std::span<const Family *const> families, const ThemeSource &theme, QWidget *parent);
 
     /// False, with a notice of the line and the mistake, when it is none.
     bool openRecipe(const QString &path);
@@ -55,6 +54,7 @@ protected:
 
 private:
     void connectHead();
+    void arm(bool on);
     QWidget *buildBench();
     QWidget *buildUnits();
     QWidget *buildFoot();
@@ -64,7 +64,6 @@ private:
     void sound(int times);
     void beep(int times);
 
-    ServiceDesk &m_desk;
     Workbench &m_workbench;
     std::span<const Family *const> m_families;
     const ThemeSource &m_theme;

@@ -3,7 +3,8 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
-#include "widgets/service/servicedesk.h"
+#include "widgets/common/serviceview.h"
+#include "widgets/common/workbench.h"
 
 #include <QDialogButtonBox>
 #include <QFormLayout>
@@ -18,11 +19,11 @@ constexpr int letters = 44; ///< that an address may need
 
 } // namespace
 
-StationDialog::StationDialog(ServiceDesk &desk, QWidget *parent)
+StationDialog::StationDialog(Workbench &workbench, QWidget *parent)
     : QDialog(parent)
-    , m_desk(desk)
-    , m_server(new QLineEdit(qt(desk.journal().server), this))
-    , m_station(new QLineEdit(qt(desk.journal().station), this))
+    , m_workbench(workbench)
+    , m_server(new QLineEdit(qt(workbench.journal().server), this))
+    , m_station(new QLineEdit(qt(workbench.journal().station), this))
     , m_mistake(textLabel({}, TextRole::Body, Tone::Danger, this))
 {
     setObjectName(QStringLiteral("station"));
@@ -58,7 +59,8 @@ QString StationDialog::mistake() const
 
 void StationDialog::accept()
 {
-    m_desk.keepJournal(m_server->text().trimmed().toStdString(), m_station->text().trimmed().toStdString(),
+    m_workbench.send(
+        orders::KeepJournal{m_server->text().trimmed().toStdString(), m_station->text().trimmed().toStdString()},
         [self = QPointer<StationDialog>(this)](const Result<void> &kept) {
             if (!self)
                 return;

@@ -8,14 +8,14 @@ class QLineEdit;
 
 namespace mb {
 
-class ServiceDesk;
+class Workbench;
 
 /// Asks for the name of this station and the server that stations share their journal on. Closes once that is so; a mistake is
 /// said in it. GUI thread.
 class StationDialog : public QDialog {
     Q_OBJECT
 public:
-    StationDialog(ServiceDesk &desk, QWidget *parent);
+    StationDialog(Workbench &workbench, QWidget *parent);
 
     [[nodiscard]] QLineEdit &server() const { return *m_server; }
     [[nodiscard]] QLineEdit &station() const { return *m_station; }
@@ -24,7 +24,7 @@ public:
     void accept() override;
 
 private:
-    ServiceDesk &m_desk;
+    Workbench &m_workbench;
     QLineEdit *m_server = nullptr;
     QLineEdit *m_station = nullptr;
     QLabel *m_mistake = nullptr;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/service/servicedesk.h"
+#include "widgets/common/serviceview.h"
 #include "widgets/service/verdictview.h"
 
 namespace mb {

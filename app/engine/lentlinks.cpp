@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/engine/lentlinks.h"
+
+#include <algorithm>
+
+namespace mb {
+
+void LentLinks::choose(std::vector<std::string> addresses)
+{
+    giveBack();
+    m_addresses = std::move(addresses);
+    m_links.clear();
+}
+
+Result<void> LentLinks::take()
+{
+    std::vector<Link *> lent;
+    for (const std::string &address : m_addresses) {
+        Link *const link = linkAt(address);
+        if (lend(link)) {
+            lent.push_back(link);
+            continue;
+        }
+        for (const Link *const other : lent)
+            m_context.operations.takeBack(*other);
+        return fail(Fault::Timeout, say("%1 is not open, or something runs there", address),
+            say("open it, or end what runs there first"));
+    }
+    m_links = std::move(lent);
+    return {};
+}
+
+void LentLinks::giveBack()
+{
+    for (const std::string &address : m_addresses) {
+        if (const Link *const link = linkAt(address))
+            m_context.operations.takeBack(*link);
+    }
+}
+
+bool LentLinks::areThere() const
+{
+    const auto links = m_context.session.links();
+    return std::all_of(m_links.begin(), m_links.end(),
+        [&links](const Link *link) { return std::find(links.begin(), links.end(), link) != links.end(); });
+}
+
+Link *LentLinks::linkAt(const std::string &address) const
+{
+    const auto links = m_context.session.links();
+    const auto found = std::find_if(
+        links.begin(), links.end(), [&address](const Link *link) { return link->address().text() == address; });
+    return found == links.end() ? nullptr : *found;
+}
+
+bool LentLinks::lend(Link *link)
+{
+    if (!link || link->state() != LinkState::Open || !m_context.operations.lend(*link))
+        return false;
+    m_scans.forget(*link);
+    return true;
+}
+
+} // namespace mb

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/engine/stationpermit.h"
+
+#include "model/device.h"
+#include "model/session.h"
+
+namespace mb {
+namespace {
+
+constexpr Duration armedAgain = std::chrono::milliseconds(100);
+
+/// One more, as long as it lives.
+class Counted {
+public:
+    explicit Counted(int &count)
+        : m_count(count)
+    {
+        ++m_count;
+    }
+    Counted(const Counted &) = delete;
+    Counted &operator=(const Counted &) = delete;
+    ~Counted() { --m_count; }
+
+private:
+    int &m_count;
+};
+
+} // namespace
+
+StationPermit::StationPermit(Clock &clock)
+    : m_clock(clock)
+    , m_until(clock)
+{
+}
+
+void StationPermit::arm(bool on)
+{
+    m_isArmed = on;
+    restart();
+    m_changed.notify();
+}
+
+void StationPermit::restart()
+{
+    m_end = m_clock.now() + armedTime;
+    if (m_isArmed)
+        m_until.start(m_end, [this] { arm(false); });
+    else
+        m_until.stop();
+}
+
+/// Three seconds in which everybody is told, and somebody can still say no: then it waits again.
+Task<void> StationPermit::beforeMotion(const Device &device, const service::SelfTest &, Progress &progress)
+{
+    do {
+        auto waiting = untilArmed(device, progress);
+        co_await std::move(waiting);
+        const Counted announcing(m_announcing);
+        restart();
+        m_changed.notify();
+        Sleep warning(m_clock, announcement);
+        co_await warning;
+    } while (!m_isArmed);
+    m_changed.notify();
+    co_return {};
+}
+
+/// Everything else is done by then, and nothing is lost while it waits.
+Task<void> StationPermit::untilArmed(const Device &device, Progress &progress)
+{
+    const Counted waiting(m_waiting);
+    const bool isFollowed = device.liveness().heard;
+    Instant heardAt = m_clock.now();
+    while (!m_isArmed) {
+        if (m_isLeaving)
+            co_return fail(Fault::Cancelled, say("left before the station was armed"));
+        if (device.link().state() != LinkState::Open)
+            co_return fail(
+                Fault::LinkLost, say("%1: %2", device.link().address().shortName(), device.link().loss().message()));
+        if (device.liveness().heard)
+            heardAt = m_clock.now();
+        if (isFollowed && m_clock.now() - heardAt >= takenOff)
+            co_return fail(Fault::Timeout, say("the unit was taken off while it waited for the station to be armed"),
+                say("hold Arm, then put it on again"));
+        progress.step(say("waits until the station is armed"), 0, 0);
+        Sleep looking(m_clock, armedAgain);
+        co_await looking;
+    }
+    co_return {};
+}
+
+} // namespace mb

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "async/listeners.h"
+#include "async/sleep.h"
+#include "service/selftest.h"
+#include "service/servicesurroundings.h"
+
+namespace mb {
+
+/// Who may let the motors of self-tests turn: whoever has armed the station, until it is disarmed or five minutes pass without a
+/// unit. Each motion is announced for three seconds, in which somebody can still say no. Engine thread.
+class StationPermit final : public service::MotionPermit {
+public:
+    explicit StationPermit(Clock &clock);
+
+    void arm(bool on);
+    /// A unit has come or gone: the five minutes begin anew.
+    void restart();
+    /// Nobody will arm any more: units that wait for it are cut off; until the next queue begins.
+    void setLeaving(bool on) { m_isLeaving = on; }
+
+    [[nodiscard]] bool isArmed() const { return m_isArmed; }
+    /// Of it, without a unit.
+    [[nodiscard]] Instant armedUntil() const { return m_end; }
+    /// The motor of a unit turns in a moment.
+    [[nodiscard]] bool isAnnouncing() const { return m_announcing > 0; }
+    /// A unit waits until the station is armed.
+    [[nodiscard]] bool isWaitedFor() const { return m_waiting > 0 && !m_isArmed; }
+    [[nodiscard]] Listeners<> &changed() { return m_changed; }
+
+    [[nodiscard]] Task<void> beforeMotion(
+        const Device &device, const service::SelfTest &test, Progress &progress) override;
+
+    /// Words and sound before a motor turns.
+    static constexpr Duration announcement = std::chrono::seconds(3);
+    /// A unit that waits for arming, and is not heard so long, was taken off.
+    static constexpr Duration takenOff = std::chrono::seconds(2);
+    /// Without a unit so long, nothing is armed any more.
+    static constexpr Duration armedTime = std::chrono::minutes(5);
+
+private:
+    [[nodiscard]] Task<void> untilArmed(const Device &device, Progress &progress);
+
+    Clock &m_clock;
+    bool m_isArmed = false;
+    Instant m_end{};
+    int m_announcing = 0;
+    int m_waiting = 0;
+    bool m_isLeaving = false;
+    Timer m_until;
+    Listeners<> m_changed;
+};
+
+} // namespace mb
