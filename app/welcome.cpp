@@ -23,13 +23,13 @@
 namespace mb {
 namespace {
 
-PageId pageOf(Place place)
+PageId pageOf(StoryPlace place)
 {
     switch (place) {
-    case Place::Overview: return PageId::Overview;
-    case Place::Parameters: return PageId::Parameters;
-    case Place::Tune: return PageId::Tune;
-    case Place::Design: return PageId::Design;
+    case StoryPlace::Overview: return PageId::Overview;
+    case StoryPlace::Parameters: return PageId::Parameters;
+    case StoryPlace::Tune: return PageId::Tune;
+    case StoryPlace::Design: return PageId::Design;
     }
     return PageId::Overview;
 }
@@ -101,7 +101,7 @@ void Welcome::begin(const Story &story)
     m_guide->begin(story);
 }
 
-void Welcome::show(Place place)
+void Welcome::show(StoryPlace place)
 {
     if (const DeviceView *device = m_guide->device())
         m_window.selection().select(device->id);

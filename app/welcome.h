@@ -30,7 +30,7 @@ private:
     void connectStart();
     void connectStrip();
     void begin(const Story &story);
-    void show(Place place);
+    void show(StoryPlace place);
     void offer();
 
     MainWindow &m_window;

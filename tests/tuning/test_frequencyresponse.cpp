@@ -25,7 +25,7 @@ Envelope benchLimits()
 }
 
 /// What a motor of gain and tau, with friction and whole counts, tells of a sine.
-Trial sineOf(const PlantModel &plant, double bias, double swing, double hertz, double period)
+Trial sineOf(const PlantModel &plant, double bias, double swing, double hertz, double interval)
 {
     Trial trial;
     trial.mode = Mode::Duty;
@@ -40,7 +40,7 @@ Trial sineOf(const PlantModel &plant, double bias, double swing, double hertz, d
         if (t >= next) {
             position.add(t, std::floor(place));
             duty.add(t, trial.stimulus.at(t));
-            next += period;
+            next += interval;
         }
         const double push = trial.stimulus.at(t);
         speed += fine / plant.tau * (plant.gain * (push - std::copysign(plant.friction, speed)) - speed);

@@ -56,11 +56,11 @@ TEST(Relay, NeverLeavesTheTravelThatIsAllowed)
         ExperimentBench bench("sim:can", "dmc60c", 5, std::string("dmc60c:5,motor=") + motor + ",load=5");
         TunePlan plan = planOf(Mode::Position);
         plan.limits.travel = motor == std::string("25d") ? 800.0 : 40'000.0;
-        const double start = bench.simulator()->position();
+        const double rest = bench.simulator()->position();
         double farthest = 0.0;
         Timer looking(bench.bench.clock);
         const std::function<void()> look = [&] {
-            farthest = std::max(farthest, std::abs(bench.simulator()->position() - start));
+            farthest = std::max(farthest, std::abs(bench.simulator()->position() - rest));
             looking.startIn(std::chrono::milliseconds(1), look);
         };
         look();

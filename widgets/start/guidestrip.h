@@ -35,7 +35,7 @@ Q_SIGNALS:
     /// The offer was refused: not again.
     void refused();
     /// Show where the present step is done.
-    void placeWanted(mb::Place place);
+    void placeWanted(mb::StoryPlace place);
 
 protected:
     bool event(QEvent *event) override;

@@ -20,59 +20,59 @@ struct StoryWords {
 };
 
 constexpr StoryStep taming[] = {
-    {Proof::Selected, Place::Tune, QT_TRANSLATE_NOOP("Stories", "Select"),
+    {Proof::Selected, StoryPlace::Tune, QT_TRANSLATE_NOOP("Stories", "Select"),
         QT_TRANSLATE_NOOP("Stories", "Click %1 in the list at the left. Everything that follows is about it.")},
-    {Proof::Armed, Place::Tune, QT_TRANSLATE_NOOP("Stories", "Arm"),
+    {Proof::Armed, StoryPlace::Tune, QT_TRANSLATE_NOOP("Stories", "Arm"),
         QT_TRANSLATE_NOOP("Stories",
             "Hold the Arm button at the top, SAFE, for one second (or Ctrl+Shift+F12). Nothing moves before. Esc "
             "stops, "
             "always.")},
-    {Proof::Stepped, Place::Tune, QT_TRANSLATE_NOOP("Stories", "Step"),
+    {Proof::Stepped, StoryPlace::Tune, QT_TRANSLATE_NOOP("Stories", "Step"),
         QT_TRANSLATE_NOOP("Stories", "Press %2: the motor steps to a speed and back, and the overshoot is measured."),
         "F5"},
-    {Proof::Tamed, Place::Design, QT_TRANSLATE_NOOP("Stories", "Tune"),
+    {Proof::Tamed, StoryPlace::Design, QT_TRANSLATE_NOOP("Stories", "Tune"),
         QT_TRANSLATE_NOOP("Stories",
             "Press %2 on the page Design: the program finds gains and proves them. Tamed: a step overshoots by 5 % at "
             "most."),
         "F6"},
-    {Proof::Stored, Place::Parameters, QT_TRANSLATE_NOOP("Stories", "Store"),
+    {Proof::Stored, StoryPlace::Parameters, QT_TRANSLATE_NOOP("Stories", "Store"),
         QT_TRANSLATE_NOOP("Stories",
             "15 s after its last change the unit stores by itself. Then press Store and prove on the page Parameters: "
             "done when the unit proves that its flash has the gains.")},
 };
 
 constexpr StoryStep limiting[] = {
-    {Proof::Selected, Place::Parameters, QT_TRANSLATE_NOOP("Stories", "Select"),
+    {Proof::Selected, StoryPlace::Parameters, QT_TRANSLATE_NOOP("Stories", "Select"),
         QT_TRANSLATE_NOOP("Stories", "Click %1 in the list at the left.")},
-    {Proof::LimitOn, Place::Parameters, QT_TRANSLATE_NOOP("Stories", "Limit"),
+    {Proof::LimitOn, StoryPlace::Parameters, QT_TRANSLATE_NOOP("Stories", "Limit"),
         QT_TRANSLATE_NOOP("Stories",
             "On the page Parameters switch the current limit on (search: current_limit), set it to what the motor "
             "may have, and write.")},
-    {Proof::Armed, Place::Tune, QT_TRANSLATE_NOOP("Stories", "Arm"),
+    {Proof::Armed, StoryPlace::Tune, QT_TRANSLATE_NOOP("Stories", "Arm"),
         QT_TRANSLATE_NOOP("Stories", "Hold the Arm button at the top for one second (or Ctrl+Shift+F12).")},
-    {Proof::CurrentShown, Place::Tune, QT_TRANSLATE_NOOP("Stories", "Step"),
+    {Proof::CurrentShown, StoryPlace::Tune, QT_TRANSLATE_NOOP("Stories", "Step"),
         QT_TRANSLATE_NOOP("Stories", "Press %2 on the page Tune: the peak current of the step stands in its table."),
         "F5"},
-    {Proof::Stored, Place::Parameters, QT_TRANSLATE_NOOP("Stories", "Store"),
+    {Proof::Stored, StoryPlace::Parameters, QT_TRANSLATE_NOOP("Stories", "Store"),
         QT_TRANSLATE_NOOP("Stories",
             "15 s after its last change the unit stores by itself. Then press Store and prove on the page "
             "Parameters.")},
 };
 
 constexpr StoryStep arriving[] = {
-    {Proof::Selected, Place::Tune, QT_TRANSLATE_NOOP("Stories", "Select"),
+    {Proof::Selected, StoryPlace::Tune, QT_TRANSLATE_NOOP("Stories", "Select"),
         QT_TRANSLATE_NOOP("Stories", "Click %1 in the list at the left. Everything that follows is about it.")},
-    {Proof::Armed, Place::Tune, QT_TRANSLATE_NOOP("Stories", "Arm"),
+    {Proof::Armed, StoryPlace::Tune, QT_TRANSLATE_NOOP("Stories", "Arm"),
         QT_TRANSLATE_NOOP("Stories",
             "On the page Tune choose Position: what is armed is armed for one mode. Then hold the Arm button at the "
             "top "
             "for one second (or Ctrl+Shift+F12).")},
-    {Proof::StoppedShort, Place::Tune, QT_TRANSLATE_NOOP("Stories", "Step"),
+    {Proof::StoppedShort, StoryPlace::Tune, QT_TRANSLATE_NOOP("Stories", "Step"),
         QT_TRANSLATE_NOOP("Stories",
             "Enter %3 as the target (behind ▸) and press %2: the motor goes there and back, and stops about %4 counts "
             "short."),
         "F5"},
-    {Proof::Arrived, Place::Tune, QT_TRANSLATE_NOOP("Stories", "Arrive"),
+    {Proof::Arrived, StoryPlace::Tune, QT_TRANSLATE_NOOP("Stories", "Arrive"),
         QT_TRANSLATE_NOOP("Stories",
             "What P makes of the last counts is less than friction. Enter among the gains %5 (a stiffer P overcomes "
             "it, "

@@ -11,7 +11,7 @@
 namespace mb {
 
 /// Where in the window a step is done.
-enum class Place { Overview, Parameters, Tune, Design };
+enum class StoryPlace { Overview, Parameters, Tune, Design };
 
 /// What the drawing of a story shows.
 enum class StoryPicture { Overshoot, Limit, Short };
@@ -33,7 +33,7 @@ enum class Proof {
 /// is now; of a unit that stops short (DemoUnits) %3 is the step, %4 by how much, %5 the gains with which it arrives.
 struct StoryStep {
     Proof proof = Proof::Selected;
-    Place place = Place::Overview;
+    StoryPlace place = StoryPlace::Overview;
     const char *name = "";  ///< one word or two, for the list of steps
     const char *words = ""; ///< what to do, where, with which key
     const char *key = "";   ///< as it came, of the table of its place; empty: none
