@@ -52,6 +52,7 @@ CurvePlot::CurvePlot(const ThemeSource &theme, const QString &accessibleName, QW
     m_mark = new QCPItemText(m_plot);
     m_mark->position->setType(QCPItemPosition::ptAxisRectRatio);
     m_mark->position->setCoords(0.5, 0.5);
+    m_labels = new AxisLabels(*m_plot);
     m_marks = new CurveMarks(*m_plot, theme);
     auto *column = layoutIn<QVBoxLayout>(this, -1, {2, 2, 2, 2});
     column->addWidget(m_plot);
@@ -122,6 +123,8 @@ void CurvePlot::setAxes(const QString &x, const QString &y, bool logarithmicY, b
 {
     setAxis(*m_plot->xAxis, x, logarithmicX);
     setAxis(*m_plot->yAxis, y, logarithmicY);
+    m_nameOfX = x;
+    m_labels->nameX(x, m_around.unitAtEnd && m_around.xLabels);
 }
 
 void CurvePlot::setAxis(QCPAxis &axis, const QString &label, bool logarithmic)
@@ -224,8 +227,9 @@ void CurvePlot::setSurroundings(const Surroundings &surroundings)
     if (m_around.left > 0) {
         const Theme &look = m_theme.theme();
         frame.setMargins(QMargins(look.u(m_around.left), 0, 0, 0));
-        frame.setMinimumMargins(QMargins(0, look.u(6), look.u(14), look.u(6)));
+        frame.setMinimumMargins(QMargins(0, look.u(6), look.u(m_around.unitAtEnd ? 34 : 14), look.u(6)));
     }
+    m_labels->nameX(m_nameOfX, m_around.unitAtEnd && m_around.xLabels);
     showNote();
 }
 
@@ -277,11 +281,6 @@ void CurvePlot::keyPressEvent(QKeyEvent *event)
     default: return QWidget::keyPressEvent(event);
     }
     replotSoon();
-}
-
-QPixmap CurvePlot::picture()
-{
-    return m_plot->toPixmap(0, 0, 2.0);
 }
 
 Result<void> CurvePlot::exportTo(const QString &path)
