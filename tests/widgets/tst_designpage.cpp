@@ -412,7 +412,7 @@ void TestDesignPage::whatWillHappenIsSaidBeforeAndWhatCameOfItAfter()
     proof.proof.resize(1);
     proof.measured.overshoot = 0.021;
     bench.finish(proof);
-    QVERIFY2(said().contains(QStringLiteral("measured: over 2.1 %")), qPrintable(said()));
+    QVERIFY2(said().contains(QStringLiteral("measured: over 2.1\u00A0%")), qPrintable(said()));
 }
 
 void TestDesignPage::marginsStandAtTheirPlacesAndAreNotToldBeyondWhatWasMeasured()

@@ -91,13 +91,6 @@ QString physicalText(const Family &family, const Parameter &row, const tuning::S
                                       : perCount(row.role, gains.made, scale.loop);
 }
 
-/// "P" of "slot0.p".
-QString shortGainName(const Family &family, const std::string &key)
-{
-    const Role role = roleOf(family, key);
-    return isGain(role) ? qt(gainLetter(role)) : QString::fromStdString(key.substr(key.rfind('.') + 1)).toUpper();
-}
-
 } // namespace
 
 QString aimText(tuning::Aim aim)
@@ -149,17 +142,17 @@ void ProposalCard::addGains(
         const auto index = findParameter(family.parameters, gain.key);
         if (gain.raw == 0 || !index)
             continue;
-        if (isGain(roleOf(family, gain.key)))
-            brief << shortGainName(family, gain.key) + QChar(0x00A0) + formatSignificant(gain.number, 4);
-        gains->addWidget(textLabel(shortGainName(family, gain.key), TextRole::Emphasis, Tone::Text, this), row, 0);
+        const Parameter &parameter = family.parameters[index->value];
+        if (isGain(parameter))
+            brief << shortName(parameter) + QChar(0x00A0) + formatSignificant(gain.number, 4);
+        gains->addWidget(textLabel(shortName(parameter), TextRole::Emphasis, Tone::Text, this), row, 0);
         auto *const value = new QLabel(formatSignificant(gain.number, 4), this);
         setTextRole(*value, TextRole::Emphasis);
         gains->addWidget(value, row, 1, Qt::AlignRight);
         gains->addWidget(
             textLabel(tr("raw %1").arg(formatCount(gain.raw)), TextRole::Raw, Tone::Dim, this), row, 2, Qt::AlignRight);
-        QLabel *const physical
-            = textLabel(physicalText(family, family.parameters[index->value], proposal.gains, gain.number, scale),
-                TextRole::Caption, Tone::Dim, this);
+        QLabel *const physical = textLabel(
+            physicalText(family, parameter, proposal.gains, gain.number, scale), TextRole::Caption, Tone::Dim, this);
         physical->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         gains->addWidget(physical, row++, 3);
     }
@@ -183,8 +176,8 @@ void ProposalCard::addFigures(const Family &family, const tuning::Proposal &prop
     }
     QStringList zeros;
     for (const tuning::ScaledGains::Row &gain : proposal.gains.rows) {
-        if (gain.raw == 0)
-            zeros << shortGainName(family, gain.key);
+        if (const auto index = findParameter(family.parameters, gain.key); index && gain.raw == 0)
+            zeros << shortName(family.parameters[index->value]);
     }
     if (!zeros.isEmpty())
         spoken << tr("%1 = 0").arg(zeros.join(QStringLiteral(", ")));
@@ -193,16 +186,25 @@ void ProposalCard::addFigures(const Family &family, const tuning::Proposal &prop
     setAccessibleDescription(spoken.join(QStringLiteral(", ")));
 }
 
-void ProposalCard::setBrief(bool brief)
+void ProposalCard::setRoom(CardRoom room)
 {
-    m_gains->setVisible(!brief);
-    m_brief->setVisible(brief);
+    m_room = room;
+    setTight(room == CardRoom::Least);
+    showGains();
 }
 
 void ProposalCard::setChosen(bool chosen)
 {
     m_mark->setChosen(chosen);
     setEdge(chosen ? std::optional(Tone::Accent) : std::nullopt);
+    showGains();
+}
+
+void ProposalCard::showGains()
+{
+    m_gains->setVisible(m_room == CardRoom::Plenty);
+    m_brief->setVisible(m_room == CardRoom::Little || (m_room == CardRoom::Least && m_mark->isChosen()));
+    setToolTip(m_room == CardRoom::Least ? m_brief->text() : QString());
 }
 
 } // namespace mb
