@@ -2,6 +2,7 @@
 // How the parts of the Design page name and space what they show.
 #include "designbench.h"
 #include "support/windowtests.h"
+#include "widgets/common/applytheme.h"
 #include "widgets/design/adviserlist.h"
 #include "widgets/design/bodeplot.h"
 #include "widgets/design/designcolumn.h"
@@ -17,6 +18,7 @@ using namespace mb::tuning;
 class TestDesignRoom : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    void initTestCase();
     void labelsOfALowPlotDoNotTouch_data();
     void labelsOfALowPlotDoNotTouch();
     void thePhaseOfALowPlotHasLabelsThatDoNotTouch();
@@ -54,6 +56,15 @@ int seenLabels(const CurvePlot &plot)
 }
 
 } // namespace
+
+/// As in the program: sizes depend on it.
+void TestDesignRoom::initTestCase()
+{
+    QFont font = QApplication::font();
+    font.setPointSizeF(10.0);
+    QApplication::setFont(font);
+    applyTheme(*qApp, darkTheme());
+}
 
 void TestDesignRoom::labelsOfALowPlotDoNotTouch_data()
 {
@@ -142,6 +153,9 @@ void TestDesignRoom::aBoundOfAPositionHasItsNameOfTheParameterTable()
         words << label->text();
     QVERIFY2(words.contains(QStringLiteral("Nominal forward")), qPrintable(words.join(QLatin1Char('|'))));
     QVERIFY2(words.filter(QStringLiteral("NOMINAL")).isEmpty(), qPrintable(words.join(QLatin1Char('|'))));
+    QCOMPARE(words.filter(QStringLiteral("1\u202F234")).size(), 1); // its raw number is the same
+    for (const QLabel *label : bench.cards().front()->findChildren<QLabel *>())
+        QVERIFY2(!label->isVisible() || label->width() >= label->sizeHint().width(), qPrintable(label->text()));
 }
 
 void TestDesignRoom::whatAnAdviserWouldStageIsNamedAsInTheTableAndFitsItsColumn()

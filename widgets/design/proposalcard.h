@@ -5,6 +5,8 @@
 #include "tuning/autotune.h"
 #include "widgets/common/card.h"
 
+class QGridLayout;
+
 namespace mb {
 
 class ChoiceMark;
@@ -32,6 +34,7 @@ public:
 
 private:
     void addGains(const Family &family, const tuning::Proposal &proposal, const Scale &scale, const Theme &look);
+    void addRow(QGridLayout &grid, const Parameter &parameter, const tuning::ScaledGains::Row &gain);
     void addFigures(const Family &family, const tuning::Proposal &proposal, const Theme &look);
     void showGains();
 

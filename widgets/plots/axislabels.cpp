@@ -26,7 +26,7 @@ AxisLabels::AxisLabels(QCustomPlot &plot)
 void AxisLabels::nameX(const QString &name, bool atEnd)
 {
     m_plot.xAxis->setLabel(atEnd ? QString() : name);
-    m_unit->setVisible(atEnd);
+    m_isUnitAtEnd = atEnd;
     m_unit->setText(name);
     m_unit->setFont(m_plot.xAxis->tickLabelFont());
     m_unit->setColor(m_plot.xAxis->tickLabelColor());
@@ -35,6 +35,7 @@ void AxisLabels::nameX(const QString &name, bool atEnd)
 void AxisLabels::arrange()
 {
     const QRect frame = m_plot.axisRect()->rect();
+    m_unit->setVisible(m_isUnitAtEnd && m_plot.xAxis->tickLabels());
     m_unit->position->setCoords(
         m_plot.width() - besideUnit, frame.bottom() + m_plot.xAxis->tickLabelPadding() - higherThanNumbers);
     const auto ticker = m_plot.yAxis->ticker().dynamicCast<NumberTicker>();

@@ -19,6 +19,7 @@ private:
 
     QCustomPlot &m_plot;
     QCPItemText *m_unit = nullptr; ///< of x
+    bool m_isUnitAtEnd = false;
 };
 
 } // namespace mb

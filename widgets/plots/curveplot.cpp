@@ -15,13 +15,15 @@ namespace {
 
 constexpr int besideNote = 16; ///< pixels
 
-/// Clause after clause, on as many lines as they need.
-QString inLines(const QString &note, const QFontMetrics &metrics, int width)
+/// Clause after clause, on as many lines as they need; one that is too long breaks between its words.
+QString inLines(
+    const QString &note, const QFontMetrics &metrics, int width, const QString &joint = QStringLiteral(" · "))
 {
-    const QString joint = QStringLiteral(" · ");
     QString lines;
     QString line;
-    for (const QString &clause : note.split(joint)) {
+    for (QString clause : note.split(joint)) {
+        if (joint != QLatin1String(" ") && metrics.horizontalAdvance(clause) > width)
+            clause = inLines(clause, metrics, width, QStringLiteral(" "));
         const QString longer = line.isEmpty() ? clause : line + joint + clause;
         if (line.isEmpty() || metrics.horizontalAdvance(longer) <= width) {
             line = longer;
