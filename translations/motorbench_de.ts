@@ -1712,6 +1712,10 @@
         <source>Stages these values; nothing is written yet.</source>
         <translation>Merkt diese Werte vor; geschrieben wird noch nichts.</translation>
     </message>
+    <message>
+        <source>Stage</source>
+        <translation>Vormerken</translation>
+    </message>
 </context>
 <context>
     <name>mb::AgainstView</name>
@@ -9121,10 +9125,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>%1, predicted</source>
         <translation>%1, vorhergesagt</translation>
-    </message>
-    <message>
-        <source>a step of %1</source>
-        <translation>ein Sprung von %1</translation>
     </message>
     <message>
         <source>measured, forwards</source>

@@ -1712,6 +1712,10 @@
         <source>Stages these values; nothing is written yet.</source>
         <translation>Deja pendientes estos valores; aún no se escribe nada.</translation>
     </message>
+    <message>
+        <source>Stage</source>
+        <translation>Dejar pendiente</translation>
+    </message>
 </context>
 <context>
     <name>mb::AgainstView</name>
@@ -9121,10 +9125,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>%1, predicted</source>
         <translation>%1, previsto</translation>
-    </message>
-    <message>
-        <source>a step of %1</source>
-        <translation>un escalón de %1</translation>
     </message>
     <message>
         <source>measured, forwards</source>

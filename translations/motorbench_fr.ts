@@ -1712,6 +1712,10 @@
         <source>Stages these values; nothing is written yet.</source>
         <translation>Met ces valeurs en attente&#x202f;; rien n’est encore écrit.</translation>
     </message>
+    <message>
+        <source>Stage</source>
+        <translation>Mettre en attente</translation>
+    </message>
 </context>
 <context>
     <name>mb::AgainstView</name>
@@ -9121,10 +9125,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>%1, predicted</source>
         <translation>%1, prédit</translation>
-    </message>
-    <message>
-        <source>a step of %1</source>
-        <translation>un échelon de %1</translation>
     </message>
     <message>
         <source>measured, forwards</source>

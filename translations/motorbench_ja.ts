@@ -1711,6 +1711,10 @@
         <source>Stages these values; nothing is written yet.</source>
         <translation>これらの値を書込み待ちにします。まだ書き込みません。</translation>
     </message>
+    <message>
+        <source>Stage</source>
+        <translation>書込み待ちに追加</translation>
+    </message>
 </context>
 <context>
     <name>mb::AgainstView</name>
@@ -9110,10 +9114,6 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>%1, predicted</source>
         <translation>%1、予測</translation>
-    </message>
-    <message>
-        <source>a step of %1</source>
-        <translation>%1 のステップ</translation>
     </message>
     <message>
         <source>measured, forwards</source>

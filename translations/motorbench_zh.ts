@@ -1711,6 +1711,10 @@
         <source>Stages these values; nothing is written yet.</source>
         <translation>暂存这些值；尚未写入任何内容。</translation>
     </message>
+    <message>
+        <source>Stage</source>
+        <translation>暂存</translation>
+    </message>
 </context>
 <context>
     <name>mb::AgainstView</name>
@@ -9110,10 +9114,6 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>%1, predicted</source>
         <translation>%1，预测</translation>
-    </message>
-    <message>
-        <source>a step of %1</source>
-        <translation>%1 的阶跃</translation>
     </message>
     <message>
         <source>measured, forwards</source>

@@ -361,6 +361,10 @@ void TestDesignPage::wordsBelowACurveContinueOnTheNextLine()
     for (const QString &line : lines)
         QVERIFY2(QFontMetrics(words->font()).horizontalAdvance(line) <= plot.width(), qPrintable(line));
     QCOMPARE(plot.note(), note);
+    plot.setNote(
+        QStringLiteral("What the gains will do appears here, before they are written, in a sentence of its own."));
+    for (const QString &line : words->text().split(QLatin1Char('\n')))
+        QVERIFY2(QFontMetrics(words->font()).horizontalAdvance(line) <= plot.width(), qPrintable(line));
 }
 
 void TestDesignPage::advisersSayWhatIsToBeKnownOfTheSetAndStageWhatHelps()
@@ -412,7 +416,7 @@ void TestDesignPage::whatWillHappenIsSaidBeforeAndWhatCameOfItAfter()
     proof.proof.resize(1);
     proof.measured.overshoot = 0.021;
     bench.finish(proof);
-    QVERIFY2(said().contains(QStringLiteral("measured: over 2.1 %")), qPrintable(said()));
+    QVERIFY2(said().contains(QStringLiteral("measured: over 2.1\u00A0%")), qPrintable(said()));
 }
 
 void TestDesignPage::marginsStandAtTheirPlacesAndAreNotToldBeyondWhatWasMeasured()

@@ -57,6 +57,13 @@ private Q_SLOTS:
         row("the words of somebody else", Message::verbatim("Velocity"), "Velocity");
         row("nothing", Message(), "");
     }
+    void numbersAreShownInGroupsAndWrittenPlainInAFile()
+    {
+        const Message said = say("%1 counts, number %2", -1600000.5, 21033416);
+        QCOMPARE(messageText(said),
+            QStringLiteral("\u22121\u202F600\u202F000.5 counts, number 21033416")); // a number of a thing is a name
+        QCOMPARE(messageText(said, QLatin1Char('.')), QStringLiteral("-1600000.5 counts, number 21033416"));
+    }
     void translates()
     {
         QFETCH(Message, message);

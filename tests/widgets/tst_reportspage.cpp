@@ -95,6 +95,7 @@ private Q_SLOTS:
     void aLabelIsAChoice();
     void theJournalThatIsListedIsATable();
     void aNoteIsKept();
+    void aNoteHasRoomToBeRead();
 };
 
 void TestReportsPage::unitsAndTheirTrialsAreListed()
@@ -233,6 +234,18 @@ void TestReportsPage::aNoteIsKept()
     Q_EMIT note->editingFinished();
     QCOMPARE(bench.workbench.visited.entries.back().note, std::string("red box"));
     QVERIFY(bench.page->list().item(0)->text().contains(QStringLiteral("red box")));
+}
+
+void TestReportsPage::aNoteHasRoomToBeRead()
+{
+    ReportsPageBench bench;
+    bench.serve();
+    bench.page->resize(1047, 607); // as it is in the smallest window
+    bench.page->setFilter(ReportsPage::Journal);
+    QCoreApplication::processEvents();
+    const auto *const note = bench.page->findChildren<QLineEdit *>().back();
+    QVERIFY2(note->width() > note->fontMetrics().horizontalAdvance(note->placeholderText()) + 40,
+        qPrintable(QString::number(note->width())));
 }
 
 MB_WINDOW_TEST(TestReportsPage);

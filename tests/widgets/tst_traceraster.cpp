@@ -13,7 +13,7 @@ namespace {
 constexpr int Width = 120;
 constexpr int Height = 60;
 constexpr QRect Clip(10, 5, Width, Height);
-const QRgb Background = qRgb(0, 0, 0);
+const QRgb Blank = qRgb(0, 0, 0);
 const QRgb White = qRgb(255, 255, 255);
 
 /// One second is a pixel column, one unit a row; value 0 is the lower edge.
@@ -28,7 +28,7 @@ PixelMap plainMap()
 QImage drawn(const std::vector<PlotPoint> &points, const PixelMap &map, const TraceStroke &stroke)
 {
     QImage image(Clip.right() + 20, Clip.bottom() + 20, QImage::Format_RGB32);
-    image.fill(Background);
+    image.fill(Blank);
     TraceRaster().draw(image, Clip, points, map, stroke);
     return image;
 }
@@ -242,7 +242,7 @@ void TraceRasterTest::whatLiesOutsideOfThePaneIsNotTouched()
     QImage image = drawn(randomTrace(random, 5.0), plainMap(), {White, 4.2});
     for (int y = 0; y < image.height(); ++y) {
         for (int x = 0; x < image.width(); ++x)
-            QVERIFY(Clip.contains(x, y) || image.pixel(x, y) == Background);
+            QVERIFY(Clip.contains(x, y) || image.pixel(x, y) == Blank);
     }
     // A pane that is larger than the picture is not drawn at all.
     TraceRaster().draw(image, Clip.adjusted(0, 0, 200, 0), {{0, 1}, {9, 1}}, plainMap(), {});

@@ -13,6 +13,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QScrollArea>
 #include <QScrollBar>
 #include <QStackedWidget>
 #include <QTest>
@@ -51,6 +52,7 @@ private Q_SLOTS:
     void theSlewIsTheHandsLimit();
     void everyControlHasAName();
     void nothingIsCutAtTwiceTheFont();
+    void theLivePlotScrollsBeforeItsStripsLieOverEachOther();
 };
 
 void TestTunePage::thePlotShowsWhatIsRecorded()
@@ -273,6 +275,29 @@ void TestTunePage::nothingIsCutAtTwiceTheFont()
     }
     QApplication::setFont(before);
     applyTheme(*qApp, lightTheme());
+}
+
+void TestTunePage::theLivePlotScrollsBeforeItsStripsLieOverEachOther()
+{
+    TuneBench bench;
+    QScrollArea area; // as every page stands in one
+    area.setWidgetResizable(true);
+    area.setWidget(bench.page.get());
+    area.resize(560, 260);
+    area.show();
+    for (int i = 0; i < 4; ++i)
+        QCoreApplication::processEvents();
+    const auto *const stack = bench.page->findChild<QWidget *>(QStringLiteral("tuneStack"));
+    QVERIFY(stack->isVisible());
+    QVERIFY2(stack->height() >= 200, qPrintable(QString::number(stack->height())));
+    QVERIFY(area.verticalScrollBar()->maximum() > 0);
+    const auto *const span = bench.find<QComboBox>("Length of the time axis");
+    QVERIFY(span->width() >= span->sizeHint().width());
+    area.resize(1208, 760);
+    for (int i = 0; i < 4; ++i)
+        QCoreApplication::processEvents();
+    QCOMPARE(area.verticalScrollBar()->maximum(), 0);
+    (void)area.takeWidget();
 }
 
 MB_WINDOW_TEST(TestTunePage);

@@ -80,6 +80,14 @@ void Card::setDense(bool dense)
     restyle();
 }
 
+void Card::setTight(bool tight)
+{
+    if (tight == m_tight)
+        return;
+    m_tight = tight;
+    restyle();
+}
+
 void Card::setFlush(bool flush)
 {
     m_flush = flush;
@@ -123,15 +131,15 @@ void Card::restyle()
 {
     const Theme &theme = m_theme.theme();
     const int pad = theme.u(m_dense ? 10 : 12);
-    const int air = theme.u(m_dense ? 6 : 10);
+    const int air = theme.u(m_tight ? 3 : m_dense ? 6 : 10);
     m_column->setContentsMargins(1, 1, 1, 1);
     if (m_head) {
         m_head->setContentsMargins(pad, air, pad, m_flush ? air : 0);
         m_head->setSpacing(theme.u(8));
     }
-    const int above = theme.u(m_dense ? 3 : m_head ? 8 : 12);
+    const int above = theme.u(m_tight ? 1 : m_dense ? 3 : m_head ? 8 : 12);
     m_body->setContentsMargins(m_flush ? QMargins() : QMargins(pad, above, pad, m_dense ? air : pad));
-    m_body->setSpacing(theme.u(m_flush ? 0 : m_dense ? 3 : 8));
+    m_body->setSpacing(theme.u(m_flush ? 0 : m_tight ? 1 : m_dense ? 3 : 8));
     if (m_foot) {
         m_foot->setContentsMargins(pad, theme.u(6), pad, theme.u(6));
         m_foot->setSpacing(theme.u(12));

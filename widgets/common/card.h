@@ -29,6 +29,8 @@ public:
     void addHeadMark(QWidget *widget);
     /// Less air, where several stand below each other.
     void setDense(bool dense);
+    /// A dense one where its column would scroll for some pixels.
+    void setTight(bool tight);
     /// Where the content goes. Margins are those of a card; setFlush(true) removes them for tables and plots.
     QVBoxLayout &body() { return *m_body; }
     void setFlush(bool flush);
@@ -62,6 +64,7 @@ private:
     QLabel *m_subtitle = nullptr;
     bool m_flush = false;
     bool m_dense = false;
+    bool m_tight = false;
     bool m_activatable = false;
 };
 

@@ -36,31 +36,27 @@ QString tableText(std::string_view english)
 
 namespace {
 
-QString argumentText(const MessageArgument &argument, QChar decimal)
+/// Without a decimal sign of its own: as numbers are shown.
+QString wordsOf(const Message &message, std::optional<QChar> decimal);
+
+QString argumentText(const MessageArgument &argument, std::optional<QChar> decimal)
 {
     struct Wording {
-        QChar decimal;
+        std::optional<QChar> decimal;
         QString operator()(std::int64_t number) const { return QString::number(number); }
         QString operator()(const MessageNumber &number) const
         {
             const QString digits = qt(textOf({number.value, number.decimals}));
             const QString unit = number.unit.empty() ? QString() : QLatin1Char(' ') + qt(number.unit);
-            return QString(digits).replace(QLatin1Char('.'), decimal) + unit;
+            return (decimal ? QString(digits).replace(QLatin1Char('.'), *decimal) : formatWritten(digits)) + unit;
         }
         QString operator()(const std::string &text) const { return qt(text); }
-        QString operator()(const Message &message) const { return messageText(message, decimal); }
+        QString operator()(const Message &message) const { return wordsOf(message, decimal); }
     };
     return std::visit(Wording{decimal}, argument.value);
 }
 
-} // namespace
-
-QString messageText(const Message &message)
-{
-    return messageText(message, decimalSign());
-}
-
-QString messageText(const Message &message, QChar decimal)
+QString wordsOf(const Message &message, std::optional<QChar> decimal)
 {
     if (message.empty() || message.isVerbatim())
         return qt(message.english());
@@ -75,6 +71,18 @@ QString messageText(const Message &message, QChar decimal)
         i += stands ? 1 : 0;
     }
     return text;
+}
+
+} // namespace
+
+QString messageText(const Message &message)
+{
+    return wordsOf(message, {});
+}
+
+QString messageText(const Message &message, QChar decimal)
+{
+    return wordsOf(message, decimal);
 }
 
 QString errorText(const Error &error)

@@ -63,6 +63,12 @@ QString formatCount(qint64 value)
     return grouped(QString::number(value));
 }
 
+QString formatWritten(const QString &plain)
+{
+    const bool isShort = plain.contains(QLatin1Char('e'));
+    return isShort ? local(plain).replace(QLatin1Char('-'), MinusSign) : grouped(plain);
+}
+
 QString formatSignificant(double value, int digits)
 {
     if (!std::isfinite(value))

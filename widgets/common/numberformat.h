@@ -18,6 +18,8 @@ QChar decimalSign();
 /// Read-only number with U+2212 and grouped thousands: "−20 480". NaN and infinity give "–".
 QString formatNumber(double value, int decimals = 0);
 QString formatCount(qint64 value);
+/// The same of one that is written as a file has it: "-20480.5", "1e-07".
+QString formatWritten(const QString &plain);
 /// So many significant digits, no exponent between 1e-4 and 1e9, trailing zeros kept: "0.003464".
 QString formatSignificant(double value, int digits);
 /// Number, no-break space, unit: "12.43 V". Without a unit only the number; unknown stays "–" without unit.

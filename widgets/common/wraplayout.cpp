@@ -97,7 +97,7 @@ void WrapLayout::setGeometry(const QRect &rect)
     const auto lines = linesFor(room.width());
     for (const Line &line : lines) {
         placeLine(line, room, m_spring >= 0 && lines.size() == 1);
-        room.setTop(room.top() + line.height + gap());
+        room.setTop(room.top() + line.height + lineGap());
     }
 }
 
@@ -107,7 +107,7 @@ int WrapLayout::heightForWidth(int width) const
     const auto lines = linesFor(width - margins.left() - margins.right());
     const int heights
         = std::accumulate(lines.begin(), lines.end(), 0, [](int sum, const Line &line) { return sum + line.height; });
-    return heights + (static_cast<int>(lines.size()) - 1) * gap() + margins.top() + margins.bottom();
+    return heights + (static_cast<int>(lines.size()) - 1) * lineGap() + margins.top() + margins.bottom();
 }
 
 QSize WrapLayout::sizeHint() const

@@ -3,6 +3,7 @@
 
 #include <QLayout>
 
+#include <optional>
 #include <vector>
 
 namespace mb {
@@ -15,6 +16,8 @@ public:
     explicit WrapLayout(QWidget *parent = nullptr);
     ~WrapLayout() override;
 
+    /// Between the lines; what is between the widgets, if none was given.
+    void setLineSpacing(int spacing) { m_lineSpacing = spacing; }
     /// What follows goes to the right end.
     void addSpring();
 
@@ -38,9 +41,11 @@ private:
     [[nodiscard]] std::vector<Line> linesFor(int width) const;
     void placeLine(const Line &line, const QRect &room, bool sprung) const;
     [[nodiscard]] int gap() const;
+    [[nodiscard]] int lineGap() const { return m_lineSpacing.value_or(gap()); }
 
     std::vector<QLayoutItem *> m_items;
     int m_spring = -1;
+    std::optional<int> m_lineSpacing;
 };
 
 } // namespace mb

@@ -4,6 +4,7 @@
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/control/gainunits.h"
 #include "widgets/control/wrappedlabel.h"
 
 #include <QCoreApplication>
@@ -26,11 +27,6 @@ constexpr std::size_t mostShown = 2;
 QString percent(double fraction)
 {
     return formatNumber(fraction * 100.0, std::abs(fraction) < 0.1 ? 1 : 0);
-}
-
-QString nameOf(const std::string &key)
-{
-    return QString::fromStdString(key.substr(key.rfind('.') + 1));
 }
 
 } // namespace
@@ -76,12 +72,18 @@ QString adviceText(const tuning::Advice &advice)
     return {};
 }
 
-QString remedyText(const tuning::Advice &advice)
+QStringList remedyTexts(const Family &family, const std::vector<std::pair<std::string, double>> &changes)
 {
     QStringList parts;
-    for (const auto &[key, value] : advice.changes)
-        parts << QStringLiteral("%1 = %2").arg(nameOf(key), formatSignificant(value, 4));
-    return parts.isEmpty() ? QString() : AdviceText::tr("Stage %1").arg(parts.join(QStringLiteral(", ")));
+    for (const auto &[key, value] : changes) {
+        const auto index = findParameter(family.parameters, key);
+        if (!index)
+            continue;
+        const Parameter &parameter = family.parameters[index->value];
+        const QString number = parameter.one == 1.0 ? formatNumber(value) : formatSignificant(value, 4);
+        parts << QStringLiteral("%1 = %2").arg(shortName(parameter), number);
+    }
+    return parts;
 }
 
 AdvicePanel::AdvicePanel(const ThemeSource &theme, QWidget *parent)
@@ -105,10 +107,10 @@ void AdvicePanel::setTrial(const Family *family, const tuning::Trial *trial)
     if (now == m_advice)
         return;
     m_advice = std::move(now);
-    rebuild();
+    rebuild(family);
 }
 
-void AdvicePanel::rebuild()
+void AdvicePanel::rebuild(const Family *family)
 {
     while (QLayoutItem *item = m_column->takeAt(0)) {
         delete item->widget();
@@ -120,10 +122,11 @@ void AdvicePanel::rebuild()
     m_column->addWidget(new SectionLabel(tr("Why it did that"), this));
     for (const tuning::Advice &advice : m_advice) {
         m_column->addWidget(wrappedLabel(adviceText(advice), TextRole::Body, Tone::Text, this));
-        const QString remedy = remedyText(advice);
-        if (remedy.isEmpty())
+        const QStringList remedies = family ? remedyTexts(*family, advice.changes) : QStringList();
+        if (remedies.isEmpty())
             continue;
-        QPushButton *const button = linkButton(remedy, this);
+        QPushButton *const button
+            = linkButton(AdviceText::tr("Stage %1").arg(remedies.join(QStringLiteral(",\n"))), this);
         button->setToolTip(tr("Stages these values; nothing is written yet."));
         m_column->addWidget(button, 0, Qt::AlignLeft);
         connect(button, &QPushButton::clicked, this, [this, advice] { Q_EMIT stageRequested(advice); });

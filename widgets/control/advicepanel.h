@@ -5,6 +5,7 @@
 #include "tuning/adviser.h"
 #include "widgets/common/theme.h"
 
+#include <QStringList>
 #include <QWidget>
 
 #include <optional>
@@ -14,9 +15,10 @@ class QVBoxLayout;
 
 namespace mb {
 
-/// What an adviser found, with its number, for people; and the button that stages its values, empty where it has none.
+/// What an adviser found, with its number, for people.
 [[nodiscard]] QString adviceText(const tuning::Advice &advice);
-[[nodiscard]] QString remedyText(const tuning::Advice &advice);
+/// Each of these values (Advice::changes) by the name that its parameter has in the table: "Nominal forward = 819".
+[[nodiscard]] QStringList remedyTexts(const Family &family, const std::vector<std::pair<std::string, double>> &changes);
 
 /// "Why it did that": the two weightiest causes of a trial, each with its number and one button that stages what to try.
 class AdvicePanel : public QWidget {
@@ -34,7 +36,7 @@ Q_SIGNALS:
     void stageRequested(const mb::tuning::Advice &advice);
 
 private:
-    void rebuild();
+    void rebuild(const Family *family);
 
     const ThemeSource &m_theme;
     std::vector<tuning::Advice> m_advice;

@@ -57,7 +57,8 @@ void TuneFrame::setParts(const Parts &parts)
 
 QSize TuneFrame::minimumSizeHint() const
 {
-    return {m_theme.theme().u(300), m_theme.theme().u(160)};
+    const bool strips = m_compact && m_tabs->current() == static_cast<int>(Part::Live); // would lie over each other
+    return {m_theme.theme().u(300), std::max(m_theme.theme().u(160), strips ? m_grid->minimumSize().height() : 0)};
 }
 
 void TuneFrame::resizeEvent(QResizeEvent *event)
@@ -119,6 +120,7 @@ void TuneFrame::arrange()
             : part == Part::Metrics     ? TrialsView::Shown::Metrics
             : part == Part::Trials      ? TrialsView::Shown::Trials
                                         : TrialsView::Shown::Plot);
+    updateGeometry();
 }
 
 } // namespace mb

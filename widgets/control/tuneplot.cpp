@@ -12,6 +12,7 @@
 #include "widgets/common/segmented.h"
 #include "widgets/common/signal.h"
 #include "widgets/common/workbench.h"
+#include "widgets/common/wraplayout.h"
 
 #include <QComboBox>
 #include <QLineEdit>
@@ -30,6 +31,7 @@ constexpr double idleTime = 0.25;
 constexpr std::array windows{5.0, 10.0, 30.0, 60.0};
 constexpr int usualWindow = 1;
 constexpr double mostCounts = 1e7;
+constexpr int leastStack = 240; ///< units, for three strips with their names and the time below them
 
 /// Channels from the top: what is commanded, then what explains it. Boards measure what turns, not what drives it.
 std::array<std::string_view, 3> channelsFor(Mode mode, bool ofAxis)
@@ -65,6 +67,7 @@ TunePlot::TunePlot(Workbench &workbench, const ThemeSource &theme, QWidget *pare
     column->addWidget(buildBar());
     column->addWidget(separatorLine(Qt::Horizontal, this));
     column->addWidget(m_stack, 1);
+    m_stack->setMinimumHeight(theme.theme().u(leastStack));
     m_stack->view().setWindow(windows.at(usualWindow));
     m_tick.setTimerType(Qt::PreciseTimer);
     m_tick.setInterval(tickTime);
@@ -75,14 +78,16 @@ QWidget *TunePlot::buildBar()
 {
     const Theme &theme = m_theme.theme();
     auto *bar = new QWidget(this);
-    auto *row = layoutIn<QHBoxLayout>(bar, theme.u(8), {theme.u(12), theme.u(6), theme.u(12), theme.u(6)});
+    auto *row = new WrapLayout(bar);
+    row->setContentsMargins(theme.u(12), theme.u(6), theme.u(12), theme.u(6));
+    row->setSpacing(theme.u(8));
     buildUnits(*row);
-    row->addStretch(1);
+    row->addSpring();
     buildView(*row);
     return bar;
 }
 
-void TunePlot::buildUnits(QHBoxLayout &row)
+void TunePlot::buildUnits(QLayout &row)
 {
     m_unitChoice = new Segmented(tr("Units"), {tr("counts"), tr("rpm")}, this);
     m_counts = new NumberField(this);
@@ -103,7 +108,7 @@ void TunePlot::buildUnits(QHBoxLayout &row)
     setUnits(m_units);
 }
 
-void TunePlot::buildView(QHBoxLayout &row)
+void TunePlot::buildView(QLayout &row)
 {
     m_window = new QComboBox(this);
     for (const double seconds : windows)

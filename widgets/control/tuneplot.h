@@ -42,8 +42,8 @@ protected:
 
 private:
     QWidget *buildBar();
-    void buildUnits(class QHBoxLayout &row);
-    void buildView(class QHBoxLayout &row);
+    void buildUnits(class QLayout &row);
+    void buildView(class QLayout &row);
     bool addTrace(const DeviceView &device, std::string_view channel, int strip, bool main, int axis);
     void addSetPoint(const DeviceView &device, int strip, const ShownUnit &unit, int axis);
     [[nodiscard]] QString nameOf(const Channel &row, int axis) const;

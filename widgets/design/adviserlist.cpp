@@ -47,6 +47,12 @@ Tone adviceTone(State state)
     return state == State::Notable ? Tone::Caution : state == State::Unread ? Tone::Dim : Tone::Ok;
 }
 
+QString unbroken(QString name)
+{
+    constexpr QChar hyphen{0x2011};
+    return name.replace(QLatin1Char(' '), QChar(QChar::Nbsp)).replace(QLatin1Char('-'), hyphen);
+}
+
 QString sharePercent(double fraction)
 {
     return formatNumber(fraction * 100.0, fraction < 0.1 ? 1 : 0);
@@ -157,7 +163,8 @@ void AdviserList::show(const tuning::ProposalBasis &basis, const tuning::Proposa
                                                           : tr("for %1").arg(name));
     std::vector<Place> places;
     for (const tuning::SetAdvice &one : advice)
-        places.push_back({one, adviceText(basis, proposal, one), !one.changes.empty() && isStaged(one)});
+        places.push_back({one, adviceText(basis, proposal, one),
+            remedyTexts(basis.family, one.changes).join(QStringLiteral(", ")), !one.changes.empty() && isStaged(one)});
     setVisible(true);
     if (places == m_places)
         return;
@@ -180,27 +187,56 @@ void AdviserList::rebuild()
         delete item->widget();
         delete item;
     }
+    m_fine.clear();
     m_quiet.clear();
     m_lines.clear();
+    addSum();
     for (const Place &place : m_places) {
-        if (m_rows->count() > 0) {
+        if (m_rows->count() > 1) {
             QFrame *const line = separatorLine(Qt::Horizontal, m_box);
             m_rows->addWidget(line);
-            line->setHidden(m_isBrief);
             m_lines.push_back(line);
         }
         addPlace(place);
     }
+    setRoom(m_room);
     Q_EMIT rebuilt();
 }
 
-void AdviserList::setBrief(bool brief)
+void AdviserList::setRoom(Room room)
 {
-    m_isBrief = brief;
+    m_room = room;
+    const bool sums = room == Room::Least && m_fine.size() > 1;
+    m_rows->setSpacing(m_theme.theme().u(room == Room::Plenty ? 6 : 3));
+    if (m_sum)
+        m_sum->setHidden(!sums);
+    for (QWidget *box : m_fine)
+        box->setHidden(sums);
     for (QLabel *words : m_quiet)
-        words->setHidden(brief);
+        words->setHidden(room != Room::Plenty);
     for (QFrame *line : m_lines)
-        line->setHidden(brief);
+        line->setHidden(room != Room::Plenty);
+}
+
+/// All that is in order: its names, and one word for them.
+void AdviserList::addSum()
+{
+    m_sum = new QWidget(m_box);
+    QStringList names;
+    QStringList told;
+    for (const Place &place : m_places) {
+        if (place.staged || place.advice.state != State::Fine)
+            continue;
+        names << unbroken(placeText(place.advice.cause));
+        told << placeText(place.advice.cause) + QStringLiteral(": ") + place.words;
+    }
+    auto *const row = layoutIn<QHBoxLayout>(m_sum, m_theme.theme().u(8));
+    row->addWidget(new StateGlyph(m_theme, adviceGlyph(State::Fine), m_sum), 0, Qt::AlignTop);
+    row->addWidget(wrappedLabel(names.join(QStringLiteral(" · ")), TextRole::Body, Tone::Text, m_sum), 1);
+    row->addWidget(
+        textLabel(AdviserList::tr("ok"), TextRole::Caption, adviceTone(State::Fine), m_sum), 0, Qt::AlignTop);
+    m_sum->setToolTip(told.join(QLatin1Char('\n')));
+    m_rows->addWidget(m_sum);
 }
 
 void AdviserList::addPlace(const Place &place)
@@ -221,21 +257,25 @@ void AdviserList::addPlace(const Place &place)
     grid->addWidget(words, 1, 1, 1, 2);
     if (state == State::Fine || state == State::Fixed) {
         box->setToolTip(place.words);
-        words->setHidden(m_isBrief);
         m_quiet.push_back(words);
     }
+    if (state == State::Fine)
+        m_fine.push_back(box);
     if (!place.advice.changes.empty()) {
-        auto *const button = new QPushButton(place.staged
-                ? tr("Take back")
-                : remedyText({place.advice.cause, place.advice.number, 0.0, place.advice.changes}),
-            box);
-        button->setToolTip(tr("Stages these values; nothing is written yet."));
-        connect(
-            button, &QPushButton::clicked, this, [this, place] { Q_EMIT stageRequested(place.advice, !place.staged); });
-        grid->addWidget(button, 2, 1, 1, 2, Qt::AlignLeft);
+        grid->addWidget(wrappedLabel(place.remedy, TextRole::Caption, Tone::Text, box), 2, 1, 1, 2);
+        grid->addWidget(stageButton(place, box), 3, 1, 1, 2, Qt::AlignLeft);
     }
     m_rows->addWidget(box);
     box->show();
+}
+
+QPushButton *AdviserList::stageButton(const Place &place, QWidget *box)
+{
+    auto *const button = new QPushButton(place.staged ? tr("Take back") : tr("Stage"), box);
+    button->setAccessibleDescription(place.remedy);
+    button->setToolTip(tr("Stages these values; nothing is written yet."));
+    connect(button, &QPushButton::clicked, this, [this, place] { Q_EMIT stageRequested(place.advice, !place.staged); });
+    return button;
 }
 
 } // namespace mb

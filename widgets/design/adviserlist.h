@@ -11,6 +11,7 @@
 
 class QFrame;
 class QLabel;
+class QPushButton;
 class QVBoxLayout;
 
 namespace mb {
@@ -27,8 +28,9 @@ public:
         const std::vector<tuning::SetAdvice> &advice, const std::function<bool(const tuning::SetAdvice &)> &isStaged);
     /// There is no set.
     void clear();
-    /// Where there is little room: what is in order has its words in its tooltip.
-    void setBrief(bool brief);
+    /// Where there is little room, what is in order has its words in its tooltip; where there is less, all of it takes one line.
+    enum class Room : std::uint8_t { Plenty, Little, Least };
+    void setRoom(Room room);
 
 Q_SIGNALS:
     /// Other places take more or less room.
@@ -40,19 +42,24 @@ private:
     struct Place {
         tuning::SetAdvice advice;
         QString words;
+        QString remedy; ///< the values that its button stages
         bool staged = false;
         friend bool operator==(const Place &, const Place &) = default;
     };
     void rebuild();
     void addPlace(const Place &place);
+    void addSum();
+    [[nodiscard]] QPushButton *stageButton(const Place &place, QWidget *box);
 
     const ThemeSource &m_theme;
     QLabel *m_of = nullptr;
     QVBoxLayout *m_rows = nullptr;
     QWidget *m_box = nullptr;
     std::vector<Place> m_places;
-    bool m_isBrief = false;
-    std::vector<QLabel *> m_quiet; ///< words of what is in order
+    Room m_room = Room::Plenty;
+    QWidget *m_sum = nullptr;      ///< the names of what is in order
+    std::vector<QWidget *> m_fine; ///< what is in order
+    std::vector<QLabel *> m_quiet; ///< words of what is in order, or was changed
     std::vector<QFrame *> m_lines;
 };
 

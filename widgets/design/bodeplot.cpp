@@ -29,7 +29,12 @@ class PhaseTicker : public NumberTicker {
 protected:
     double getTickStep(const QCPRange &range) override
     {
-        return range.size() > quarterTurn ? quarterTurn : NumberTicker::getTickStep(range);
+        if (range.size() <= quarterTurn)
+            return NumberTicker::getTickStep(range);
+        double step = quarterTurn;
+        while (step < leastStep(range) && step < range.size() / 2.0)
+            step *= 2.0;
+        return step;
     }
 };
 
@@ -120,8 +125,8 @@ BodePlot::BodePlot(const ThemeSource &theme, QWidget *parent)
     m_magnitude->setAxes({}, tr("magnitude, dB"), false, true);
     m_phase->setAxes(tr("Hz"), tr("phase, °"), false, true);
     m_phase->setWatermark({});
-    m_magnitude->setSurroundings({false, false, false, labelRoom});
-    m_phase->setSurroundings({false, false, true, labelRoom});
+    m_magnitude->setSurroundings({false, false, false, labelRoom, true});
+    m_phase->setSurroundings({false, false, true, labelRoom, true});
     m_phase->setLeastRange(-3.0 * quarterTurn, 0.0);
     m_phase->plot().yAxis->setTicker(QSharedPointer<PhaseTicker>::create());
     for (CurvePlot *plot : {m_magnitude, m_phase})

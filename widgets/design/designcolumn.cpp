@@ -4,6 +4,7 @@
 #include "widgets/common/labels.h"
 #include "widgets/control/envelopepanel.h"
 #include "widgets/design/modelpanel.h"
+#include "widgets/design/ownproposal.h"
 #include "widgets/design/proposallist.h"
 
 namespace mb {
@@ -45,18 +46,22 @@ void DesignColumn::fit()
 {
     if (!m_model)
         return;
+    m_line->setHidden(m_proposals->own().isHidden()); // one is enough where there is no set
     const bool all = m_wantsAll.value_or(false);
-    arrange(m_wantsAll && !all, false);
-    if (!m_wantsAll && !isInSight())
-        arrange(true, false);
-    if (!all && !isInSight())
-        arrange(true, true);
+    arrange(m_wantsAll && !all, CardRoom::Plenty);
+    if (all)
+        return;
+    for (const CardRoom room : {CardRoom::Plenty, CardRoom::Little, CardRoom::Least}) {
+        if (isInSight())
+            return;
+        arrange(true, room);
+    }
 }
 
-void DesignColumn::arrange(bool folded, bool brief)
+void DesignColumn::arrange(bool folded, CardRoom room)
 {
     m_model->setFolded(folded);
-    m_proposals->setBrief(brief);
+    m_proposals->setRoom(room);
 }
 
 /// All down to the sliders.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/design/proposalcard.h"
 #include "widgets/design/scrollcolumn.h"
 
 #include <optional>
@@ -13,7 +14,7 @@ class ProposalList;
 class ThemeSource;
 
 /// The left column of the Design page: the model, the sets of gains that stand on it, and the limits. Where the sets would not be in sight
-/// without scrolling, the model folds to a line, and where that is not enough the gains of each set too.
+/// without scrolling, the model folds to a line, and where that is not enough the gains of each set too, in the end to those of the chosen one.
 class DesignColumn : public ScrollColumn {
     Q_OBJECT
 public:
@@ -29,7 +30,7 @@ protected:
 
 private:
     void fit();
-    void arrange(bool folded, bool brief);
+    void arrange(bool folded, CardRoom room);
     [[nodiscard]] bool isInSight() const;
 
     ModelPanel *m_model = nullptr;

@@ -13,6 +13,8 @@
 namespace mb {
 namespace {
 
+enum CourseRow { AdvisersRow, AdvisersEnd, StepsRow, StepsEnd };
+
 std::vector<ParameterChange> changesOf(const Family &family, const tuning::SetAdvice &advice)
 {
     std::vector<ParameterChange> changes;
@@ -50,6 +52,7 @@ DesignCourse::DesignCourse(
     m_area->rows().addWidget(m_advisers);
     m_area->rows().addStretch(1);
     m_area->rows().addWidget(m_steps);
+    m_area->rows().addStretch(0);
     column->addWidget(m_area, 1);
     auto *foot = new QWidget(this);
     auto *row = layoutIn<QHBoxLayout>(foot, 0, {look.u(12), look.u(4), look.u(12), look.u(10)});
@@ -66,11 +69,27 @@ void DesignCourse::resizeEvent(QResizeEvent *event)
     fit();
 }
 
-/// What an adviser finds in order takes one line where there is no room for its words.
+/// One after the other, until all is in sight: what an adviser finds in order takes one line, what is said of every set stands in tooltips,
+/// all that is in order takes one line, and why a result is good stands last, where it scrolls.
 void DesignCourse::fit()
 {
-    m_advisers->setBrief(false);
-    m_advisers->setBrief(!m_area->isInSight({m_advisers, m_steps}));
+    using Room = AdviserList::Room;
+    const struct {
+        Room advisers;
+        bool briefSteps;
+        bool evidenceLast;
+    } ways[] = {{Room::Plenty, false, false}, {Room::Little, false, false}, {Room::Little, true, false},
+        {Room::Least, true, false}, {Room::Least, true, true}};
+    for (const auto &way : ways) {
+        m_advisers->setRoom(way.advisers);
+        m_steps->setBrief(way.briefSteps);
+        m_steps->setEvidenceLast(way.evidenceLast);
+        if (m_area->isInSight({m_advisers, m_steps}))
+            break;
+    }
+    const bool alone = m_advisers->isHidden(); // then the steps stand at the top
+    m_area->rows().setStretch(AdvisersEnd, alone ? 0 : 1);
+    m_area->rows().setStretch(StepsEnd, alone ? 1 : 0);
 }
 
 void DesignCourse::follow(const DeviceView &view, const OperationView *running, const Chosen &chosen)

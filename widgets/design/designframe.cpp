@@ -4,6 +4,7 @@
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
 #include "widgets/common/segmented.h"
+#include "widgets/design/designorders.h"
 
 #include <QEvent>
 #include <QFrame>
@@ -96,8 +97,10 @@ void DesignFrame::fold()
         setWidth(*m_parts.course, courseNow());
     m_compact = compact;
     m_stacked = stacked;
-    if (changed)
+    if (changed) {
+        m_parts.orders->showKeys(!compact); // a line less
         arrange();
+    }
 }
 
 /// Units of the right column: what is said there takes fewer lines where there is room.

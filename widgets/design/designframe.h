@@ -10,6 +10,7 @@ class QScrollArea;
 
 namespace mb {
 
+class DesignOrders;
 class Segmented;
 
 /// Where the parts of the Design page stand. With room: status and orders in one row, below it model and proposals, curves, and what
@@ -20,7 +21,7 @@ class DesignFrame : public QWidget {
 public:
     struct Parts {
         QWidget *status = nullptr;
-        QWidget *orders = nullptr; ///< wraps where it is narrow
+        DesignOrders *orders = nullptr; ///< wraps where it is narrow
         QWidget *model = nullptr;
         QWidget *curves = nullptr;
         QWidget *course = nullptr;

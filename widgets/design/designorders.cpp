@@ -25,8 +25,7 @@ DesignOrders::DesignOrders(const ThemeSource &theme, QWidget *parent)
     , m_autotune(new CommandButton(theme, tr("Autotune"), this))
     , m_prove(new CommandButton(theme, Symbol::Play, tr("Write and prove"), this))
 {
-    m_identify->setKeyHint(QStringLiteral("Shift+F6"));
-    m_autotune->setKeyHint(QStringLiteral("F6"));
+    showKeys(true);
     m_autotune->setToolTip(tr("Identifies, writes the chosen set and proves it, in one go"));
     m_prove->setPrimary(true);
     m_prove->setKeyHint(QStringLiteral("F5"));
@@ -41,6 +40,12 @@ DesignOrders::DesignOrders(const ThemeSource &theme, QWidget *parent)
     connect(m_identify, &QPushButton::clicked, this, &DesignOrders::identifyRequested);
     connect(m_autotune, &QPushButton::clicked, this, &DesignOrders::autotuneRequested);
     connect(m_prove, &QPushButton::clicked, this, &DesignOrders::proveRequested);
+}
+
+void DesignOrders::showKeys(bool shown)
+{
+    m_identify->setKeyHint(shown ? QStringLiteral("Shift+F6") : QString());
+    m_autotune->setKeyHint(shown ? QStringLiteral("F6") : QString());
 }
 
 QWidget *DesignOrders::proveButton() const

@@ -20,6 +20,8 @@ public:
     /// Shows what is chosen for the motor in question; `mayRun`: its motor may be pushed, `mayProve`: there is something to write.
     void follow(const DesignBook &book, const Family &family, bool mayRun, bool mayProve);
 
+    /// Behind the names of the orders.
+    void showKeys(bool shown);
     /// Write and prove, to be put where what it does is told.
     [[nodiscard]] QWidget *proveButton() const;
 

@@ -22,7 +22,7 @@ DesignPlots::DesignPlots(const ThemeSource &theme, QWidget *parent)
     , m_names(new CurveLegend(theme, tr("Step"), this))
     , m_step(new CurvePlot(theme, tr("Step, predicted and measured"), this))
 {
-    m_step->setSurroundings({false, true, true, stepLabelRoom});
+    m_step->setSurroundings({false, true, true, stepLabelRoom, true});
     auto *column = layoutIn<QVBoxLayout>(this, 0);
     column->addWidget(m_bode, 3);
     column->addWidget(separatorLine(Qt::Horizontal, this));

@@ -89,11 +89,16 @@ void ModelPanel::addFigure(const ModelFigure &figure)
 {
     const int row = m_grid->rowCount();
     m_grid->addWidget(textLabel(figure.name, TextRole::Body, Tone::Text, m_box), row, NameColumn);
-    m_grid->addWidget(textLabel(formatSignificant(figure.value, figure.digits), TextRole::Emphasis, Tone::Text, m_box),
-        row, ValueColumn, Qt::AlignRight);
+    const auto number = [this](const QString &text, TextRole role, Tone tone) { // never cut
+        auto *const label = new QLabel(text, m_box);
+        setTextRole(*label, role);
+        setTone(*label, tone);
+        return label;
+    };
+    m_grid->addWidget(number(formatSignificant(figure.value, figure.digits), TextRole::Emphasis, Tone::Text), row,
+        ValueColumn, Qt::AlignRight);
     if (figure.error)
-        m_grid->addWidget(
-            textLabel(QStringLiteral("± ") + formatSignificant(*figure.error, 2), TextRole::Body, Tone::Dim, m_box),
+        m_grid->addWidget(number(QStringLiteral("± ") + formatSignificant(*figure.error, 2), TextRole::Body, Tone::Dim),
             row, ErrorColumn);
     m_grid->addWidget(textLabel(figure.unit, TextRole::Caption, Tone::Dim, m_box), row, UnitColumn);
 }

@@ -91,13 +91,6 @@ QString physicalText(const Family &family, const Parameter &row, const tuning::S
                                       : perCount(row.role, gains.made, scale.loop);
 }
 
-/// "P" of "slot0.p".
-QString shortGainName(const Family &family, const std::string &key)
-{
-    const Role role = roleOf(family, key);
-    return isGain(role) ? qt(gainLetter(role)) : QString::fromStdString(key.substr(key.rfind('.') + 1)).toUpper();
-}
-
 } // namespace
 
 QString aimText(tuning::Aim aim)
@@ -134,39 +127,56 @@ ProposalCard::ProposalCard(const ThemeSource &theme, const Family &family, const
     addFigures(family, proposal, theme.theme());
 }
 
-/// What is not 0, one below the other.
+/// What is not 0, one below the other: gains by their letters, then what bounds them, by its name.
 void ProposalCard::addGains(
     const Family &family, const tuning::Proposal &proposal, const Scale &scale, const Theme &look)
 {
     m_gains = new QWidget(this);
-    auto *gains = layoutIn<QGridLayout>(m_gains);
-    gains->setHorizontalSpacing(look.u(6));
-    gains->setVerticalSpacing(0);
+    auto *column = layoutIn<QVBoxLayout>(m_gains, 0);
+    auto *gains = new QGridLayout;
+    auto *bounds = new QGridLayout;
+    for (QGridLayout *grid : {gains, bounds}) {
+        grid->setHorizontalSpacing(look.u(6));
+        grid->setVerticalSpacing(0);
+        column->addLayout(grid);
+    }
     gains->setColumnStretch(3, 1);
-    int row = 0;
+    bounds->setColumnStretch(0, 1);
     QStringList brief;
     for (const tuning::ScaledGains::Row &gain : proposal.gains.rows) {
         const auto index = findParameter(family.parameters, gain.key);
         if (gain.raw == 0 || !index)
             continue;
-        if (isGain(roleOf(family, gain.key)))
-            brief << shortGainName(family, gain.key) + QChar(0x00A0) + formatSignificant(gain.number, 4);
-        gains->addWidget(textLabel(shortGainName(family, gain.key), TextRole::Emphasis, Tone::Text, this), row, 0);
-        auto *const value = new QLabel(formatSignificant(gain.number, 4), this);
-        setTextRole(*value, TextRole::Emphasis);
-        gains->addWidget(value, row, 1, Qt::AlignRight);
-        gains->addWidget(
-            textLabel(tr("raw %1").arg(formatCount(gain.raw)), TextRole::Raw, Tone::Dim, this), row, 2, Qt::AlignRight);
-        QLabel *const physical
-            = textLabel(physicalText(family, family.parameters[index->value], proposal.gains, gain.number, scale),
-                TextRole::Caption, Tone::Dim, this);
+        const Parameter &parameter = family.parameters[index->value];
+        addRow(isGain(parameter) ? *gains : *bounds, parameter, gain);
+        if (!isGain(parameter))
+            continue;
+        brief << shortName(parameter) + QChar(0x00A0) + formatSignificant(gain.number, 4);
+        QLabel *const physical = textLabel(
+            physicalText(family, parameter, proposal.gains, gain.number, scale), TextRole::Caption, Tone::Dim, this);
         physical->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-        gains->addWidget(physical, row++, 3);
+        gains->addWidget(physical, gains->rowCount() - 1, 3);
     }
     body().addWidget(m_gains);
     m_brief = textLabel(brief.join(QStringLiteral(" · ")), TextRole::Emphasis, Tone::Text, this);
     m_brief->hide();
     body().addWidget(m_brief);
+}
+
+/// Its raw number where that is another.
+void ProposalCard::addRow(QGridLayout &grid, const Parameter &parameter, const tuning::ScaledGains::Row &gain)
+{
+    const int row = grid.rowCount();
+    const bool whole = parameter.one == 1.0;
+    grid.addWidget(
+        textLabel(shortName(parameter), isGain(parameter) ? TextRole::Emphasis : TextRole::Body, Tone::Text, this), row,
+        0);
+    auto *const value = new QLabel(whole ? formatNumber(gain.number) : formatSignificant(gain.number, 4), this);
+    setTextRole(*value, TextRole::Emphasis);
+    grid.addWidget(value, row, 1, Qt::AlignRight);
+    if (!whole || isGain(parameter))
+        grid.addWidget(
+            textLabel(tr("raw %1").arg(formatCount(gain.raw)), TextRole::Raw, Tone::Dim, this), row, 2, Qt::AlignRight);
 }
 
 void ProposalCard::addFigures(const Family &family, const tuning::Proposal &proposal, const Theme &look)
@@ -183,8 +193,8 @@ void ProposalCard::addFigures(const Family &family, const tuning::Proposal &prop
     }
     QStringList zeros;
     for (const tuning::ScaledGains::Row &gain : proposal.gains.rows) {
-        if (gain.raw == 0)
-            zeros << shortGainName(family, gain.key);
+        if (const auto index = findParameter(family.parameters, gain.key); index && gain.raw == 0)
+            zeros << shortName(family.parameters[index->value]);
     }
     if (!zeros.isEmpty())
         spoken << tr("%1 = 0").arg(zeros.join(QStringLiteral(", ")));
@@ -193,16 +203,25 @@ void ProposalCard::addFigures(const Family &family, const tuning::Proposal &prop
     setAccessibleDescription(spoken.join(QStringLiteral(", ")));
 }
 
-void ProposalCard::setBrief(bool brief)
+void ProposalCard::setRoom(CardRoom room)
 {
-    m_gains->setVisible(!brief);
-    m_brief->setVisible(brief);
+    m_room = room;
+    setTight(room == CardRoom::Least);
+    showGains();
 }
 
 void ProposalCard::setChosen(bool chosen)
 {
     m_mark->setChosen(chosen);
     setEdge(chosen ? std::optional(Tone::Accent) : std::nullopt);
+    showGains();
+}
+
+void ProposalCard::showGains()
+{
+    m_gains->setVisible(m_room == CardRoom::Plenty);
+    m_brief->setVisible(m_room == CardRoom::Little || (m_room == CardRoom::Least && m_mark->isChosen()));
+    setToolTip(m_room == CardRoom::Least ? m_brief->text() : QString());
 }
 
 } // namespace mb

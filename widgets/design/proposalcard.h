@@ -5,9 +5,15 @@
 #include "tuning/autotune.h"
 #include "widgets/common/card.h"
 
+class QGridLayout;
+
 namespace mb {
 
 class ChoiceMark;
+
+/// What a card tells of its gains: each with its raw number and what it is to the motor; all in one line, by their numbers alone; and that
+/// line only where the set is chosen.
+enum class CardRoom : std::uint8_t { Plenty, Little, Least };
 
 /// One set of gains that may be had: the device's own numbers, and what they will do. Clicked, or activated by keys, it is chosen.
 class ProposalCard : public Card {
@@ -23,16 +29,18 @@ public:
         QWidget *parent);
 
     void setChosen(bool chosen);
-    /// The gains in one line, by their numbers alone; what is beside them is not told.
-    void setBrief(bool brief);
+    void setRoom(CardRoom room);
     [[nodiscard]] tuning::Aim aim() const { return m_aim; }
 
 private:
     void addGains(const Family &family, const tuning::Proposal &proposal, const Scale &scale, const Theme &look);
+    void addRow(QGridLayout &grid, const Parameter &parameter, const tuning::ScaledGains::Row &gain);
     void addFigures(const Family &family, const tuning::Proposal &proposal, const Theme &look);
+    void showGains();
 
     tuning::Aim m_aim;
     ChoiceMark *m_mark;
+    CardRoom m_room = CardRoom::Plenty;
     QWidget *m_gains = nullptr;
     QLabel *m_brief = nullptr;
 };

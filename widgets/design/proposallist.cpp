@@ -6,7 +6,6 @@
 #include "widgets/common/layoutin.h"
 #include "widgets/design/designplots.h"
 #include "widgets/design/ownproposal.h"
-#include "widgets/design/proposalcard.h"
 
 #include <algorithm>
 #include <utility>
@@ -84,11 +83,13 @@ void ProposalList::showReport()
     showChosen();
 }
 
-void ProposalList::setBrief(bool brief)
+void ProposalList::setRoom(CardRoom room)
 {
-    m_isBrief = brief;
+    m_room = room;
+    m_column->setSpacing(m_theme.theme().u(room == CardRoom::Least ? 3 : 4));
+    m_own->setTight(room == CardRoom::Least);
     for (ProposalCard *card : m_cards)
-        card->setBrief(brief);
+        card->setRoom(room);
 }
 
 void ProposalList::addCard(const DeviceView &view, const tuning::Proposal &proposal)
@@ -100,7 +101,7 @@ void ProposalList::addCard(const DeviceView &view, const tuning::Proposal &propo
     }
     auto *card = new ProposalCard(m_theme, *view.family, proposal, scale, this);
     connect(card, &Card::activated, this, [this, aim = proposal.aim] { chooseAim(aim); });
-    card->setBrief(m_isBrief);
+    card->setRoom(m_room);
     m_column->insertWidget(m_column->count() - 1, card); // the own one is the last
     m_cards.push_back(card);
 }

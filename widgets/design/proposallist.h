@@ -4,6 +4,7 @@
 #include "widgets/common/theme.h"
 #include "widgets/design/comparedgains.h"
 #include "widgets/design/designbook.h"
+#include "widgets/design/proposalcard.h"
 
 #include <QVBoxLayout>
 
@@ -13,7 +14,6 @@ namespace mb {
 
 class DesignPlots;
 class OwnProposal;
-class ProposalCard;
 
 /// The sets of gains that a motor may have: those that the engine proposed, one card each, and that of the two sliders. One of
 /// them is chosen; the plots show what it will do. Nothing is searched for here, that takes longer than a frame. GUI thread.
@@ -29,8 +29,8 @@ public:
     void setInForce(const Envelope &inForce) { m_inForce = inForce; }
     /// Another report, motor or slot.
     void showReport();
-    /// Where there is little room: the gains of each card in one line.
-    void setBrief(bool brief);
+    /// Of each card.
+    void setRoom(CardRoom room);
     /// Draws the one that is chosen.
     void showChosen();
     void chooseAim(tuning::Aim aim);
@@ -55,7 +55,7 @@ private:
     std::optional<tuning::Proposal> m_ownDesigned; ///< of the sliders
     std::vector<ProposalCard *> m_cards;
     OwnProposal *m_own = nullptr;
-    bool m_isBrief = false;
+    CardRoom m_room = CardRoom::Plenty;
     QWidget *m_head = nullptr;
     QLabel *m_comparedWords = nullptr;
     GainComparison m_comparison;

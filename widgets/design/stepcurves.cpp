@@ -147,9 +147,8 @@ void addProof(StepCurves &step, const tuning::TuneReport &report, const tuning::
     if (report.proof.empty() || !measured.overshoot)
         return;
     const QString settled = measured.settle ? formatDuration(*measured.settle) : QString(UnknownMark);
-    step.note += QStringLiteral(" · ")
-        + StepText::tr("measured: %1 % over, settled after %2")
-              .arg(formatNumber(*measured.overshoot * 100.0, 1), settled);
+    step.note = StepText::tr("measured: %1 % over, settled after %2")
+                    .arg(formatNumber(*measured.overshoot * 100.0, 1), settled);
     markMeasured(step, measured, proposal.step, StepText::tr("measured: settles %1").arg(settled));
 }
 
@@ -192,7 +191,6 @@ StepCurves stepCurves(const tuning::TuneReport &report, const tuning::Proposal &
     step.highest = headroom * proposal.step;
     step.title = StepText::tr("Step of %1 %2").arg(formatSignificant(proposal.step, 4), stepUnit(report.loop));
     step.curves.push_back(predictedCurve(proposal, name, band, end));
-    step.note = StepText::tr("a step of %1").arg(formatSignificant(proposal.step, 4));
     markTarget(step, proposal.step, end);
     markPrediction(step, proposal, name);
     if (proven)
@@ -200,7 +198,7 @@ StepCurves stepCurves(const tuning::TuneReport &report, const tuning::Proposal &
     if (compared)
         compare(step, *compared, proposal.step, end);
     if (!step.curves.front().low.isEmpty())
-        step.note += QStringLiteral(" · ") + StepText::tr("band: ± of the model");
+        step.note += (step.note.isEmpty() ? QString() : QStringLiteral(" · ")) + StepText::tr("band: ± of the model");
     return step;
 }
 

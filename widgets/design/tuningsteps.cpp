@@ -55,20 +55,28 @@ QString stepPercent(double share)
     return formatNumber(share * 100.0, 1);
 }
 
+/// No line ends between a number and its unit, nor behind "≤".
+QString withUnits(QString text)
+{
+    text.replace(QStringLiteral(" %"), QStringLiteral("\u00A0%"));
+    return text.replace(QStringLiteral("≤ "), QStringLiteral("≤\u00A0"));
+}
+
 QString limitsText(const tuning::ProofLimits &limits)
 {
-    return limits.settle
-        ? TuningSteps::tr("over ≤ %1 %, settle ≤ %2, error ≤ %3 %")
-              .arg(stepPercent(limits.overshoot), formatDuration(*limits.settle), stepPercent(limits.error))
-        : TuningSteps::tr("over ≤ %1 %, error ≤ %2 %").arg(stepPercent(limits.overshoot), stepPercent(limits.error));
+    return withUnits(limits.settle
+            ? TuningSteps::tr("over ≤ %1 %, settle ≤ %2, error ≤ %3 %")
+                  .arg(stepPercent(limits.overshoot), formatDuration(*limits.settle), stepPercent(limits.error))
+            : TuningSteps::tr("over ≤ %1 %, error ≤ %2 %")
+                  .arg(stepPercent(limits.overshoot), stepPercent(limits.error)));
 }
 
 QString measuredText(const tuning::Metrics &measured)
 {
-    return TuningSteps::tr("over %1 %, settle %2, error %3 %")
-        .arg(measured.overshoot ? stepPercent(*measured.overshoot) : QString(UnknownMark),
-            measured.settle ? formatDuration(*measured.settle) : QString(UnknownMark),
-            measured.sse ? stepPercent(std::abs(*measured.sse)) : QString(UnknownMark));
+    return withUnits(TuningSteps::tr("over %1 %, settle %2, error %3 %")
+                         .arg(measured.overshoot ? stepPercent(*measured.overshoot) : QString(UnknownMark),
+                             measured.settle ? formatDuration(*measured.settle) : QString(UnknownMark),
+                             measured.sse ? stepPercent(std::abs(*measured.sse)) : QString(UnknownMark)));
 }
 
 bool isGood(tuning::TuneResult result)
@@ -95,16 +103,18 @@ TuningSteps::TuningSteps(const ThemeSource &theme, QWidget *parent)
     , m_theme(theme)
 {
     const Theme &look = theme.theme();
-    auto *column = layoutIn<QVBoxLayout>(this, look.u(6));
+    auto *column = layoutIn<QVBoxLayout>(this, look.u(5));
     column->addWidget(buildHead());
+    m_state = new QVBoxLayout;
+    m_state->setSpacing(look.u(5));
+    column->addLayout(m_state);
     auto *row = new QHBoxLayout;
     m_glyph = new StateGlyph(theme, GlyphState::Waiting, this);
     m_head = wrappedLabel({}, TextRole::Emphasis, Tone::Text, this);
     row->addWidget(m_glyph, 0, Qt::AlignTop);
     row->addWidget(m_head, 1);
-    column->addLayout(row);
+    m_state->addLayout(row);
     m_words = wrappedLabel({}, TextRole::Caption, Tone::Dim, this);
-    column->addWidget(m_words);
     m_lines = new QVBoxLayout;
     m_lines->setSpacing(look.u(5));
     column->addLayout(m_lines);
@@ -161,7 +171,29 @@ void TuningSteps::showState(const OperationView *running, const tuning::TuneRepo
         m_head->setText(tr("Nothing has moved yet"));
         m_words->clear();
     }
+    m_isGood = report && !running && isGood(report->result);
     m_words->setVisible(!m_words->text().isEmpty());
+    placeEvidence();
+}
+
+void TuningSteps::setEvidenceLast(bool last)
+{
+    m_isEvidenceLast = last;
+    placeEvidence();
+}
+
+void TuningSteps::placeEvidence()
+{
+    auto *const place = m_isEvidenceLast && m_isGood ? static_cast<QVBoxLayout *>(layout()) : m_state;
+    if (place->indexOf(m_words) < 0)
+        place->addWidget(m_words); // out of where it was
+}
+
+void TuningSteps::setBrief(bool brief)
+{
+    m_isBrief = brief;
+    for (QLabel *words : m_always)
+        words->setHidden(brief);
 }
 
 std::vector<TuningSteps::Step> TuningSteps::stepsOf(const OperationView &running)
@@ -169,18 +201,17 @@ std::vector<TuningSteps::Step> TuningSteps::stepsOf(const OperationView &running
     std::vector<Step> steps;
     const std::vector<LogLine> &log = running.status.log;
     for (std::size_t i = log.size() > mostLines ? log.size() - mostLines : 0; i < log.size(); ++i)
-        steps.push_back({messageText(log[i].text), {}});
+        steps.push_back({messageText(log[i].text), {}, {}});
     return steps;
 }
 
 std::vector<TuningSteps::Step> TuningSteps::stepsFromTheBeginning(const QString &bounds)
 {
-    const QString pushes = tr("Pushes with a part of the duty, both ways. No gain is changed.");
-    return {{tr("Identify the motor"), bounds.isEmpty() ? pushes : pushes + QLatin1Char('\n') + bounds},
-        {tr("Choose a set"), tr("The plots show what each would do.")},
-        {tr("Write and prove it"), tr("The gains are written, steps both ways are measured.")},
-        {tr("Keep it, or put everything back"),
-            tr("It stays if it does what was predicted; else the reason is said.")}};
+    return {{tr("Identify the motor"), tr("Pushes with a part of the duty, both ways. No gain is changed."), bounds},
+        {tr("Choose a set"), tr("The plots show what each would do."), {}},
+        {tr("Write and prove it"), tr("The gains are written, steps both ways are measured."), {}},
+        {tr("Keep it, or put everything back"), tr("It stays if it does what was predicted; else the reason is said."),
+            {}}};
 }
 
 /// With what it came to, where this very set was put to the proof.
@@ -197,15 +228,15 @@ std::vector<TuningSteps::Step> TuningSteps::stepsOf(const Ahead &ahead, const tu
     const QString limits = limitsText(ahead.course.limits);
     return {{several ? tr("Write %1 to slot %2").arg(written).arg(ahead.course.slot) : tr("Write %1").arg(written),
                 several ? tr("The slot that the result is not for; what it had comes back.")
-                        : tr("What is replaced is kept, to be put back.")},
+                        : tr("What is replaced is kept, to be put back."),
+                {}},
         {tr("Run %1 steps of %2 %3")
                 .arg(ahead.course.steps)
                 .arg(formatSignificant(ahead.proposal.step, 4), stepUnit(ahead.loop)),
-            tr("Both ways, every guard on; each is a trial.") + QLatin1Char('\n')
-                + messageText(textOf(ahead.course.extent))},
-        {several ? tr("Keep it in slot %1 when all hold").arg(ahead.slot) : tr("Keep it when all hold"),
+            tr("Both ways, every guard on; each is a trial."), messageText(textOf(ahead.course.extent))},
+        {several ? tr("Keep it in slot %1 when all hold").arg(ahead.slot) : tr("Keep it when all hold"), {},
             proven ? limits + QLatin1Char('\n') + tr("measured: %1").arg(measuredText(report->measured)) : limits},
-        {tr("Else put everything back"), tr("Gains as before, the reason in the log.")}};
+        {tr("Else put everything back"), tr("Gains as before, the reason in the log."), {}}};
 }
 
 /// The number of a step stands in a ring.
@@ -218,22 +249,38 @@ void TuningSteps::say(std::vector<Step> steps, bool numbered)
         delete item->widget();
         delete item;
     }
+    m_always.clear();
     int number = 0;
     for (const Step &step : m_said) {
-        auto *const box = new QWidget(this);
-        auto *const grid = layoutIn<QGridLayout>(box);
-        grid->setHorizontalSpacing(m_theme.theme().u(8));
-        grid->setVerticalSpacing(0);
-        grid->setColumnStretch(1, 1);
-        if (numbered)
-            grid->addWidget(new StepNumber(m_theme, ++number, box), 0, 0, 2, 1, Qt::AlignTop);
-        grid->addWidget(wrappedLabel(step.head, numbered ? TextRole::Body : TextRole::Caption, Tone::Text, box), 0, 1);
-        if (!step.words.isEmpty())
-            grid->addWidget(wrappedLabel(step.words, TextRole::Caption, Tone::Dim, box), 1, 1);
-        m_lines->addWidget(box);
-        box->show();
+        QWidget *const line = lineOf(step, numbered ? ++number : 0);
+        m_lines->addWidget(line);
+        line->show();
     }
     Q_EMIT rebuilt();
+}
+
+/// Without a number: what was done.
+QWidget *TuningSteps::lineOf(const Step &step, int number)
+{
+    auto *const box = new QWidget(this);
+    auto *const grid = layoutIn<QGridLayout>(box);
+    grid->setHorizontalSpacing(m_theme.theme().u(8));
+    grid->setVerticalSpacing(0);
+    grid->setColumnStretch(1, 1);
+    if (number > 0)
+        grid->addWidget(new StepNumber(m_theme, number, box), 0, 0, 3, 1, Qt::AlignTop);
+    const TextRole role = number > 0 ? TextRole::Body : TextRole::Caption;
+    grid->addWidget(wrappedLabel(step.head, role, Tone::Text, box), 0, 1);
+    if (!step.always.isEmpty()) {
+        QLabel *const always = wrappedLabel(step.always, TextRole::Caption, Tone::Dim, box);
+        grid->addWidget(always, 1, 1);
+        always->setHidden(m_isBrief);
+        box->setToolTip(step.always);
+        m_always.push_back(always);
+    }
+    if (!step.words.isEmpty())
+        grid->addWidget(wrappedLabel(step.words, TextRole::Caption, Tone::Dim, box), 2, 1);
+    return box;
 }
 
 } // namespace mb

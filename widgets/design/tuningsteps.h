@@ -34,6 +34,10 @@ public:
     /// is ordered.
     void show(
         const OperationView *running, const tuning::TuneReport *report, const Ahead *ahead, const Envelope &inForce);
+    /// What is the same of every set stands in tooltips.
+    void setBrief(bool brief);
+    /// Why a result is good stands below the steps; why one is not, never.
+    void setEvidenceLast(bool last);
 
 Q_SIGNALS:
     /// Other steps take more or less room.
@@ -42,6 +46,7 @@ Q_SIGNALS:
 private:
     struct Step {
         QString head;
+        QString always; ///< is so, whatever the set
         QString words;
         friend bool operator==(const Step &, const Step &) = default;
     };
@@ -51,6 +56,8 @@ private:
     [[nodiscard]] static std::vector<Step> stepsOf(const Ahead &ahead, const tuning::TuneReport *report);
     [[nodiscard]] static std::vector<Step> stepsFromTheBeginning(const QString &bounds);
     void say(std::vector<Step> steps, bool numbered);
+    [[nodiscard]] QWidget *lineOf(const Step &step, int number);
+    void placeEvidence();
 
     const ThemeSource &m_theme;
     QWidget *m_time = nullptr; ///< beside the head, below it where it is narrow
@@ -58,9 +65,14 @@ private:
     StateGlyph *m_glyph = nullptr;
     QLabel *m_head = nullptr;
     QLabel *m_words = nullptr;
+    QVBoxLayout *m_state = nullptr; ///< what came of it
     QVBoxLayout *m_lines = nullptr;
     QLabel *m_pushes = nullptr; ///< what the orders that push may make of the motor
     std::vector<Step> m_said;
+    std::vector<QLabel *> m_always;
+    bool m_isBrief = false;
+    bool m_isGood = false;
+    bool m_isEvidenceLast = false;
 };
 
 /// "kept", "rolled back" …, in front of people.

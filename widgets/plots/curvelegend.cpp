@@ -69,6 +69,7 @@ CurveLegend::CurveLegend(const ThemeSource &theme, const QString &title, QWidget
     const Theme &look = theme.theme();
     m_row->setContentsMargins(look.u(12), look.u(7), look.u(12), look.u(7));
     m_row->setSpacing(look.u(14));
+    m_row->setLineSpacing(look.u(5));
     if (!title.isEmpty()) {
         m_title = new SectionLabel(title, this);
         m_row->addWidget(m_title);

@@ -15,13 +15,15 @@ namespace {
 
 constexpr int besideNote = 16; ///< pixels
 
-/// Clause after clause, on as many lines as they need.
-QString inLines(const QString &note, const QFontMetrics &metrics, int width)
+/// Clause after clause, on as many lines as they need; one that is too long breaks between its words.
+QString inLines(
+    const QString &note, const QFontMetrics &metrics, int width, const QString &joint = QStringLiteral(" · "))
 {
-    const QString joint = QStringLiteral(" · ");
     QString lines;
     QString line;
-    for (const QString &clause : note.split(joint)) {
+    for (QString clause : note.split(joint)) {
+        if (joint != QLatin1String(" ") && metrics.horizontalAdvance(clause) > width)
+            clause = inLines(clause, metrics, width, QStringLiteral(" "));
         const QString longer = line.isEmpty() ? clause : line + joint + clause;
         if (line.isEmpty() || metrics.horizontalAdvance(longer) <= width) {
             line = longer;
@@ -52,6 +54,7 @@ CurvePlot::CurvePlot(const ThemeSource &theme, const QString &accessibleName, QW
     m_mark = new QCPItemText(m_plot);
     m_mark->position->setType(QCPItemPosition::ptAxisRectRatio);
     m_mark->position->setCoords(0.5, 0.5);
+    m_labels = new AxisLabels(*m_plot);
     m_marks = new CurveMarks(*m_plot, theme);
     auto *column = layoutIn<QVBoxLayout>(this, -1, {2, 2, 2, 2});
     column->addWidget(m_plot);
@@ -122,6 +125,8 @@ void CurvePlot::setAxes(const QString &x, const QString &y, bool logarithmicY, b
 {
     setAxis(*m_plot->xAxis, x, logarithmicX);
     setAxis(*m_plot->yAxis, y, logarithmicY);
+    m_nameOfX = x;
+    m_labels->nameX(x, m_around.unitAtEnd && m_around.xLabels);
 }
 
 void CurvePlot::setAxis(QCPAxis &axis, const QString &label, bool logarithmic)
@@ -224,8 +229,9 @@ void CurvePlot::setSurroundings(const Surroundings &surroundings)
     if (m_around.left > 0) {
         const Theme &look = m_theme.theme();
         frame.setMargins(QMargins(look.u(m_around.left), 0, 0, 0));
-        frame.setMinimumMargins(QMargins(0, look.u(6), look.u(14), look.u(6)));
+        frame.setMinimumMargins(QMargins(0, look.u(6), look.u(m_around.unitAtEnd ? 34 : 14), look.u(6)));
     }
+    m_labels->nameX(m_nameOfX, m_around.unitAtEnd && m_around.xLabels);
     showNote();
 }
 
@@ -277,11 +283,6 @@ void CurvePlot::keyPressEvent(QKeyEvent *event)
     default: return QWidget::keyPressEvent(event);
     }
     replotSoon();
-}
-
-QPixmap CurvePlot::picture()
-{
-    return m_plot->toPixmap(0, 0, 2.0);
 }
 
 Result<void> CurvePlot::exportTo(const QString &path)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "async/result.h"
+#include "widgets/plots/axislabels.h"
 #include "widgets/plots/curvemarks.h"
 #include "widgets/plots/traceplottable.h"
 
@@ -46,6 +47,7 @@ public:
         bool xLabels = true;
         int left
             = 0; ///< units of room for the labels of y, so that plots below each other stand in line; 0: what they need
+        bool unitAtEnd = false; ///< the name of x stands behind its numbers, not below them
     };
     void setSurroundings(const Surroundings &surroundings);
     /// Values of y that fit() shows in any case.
@@ -53,7 +55,7 @@ public:
     void setWatermark(const QString &text);
     void fit();
     [[nodiscard]] Result<void> exportTo(const QString &path);
-    [[nodiscard]] QPixmap picture();
+    [[nodiscard]] QPixmap picture() { return m_plot->toPixmap(0, 0, 2.0); }
     [[nodiscard]] const std::vector<Curve> &curves() const { return m_curves; }
     [[nodiscard]] QString note() const { return m_note; }
     QCustomPlot &plot() { return *m_plot; }
@@ -76,6 +78,8 @@ private:
     QCustomPlot *m_plot = nullptr;
     QCPTextElement *m_words = nullptr;
     QCPItemText *m_mark = nullptr;
+    AxisLabels *m_labels = nullptr;
+    QString m_nameOfX;
     CurveMarks *m_marks = nullptr;
     std::vector<Curve> m_curves;
     std::vector<Curve> m_behind;

@@ -98,6 +98,8 @@ bool PlotStrip::scale(bool second, std::optional<Range> seen, double now, double
     QCPAxis &values = axis(second);
     Scale &scale = m_scales.at(second ? 1 : 0);
     values.ticker()->setTickCount(std::clamp(m_rect->height() / m_theme.theme().u(42), 2, 5));
+    values.ticker().staticCast<NumberTicker>()->spaceLabels(
+        QFontMetrics(values.tickLabelFont()).height(), m_rect->height());
     if (scale.fixed) {
         values.setRange(scale.fixed->first, scale.fixed->second);
         return false;

@@ -9,8 +9,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace mb {
+namespace {
+
+constexpr double nextRound = 2.6;         ///< times a round step, below the one after it
+constexpr double fromLabelToLabel = 1.25; ///< heights of one
+
+} // namespace
 
 double NumberTicker::getTickStep(const QCPRange &range)
 {
@@ -19,7 +26,15 @@ double NumberTicker::getTickStep(const QCPRange &range)
         = [&range](double width) { return std::floor(range.upper / width) - std::ceil(range.lower / width) + 1; };
     while (range.size() > 0 && labels(step) < 2)
         step = roundStep(step * 0.5);
+    while (step < leastStep(range) && labels(roundStep(step * nextRound)) > 0)
+        step = roundStep(step * nextRound);
     return step;
+}
+
+bool NumberTicker::spaceLabels(int label, int axis)
+{
+    const double share = axis > 0 ? fromLabelToLabel * label / axis : 0.0;
+    return std::exchange(m_labelShare, share) != share;
 }
 
 QString NumberTicker::getTickLabel(double tick, const QLocale &, QChar, int)

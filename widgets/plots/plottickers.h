@@ -11,11 +11,17 @@ namespace mb {
 class NumberTicker : public QCPAxisTicker {
 public:
     NumberTicker() { setTickCount(4); }
+    /// No label touches the next: how high one is, and how long the axis, px. false: they were as far apart already.
+    bool spaceLabels(int label, int axis);
 
 protected:
-    /// Finer where a round step would leave fewer than two labels.
+    /// Finer where a round step would leave fewer than two labels, but never so fine that they touch.
     double getTickStep(const QCPRange &range) override;
     QString getTickLabel(double tick, const QLocale &locale, QChar formatChar, int precision) override;
+    [[nodiscard]] double leastStep(const QCPRange &range) const { return m_labelShare * range.size(); }
+
+private:
+    double m_labelShare = 0.0;
 };
 
 /// Frequencies on a logarithmic axis: 1, 2 and 5 of each decade.

@@ -99,11 +99,6 @@ QWidget *ReportsPage::buildPreview()
     row->setContentsMargins(theme.u(12), theme.u(8), theme.u(12), theme.u(8));
     row->setSpacing(theme.u(8));
     row->addWidget(new SectionLabel(tr("Preview"), area));
-    m_note = new QLineEdit(area);
-    m_note->setPlaceholderText(tr("Note on this entry"));
-    m_note->setAccessibleName(tr("Note on this entry of the journal"));
-    m_note->hide();
-    row->addWidget(m_note, 1);
     row->addStretch();
     m_form = new QComboBox(area);
     m_form->setAccessibleName(tr("Size of the report"));
@@ -118,6 +113,7 @@ QWidget *ReportsPage::buildPreview()
     m_export->setEnabled(false);
     row->addWidget(m_export);
     column->addLayout(row);
+    addNote(*column, area);
     column->addWidget(separatorLine(Qt::Horizontal, area));
     m_text = new QTextBrowser(area);
     m_text->setAccessibleName(tr("Preview of the report"));
@@ -132,8 +128,22 @@ QWidget *ReportsPage::buildPreview()
     connect(m_export, &QPushButton::clicked, this, &ReportsPage::exportChosen);
     connect(m_table, &QPushButton::clicked, this, &ReportsPage::askTable);
     connect(m_form, qOverload<int>(&QComboBox::currentIndexChanged), this, &ReportsPage::setForm);
-    connect(m_note, &QLineEdit::editingFinished, this, &ReportsPage::keepNote);
     return area;
+}
+
+/// In a row of its own: beside the orders it would be too narrow to read.
+void ReportsPage::addNote(QVBoxLayout &column, QWidget *area)
+{
+    const Theme &theme = m_theme.theme();
+    m_note = new QLineEdit(area);
+    m_note->setPlaceholderText(tr("Note on this entry"));
+    m_note->setAccessibleName(tr("Note on this entry of the journal"));
+    m_note->hide();
+    auto *row = new QHBoxLayout;
+    row->setContentsMargins(theme.u(12), 0, theme.u(12), theme.u(8));
+    row->addWidget(m_note);
+    column.addLayout(row);
+    connect(m_note, &QLineEdit::editingFinished, this, &ReportsPage::keepNote);
 }
 
 void ReportsPage::addKeys()

@@ -13,6 +13,7 @@ class QLineEdit;
 class QListWidget;
 class QStackedWidget;
 class QTextBrowser;
+class QVBoxLayout;
 
 namespace mb {
 
@@ -49,6 +50,7 @@ protected:
 private:
     QWidget *buildList();
     QWidget *buildPreview();
+    void addNote(QVBoxLayout &column, QWidget *area);
     void addKeys();
     void follow();
     void askJournal();

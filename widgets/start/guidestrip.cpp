@@ -107,7 +107,7 @@ void GuideStrip::showOffer()
 {
     m_glyph->setState(GlyphState::Waiting);
     m_title->setText(storyText(*m_offer, m_offer->title));
-    m_steps->clear();
+    m_steps->hide(); // an empty line would stand below the title
     setWords(storyText(*m_offer, m_offer->words) + QLatin1Char(' ')
         + tr("Simulated: nothing real moves. A guide says each step and waits until it has happened."));
     m_act->setText(tr("Begin"));
@@ -131,6 +131,7 @@ void GuideStrip::showSteps()
         else
             steps += name;
     }
+    m_steps->show();
     m_steps->setText(steps.join(QStringLiteral("  ·  ")));
     QString words;
     if (done) {
