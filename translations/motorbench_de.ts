@@ -13492,8 +13492,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>%1 %2 liegt außerhalb von %3 … %4, was Firmware des Dialekts %5 annimmt</translation>
     </message>
     <message>
-        <source>%1 %2 is outside the envelope: %3 is %4</source>
-        <translation>%1 %2 liegt außerhalb der Grenzen: %3 ist %4</translation>
+        <source>%1 %2 is outside the envelope, which ends at %3</source>
+        <translation>%1 %2 liegt außerhalb der Grenzen, die bei %3 enden</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -14884,12 +14884,12 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>%1 angeben</translation>
     </message>
     <message>
-        <source>give --keep, or a notebook that can be written</source>
-        <translation>--keep angeben, oder ein Versuchsbuch, das sich schreiben lässt</translation>
+        <source>keep what is tried, or name a notebook that can be written</source>
+        <translation>behalten, was versucht wird, oder ein Versuchsbuch nennen, das sich schreiben lässt</translation>
     </message>
     <message>
-        <source>give a longer --time</source>
-        <translation>ein längeres --time angeben</translation>
+        <source>give it a longer time</source>
+        <translation>mehr Zeit geben</translation>
     </message>
     <message>
         <source>give a name that ends in .png, .svg or .pdf</source>
@@ -14900,8 +14900,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>eine Aufnahme angeben, oder --help für alles Weitere</translation>
     </message>
     <message>
-        <source>give another --to</source>
-        <translation>ein anderes --to angeben</translation>
+        <source>give another target</source>
+        <translation>ein anderes Ziel angeben</translation>
     </message>
     <message>
         <source>give at least %1 s</source>
@@ -15712,8 +15712,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>einen feineren Encoder oder einen ruhigeren Regler nehmen</translation>
     </message>
     <message>
-        <source>take a larger one, or --from where it stands</source>
-        <translation>einen größeren nehmen, oder --from dort, wo er steht</translation>
+        <source>take a larger one, or begin where it stands</source>
+        <translation>einen größeren nehmen, oder dort beginnen, wo er steht</translation>
     </message>
     <message>
         <source>take a smaller step or widen it</source>
@@ -16636,8 +16636,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>openocd:SCHNITTSTELLE schreiben, etwa openocd:stlink</translation>
     </message>
     <message>
-        <source>write the gains of this loop once with &apos;motorbenchctl set&apos;, or give --keep</source>
-        <translation>die Verstärkungen dieses Reglers einmal mit &apos;motorbenchctl set&apos; schreiben, oder --keep angeben</translation>
+        <source>write the gains of this loop once, or keep what is tried</source>
+        <translation>die Verstärkungen dieses Reglers einmal schreiben, oder behalten, was versucht wird</translation>
     </message>
     <message>
         <source>write true or false</source>

@@ -12440,8 +12440,8 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>%1 %2 está fuera de %3 … %4, que es lo que admite el firmware del dialecto %5</translation>
     </message>
     <message>
-        <source>%1 %2 is outside the envelope: %3 is %4</source>
-        <translation>%1 %2 está fuera de los límites: %3 es %4</translation>
+        <source>%1 %2 is outside the envelope, which ends at %3</source>
+        <translation>%1 %2 está fuera de los límites, que terminan en %3</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -14560,12 +14560,12 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>indique %1</translation>
     </message>
     <message>
-        <source>give --keep, or a notebook that can be written</source>
-        <translation>indique --keep o un cuaderno en el que se pueda escribir</translation>
+        <source>keep what is tried, or name a notebook that can be written</source>
+        <translation>conserve lo que se prueba o indique un cuaderno en el que se pueda escribir</translation>
     </message>
     <message>
-        <source>give a longer --time</source>
-        <translation>indique un --time más largo</translation>
+        <source>give it a longer time</source>
+        <translation>déle más tiempo</translation>
     </message>
     <message>
         <source>give a name that ends in .png, .svg or .pdf</source>
@@ -14576,8 +14576,8 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>indique una grabación, o --help para ver qué más hay</translation>
     </message>
     <message>
-        <source>give another --to</source>
-        <translation>indique otro --to</translation>
+        <source>give another target</source>
+        <translation>indique otro objetivo</translation>
     </message>
     <message>
         <source>give at least %1 s</source>
@@ -15772,8 +15772,8 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>use un encoder más fino o un lazo más suave</translation>
     </message>
     <message>
-        <source>take a larger one, or --from where it stands</source>
-        <translation>use uno mayor, o --from donde está</translation>
+        <source>take a larger one, or begin where it stands</source>
+        <translation>use uno mayor, o empiece donde está</translation>
     </message>
     <message>
         <source>take a smaller step or widen it</source>
@@ -17176,8 +17176,8 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>escriba openocd:INTERFACE, como openocd:stlink</translation>
     </message>
     <message>
-        <source>write the gains of this loop once with &apos;motorbenchctl set&apos;, or give --keep</source>
-        <translation>escriba una vez las ganancias de este lazo con «motorbenchctl set» o indique --keep</translation>
+        <source>write the gains of this loop once, or keep what is tried</source>
+        <translation>escriba una vez las ganancias de este lazo o conserve lo que se prueba</translation>
     </message>
     <message>
         <source>write true or false</source>

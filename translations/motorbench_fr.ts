@@ -12440,8 +12440,8 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>%1 %2 est hors de %3 … %4, ce qu’accepte le firmware du dialecte %5</translation>
     </message>
     <message>
-        <source>%1 %2 is outside the envelope: %3 is %4</source>
-        <translation>%1 %2 est hors de l’enveloppe&#xa0;: %3 vaut %4</translation>
+        <source>%1 %2 is outside the envelope, which ends at %3</source>
+        <translation>%1 %2 est hors de l’enveloppe, qui s’arrête à %3</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -14560,12 +14560,12 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>indiquez %1</translation>
     </message>
     <message>
-        <source>give --keep, or a notebook that can be written</source>
-        <translation>indiquez --keep, ou un carnet dans lequel on peut écrire</translation>
+        <source>keep what is tried, or name a notebook that can be written</source>
+        <translation>gardez ce qui est essayé, ou indiquez un carnet dans lequel on peut écrire</translation>
     </message>
     <message>
-        <source>give a longer --time</source>
-        <translation>indiquez un --time plus long</translation>
+        <source>give it a longer time</source>
+        <translation>donnez-lui plus de temps</translation>
     </message>
     <message>
         <source>give a name that ends in .png, .svg or .pdf</source>
@@ -14576,8 +14576,8 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>indiquez un enregistrement, ou --help pour le reste</translation>
     </message>
     <message>
-        <source>give another --to</source>
-        <translation>indiquez un autre --to</translation>
+        <source>give another target</source>
+        <translation>indiquez une autre cible</translation>
     </message>
     <message>
         <source>give at least %1 s</source>
@@ -15772,8 +15772,8 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>prenez un codeur plus fin ou une boucle plus calme</translation>
     </message>
     <message>
-        <source>take a larger one, or --from where it stands</source>
-        <translation>prenez-en un plus grand, ou --from là où il se trouve</translation>
+        <source>take a larger one, or begin where it stands</source>
+        <translation>prenez-en un plus grand, ou commencez là où il se trouve</translation>
     </message>
     <message>
         <source>take a smaller step or widen it</source>
@@ -17176,8 +17176,8 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>écrivez openocd:INTERFACE, par exemple openocd:stlink</translation>
     </message>
     <message>
-        <source>write the gains of this loop once with &apos;motorbenchctl set&apos;, or give --keep</source>
-        <translation>écrivez une fois les gains de cette boucle avec «&#xa0;motorbenchctl set&#xa0;», ou indiquez --keep</translation>
+        <source>write the gains of this loop once, or keep what is tried</source>
+        <translation>écrivez une fois les gains de cette boucle, ou gardez ce qui est essayé</translation>
     </message>
     <message>
         <source>write true or false</source>

@@ -12426,8 +12426,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1 %2 は、ダイアレクト %5 のファームウェアが受け付ける範囲 %3 … %4 の外です</translation>
     </message>
     <message>
-        <source>%1 %2 is outside the envelope: %3 is %4</source>
-        <translation>%1 %2 は動作範囲の外です: %3 は %4 です</translation>
+        <source>%1 %2 is outside the envelope, which ends at %3</source>
+        <translation>%1 %2 は動作範囲の外です（上限 %3）</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -14546,12 +14546,12 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1 を指定してください</translation>
     </message>
     <message>
-        <source>give --keep, or a notebook that can be written</source>
-        <translation>--keep、または書込み可能なノートを指定してください</translation>
+        <source>keep what is tried, or name a notebook that can be written</source>
+        <translation>試す値をそのまま残すか、書込み可能なノートを指定してください</translation>
     </message>
     <message>
-        <source>give a longer --time</source>
-        <translation>--time を長くしてください</translation>
+        <source>give it a longer time</source>
+        <translation>時間を長くしてください</translation>
     </message>
     <message>
         <source>give a name that ends in .png, .svg or .pdf</source>
@@ -14562,8 +14562,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>記録を指定してください。その他の使い方は --help で表示できます</translation>
     </message>
     <message>
-        <source>give another --to</source>
-        <translation>別の --to を指定してください</translation>
+        <source>give another target</source>
+        <translation>別の目標を指定してください</translation>
     </message>
     <message>
         <source>give at least %1 s</source>
@@ -15758,8 +15758,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>分解能の高いエンコーダまたはより緩やかな制御ループを使用してください</translation>
     </message>
     <message>
-        <source>take a larger one, or --from where it stands</source>
-        <translation>より大きくするか、--from に現在位置を指定してください</translation>
+        <source>take a larger one, or begin where it stands</source>
+        <translation>より大きくするか、現在位置から始めてください</translation>
     </message>
     <message>
         <source>take a smaller step or widen it</source>
@@ -17162,8 +17162,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>openocd:INTERFACE の形式で入力してください (例: openocd:stlink)</translation>
     </message>
     <message>
-        <source>write the gains of this loop once with &apos;motorbenchctl set&apos;, or give --keep</source>
-        <translation>&apos;motorbenchctl set&apos; でこの制御ループのゲインを一度書き込むか、--keep を指定してください</translation>
+        <source>write the gains of this loop once, or keep what is tried</source>
+        <translation>この制御ループのゲインを一度書き込むか、試す値をそのまま残してください</translation>
     </message>
     <message>
         <source>write true or false</source>

@@ -12426,8 +12426,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1 %2 超出 %3 … %4，即方言 %5 的固件可接受的范围</translation>
     </message>
     <message>
-        <source>%1 %2 is outside the envelope: %3 is %4</source>
-        <translation>%1 %2 超出运行包络：%3 为 %4</translation>
+        <source>%1 %2 is outside the envelope, which ends at %3</source>
+        <translation>%1 %2 超出运行包络，其上限为 %3</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -14546,12 +14546,12 @@ double click plots it, drag it to a pane or below them</source>
         <translation>请给出 %1</translation>
     </message>
     <message>
-        <source>give --keep, or a notebook that can be written</source>
-        <translation>给出 --keep，或可写入的试验记录本</translation>
+        <source>keep what is tried, or name a notebook that can be written</source>
+        <translation>保留所试的值，或给出可写入的试验记录本</translation>
     </message>
     <message>
-        <source>give a longer --time</source>
-        <translation>给出更长的 --time</translation>
+        <source>give it a longer time</source>
+        <translation>给它更长的时间</translation>
     </message>
     <message>
         <source>give a name that ends in .png, .svg or .pdf</source>
@@ -14562,8 +14562,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>给出一个记录，或用 --help 查看其他选项</translation>
     </message>
     <message>
-        <source>give another --to</source>
-        <translation>给出另一个 --to</translation>
+        <source>give another target</source>
+        <translation>给出另一个目标</translation>
     </message>
     <message>
         <source>give at least %1 s</source>
@@ -15758,8 +15758,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>使用更精细的编码器或更平缓的回路</translation>
     </message>
     <message>
-        <source>take a larger one, or --from where it stands</source>
-        <translation>取更大的值，或以其所在处作为 --from</translation>
+        <source>take a larger one, or begin where it stands</source>
+        <translation>取更大的值，或从其所在处开始</translation>
     </message>
     <message>
         <source>take a smaller step or widen it</source>
@@ -17162,8 +17162,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>请写 openocd:INTERFACE，例如 openocd:stlink</translation>
     </message>
     <message>
-        <source>write the gains of this loop once with &apos;motorbenchctl set&apos;, or give --keep</source>
-        <translation>用“motorbenchctl set”写入一次此回路的增益，或给出 --keep</translation>
+        <source>write the gains of this loop once, or keep what is tried</source>
+        <translation>写入一次此回路的增益，或保留所试的值</translation>
     </message>
     <message>
         <source>write true or false</source>

@@ -69,10 +69,10 @@ std::string together(const std::vector<std::string> &options)
     return list;
 }
 
-tl::unexpected<Error> outside(const Message &what, double value, const std::string &option, double limit)
+tl::unexpected<Error> outside(const Message &what, double value, double limit)
 {
     return fail(Fault::OutOfRange,
-        say("%1 %2 is outside the envelope: %3 is %4", what, std::round(value * 1000.0) / 1000.0, option, limit),
+        say("%1 %2 is outside the envelope, which ends at %3", what, std::round(value * 1000.0) / 1000.0, limit),
         say("take a smaller step or widen it"));
 }
 
@@ -182,17 +182,17 @@ Result<void> checkInside(const Envelope &envelope, Mode mode, const Stimulus &st
     const double none = std::numeric_limits<double>::infinity();
     const double travel = envelope.travel.value_or(none);
     if (mode == Mode::Duty && most > envelope.duty.value_or(1.0))
-        return outside(say("duty"), most, "--duty", *envelope.duty);
+        return outside(say("duty"), most, *envelope.duty);
     if (mode == Mode::Current && most > envelope.current.value_or(none))
-        return outside(say("current"), most, "--current", *envelope.current);
+        return outside(say("current"), most, *envelope.current);
     if (mode == Mode::Velocity && most > envelope.speed.value_or(none))
-        return outside(say("speed"), most, "--speed", *envelope.speed);
+        return outside(say("speed"), most, *envelope.speed);
     if (mode == Mode::Velocity && wayOf(stimulus) * repeat > travel)
-        return outside(say("a way of counts"), wayOf(stimulus) * repeat, "--travel", travel);
+        return outside(say("a way of counts"), wayOf(stimulus) * repeat, travel);
     if (mode == Mode::Position) {
         const double farthest = std::max(std::abs(stimulus.from - position), std::abs(stimulus.to - position));
         if (farthest > travel)
-            return outside(say("a way of counts"), farthest, "--travel", travel);
+            return outside(say("a way of counts"), farthest, travel);
     }
     return {};
 }

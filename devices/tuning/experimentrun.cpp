@@ -96,7 +96,7 @@ Task<void> ExperimentRun::prepare()
     if (!stimulus)
         co_return fail(stimulus.error());
     if (stimulus->from == stimulus->to)
-        co_return fail(Fault::OutOfRange, say("there is no way from %1 to itself", from), say("give another --to"));
+        co_return fail(Fault::OutOfRange, say("there is no way from %1 to itself", from), say("give another target"));
     if (auto inside = checkInside(*envelope, m_plan.mode, *stimulus, m_plan.repeat, m_origin); !inside)
         co_return fail(inside.error());
     m_trial.stimulus = *stimulus;
@@ -159,7 +159,7 @@ Task<void> ExperimentRun::writeDown()
     }
     if (owes && !m_number)
         co_return fail(Fault::Unsafe, say("nothing could put the gains back after a crash"),
-            say("give --keep, or a notebook that can be written"));
+            say("keep what is tried, or name a notebook that can be written"));
     if (owes) {
         auto owing = m_around.journal->owe(*m_number, m_trial.unit, m_owed);
         co_await std::move(owing);
@@ -343,7 +343,7 @@ Task<void> ExperimentRun::goTo(double target)
             co_return fail(Fault::Refused,
                 say("the unit stays %1 away from where the experiment begins, more than 2 % of its step",
                     std::round(std::abs(here - target) * 100.0) / 100.0),
-                say("take a larger one, or --from where it stands"));
+                say("take a larger one, or begin where it stands"));
         }
         Sleep nap(m_device.clock(), hearPeriod);
         co_await nap;

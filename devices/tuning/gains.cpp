@@ -69,7 +69,7 @@ Task<std::vector<OwedValue>> readReplaced(Device &device, std::vector<ParameterC
             co_await std::move(reading);
         } else if (!isKnown(device, change.index) || device.knowledge().profile().lost.contains(key)) {
             co_return fail(Fault::OutOfRange, say("%1 cannot be read, so it could not be put back", key),
-                say("write the gains of this loop once with 'motorbenchctl set', or give --keep"));
+                say("write the gains of this loop once, or keep what is tried"));
         }
         values.push_back({key, *device.parameters().entry(change.index).raw});
     }

@@ -39,7 +39,7 @@ tl::unexpected<Error> tooFine(const Stimulus &stimulus, const Message &what, dou
     return fail(Fault::OutOfRange,
         say("%1: %2 of %3 ms is finer than the device follows, which takes a set-point every %4 ms",
             toString(stimulus.profile), what, std::round(seconds * 1e6) / 1e3, beat * 1e3),
-        say("give a longer --time"));
+        say("give it a longer time"));
 }
 
 Result<Stimulus> checked(const Stimulus &stimulus, double beat)
