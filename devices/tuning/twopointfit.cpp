@@ -12,6 +12,7 @@ namespace {
 constexpr double beforeOrder = 0.1; ///< s of rest that tell where it stood
 constexpr double leastStep = 0.3;   ///< of the trial's
 constexpr double leastWay = 3.0;    ///< counts
+constexpr double lostAnswer = 1.9;  ///< times as long as from one sample to the next, until the first
 constexpr std::size_t fewestSamples = 8;
 constexpr int stepsOfRamp = 10;
 constexpr double lowestEnd = 0.5;
@@ -102,6 +103,14 @@ double rampOfSecondOrder(double drag, double stiffness, double lead, double t, d
     for (int i = 0; i < stepsOfRamp; ++i)
         sum += stepOfSecondOrder(drag, stiffness, t - rise * (i + 0.5) / stepsOfRamp);
     return sum / stepsOfRamp + lead * led / rise;
+}
+
+bool LoopRun::hasWaited() const
+{
+    std::vector<double> gaps;
+    for (std::size_t i = 1; i < way.size(); ++i)
+        gaps.push_back(way.t[i] - way.t[i - 1]);
+    return !gaps.empty() && way.t.front() > lostAnswer * median(gaps);
 }
 
 std::vector<LoopRun> runsOf(const Trial &trial, double p, double d, double rate)

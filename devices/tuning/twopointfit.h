@@ -20,6 +20,8 @@ struct LoopRun {
     double rate = 0.0; ///< counts/s, with which its set-point goes there; 0: at once
     double from = 0.0; ///< counts from where it stood to where its set-point did
 
+    /// It was first seen later than it was asked: the line had lost an answer, and the order may have waited for the next.
+    [[nodiscard]] bool hasWaited() const;
     /// s that its set-point is on its way.
     [[nodiscard]] double rise() const { return rate > 0.0 ? std::abs(step - from) / rate : 0.0; }
 };

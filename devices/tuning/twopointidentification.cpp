@@ -46,20 +46,18 @@ constexpr double earlierWhenSmall = 0.8; ///< of the time that a larger step tak
 constexpr double trust = 2.0;            ///< times as quick as what was tried
 constexpr double trustOfLaw = 4.0;       ///< the same where its firmware's law is known
 constexpr double noiseShare = 0.1;       ///< of full output that one count may make through D
-constexpr double cyclesOfDelay = 1.5;
-constexpr double heldMore = 1.15;       ///< times what was seen, that friction may hold
-constexpr double easyFriction = 0.15;   ///< of what P makes of a step
-constexpr double mostGrowth = 2.5;      ///< of steps whose output is not known, where friction takes more of them
-constexpr double restShare = 0.8;       ///< of a hold, after which it rests
-constexpr double shareOfCurrent = 0.7;  ///< of its limit, that P makes a step draw
-constexpr double breakawayOver = 1.4;   ///< times friction, of what was seen to move it
-constexpr double easilyDrawn = 0.6;     ///< of what its current allows, from which on it is led
-constexpr double gentlestP = 12.0;      ///< raw, that its steps are still fine enough of
-constexpr double gentleCounts = 2000.0; ///< of a step that is led
-constexpr double hiddenDrag = 3.0;      ///< times as long as was found, a lag of ways that were led
-constexpr double fastestProfile = 1e6;  ///< counts/s
-constexpr double rateShare = 0.8;       ///< of its current limit, that D makes of a profile that begins
-constexpr double electrical = 0.5e-3;   ///< s
+constexpr double heldMore = 1.15;        ///< times what was seen, that friction may hold
+constexpr double easyFriction = 0.15;    ///< of what P makes of a step
+constexpr double mostGrowth = 2.5;       ///< of steps whose output is not known, where friction takes more of them
+constexpr double restShare = 0.8;        ///< of a hold, after which it rests
+constexpr double shareOfCurrent = 0.7;   ///< of its limit, that P makes a step draw
+constexpr double breakawayOver = 1.4;    ///< times friction, of what was seen to move it
+constexpr double easilyDrawn = 0.6;      ///< of what its current allows, from which on it is led
+constexpr double gentlestP = 12.0;       ///< raw, that its steps are still fine enough of
+constexpr double gentleCounts = 2000.0;  ///< of a step that is led
+constexpr double hiddenDrag = 3.0;       ///< times as long as was found, a lag of ways that were led
+constexpr double fastestProfile = 1e6;   ///< counts/s
+constexpr double rateShare = 0.8;        ///< of its current limit, that D makes of a profile that begins
 
 std::string inWhole(double number)
 {
@@ -449,7 +447,7 @@ Task<bool> TwoPointIdentification::conclude(AutotuneRun &run)
         plant.tau *= hiddenDrag;
         plant.gain *= hiddenDrag;
     }
-    plant.delay = cyclesOfDelay * law.scale.cycle + electrical;
+    plant.delay = cyclesOfDelay * law.scale.cycle + fit.winding;
     if (run.envelope().current && m_moves.current > 0.0) {
         plant.stallCurrent = m_moves.current / law.scale.p;
         plant.backDuty = 1.0 / plant.gain;
