@@ -29,6 +29,11 @@ struct LoopRun {
 /// The ways of a trial to its target and back, with these gains in force. None for what did not move.
 [[nodiscard]] std::vector<LoopRun> runsOf(const Trial &trial, double p, double d, double rate = 0.0);
 
+/// Signed P times counts that a run leaves at its end.
+[[nodiscard]] double leftOf(const LoopRun &run);
+/// When it passed the middle of its way, s after its set-point; never: when it was last seen.
+[[nodiscard]] double halfWay(const LoopRun &run);
+
 /// One run as a system of second order.
 struct StepFit {
     double omega = 0.0; ///< rad/s
