@@ -16044,6 +16044,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>der Regler schwingt sich auf: %1 Schwingungen, jede größer als die vorige oder mit vollem Tastgrad</translation>
     </message>
     <message>
+        <source>the loop does not come to rest: %1 swings</source>
+        <translation>der Regler kommt nicht zur Ruhe: %1 Schwingungen</translation>
+    </message>
+    <message>
         <source>the loop would be undefined</source>
         <translation>der Regler wäre undefiniert</translation>
     </message>

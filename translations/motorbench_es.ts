@@ -16300,6 +16300,10 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>el lazo entra en oscilación creciente: %1 oscilaciones, cada una mayor que la anterior o con ciclo máximo</translation>
     </message>
     <message>
+        <source>the loop does not come to rest: %1 swings</source>
+        <translation>el lazo no llega al reposo: %1 oscilaciones</translation>
+    </message>
+    <message>
         <source>the loop would be undefined</source>
         <translation>el lazo quedaría indefinido</translation>
     </message>

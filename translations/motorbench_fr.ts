@@ -16300,6 +16300,10 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>la boucle se met à osciller&#xa0;: %1 oscillations, chacune plus grande que la précédente ou à plein rapport cyclique</translation>
     </message>
     <message>
+        <source>the loop does not come to rest: %1 swings</source>
+        <translation>la boucle ne se stabilise pas&#xa0;: %1 oscillations</translation>
+    </message>
+    <message>
         <source>the loop would be undefined</source>
         <translation>la boucle serait indéfinie</translation>
     </message>

@@ -16286,6 +16286,10 @@ double click plots it, drag it to a pane or below them</source>
         <translation>制御ループが発振しています: %1 回の振動で、毎回増大するか最大デューティに達しました</translation>
     </message>
     <message>
+        <source>the loop does not come to rest: %1 swings</source>
+        <translation>制御ループが静止しません: %1 回の振動</translation>
+    </message>
+    <message>
         <source>the loop would be undefined</source>
         <translation>制御ループが未定義になります</translation>
     </message>

@@ -16286,6 +16286,10 @@ double click plots it, drag it to a pane or below them</source>
         <translation>回路自行振荡增大：%1 次摆动，每次都大于上一次或达到满占空比</translation>
     </message>
     <message>
+        <source>the loop does not come to rest: %1 swings</source>
+        <translation>回路不能静止：%1 次摆动</translation>
+    </message>
+    <message>
         <source>the loop would be undefined</source>
         <translation>回路将无定义</translation>
     </message>

@@ -21,6 +21,7 @@ constexpr double dutyMargin = 0.02;
 constexpr int wrongSamples = 5;
 constexpr Duration stuckTime = 500ms;
 constexpr int growingPeaks = 6;
+constexpr int lastingPeaks = 25;
 constexpr int mostFlips = 20; ///< a second
 constexpr double planMargin = 1.5;
 constexpr Duration silence = 100ms;
@@ -189,6 +190,10 @@ std::optional<Trip> Guards::error(Instant time, double error)
     m_oscillation.error(error, m_plan.swing, surelyReal * m_plan.noise);
     if (!m_plan.dutyKnown && !m_plan.isVelocity)
         m_motion.duty(time, pushOf(error), fullPush);
+    const bool isBlind = !m_plan.dutyKnown && !m_plan.isVelocity; // no duty shows how hard it works
+    if (isBlind && m_oscillation.lasting() >= lastingPeaks)
+        return trip(
+            Guard::Oscillation, time, say("the loop does not come to rest: %1 swings", m_oscillation.lasting()));
     if (m_oscillation.growing() < growingPeaks)
         return std::nullopt;
     return trip(Guard::Oscillation, time,

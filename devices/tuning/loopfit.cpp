@@ -12,8 +12,8 @@
 namespace mb::tuning {
 namespace {
 
-enum Unknown : std::size_t { Push, Drag, Friction, Shift, Braking, Damping, End };
-constexpr std::size_t unknownCount = 7;
+enum Unknown : std::size_t { Push, Drag, Friction, Shift, Braking, Damping, End, Winding };
+constexpr std::size_t unknownCount = 8;
 using LoopSearch = Marquardt<unknownCount>;
 
 constexpr std::size_t fewestRuns = 3;
@@ -24,6 +24,14 @@ constexpr double usualLeft = 0.02; ///< of a step: what doubts of the unknowns a
 constexpr double unknownEnd = 1e3; ///< of what is taken for full duty, at most
 constexpr std::array<double, 3> ledOmegas{12.0, 35.0, 100.0}; ///< rad/s, of a loop that is led
 constexpr int stillPasses = 10;
+constexpr int roundsOfWait = 6;
+constexpr double noSlope = 1e-12;
+constexpr double halfACount = 0.5;
+constexpr double longestWait = 0.1; ///< s
+
+constexpr double usualBraking = 0.4;    ///< 1.5 times: a gear makes it 2, a motor alone 1.1 to 1.3
+constexpr double usualWinding = 0.5e-3; ///< s
+constexpr double mostWinding = 4e-3;    ///< s
 
 /// What is likely before anything is measured: the middle and σ of an unknown.
 struct Likely {
@@ -31,12 +39,13 @@ struct Likely {
     double middle;
     double sigma;
 };
-constexpr std::array<Likely, 5> likely{{
+constexpr std::array<Likely, 6> likely{{
     {Drag, 2.3, 1.5},      // 0.1 s
     {Friction, -3.0, 1.5}, // 5 % of full duty
     {Shift, 0.4, 0.5},
-    {Braking, 0.0, 0.4},
+    {Braking, usualBraking, 0.4},
     {End, 0.0, 0.7},
+    {Winding, 0.0, 0.7},
 }};
 constexpr double knownSigma = 1e-3; ///< of what the firmware tells
 
@@ -51,6 +60,11 @@ constexpr std::array<LikelyStart, 4> likelyStarts{
 double exponential(double logarithm)
 {
     return std::exp(std::clamp(logarithm, -farthestLog, farthestLog));
+}
+
+double windingOf(double number)
+{
+    return std::min(usualWinding * exponential(number), mostWinding);
 }
 
 PlantModel plantOf(const LoopSearch::Unknowns &x)
@@ -91,38 +105,83 @@ public:
         left.clear();
         for (const LoopRun &run : m_runs)
             add(run, x, left);
-        for (const Likely &one : likely) {
-            const double sigma = one.which == End && m_law.isKnown ? knownSigma : one.sigma;
-            left.push_back(usualLeft * (x[one.which] - one.middle) / sigma);
+        for (const Likely &usual : likely) {
+            const Likely one = likelyHere(usual);
+            left.push_back(usualLeft * (x[one.which] - one.middle) / one.sigma);
         }
         left.push_back(usualLeft * x[Damping] / (m_law.isKnown ? knownSigma : 1.0));
     }
 
 private:
-    void add(const LoopRun &run, const LoopSearch::Unknowns &x, std::vector<double> &left) const
+    /// Where a firmware's law is not known, what D makes and what a winding takes are not told apart. A motor that has to be led has no gear.
+    [[nodiscard]] Likely likelyHere(Likely one) const
+    {
+        if ((one.which == End && m_law.isKnown) || (one.which == Winding && !m_law.isKnown))
+            one.sigma = knownSigma;
+        if (one.which == Braking && m_runs.front().rate > 0.0)
+            one.middle = 0.0;
+        return one;
+    }
+    /// Where each pass leaves the motor, from its order on; no further than where it rests.
+    [[nodiscard]] std::vector<double> placesOf(const LoopRun &run, const LoopSearch::Unknowns &x) const
     {
         const ContinuousGains gains{run.p * m_law.scale.p, 0.0, run.d * m_law.scale.d * exponential(x[Damping]), 0.0};
         LoopShape shape = m_shape;
         shape.mostDuty = std::min(exponential(x[End]), unknownEnd);
         shape.setPointRate = run.rate;
+        shape.winding = windingOf(x[Winding]);
         SimulatedLoop simulated(Mode::Position, plantOf(x), gains, shape, 0.0);
         simulated.beginAt(run.from);
-        const double shift = delayOf(x[Shift]);
-        double before = 0.0;
-        double value = 0.0;
-        double t = 0.0; // of `value`
+        std::vector<double> places{0.0};
         int still = 0;
-        for (std::size_t i = 0; i < run.way.size(); ++i) {
-            const double at = run.way.t[i] - shift;
-            for (; t < at && still < stillPasses; t += shape.period) {
-                before = value;
-                (void)simulated.pass(run.step);
-                value = simulated.value();
-                still = value == before && t >= run.rise() ? still + 1 : 0;
-            }
-            const double share = at >= t ? 1.0 : std::clamp(1.0 - (t - at) / shape.period, 0.0, 1.0);
-            left.push_back((before + share * (value - before) - run.way.y[i]) / run.step);
+        for (double t = 0.0; t < run.way.t.back() && still < stillPasses; t += shape.period) {
+            (void)simulated.pass(run.step);
+            still = simulated.value() == places.back() && t >= run.rise() ? still + 1 : 0;
+            places.push_back(simulated.value());
         }
+        return places;
+    }
+    [[nodiscard]] double placeAt(const std::vector<double> &places, double t) const
+    {
+        const double passes = std::clamp(t / m_shape.period, 0.0, static_cast<double>(places.size() - 1));
+        const auto before = static_cast<std::size_t>(passes);
+        const std::size_t after = std::min(before + 1, places.size() - 1);
+        return places[before] + (passes - static_cast<double>(before)) * (places[after] - places[before]);
+    }
+    /// s that its order waited behind an answer that the line had lost.
+    [[nodiscard]] double waitOf(const LoopRun &run, const std::vector<double> &places, double shift) const
+    {
+        double wait = 0.0;
+        for (int round = 0; round < roundsOfWait; ++round) {
+            double product = 0.0;
+            double square = noSlope;
+            for (std::size_t i = 0; i < run.way.size(); ++i) {
+                const double at = run.way.t[i] - shift - wait;
+                const double place = placeAt(places, at);
+                const double slope = (place - placeAt(places, at - m_shape.period)) / m_shape.period;
+                product += (place - run.way.y[i]) * slope;
+                square += slope * slope;
+            }
+            wait = std::clamp(wait + product / square, 0.0, longestWait);
+        }
+        return wait;
+    }
+    /// A place is a whole count, and the part of one at which it stood is not known: up to half of one is no error.
+    void add(const LoopRun &run, const LoopSearch::Unknowns &x, std::vector<double> &left) const
+    {
+        const std::vector<double> places = placesOf(run, x);
+        const std::size_t first = left.size();
+        double shift = delayOf(x[Shift]);
+        shift += run.hasWaited() ? waitOf(run, places, shift) : 0.0;
+        double sum = 0.0;
+        for (std::size_t i = 0; i < run.way.size(); ++i) {
+            left.push_back((placeAt(places, run.way.t[i] - shift) - run.way.y[i]) / run.step);
+            sum += left.back();
+        }
+        const double part = halfACount / std::abs(run.step);
+        const double off = std::clamp(sum / static_cast<double>(run.way.size()), -part, part);
+        for (std::size_t i = first; i < left.size(); ++i)
+            left[i] -= off;
     }
 
     std::span<const LoopRun> m_runs;
@@ -150,6 +209,7 @@ Result<LoopFit> fitLoop(std::span<const LoopRun> runs, const LoopLaw &law, const
             x[Drag] = std::log(start.drag > 0.0 ? start.drag : std::clamp(first.drag, 0.5, 100.0));
             x[Friction] = std::log(start.friction);
             x[Shift] = first.delay / delayUnit;
+            x[Braking] = usualBraking; // below 1 nothing would change with it
             const auto found = LoopSearch::from(x, remainder);
             if (!best || found.squares < best->squares)
                 best = found;
@@ -159,6 +219,7 @@ Result<LoopFit> fitLoop(std::span<const LoopRun> runs, const LoopLaw &law, const
     LoopFit result;
     result.plant = plantOf(x);
     result.shift = delayOf(x[Shift]);
+    result.winding = windingOf(x[Winding]);
     result.d = law.scale.d * exponential(x[Damping]);
     result.tauError = result.plant.tau * best->errors[Drag];
     result.gainError = result.plant.gain * std::hypot(best->errors[Push], best->errors[Drag]);

@@ -66,6 +66,11 @@ double swingOf(const Prediction &predicted, double step)
                               : deviationOf(measured.part(0.5 * measured.t.back(), measured.t.back())) / std::abs(step);
 }
 
+Message judgePlace(const Trial &trial, double counts)
+{
+    return swingOf(trial) * std::abs(trial.stimulus.to) <= counts ? Message() : say("it did not settle");
+}
+
 Message judgeRest(double measured, const Prediction &prediction, double step)
 {
     const double predicted = swingOf(prediction, step);

@@ -16,6 +16,10 @@ namespace mb::tuning {
 [[nodiscard]] double swingOf(const Trial &trial);
 [[nodiscard]] double swingOf(const Prediction &predicted, double step);
 
+/// Empty where a position that nothing but friction holds at its end rests there, within `counts`; else that it does not: a light rotor
+/// swings in the play before its load, quicker than it is seen.
+[[nodiscard]] Message judgePlace(const Trial &trial, double counts);
+
 /// Empty where a loop rests as it was predicted to; else how it swings. A loop whose sensor stands on one side of a play that its load
 /// is on the other side of may do so for as long as it is driven, and its edges and averages hardly show it.
 [[nodiscard]] Message judgeRest(double measured, const Prediction &predicted, double step);

@@ -5,6 +5,7 @@
 #include "tuning/aside.h"
 #include "tuning/figures.h"
 #include "tuning/gainsearch.h"
+#include "tuning/loopfit.h"
 #include "tuning/proof.h"
 #include "tuning/seconds.h"
 
@@ -66,7 +67,10 @@ LoopShape shapeOf(const ProposalBasis &basis)
     plain.period = predictionPeriod(basis);
     plain.mostDuty = basis.envelope.duty.value_or(1.0);
     plain.isCounted = basis.scale.has_value();
-    plain.setPointRate = basis.scale ? basis.scale->rate : 0.0;
+    if (basis.scale) {
+        plain.setPointRate = basis.scale->rate;
+        plain.winding = std::max(basis.plant.delay - cyclesOfDelay * basis.scale->cycle, 0.0);
+    }
     return plain;
 }
 

@@ -22,8 +22,10 @@ constexpr double restBeforeStep = 0.05; ///< s
 constexpr double leastFriction = 0.002; ///< duty, that may be found where none was
 constexpr double shareOfPass = 0.25;    ///< to which an order's wait for its pass is told
 constexpr double longestSag = 0.8;
-constexpr double usualSag = 0.3;    ///< that nobody has told before
-constexpr double sagOfFactor = 3.0; ///< for each share that the other numbers move by
+constexpr double usualSag = 0.3;     ///< that nobody has told before
+constexpr double usualBraking = 0.3; ///< that it is off by
+constexpr double mostBraking = 2.5;  ///< times
+constexpr double sagOfFactor = 3.0;  ///< for each share that the other numbers move by
 
 double PlantModel::*const correctedNumbers[]
     = {&PlantModel::gain, &PlantModel::tau, &PlantModel::friction, &PlantModel::delay};
@@ -140,7 +142,10 @@ public:
                     for (const double by : {factor, 1.0 / factor})
                         look(member, by);
                 }
-                if (!m_stepped.isTried) {
+                if (m_stepped.isTried && m_stepped.shape.setPointRate == 0.0) { // led, it is braked by its profile
+                    for (const double by : {factor, 1.0 / factor})
+                        lookAtBraking(by);
+                } else {
                     for (const double by : {factor - 1.0, 1.0 - factor})
                         lookAtSag(sagOfFactor * by);
                 }
@@ -168,7 +173,8 @@ private:
             cost += priceOfError * off * off;
         }
         const double sagged = (plant.sag - m_start.sag) / usualSag;
-        return cost + priceOfError * sagged * sagged;
+        const double braked = std::log(plant.braking / m_start.braking) / usualBraking;
+        return cost + priceOfError * (sagged * sagged + braked * braked);
     }
     void look(double PlantModel::*member, double by)
     {
@@ -184,6 +190,14 @@ private:
         PlantModel plant = m_best;
         plant.sag = std::clamp(plant.sag + more, 0.0, longestSag);
         if (plant.sag != m_best.sag)
+            take(plant);
+    }
+    /// Steps that friction ends have hardly shown it.
+    void lookAtBraking(double by)
+    {
+        PlantModel plant = m_best;
+        plant.braking = std::clamp(plant.braking * by, 1.0, mostBraking);
+        if (plant.braking != m_best.braking)
             take(plant);
     }
     void take(const PlantModel &plant)

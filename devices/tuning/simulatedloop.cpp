@@ -58,12 +58,12 @@ double dutyAt(const PlantModel &plant, const ContinuousGains &gains, double valu
 SimulatedLoop::SimulatedLoop(
     Mode loop, const PlantModel &plant, const ContinuousGains &gains, const LoopShape &shape, double from)
     : m_integrates(loop == Mode::Position)
-    , m_windowed(loop == Mode::Velocity && shape.window > 0.0)
     , m_plant(plant)
     , m_gains(gains)
     , m_shape(shape)
     , m_kept(std::exp(-shape.period / plant.tau))
     , m_braked(std::exp(-shape.period * plant.braking / plant.tau))
+    , m_current(shape.winding, shape.period)
     , m_held(heldBelow(plant, shape))
     , m_speed(m_integrates ? 0.0 : from)
     , m_place(m_integrates ? from : shape.phase)
@@ -73,14 +73,16 @@ SimulatedLoop::SimulatedLoop(
     , m_elapsed(shape.period)
     , m_integral(m_integrates ? 0.0 : dutyAt(plant, gains, from))
 {
-    if (m_windowed)
+    if (loop == Mode::Velocity && shape.window > 0.0)
         m_span = std::max<std::size_t>(
             1, passesOf(shape.windowCounts > 0.0 ? patienceForCounts : shape.window, shape.period));
-    m_lag = passesOf(plant.delay - (m_windowed ? 0.5 * shape.window : 0.0) - promptPasses * shape.period, shape.period);
+    m_lag = passesOf(
+        plant.delay - shape.winding - (isWindowed() ? 0.5 * shape.window : 0.0) - promptPasses * shape.period,
+        shape.period);
     const double before = static_cast<double>(m_lag + m_span);
     for (std::size_t i = 0; i < m_lag + m_span; ++i) {
         const double ago = before - static_cast<double>(i);
-        m_late.push_back(m_windowed ? m_place - from * ago * shape.period : from);
+        m_late.push_back(isWindowed() ? m_place - from * ago * shape.period : from);
     }
 }
 
@@ -96,7 +98,7 @@ void SimulatedLoop::lookAtClock()
 
 double SimulatedLoop::measure()
 {
-    if (!m_windowed) {
+    if (!isWindowed()) {
         m_late.push_back(value());
         const double seen = m_late.front();
         m_late.pop_front();
@@ -165,9 +167,10 @@ double SimulatedLoop::advance(double duty, double seconds)
     return left;
 }
 
-void SimulatedLoop::turn(double duty)
+void SimulatedLoop::turn(double output)
 {
-    m_duty = duty;
+    m_duty = output;
+    const double duty = m_current.follow(output);
     const double left = advance(duty, m_shape.period);
     if (left > 0.0 && std::abs(duty) > m_plant.friction)
         (void)advance(duty, left);

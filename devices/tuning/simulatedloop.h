@@ -3,6 +3,7 @@
 
 #include "tuning/gainrules.h"
 
+#include <cmath>
 #include <deque>
 
 namespace mb::tuning {
@@ -23,6 +24,7 @@ struct LoopShape {
     double clock = 0.0;        ///< s, that it counts in, whole ones, from pass to pass; 0: exactly
     double phase = 0.0;        ///< of a count and of its clock, with which it begins: nobody knows it
     double setPointRate = 0.0; ///< counts/s, with which the set-point goes to its target; 0: at once
+    double winding = 0.0;      ///< s, L/R, with which the current follows the output; it is in the plant's delay
 };
 
 /// What nobody can foresee of one step taken away: which of its passes a clock of whole milliseconds takes for longer.
@@ -31,6 +33,28 @@ struct LoopShape {
     shape.clock = 0.0;
     return shape;
 }
+
+/// That of a motor follows the output through its winding.
+class LateCurrent {
+public:
+    LateCurrent(double seconds, double period)
+        : m_inPasses(seconds / period)
+        , m_behind(seconds > 0.0 ? std::exp(-period / seconds) : 0.0)
+    {
+    }
+    /// Duty that the current makes in the mean of the next pass.
+    [[nodiscard]] double follow(double duty)
+    {
+        const double late = m_followed - duty;
+        m_followed = duty + late * m_behind;
+        return duty + late * (1.0 - m_behind) * m_inPasses;
+    }
+
+private:
+    double m_inPasses;
+    double m_behind; ///< share of a change that is left after a pass
+    double m_followed = 0.0;
+};
 
 /// The motor of a model in a device's loop, from rest at a value: seconds of it in microseconds. The integral goes on
 /// while the output is at its end: few devices know better.
@@ -52,6 +76,7 @@ public:
 
 private:
     void lookAtClock();
+    [[nodiscard]] bool isWindowed() const { return m_span > 0; }
     [[nodiscard]] double follow(double target);
     [[nodiscard]] double measure();
     [[nodiscard]] double measureByCounts();
@@ -60,13 +85,13 @@ private:
     double advance(double duty, double seconds);
 
     bool m_integrates;
-    bool m_windowed;
     PlantModel m_plant;
     ContinuousGains m_gains;
     LoopShape m_shape;
     double m_kept;   ///< of the speed, of one pass to the next
     double m_braked; ///< the same while its current brakes it
-    double m_held;   ///< duty that does not move it from rest
+    LateCurrent m_current;
+    double m_held; ///< duty that does not move it from rest
     double m_speed;
     double m_place;
     double m_measured;

@@ -22,6 +22,7 @@ namespace {
 constexpr double countedRest
     = 1.5; ///< s, until a velocity that is counted over edges is known to be 0, and the integral is at rest
 constexpr double notableRest = 0.02;    ///< of the step
+constexpr double quietCounts = 2.0;     ///< σ, of a position at rest
 constexpr double clearOvershoot = 0.15; ///< more than predicted, that a wrong D may be the cause of
 
 } // namespace
@@ -146,6 +147,8 @@ Message TuneProof::shortcoming()
     Message wrong = judgeProof(report.measured, report.predicted->metrics, m_design.step(), resting());
     if (wrong.empty() && m_run.plan().loop == Mode::Velocity)
         wrong = judgeRest(swingOf(report.proof.back()), *report.predicted, m_design.step());
+    if (wrong.empty() && report.scale && report.scale->rate == 0.0)
+        wrong = judgePlace(report.proof.back(), quietCounts);
     return wrong;
 }
 

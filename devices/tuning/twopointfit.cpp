@@ -12,6 +12,8 @@ namespace {
 constexpr double beforeOrder = 0.1; ///< s of rest that tell where it stood
 constexpr double leastStep = 0.3;   ///< of the trial's
 constexpr double leastWay = 3.0;    ///< counts
+constexpr double lostAnswer = 1.9;  ///< times as long as from one sample to the next, until the first
+constexpr double restShare = 0.8;   ///< of a hold, after which it rests
 constexpr std::size_t fewestSamples = 8;
 constexpr int stepsOfRamp = 10;
 constexpr double lowestEnd = 0.5;
@@ -102,6 +104,32 @@ double rampOfSecondOrder(double drag, double stiffness, double lead, double t, d
     for (int i = 0; i < stepsOfRamp; ++i)
         sum += stepOfSecondOrder(drag, stiffness, t - rise * (i + 0.5) / stepsOfRamp);
     return sum / stepsOfRamp + lead * led / rise;
+}
+
+double leftOf(const LoopRun &run)
+{
+    const Trace tail = run.way.part(restShare * run.way.t.back(), run.way.t.back());
+    return (run.step - median(tail.y)) * run.p;
+}
+
+double halfWay(const LoopRun &run)
+{
+    for (std::size_t i = 1; i < run.way.size(); ++i) {
+        const double before = run.way.y[i - 1] / run.step;
+        const double now = run.way.y[i] / run.step;
+        if (now >= 0.5 && now > before)
+            return run.way.t[i - 1] + (run.way.t[i] - run.way.t[i - 1]) * (0.5 - before) / (now - before)
+                - 0.5 * run.rise();
+    }
+    return run.way.t.back();
+}
+
+bool LoopRun::hasWaited() const
+{
+    std::vector<double> gaps;
+    for (std::size_t i = 1; i < way.size(); ++i)
+        gaps.push_back(way.t[i] - way.t[i - 1]);
+    return !gaps.empty() && way.t.front() > lostAnswer * median(gaps);
 }
 
 std::vector<LoopRun> runsOf(const Trial &trial, double p, double d, double rate)

@@ -20,12 +20,19 @@ struct LoopRun {
     double rate = 0.0; ///< counts/s, with which its set-point goes there; 0: at once
     double from = 0.0; ///< counts from where it stood to where its set-point did
 
+    /// It was first seen later than it was asked: the line had lost an answer, and the order may have waited for the next.
+    [[nodiscard]] bool hasWaited() const;
     /// s that its set-point is on its way.
     [[nodiscard]] double rise() const { return rate > 0.0 ? std::abs(step - from) / rate : 0.0; }
 };
 
 /// The ways of a trial to its target and back, with these gains in force. None for what did not move.
 [[nodiscard]] std::vector<LoopRun> runsOf(const Trial &trial, double p, double d, double rate = 0.0);
+
+/// Signed P times counts that a run leaves at its end.
+[[nodiscard]] double leftOf(const LoopRun &run);
+/// When it passed the middle of its way, s after its set-point; never: when it was last seen.
+[[nodiscard]] double halfWay(const LoopRun &run);
 
 /// One run as a system of second order.
 struct StepFit {

@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace mb::tuning {
 namespace {
@@ -46,20 +47,17 @@ constexpr double earlierWhenSmall = 0.8; ///< of the time that a larger step tak
 constexpr double trust = 2.0;            ///< times as quick as what was tried
 constexpr double trustOfLaw = 4.0;       ///< the same where its firmware's law is known
 constexpr double noiseShare = 0.1;       ///< of full output that one count may make through D
-constexpr double cyclesOfDelay = 1.5;
-constexpr double heldMore = 1.15;       ///< times what was seen, that friction may hold
-constexpr double easyFriction = 0.15;   ///< of what P makes of a step
-constexpr double mostGrowth = 2.5;      ///< of steps whose output is not known, where friction takes more of them
-constexpr double restShare = 0.8;       ///< of a hold, after which it rests
-constexpr double shareOfCurrent = 0.7;  ///< of its limit, that P makes a step draw
-constexpr double breakawayOver = 1.4;   ///< times friction, of what was seen to move it
-constexpr double easilyDrawn = 0.6;     ///< of what its current allows, from which on it is led
-constexpr double gentlestP = 12.0;      ///< raw, that its steps are still fine enough of
-constexpr double gentleCounts = 2000.0; ///< of a step that is led
-constexpr double hiddenDrag = 3.0;      ///< times as long as was found, a lag of ways that were led
-constexpr double fastestProfile = 1e6;  ///< counts/s
-constexpr double rateShare = 0.8;       ///< of its current limit, that D makes of a profile that begins
-constexpr double electrical = 0.5e-3;   ///< s
+constexpr double heldMore = 1.15;        ///< times what was seen, that friction may hold
+constexpr double easyFriction = 0.15;    ///< of what P makes of a step
+constexpr double mostGrowth = 2.5;       ///< of steps whose output is not known, where friction takes more of them
+constexpr double shareOfCurrent = 0.7;   ///< of its limit, that P makes a step draw
+constexpr double breakawayOver = 1.4;    ///< times friction, of what was seen to move it
+constexpr double easilyDrawn = 0.6;      ///< of what its current allows, from which on it is led
+constexpr double gentlestP = 12.0;       ///< raw, that its steps are still fine enough of
+constexpr double gentleCounts = 2000.0;  ///< of a step that is led
+constexpr double hiddenDrag = 3.0;       ///< times as long as was found, a lag of ways that were led
+constexpr double fastestProfile = 1e6;   ///< counts/s
+constexpr double rateShare = 0.8;        ///< of its current limit, that D makes of a profile that begins
 
 std::string inWhole(double number)
 {
@@ -91,24 +89,10 @@ ExperimentPlan asItIs(const AutotuneRun &run, double counts, double seconds)
     return plan;
 }
 
-/// Signed P times counts that a run leaves at its end.
-double leftOf(const LoopRun &run)
+/// Share, of what a D makes the motor do.
+double doubtOf(const LoopFit &fit)
 {
-    const Trace tail = run.way.part(restShare * run.way.t.back(), run.way.t.back());
-    return (run.step - median(tail.y)) * run.p;
-}
-
-/// When it passed the middle of its way, s after its set-point; never: when it was last seen.
-double halfWay(const LoopRun &run)
-{
-    for (std::size_t i = 1; i < run.way.size(); ++i) {
-        const double before = run.way.y[i - 1] / run.step;
-        const double now = run.way.y[i] / run.step;
-        if (now >= 0.5 && now > before)
-            return run.way.t[i - 1] + (run.way.t[i] - run.way.t[i - 1]) * (0.5 - before) / (now - before)
-                - 0.5 * run.rise();
-    }
-    return run.way.t.back();
+    return std::hypot(fit.pushError, fit.dError / fit.d);
 }
 
 } // namespace
@@ -130,6 +114,8 @@ Task<void> TwoPointIdentification::identify(AutotuneRun &run)
         co_await std::move(trying);
         if (run.isOver())
             co_return {};
+        if (m_swung) // it is done again with less D
+            continue;
         auto concluding = conclude(run);
         again = co_await std::move(concluding);
     }
@@ -302,6 +288,9 @@ Task<void> TwoPointIdentification::step(AutotuneRun &run, RawGains gains, double
 /// Looks for a first point that neither swings nor creeps.
 Task<void> TwoPointIdentification::settle(AutotuneRun &run)
 {
+    double most = m_first.d; // of what swung
+    double least = m_first.d;
+    bool more = true;
     for (int i = 0; i < mostLooks; ++i) {
         m_runs.clear();
         m_trials.clear();
@@ -310,8 +299,10 @@ Task<void> TwoPointIdentification::settle(AutotuneRun &run)
         co_await std::move(stepping);
         if (run.isOver())
             co_return {};
-        if (m_swung) {
-            m_first.d = std::min(moreDamping * m_first.d, mostRaw / damper);
+        if (m_swung) { // for lack of D, or by a rotor that is free in its play and that D drives to and fro
+            most = std::min(more ? moreDamping * most : most, mostRaw / damper);
+            least = std::max(more ? least : std::round(least / moreDamping), 1.0);
+            m_first.d = std::exchange(more, !more) ? most : least;
             continue;
         }
         const auto fit = m_runs.empty() ? std::nullopt : fitStep(m_runs.front());
@@ -338,6 +329,13 @@ Task<void> TwoPointIdentification::settle(AutotuneRun &run)
         say("see that nothing is loose, and write gains once with which it comes to rest"));
 }
 
+/// Less D, once: what its double makes of a count or of a rotor that is free in its play does not rest. False where that was tried.
+bool TwoPointIdentification::calm()
+{
+    m_first.d = std::max(std::round(m_first.d / moreDamping), 1.0);
+    return !std::exchange(m_calmed, true);
+}
+
 Task<void> TwoPointIdentification::tryAll(AutotuneRun &run)
 {
     const RawGains second{std::round(firmer * m_first.p), m_first.d};
@@ -356,6 +354,8 @@ Task<void> TwoPointIdentification::tryAll(AutotuneRun &run)
         auto stepping = step(run, next.point, next.share * m_drive / next.point.p);
         co_await std::move(stepping);
         if (run.isOver())
+            co_return {};
+        if (m_swung && (enlarge(run) || calm()))
             co_return {};
         if (m_swung)
             co_return fail(Fault::Refused,
@@ -387,7 +387,7 @@ std::vector<Gate> TwoPointIdentification::gatesOf(const LoopFit &fit) const
         load += leftOf(one) / static_cast<double>(m_runs.size());
     load = std::abs(load);
     const bool linear = isLinear();
-    const double doubt = std::hypot(fit.pushError, fit.dError / fit.d); // of what a D makes the motor do
+    const double doubt = doubtOf(fit);
     return {{"fit", say("what is left over is %1 of the steps, at most 8 %", percentText(fit.residual)),
                 fit.residual <= mostResidual, say("see that nothing is loose and that steps look alike")},
         {"damping", say("what D does is known within %1, at most 30 %", percentText(doubt)), doubt <= mostUncertainty,
@@ -438,7 +438,7 @@ Task<bool> TwoPointIdentification::conclude(AutotuneRun &run)
     runs.insert(runs.end(), m_creeping.begin(), m_creeping.end());
     auto fitting = aside<LoopFit>(run.device(), [runs, law, first = *linear] { return fitLoop(runs, law, first); });
     const LoopFit fit = co_await std::move(fitting);
-    if (fit.residual > mostResidual && enlarge(run))
+    if ((fit.residual > mostResidual || doubtOf(fit) > mostUncertainty) && enlarge(run))
         co_return true;
     law.scale.d = fit.d;
     if (m_isLed) // what the linear fit says of runs with a profile is no more than where to begin
@@ -449,7 +449,7 @@ Task<bool> TwoPointIdentification::conclude(AutotuneRun &run)
         plant.tau *= hiddenDrag;
         plant.gain *= hiddenDrag;
     }
-    plant.delay = cyclesOfDelay * law.scale.cycle + electrical;
+    plant.delay = cyclesOfDelay * law.scale.cycle + fit.winding;
     if (run.envelope().current && m_moves.current > 0.0) {
         plant.stallCurrent = m_moves.current / law.scale.p;
         plant.backDuty = 1.0 / plant.gain;

@@ -26,6 +26,7 @@ private:
     [[nodiscard]] Task<void> settle(AutotuneRun &run);
     [[nodiscard]] Task<void> step(AutotuneRun &run, RawGains gains, double counts);
     [[nodiscard]] Task<void> tryAll(AutotuneRun &run);
+    [[nodiscard]] bool calm();
     [[nodiscard]] double holding() const;
     [[nodiscard]] double mostDrive(const AutotuneRun &run) const;
     [[nodiscard]] Result<void> chooseGentle(const AutotuneRun &run);
@@ -47,6 +48,7 @@ private:
     double m_seconds = 0.8;  ///< of each step
     bool m_isLed = false;    ///< by the unit's own profile, at m_rate
     bool m_swung = false;    ///< the last step was ended because the loop swung itself up
+    bool m_calmed = false;   ///< it was begun anew with less D
     bool m_grown = false;    ///< the steps were made larger because friction took much of them
     bool m_enlarged = false; ///< the steps were made larger because play took much of them
     std::vector<LoopRun> m_runs;

@@ -120,12 +120,27 @@ void OscillationWatch::target(double target)
         const bool rising = target > *m_target;
         m_turned = m_turned || rising != m_isRising;
         m_isRising = rising;
+        m_lasting = 0;
     }
     m_target = target;
 }
 
+/// Wherever it swings: friction may hold it beside its target.
+void OscillationWatch::turn(double error, double least)
+{
+    const bool further = m_isGoing ? error > m_farthest : error < m_farthest;
+    if (!further && std::abs(error - m_farthest) > least) {
+        m_isGoing = !m_isGoing;
+        ++m_lasting;
+        m_farthest = error;
+    } else if (further) {
+        m_farthest = error;
+    }
+}
+
 void OscillationWatch::error(double error, double swing, double noise)
 {
+    turn(error, std::max({realPeak * swing, noise, leastMove}));
     const bool positive = error > 0.0;
     if (error == 0.0 || positive == m_isPositive) {
         m_peak = std::max(m_peak, std::abs(error));

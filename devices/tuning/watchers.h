@@ -81,10 +81,14 @@ public:
     void duty(Instant time, double fraction, double limit);
     /// Zero crossings of the error on end whose half waves count.
     [[nodiscard]] int growing() const { return m_growing; }
+    /// Turns of the error, since the target was set.
+    [[nodiscard]] int lasting() const { return m_lasting; }
     /// Changes of direction above half the duty in the last second.
     [[nodiscard]] int flips() const { return static_cast<int>(m_flips.size()); }
 
 private:
+    void turn(double error, double least);
+
     std::optional<double> m_target;
     bool m_isRising = false;   ///< the target, when it moved last
     bool m_turned = false;     ///< since the error crossed zero last
@@ -95,6 +99,9 @@ private:
     double m_lastPositive = 0.0; ///< peak of the half wave before: a motor that turns brakes faster than it accelerates
     double m_lastNegative = 0.0;
     int m_growing = 0;
+    int m_lasting = 0;
+    bool m_isGoing = false;  ///< the error, to more
+    double m_farthest = 0.0; ///< where it has been since it turned
     double m_strongDuty = 0.0;
     std::deque<Instant> m_flips;
 };

@@ -123,6 +123,31 @@ TEST(SimulatedLoop, AClockOfWholeMillisecondsReadsEachTwentyFifthPassLow)
     EXPECT_NE(first[0], other[0]);
 }
 
+TEST(SimulatedLoop, AMotorFollowsItsOutputAsLateAsItsWindingLetsTheCurrent)
+{
+    constexpr double winding = 1.4e-3;
+    const PlantModel plant{400'000.0, 0.25, 0.0015 + winding, 0.05};
+    LoopShape shape;
+    shape.period = 1e-3;
+    std::array<double, 2> places{};
+    std::array<double, 2> speeds{};
+    for (const std::size_t has : {0U, 1U}) {
+        shape.winding = has == 1 ? winding : 0.0;
+        PlantModel own = plant;
+        own.delay -= has == 1 ? 0.0 : winding; // which would be whole passes
+        SimulatedLoop simulated(Mode::Position, own, {1.0, 0.0, 0.0, 0.0}, shape, 0.0);
+        double before = 0.0;
+        for (int pass = 0; pass < 40; ++pass) {
+            before = simulated.value();
+            (void)simulated.pass(1e6);
+        }
+        places.at(has) = simulated.value();
+        speeds.at(has) = (simulated.value() - before) / shape.period;
+    }
+    EXPECT_NEAR((places[0] - places[1]) / speeds[0], winding, 0.05 * winding);
+    EXPECT_GT(speeds[0], speeds[1]) << "it is behind to the end";
+}
+
 TEST(Prediction, ALagWithoutEndEnds)
 {
     const PlantModel endless{1000.0, 1e9, 0.01, 0.0};

@@ -180,6 +180,24 @@ TEST(Guards, OscillationTripsWhenALoopSwingsItselfUpOrHitsBothEnds)
     EXPECT_FALSE(run(wide, 200, [](Guards &g, Instant t, int i) { return g.duty(t, i % 4 < 2 ? 0.2 : -0.2); }));
 }
 
+TEST(Guards, APositionWithoutADutyThatDoesNotComeToRestTripsOscillation)
+{
+    GuardPlan blind = plan();
+    blind.dutyKnown = false;
+    blind.swing = 60.0;
+    const auto swinging = [](double size, double share) {
+        return [size, share](Guards &g, Instant t, int i) { // beside its target
+            return g.error(t, 15.0 + size * std::pow(share, i) * (i % 2 == 0 ? 1.0 : -1.0));
+        };
+    };
+    const auto lasting = run(blind, 100, swinging(10.0, 1.0));
+    ASSERT_TRUE(lasting);
+    EXPECT_EQ(lasting->guard, Guard::Oscillation);
+    EXPECT_FALSE(run(blind, 100, swinging(14.0, 0.9))) << "it comes to rest";
+    EXPECT_FALSE(run(blind, 100, swinging(1.0, 1.0))) << "of a count or two";
+    EXPECT_FALSE(run(plan(), 100, swinging(10.0, 1.0))) << "its duty shows how hard it works";
+}
+
 TEST(Guards, LinkTripsAfterSilenceAndAfterLoss)
 {
     Guards silent(plan(), start);

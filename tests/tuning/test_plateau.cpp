@@ -90,6 +90,31 @@ TEST(Plateau, AMotorThatSwingsInItsPlayIsNotLeftSwinging)
     }
 }
 
+TEST(Plateau, APositionThatSwingsBetweenItsSamplesDoesNotSettle)
+{
+    Trial trial = trialOf(Trace());
+    trial.mode = Mode::Position;
+    trial.signals = {{"position", "counts", {}}};
+    Trace &place = trial.signals.front().trace;
+    for (int i = 0; i < 200; ++i)
+        place.add(i * 0.01, step + (i % 2));
+    EXPECT_TRUE(judgePlace(trial, 2.0).empty());
+    for (std::size_t i = 0; i < place.size(); ++i)
+        place.y[i] = step + 13.0 * std::sin(2.0 * static_cast<double>(i));
+    EXPECT_FALSE(judgePlace(trial, 2.0).empty());
+}
+
+/// The rotor of a 775pro swings in a play of four counts before its load, every 5 ms: its steps do not come to rest, and heat it.
+TEST(Plateau, ARotorThatSwingsBeforeItsLoadIsTriedWithLessD)
+{
+    const MatrixRow row = tuneCell(cellOf("supermodified", "775pro", Mode::Position, 4, 0.0, "D1"), Compare::Kept);
+    std::printf("  %s, %s\n", row.result.c_str(), row.reason.c_str());
+    ASSERT_EQ(row.result, "kept");
+    ASSERT_TRUE(row.kept);
+    EXPECT_LE(row.kept->overshoot, 0.05) << textOf(row);
+    EXPECT_LE(row.kept->itae, 0.001) << textOf(row);
+}
+
 TEST(Plateau, AMotorThatRestsKeepsTheGainsThatWereAskedFor)
 {
     for (const char *const motor : {"rs775", "25d", "n20"}) {

@@ -4,6 +4,7 @@
 #include "tuning/autotune.h"
 #include "tuning/loopfit.h"
 #include "tuning/prediction.h"
+#include "tuning/refinement.h"
 #include "tuning/simulatedloop.h"
 #include "tuning/twopointfit.h"
 
@@ -14,6 +15,7 @@
 #include <cstdio>
 #include <random>
 #include <span>
+#include <tuple>
 
 namespace mb::tuning {
 namespace {
@@ -84,18 +86,26 @@ TEST(TwoPointFit, RefusesStepsThatDoNotTellItsGainsApart)
     EXPECT_EQ(fit.error().fault, Fault::OutOfRange);
 }
 
-/// A record of a loop with friction, as telemetry brings it.
-LoopRun runOf(const PlantModel &plant, const TriedScale &scale, double p, double d, double step, unsigned seed)
+/// How telemetry brings it.
+struct Record {
+    double period = 0.015;
+    double jitter = 0.001;
+};
+
+/// A record of a loop with friction.
+LoopRun runOf(const PlantModel &plant, const TriedScale &scale, double p, double d, double step, unsigned seed,
+    double winding = 0.0, const Record &record = {})
 {
     std::mt19937 random(seed);
-    std::normal_distribution<double> late(0.0, 0.001);
+    std::normal_distribution<double> late(0.0, record.jitter);
     LoopShape shape;
     shape.period = scale.cycle;
     shape.isCounted = true;
+    shape.winding = winding;
     SimulatedLoop loop(Mode::Position, plant, {p * scale.p, 0.0, d * scale.d, 0.0}, shape, 0.0);
     LoopRun run{p, d, step, {}};
     double t = 0.0;
-    for (double at = 0.015; at < 0.9; at += 0.015) {
+    for (double at = record.period; at < 0.9; at += record.period) {
         for (; t < at; t += scale.cycle)
             (void)loop.pass(step);
         run.way.add(at + 0.006 + late(random), std::floor(loop.value()));
@@ -153,6 +163,130 @@ TEST(LoopFit, TellsFrictionFromDragOutOfTheStepsOfItsOwnLoop)
     EXPECT_NEAR(fit->shift, 0.006, 0.002);
     EXPECT_LT(fit->residual, linear->residual);
     EXPECT_FALSE(fitLoop(std::span(runs).first(2), law, *linear)) << "too few";
+}
+
+constexpr double fullOfSupermodified = 256.0 * 255.0;
+constexpr double cycleOfSupermodified = 1.024e-3;
+const LoopLaw lawOfSupermodified{
+    {1.0 / fullOfSupermodified, cycleOfSupermodified / fullOfSupermodified, cycleOfSupermodified, 0.0, 0.0}, true};
+
+/// As a tuning tries them.
+std::vector<LoopRun> runsOfTuning(const PlantModel &plant, double d, double winding)
+{
+    std::vector<LoopRun> runs;
+    unsigned number = 0;
+    for (const double sign : {1.0, -1.0}) {
+        for (const auto &[p, more, step] :
+            {std::tuple(218.0, 1.0, 150.0), std::tuple(545.0, 1.0, 60.0), std::tuple(545.0, 2.0, 60.0)})
+            runs.push_back(
+                runOf(plant, lawOfSupermodified.scale, p, more * d, step * sign, ++number, winding, {0.01, 0.0002}));
+    }
+    return runs;
+}
+
+double pushOf(const PlantModel &plant)
+{
+    return plant.gain / plant.tau;
+}
+
+TEST(LoopFit, TellsTheWindingOfAMotorFromItsInertia)
+{
+    PlantModel plant{425'700.0, 0.245, 0.0, 0.076};
+    plant.braking = 1.1;
+    for (const double winding : {0.8e-3, 1.35e-3}) {
+        const auto runs = runsOfTuning(plant, 2988.0, winding);
+        const auto linear = fitTwoPoint(runs);
+        ASSERT_TRUE(linear) << linear.error().text();
+        const auto fit = fitLoop(runs, lawOfSupermodified, *linear);
+        ASSERT_TRUE(fit) << fit.error().text();
+        std::printf("  winding %.2f ms, found %.2f ms; push %.3f of the true one, left %.4f\n", 1e3 * winding,
+            1e3 * fit->winding, pushOf(fit->plant) / pushOf(plant), fit->residual);
+        EXPECT_NEAR(fit->winding, winding, 0.3e-3);
+        EXPECT_NEAR(pushOf(fit->plant) / pushOf(plant), 1.0, 0.08);
+    }
+}
+
+TEST(LoopFit, AnOrderThatWaitedBehindALostAnswerIsNoSlowerMotor)
+{
+    PlantModel plant{5'400.0, 0.25, 0.0, 0.12};
+    plant.braking = 2.0;
+    std::vector<LoopRun> runs = runsOfTuning(plant, 7470.0, 0.5e-3);
+    for (const std::size_t waited : {1U, 5U}) {
+        Trace late;
+        for (std::size_t i = 3; i < runs[waited].way.size(); ++i)
+            late.add(runs[waited].way.t[i] + 0.025, runs[waited].way.y[i]);
+        runs[waited].way = late;
+        EXPECT_TRUE(runs[waited].hasWaited());
+    }
+    EXPECT_FALSE(runs[0].hasWaited());
+    const auto linear = fitTwoPoint(runs);
+    ASSERT_TRUE(linear) << linear.error().text();
+    const auto fit = fitLoop(runs, lawOfSupermodified, *linear);
+    ASSERT_TRUE(fit) << fit.error().text();
+    std::printf("  push %.3f of the true one, friction %.3f, braking %.2f, left %.4f\n",
+        pushOf(fit->plant) / pushOf(plant), fit->plant.friction, fit->plant.braking, fit->residual);
+    EXPECT_NEAR(pushOf(fit->plant) / pushOf(plant), 1.0, 0.05);
+    EXPECT_LE(farthestApart(plant, fit->plant, lawOfSupermodified.scale), 0.06);
+    EXPECT_LE(fit->residual, 0.006);
+}
+
+TEST(LoopFit, APartOfACountAtWhichItStoodIsNoFriction)
+{
+    PlantModel plant{33'000.0, 0.28, 0.0, 0.17};
+    plant.braking = 2.0;
+    std::vector<LoopRun> runs = runsOfTuning(plant, 7470.0, 0.3e-3);
+    for (LoopRun &run : runs) { // whole counts of it: it stood at the end of one, whichever way it goes
+        for (double &y : run.way.y)
+            y += run.step > 0.0 ? 0.0 : 1.0;
+    }
+    const auto linear = fitTwoPoint(runs);
+    ASSERT_TRUE(linear) << linear.error().text();
+    const auto fit = fitLoop(runs, lawOfSupermodified, *linear);
+    ASSERT_TRUE(fit) << fit.error().text();
+    std::printf("  push %.3f of the true one, friction %.3f, left %.4f\n", pushOf(fit->plant) / pushOf(plant),
+        fit->plant.friction, fit->residual);
+    EXPECT_NEAR(pushOf(fit->plant) / pushOf(plant), 1.0, 0.05);
+    EXPECT_LE(fit->residual, 0.004);
+}
+
+/// A step and its way back, as the proof of a tuning records them.
+Trial provenStep(const PlantModel &plant, const SteppedLoop &loop, double step)
+{
+    constexpr double hold = 0.6;
+    Trial trial;
+    trial.mode = Mode::Position;
+    trial.stimulus.to = step;
+    trial.holds = {{0.0, hold}};
+    trial.returns = {{hold, 2.0 * hold}};
+    SimulatedLoop simulated(Mode::Position, plant, loop.gains, loop.shape, 0.0);
+    Signal position{"position", "counts", {}};
+    double t = -0.05;
+    for (double at = t; at < 2.0 * hold; at += 0.01) {
+        for (; t < at; t += loop.shape.period)
+            (void)simulated.pass(t >= 0.0 && t < hold ? step : 0.0);
+        position.trace.add(at + 0.006, std::floor(simulated.value()));
+    }
+    trial.signals.push_back(position);
+    return trial;
+}
+
+TEST(Refinement, AStepThatIsLessBrakedThanThoughtCorrectsTheBraking)
+{
+    PlantModel plant{425'700.0, 0.32, 1.5 * cycleOfSupermodified + 1.35e-3, 0.1};
+    plant.braking = 1.1;
+    SteppedLoop loop;
+    loop.gains = {0.0048, 0.0, 6.5e-5, 0.0};
+    loop.shape.period = cycleOfSupermodified;
+    loop.shape.winding = 1.35e-3;
+    loop.mostLater = 0.025;
+    loop.isTried = true;
+    loop.trials = {provenStep(plant, loop, 400.0)};
+    PlantModel thought = plant;
+    thought.braking = 1.8;
+    const auto corrected = refinedBy(loop, thought);
+    ASSERT_TRUE(corrected);
+    EXPECT_LT(corrected->braking, 1.5);
+    EXPECT_GE(corrected->braking, 1.0);
 }
 
 TEST(TwoPointTuning, TunesSupermodifiedNodesOfBothScales)
