@@ -3,6 +3,7 @@
 
 #include "model/family.h"
 #include "tuning/evidence.h"
+#include "tuning/gainrules.h"
 
 #include <algorithm>
 #include <cmath>

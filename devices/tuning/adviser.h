@@ -13,7 +13,6 @@ struct Family;
 namespace mb::tuning {
 
 constexpr double mostFeedForward = 0.3;   ///< F·K beside an active I; 0.5 has overshot by 6 to 13 %
-constexpr double leastGainSteps = 50.0;   ///< of a gain's integer
 constexpr double helpOverFriction = 1.25; ///< least output that is advised, over friction
 
 /// What may be behind a response that is not as it should be.

@@ -10,6 +10,8 @@
 
 namespace mb::tuning {
 
+constexpr double leastGainSteps = 50.0; ///< of a gain's integer, with which it can be set finely
+
 enum class Aim { Calm, Normal, Brisk };
 [[nodiscard]] std::string_view toString(Aim aim);
 [[nodiscard]] std::optional<Aim> aimFromString(std::string_view text);

@@ -13,7 +13,6 @@ namespace mb::tuning {
 namespace {
 
 constexpr double leastSteps = 10.0;
-constexpr double fineSteps = 50.0;
 constexpr double largestDivisor = 1e9;
 
 struct Term {
@@ -112,7 +111,7 @@ Result<void> addGain(const Family &family, ParameterIndex index, double number, 
         return fail(Fault::OutOfRange,
             say("%1 would be %2 of its smallest steps, too few to mean anything", key, into.rows.back().raw),
             say("take a finer encoder or a calmer loop"));
-    if (number != 0.0 && steps < fineSteps)
+    if (number != 0.0 && steps < leastGainSteps)
         into.coarse.push_back(key);
     return {};
 }

@@ -17,8 +17,7 @@ constexpr std::size_t unknownCount = 8;
 using LoopSearch = Marquardt<unknownCount>;
 
 constexpr std::size_t fewestRuns = 3;
-constexpr double mostBraking = 2.5; ///< times
-constexpr double farPush = 5.0;     ///< times what one step alone tells
+constexpr double farPush = 5.0; ///< times what one step alone tells
 constexpr double farthestLog = 20.0;
 constexpr double usualLeft = 0.02; ///< of a step: what doubts of the unknowns are weighed against
 constexpr double unknownEnd = 1e3; ///< of what is taken for full duty, at most

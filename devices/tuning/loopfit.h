@@ -29,7 +29,8 @@ struct LoopFit {
 };
 
 /// Runs with different gains, simulated with friction, braking, winding and the end of the output, and moved until they are those that were
-/// measured: those whose order waited behind a lost answer, by that wait as well. `first` is where the search begins. OutOfRange where there are too few of them. Half a second of a processor.
+/// measured: those whose order waited behind a lost answer, by that wait as well. `first` is where the search begins. OutOfRange where
+/// there are too few of them. Half a second of a processor.
 [[nodiscard]] Result<LoopFit> fitLoop(std::span<const LoopRun> runs, const LoopLaw &law, const TwoPointFit &first);
 
 } // namespace mb::tuning

@@ -24,6 +24,8 @@ struct PlantModel {
     friend bool operator==(const PlantModel &, const PlantModel &) = default;
 };
 
+constexpr double mostBraking = 2.5; ///< PlantModel::braking of a gear, the strongest that steps are taken for
+
 /// duty = p·e + i·∫e dt + d·de/dt + f·target, in duty per counts/s, counts or A, and seconds.
 struct ContinuousGains {
     double p = 0.0;

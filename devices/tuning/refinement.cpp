@@ -22,10 +22,9 @@ constexpr double restBeforeStep = 0.05; ///< s
 constexpr double leastFriction = 0.002; ///< duty, that may be found where none was
 constexpr double shareOfPass = 0.25;    ///< to which an order's wait for its pass is told
 constexpr double longestSag = 0.8;
-constexpr double usualSag = 0.3;     ///< that nobody has told before
-constexpr double usualBraking = 0.3; ///< that it is off by
-constexpr double mostBraking = 2.5;  ///< times
-constexpr double sagOfFactor = 3.0;  ///< for each share that the other numbers move by
+constexpr double usualSag = 0.3; ///< that nobody has told before
+constexpr double usualBrakingError = 0.3;
+constexpr double sagOfFactor = 3.0; ///< for each share that the other numbers move by
 
 double PlantModel::*const correctedNumbers[]
     = {&PlantModel::gain, &PlantModel::tau, &PlantModel::friction, &PlantModel::delay};
@@ -173,7 +172,7 @@ private:
             cost += priceOfError * off * off;
         }
         const double sagged = (plant.sag - m_start.sag) / usualSag;
-        const double braked = std::log(plant.braking / m_start.braking) / usualBraking;
+        const double braked = std::log(plant.braking / m_start.braking) / usualBrakingError;
         return cost + priceOfError * (sagged * sagged + braked * braked);
     }
     void look(double PlantModel::*member, double by)
