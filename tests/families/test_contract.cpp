@@ -479,6 +479,11 @@ TEST_P(Contract, KeysAndChannelsFollowTheNamingOfTheProduct)
         EXPECT_FALSE(parameter.help.empty()) << parameter.key;
     }
     EXPECT_FALSE(family().channels.empty());
+    std::set<std::string_view> faults;
+    for (const FaultRow &fault : family().faults) {
+        EXPECT_FALSE(fault.key.empty() || fault.label.empty());
+        EXPECT_TRUE(faults.insert(fault.key).second) << fault.key;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Registry, Contract, testing::ValuesIn(families().begin(), families().end()),

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/firmwareimage.h"
+#include "firmware/intelhex.h"
 #include "support/hextext.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -283,6 +285,19 @@ TEST(IntelHex, SeesEveryFlippedDigit)
             }
         }
     }
+}
+
+TEST(IntelHex, IsWrittenInLinesOfSixteenBytesThatEndWhereAWindowDoes)
+{
+    std::vector<std::uint8_t> bytes(20);
+    std::iota(bytes.begin(), bytes.end(), std::uint8_t(1));
+    const auto part = [&bytes](std::uint32_t address, std::size_t from, std::size_t size) {
+        return hexRecord(0, address, std::span(bytes).subspan(from, size));
+    };
+    EXPECT_EQ(toIntelHex(read(part(0x400, 0, 20) + end)), part(0x400, 0, 16) + part(0x410, 16, 4) + end);
+    const std::string upper = record(4, {0x00, 0x01});
+    const std::string across = part(0xFFF8, 0, 8) + upper + part(0x0000, 8, 12);
+    EXPECT_EQ(toIntelHex(read(across + end)), across + end);
 }
 
 TEST(IntelHex, RefusesATextThatIsTooLong)

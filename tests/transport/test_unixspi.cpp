@@ -22,10 +22,11 @@ struct EchoBoard final : SpiSlave {
         heard.emplace_back(mosi.begin(), mosi.end());
         std::transform(mosi.begin(), mosi.end(), miso.begin(), [](auto b) { return static_cast<std::uint8_t>(~b); });
     }
-    [[nodiscard]] bool isReady() const override { return true; }
+    [[nodiscard]] bool isReady() const override { return ready; }
     void reset() override { }
 
     std::vector<Bytes> heard;
+    bool ready = true;
 };
 
 Task<Bytes> transferOn(SpiLink &link, Bytes mosi)
@@ -67,6 +68,23 @@ TEST_F(UnixSpi, AStopFromAnotherThreadLeavesTheAnswersOfTheLinkWhereTheyBelong)
     EXPECT_EQ(*before.result(), (Bytes{0xFE, 0xFD, 0xFC}));
     EXPECT_EQ(*after.result(), (Bytes{0xFB, 0xFA}));
     EXPECT_EQ(link.state(), LinkState::Open);
+}
+
+TEST_F(UnixSpi, TheLevelOfTheReadyLineComesBackWithEveryTransfer)
+{
+    for (const bool ready : {false, true, false}) {
+        board.ready = ready;
+        Task<Bytes> asked = transferOn(link, {0x01});
+        asked.start();
+        ASSERT_TRUE(loop.runUntil([&] { return asked.isFinished(); }));
+        EXPECT_EQ(link.ready(), ready);
+    }
+    server.attach(nullptr); // nobody pulls it up
+    Task<Bytes> asked = transferOn(link, {0x01});
+    asked.start();
+    ASSERT_TRUE(loop.runUntil([&] { return asked.isFinished(); }));
+    EXPECT_EQ(link.ready(), false);
+    EXPECT_EQ(*asked.result(), Bytes{0});
 }
 
 TEST_F(UnixSpi, NothingIsSentAsideOfALinkThatIsClosed)

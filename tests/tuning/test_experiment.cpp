@@ -230,7 +230,7 @@ TEST(Experiment, GainsThatNobodyCanReadAreRefusedWithTheRemedyUntilTheyWereWritt
     const auto refused = bench.run(plan);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().fault, Fault::OutOfRange);
-    EXPECT_NE(refused.error().text().find("--keep"), std::string::npos) << refused.error().detail;
+    EXPECT_NE(refused.error().text().find("keep what is tried"), std::string::npos) << refused.error().detail;
     EXPECT_FALSE(bench.simulator()->isOutputOn());
     plan.gains = {bench.change("current.averaging", 1.0)};
     EXPECT_FALSE(bench.run(plan));

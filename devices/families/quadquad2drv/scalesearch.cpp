@@ -180,9 +180,9 @@ std::vector<double> ScaleSearch::termsOf(const Run &run, const Track &track, std
     double sum = 0.0;
     for (std::size_t i = 0; i < track.size(); ++i) {
         const double before = i == 0 ? 0.0 : track.seconds[i - 1];
+        const double start = i == 0 ? 0.0 : track.counts[i - 1];
         const double position = track.counts[i];
-        const double mean = i == 0 ? position / 2.0 : (position + track.counts[i - 1]) / 2.0;
-        sum += (run.aim - mean) * (track.seconds[i] - before);
+        sum += (run.aim - (start + position) / 2.0) * (track.seconds[i] - before);
         double term = 0.0;
         if (run.loop == Loop::Velocity)
             term = (run.aim * track.seconds[i] - position) / loopTime;
