@@ -14456,8 +14456,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>ein Gerät mit Seriennummer braucht kein Kennzeichen</translation>
     </message>
     <message>
-        <source>a way of counts</source>
-        <translation>ein Weg in counts</translation>
+        <source>travel</source>
+        <translation>Weg</translation>
     </message>
     <message>
         <source>accepted</source>
@@ -17634,10 +17634,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>time</source>
         <translation>Zeit</translation>
-    </message>
-    <message>
-        <source>travel</source>
-        <translation>Weg</translation>
     </message>
     <message>
         <source>user</source>

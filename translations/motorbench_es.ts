@@ -13968,8 +13968,8 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>un equipo con número de serie no necesita etiqueta</translation>
     </message>
     <message>
-        <source>a way of counts</source>
-        <translation>un recorrido en cuentas</translation>
+        <source>travel</source>
+        <translation>recorrido</translation>
     </message>
     <message>
         <source>accepted</source>
@@ -17634,10 +17634,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>time</source>
         <translation>tiempo</translation>
-    </message>
-    <message>
-        <source>travel</source>
-        <translation>recorrido</translation>
     </message>
     <message>
         <source>user</source>

@@ -13968,8 +13968,8 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>un appareil qui a un numéro de série n’a pas besoin de repère</translation>
     </message>
     <message>
-        <source>a way of counts</source>
-        <translation>une distance en counts</translation>
+        <source>travel</source>
+        <translation>course</translation>
     </message>
     <message>
         <source>accepted</source>
@@ -17634,10 +17634,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>time</source>
         <translation>temps</translation>
-    </message>
-    <message>
-        <source>travel</source>
-        <translation>course</translation>
     </message>
     <message>
         <source>user</source>

@@ -13954,8 +13954,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>シリアル番号のある機器にタグは不要です</translation>
     </message>
     <message>
-        <source>a way of counts</source>
-        <translation>counts 単位の移動量</translation>
+        <source>travel</source>
+        <translation>移動量</translation>
     </message>
     <message>
         <source>accepted</source>
@@ -17620,10 +17620,6 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>time</source>
         <translation>時間</translation>
-    </message>
-    <message>
-        <source>travel</source>
-        <translation>移動量</translation>
     </message>
     <message>
         <source>user</source>

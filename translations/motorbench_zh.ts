@@ -13954,8 +13954,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>有序列号的设备不需要标签</translation>
     </message>
     <message>
-        <source>a way of counts</source>
-        <translation>计数形式的行程</translation>
+        <source>travel</source>
+        <translation>行程</translation>
     </message>
     <message>
         <source>accepted</source>
@@ -17620,10 +17620,6 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>time</source>
         <translation>时间</translation>
-    </message>
-    <message>
-        <source>travel</source>
-        <translation>行程</translation>
     </message>
     <message>
         <source>user</source>

@@ -188,11 +188,11 @@ Result<void> checkInside(const Envelope &envelope, Mode mode, const Stimulus &st
     if (mode == Mode::Velocity && most > envelope.speed.value_or(none))
         return outside(say("speed"), most, *envelope.speed);
     if (mode == Mode::Velocity && wayOf(stimulus) * repeat > travel)
-        return outside(say("a way of counts"), wayOf(stimulus) * repeat, travel);
+        return outside(say("travel"), wayOf(stimulus) * repeat, travel);
     if (mode == Mode::Position) {
         const double farthest = std::max(std::abs(stimulus.from - position), std::abs(stimulus.to - position));
         if (farthest > travel)
-            return outside(say("a way of counts"), farthest, travel);
+            return outside(say("travel"), farthest, travel);
     }
     return {};
 }
