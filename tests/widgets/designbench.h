@@ -2,11 +2,21 @@
 #pragma once
 
 #include "tunebench.h"
+#include "widgets/common/applytheme.h"
 #include "widgets/design/designpage.h"
 #include "widgets/design/ownproposal.h"
 #include "widgets/design/proposalcard.h"
 
 namespace mb::test {
+
+/// For what depends on sizes: letters and theme as the program has them without a desktop.
+inline void dressAsTheProgram()
+{
+    QFont font = QApplication::font();
+    font.setPointSizeF(10.0);
+    QApplication::setFont(font);
+    applyTheme(*qApp, darkTheme());
+}
 
 /// A report as an identification of the simulated drive gives it.
 inline tuning::TuneReport identified()

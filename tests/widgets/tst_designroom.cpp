@@ -2,7 +2,6 @@
 // How the parts of the Design page name and space what they show.
 #include "designbench.h"
 #include "support/windowtests.h"
-#include "widgets/common/applytheme.h"
 #include "widgets/design/adviserlist.h"
 #include "widgets/design/bodeplot.h"
 #include "widgets/design/designcolumn.h"
@@ -57,13 +56,9 @@ int seenLabels(const CurvePlot &plot)
 
 } // namespace
 
-/// As in the program: sizes depend on it.
 void TestDesignRoom::initTestCase()
 {
-    QFont font = QApplication::font();
-    font.setPointSizeF(10.0);
-    QApplication::setFont(font);
-    applyTheme(*qApp, darkTheme());
+    dressAsTheProgram();
 }
 
 void TestDesignRoom::labelsOfALowPlotDoNotTouch_data()

@@ -4,7 +4,6 @@
 #include "report/modelfigures.h"
 #include "support/windowtests.h"
 #include "tuning/announcement.h"
-#include "widgets/common/applytheme.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/design/adviserlist.h"
@@ -97,6 +96,16 @@ void settleDown()
         QCoreApplication::processEvents();
 }
 
+/// A tuning in the smallest window that came to this.
+void endSmall(DesignBench &bench, TuneResult result)
+{
+    makeSmall(bench);
+    bench.arm();
+    bench.page->identify();
+    bench.finish(ended(result));
+    settleDown();
+}
+
 bool isSeenWhole(const QWidget *part)
 {
     return part && part->visibleRegion().boundingRect() == part->rect();
@@ -110,13 +119,9 @@ bool isInSight(const QWidget &part, const DesignColumn &column)
 
 } // namespace
 
-/// As in the program: sizes depend on it.
 void TestDesignSight::initTestCase()
 {
-    QFont font = QApplication::font();
-    font.setPointSizeF(10.0);
-    QApplication::setFont(font);
-    applyTheme(*qApp, darkTheme());
+    dressAsTheProgram();
 }
 
 void TestDesignSight::theModelIsToldInTheWordsOfTheReport()
@@ -211,11 +216,7 @@ void TestDesignSight::theSetsAndTheSlidersAreInSightInTheSmallestWindow()
 void TestDesignSight::theNumberedStepsAreInSightInTheSmallestWindowAndOnlyWhyItWasKeptScrolls()
 {
     DesignBench bench;
-    makeSmall(bench);
-    bench.arm();
-    bench.page->identify();
-    bench.finish(ended(TuneResult::Kept));
-    settleDown();
+    endSmall(bench, TuneResult::Kept);
     const auto &steps = *bench.page->findChild<TuningSteps *>();
     for (const char *words : {"Kept", "Write P, I", "Run 4 steps", "% duty", "Keep it in slot", "over ≤", "Else put",
              "Identify and Autotune push first"}) {
@@ -233,11 +234,7 @@ void TestDesignSight::theNumberedStepsAreInSightInTheSmallestWindowAndOnlyWhyItW
 void TestDesignSight::whyATuningFailedStandsAboveTheSteps()
 {
     DesignBench bench;
-    makeSmall(bench);
-    bench.arm();
-    bench.page->identify();
-    bench.finish(ended(TuneResult::RolledBack));
-    settleDown();
+    endSmall(bench, TuneResult::RolledBack);
     const auto &steps = *bench.page->findChild<TuningSteps *>();
     const QLabel *const why = labelWith(steps, QStringLiteral("within 15 s"));
     const QLabel *const first = labelWith(steps, QStringLiteral("Write P, I"));

@@ -80,8 +80,7 @@ QStringList remedyTexts(const Family &family, const std::vector<std::pair<std::s
         if (!index)
             continue;
         const Parameter &parameter = family.parameters[index->value];
-        const QString number = parameter.one == 1.0 ? formatNumber(value) : formatSignificant(value, 4);
-        parts << QStringLiteral("%1 = %2").arg(shortName(parameter), number);
+        parts << QStringLiteral("%1 = %2").arg(shortName(parameter), shortNumber(parameter, value));
     }
     return parts;
 }

@@ -4,6 +4,7 @@
 #include "model/axis.h"
 #include "model/loopparameters.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/numberformat.h"
 
 #include <QCoreApplication>
 
@@ -84,6 +85,11 @@ GainSet gainSet(const Family &family, Mode mode, int slot, int axis)
 QString shortName(const Parameter &parameter)
 {
     return isGain(parameter) ? qt(gainLetter(parameter.role)) : tableText(parameter.label);
+}
+
+QString shortNumber(const Parameter &parameter, double value)
+{
+    return parameter.one == 1.0 ? formatNumber(value) : formatSignificant(value, 4);
 }
 
 QString gainUnit(const Family &family, const Parameter &parameter, Mode mode)

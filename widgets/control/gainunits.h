@@ -22,6 +22,8 @@ struct GainSet {
 [[nodiscard]] GainSet gainSet(const Family &family, Mode mode, int slot, int axis = 0);
 /// P, I, D, F: as short as it stands at a row of its own. Of what bounds a gain, the label of the table.
 [[nodiscard]] QString shortName(const Parameter &parameter);
+/// Its value beside that: whole where its integer is what it says, else four digits.
+[[nodiscard]] QString shortNumber(const Parameter &parameter, double value);
 /// Whether the device closes a loop in this mode.
 [[nodiscard]] bool isClosedLoop(Mode mode);
 

@@ -171,7 +171,7 @@ void ProposalCard::addRow(QGridLayout &grid, const Parameter &parameter, const t
     grid.addWidget(
         textLabel(shortName(parameter), isGain(parameter) ? TextRole::Emphasis : TextRole::Body, Tone::Text, this), row,
         0);
-    auto *const value = new QLabel(whole ? formatNumber(gain.number) : formatSignificant(gain.number, 4), this);
+    auto *const value = new QLabel(shortNumber(parameter, gain.number), this);
     setTextRole(*value, TextRole::Emphasis);
     grid.addWidget(value, row, 1, Qt::AlignRight);
     if (!whole || isGain(parameter))
