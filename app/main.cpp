@@ -6,6 +6,7 @@
 #include "app/plotfile.h"
 #include "app/reportfile.h"
 
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 
@@ -22,7 +23,7 @@ int main(int argc, char **argv)
     // Before there is a window: a wrong call needs no display.
     const auto options = mb::Options::parse(arguments);
     if (!options) {
-        std::fprintf(stderr, "motorbench: %s\n", options.error().text().c_str());
+        std::fprintf(stderr, "%s: %s\n", program_invocation_short_name, options.error().text().c_str());
         return 2;
     }
     if (arguments.contains(QStringLiteral("--help")) || arguments.contains(QStringLiteral("-h"))) {

@@ -6,6 +6,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include <cerrno>
 #include <cstdio>
 
 namespace mb {
@@ -18,7 +19,7 @@ constexpr int wrongInput = 2;
 int refuse(const Error &error, bool json)
 {
     if (!json) {
-        std::fprintf(stderr, "motorbench: %s\n", error.text().c_str());
+        std::fprintf(stderr, "%s: %s\n", program_invocation_short_name, error.text().c_str());
         return wrongInput;
     }
     const QJsonObject row{{QStringLiteral("status"), wrongInput},

@@ -17711,5 +17711,13 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>F is 0: with an integral both would give what friction and speed take, and it would overshoot</source>
         <translation>F ist 0: Zusammen mit einem Integral gäben beide, was Reibung und Drehzahl brauchen, und es schwänge über</translation>
     </message>
+    <message>
+        <source>it is %1</source>
+        <translation>es ist %1</translation>
+    </message>
+    <message>
+        <source>number %1 has another session</source>
+        <translation>Nummer %1 hat eine andere Session</translation>
+    </message>
 </context>
 </TS>

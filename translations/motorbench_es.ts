@@ -17711,5 +17711,13 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>F is 0: with an integral both would give what friction and speed take, and it would overshoot</source>
         <translation>F es 0: junto con una integral ambos darían lo que piden la fricción y la velocidad, y habría sobreimpulso</translation>
     </message>
+    <message>
+        <source>it is %1</source>
+        <translation>es %1</translation>
+    </message>
+    <message>
+        <source>number %1 has another session</source>
+        <translation>el número %1 tiene otra sesión</translation>
+    </message>
 </context>
 </TS>

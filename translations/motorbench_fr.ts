@@ -17711,5 +17711,13 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>F is 0: with an integral both would give what friction and speed take, and it would overshoot</source>
         <translation>F vaut 0 : avec une intégrale, les deux donneraient ce que prennent le frottement et la vitesse, et il y aurait un dépassement</translation>
     </message>
+    <message>
+        <source>it is %1</source>
+        <translation>c&apos;est %1</translation>
+    </message>
+    <message>
+        <source>number %1 has another session</source>
+        <translation>le numéro %1 a une autre session</translation>
+    </message>
 </context>
 </TS>

@@ -17697,5 +17697,13 @@ double click plots it, drag it to a pane or below them</source>
         <source>F is 0: with an integral both would give what friction and speed take, and it would overshoot</source>
         <translation>F は 0 です: 積分があると、摩擦と速度に必要な分を両方が出し、オーバーシュートします</translation>
     </message>
+    <message>
+        <source>it is %1</source>
+        <translation>%1 です</translation>
+    </message>
+    <message>
+        <source>number %1 has another session</source>
+        <translation>番号 %1 のセッションは異なります</translation>
+    </message>
 </context>
 </TS>

@@ -17697,5 +17697,13 @@ double click plots it, drag it to a pane or below them</source>
         <source>F is 0: with an integral both would give what friction and speed take, and it would overshoot</source>
         <translation>F 为 0：有积分时，两者都会给出摩擦和速度所需的输出，从而产生超调</translation>
     </message>
+    <message>
+        <source>it is %1</source>
+        <translation>它是 %1</translation>
+    </message>
+    <message>
+        <source>number %1 has another session</source>
+        <translation>编号 %1 的会话不同</translation>
+    </message>
 </context>
 </TS>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/output.h"
 
-#include "async/sleep.h"
-
 #include <QJsonDocument>
 
 #include <algorithm>
@@ -99,18 +97,6 @@ void Output::failed(Error error)
     m_buffer.clear();
     m_writable.setEnabled(false);
     m_timer.startIn(Duration::zero(), [this] { m_broken.notify(); });
-}
-
-Task<void> Output::room()
-{
-    flush();
-    Sleep pass(m_clock, Duration::zero());
-    co_await pass;
-    while (!m_isBroken && m_buffer.size() > enough) {
-        Sleep nap(m_clock, latency);
-        co_await nap;
-    }
-    co_return {};
 }
 
 void complain(std::string_view text)

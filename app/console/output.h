@@ -36,8 +36,6 @@ public:
     /// Everything was written, or never will be.
     [[nodiscard]] bool isDone() const { return m_buffer.empty() || m_isBroken; }
     [[nodiscard]] Listeners<> &done() { return m_done; }
-    /// For who makes text faster than anybody reads: lets the event loop run, and goes on once there is room.
-    [[nodiscard]] Task<void> room();
     /// Drops what waits, and says that it was lost.
     void abandon();
 

@@ -79,10 +79,15 @@ Result<ServicePlan> check(const Console &console, const ServiceArguments &a)
     return plan;
 }
 
+/// A family without serial numbers has its addresses.
+const std::string &nameOf(const service::Visit &visit)
+{
+    return !visit.serial.empty() ? visit.serial : !visit.unit.empty() ? visit.unit : visit.device;
+}
+
 std::string textOf(const service::Visit &visit)
 {
-    std::string text = std::string(toString(visit.outcome)) + "  " + (visit.serial.empty() ? visit.unit : visit.serial)
-        + "  " + visit.device;
+    std::string text = std::string(toString(visit.outcome)) + "  " + nameOf(visit) + "  " + visit.device;
     if (!visit.to.empty())
         text += "  " + (visit.from.empty() ? "?" : visit.from) + " → " + visit.to;
     text += "  " + numberText(std::round(visit.seconds * 10.0) / 10.0) + " s";
@@ -139,7 +144,7 @@ private:
         for (const service::QueueRow &row : m_queue.rows()) {
             if (row.state == service::RowState::Running && !row.what.empty())
                 m_progress.step(
-                    say("%1 %2: %3", row.visit.serial, toString(row.visit.step), row.what), row.done, row.total);
+                    say("%1 %2: %3", nameOf(row.visit), toString(row.visit.step), row.what), row.done, row.total);
         }
     }
     void print(const service::Visit &visit)

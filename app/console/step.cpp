@@ -7,6 +7,7 @@
 #include "app/console/target.h"
 #include "app/console/trialtext.h"
 #include "app/console/verb.h"
+#include "async/outputfile.h"
 #include "async/progress.h"
 #include "async/sleep.h"
 #include "model/parametertransfer.h"
@@ -122,6 +123,8 @@ Result<StepPlan> check(const Console &console, const StepArguments &a)
         return fail(
             Fault::Unsupported, say("%1 has no loop that can be tried", family.title), say("leave it to 'drive'"));
     StepPlan plan{std::move(*target), {}, a.samples, a.save, a.yes};
+    if (auto writable = a.save.empty() ? Result<void>() : checkWritable(a.save); !writable)
+        return fail(writable.error());
     const auto mode = parseLoop(family, a.mode);
     if (!mode)
         return fail(mode.error());
@@ -216,7 +219,8 @@ Task<int> perform(Console &console, Session &session, Device &device, StepPlan p
     printTrial(console, *trial, trial->number);
     if (!plan.save.empty()) {
         if (auto saved = saveTrial(plan.save, *trial, trial->number); !saved)
-            co_return fail(saved.error());
+            co_return fail(
+                Fault::Refused, saved.error().detail, saved.error().remedy); // the motor has turned: no wrong usage
     }
     co_return verdictOf(*trial);
 }

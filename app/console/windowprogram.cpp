@@ -15,7 +15,7 @@ namespace mb::console {
 Error becomeWindow(std::vector<std::string> words)
 {
     const std::string program = QCoreApplication::applicationDirPath().toStdString() + "/motorbench";
-    std::string name = program;
+    std::string name = "motorbenchctl"; // what it complains of was typed to this program
     std::vector<char *> pointers{name.data()};
     for (std::string &word : words)
         pointers.push_back(word.data());

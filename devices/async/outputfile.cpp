@@ -81,6 +81,14 @@ Error notWritten(Fault fault, const std::string &path, int systemError)
     return error;
 }
 
+Result<void> checkWritable(const std::string &path)
+{
+    struct stat status { };
+    if (::stat(path.c_str(), &status) == 0 && S_ISFIFO(status.st_mode))
+        return {};
+    return OutputFile(path).open();
+}
+
 OutputFile::OutputFile(std::string path)
     : m_path(std::move(path))
 {

@@ -50,6 +50,10 @@ private:
 /// All of it or nothing, by an OutputFile.
 [[nodiscard]] Result<void> writeFile(const std::string &path, std::string_view bytes);
 
+/// Whether a file could be written there now: its folder, its kind, the permission. For who has long work before the writing, and
+/// would fail after it. Whether the disk has room nobody knows before. A pipe is not touched: its reader would take that for the end.
+[[nodiscard]] Result<void> checkWritable(const std::string &path);
+
 /// Why a file cannot be written and what helps, never in the words of the locale: "the disk is full", "make room, or …".
 [[nodiscard]] Error writeFailure(Fault fault, int systemError);
 /// The same of this file: "PATH cannot be written: the disk is full".

@@ -102,12 +102,19 @@ Task<Device *> Session::connect(DeviceSelector selector)
     auto looking = recording ? overhear(*recording) : ask(*link, selector);
     const std::vector<Device *> seen = co_await std::move(looking);
     std::vector<Device *> fitting;
+    const Device *other = nullptr; // of that number, of another session
     for (Device *device : seen) {
         const Identity &identity = device->identity();
-        if (identity.family == selector.family && identity.address == selector.address
-            && (!selector.session || identity.session == selector.session))
+        if (identity.family != selector.family || identity.address != selector.address)
+            continue;
+        if (!selector.session || identity.session == selector.session)
             fitting.push_back(device);
+        else
+            other = device;
     }
+    if (fitting.empty() && other)
+        co_return fail(
+            Fault::Timeout, say("number %1 has another session", selector.address), say("it is %1", other->selector()));
     if (fitting.empty())
         co_return fail(Fault::Timeout,
             recording

@@ -122,6 +122,8 @@ private:
             if (!std::getline(m_file, line) || line.size() > longestLine)
                 return false;
             ++m_line;
+            if (m_line == 1 && line.rfind("\xEF\xBB\xBF", 0) == 0) // a spreadsheet's mark of UTF-8
+                line.erase(0, 3);
             if (!line.empty() && line.back() == '\r')
                 line.pop_back();
         } while (line.empty());

@@ -13,8 +13,9 @@ namespace mb::service {
 {
     if (number == 0.0 || !std::isfinite(number))
         return "0";
-    const double step = std::pow(10.0, std::min(0.0, std::floor(std::log10(std::abs(number))) - 2.0));
-    return numberText(std::round(number / step) * step);
+    const double perUnit = std::pow(10.0, std::max(0.0, 2.0 - std::floor(std::log10(std::abs(number)))));
+    return numberText(
+        std::round(number * perUnit) / perUnit); // a quotient of whole numbers is the nearest to its decimals
 }
 
 } // namespace mb::service

@@ -5,12 +5,6 @@
 
 namespace mb::service {
 
-std::string_view toString(RowState state)
-{
-    constexpr std::array<std::string_view, 6> words{"waiting", "running", "skipped", "passed", "failed", "refused"};
-    return words[static_cast<std::size_t>(state)];
-}
-
 RowState stateOf(Outcome outcome)
 {
     switch (outcome) {

@@ -12,7 +12,6 @@ namespace mb::service {
 
 /// Where a row of the queue stands. The last three are the words of Outcome.
 enum class RowState { Waiting, Running, Skipped, Passed, Failed, Refused };
-[[nodiscard]] std::string_view toString(RowState state); ///< waiting running skipped passed failed refused
 /// The word of a verdict for a row; Waiting while there is none.
 [[nodiscard]] RowState stateOf(Outcome outcome);
 

@@ -46,8 +46,8 @@ QJsonObject testLine(const Visit &visit)
 
 QString evidenceOf(const Visit &visit)
 {
-    const Message told = joined(visit.cause, visit.remedy);
-    return qt((told.empty() ? visit.evidence : told).english());
+    const Message trail = visit.evidence == visit.cause ? Message() : visit.evidence;
+    return qt(joined(joined(visit.cause, visit.remedy), trail).english());
 }
 
 std::string csvCell(const std::string &text)

@@ -96,6 +96,8 @@ Task<void> perform(AutotuneRun &run, const TunePlan &plan)
     auto proposing = design.propose();
     co_await std::move(proposing);
     if (plan.propose) {
+        auto reading = readGains(run.device(), plan.loop, plan.axis, plan.slot);
+        run.report().before = co_await std::move(reading);
         run.report().result = TuneResult::Proposed;
         co_return {};
     }

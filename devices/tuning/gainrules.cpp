@@ -87,12 +87,6 @@ ContinuousGains currentRule(const PlantModel &plant, double lambda)
     return {plant.tau * i, i, 0.0, 0.0};
 }
 
-ContinuousGains relayRule(double ultimateGain, double period)
-{
-    const double p = ultimateGain / 2.2;
-    return {p, p / (2.2 * period), p * period / 6.3, 0.0};
-}
-
 double responseOf(Mode loop, Aim aim, const PlantModel &plant)
 {
     const auto step = static_cast<std::size_t>(aim);

@@ -26,8 +26,6 @@ enum class Aim { Calm, Normal, Brisk };
     const PlantModel &plant, double omega, double zeta, double alpha);
 /// Lambda tuning of a current loop; `plant.tau` is L/R.
 [[nodiscard]] ContinuousGains currentRule(const PlantModel &plant, double lambda);
-/// Tyreus–Luyben PID out of a relay's ultimate gain (duty per count, corrected for friction) and period. A fallback.
-[[nodiscard]] ContinuousGains relayRule(double ultimateGain, double period);
 
 /// The closed loop that an aim means: s of response in a velocity or current loop, 1/omega in a position loop.
 [[nodiscard]] double responseOf(Mode loop, Aim aim, const PlantModel &plant);

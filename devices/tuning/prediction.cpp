@@ -9,7 +9,11 @@ namespace {
 
 constexpr double restBefore = 0.05;   ///< s that the loop rests at `from`
 constexpr double shownPeriod = 0.001; ///< s between the samples of the result
-constexpr double leastShownMove = 5.0;
+
+double leastMoveOf(Mode loop)
+{
+    return loop == Mode::Current ? 0.0 : 5.0;
+}
 
 } // namespace
 
@@ -33,7 +37,7 @@ Prediction predictStep(Mode loop, const PlantModel &plant, const ContinuousGains
             next += shownPeriod;
         }
     }
-    result.metrics = readResponse(result.measured, to, loop == Mode::Current ? 0.0 : leastShownMove).metrics;
+    result.metrics = readResponse(result.measured, to, leastMoveOf(loop)).metrics;
     if (shape.windowCounts > 0.0)
         result.metrics.settle = settledWidely(result.measured, to);
     if (plant.stallCurrent > 0.0)
@@ -48,6 +52,13 @@ Prediction predictStep(Mode loop, const PlantModel &plant, const ContinuousGains
     shape.period = period;
     shape.mostDuty = mostDuty;
     return predictStep(loop, plant, gains, from, to, seconds, shape);
+}
+
+void sumOver(Prediction &prediction, Mode loop, double to, double seconds)
+{
+    const Metrics metrics = readResponse(prediction.measured.part(-restBefore, seconds), to, leastMoveOf(loop)).metrics;
+    prediction.metrics.iae = metrics.iae;
+    prediction.metrics.itae = metrics.itae;
 }
 
 } // namespace mb::tuning

@@ -24,4 +24,7 @@ constexpr double longestPrediction = 60.0;
 [[nodiscard]] Prediction predictStep(Mode loop, const PlantModel &plant, const ContinuousGains &gains, double from,
     double to, double seconds, double mostDuty = 1.0, double period = 0.0005);
 
+/// Sums of the error over the first `seconds` alone: a trial whose hold is as long has no more of it, and the two can be compared.
+void sumOver(Prediction &prediction, Mode loop, double to, double seconds);
+
 } // namespace mb::tuning

@@ -24,7 +24,9 @@ public:
     [[nodiscard]] const std::optional<Trip> &trip() const { return m_trip; }
     /// When the stop of the trip was handed to the link.
     [[nodiscard]] Instant stoppedAt() const { return m_stoppedAt; }
-    /// Newest value of the measured channel, or of another of this axis.
+    /// Newest value of the measured channel.
+    [[nodiscard]] std::optional<double> measured() const { return latest(m_measured); }
+    /// The same of another channel of this axis.
     [[nodiscard]] std::optional<double> latest(std::string_view key) const;
     /// Seconds since `zero`.
     [[nodiscard]] Trace trace(std::string_view key, Instant zero) const;

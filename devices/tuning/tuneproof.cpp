@@ -189,6 +189,7 @@ Task<void> TuneProof::prove()
             report.before.begin(), report.before.end(), [](const auto &gain) { return !gain.second.has_value(); });
         m_mayStay = plan.keep && unknown && m_slot == plan.slot; // else they are put back
     }
+    sumOver(*report.predicted, m_run.plan().loop, m_design.step(), hold());
     for (const double sign : {1.0, -1.0}) {
         auto running = m_run.run(planOf(sign));
         report.proof.push_back(co_await std::move(running));

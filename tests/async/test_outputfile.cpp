@@ -72,6 +72,19 @@ TEST_F(OutputFileTest, LeavesTheOldFileWhenTheRoomEnds)
     EXPECT_EQ(files(), 1);
 }
 
+TEST_F(OutputFileTest, CanBeAskedBeforeWhetherItCouldBeWritten)
+{
+    EXPECT_TRUE(checkWritable(path("new.txt")));
+    EXPECT_TRUE(checkWritable(make("old.txt", "precious")));
+    EXPECT_EQ(read(path("old.txt")), "precious");
+    EXPECT_EQ(files(), 1) << "asking leaves nothing";
+    EXPECT_FALSE(checkWritable(path("no/such/folder")));
+    EXPECT_FALSE(checkWritable(path("")));
+    EXPECT_FALSE(checkWritable(""));
+    ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+    EXPECT_TRUE(checkWritable(path("pipe"))) << "its reader may come later";
+}
+
 TEST_F(OutputFileTest, LeavesTheOldFileWithoutCommit)
 {
     const std::string old = make("backup.json", "precious");

@@ -61,6 +61,7 @@ class Plot(ContractTest):
         self.assert_error(2, "plot", says="file")
         self.assert_error(2, "plot", str(bad), says="--out")
         self.assert_error(2, "plot", str(bad), "--out", str(out), says="line 3")
+        self.assertTrue(Run(["plot", str(bad), "--out", str(out)]).err.startswith("motorbenchctl: "))
         self.assert_error(2, "plot", "/nonexistent.mcap", "--out", str(out), says="/nonexistent.mcap")
         self.assert_error(2, "plot", "/dev/null", "--out", str(out))
         self.assert_error(2, "plot", self.recording(), "--out", str(self.path / "c.gif"), says="c.gif")

@@ -106,6 +106,8 @@ class Tune(ContractTest):
         row = self.run_one("tune", LIVELY, "--loop", "velocity", "--propose")
         self.assertLessEqual(TUNE, row.keys())
         self.assertEqual(row["result"], "proposed")
+        for key, gain in row["gains"].items():
+            self.assertEqual(gain["from"], before["parameters"][key]["value"])
         self.assertLessEqual({"gain", "tau", "delay", "friction", "unit", "filter", "window"}, row["model"].keys())
         self.assertEqual(row["model"]["filter"], "rolling")
         self.assertAlmostEqual(row["model"]["window"], 0.1, delta=0.01)
@@ -158,6 +160,16 @@ class Tune(ContractTest):
         self.assert_error(2, "tune", CIM, "--loop", "velocity", "--aim", "reckless")
         self.assert_error(2, "tune", CIM, "--loop", "velocity", "--propose", "--store")
         self.assert_error(2, "tune", CIM, "--loop", "velocity", "--response", "0.1")
+
+    def test_where_nothing_can_be_saved_nothing_moves(self):
+        for path in ("/nonexistent/x", "/"):
+            self.assert_error(2, "tune", CIM, "--loop", "velocity", "--propose", "--save", path, says="cannot be written")
+            self.assert_error(2, "step", CIM, "--mode", "velocity", "--to", "2000", "--save", path, says="cannot be written")
+
+    def test_what_cannot_be_saved_after_the_motor_has_turned_is_no_wrong_usage(self):
+        run = Run(["--json", "step", CIM, "--mode", "velocity", "--to", "2000", "--time", "0.3", "--save", "/dev/full"])
+        self.assertEqual(run.status, 1, run.err)
+        self.assertIn("disk is full", run.err)
 
 
 class Trouble(ContractTest):

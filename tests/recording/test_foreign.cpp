@@ -148,6 +148,17 @@ TEST(ForeignTable, OfPythonAndOfASpreadsheetAreRead)
     EXPECT_DOUBLE_EQ((*read)->telemetry->last(channelOf(**read, "speed"))->value, 30.0);
 }
 
+TEST(ForeignTable, AMarkOfUtf8BeforeOurOwnLinesIsNoPartOfThem)
+{
+    const test::Folder folder;
+    for (const std::string_view text :
+        {"t,channel,value,unit\r\n0.1,speed,5,rpm\r\n", "time_s,speed (rpm)\r\n0.1,5\r\n"}) {
+        const auto read = loadRecording(write(folder, "marked.csv", "\xEF\xBB\xBF" + std::string(text)));
+        ASSERT_TRUE(read) << read.error().text();
+        EXPECT_DOUBLE_EQ((*read)->telemetry->last(channelOf(**read, "speed"))->value, 5.0);
+    }
+}
+
 TEST(ForeignTable, SemicolonsWithDecimalCommasAndMillisecondsAreRead)
 {
     const test::Folder folder;

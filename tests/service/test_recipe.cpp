@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/family.h"
 #include "model/registry.h"
+#include "service/figuretext.h"
 #include "service/goldenband.h"
 #include "service/jsonlines.h"
 #include "service/recipematter.h"
@@ -41,6 +42,17 @@ std::string mistakeIn(QByteArray text, const char *what, const char *with)
     const auto parsed = parse(text);
     EXPECT_FALSE(parsed) << with;
     return parsed ? std::string() : parsed.error().text();
+}
+
+TEST(FigureText, HasThreeDigitsAndNoNoiseOfBinaryFractions)
+{
+    EXPECT_EQ(figureText(0.34618), "0.346");
+    EXPECT_EQ(figureText(0.0001), "0.0001");
+    EXPECT_EQ(figureText(-0.09163), "-0.0916");
+    EXPECT_EQ(figureText(46.12), "46.1");
+    EXPECT_EQ(figureText(4310.4), "4310");
+    for (int i = 1; i < 1000; ++i)
+        EXPECT_LE(figureText(i / 1e6).size(), std::string("0.000999").size()) << i;
 }
 
 TEST(Recipes, SayWhatIsDoneToEveryUnit)

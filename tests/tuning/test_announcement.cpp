@@ -140,6 +140,8 @@ TEST(Announcement, WhatNobodyKnowsIsBoundedByTheLimits)
     EXPECT_DOUBLE_EQ(known.travel.value_or(0.0), 1000.0); // it rolls on by a quarter
     EXPECT_EQ(textOf(extentOf(Envelope{5000.0, 300.0, {}, 0.4})).english(),
         "at most 40 % duty, 300 counts/s and 5000 counts from where it stands");
+    EXPECT_EQ(textOf(extentOf(Envelope{3.75, 0.29, {}, 0.4})).english(),
+        "at most 40 % duty, 0.29 counts/s and 3.8 counts from where it stands");
     trial.envelope.speed = 300.0;
     EXPECT_DOUBLE_EQ(extentOf(plan, trial, 0.0, 1000.0).speed.value_or(0.0), 300.0);
 }

@@ -39,6 +39,31 @@ TEST(Experiment, AVelocityStepOfTheWellTunedUnitOvershootsLittleAndOfTheOtherMuc
     EXPECT_NEAR(seven->metrics.overshoot.value_or(0.0), 0.20, 0.05);
 }
 
+TEST(Experiment, AHoldThatEndsByItselfLastsUntilTheLoopIsWhereItWillRest)
+{
+    ExperimentBench bench("sim:can", "dmc60c", 7);
+    ExperimentPlan plan = stepTo(Mode::Velocity, 60'000.0);
+    plan.repeat = 2;
+    plan.gains = {bench.change("slot0.p", 0.53871),
+        bench.change("slot0.i", 0.00084)}; // turns round 3 % short of its target, then creeps
+    const auto trial = bench.run(plan);
+    expectDone(trial);
+    EXPECT_LE(trial->errors.settle.value_or(1.0), 0.3); // 0.57 when one was cut off on its way, and 0.03 of the end
+    EXPECT_LE(trial->errors.sse.value_or(1.0), 0.01);
+}
+
+TEST(Experiment, AHoldEndsByItselfAlsoWhereALoopRestsBesideItsTarget)
+{
+    ExperimentBench bench;
+    ExperimentPlan plan = stepTo(Mode::Velocity, 60'000.0);
+    plan.gains = {bench.change("slot0.i", 0.0)};
+    const auto trial = bench.run(plan);
+    expectDone(trial);
+    EXPECT_GE(trial->metrics.sse.value_or(0.0), 0.05);
+    ASSERT_FALSE(trial->holds.empty());
+    EXPECT_LE(trial->holds.front().to - trial->holds.front().from, 5.0);
+}
+
 TEST(Experiment, APositionStepStartsAtThePresentPositionAndComesBack)
 {
     ExperimentBench bench;

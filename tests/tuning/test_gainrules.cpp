@@ -136,6 +136,21 @@ TEST(Prediction, FrictionHoldsAProportionalPositionLoopShort)
     EXPECT_LE(left, 1.05 * deadband(plant, gains));
 }
 
+TEST(Prediction, IsSummedOverAsLongAsATrialIsHeld)
+{
+    const PlantModel plant{362'000.0, 0.168, 0.001, 0.05};
+    const ContinuousGains gains
+        = positionRule(plant, 10.0); // friction holds it short, which counts for as long as one looks
+    Prediction longer = predictStep(Mode::Position, plant, gains, 0.0, 20'000.0, 3.0);
+    const Prediction held = predictStep(Mode::Position, plant, gains, 0.0, 20'000.0, 0.8);
+    EXPECT_GT(*longer.metrics.itae, 2.0 * *held.metrics.itae);
+    const auto settle = longer.metrics.settle;
+    sumOver(longer, Mode::Position, 20'000.0, 0.8);
+    EXPECT_NEAR(*longer.metrics.itae, *held.metrics.itae, 0.01 * *held.metrics.itae);
+    EXPECT_NEAR(*longer.metrics.iae, *held.metrics.iae, 0.01 * *held.metrics.iae);
+    EXPECT_EQ(longer.metrics.settle, settle);
+}
+
 TEST(Prediction, TheOutputStaysWithinItsLimit)
 {
     LoopShape half;

@@ -21,6 +21,7 @@
 #include <QSpinBox>
 #include <QTableWidget>
 #include <cmath>
+#include <utility>
 
 using namespace mb;
 
@@ -46,8 +47,10 @@ Card *deviceCard(const ThemeSource &theme, TraceRole role, std::optional<Tone> e
     values->addStretch();
     card->body().addLayout(values);
     auto *spark = new Sparkline(theme, role);
+    std::deque<double> curve;
     for (int i = 0; i < 100; ++i)
-        spark->append(i > 60 && i < 66 ? std::nan("") : 1500 * (1 - std::exp(-i / 12.0) * std::cos(i / 6.0)));
+        curve.push_back(i > 60 && i < 66 ? std::nan("") : 1500 * (1 - std::exp(-i / 12.0) * std::cos(i / 6.0)));
+    spark->setValues(std::move(curve));
     card->addWide(spark);
     card->foot().addWidget(textLabel(s("120 Hz   lost 0"), TextRole::Caption, Tone::Dim, card));
     card->foot().addStretch();

@@ -20,6 +20,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <cmath>
+#include <numeric>
 
 using namespace mb;
 
@@ -249,10 +250,9 @@ void ChromeTest::sparklineRangeIgnoresGaps()
 {
     Sparkline line(m_theme, TraceRole::Velocity);
     QVERIFY(!line.range());
-    line.append(std::nan(""));
+    line.setValues({std::nan("")});
     QVERIFY(!line.range());
-    line.append(3);
-    line.append(-2);
+    line.setValues({std::nan(""), 3, -2});
     QCOMPARE(line.range()->first, -2.0);
     QCOMPARE(line.range()->second, 3.0);
 }
@@ -261,8 +261,9 @@ void ChromeTest::sparklineKeepsItsCapacity()
 {
     Sparkline line(m_theme, TraceRole::Velocity);
     line.setCapacity(10);
-    for (int i = 0; i < 100; ++i)
-        line.append(i);
+    std::deque<double> values(100);
+    std::iota(values.begin(), values.end(), 0.0);
+    line.setValues(values);
     QCOMPARE(line.range()->first, 90.0);
     line.resize(80, 30);
     QVERIFY(line.grab().toImage() != Sparkline(m_theme, TraceRole::Velocity).grab(QRect(0, 0, 80, 30)).toImage());

@@ -66,11 +66,6 @@ QString Banner::cause() const
     return m_cause->text();
 }
 
-QString Banner::remedy() const
-{
-    return m_remedy->text();
-}
-
 void Banner::setText(const QString &cause, const QString &remedy)
 {
     m_cause->setText(cause);
@@ -85,11 +80,6 @@ void Banner::setAction(const QString &text)
     m_action->setText(text);
     m_action->setAccessibleName(text);
     m_action->setVisible(!text.isEmpty());
-}
-
-void Banner::setDismissable(bool dismissable)
-{
-    m_dismiss->setVisible(dismissable);
 }
 
 void Banner::setTwoLines(bool on)

@@ -22,11 +22,9 @@ public:
 
     BannerKind kind() const { return m_kind; }
     QString cause() const;
-    QString remedy() const;
     void setText(const QString &cause, const QString &remedy);
     /// A verb with an object; empty hides the button.
     void setAction(const QString &text);
-    void setDismissable(bool dismissable);
     /// The cause in a line of its own.
     void setTwoLines(bool on);
     /// Of any banner, whatever it says.

@@ -21,12 +21,6 @@ IconButton::IconButton(const ThemeSource &theme, Symbol symbol, const QString &n
     restyle();
 }
 
-void IconButton::setSymbol(Symbol symbol)
-{
-    m_symbol = symbol;
-    restyle();
-}
-
 void IconButton::setKeyHint(const QString &key)
 {
     m_key = key;
@@ -39,12 +33,6 @@ bool IconButton::event(QEvent *event)
     if (event->type() == keysChanged() && !m_key.isEmpty())
         setKeyHint(m_key);
     return QToolButton::event(event);
-}
-
-void IconButton::setTone(Tone tone)
-{
-    m_tone = tone;
-    restyle();
 }
 
 QSize IconButton::sizeHint() const

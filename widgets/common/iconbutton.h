@@ -14,10 +14,8 @@ class IconButton : public QToolButton {
     Q_OBJECT
 public:
     IconButton(const ThemeSource &theme, Symbol symbol, const QString &name, QWidget *parent = nullptr);
-    void setSymbol(Symbol symbol);
     /// Shown in the tooltip only: "Fit time and value  0". The action or shortcut itself belongs to the page.
     void setKeyHint(const QString &key);
-    void setTone(Tone tone);
     QSize sizeHint() const override;
 
 protected:

@@ -26,30 +26,10 @@ Sparkline::Sparkline(const ThemeSource &theme, TraceRole role, QWidget *parent)
     });
 }
 
-void Sparkline::setRole(TraceRole role)
-{
-    m_role = role;
-    update();
-}
-
 void Sparkline::setCapacity(int points)
 {
     m_capacity = std::clamp<std::size_t>(static_cast<std::size_t>(std::max(points, 2)), 2, MostPoints);
     while (m_values.size() > m_capacity)
-        m_values.pop_front();
-    touched();
-}
-
-void Sparkline::setFilled(bool filled)
-{
-    m_filled = filled;
-    update();
-}
-
-void Sparkline::append(double value)
-{
-    m_values.push_back(value);
-    if (m_values.size() > m_capacity)
         m_values.pop_front();
     touched();
 }
@@ -59,12 +39,6 @@ void Sparkline::setValues(std::deque<double> values)
     m_values = std::move(values);
     while (m_values.size() > m_capacity)
         m_values.pop_front();
-    touched();
-}
-
-void Sparkline::clear()
-{
-    m_values.clear();
     touched();
 }
 
@@ -111,7 +85,7 @@ QSize Sparkline::sizeHint() const
 void Sparkline::paintRun(QPainter &painter, const QPolygonF &run) const
 {
     const QColor line = m_theme.theme().trace(m_role);
-    if (m_filled && run.size() > 1) {
+    if (run.size() > 1) {
         QColor fill = line;
         fill.setAlphaF(0.16);
         QPolygonF area = run;

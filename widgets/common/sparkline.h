@@ -18,13 +18,9 @@ class Sparkline : public QWidget {
 public:
     Sparkline(const ThemeSource &theme, TraceRole role, QWidget *parent = nullptr);
 
-    void setRole(TraceRole role);
     /// How many points the whole width holds (2 … 240). Fewer points leave room at the left.
     void setCapacity(int points);
-    void setFilled(bool filled);
-    void append(double value);
     void setValues(std::deque<double> values);
-    void clear();
     /// Smallest and largest value shown, for the caption "1 198 … 1 570 rpm".
     std::optional<std::pair<double, double>> range() const;
     QSize sizeHint() const override;
@@ -41,7 +37,6 @@ private:
     TraceRole m_role;
     std::deque<double> m_values;
     std::size_t m_capacity = 100;
-    bool m_filled = true;
     bool m_dirty = false;
     QBasicTimer m_tick;
 };

@@ -24,12 +24,6 @@ StopButton::StopButton(const ThemeSource &theme, QWidget *parent)
     connect(this, &QAbstractButton::pressed, this, &StopButton::stopPressed);
 }
 
-void StopButton::setKeyHint(const QString &keys)
-{
-    m_keys = keys;
-    update();
-}
-
 QSize StopButton::sizeHint() const
 {
     return {m_theme.theme().u(208), m_theme.theme().u(40)};

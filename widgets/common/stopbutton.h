@@ -14,8 +14,6 @@ class StopButton : public QAbstractButton {
     Q_OBJECT
 public:
     explicit StopButton(const ThemeSource &theme, QWidget *parent = nullptr);
-    /// The dim keys behind the word.
-    void setKeyHint(const QString &keys);
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 

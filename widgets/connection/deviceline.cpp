@@ -74,12 +74,6 @@ void DeviceLine::buildValues(QHBoxLayout &row)
     row.addWidget(m_values);
 }
 
-void DeviceLine::setTrailing(QWidget *widget)
-{
-    m_values->hide();
-    layout()->addWidget(widget);
-}
-
 void DeviceLine::showEvent(QShowEvent *event)
 {
     QWidget::showEvent(event);

@@ -20,8 +20,6 @@ class DeviceLine : public QWidget {
     Q_OBJECT
 public:
     DeviceLine(Workbench &workbench, Selection &selection, const ThemeSource &theme, QWidget *parent = nullptr);
-    /// At the right end, instead of the live values: actions of the page. The line takes it.
-    void setTrailing(QWidget *widget);
 
 protected:
     void showEvent(QShowEvent *event) override;

@@ -230,10 +230,4 @@ void StimulusBar::setVerdict(bool good, const QString &text)
     m_verdict->setText(text);
 }
 
-void StimulusBar::focusTarget()
-{
-    m_to->setFocus(Qt::ShortcutFocusReason);
-    m_to->selectAll();
-}
-
 } // namespace mb

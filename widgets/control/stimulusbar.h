@@ -50,7 +50,6 @@ public:
     void setKindFault(tuning::Profile kind, const QString &fault);
     /// Whether the stimulus stays inside the envelope, with the numbers.
     void setVerdict(bool good, const QString &text);
-    void focusTarget();
 
 Q_SIGNALS:
     void changed();

@@ -33,11 +33,6 @@ void UpdateChecks::set(int place, GlyphState state, const QString &text)
     check.text->setText(text);
 }
 
-void UpdateChecks::addAtEnd(QWidget *part)
-{
-    m_row->addWidget(part);
-}
-
 QString UpdateChecks::text(int place) const
 {
     return m_checks.at(static_cast<std::size_t>(place)).text->text();

@@ -23,8 +23,6 @@ public:
     {
         set(place, holds ? GlyphState::Done : GlyphState::Fault, text);
     }
-    /// At the right end.
-    void addAtEnd(QWidget *part);
     [[nodiscard]] QString text(int place) const;
     [[nodiscard]] GlyphState state(int place) const;
 

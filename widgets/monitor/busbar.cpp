@@ -162,11 +162,6 @@ void BusBar::setSendShown(bool shown)
     m_send->setChecked(shown);
 }
 
-QString BusBar::filterText() const
-{
-    return m_filter->text();
-}
-
 void BusBar::setFilterText(const QString &text)
 {
     m_filter->setText(text);

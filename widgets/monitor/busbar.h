@@ -34,7 +34,6 @@ public:
     /// What the filter leaves, "1 204 of 1 391 shown".
     void setResult(const QString &result);
     void setSendShown(bool shown);
-    [[nodiscard]] QString filterText() const;
     void setFilterText(const QString &text);
     void focusFilter();
 

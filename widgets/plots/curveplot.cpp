@@ -243,11 +243,6 @@ void CurvePlot::setNote(const QString &note)
     replotSoon();
 }
 
-void CurvePlot::setLegendPlace(Qt::Alignment place)
-{
-    m_plot->axisRect()->insetLayout()->setInsetAlignment(0, place);
-}
-
 void CurvePlot::setWatermark(const QString &text)
 {
     m_mark->setText(text);

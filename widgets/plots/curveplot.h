@@ -38,8 +38,6 @@ public:
     void setMarks(std::vector<CurveMark> marks);
     [[nodiscard]] const std::vector<CurveMark> &marks() const { return m_marks->marks(); }
     void setNote(const QString &note);
-    /// Where the names stand: where the curves leave room, AlignTop | AlignRight otherwise.
-    void setLegendPlace(Qt::Alignment place);
     /// What stands around the curves; names and notes may have another place on the page.
     struct Surroundings {
         bool legend = true;

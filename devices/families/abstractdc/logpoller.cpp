@@ -60,12 +60,6 @@ void LogPoller::wish(Log log, double hertz)
     schedule();
 }
 
-void LogPoller::pause(bool paused)
-{
-    m_paused = paused;
-    schedule();
-}
-
 /// Who else is polled here.
 void LogPoller::count(const CanFrame &frame)
 {
@@ -111,11 +105,6 @@ Duration LogPoller::gap() const
     return roundTrip(m_link) * static_cast<int>(2 * pollers() - 1);
 }
 
-double LogPoller::most() const
-{
-    return 1.0 / std::chrono::duration<double>(roundTrip(m_link) + gap()).count();
-}
-
 Log LogPoller::mostUrgent() const
 {
     std::size_t best = at(Log::Velocity);
@@ -135,7 +124,7 @@ void LogPoller::schedule()
 {
     if (m_open)
         return;
-    if (m_paused || m_isRecording) {
+    if (m_isRecording) {
         m_timer.stop();
         return;
     }

@@ -28,12 +28,8 @@ public:
     void speak(const Dialect *dialect, int offset);
     /// Times per second, 0 for never.
     void wish(Log log, double hertz);
-    void pause(bool paused);
     [[nodiscard]] bool isHeard() const { return m_heard; }
     [[nodiscard]] const QuestionWatch &questions() const { return m_questions; }
-
-    /// What the link carries for this drive, questions per second.
-    [[nodiscard]] double most() const;
 
 private:
     void receive(const CanFrame &frame);
@@ -70,7 +66,6 @@ private:
     Instant m_wireFreeAt{}; ///< when what this program has sent to other families will have left, as far as it knows
     int m_missed = 0;
     bool m_heard = false;
-    bool m_paused = false;
     Timer m_timer;
     Subscription m_traffic;
     Subscription m_received;
