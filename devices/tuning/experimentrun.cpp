@@ -26,7 +26,6 @@ constexpr double nearX = 0.02; ///< of |Y − X|
 constexpr Duration beforeEdge = 250ms;
 constexpr Duration leastHold = 400ms;
 constexpr double settledShare = 0.5;
-constexpr double besideShare = 0.75;  ///< of a hold that does not come to its target
 constexpr double settledWidth = 0.02; ///< of |Y − X|
 constexpr double longestReturn = 5.0; ///< s
 constexpr double returnedShare
@@ -358,6 +357,8 @@ Task<void> ExperimentRun::followOnce(double dither)
     const Stimulus &stimulus = m_trial.stimulus;
     Clock &clock = m_device.clock();
     const double width = settledWidth * std::abs(stimulus.to - stimulus.from);
+    const bool isOpenLoop = m_plan.mode == Mode::Duty || m_plan.mode == Mode::Voltage;
+    const auto aim = isOpenLoop ? std::optional<double>() : stimulus.to;
     Sleep waiting(clock, beforeEdge + ofSeconds(dither));
     co_await waiting;
     const Instant begin = clock.now();
@@ -369,7 +370,7 @@ Task<void> ExperimentRun::followOnce(double dither)
     }
     for (int beat = 0; !m_plan.relay && !isOver() && clock.now() < end; ++beat) {
         setTarget(stimulus.at(inSeconds(clock.now() - begin)));
-        if (hasGoneFar(place) || (stimulus.ends && hasSettled(begin, width)))
+        if (hasGoneFar(place) || (stimulus.ends && m_recorder.hasSettled(begin, leastHold, aim, width)))
             break;
         Sleep nap(clock, std::min(begin + ofSeconds(m_beat * (beat + 1)), end) - clock.now());
         co_await nap;
@@ -388,17 +389,6 @@ Task<void> ExperimentRun::followOnce(double dither)
     }
     m_returns.emplace_back(back, clock.now());
     co_return {};
-}
-
-/// A loop that turns round on its way, or creeps, is at rest nowhere but at its target; one that rests beside it shows that for longer.
-bool ExperimentRun::hasSettled(Instant since, double width) const
-{
-    if (!m_recorder.isSettled(since, leastHold, settledShare, width))
-        return false;
-    const bool isOpenLoop = m_plan.mode == Mode::Duty || m_plan.mode == Mode::Voltage;
-    const auto now = m_recorder.measured();
-    return isOpenLoop || (now && std::abs(*now - m_trial.stimulus.to) <= width / 2.0)
-        || m_recorder.isSettled(since, leastHold, besideShare, width);
 }
 
 bool ExperimentRun::hasGoneFar(double from) const

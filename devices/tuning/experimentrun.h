@@ -37,7 +37,6 @@ private:
     [[nodiscard]] Task<void> followOnce(double dither);
     [[nodiscard]] Task<void> swing(Instant end);
     [[nodiscard]] bool hasGoneFar(double from) const;
-    [[nodiscard]] bool hasSettled(Instant since, double width) const;
     /// To X, after the hold that ended at `since`.
     [[nodiscard]] bool hasReturned(Instant since) const;
     [[nodiscard]] Task<void> putBack();

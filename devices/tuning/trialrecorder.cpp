@@ -16,6 +16,8 @@ namespace {
 constexpr Duration guardPeriod = std::chrono::milliseconds(5);
 constexpr std::size_t fewestStill = 3; ///< positions that tell a standstill
 constexpr double stillCounts = 1.0;
+constexpr double settledShare = 0.5;                       ///< of the time since the edge, over which it rests
+constexpr double besideShare = 0.75;                       ///< the same beside its aim
 constexpr Duration heldUp = std::chrono::milliseconds(20); ///< what came meanwhile is not read yet
 
 } // namespace
@@ -208,6 +210,14 @@ bool TrialRecorder::isSettled(Instant from, Duration least, double share, double
         high = std::max(high.value_or(point->value), point->value);
     }
     return low && *high - *low <= width;
+}
+
+bool TrialRecorder::hasSettled(Instant from, Duration least, std::optional<double> aim, double width) const
+{
+    if (!isSettled(from, least, settledShare, width))
+        return false;
+    const auto now = latest(m_measured);
+    return !aim || (now && std::abs(*now - *aim) <= width / 2.0) || isSettled(from, least, besideShare, width);
 }
 
 bool TrialRecorder::isStill(Instant from, Duration span) const

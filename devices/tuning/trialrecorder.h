@@ -24,9 +24,7 @@ public:
     [[nodiscard]] const std::optional<Trip> &trip() const { return m_trip; }
     /// When the stop of the trip was handed to the link.
     [[nodiscard]] Instant stoppedAt() const { return m_stoppedAt; }
-    /// Newest value of the measured channel.
-    [[nodiscard]] std::optional<double> measured() const { return latest(m_measured); }
-    /// The same of another channel of this axis.
+    /// Newest value of the measured channel, or of another of this axis.
     [[nodiscard]] std::optional<double> latest(std::string_view key) const;
     /// Seconds since `zero`.
     [[nodiscard]] Trace trace(std::string_view key, Instant zero) const;
@@ -39,6 +37,9 @@ public:
     [[nodiscard]] double positionPeriod() const;
     /// The measured value stayed within `width` over the last `share` of the time since `from`, which is `least` at least.
     [[nodiscard]] bool isSettled(Instant from, Duration least, double share, double width) const;
+    /// The measured value has come to rest within `width`: at `aim`, if there is one, or beside it, which takes longer to be told from
+    /// a loop that turns round on its way or creeps. `from` is `least` ago at least.
+    [[nodiscard]] bool hasSettled(Instant from, Duration least, std::optional<double> aim, double width) const;
     /// The position was told often enough and moved by a count at most over the last `span`, all of it after `from`.
     [[nodiscard]] bool isStill(Instant from, Duration span) const;
 
