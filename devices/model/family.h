@@ -100,6 +100,7 @@ struct LoopScale {
     std::string_view time;           ///< English name of `period`: "loop", "ms"
     bool divided = false;            ///< each loop has a Role::Divisor
     bool derivativeInverted = false; ///< a positive raw D pushes the same way as the change
+    bool dutyAtOnce = false;         ///< a duty is put out as soon as it is ordered, not in the next pass
     bool calibrated = false;         ///< what a raw gain of 1 puts out is not known but by Calibration::gain
 };
 

@@ -125,8 +125,8 @@ bool growsSlowly(const std::vector<Trial> &pushes)
 {
     return std::any_of(pushes.begin(), pushes.end(), [](const Trial &trial) {
         return std::any_of(trial.holds.begin(), trial.holds.end(), [&](const Span &hold) {
-            const auto [at, whole] = edgeOf(trial, hold.from, 0.0);
-            return whole > at;
+            const Edge edge = edgeOf(trial, hold.from, 0.0);
+            return edge.whole > edge.at;
         });
     });
 }
@@ -144,8 +144,9 @@ std::vector<PushRecord> pushesOf(const Trial &trial, double friction)
     for (const Span &hold : trial.holds) {
         if (!position || target == 0.0)
             break;
-        const auto [edge, whole] = edgeOf(trial, hold.from, friction);
+        const auto [edge, whole, steps] = edgeOf(trial, hold.from, friction);
         PushRecord record;
+        record.steps = steps;
         record.position = without(position->trace.part(std::min(edge, hold.from) - beforePush, hold.to, edge),
             hold.from - edge, whole - edge);
         record.growth = whole - edge;

@@ -11,7 +11,8 @@ namespace {
 
 constexpr double mostOfRise = 0.9; ///< of the step: what rests tells the same again and again
 constexpr std::size_t leastGaps = 10;
-constexpr double halfAGap = 0.5; ///< either side of the usual
+constexpr std::size_t shareOfShort = 4; ///< that are taken for one pass
+constexpr double halfAGap = 0.5;        ///< either side of the usual
 constexpr double tolerance = 0.15;
 constexpr double finest = 0.6; ///< of a pass, that samples may be apart
 
@@ -52,7 +53,10 @@ std::optional<double> passOf(const Trial &trial)
         if (velocity)
             addGaps(velocity->trace.part(back.from, back.to), trial.stimulus.from, gaps);
     }
-    const double usual = median(gaps);
+    if (gaps.size() < leastGaps)
+        return std::nullopt;
+    std::sort(gaps.begin(), gaps.end());
+    const double usual = gaps[gaps.size() / shareOfShort]; // half of all may be longer ones
     double sum = 0.0;
     std::size_t count = 0;
     for (const double gap : gaps) { // a sample that was lost, or a pass that told the same, makes a longer one

@@ -12,9 +12,10 @@ constexpr double edgeSearch = 0.5;  ///< s after the order in which the device's
 constexpr double edgeBefore = 0.15; ///< s before it, by another clock
 constexpr double leastShare = 0.05; ///< of the duty ordered
 constexpr double wholeShare = 0.95;
-constexpr int fewestSteps = 2;       ///< between, of a duty that grows slowly
-constexpr double laterSamples = 2.0; ///< in which the output shows what it was told
-constexpr double mostOfDuty = 0.9;   ///< that friction may take, when it is told where a slow push began
+constexpr int fewestSteps = 2;           ///< between, of a duty that grows slowly
+constexpr double answerTime = 0.0005;    ///< s, that a sample which was asked for before an order may come after it
+constexpr double shortestPeriod = 0.001; ///< s, between orders
+constexpr double mostOfDuty = 0.9;       ///< that friction may take, when it is told where a slow push began
 
 /// What of a duty moves the motor, as a share of all that does: friction takes its share of the target first.
 double movingShare(double duty, double target, double friction)
@@ -61,27 +62,63 @@ Edge edgeOf(const Trace &duty, double ordered, double target, double friction)
     return {half.value_or(ordered), half.value_or(ordered)};
 }
 
-/// By the steps in which the program has led the set-point there; nothing where it has not. `arrived`: share of its way that a duty has
-/// gone; `moving`: what of that the motor feels.
-template <class Arrived, class Moving>
-std::optional<Edge> ledEdge(const Trace &told, double ordered, const Arrived &arrived, const Moving &moving)
+/// When an order of `t` was carried out that takes the output from one share of its way to the next: then, or where a sample since
+/// shows it without, for its frame was lost, with one of those that came later, a period each.
+template <class Arrived>
+double carriedOut(const Trace &duty, double t, double middle, double period, const Arrived &arrived)
 {
-    int between = 0;
-    double missing = 0.0;
-    double before = ordered;
-    double last = 0.0;
+    double without = t;
+    for (std::size_t i = 0; i < duty.size() && duty.t[i] <= t + edgeSearch; ++i) {
+        if (duty.t[i] <= t + answerTime)
+            continue;
+        if (arrived(duty.y[i]) >= middle)
+            break;
+        without = duty.t[i];
+    }
+    return t + period * std::ceil((without - t) / period);
+}
+
+/// The orders by which the program has led the set-point there: each with the share of its way that is gone by then.
+template <class Arrived> Trace ordersOf(const Trace &told, double ordered, const Arrived &arrived)
+{
+    Trace orders;
     for (std::size_t i = 0; i < told.size() && told.t[i] <= ordered + edgeSearch; ++i) {
         if (told.t[i] < ordered)
             continue;
-        missing += (1.0 - last) * (told.t[i] - before);
-        before = told.t[i];
-        last = moving(told.y[i]);
-        const double share = arrived(told.y[i]);
-        if (share >= wholeShare)
-            return between < fewestSteps ? std::nullopt : std::optional(Edge{ordered + missing, told.t[i]});
-        between += share >= leastShare ? 1 : 0;
+        orders.add(told.t[i], arrived(told.y[i]));
+        if (orders.y.back() >= wholeShare)
+            return orders;
     }
     return {};
+}
+
+/// By the steps in which the program has led the set-point there, as the samples show them carried out; nothing where it has not.
+/// `arrived`: share of its way that a duty has gone; `moving`: what the motor feels of such a share.
+template <class Arrived, class Moving>
+std::optional<Edge> ledEdge(
+    const Trace &told, const Trace &duty, double ordered, const Arrived &arrived, const Moving &moving)
+{
+    const Trace orders = ordersOf(told, ordered, arrived);
+    if (orders.size() < 2)
+        return std::nullopt;
+    double period = shortestPeriod;
+    for (std::size_t i = 1; i < orders.size(); ++i)
+        period = std::max(period, orders.t[i] - orders.t[i - 1]);
+    Edge edge;
+    double before = 0.0;
+    double felt = 0.0;
+    for (std::size_t i = 0; i < orders.size(); ++i) {
+        const double at = carriedOut(duty, orders.t[i], 0.5 * (before + orders.y[i]), period, arrived);
+        const double feels = i + 1 < orders.size() ? moving(orders.y[i]) : 1.0;
+        edge.steps.push_back({at, feels - felt});
+        edge.at += (feels - felt) * at;
+        edge.whole = std::max(edge.whole, at);
+        before = orders.y[i];
+        felt = feels;
+    }
+    for (DutyStep &step : edge.steps)
+        step.at -= edge.at;
+    return edge;
 }
 
 /// As edgeOf(), of the end of a push; `whole`: when all of its duty was gone.
@@ -110,13 +147,6 @@ Edge releaseOf(const Trace &duty, double ordered, double target)
     return {ordered, ordered};
 }
 
-/// That of the steps, where the output has followed them; else the order of one was lost on its way, and its samples tell.
-Edge followed(const Edge &sampled, const std::optional<Edge> &led, const Trace &duty)
-{
-    const bool follows = led && std::abs(sampled.whole - led->whole) <= laterSamples * samplePeriod(duty);
-    return follows ? Edge{led->at, sampled.whole} : sampled;
-}
-
 } // namespace
 
 Edge edgeOf(const Trial &trial, double ordered, double friction)
@@ -127,11 +157,10 @@ Edge edgeOf(const Trial &trial, double ordered, double friction)
     const double target = trial.stimulus.to;
     const Edge sampled = edgeOf(duty->trace, ordered, target, friction);
     const Signal *const told = trial.signal("setpoint");
-    if (sampled.whole == sampled.at || !told)
-        return sampled;
     const auto arrived = [target](double y) { return y / target; };
-    const auto moving = [=](double y) { return movingShare(y, target, friction); };
-    return followed(sampled, ledEdge(told->trace, ordered, arrived, moving), duty->trace);
+    const auto moving = [=](double share) { return movingShare(share * target, target, friction); };
+    const auto led = told ? ledEdge(told->trace, duty->trace, ordered, arrived, moving) : std::nullopt;
+    return led.value_or(sampled);
 }
 
 double releaseOf(const Trial &trial, double ordered)
@@ -142,10 +171,10 @@ double releaseOf(const Trial &trial, double ordered)
     const double target = trial.stimulus.to;
     const Edge sampled = releaseOf(duty->trace, ordered, target);
     const Signal *const told = trial.signal("setpoint");
-    if (sampled.whole == sampled.at || !told)
-        return sampled.at;
     const auto gone = [target](double y) { return 1.0 - std::clamp(y / target, 0.0, 1.0); };
-    return followed(sampled, ledEdge(told->trace, ordered, gone, gone), duty->trace).at;
+    const auto led
+        = told ? ledEdge(told->trace, duty->trace, ordered, gone, [](double share) { return share; }) : std::nullopt;
+    return led.value_or(sampled).at;
 }
 
 } // namespace mb::tuning

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tuning/pushfit.h"
 #include "tuning/trial.h"
 
 namespace mb::tuning {
@@ -9,6 +10,7 @@ namespace mb::tuning {
 struct Edge {
     double at = 0.0;
     double whole = 0.0;
+    std::vector<DutyStep> steps{}; ///< in which it came, s from `at`, where they are known
 };
 
 /// When a push of `trial` that was ordered then was carried out: at once, unless the device's own duty shows that it came later (its

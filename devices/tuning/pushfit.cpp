@@ -29,6 +29,7 @@ constexpr double clearlyLess = 0.75; ///< of the squares that are left over: the
 
 struct FittedPush {
     Trace trace;
+    std::vector<DutyStep> steps;
     double duty = 0.0;
     double heat = 0.0;
 };
@@ -52,14 +53,29 @@ struct Projected {
     double residual = 0.0;
 };
 
-/// For a given τ and delay, speed and place of one record are a linear fit.
-Projected project(const Trace &trace, double tau, double delay)
+/// s, that a motor which speeds up to one count a second has gone by in counts.
+double wayAfter(double t, double tau)
 {
+    return t > 0.0 ? t - tau * (1.0 - std::exp(-t / tau)) : 0.0;
+}
+
+/// The same of a duty that came in steps.
+double wayOf(const std::vector<DutyStep> &steps, double t, double tau)
+{
+    double way = 0.0;
+    for (const DutyStep &step : steps)
+        way += step.share * wayAfter(t - step.at, tau);
+    return way;
+}
+
+/// For a given τ and delay, speed and place of one record are a linear fit.
+Projected project(const FittedPush &push, double tau, double delay)
+{
+    const Trace &trace = push.trace;
     double s = 0.0, sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0, syy = 0.0;
     const double y0 = trace.y.front();
     for (std::size_t i = 0; i < trace.size(); ++i) {
-        const double t = std::max(trace.t[i] - delay, 0.0);
-        const double x = t - tau * (1.0 - std::exp(-t / tau));
+        const double x = wayOf(push.steps, trace.t[i] - delay, tau);
         const double y = trace.y[i] - y0;
         s += 1.0;
         sx += x;
@@ -81,7 +97,7 @@ double costOf(std::span<const FittedPush> pushes, const Point &at)
 {
     double sum = 0.0;
     for (const FittedPush &push : pushes)
-        sum += project(push.trace, at.tauOf(push), at.delay).residual / (halfCount * halfCount);
+        sum += project(push, at.tauOf(push), at.delay).residual / (halfCount * halfCount);
     return sum;
 }
 
@@ -137,12 +153,12 @@ Point refined(std::span<const FittedPush> pushes, Point best, bool changes)
 }
 
 /// When this record alone begins, for a given τ.
-double ownDelay(const Trace &trace, double tau)
+double ownDelay(const FittedPush &push, double tau)
 {
     double best = 0.0;
     double least = -1.0;
     for (double delay = 0.0; delay <= latestOrder; delay += lateStep) {
-        const double residual = project(trace, tau, delay).residual;
+        const double residual = project(push, tau, delay).residual;
         if (least < 0.0 || residual < least) {
             least = residual;
             best = delay;
@@ -157,7 +173,7 @@ bool align(std::vector<FittedPush> &pushes, double tau)
 {
     std::vector<double> delays;
     for (const FittedPush &push : pushes)
-        delays.push_back(ownDelay(push.trace, tau));
+        delays.push_back(ownDelay(push, tau));
     const double usual = median(delays);
     bool any = false;
     for (std::size_t i = 0; i < pushes.size(); ++i) {
@@ -216,7 +232,9 @@ Result<PushFit> fitPushes(std::span<const PushRecord> records)
         if (std::abs(record.position.y.back() - record.position.y.front()) < leastPushMove)
             return fail(
                 Fault::OutOfRange, say("a push moved the motor by fewer than 50 counts"), say("push harder or longer"));
-        pushes.push_back({thinned(record.position, mostFitSamples), record.duty, record.heat});
+        const std::vector<DutyStep> atOnce{DutyStep()};
+        pushes.push_back({thinned(record.position, mostFitSamples), record.steps.empty() ? atOnce : record.steps,
+            record.duty, record.heat});
         samples += pushes.back().trace.size();
     }
     if (pushes.empty())
@@ -227,7 +245,7 @@ Result<PushFit> fitPushes(std::span<const PushRecord> records)
     double expected = 0.0; // sum of squares that whole counts and late time stamps make
     double left = 0.0;
     for (const FittedPush &push : pushes) {
-        const Projected projected = project(push.trace, best.tauOf(push), best.delay);
+        const Projected projected = project(push, best.tauOf(push), best.delay);
         const double blur = projected.speed * stampError;
         expected += static_cast<double>(push.trace.size()) * (halfCount * halfCount + blur * blur);
         left += projected.residual;

@@ -9,12 +9,19 @@
 
 namespace mb::tuning {
 
+/// Of a duty that comes in steps: s, and the share of all that moves the motor, that comes with it.
+struct DutyStep {
+    double at = 0.0;
+    double share = 1.0;
+};
+
 /// A push with constant duty from standstill, as telemetry saw it.
 struct PushRecord {
-    Trace position;    ///< counts as received, t = 0 when the duty was applied or ordered
+    Trace position;    ///< counts as received, t = 0 when the duty was applied or ordered, in the mean
     double duty = 0.0; ///< applied, sign included; over the mean bus voltage if that sags: duty × volts / volts at rest
-    double growth = 0.0; ///< s until all of its duty was there
-    double heat = 0.0;   ///< that the pushes before it and it itself have left in the winding, in squares of their duty
+    double growth = 0.0;           ///< s until all of its duty was there
+    std::vector<DutyStep> steps{}; ///< in which it came; none: at t = 0
+    double heat = 0.0; ///< that the pushes before it and it itself have left in the winding, in squares of their duty
 };
 
 /// Full duties, at which the lag of a motor is told.

@@ -35,7 +35,6 @@ constexpr int pushRepeats = 2;
 constexpr double loopDelays = 1.5;        ///< periods of the device's loop
 constexpr double orderWaits = 0.5;        ///< of them, until an order is looked at
 constexpr double electrical = 0.5e-3;     ///< s, L/R while nobody knows it
-constexpr double hidesElectrical = 5.0;   ///< times that, a wait in which no push shows it
 constexpr double mostCurrentDoubt = 0.15; ///< of what the motor draws at standstill
 
 /// Of a push, where travel is given: what it does beyond is not known yet.
@@ -172,10 +171,11 @@ Result<void> PushIdentification::conclude(AutotuneRun &run) const
     auto found = tuning::identify(m_pushes);
     if (!found)
         return fail(found.error());
-    const double loop = run.device().family().loop->cycle;
-    const double waited = orderWaits * loop;
-    const bool isHidden = m_pushes.front().signal("duty") || waited > hidesElectrical * electrical;
-    const double own = isHidden ? electrical : 0.0; // of the motor, that the wait taken off may have been
+    const LoopScale &scale = *run.device().family().loop;
+    const double loop = scale.cycle;
+    const double waited = scale.dutyAtOnce ? 0.0 : orderWaits * loop;
+    const double own
+        = m_pushes.front().signal("duty") ? electrical : 0.0; // of the motor, that the wait taken off may have been
     const double delay = std::max(found->pushes.delay - waited, own) + loopDelays * loop;
     PlantModel plant{found->line.gain, found->pushes.tau, delay, found->line.friction, found->braking};
     plant.sag = found->pushes.sag;

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace mb::tuning {
 namespace {
 
@@ -43,11 +45,57 @@ TEST(PushEdge, CountsWhatFrictionTakesOfEachStep)
     EXPECT_NEAR(edgeOf(ledPush(0.001), 0.0, friction).at, (1.0 + 0.75 + 0.5 + 0.25) * edgeStep, 1e-9);
 }
 
-TEST(PushEdge, IsThatOfTheSamplesWhereTheOutputDidNotFollowItsSteps)
+TEST(PushEdge, IsLaterWhereTheOutputDidNotFollowItsSteps)
 {
     const Edge broken = edgeOf(ledPush(0.001, 4), 0.0, 0.0);
-    EXPECT_NEAR(broken.whole, (steps - 1 + 4) * edgeStep + 0.001, 1e-9);
+    EXPECT_NEAR(broken.whole, (steps - 1 + 4) * edgeStep, 1e-9);
     EXPECT_GT(broken.at, exact + 2.0 * edgeStep);
+}
+
+TEST(PushEdge, TellsTheStepsOfADutyThatTheProgramLeads)
+{
+    const Edge edge = edgeOf(ledPush(0.001), 0.0, 0.0);
+    ASSERT_EQ(edge.steps.size(), static_cast<std::size_t>(steps));
+    double at = -exact;
+    for (const DutyStep &step : edge.steps) {
+        EXPECT_NEAR(step.at, at, 1e-9);
+        EXPECT_NEAR(step.share, 1.0 / steps, 1e-9);
+        at += edgeStep;
+    }
+}
+
+TEST(PushEdge, AWeakPushThatIsThereInTwoStepsHasBoth)
+{
+    Trial trial = ledPush(0.001);
+    trial.stimulus.to = 2.0 * target / steps;
+    for (Signal &signal : trial.signals) {
+        for (double &y : signal.trace.y)
+            y = std::min(y, trial.stimulus.to);
+    }
+    const Edge edge = edgeOf(trial, 0.0, 0.0);
+    EXPECT_EQ(edge.steps.size(), 2U);
+    EXPECT_NEAR(edge.at, 0.5 * edgeStep, 1e-9);
+}
+
+TEST(PushEdge, AnOrderWhoseFrameWasLostCameWithTheNext)
+{
+    Trial trial = ledPush(0.001);
+    Trace &duty = trial.signals.back().trace;
+    duty.y[3] = duty.y[2]; // of the third order nothing is seen
+    EXPECT_NEAR(edgeOf(trial, 0.0, 0.0).at, exact + edgeStep / steps, 1e-9);
+}
+
+TEST(PushEdge, AnOrderOfWhichTheAnswersWereLostCameInTime)
+{
+    Trial trial = ledPush(0.001);
+    Trace seen;
+    const Trace &duty = trial.signals.back().trace;
+    for (std::size_t i = 0; i < duty.size(); ++i) {
+        if (i < 5 || i > 9)
+            seen.add(duty.t[i], duty.y[i]);
+    }
+    trial.signals.back().trace = seen;
+    EXPECT_NEAR(edgeOf(trial, 0.0, 0.0).at, exact, 1e-9);
 }
 
 TEST(PushEdge, OfADriveThatRampsByItselfIsThatOfItsSamples)

@@ -174,6 +174,21 @@ TEST(Findings, AMotorFollowsTheProfileThatItIsToldToFollow)
     EXPECT_DOUBLE_EQ(profileLimits(plant, 0.04).speed, 0.0);
 }
 
+/// L/R of 1.3 ms is in the delay where no wait for a pass hides it.
+TEST(Findings, TheWindingIsSeenBehindADriveThatPutsADutyOutAtOnce)
+{
+    ExperimentBench bench("sim:can", "abstractdc", 3, "abstractdc:3,dialect=F,motor=rs775,load=5");
+    TunePlan plan = planOf(Mode::Velocity);
+    plan.keep = true;
+    const auto report = tune(bench, plan);
+    ASSERT_TRUE(report) << report.error().text();
+    const MotorParameters &motor = *motorByName("rs775");
+    const double winding = motor.inductance / motor.resistance;
+    const double cycle = bench.device->family().loop->cycle;
+    std::printf("delay %.2f ms of %.2f ms\n", 1e3 * report->plant.delay, 1e3 * (2.0 * cycle + winding));
+    EXPECT_NEAR(report->plant.delay, 2.0 * cycle + winding, 0.0006); // one and a half passes, and half a window of one
+}
+
 TEST(Findings, FeedForwardIsWrittenAsZeroSoThatItDoesNotFightTheIntegral)
 {
     ExperimentBench bench("sim:can", "dmc60c", 7);

@@ -87,6 +87,58 @@ TEST(PushFit, AMotorWithoutAnyOfItHasOneLag)
     EXPECT_LT(fit->warming, 0.01);
 }
 
+/// Duties that are led up in steps of 0.08 every 20 ms.
+std::vector<PushRecord> ledPushesOf(const MotorParameters &parameters, double seconds)
+{
+    const double kept = parameters.constant * (1.0 - parameters.torqueLoss);
+    const double friction = (parameters.resistance + 0.005) * parameters.friction / kept / 12.0;
+    std::vector<PushRecord> records;
+    for (const double duty : {0.4, -0.4, 0.24, -0.24}) {
+        MotorModel motor(parameters, loadFactor, MotorSupply{12.0, 0.0, 0.005});
+        PushRecord record;
+        record.duty = duty;
+        const int count = static_cast<int>(std::lround(std::abs(duty) / 0.08));
+        double felt = 0.0;
+        for (int i = 0; i < count; ++i) { // friction takes its part of the first
+            const double feels = std::max(0.08 * (i + 1) - friction, 0.0) / (std::abs(duty) - friction);
+            record.steps.push_back({0.02 * i, feels - felt});
+            felt = feels;
+        }
+        int step = 0;
+        for (double t = 0.0; t < seconds; t += fineFit, ++step) {
+            if (step % 20 == 0 && (step == 0 || t >= 0.02 * count))
+                record.position.add(t, static_cast<double>(motor.counts()));
+            motor.step(duty * std::min(step / 40 + 1, count) / count, Bridge::Drive, fineFit);
+        }
+        records.push_back(std::move(record));
+    }
+    return records;
+}
+
+TEST(PushFit, ADutyThatCameInStepsTellsLagAndWindingAsOneThatCameAtOnce)
+{
+    const MotorParameters &motor = *motorByName("cim");
+    const double tau = lagOf(motor, dutyOfLag, 0.0);
+    std::vector<PushRecord> records = ledPushesOf(motor, 5.0 * tau);
+    const auto fit = fitPushes(records);
+    ASSERT_TRUE(fit) << fit.error().text();
+    const double winding = motor.inductance / (motor.resistance + 0.005);
+    std::printf("lag %.4f s of %.4f s, delay %.2f ms, L/R %.2f ms\n", fit->tau, tau, 1e3 * fit->delay, 1e3 * winding);
+    EXPECT_NEAR(fit->tau, tau, 0.008 * tau);
+    EXPECT_NEAR(fit->delay, winding, 0.0002);
+    for (PushRecord &record : records) { // the same, as if all of it had come at once in the mean
+        double mean = 0.0;
+        for (const DutyStep &step : record.steps)
+            mean += step.share * step.at;
+        for (double &t : record.position.t)
+            t -= mean;
+        record.steps.clear();
+    }
+    const auto atOnce = fitPushes(records);
+    ASSERT_TRUE(atOnce) << atOnce.error().text();
+    EXPECT_LT(atOnce->delay, 0.3 * winding) << "its lag takes all of it";
+}
+
 TEST(SimulatedLoop, ALargeDutySpeedsAMotorOnAWeakBatteryUpLater)
 {
     PlantModel plant{10'000.0, 0.1, 0.001, 0.0};

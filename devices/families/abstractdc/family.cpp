@@ -95,6 +95,7 @@ constexpr LoopScale controlLoop{
     .time = QT_TRANSLATE_NOOP("table", "ms"),
     .divided = true,
     .derivativeInverted = true,
+    .dutyAtOnce = true,
 };
 
 constexpr Capabilities capabilities{
