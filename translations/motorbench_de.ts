@@ -10796,6 +10796,14 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>Nothing is written now</source>
         <translation>Jetzt wird nichts geschrieben</translation>
     </message>
+    <message>
+        <source>The motor turns as soon as Arm in the header is held.</source>
+        <translation>Der Motor dreht, sobald die Scharf-Taste in der Kopfzeile gehalten wird.</translation>
+    </message>
+    <message>
+        <source>The self-test turns the motor.</source>
+        <translation>Der Selbsttest dreht den Motor.</translation>
+    </message>
 </context>
 <context>
     <name>mb::VerdictView</name>

@@ -10796,6 +10796,14 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>Nothing is written now</source>
         <translation>Ahora no se escribe nada</translation>
     </message>
+    <message>
+        <source>The motor turns as soon as Arm in the header is held.</source>
+        <translation>El motor gira en cuanto se mantiene Armar en la cabecera.</translation>
+    </message>
+    <message>
+        <source>The self-test turns the motor.</source>
+        <translation>La autoprueba gira el motor.</translation>
+    </message>
 </context>
 <context>
     <name>mb::VerdictView</name>

@@ -10796,6 +10796,14 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>Nothing is written now</source>
         <translation>Aucune écriture en cours</translation>
     </message>
+    <message>
+        <source>The motor turns as soon as Arm in the header is held.</source>
+        <translation>Le moteur tourne dès que Armer est maintenu dans l’en-tête.</translation>
+    </message>
+    <message>
+        <source>The self-test turns the motor.</source>
+        <translation>L’autotest fait tourner le moteur.</translation>
+    </message>
 </context>
 <context>
     <name>mb::VerdictView</name>

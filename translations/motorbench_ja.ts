@@ -8215,7 +8215,7 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     </message>
     <message>
         <source>Tuning</source>
-        <translation>調整中</translation>
+        <translation>調整</translation>
     </message>
     <message>
         <source>Journal</source>
@@ -10781,6 +10781,14 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>Nothing is written now</source>
         <translation>現在は何も書き込んでいません</translation>
+    </message>
+    <message>
+        <source>The motor turns as soon as Arm in the header is held.</source>
+        <translation>ヘッダの駆動許可ボタンを長押しすると、すぐにモーターが回転します。</translation>
+    </message>
+    <message>
+        <source>The self-test turns the motor.</source>
+        <translation>セルフテストでモーターが回転します。</translation>
     </message>
 </context>
 <context>

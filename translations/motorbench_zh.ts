@@ -10782,6 +10782,14 @@ double click plots it, drag it to a pane or below them</source>
         <source>Nothing is written now</source>
         <translation>当前没有写入</translation>
     </message>
+    <message>
+        <source>The motor turns as soon as Arm in the header is held.</source>
+        <translation>按住标题栏中的“解锁”后，电机立即转动。</translation>
+    </message>
+    <message>
+        <source>The self-test turns the motor.</source>
+        <translation>自检会转动电机。</translation>
+    </message>
 </context>
 <context>
     <name>mb::VerdictView</name>

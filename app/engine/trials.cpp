@@ -93,9 +93,9 @@ template <class T> void Trials::run(DeviceId id, const Story<T> &story, const st
     const auto interruption = std::make_shared<tuning::Interruption>();
     Operations::Job *const job = m_context.operations.begin<T>(
         id, story.title,
-        [this, run = story.run, interruption](Device &device, Progress &progress) {
+        [this, id, run = story.run, interruption](Device &device, Progress &progress) {
             return keeping(
-                interruption, run(device, m_context.session.stream(device), surroundings(progress, *interruption)));
+                interruption, run(device, m_context.session.stream(device), surroundings(id, progress, *interruption)));
         },
         [this, notableOf = story.notableOf, finished](Operations::Job &done, Result<T> result) {
             ended(done);
@@ -159,13 +159,22 @@ void Trials::carryOut(
     run(order.device, story, finished);
 }
 
-tuning::ExperimentSurroundings Trials::surroundings(Progress &progress, tuning::Interruption &interruption)
+/// What an experiment says goes into the log when it says it.
+tuning::ExperimentSurroundings Trials::surroundings(
+    DeviceId device, Progress &progress, tuning::Interruption &interruption)
 {
     tuning::ExperimentSurroundings around;
     around.journal = m_journal;
     around.directions = &m_directions;
     around.interruption = &interruption;
-    around.note = [&progress](const Message &text) { progress.log(Severity::Caution, text); };
+    const auto teller = [this, device, &progress](Severity severity) {
+        return [this, device, &progress, severity](const Message &text) {
+            progress.log(severity, text);
+            m_context.log.tell(severity, device, text);
+        };
+    };
+    around.note = teller(Severity::Info);
+    around.warn = teller(Severity::Caution);
     return around;
 }
 
@@ -174,8 +183,6 @@ void Trials::ended(Operations::Job &job)
     job.interruption.reset();
     m_rates.restore(job.device);
     m_owed.lookAgain(job.device);
-    for (const LogLine &line : job.operation->status().log)
-        m_context.log.tell(line.severity, job.device, line.text);
 }
 
 } // namespace mb

@@ -42,7 +42,8 @@ private:
         std::function<Verdict(const T &)> notableOf;
     };
     template <class T> void run(DeviceId device, const Story<T> &story, const std::function<void(Result<T>)> &finished);
-    [[nodiscard]] tuning::ExperimentSurroundings surroundings(Progress &progress, tuning::Interruption &interruption);
+    [[nodiscard]] tuning::ExperimentSurroundings surroundings(
+        DeviceId device, Progress &progress, tuning::Interruption &interruption);
     void ended(Operations::Job &job);
 
     EngineContext m_context;

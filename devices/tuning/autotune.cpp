@@ -186,8 +186,8 @@ Task<TuneReport> autotune(Device &device, SetPointStream &stream, TunePlan plan,
     report.firmware = device.identity().firmware;
     if (surroundings.journal) {
         auto keeping = surroundings.journal->keepTuning(report);
-        if (const auto kept = co_await std::move(keeping).attempt(); !kept && surroundings.note)
-            surroundings.note(say("the tuning is not in the notebook: %1", kept.error().message()));
+        if (const auto kept = co_await std::move(keeping).attempt(); !kept)
+            surroundings.caution(say("the tuning is not in the notebook: %1", kept.error().message()));
     }
     co_return std::move(report);
 }

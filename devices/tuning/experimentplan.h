@@ -48,9 +48,16 @@ struct ExperimentSurroundings {
     DirectionBook *directions = nullptr;  ///< of this run of the program
     Interruption *interruption = nullptr;
     double rate = 0.0;                         ///< samples per second to ask for; 0: what its family says
-    std::function<void(const Message &)> note; ///< a line for people
+    std::function<void(const Message &)> note; ///< a line for people: what happens now
+    std::function<void(const Message &)> warn; ///< one that they should not miss; where empty, a note
     /// When a hold has ended, before the way back: the trial with what is measured so far. The motor still runs.
     std::function<void(const Trial &)> measured;
+
+    void caution(const Message &text) const
+    {
+        if (const auto &told = warn ? warn : note)
+            told(text);
+    }
 };
 
 /// Of the stream's lease while an experiment runs.

@@ -137,7 +137,7 @@ Task<void> ExperimentRun::perform()
     auto finding = findDirection();
     co_await std::move(finding);
     if (const Message caution = m_device.caution(setPointAt(m_trial.stimulus.to)); !caution.empty())
-        note(caution);
+        m_around.caution(caution);
     auto driving = drive();
     co_await std::move(driving);
     co_return {};
@@ -155,7 +155,7 @@ Task<void> ExperimentRun::writeDown()
         if (number)
             m_trial.number = m_number = *number;
         else
-            note(say("this trial is not kept: %1", number.error().detail));
+            m_around.caution(say("this trial is not kept: %1", number.error().detail));
     }
     if (owes && !m_number)
         co_return fail(Fault::Unsafe, say("nothing could put the gains back after a crash"),
@@ -205,7 +205,7 @@ Task<void> ExperimentRun::lowerRates()
         auto setting = m_device.setRate(channel, 0.0);
         const Result<void> set = co_await std::move(setting).attempt();
         if (!set && m_device.link().state() == LinkState::Open)
-            note(say("the device's rate was not put back: %1", set.error().detail));
+            m_around.caution(say("the device's rate was not put back: %1", set.error().detail));
     }
     m_raised.clear();
     co_return {};

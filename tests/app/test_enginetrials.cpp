@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 namespace mb {
 namespace {
@@ -141,6 +142,51 @@ TEST_F(TrialCore, TunesAnOvershootingUnitInOneOrderAndAgainFromTheModelWithoutPu
     EXPECT_LT((*tuned)->measured.overshoot.value_or(1.0), 0.05);
     EXPECT_NE(stored(), before);
     EXPECT_FALSE(isOutputOn());
+}
+
+TEST_F(TrialCore, LinesOfATuningAreInTheLogWhenTheyAreSaidAndNormalProgressIsNoCaution)
+{
+    struct Line {
+        Instant time;
+        Severity severity;
+        std::string text;
+    };
+    std::vector<Line> lines;
+    const Subscription listening
+        = core.noticed().add([this, &lines](Severity severity, const std::string &, const Message &text) {
+              lines.push_back({clock.now(), severity, text.english()});
+          });
+    test::Heard<tuning::TuneReport> tuned;
+    core.send(orders::RunTuning{id(), {}}, tuned.finished());
+    ASSERT_TRUE(clock.runUntil([&tuned] { return tuned.has_value(); }, 120s) && *tuned);
+    std::set<Instant> times;
+    std::set<std::string> told;
+    for (const Line &line : lines) {
+        times.insert(line.time);
+        EXPECT_NE(line.severity, Severity::Caution) << line.text;
+        told.insert(line.text.substr(0, line.text.find(' ')));
+    }
+    EXPECT_EQ(told.count("pushing") + told.count("proving:"), 2U);
+    EXPECT_GT(times.size(), 6U) << "each when it was said";
+    EXPECT_LT(lines.front().time, clock.now() - 5s);
+}
+
+TEST_F(TrialCore, ATrialThatIsNotKeptIsACaution)
+{
+    journal.isFull = true;
+    std::vector<std::string> cautions;
+    const Subscription listening
+        = core.noticed().add([&cautions](Severity severity, const std::string &, const Message &text) {
+              if (severity == Severity::Caution)
+                  cautions.push_back(text.english());
+          });
+    test::Heard<tuning::Trial> ran;
+    tuning::ExperimentPlan plan;
+    plan.mode = Mode::Velocity;
+    plan.to = 20'000.0;
+    core.send(orders::RunTrial{id(), plan, {}}, ran.finished());
+    ASSERT_TRUE(clock.runUntil([&ran] { return ran.has_value(); }, 60s));
+    EXPECT_EQ(cautions, std::vector<std::string>{"this trial is not kept: the disk is full"});
 }
 
 TEST_F(TrialCore, StopInATuningStopsTheMotorAndLeavesTheGainsAsTheyWere)

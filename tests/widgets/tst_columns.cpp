@@ -4,6 +4,7 @@
 #include "widgets/plots/autorange.h"
 #include "widgets/plots/columnpath.h"
 #include "widgets/plots/fixedtrace.h"
+#include "widgets/plots/plottickers.h"
 
 #include <QTest>
 #include <algorithm>
@@ -25,7 +26,26 @@ private Q_SLOTS:
     void theAxisGrowsAtOnceAndShrinksLate();
     void theAxisTakesRoundNumbersAndANearZero();
     void aConstantHasAnAxisToo();
+    void labelsOfTimeThatAreSecondsSaySo();
 };
+
+void ColumnsTest::labelsOfTimeThatAreSecondsSaySo()
+{
+    TimeTicker ticker;
+    QVector<double> ticks;
+    QVector<QString> labels;
+    const auto label = [&](double end) {
+        ticker.generate({0.0, end}, QLocale::c(), QLatin1Char('g'), 6, ticks, nullptr, &labels);
+        return labels.value(0);
+    };
+    QVERIFY(!label(60.0).isEmpty());
+    QVERIFY(ticker.showsSeconds()); // from an origin
+    ticker.setClock(1.7e9);
+    QVERIFY(label(60.0).contains(QLatin1Char(':')));
+    QVERIFY(!ticker.showsSeconds());
+    QVERIFY(!label(2.0).contains(QLatin1Char(':')));
+    QVERIFY(ticker.showsSeconds()); // of the minute
+}
 
 void ColumnsTest::denseColumnsBecomeSpansAndSparseOnesLines()
 {

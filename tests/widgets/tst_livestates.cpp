@@ -19,6 +19,7 @@ private Q_SLOTS:
     void pinsChangeWhatIsDrawn();
     void theBarKeepsItsHeightAndHidesForFamiliesThatTellNothing();
     void unitsAreThoseOfTheDevice();
+    void aNameThatIsTheFamilysLeavesItsRoomToTheFirmware();
 
 private:
     ThemeSource m_theme{lightTheme()};
@@ -153,6 +154,27 @@ void LiveStatesTest::unitsAreThoseOfTheDevice()
         QVERIFY(label != labels.end());
         QTRY_COMPARE((*label)->accessibleDescription(), QStringLiteral("17.0 counts")); // told once a second
     }
+}
+
+void LiveStatesTest::aNameThatIsTheFamilysLeavesItsRoomToTheFirmware()
+{
+    FakeWorkbench workbench;
+    Selection selection;
+    workbench.shot.devices.push_back(drive());
+    workbench.device(0).identity.edit().name = dmc60c().title;
+    selection.select({1});
+    DeviceLine line(workbench, selection, m_theme);
+    line.resize(1048, 40);
+    line.show();
+    const auto tells = [&line](const QString &name) {
+        const auto labels = line.findChildren<QLabel *>();
+        return std::any_of(labels.begin(), labels.end(),
+            [&name](const QLabel *label) { return label->isVisible() && label->text() == name; });
+    };
+    QVERIFY(!tells(QStringLiteral("DMC60C")));
+    workbench.device(0).identity.edit().name = "left drive";
+    workbench.publish();
+    QVERIFY(tells(QStringLiteral("left drive")));
 }
 
 MB_WINDOW_TEST(LiveStatesTest);

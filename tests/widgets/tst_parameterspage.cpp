@@ -39,7 +39,30 @@ private Q_SLOTS:
     void copyGivesKeyAndValue();
     void everyControlHasAName();
     void nothingIsCutAtTwiceTheFont();
+    void namesGetTheRoomThatNoStateNeeds();
 };
+
+void TestParametersPage::namesGetTheRoomThatNoStateNeeds()
+{
+    ParameterBench bench;
+    bench.page->resize(1048, 640); // of 1280 beside the devices
+    QCoreApplication::processEvents();
+    ParameterView &view = bench.page->view();
+    const auto textWidth = [&](ParameterModel::Column column, const QString &text) {
+        QFont font = view.font();
+        if (column == ParameterModel::State)
+            font = bench.theme.theme().font(TextRole::Caption, font);
+        return QFontMetrics(font).horizontalAdvance(text);
+    };
+    const int state = view.columnWidth(ParameterModel::State);
+    QVERIFY(state < textWidth(ParameterModel::State, QStringLiteral("edited, was −32768")) + 44);
+    QVERIFY(state > textWidth(ParameterModel::State, QStringLiteral("stored")) + 18);
+    QVERIFY(view.columnWidth(ParameterModel::Label) + view.columnWidth(ParameterModel::Key) > 320);
+    bench.page->resize(2400, 640);
+    QCoreApplication::processEvents();
+    QVERIFY(view.columnWidth(ParameterModel::State)
+        > textWidth(ParameterModel::State, QStringLiteral("edited, was −32768")) + 18);
+}
 
 void TestParametersPage::initTestCase()
 {

@@ -97,6 +97,8 @@ private Q_SLOTS:
     void aScannerIsAKeyboard();
     void aMistakeInARecipeIsSaidWithItsLine();
     void aShiftIsCountedInFigures();
+    void aUnitThatHadEverythingIsNoWork();
+    void theHeadNamesTheRecipeOfTheVerdict();
     void aSmallPageKeepsItsVerdict();
     void theJournalOfTheStationIsChosenAndItsServerFollowed();
     void whatEndedItIsSaidInTheLanguageOfTheWindow();
@@ -250,6 +252,53 @@ void TestProduction::aShiftIsCountedInFigures()
     QCOMPARE(texts.mid(0, 3), (QStringList{s("26 passed"), s("1 failed"), s("0 refused before start")}));
     QVERIFY2(texts.at(3).startsWith(s("21.6")), qPrintable(texts.at(3)));
     QCOMPARE(texts.at(4), s("41 units an hour")); // 27 in 26 × 90 s + 21.6 s
+}
+
+void TestProduction::aUnitThatHadEverythingIsNoWork()
+{
+    auto rows = aShift();
+    ServiceView before;
+    before.rows = rows;
+    auto current = rowOf(100, service::RowState::Passed, "A1");
+    current.visit.outcome = service::Outcome::Passed;
+    current.visit.time = 1.7e9 - 5000.0;
+    current.visit.seconds = 0.5;
+    current.visit.from = current.visit.to;
+    current.visit.parameters.reset();
+    rows.push_back(current);
+    ServiceView after;
+    after.rows = rows;
+    QCOMPARE(unitsAnHour(after), unitsAnHour(before));
+    QCOMPARE(meanSeconds(after), meanSeconds(before));
+    rows.back().visit.parameters = 55; // those were written and read back
+    after.rows = rows;
+    QVERIFY(meanSeconds(after) != meanSeconds(before));
+}
+
+void TestProduction::theHeadNamesTheRecipeOfTheVerdict()
+{
+    ProductionBench bench;
+    const auto named = [&bench](const QString &name) {
+        const auto labels = bench.page->findChildren<QLabel *>();
+        return std::any_of(labels.begin(), labels.end(),
+            [&name](const QLabel *label) { return label->isVisible() && label->text() == name; });
+    };
+    const auto start = [&bench] {
+        const auto buttons = bench.page->findChildren<QPushButton *>();
+        return *std::find_if(buttons.begin(), buttons.end(),
+            [](const QPushButton *button) { return button->text() == s("Start") || button->text() == s("End"); });
+    };
+    QVERIFY(named(s("No recipe yet")));
+    QVERIFY(!start()->isEnabled());
+    bench.workbench.served.recipe = "firmware of the queue";
+    bench.show({rowOf(1, service::RowState::Passed, "A1")}, false);
+    QVERIFY(named(s("firmware of the queue")));
+    QVERIFY(!named(s("No recipe yet")));
+    QVERIFY(!start()->isEnabled());
+    QVERIFY(bench.open(plain));
+    QVERIFY(named(s("drive-base rev C")));
+    QVERIFY(bench.page->verdict().verdict().unit.isEmpty()); // it was of another recipe
+    QVERIFY(start()->isEnabled());
 }
 
 void TestProduction::whatEndedItIsSaidInTheLanguageOfTheWindow()

@@ -29,6 +29,7 @@ private Q_SLOTS:
     void theUnitBesideTheQueueIsTheChosenOrTheRunningOrTheLastOne();
     void pagesThatWereSentAgainAreThoseOfTheShownUnit();
     void whatMustNotBeCutIsShown();
+    void aUnitWhoseSelfTestTurnsItsMotorIsNotSafeToUnplug();
     void theLogTellsEveryUnit();
     void pauseSkipRetryAndCancelAreOrders();
     void aCutQueueIsOfferedAndGoneOnWith();
@@ -204,6 +205,32 @@ void QueueTest::whatMustNotBeCutIsShown()
     bench.workbench.serve({running});
     QVERIFY(bench.says(QStringLiteral("Do not unplug: DMC60C #5")));
     QCOMPARE(bench.cell(0, QueueModel::Outcome), QStringLiteral("do not unplug"));
+}
+
+void QueueTest::aUnitWhoseSelfTestTurnsItsMotorIsNotSafeToUnplug()
+{
+    QueueBench bench;
+    QVERIFY(bench.board().openImage(demoImage));
+    QueueRow testing = bench.row(1, 1, RowState::Running);
+    testing.visit.step = service::Step::Test;
+    bench.workbench.served.waits = true;
+    bench.workbench.serve({testing});
+    QVERIFY(!bench.says(QStringLiteral("Safe to unplug")));
+    QVERIFY(bench.says(QStringLiteral("Do not unplug: DMC60C #5")));
+    QVERIFY(bench.says(QStringLiteral("as soon as Arm in the header is held")));
+    QCOMPARE(bench.cell(0, QueueModel::Outcome), QStringLiteral("hold Arm in the header"));
+    QTableView &table = bench.board().table();
+    const int cell = table.columnWidth(QueueModel::Outcome);
+    const int words = table.fontMetrics().horizontalAdvance(bench.cell(0, QueueModel::Outcome));
+    QTRY_VERIFY2(words < cell - 8 || table.rowHeight(0) >= 2 * table.fontMetrics().height(), "cut");
+    bench.workbench.served.waits = false;
+    bench.workbench.serve({testing});
+    QVERIFY(!bench.says(QStringLiteral("Safe to unplug")));
+    QVERIFY(bench.says(QStringLiteral("The self-test turns the motor.")));
+    QCOMPARE(bench.cell(0, QueueModel::Outcome), QStringLiteral("do not unplug"));
+    testing.state = RowState::Passed;
+    bench.workbench.serve({testing}, false);
+    QVERIFY(!bench.says(QStringLiteral("Do not unplug")));
 }
 
 void QueueTest::theLogTellsEveryUnit()

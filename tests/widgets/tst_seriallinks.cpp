@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "parameterbench.h"
 #include "support/fakeworkbench.h"
 #include "support/utf8.h"
 #include "support/windowtests.h"
 #include "widgets/common/selection.h"
 #include "widgets/common/valuelabel.h"
 #include "widgets/connection/deviceactions.h"
+#include "widgets/connection/devicecard.h"
 #include "widgets/connection/devicetree.h"
 #include "widgets/connection/linkchoices.h"
 #include "widgets/connection/overviewpage.h"
@@ -47,7 +49,41 @@ private Q_SLOTS:
     void anAddedPortIsRememberedOnlyOnceItIsOpen();
     void aLongScanShowsHowFarItIsAndCanBeCancelled();
     void everyRateAndAddressCanBeSearched();
+    void cardsStandInTheOrderOfTheTree();
 };
+
+void TestSerialLinks::cardsStandInTheOrderOfTheTree()
+{
+    FakeWorkbench workbench;
+    Selection selection;
+    const ThemeSource theme{darkTheme()};
+    workbench.shot.links.push_back(serialLink());
+    for (const auto &[id, address] : {std::pair{2U, 3}, std::pair{1U, 4}, std::pair{3U, 5}}) { // #4 was found first
+        DeviceView device = readDrive(id, address);
+        device.link = workbench.shot.links[0].address;
+        device.telemetry = std::make_shared<Telemetry>(device.family->channels);
+        workbench.shot.devices.push_back(device);
+    }
+    OverviewPage page(workbench, selection, theme);
+    page.resize(1600, 700);
+    page.show();
+    workbench.publish();
+    std::vector<std::pair<QPoint, QString>> cards;
+    const auto order = [&] {
+        QCoreApplication::processEvents();
+        cards.clear();
+        for (const DeviceCard *card : page.findChildren<DeviceCard *>())
+            cards.emplace_back(card->pos(), card->accessibleName());
+        std::sort(cards.begin(), cards.end(), [](const auto &a, const auto &b) {
+            return std::pair(a.first.y(), a.first.x()) < std::pair(b.first.y(), b.first.x());
+        });
+        QStringList numbers;
+        for (const auto &[place, name] : cards)
+            numbers << name.mid(name.indexOf(QLatin1Char('#')), 2);
+        return numbers;
+    };
+    QTRY_COMPARE(order(), (QStringList{s("#3"), s("#4"), s("#5")}));
+}
 
 void TestSerialLinks::aLongScanShowsHowFarItIsAndCanBeCancelled()
 {

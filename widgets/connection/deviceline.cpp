@@ -89,8 +89,9 @@ void DeviceLine::resizeEvent(QResizeEvent *event)
 
 QString DeviceLine::aboutOf(const DeviceView &device) const
 {
+    const bool named = device.identity->name != device.family->title; // not as it comes from its maker
     if (!hasAxes(*device.family))
-        return QString::fromStdString(device.identity->name);
+        return named ? QString::fromStdString(device.identity->name) : QString();
     return m_selection.axis() > 0 ? commandOfAxis(device, m_selection.axis()) : axesLine(device);
 }
 
@@ -143,6 +144,7 @@ void DeviceLine::follow()
     const int axis = m_selection.axis();
     showWhole(*m_title, axis > 0 ? tr("%1 · %2").arg(titleOf(*device), axisTitle(axis)) : titleOf(*device));
     m_name->setText(aboutOf(*device));
+    m_name->setVisible(!m_name->text().isEmpty());
     const auto known
         = [](const std::string &text) { return text.empty() ? QString(UnknownMark) : QString::fromStdString(text); };
     m_identity->setText(tr("SN %1 · fw %2").arg(known(device->identity->serial), known(device->identity->firmware)));

@@ -150,8 +150,9 @@ void DeviceTree::buildFoot(QVBoxLayout &column)
     column.addWidget(new ScanStrip(m_workbench, m_theme, this));
     auto *foot = new QWidget(this);
     auto *row = new WrapLayout(foot);
-    row->setContentsMargins(theme.u(8), theme.u(8), theme.u(8), theme.u(8));
-    row->setSpacing(theme.u(8));
+    row->setContentsMargins(
+        theme.u(6), theme.u(8), theme.u(6), theme.u(8)); // both beside each other in the usual width
+    row->setSpacing(theme.u(4));
     auto *add = new CommandButton(m_theme, Symbol::Add, tr("Add link"), foot);
     auto *simulate = new CommandButton(m_theme, Symbol::Chip, tr("Simulate"), foot);
     add->setToolTip(tr("Open a CAN interface, a serial port or another link"));

@@ -16,6 +16,7 @@
 #include <QStackedWidget>
 
 #include <algorithm>
+#include <utility>
 
 namespace mb {
 namespace {
@@ -206,7 +207,26 @@ void OverviewPage::followDevices(const Snapshot &shot)
         }
         entry->second->show(device, m_workbench.presentOf(device.link), device.id == m_selection.device());
     }
+    followOrder(shot);
     arrange();
+}
+
+/// That of the tree; as long as the mouse is over them a new one comes last and moves none.
+void OverviewPage::followOrder(const Snapshot &shot)
+{
+    std::vector<DeviceId> order;
+    if (m_canvas->underMouse()) {
+        order = m_order;
+        std::erase_if(order, [this](DeviceId id) { return m_cards.count(id) == 0; });
+    }
+    for (const LinkView &link : shot.links) {
+        for (const DeviceView &device : shot.devices) {
+            if (device.link == link.address && std::find(order.begin(), order.end(), device.id) == order.end())
+                order.push_back(device.id);
+        }
+    }
+    if (std::exchange(m_order, order) != order)
+        m_columns = 0;
 }
 
 /// As many cards beside each other as none of them is cut.
@@ -235,8 +255,8 @@ void OverviewPage::arrange()
         ++place;
     }
     place = 0;
-    for (const auto &[id, card] : m_cards) { // as they were found: a new one comes last and moves none
-        m_deviceGrid->addWidget(card, place / columns, place % columns);
+    for (const DeviceId id : m_order) {
+        m_deviceGrid->addWidget(m_cards.at(id), place / columns, place % columns);
         ++place;
     }
     for (int i = 0; i < mostColumns; ++i) {

@@ -58,6 +58,7 @@ private:
     void follow();
     void followLinks(const Snapshot &shot);
     void followDevices(const Snapshot &shot);
+    void followOrder(const Snapshot &shot);
     [[nodiscard]] static QString rateText(const LinkView &link);
     [[nodiscard]] int fittingColumns() const;
     void arrange();
@@ -74,6 +75,7 @@ private:
     DoctorCard *m_ailing = nullptr; ///< above the cards: what does not work
     std::map<std::string, LinkCard> m_links;
     std::map<DeviceId, DeviceCard *> m_cards;
+    std::vector<DeviceId> m_order; ///< of the cards
     int m_columns = 0;
 };
 

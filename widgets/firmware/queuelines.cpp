@@ -78,8 +78,8 @@ void describeOpen(QueueLine &line, const QueueRow &row, Instant now)
         line.step = row.what.empty() ? stepText(row.visit.step) : messageText(row.what);
         line.done = static_cast<int>(shareOf(row) * 100.0);
         line.time = secondsText(secondsSince(row.startedAt, now));
-        line.result = row.mayInterrupt ? QueueText::tr("safe to unplug, resumes") : QueueText::tr("do not unplug");
-        line.tone = row.mayInterrupt ? Tone::Dim : Tone::Danger;
+        line.result = mayUnplug(row) ? QueueText::tr("safe to unplug, resumes") : QueueText::tr("do not unplug");
+        line.tone = mayUnplug(row) ? Tone::Dim : row.mayInterrupt ? Tone::Caution : Tone::Danger;
         break;
     case RowState::Waiting:
         line.glyph = GlyphState::Waiting;

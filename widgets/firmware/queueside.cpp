@@ -41,7 +41,12 @@ void QueueSide::showUnit(const service::QueueRow *row, const QueueLine *line, co
     map().setStates(row ? row->parts : std::map<int, PartState>());
     followHands(row);
     const bool running = row && row->state == RowState::Running;
-    const Safety safety = !running ? Safety::Nothing : row->mayInterrupt ? Safety::MayCut : Safety::MustNotCut;
+    const bool waits = line && line->glyph == GlyphState::Waiting; // of one that runs: for Arm
+    const Safety safety = !running ? Safety::Nothing
+        : mayUnplug(*row)          ? Safety::MayCut
+        : !row->mayInterrupt       ? Safety::MustNotCut
+        : waits                    ? Safety::WaitsToTurn
+                                   : Safety::Turns;
     const QString link = line && !line->link.isEmpty() ? QStringLiteral(" · ") + line->link : QString();
     showSafety(safety, title + link, recipe.family() ? updateWords(*recipe.family()) : UpdateWords());
 }

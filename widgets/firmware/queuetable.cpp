@@ -18,8 +18,8 @@
 namespace mb {
 namespace {
 
-/// The end of an address tells more than its middle.
-class MiddleElided : public QStyledItemDelegate {
+/// Whatever it says, its row stays as high; of a serial number or an address the end tells more than the middle.
+class OneLine : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
 
@@ -27,7 +27,9 @@ protected:
     void initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const override
     {
         QStyledItemDelegate::initStyleOption(option, index);
-        option->textElideMode = Qt::ElideMiddle;
+        option->features &= ~QStyleOptionViewItem::WrapText;
+        if (index.column() == QueueModel::Serial)
+            option->textElideMode = Qt::ElideMiddle;
     }
 };
 
@@ -60,16 +62,18 @@ void QueueTable::buildView(const ThemeSource &source)
     const Theme &theme = source.theme();
     m_view->setAccessibleName(tr("Units of the queue"));
     m_view->setModel(m_model);
-    m_view->setItemDelegateForColumn(QueueModel::Serial, new MiddleElided(m_view));
+    m_view->setItemDelegate(new OneLine(m_view));
+    m_view->setItemDelegateForColumn(QueueModel::Outcome, new QStyledItemDelegate(m_view)); // a cause is read whole
     m_view->setItemDelegateForColumn(QueueModel::Share, new ShareDelegate(source, m_view));
     m_view->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_view->setSelectionMode(QAbstractItemView::SingleSelection);
     m_view->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_view->setShowGrid(false);
-    m_view->setWordWrap(false);
+    m_view->setWordWrap(true);
     m_view->setFrameShape(QFrame::NoFrame);
     m_view->verticalHeader()->hide();
-    m_view->verticalHeader()->setDefaultSectionSize(theme.u(30));
+    m_view->verticalHeader()->setMinimumSectionSize(theme.u(30));
+    m_view->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     auto *titles = m_view->horizontalHeader();
     titles->setHighlightSections(false);
     titles->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);

@@ -65,15 +65,21 @@ QWidget *UpdateSide::buildPages(QWidget *parent)
 void UpdateSide::showSafety(Safety safety, const QString &place, const UpdateWords &words)
 {
     const bool critical = safety == Safety::MustNotCut;
-    setStyleProperty(*m_safety, "banner", critical ? QStringLiteral("danger") : QStringLiteral("ok"));
-    QString title = critical       ? tr("Do not unplug")
-        : safety == Safety::MayCut ? tr("Safe to unplug")
-                                   : tr("Nothing is written now");
+    const bool turns = safety == Safety::Turns || safety == Safety::WaitsToTurn;
+    setStyleProperty(*m_safety, "banner",
+        critical    ? QStringLiteral("danger")
+            : turns ? QStringLiteral("caution")
+                    : QStringLiteral("ok"));
+    QString title = critical || turns ? tr("Do not unplug")
+        : safety == Safety::MayCut    ? tr("Safe to unplug")
+                                      : tr("Nothing is written now");
     if (safety != Safety::Nothing)
         title += QStringLiteral(": ") + place;
     m_title->setText(title);
-    setTone(*m_title, critical ? Tone::Danger : Tone::Ok);
-    m_text->setText(tableText(critical && !words.fatalCut.empty() ? words.fatalCut : words.cut));
+    setTone(*m_title, critical ? Tone::Danger : turns ? Tone::Caution : Tone::Ok);
+    m_text->setText(safety == Safety::WaitsToTurn ? tr("The motor turns as soon as Arm in the header is held.")
+            : turns                               ? tr("The self-test turns the motor.")
+                    : tableText(critical && !words.fatalCut.empty() ? words.fatalCut : words.cut));
 }
 
 void UpdateSide::setGuided(bool guided)

@@ -19,7 +19,8 @@ class StepsPanel;
 class UpdateSide : public QScrollArea {
     Q_OBJECT
 public:
-    enum class Safety { Nothing, MayCut, MustNotCut };
+    /// Turns: nothing is written, but a self-test moves the motor; WaitsToTurn: as soon as somebody arms.
+    enum class Safety { Nothing, MayCut, MustNotCut, Turns, WaitsToTurn };
 
     UpdateSide(const ThemeSource &theme, QWidget *parent);
 

@@ -55,6 +55,22 @@ ColumnWidths leastWidths(const ColumnWidths &natural, const Theme &theme)
     return least;
 }
 
+/// For what a row says that nobody edits; what it was before an edit stands in the panel beside, too.
+int leastState(const ParameterModel &model, const ParameterDelegate &delegate, const Theme &theme, const QFont &body)
+{
+    const QFontMetrics metrics(delegate.cellFont(ParameterModel::State, body));
+    int widest = metrics.horizontalAdvance(model.headerData(ParameterModel::State, Qt::Horizontal).toString());
+    const auto widen = [&](const QString &word) { widest = std::max(widest, metrics.horizontalAdvance(word)); };
+    for (const GlyphState state :
+        {GlyphState::Stored, GlyphState::Edited, GlyphState::Assumed, GlyphState::Volatile, GlyphState::OutOfRange})
+        widen(glyphWord(state));
+    for (std::uint16_t i = 0; model.family() && i < model.family()->parameters.size(); ++i) {
+        if (model.family()->parameters[i].access == Access::WriteOnly)
+            widen(ParameterModel::tr("unknown until written"));
+    }
+    return widest + 2 * delegate.padding() + theme.u(12);
+}
+
 int sum(const ColumnWidths &widths)
 {
     return std::accumulate(widths.begin(), widths.end(), 0);
@@ -71,6 +87,8 @@ ColumnWidths columnWidthsFor(
         if (sum(widths) > room)
             widths[at(column)] = natural[at(column)] = 0;
     }
+    widths[at(ParameterModel::State)]
+        = std::min(widths[at(ParameterModel::State)], leastState(model, delegate, theme, body));
     int spare = room - sum(widths);
     const auto widen = [&](int column, int wish) {
         const int more = std::clamp(std::min(wish, natural[at(column)]) - widths[at(column)], 0, std::max(0, spare));
@@ -78,7 +96,7 @@ ColumnWidths columnWidthsFor(
         spare -= more;
     };
     widen(ParameterModel::Key, theme.u(140));
-    for (const int column : {ParameterModel::Label, ParameterModel::Key, ParameterModel::Unit})
+    for (const int column : {ParameterModel::Label, ParameterModel::Key, ParameterModel::Unit, ParameterModel::State})
         widen(column, natural[at(column)]);
     if (spare <= 0)
         return widths;

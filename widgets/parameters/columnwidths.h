@@ -10,7 +10,8 @@ namespace mb {
 /// Pixels of every column; 0 hides it.
 using ColumnWidths = std::array<int, ParameterModel::ColumnCount>;
 
-/// Numbers and states get what they need, names and keys share the rest and end in "…" where it is too little. Where
+/// Numbers get what they need, states what an unedited row says; names and keys share the rest and end in "…" where it is
+/// too little, and what is left then goes to what a state was before an edit. Where
 /// even their least width does not fit, the columns raw, key and reference go, in this order; the tooltip and the line
 /// below the table have them.
 [[nodiscard]] ColumnWidths columnWidthsFor(

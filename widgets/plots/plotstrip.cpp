@@ -27,7 +27,7 @@ PlotStrip::PlotStrip(
     new StripFace(*m_rect, theme, decor);
 }
 
-void PlotStrip::restyle(const QFont &font, bool last, bool relative)
+void PlotStrip::restyle(const QFont &font, bool last)
 {
     const Theme &theme = m_theme.theme();
     const QFont caption = theme.font(TextRole::Caption, font);
@@ -49,7 +49,7 @@ void PlotStrip::restyle(const QFont &font, bool last, bool relative)
     decor.headGap = style.legend || !style.title.isEmpty() ? theme.u(8) : 0;
     const int above = theme.u(headHeight) + decor.headGap + theme.u(decor.headGap > 0 ? 8 : 2);
     m_rect->setMargins(QMargins(0, above, m_rect->margins().right(), below));
-    decor.keyUnit = last && relative ? tr("s") : QString();
+    decor.keyUnit = last ? tr("s") : QString();
 }
 
 void PlotStrip::setRightMargin(int pixels)

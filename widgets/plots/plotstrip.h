@@ -37,8 +37,8 @@ public:
         return *m_rect->axis(second ? QCPAxis::atRight : QCPAxis::atLeft);
     }
 
-    /// In the colours of the theme. The last strip has the labels of time, relative ones with their unit.
-    void restyle(const QFont &font, bool last, bool relative);
+    /// In the colours of the theme. The last strip has the labels of time.
+    void restyle(const QFont &font, bool last);
     /// Room at the right, in pixels.
     void setRightMargin(int pixels);
 

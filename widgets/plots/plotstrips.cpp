@@ -105,7 +105,7 @@ void PlotStrips::restyle()
 {
     m_plot.setCanvas(m_theme.theme().canvas);
     for (const auto &strip : m_strips)
-        strip->restyle(m_plot.font(), strip == m_strips.back(), !m_unixAtZero);
+        strip->restyle(m_plot.font(), strip == m_strips.back());
     for (auto &[id, trace] : m_traces)
         trace.plottable->setLook(trace.plottable->look(), m_theme.theme());
     updateHeads();

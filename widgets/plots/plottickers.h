@@ -37,6 +37,8 @@ public:
     TimeTicker() { setTickCount(8); }
     void setClock(std::optional<double> unixAtZero) { m_unixAtZero = unixAtZero; }
     QString text(double key, double step) const;
+    /// Labels are seconds, from an origin or of the minute, and need that unit: as they were made last.
+    [[nodiscard]] bool showsSeconds() const { return !m_unixAtZero || m_step < 1.0; }
 
 protected:
     double getTickStep(const QCPRange &range) override;

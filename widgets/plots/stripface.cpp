@@ -3,6 +3,7 @@
 
 #include "widgets/plots/plotframe.h"
 #include "widgets/plots/plotlabels.h"
+#include "widgets/plots/plottickers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,7 +91,8 @@ void StripFace::drawHead(QCPPainter &painter, const QRectF &box) const
 
 void StripFace::drawKeyUnit(QCPPainter &painter, const QRectF &box) const
 {
-    if (m_decor.keyUnit.isEmpty())
+    const auto *ticker = dynamic_cast<const TimeTicker *>(m_rect.axis(QCPAxis::atBottom)->ticker().data());
+    if (m_decor.keyUnit.isEmpty() || !ticker || !ticker->showsSeconds())
         return;
     const Theme &theme = m_theme.theme();
     const QRectF corner(box.right() + theme.u(18), box.bottom() + theme.u(4), theme.u(40), theme.u(18));

@@ -79,9 +79,10 @@ void ProductionHead::buildOrders(QWidget &orders)
     show(nullptr);
 }
 
-void ProductionHead::show(const service::RecipeMatter *matter)
+void ProductionHead::show(const service::RecipeMatter *matter, const QString &name)
 {
-    m_name->setText(matter ? recipeName(matter) : tr("No recipe yet"));
+    m_hasRecipe = matter != nullptr;
+    m_name->setText(matter ? recipeName(matter) : name.isEmpty() ? tr("No recipe yet") : name);
     m_image->setText(imageText(matter));
     m_parameters->setText(parameterText(matter));
     m_number->setText(numberText(matter));
@@ -91,6 +92,7 @@ void ProductionHead::show(const service::RecipeMatter *matter)
 
 void ProductionHead::follow(const ServiceView &view)
 {
+    m_start->setEnabled(view.running || m_hasRecipe);
     m_start->setText(view.running ? tr("End") : tr("Start"));
     m_start->setSymbol(view.running ? Symbol::Pause : Symbol::Play);
     m_link->setEnabled(!view.running);

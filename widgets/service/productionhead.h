@@ -24,8 +24,8 @@ class ProductionHead : public QWidget {
 public:
     ProductionHead(const ThemeSource &theme, QWidget *parent);
 
-    /// nullptr: no recipe yet.
-    void show(const service::RecipeMatter *matter);
+    /// nullptr: no recipe yet, or somebody else's, of which the name alone is known; nothing can be started then.
+    void show(const service::RecipeMatter *matter, const QString &name = {});
     void follow(const ServiceView &view);
     /// Offers the links that are open.
     void follow(const Snapshot &shot);
@@ -56,6 +56,7 @@ private:
     QComboBox *m_link = nullptr;
     CommandButton *m_start = nullptr;
     HoldButton *m_arm = nullptr;
+    bool m_hasRecipe = false;
     QLineEdit *m_serial = nullptr;
 };
 

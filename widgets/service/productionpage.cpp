@@ -161,10 +161,11 @@ bool ProductionPage::openRecipe(const QString &path)
     }
     m_matter = std::make_shared<const service::RecipeMatter>(std::move(*loaded));
     const auto &test = m_matter->recipe.test;
-    m_head->show(m_matter.get());
     m_motion->setText(test ? tr("The self-test turns the motor: %1").arg(motionOf(*test)) : QString());
-    m_motion->setVisible(test.has_value());
-    follow();
+    if (m_workbench.service().running)
+        follow();
+    else
+        setAside(); // verdicts of the recipe before
     return true;
 }
 
@@ -244,12 +245,22 @@ void ProductionPage::follow()
     const ServiceView &view = m_workbench.service();
     m_verdict->setVerdict(verdictOf(view, m_setAside));
     m_tiles->follow(view);
+    showRecipe(view);
     m_head->follow(view);
     m_units->follow(view);
     if (!std::exchange(m_announced, view.announces) && view.announces)
         sound(2);
     if (const bool turns = view.running && view.armed; turns != m_renewal.isActive())
         turns ? m_renewal.start() : m_renewal.stop();
+}
+
+/// The one of the verdict, which the queue of the page Firmware may have begun; else the one that can be started.
+void ProductionPage::showRecipe(const ServiceView &view)
+{
+    const bool told = view.running || !m_verdict->verdict().unit.isEmpty();
+    const bool others = told && !view.recipe.empty() && (!m_matter || m_matter->recipe.name != view.recipe);
+    m_head->show(others ? nullptr : m_matter.get(), others ? qt(view.recipe) : QString());
+    m_motion->setVisible(!others && m_matter && m_matter->recipe.test);
 }
 
 void ProductionPage::ended(const service::Visit &visit)

@@ -60,6 +60,7 @@ private:
     QWidget *buildFoot();
     void askRecipe();
     void follow();
+    void showRecipe(const ServiceView &view);
     void ended(const service::Visit &visit);
     void sound(int times);
     void beep(int times);

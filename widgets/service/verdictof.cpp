@@ -35,6 +35,13 @@ QString boundsOf(const service::TestValue &value)
                      : BenchText::tr("at most %1").arg(formatSignificant(*value.high, 3));
 }
 
+/// Nothing had to be done to it.
+bool hadEverything(const service::Visit &visit)
+{
+    return visit.outcome == service::Outcome::Passed && !visit.to.empty() && visit.from == visit.to && !visit.parameters
+        && visit.test.empty() && !visit.number;
+}
+
 QString versionsOf(const service::Visit &visit)
 {
     return visit.from == visit.to || visit.to.empty() ? qt(visit.from)
@@ -137,7 +144,7 @@ Verdict verdictOf(const ServiceView &view, const std::vector<std::uint32_t> &set
         verdict.step = view.announces ? BenchText::tr("The motor turns in a moment") : messageText(row->what);
         verdict.share = row->total > 0 ? static_cast<double>(row->done) / row->total : 0.0;
         verdict.next = isWaitingForArm(view, *row) ? BenchText::tr("Hold Arm to go on")
-            : row->mayInterrupt                    ? BenchText::tr("Safe to unplug")
+            : mayUnplug(*row)                      ? BenchText::tr("Safe to unplug")
                                                    : BenchText::tr("Do not unplug");
         return verdict;
     }
@@ -153,6 +160,11 @@ Verdict verdictOf(const ServiceView &view, const std::vector<std::uint32_t> &set
 bool isWaitingForArm(const ServiceView &view, const QueueRow &row)
 {
     return view.waits && row.state == RowState::Running && row.visit.step == service::Step::Test;
+}
+
+bool mayUnplug(const QueueRow &row)
+{
+    return row.mayInterrupt && (row.state != RowState::Running || row.visit.step != service::Step::Test);
 }
 
 QString wordOf(const QueueRow &row)
@@ -189,7 +201,7 @@ std::optional<double> unitsAnHour(const ServiceView &view)
     double last = 0.0;
     int ended = 0;
     for (const QueueRow &row : view.rows) {
-        if (!hasEnded(row.state) || row.visit.time <= 0.0)
+        if (!hasEnded(row.state) || hadEverything(row.visit) || row.visit.time <= 0.0)
             continue;
         first = std::min(first, row.visit.time);
         last = std::max(last, row.visit.time + row.visit.seconds);
@@ -203,7 +215,7 @@ std::optional<double> meanSeconds(const ServiceView &view)
     double sum = 0.0;
     int count = 0;
     for (const QueueRow &row : view.rows) {
-        if (row.state != RowState::Passed)
+        if (row.state != RowState::Passed || hadEverything(row.visit))
             continue;
         sum += row.visit.seconds;
         ++count;

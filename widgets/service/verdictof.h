@@ -13,13 +13,15 @@ namespace mb {
 [[nodiscard]] const service::QueueRow *lastEnded(const ServiceView &view, const std::vector<std::uint32_t> &setAside);
 /// It has all but its self-test, which waits until the station is armed.
 [[nodiscard]] bool isWaitingForArm(const ServiceView &view, const service::QueueRow &row);
+/// Power may be cut now: nothing is written that must be whole, and no self-test turns its motor or waits to.
+[[nodiscard]] bool mayUnplug(const service::QueueRow &row);
 /// "passed", "failed", "refused", … of a row.
 [[nodiscard]] QString wordOf(const service::QueueRow &row);
 /// What stands beside that word: "1.23 → 1.25", or why not.
 [[nodiscard]] QString lineOf(const service::QueueRow &row);
 /// Serial number, or where it stands.
 [[nodiscard]] QString nameOf(const service::QueueRow &row);
-/// Mean seconds of the units that passed; nothing without one.
+/// Mean seconds of the units that passed; nothing without one. One that had everything already is no work, here and below.
 [[nodiscard]] std::optional<double> meanSeconds(const ServiceView &view);
 /// From the first that began to the last that ended; nothing before the second has ended.
 [[nodiscard]] std::optional<double> unitsAnHour(const ServiceView &view);
