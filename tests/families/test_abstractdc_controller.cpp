@@ -172,6 +172,28 @@ TEST_F(AbstractDcController, AnotherMasterIsSeenAndItsSettingsAreBelieved)
     EXPECT_FALSE(device->liveness().foreignMaster);
 }
 
+TEST_F(AbstractDcController, WhatAnotherMasterAsksForIsRecordedToo)
+{
+    add("abstractdc:3");
+    open(3, &dialectF);
+    VirtualCanLink master(*LinkAddress::parse("sim:can"), bus);
+    ASSERT_TRUE(master.open());
+    const auto samplesOfASecond = [&](bool asked) {
+        device->telemetry()->commit();
+        const std::size_t before = device->telemetry()->size(channel("position"));
+        for (int i = 0; i < 100; ++i) {
+            EXPECT_TRUE(!asked || master.send(encodeLogRequest(dialectF, 3, Log::Position)));
+            clock.advance(10ms);
+        }
+        device->telemetry()->commit();
+        return device->telemetry()->size(channel("position")) - before;
+    };
+    const std::size_t alone = samplesOfASecond(false);
+    const std::size_t together = samplesOfASecond(true);
+    EXPECT_GE(together, alone + 30U);
+    EXPECT_FALSE(device->liveness().foreignMaster) << "who asks only moves nothing";
+}
+
 TEST_F(AbstractDcController, SettingsAreClampedWhereTheDeviceIsNot)
 {
     add("abstractdc:3");
