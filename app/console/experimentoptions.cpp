@@ -2,6 +2,7 @@
 #include "app/console/experimentoptions.h"
 
 #include "app/console/target.h"
+#include "async/outputfile.h"
 
 #include <CLI/CLI.hpp>
 
@@ -46,6 +47,17 @@ Result<ExperimentOptions::Values> ExperimentOptions::parse(const Family &family)
     values.axis = *whichAxis;
     values.slot = *whichSlot;
     return values;
+}
+
+Result<void> checkSave(const std::string &path)
+{
+    return path.empty() ? Result<void>() : checkWritable(path);
+}
+
+Error notSaved(Error why)
+{
+    why.fault = Fault::Refused;
+    return why;
 }
 
 } // namespace mb::console

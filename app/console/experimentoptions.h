@@ -35,4 +35,9 @@ struct ExperimentOptions {
     [[nodiscard]] Result<Values> parse(const Family &family) const;
 };
 
+/// Whether `--save PATH` could be written, asked before anything moves. Empty: it was not given.
+[[nodiscard]] Result<void> checkSave(const std::string &path);
+/// Why it was not written after the motor has turned: what fails then is no wrong usage.
+[[nodiscard]] Error notSaved(Error why);
+
 } // namespace mb::console

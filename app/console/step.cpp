@@ -7,7 +7,6 @@
 #include "app/console/target.h"
 #include "app/console/trialtext.h"
 #include "app/console/verb.h"
-#include "async/outputfile.h"
 #include "async/progress.h"
 #include "async/sleep.h"
 #include "model/parametertransfer.h"
@@ -123,7 +122,7 @@ Result<StepPlan> check(const Console &console, const StepArguments &a)
         return fail(
             Fault::Unsupported, say("%1 has no loop that can be tried", family.title), say("leave it to 'drive'"));
     StepPlan plan{std::move(*target), {}, a.samples, a.save, a.yes};
-    if (auto writable = a.save.empty() ? Result<void>() : checkWritable(a.save); !writable)
+    if (auto writable = checkSave(a.save); !writable)
         return fail(writable.error());
     const auto mode = parseLoop(family, a.mode);
     if (!mode)
@@ -219,8 +218,7 @@ Task<int> perform(Console &console, Session &session, Device &device, StepPlan p
     printTrial(console, *trial, trial->number);
     if (!plan.save.empty()) {
         if (auto saved = saveTrial(plan.save, *trial, trial->number); !saved)
-            co_return fail(
-                Fault::Refused, saved.error().detail, saved.error().remedy); // the motor has turned: no wrong usage
+            co_return fail(notSaved(saved.error()));
     }
     co_return verdictOf(*trial);
 }

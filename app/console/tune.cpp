@@ -6,7 +6,6 @@
 #include "app/console/target.h"
 #include "app/console/tunetext.h"
 #include "app/console/verb.h"
-#include "async/outputfile.h"
 #include "async/sleep.h"
 #include "settings/writing.h"
 #include "tuning/autotune.h"
@@ -87,7 +86,7 @@ Result<TuneOrder> check(const Console &console, const TuneArguments &a)
         return fail(target.error());
     const Family &family = *target->family;
     TuneOrder plan{std::move(*target), {}, a.save, a.store, a.yes};
-    if (auto writable = a.save.empty() ? Result<void>() : checkWritable(a.save); !writable)
+    if (auto writable = checkSave(a.save); !writable)
         return fail(writable.error());
     plan.tuning.propose = a.propose;
     plan.tuning.keep = a.keep;
@@ -167,8 +166,7 @@ Task<int> perform(Console &console, Session &session, Device &device, TuneOrder 
     printTuning(console, *report);
     if (!plan.save.empty()) {
         if (auto saved = saveTuning(plan.save, *report); !saved)
-            co_return fail(
-                Fault::Refused, saved.error().detail, saved.error().remedy); // the motor has turned: no wrong usage
+            co_return fail(notSaved(saved.error()));
     }
     co_return verdictOf(*report);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/intelhex.h"
 
+#include "wire/byteordermark.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -14,7 +16,6 @@ using Status = Result<void>;
 constexpr std::uint64_t addressSpace = std::uint64_t{1} << 32U;
 constexpr std::uint32_t window = 0x10000U; // what the 16 address bits of a record reach
 constexpr std::size_t frameBytes = 5;      // count, address (2), type, checksum
-constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
 
 enum class RecordType : std::uint8_t {
     Data = 0,
@@ -118,8 +119,7 @@ private:
 
 Status IntelHexReader::read(std::string_view text)
 {
-    if (text.substr(0, byteOrderMark.size()) == byteOrderMark)
-        text.remove_prefix(byteOrderMark.size());
+    text = withoutByteOrderMark(text);
     bool blank = true;
     while (!text.empty()) {
         ++m_line;

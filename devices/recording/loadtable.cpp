@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "recording/loadtable.h"
 
+#include "wire/byteordermark.h"
 #include "wire/number.h"
 
 #include <algorithm>
@@ -122,8 +123,8 @@ private:
             if (!std::getline(m_file, line) || line.size() > longestLine)
                 return false;
             ++m_line;
-            if (m_line == 1 && line.rfind("\xEF\xBB\xBF", 0) == 0) // a spreadsheet's mark of UTF-8
-                line.erase(0, 3);
+            if (m_line == 1)
+                line = std::string(withoutByteOrderMark(line));
             if (!line.empty() && line.back() == '\r')
                 line.pop_back();
         } while (line.empty());

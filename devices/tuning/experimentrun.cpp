@@ -357,8 +357,7 @@ Task<void> ExperimentRun::followOnce(double dither)
     const Stimulus &stimulus = m_trial.stimulus;
     Clock &clock = m_device.clock();
     const double width = settledWidth * std::abs(stimulus.to - stimulus.from);
-    const bool isOpenLoop = m_plan.mode == Mode::Duty || m_plan.mode == Mode::Voltage;
-    const auto aim = isOpenLoop ? std::optional<double>() : stimulus.to;
+    const auto aim = isClosedLoop(m_plan.mode) ? std::optional(stimulus.to) : std::nullopt;
     Sleep waiting(clock, beforeEdge + ofSeconds(dither));
     co_await waiting;
     const Instant begin = clock.now();

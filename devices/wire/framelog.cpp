@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "wire/framelog.h"
 
+#include "wire/byteordermark.h"
+
 #include <algorithm>
 
 namespace mb {
@@ -9,7 +11,6 @@ namespace {
 constexpr std::string_view example = "(1436509052.249713) can0 044#2A366C2B";
 constexpr std::string_view ascExample = "0.249713 1 44 Rx d 4 2A 36 6C 2B";
 constexpr std::string_view blfMagic = "LOGG";
-constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
 
 } // namespace
 
@@ -44,8 +45,8 @@ Error FrameLogParser::tooLong() const
 Result<std::optional<LoggedFrame>> FrameLogParser::parse(std::string_view line)
 {
     ++m_lines;
-    if (m_lines == 1 && line.starts_with(byteOrderMark))
-        line.remove_prefix(byteOrderMark.size());
+    if (m_lines == 1)
+        line = withoutByteOrderMark(line);
     if (line.find_first_not_of(" \t\r\n") == std::string_view::npos)
         return std::optional<LoggedFrame>();
     if (line.size() > longestLine)
