@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/conditions.h"
 
-#include "tuning/owedgains.h"
+#include "experiment/owedgains.h"
 #include "widgets/common/banner.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/updates.h"

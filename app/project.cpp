@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/project.h"
 
+#include "experiment/verdict.h"
 #include "files/filebytes.h"
 #include "model/parameterfile.h"
-#include "tuning/verdict.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/control/envelopebook.h"
 

@@ -130,7 +130,7 @@ def sentences(path, text, _code):
             yield line, "error", f"{' '.join(match[0].split())[:60]}: {why}"
 
 
-ROOTS = ("async", "wire", "place", "files", "telemetry", "transport", "traffic", "simulation", "firmware", "model", "recording", "tuning", "report", "settings", "service", "storage", "families", "widgets", "app", "support", "tests")
+ROOTS = ("async", "wire", "place", "files", "telemetry", "transport", "traffic", "simulation", "firmware", "model", "recording", "experiment", "tuning", "report", "settings", "service", "storage", "families", "widgets", "app", "support", "tests")
 SCREEN = re.compile(
     r"Qt(?:Gui|Widgets|Svg|PrintSupport|OpenGL)(?:/|$)|qcustomplot|Q(?:GuiApplication|Application|Widget|MainWindow|Dialog|Color|"
     r"Painter|PaintDevice|Pixmap|Image|Icon|Font|Brush|Pen|Action|Window|Palette|Style|Cursor|KeyEvent|MouseEvent|Screen)$",
@@ -150,18 +150,19 @@ LAYERS = [
     ("devices/firmware/", ("async", "wire", "files", "transport", "firmware"), True),
     ("devices/model/", BELOW, True),
     ("devices/recording/", (*BELOW, "recording"), True),
-    ("devices/tuning/", (*BELOW, "tuning"), True),
-    ("devices/report/", (*BELOW, "tuning", "service", "report"), True),
-    ("devices/settings/", (*BELOW, "tuning", "settings"), True),
-    ("devices/service/", (*BELOW, "tuning", "settings", "service"), True),
-    ("devices/storage/", (*BELOW, "tuning", "report", "settings", "service", "storage"), True),
+    ("devices/experiment/", (*BELOW, "experiment"), True),
+    ("devices/tuning/", (*BELOW, "experiment", "tuning"), True),
+    ("devices/report/", (*BELOW, "experiment", "tuning", "service", "report"), True),
+    ("devices/settings/", (*BELOW, "settings"), True),
+    ("devices/service/", (*BELOW, "experiment", "tuning", "settings", "service"), True),
+    ("devices/storage/", (*BELOW, "experiment", "tuning", "report", "settings", "service", "storage"), True),
     ("devices/families/", BELOW, True),
-    ("widgets/", (*BELOW, "recording", "tuning", "report", "settings", "service", "widgets"), True),
-    ("app/console/", (*BELOW, "tuning", "report", "settings", "service", "storage", "app/console", "app/folders", "app/guardian", "app/sleep"), True),
+    ("widgets/", (*BELOW, "recording", "experiment", "tuning", "report", "settings", "service", "widgets"), True),
+    ("app/console/", (*BELOW, "experiment", "tuning", "report", "settings", "service", "storage", "app/console", "app/folders", "app/guardian", "app/sleep"), True),
     ("app/guardian/client/", (*BELOW, "app/guardian"), True),
     ("app/sleep/", (*BELOW, "app/sleep"), True),
     ("app/guardian/", ("app/guardian", "place"), False),
-    ("app/", (*BELOW, "recording", "tuning", "report", "settings", "service", "storage", "widgets", "app"), True),
+    ("app/", (*BELOW, "recording", "experiment", "tuning", "report", "settings", "service", "storage", "widgets", "app"), True),
 ]
 
 

@@ -5,8 +5,8 @@
 #include "app/console/question.h"
 #include "app/folders/account.h"
 #include "app/folders/userfolders.h"
+#include "experiment/owedgains.h"
 #include "settings/snapshots.h"
-#include "tuning/owedgains.h"
 
 namespace mb::console {
 

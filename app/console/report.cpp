@@ -7,8 +7,8 @@
 #include "app/console/windowprogram.h"
 #include "app/folders/userfolders.h"
 #include "async/outputfile.h"
+#include "experiment/verdict.h"
 #include "storage/reportmatter.h"
-#include "tuning/verdict.h"
 
 #include <algorithm>
 #include <array>

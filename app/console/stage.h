@@ -4,10 +4,10 @@
 #include "app/console/console.h"
 #include "app/console/notebook.h"
 #include "app/console/target.h"
+#include "experiment/experiment.h"
 #include "model/leaserenewal.h"
 #include "model/session.h"
 #include "model/setpointstream.h"
-#include "tuning/experiment.h"
 
 #include <functional>
 #include <memory>

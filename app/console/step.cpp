@@ -9,10 +9,10 @@
 #include "app/console/verb.h"
 #include "async/progress.h"
 #include "async/sleep.h"
+#include "experiment/experiment.h"
 #include "model/parametertransfer.h"
 #include "settings/writing.h"
 #include "storage/trialfile.h"
-#include "tuning/experiment.h"
 
 #include <memory>
 

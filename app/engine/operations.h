@@ -3,8 +3,8 @@
 
 #include "app/engine/context.h"
 #include "app/engine/enginelog.h"
+#include "experiment/interruption.h"
 #include "model/snapshot.h"
-#include "tuning/interruption.h"
 #include "widgets/orders/firmwareorders.h"
 
 #include <list>

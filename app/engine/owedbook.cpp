@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/engine/owedbook.h"
 
+#include "experiment/verdict.h"
 #include "model/family.h"
-#include "tuning/verdict.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/engine/operations.h"
-#include "tuning/owedgains.h"
+#include "experiment/owedgains.h"
 #include "widgets/orders/trialorders.h"
 
 #include <map>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/engine/trials.h"
 
+#include "experiment/verdict.h"
 #include "model/family.h"
 #include "settings/snapshots.h"
-#include "tuning/verdict.h"
 
 #include <algorithm>
 #include <tuple>

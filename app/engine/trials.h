@@ -4,7 +4,7 @@
 #include "app/engine/owedbook.h"
 #include "app/engine/parameterjobs.h"
 #include "app/engine/rates.h"
-#include "tuning/experiment.h"
+#include "experiment/experiment.h"
 
 namespace mb {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/metricwords.h"
 
+#include "experiment/verdict.h"
 #include "files/qttext.h"
 #include "report/htmltext.h"
-#include "tuning/verdict.h"
 
 #include <QCoreApplication>
 

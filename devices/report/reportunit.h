@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "experiment/kepttrial.h"
 #include "model/identity.h"
 #include "model/parameterstore.h"
 #include "service/visit.h"
-#include "tuning/kepttrial.h"
 #include "tuning/kepttuning.h"
 
 #include <QString>

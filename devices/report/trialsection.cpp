@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/trialsection.h"
 
+#include "experiment/envelope.h"
 #include "files/qttext.h"
 #include "model/family.h"
 #include "report/htmltext.h"
 #include "report/metricwords.h"
 #include "report/svgplot.h"
-#include "tuning/envelope.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/tuningsection.h"
 
+#include "experiment/envelope.h"
 #include "files/qttext.h"
 #include "model/family.h"
 #include "report/htmltext.h"
@@ -8,7 +9,6 @@
 #include "report/modelfigures.h"
 #include "report/svgplot.h"
 #include "report/trialsection.h"
-#include "tuning/envelope.h"
 #include "tuning/feedforwardnote.h"
 
 #include <algorithm>

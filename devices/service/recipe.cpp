@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "service/recipe.h"
 
+#include "experiment/experiment.h"
+#include "experiment/metrics.h"
 #include "files/qttext.h"
 #include "model/family.h"
-#include "tuning/experiment.h"
-#include "tuning/metrics.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "service/reciperead.h"
 
+#include "experiment/experiment.h"
+#include "experiment/metrics.h"
 #include "files/qttext.h"
 #include "model/family.h"
 #include "model/registry.h"
 #include "service/jsonlines.h"
-#include "tuning/experiment.h"
-#include "tuning/metrics.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

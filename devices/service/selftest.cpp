@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "service/selftest.h"
 
+#include "experiment/guards.h"
 #include "service/figuretext.h"
 #include "service/motorfigures.h"
-#include "tuning/guards.h"
 
 #include <algorithm>
 

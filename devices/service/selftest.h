@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "experiment/experiment.h"
 #include "service/recipe.h"
 #include "service/visit.h"
-#include "tuning/experiment.h"
 
 namespace mb::service {
 

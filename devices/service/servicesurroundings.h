@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "experiment/experiment.h"
 #include "service/recipematter.h"
 #include "service/servicejournal.h"
 #include "settings/settingslog.h"
-#include "tuning/experiment.h"
 
 #include <functional>
 #include <set>

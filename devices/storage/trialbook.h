@@ -2,9 +2,9 @@
 #pragma once
 
 #include "async/clock.h"
+#include "experiment/experimentjournal.h"
+#include "experiment/kepttrial.h"
 #include "storage/database.h"
-#include "tuning/experimentjournal.h"
-#include "tuning/kepttrial.h"
 #include "tuning/kepttuning.h"
 
 #include <optional>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "async/result.h"
-#include "tuning/kepttrial.h"
+#include "experiment/kepttrial.h"
 
 #include <QJsonArray>
 #include <QJsonObject>

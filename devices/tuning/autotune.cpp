@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/autotune.h"
 
+#include "experiment/figures.h"
+#include "experiment/gains.h"
+#include "experiment/seconds.h"
+#include "experiment/verdict.h"
 #include "model/family.h"
 #include "model/loopparameters.h"
 #include "tuning/autotunerun.h"
-#include "tuning/figures.h"
-#include "tuning/gains.h"
 #include "tuning/identificationchoice.h"
 #include "tuning/scalecalibration.h"
-#include "tuning/seconds.h"
 #include "tuning/tunedesign.h"
 #include "tuning/tuneproof.h"
-#include "tuning/verdict.h"
 
 namespace mb::tuning {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/autotunerun.h"
 
+#include "experiment/envelope.h"
+#include "experiment/figures.h"
+#include "experiment/seconds.h"
 #include "model/family.h"
-#include "tuning/envelope.h"
-#include "tuning/figures.h"
 #include "tuning/proof.h"
-#include "tuning/seconds.h"
 
 #include <algorithm>
 #include <cmath>

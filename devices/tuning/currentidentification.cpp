@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/currentidentification.h"
 
+#include "experiment/figures.h"
+#include "experiment/localfit.h"
+#include "experiment/verdict.h"
 #include "model/family.h"
 #include "tuning/autotunerun.h"
-#include "tuning/figures.h"
 #include "tuning/leastsquares.h"
-#include "tuning/localfit.h"
 #include "tuning/proposals.h"
-#include "tuning/verdict.h"
 
 #include <algorithm>
 #include <cmath>

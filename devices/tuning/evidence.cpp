@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/evidence.h"
 
+#include "experiment/envelope.h"
 #include "model/family.h"
 #include "model/loopparameters.h"
-#include "tuning/envelope.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/firstmotion.h"
 
+#include "experiment/guards.h"
 #include "model/family.h"
 #include "tuning/autotunerun.h"
-#include "tuning/guards.h"
 #include "tuning/rawstep.h"
 
 #include <algorithm>

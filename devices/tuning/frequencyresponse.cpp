@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/frequencyresponse.h"
 
+#include "experiment/figures.h"
 #include "model/family.h"
-#include "tuning/figures.h"
 #include "tuning/leastsquares.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/identification.h"
 
+#include "experiment/figures.h"
 #include "tuning/crosscheck.h"
-#include "tuning/figures.h"
 #include "tuning/pushedge.h"
 #include "tuning/rollout.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/plateau.h"
 
-#include "tuning/envelope.h"
-#include "tuning/figures.h"
-#include "tuning/localfit.h"
+#include "experiment/envelope.h"
+#include "experiment/figures.h"
+#include "experiment/localfit.h"
 
 #include <algorithm>
 #include <cmath>

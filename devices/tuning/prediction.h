@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tuning/metrics.h"
+#include "experiment/metrics.h"
 #include "tuning/simulatedloop.h"
 
 namespace mb::tuning {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/proof.h"
 
+#include "experiment/figures.h"
+#include "experiment/verdict.h"
 #include "model/family.h"
 #include "model/loopparameters.h"
 #include "tuning/adviser.h"
-#include "tuning/figures.h"
 #include "tuning/leastsquares.h"
-#include "tuning/verdict.h"
 
 #include <algorithm>
 #include <cmath>

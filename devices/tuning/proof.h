@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "experiment/trial.h"
 #include "tuning/gainscale.h"
 #include "tuning/simulatedloop.h"
-#include "tuning/trial.h"
 #include "tuning/velocityfilter.h"
 
 #include <string>

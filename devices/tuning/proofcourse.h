@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tuning/announcement.h"
+#include "experiment/announcement.h"
 #include "tuning/proposals.h"
 
 namespace mb::tuning {

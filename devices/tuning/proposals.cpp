@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/proposals.h"
 
+#include "experiment/figures.h"
+#include "experiment/seconds.h"
 #include "model/family.h"
 #include "tuning/aside.h"
-#include "tuning/figures.h"
 #include "tuning/gainsearch.h"
 #include "tuning/loopfit.h"
 #include "tuning/proof.h"
-#include "tuning/seconds.h"
 
 #include <algorithm>
 #include <array>

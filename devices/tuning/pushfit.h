@@ -2,7 +2,7 @@
 #pragma once
 
 #include "async/result.h"
-#include "tuning/trace.h"
+#include "experiment/trace.h"
 
 #include <span>
 #include <vector>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/pushidentification.h"
 
+#include "experiment/figures.h"
 #include "model/family.h"
 #include "tuning/autotunerun.h"
 #include "tuning/currentidentification.h"
-#include "tuning/figures.h"
 #include "tuning/proof.h"
 #include "tuning/relayidentification.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "experiment/trial.h"
 #include "tuning/motoridentification.h"
-#include "tuning/trial.h"
 
 #include <vector>
 

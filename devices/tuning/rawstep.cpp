@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/rawstep.h"
 
+#include "experiment/envelope.h"
 #include "model/family.h"
 #include "model/loopparameters.h"
 #include "tuning/autotunerun.h"
-#include "tuning/envelope.h"
 
 #include <algorithm>
 #include <cmath>

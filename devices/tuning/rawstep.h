@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "experiment/experimentplan.h"
 #include "model/device.h"
-#include "tuning/experimentplan.h"
 
 #include <optional>
 

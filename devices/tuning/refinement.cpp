@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/refinement.h"
 
-#include "tuning/envelope.h"
+#include "experiment/envelope.h"
 
 #include <algorithm>
 #include <array>

@@ -2,12 +2,12 @@
 #include "tuning/scalecalibration.h"
 
 #include "async/progress.h"
+#include "experiment/announcement.h"
+#include "experiment/direction.h"
+#include "experiment/envelope.h"
+#include "experiment/trialrecorder.h"
 #include "model/family.h"
-#include "tuning/announcement.h"
 #include "tuning/autotunerun.h"
-#include "tuning/direction.h"
-#include "tuning/envelope.h"
-#include "tuning/trialrecorder.h"
 
 #include <algorithm>
 #include <cmath>

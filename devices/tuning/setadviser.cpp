@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/setadviser.h"
 
+#include "experiment/envelope.h"
+#include "experiment/gains.h"
 #include "model/family.h"
 #include "model/loopparameters.h"
-#include "tuning/envelope.h"
-#include "tuning/gains.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/tunedesign.h"
 
+#include "experiment/envelope.h"
+#include "experiment/equivalenttime.h"
+#include "experiment/figures.h"
 #include "tuning/aside.h"
 #include "tuning/autotunerun.h"
-#include "tuning/envelope.h"
-#include "tuning/equivalenttime.h"
-#include "tuning/figures.h"
 #include "tuning/gainsearch.h"
 #include "tuning/leastsquares.h"
 #include "tuning/proof.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/tuneproof.h"
 
+#include "experiment/envelope.h"
+#include "experiment/gains.h"
 #include "model/family.h"
 #include "model/loopparameters.h"
 #include "tuning/autotunerun.h"
-#include "tuning/envelope.h"
-#include "tuning/gains.h"
 #include "tuning/looppass.h"
 #include "tuning/plateau.h"
 #include "tuning/proof.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "async/result.h"
-#include "tuning/trial.h"
+#include "experiment/trial.h"
 
 #include <cmath>
 #include <optional>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/twopointidentification.h"
 
+#include "experiment/envelope.h"
+#include "experiment/figures.h"
+#include "experiment/gains.h"
 #include "model/family.h"
 #include "model/loopparameters.h"
 #include "tuning/aside.h"
 #include "tuning/autotunerun.h"
-#include "tuning/envelope.h"
-#include "tuning/figures.h"
 #include "tuning/firstmotion.h"
-#include "tuning/gains.h"
 #include "tuning/loopfit.h"
 #include "tuning/rawstep.h"
 

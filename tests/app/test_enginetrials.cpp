@@ -2,11 +2,11 @@
 // Experiments as the engine's half runs them: kept, stopped at any phase, owed gains put back. Virtual time.
 #include "app/engine/enginecore.h"
 #include "async/virtualclock.h"
+#include "experiment/verdict.h"
 #include "heard.h"
 #include "model/registry.h"
 #include "support/fakejournal.h"
 #include "tuning/frequencyresponse.h"
-#include "tuning/verdict.h"
 
 #include <gtest/gtest.h>
 

@@ -45,6 +45,9 @@ class Layers(unittest.TestCase):
     def test_no_layer_knows_the_one_above(self):
         self.expect_refusal("transport", "PRIVATE", "model")
         self.expect_refusal("model", "PRIVATE", "one")
+        self.expect_refusal("experiment", "PRIVATE", "tuning")
+        self.expect_refusal("settings", "PRIVATE", "experiment")
+        self.expect_refusal("tuning", "PRIVATE", "service")
         self.expect_refusal("tuning", "PRIVATE", "one")
         self.expect_refusal("tuning", "PRIVATE", "Qt5::Sql")
         for layer in ("report", "settings", "service"):

@@ -2,6 +2,7 @@
 // A made-up family is taken through the whole program, and nothing outside its folder knows it: scan, parameters, drive, telemetry,
 // update, rows of the window, translation. The contract of every family (test_contract.cpp) runs over it in this same program.
 // docs/adding-a-family.md tells this file.
+#include "experiment/experiment.h"
 #include "model/loopparameters.h"
 #include "model/parametertransfer.h"
 #include "model/snapshot.h"
@@ -11,7 +12,6 @@
 #include "support/simulatedsession.h"
 #include "tuning/adviser.h"
 #include "tuning/evidence.h"
-#include "tuning/experiment.h"
 #include "tuning/gainscale.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/connection/devicemodel.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "experiment/owedgains.h"
 #include "fakearchive.h"
 #include "fakenotebook.h"
 #include "fakevisits.h"
-#include "tuning/owedgains.h"
 #include "widgets/common/serviceview.h"
 #include "widgets/common/workbench.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "experiment/experiment.h"
 #include "support/fakejournal.h"
 #include "support/simulatedsession.h"
-#include "tuning/experiment.h"
 
 #include <memory>
 #include <string_view>

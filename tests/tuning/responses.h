@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tuning/trace.h"
+#include "experiment/trace.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiment/announcement.h"
 #include "tests/tuning/tuningbench.h"
-#include "tuning/announcement.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiment/gains.h"
 #include "families/quadquad2drv/calibrations.h"
 #include "families/quadquad2drv/simulatoraxis.h"
 #include "simulation/motormodel.h"
 #include "tests/tuning/experimentbench.h"
 #include "tests/tuning/tuningbench.h"
 #include "tuning/autotune.h"
-#include "tuning/gains.h"
 
 #include <gtest/gtest.h>
 

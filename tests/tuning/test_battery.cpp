@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiment/battery.h"
 #include "tests/tuning/experimentbench.h"
-#include "tuning/battery.h"
 
 #include <gtest/gtest.h>
 

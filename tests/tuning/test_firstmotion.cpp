@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiment/envelope.h"
 #include "tests/tuning/experimentbench.h"
 #include "tests/tuning/tuningbench.h"
-#include "tuning/envelope.h"
 #include "tuning/loopfit.h"
 #include "tuning/prediction.h"
 

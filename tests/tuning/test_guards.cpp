@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tuning/guards.h"
+#include "experiment/guards.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiment/effort.h"
+#include "experiment/equivalenttime.h"
+#include "experiment/metrics.h"
 #include "tests/tuning/responses.h"
-#include "tuning/effort.h"
-#include "tuning/equivalenttime.h"
-#include "tuning/metrics.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What an experiment owes to a real unit that stores by itself, later: a DMC60C on a CAN interface, in virtual time.
+#include "experiment/gains.h"
+#include "experiment/owedgains.h"
+#include "experiment/verdict.h"
 #include "model/family.h"
 #include "support/fakejournal.h"
 #include "support/simulatedsession.h"
 #include "transport/backends/virtualcan.h"
-#include "tuning/gains.h"
-#include "tuning/owedgains.h"
-#include "tuning/verdict.h"
 
 namespace mb::dmc60c {
 extern const Family family;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "async/scope.h"
+#include "experiment/envelope.h"
+#include "experiment/gains.h"
 #include "model/loopparameters.h"
 #include "support/heldbackground.h"
 #include "tests/tuning/tuningbench.h"
-#include "tuning/envelope.h"
 #include "tuning/frequencyresponse.h"
-#include "tuning/gains.h"
 #include "tuning/margins.h"
 #include "tuning/proposals.h"
 #include "tuning/uncertainty.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tuning/stimulus.h"
+#include "experiment/stimulus.h"
 
 #include <gtest/gtest.h>
 

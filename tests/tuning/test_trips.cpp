@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every guard in whole experiments on simulated units: the fault is in the motor, the device or on the line, and the time from
 // the guard's own condition to the stop is measured by somebody who looks on. The table it prints is in docs/tuning.md.
+#include "experiment/owedgains.h"
 #include "families/abstractdc/simulatoroptions.h"
 #include "model/bench.h"
 #include "model/family.h"
 #include "tests/tuning/tripconditions.h"
 #include "transport/canlink.h"
-#include "tuning/owedgains.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "experiment/seconds.h"
 #include "model/axis.h"
 #include "tests/tuning/experimentbench.h"
-#include "tuning/seconds.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 #include "tests/tuning/tuningbench.h"
 #include "tests/widgets/designbench.h"
 
+#include "experiment/battery.h"
 #include "report/report.h"
-#include "tuning/battery.h"
 #include "tuning/frequencyresponse.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/control/batterydialog.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "experiment/verdict.h"
 #include "tunehand.h"
-#include "tuning/verdict.h"
 #include "widgets/control/metricspanel.h"
 #include "widgets/control/responseplot.h"
 #include "widgets/control/stimulusbar.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the Design page says and shows without being asked: the model in full, bounds before a motor turns, and all that is chosen from in sight.
 #include "designbench.h"
+#include "experiment/announcement.h"
 #include "report/modelfigures.h"
 #include "support/windowtests.h"
-#include "tuning/announcement.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/design/adviserlist.h"

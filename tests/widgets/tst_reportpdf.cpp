@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiment/verdict.h"
 #include "support/windowtests.h"
 #include "tunebench.h"
-#include "tuning/verdict.h"
 #include "widgets/report/reportorder.h"
 #include "widgets/report/reportpdf.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What can be handed out about the units that are here: listed, searched, looked at, written.
+#include "experiment/verdict.h"
 #include "model/registry.h"
 #include "support/windowtests.h"
 #include "tunebench.h"
-#include "tuning/verdict.h"
 #include "widgets/report/reportorder.h"
 #include "widgets/report/reportspage.h"
 

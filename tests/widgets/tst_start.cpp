@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The start page, its stories, and the unit that is selected first.
+#include "experiment/verdict.h"
 #include "support/fakeworkbench.h"
 #include "support/windowtests.h"
 #include "tunebench.h"
-#include "tuning/verdict.h"
 #include "widgets/common/applytheme.h"
 #include "widgets/connection/firstselection.h"
 #include "widgets/connection/startpage.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What ended a trial has words in the window, whatever it was.
+#include "experiment/guards.h"
+#include "experiment/verdict.h"
 #include "support/windowtests.h"
-#include "tuning/guards.h"
-#include "tuning/verdict.h"
 #include "widgets/control/trialwords.h"
 
 #include <QTest>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/control/arming.h"
 
+#include "experiment/experiment.h"
 #include "model/leaserenewal.h"
 #include "tuning/autotune.h"
-#include "tuning/experiment.h"
 #include "tuning/frequencyresponse.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tuning/battery.h"
+#include "experiment/battery.h"
 #include "widgets/control/arming.h"
 
 #include <QDialog>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/control/experimentplan.h"
 
+#include "experiment/envelope.h"
+#include "experiment/gains.h"
 #include "model/axis.h"
 #include "model/family.h"
 #include "model/loopparameters.h"
-#include "tuning/envelope.h"
-#include "tuning/gains.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
 

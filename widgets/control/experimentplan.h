@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "experiment/experiment.h"
 #include "model/snapshot.h"
-#include "tuning/experiment.h"
 #include "widgets/control/stimulusbar.h"
 
 #include <QString>

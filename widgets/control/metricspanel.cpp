@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/control/metricspanel.h"
 
-#include "tuning/metrics.h"
+#include "experiment/metrics.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/control/responseplot.h"
 
-#include "tuning/envelope.h"
+#include "experiment/envelope.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"

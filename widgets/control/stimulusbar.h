@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "experiment/stimulus.h"
 #include "model/setpoint.h"
-#include "tuning/stimulus.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/displayunits.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "experiment/kepttrial.h"
 #include "model/family.h"
-#include "tuning/kepttrial.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/displayunits.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tuning/kepttrial.h"
+#include "experiment/kepttrial.h"
 
 #include <optional>
 #include <vector>

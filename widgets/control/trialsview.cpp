@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/control/trialsview.h"
 
-#include "tuning/verdict.h"
+#include "experiment/verdict.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"

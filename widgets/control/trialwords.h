@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tuning/trial.h"
+#include "experiment/trial.h"
 #include "widgets/plots/displayunits.h"
 
 #include <QString>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/control/tuneexperiments.h"
 
-#include "tuning/kepttrial.h"
-#include "tuning/verdict.h"
+#include "experiment/kepttrial.h"
+#include "experiment/verdict.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/control/batterydialog.h"
 #include "widgets/control/envelopepanel.h"

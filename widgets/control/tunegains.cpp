@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/control/tunegains.h"
 
-#include "tuning/kepttrial.h"
+#include "experiment/kepttrial.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/control/gainspanel.h"
 #include "widgets/control/gainswriterow.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/design/designpage.h"
 
-#include "tuning/envelope.h"
-#include "tuning/verdict.h"
+#include "experiment/envelope.h"
+#include "experiment/verdict.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/emptystate.h"
 #include "widgets/common/layoutin.h"

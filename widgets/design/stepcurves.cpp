@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/design/stepcurves.h"
 
-#include "tuning/envelope.h"
+#include "experiment/envelope.h"
 #include "widgets/common/numberformat.h"
 
 #include <QCoreApplication>

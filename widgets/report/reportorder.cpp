@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/report/reportorder.h"
 
+#include "experiment/verdict.h"
 #include "files/filebytes.h"
 #include "model/family.h"
-#include "tuning/verdict.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/trialnotebook.h"
 #include "widgets/report/reportpdf.h"

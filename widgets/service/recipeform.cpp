@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/service/recipeform.h"
 
+#include "experiment/metrics.h"
 #include "model/family.h"
 #include "service/recipe.h"
-#include "tuning/metrics.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/numberfield.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/start/guide.h"
 
-#include "tuning/verdict.h"
+#include "experiment/verdict.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/trialnotebook.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/tuning/matrix/matrixrow.h"
 
+#include "experiment/envelope.h"
 #include "tests/tuning/matrix/groundtruth.h"
 #include "tests/tuning/matrix/publishedrules.h"
-#include "tuning/envelope.h"
 #include "tuning/gainscale.h"
 
 #include <algorithm>

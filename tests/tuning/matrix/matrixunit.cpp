@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/tuning/matrix/matrixunit.h"
 
+#include "experiment/gains.h"
 #include "families/abstractdc/simulatoroptions.h"
 #include "families/quadquad2drv/calibrations.h"
 #include "families/quadquad2drv/simulatoraxis.h"
-#include "tuning/gains.h"
 
 #include <algorithm>
 #include <numbers>

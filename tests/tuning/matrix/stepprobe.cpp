@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/tuning/matrix/stepprobe.h"
 
+#include "experiment/envelope.h"
+#include "experiment/experiment.h"
+#include "experiment/gains.h"
 #include "model/family.h"
-#include "tuning/envelope.h"
-#include "tuning/experiment.h"
-#include "tuning/gains.h"
 
 #include <algorithm>
 #include <cmath>

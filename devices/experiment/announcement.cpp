@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiment/announcement.h"
+
+#include "experiment/direction.h"
+#include "experiment/figures.h"
+#include "model/family.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mb::tuning {
+namespace {
+
+constexpr double beyondTarget = 1.5; ///< gains that turn out too lively go half as far again
+constexpr double rollsOn = 1.25;     ///< of a push, while it brakes
+constexpr double significant = 100.0;
+
+std::optional<double> least(std::optional<double> a, std::optional<double> b)
+{
+    return a && b ? std::min(*a, *b) : a ? a : b;
+}
+
+/// Upwards to two figures: a bound is no measurement.
+double roundedUp(double value)
+{
+    if (value <= 0.0)
+        return 0.0;
+    const double unit = std::pow(10.0, std::floor(std::log10(value))) / significant * 10.0;
+    const double steps = std::ceil(value / unit);
+    return unit < 1.0 ? steps / std::round(1.0 / unit) : steps * unit; // 3.8, not 3.8000000000000003
+}
+
+std::optional<double> speedOf(const ExperimentPlan &plan, const Stimulus &stimulus, double duty, double gain)
+{
+    if (plan.mode == Mode::Velocity)
+        return beyondTarget * std::max(std::abs(stimulus.from), std::abs(stimulus.to));
+    return gain > 0.0 ? std::optional(gain * duty) : std::nullopt;
+}
+
+/// Pushes go on where the one before has ended; a set-point of speed is followed until its end, and once more on the way back to 0.
+std::optional<double> travelOf(
+    const ExperimentPlan &plan, const Stimulus &stimulus, double origin, std::optional<double> speed)
+{
+    if (plan.mode == Mode::Position)
+        return beyondTarget * std::max(std::abs(stimulus.from - origin), std::abs(stimulus.to - origin));
+    if (plan.reach)
+        return rollsOn * *plan.reach * plan.repeat;
+    return speed ? std::optional(rollsOn * *speed * stimulus.length() * plan.repeat) : std::nullopt;
+}
+
+void announceDirection(
+    const Device &device, const ExperimentSurroundings &surroundings, const ExperimentPlan &plan, const Trial &trial)
+{
+    if (!isClosedLoop(plan.mode) || !surroundings.directions
+        || surroundings.directions->find(device.selector(), plan.axis))
+        return;
+    if (const double nudge = device.family().trials->nudge; nudge > 0.0)
+        surroundings.note(say("first its direction is checked: %1 counts up", nudge));
+    else
+        surroundings.note(say("first its direction is checked: pushes of 0.3 s, until it turns, with %1 duty at most",
+            percentText(largestOfDirection(trial.envelope))));
+}
+
+} // namespace
+
+Extent extentOf(const ExperimentPlan &plan, const Trial &trial, double origin, double gain)
+{
+    const Envelope &envelope = trial.envelope;
+    const Stimulus &stimulus = trial.stimulus;
+    Extent extent;
+    extent.duty = plan.mode == Mode::Duty ? std::max(std::abs(stimulus.from), std::abs(stimulus.to))
+                                          : envelope.duty.value_or(1.0);
+    extent.speed = least(speedOf(plan, stimulus, extent.duty, gain), envelope.speed);
+    extent.travel = least(travelOf(plan, stimulus, origin, extent.speed), envelope.travel);
+    return extent;
+}
+
+Extent extentOf(const Envelope &bounds)
+{
+    return {bounds.duty.value_or(1.0), bounds.speed, bounds.travel};
+}
+
+Message textOf(const Extent &extent)
+{
+    const double travel = roundedUp(extent.travel.value_or(0.0)); // without a bound of it nothing moves
+    return extent.speed ? say("at most %1 duty, %2 counts/s and %3 counts from where it stands",
+               percentText(extent.duty), roundedUp(*extent.speed), travel)
+                        : say("at most %1 duty and %2 counts from where it stands", percentText(extent.duty), travel);
+}
+
+void announce(const Device &device, const ExperimentSurroundings &surroundings, const ExperimentPlan &plan,
+    const Trial &trial, double origin)
+{
+    if (!plan.announced || !surroundings.note)
+        return;
+    announceDirection(device, surroundings, plan, trial);
+    surroundings.note(textOf(extentOf(plan, trial, origin, *plan.announced)));
+}
+
+} // namespace mb::tuning

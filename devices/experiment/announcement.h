@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "experiment/experimentplan.h"
+
+namespace mb::tuning {
+
+/// What a stimulus may make of a motor at most: what is expected of it, and never more than its guards allow.
+struct Extent {
+    double duty = 1.0;            ///< of full
+    std::optional<double> speed;  ///< counts/s; nothing: neither known nor bounded
+    std::optional<double> travel; ///< counts from where it stands
+};
+
+/// `gain` of the motor, counts/s per duty at most; 0: not known, and its guards alone are the bound.
+[[nodiscard]] Extent extentOf(const ExperimentPlan &plan, const Trial &trial, double origin, double gain);
+
+/// Of whatever stays within these bounds, where nothing more is known of it.
+[[nodiscard]] Extent extentOf(const Envelope &bounds);
+
+/// In a sentence, rounded up to two figures.
+[[nodiscard]] Message textOf(const Extent &extent);
+
+/// Says it before the motor moves; the check of its direction, where that comes first, too.
+void announce(const Device &device, const ExperimentSurroundings &surroundings, const ExperimentPlan &plan,
+    const Trial &trial, double origin);
+
+} // namespace mb::tuning

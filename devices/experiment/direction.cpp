@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiment/direction.h"
+
+#include "async/sleep.h"
+#include "experiment/experimentplan.h"
+#include "model/axis.h"
+#include "model/family.h"
+
+#include <cmath>
+
+namespace mb::tuning {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr double firstDuty = 0.08;
+constexpr double harder = 1.5;
+constexpr double mostDuty = 0.6;
+constexpr Duration pulse = 300ms;
+constexpr Duration nudgeTime = 1s;
+constexpr Duration patience = 300ms; ///< until it has begun to go where it was sent
+constexpr double clearMove = 15.0;   ///< counts
+constexpr double leastNudge = 3.0;   ///< counts; friction holds the rest
+constexpr Duration glancePeriod = 5ms;
+constexpr Duration stopLimit = 2s;
+constexpr Duration stopAgain = 100ms;
+constexpr Duration restLimit = 5s;
+constexpr Duration restSpan = 100ms;
+constexpr double restCounts = 3.0;
+
+/// Counts that the motor went while it was pushed: the first that were clear, for a loop that swings may roll out on its way back.
+Task<double> push(Device &device, SetPointStream &stream, const TrialRecorder &recorder, SetPoint setPoint,
+    double enough, Duration limit)
+{
+    const double before = recorder.latest("position").value_or(0.0);
+    if (auto started = stream.start(setPoint, experimentLease); !started)
+        co_return fail(started.error());
+    const Instant end = device.clock().now() + limit;
+    double moved = 0.0;
+    while (stream.isRunning() && device.clock().now() < end && std::abs(moved) < enough) {
+        Sleep nap(device.clock(), glancePeriod);
+        co_await nap;
+        moved = recorder.latest("position").value_or(before) - before;
+        if (device.clock().now() - (end - limit) >= patience && std::abs(moved) < leastNudge)
+            break;
+    }
+    if (stream.isRunning())
+        stream.stop();
+    auto stopping = confirmStop(device);
+    (void)co_await std::move(stopping);
+    auto resting = untilAtRest(device, recorder);
+    (void)co_await std::move(resting);
+    co_return std::abs(moved) >= enough ? moved : recorder.latest("position").value_or(before) - before;
+}
+
+std::string verdictKey(const Device &device, int axis)
+{
+    return axisKey(device.family().capabilities.axes > 1 ? axis : 0, "direction");
+}
+
+tl::unexpected<Error> wrong(Device &device, int axis, std::optional<Trip> &trip, Guard guard, Message detail)
+{
+    device.knowledge().setVerdict(verdictKey(device, axis), guard == Guard::NoMotion ? "no motion" : "reversed");
+    trip = Trip{guard, detail, device.clock().now()};
+    return fail(Fault::Unsafe, std::move(detail));
+}
+
+} // namespace
+
+double largestOfDirection(const Envelope &envelope)
+{
+    return std::min(envelope.duty.value_or(mostDuty), mostDuty);
+}
+
+Task<double> checkDirection(Device &device, SetPointStream &stream, TrialRecorder &recorder, int axis, GuardPlan guards,
+    const Interruption &interruption, std::optional<Trip> &trip)
+{
+    const TrialTraits &traits = *device.family().trials;
+    const double largest = largestOfDirection(guards.envelope);
+    SetPoint setPoint;
+    setPoint.axis = axis;
+    if (device.family().capabilities.outputOptions)
+        setPoint.brake = true;
+    if (traits.nudge > 0.0) { // it stops by itself where it was sent
+        guards.envelope.travel = std::min(guards.envelope.travel.value_or(traits.nudgeTravel), traits.nudgeTravel);
+        guards.lag = 0.0;
+        guards.telemetry = guards.command = Duration::zero();
+    }
+    guards.breakaway = 1.0; // nothing is known of its friction yet
+    guards.dutyKnown = true;
+    recorder.guard(guards);
+    const double enough = traits.nudge > 0.0 ? leastNudge : clearMove / 2.0;
+    double moved = 0.0;
+    double duty = traits.nudge > 0.0 ? 0.0 : std::min(firstDuty, largest);
+    for (bool last = false; !last && std::abs(moved) < enough; duty = std::min(duty * harder, largest)) {
+        last = traits.nudge > 0.0 || duty >= largest;
+        setPoint.mode = traits.nudge > 0.0 ? Mode::Position : Mode::Duty;
+        setPoint.relative = traits.nudge > 0.0;
+        setPoint.target = traits.nudge > 0.0 ? traits.nudge : duty;
+        ++setPoint.order;
+        const double pushed = duty;
+        auto pushing = push(device, stream, recorder, setPoint, clearMove, traits.nudge > 0.0 ? nudgeTime : pulse);
+        moved = co_await std::move(pushing);
+        if (recorder.trip()) {
+            trip = recorder.trip();
+            co_return fail(Fault::Unsafe, trip->detail);
+        }
+        if (interruption.isRequested() || stream.end() != SetPointStream::End::Stopped)
+            co_return fail(Fault::Unsafe, stream.reason());
+        if (moved >= enough) {
+            device.knowledge().setVerdict(verdictKey(device, axis), "agrees");
+            co_return pushed;
+        }
+    }
+    if (std::abs(moved) < enough)
+        co_return wrong(device, axis, trip, Guard::NoMotion,
+            traits.nudge > 0.0
+                ? say("the motor did not move when it was sent 20 counts up (%1 counts): stalled, or the encoder is "
+                      "dead",
+                    moved)
+                : say("the motor did not move at up to %1 % duty (%2 counts): stalled, or the encoder is dead",
+                    std::round(largest * 100.0), moved));
+    co_return wrong(device, axis, trip, Guard::WrongDirection,
+        say("the sensor counts down when the motor is driven up (%1 counts): one of them is reversed", moved));
+}
+
+Task<bool> confirmStop(Device &device)
+{
+    Clock &clock = device.clock();
+    const Instant limit = clock.now() + stopLimit;
+    Instant again = clock.now() + stopAgain;
+    while (!device.isSeenStopped()) {
+        if (clock.now() >= limit || device.link().state() != LinkState::Open)
+            co_return false;
+        if (clock.now() >= again) { // a frame may have been lost
+            device.stop();
+            again = limit;
+        }
+        Sleep nap(clock, glancePeriod);
+        co_await nap;
+    }
+    co_return true;
+}
+
+Task<bool> untilAtRest(Device &device, const TrialRecorder &recorder)
+{
+    Clock &clock = device.clock();
+    const Instant limit = clock.now() + restLimit;
+    std::optional<double> place = recorder.latest("position");
+    Instant since = clock.now();
+    while (clock.now() - since < restSpan) {
+        if (clock.now() >= limit || device.link().state() != LinkState::Open)
+            co_return false;
+        Sleep nap(clock, glancePeriod);
+        co_await nap;
+        const auto now = recorder.latest("position");
+        if (now && (!place || std::abs(*now - *place) > restCounts)) {
+            place = now;
+            since = clock.now();
+        }
+    }
+    co_return true;
+}
+
+} // namespace mb::tuning

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "experiment/interruption.h"
+#include "experiment/trialrecorder.h"
+
+#include <map>
+#include <string>
+
+namespace mb::tuning {
+
+/// Which axes were found to count the right way during this run of the program. What a profile kept is shown, and never skips
+/// the check.
+class DirectionBook {
+public:
+    /// The duty that moved it then (0 where it was sent); nothing: not checked yet.
+    [[nodiscard]] std::optional<double> find(const std::string &device, int axis) const
+    {
+        const auto found = m_checked.find({device, axis});
+        return found == m_checked.end() ? std::nullopt : std::optional(found->second);
+    }
+    void add(const std::string &device, int axis, double duty) { m_checked[{device, axis}] = duty; }
+    /// Motor or sensor may have been plugged differently.
+    void forget(const std::string &device)
+    {
+        std::erase_if(m_checked, [&device](const auto &entry) { return entry.first.first == device; });
+    }
+
+private:
+    std::map<std::pair<std::string, int>, double> m_checked;
+};
+
+/// Duty of its strongest push.
+[[nodiscard]] double largestOfDirection(const Envelope &envelope);
+
+/// Pushes the motor at 8 % duty for at most 0.3 s, harder until it moves, each time only as far as is clear; without a duty
+/// command, sends it the short way of TrialTraits::nudge. Yields the duty that moved it (0 where it was sent).
+/// The verdict goes into the device's profile; a wrong one, and no motion up to the duty limit, are trips of the recorder's kind:
+/// the error is Unsafe, and `trip` says which. The stream is idle before and after.
+[[nodiscard]] Task<double> checkDirection(Device &device, SetPointStream &stream, TrialRecorder &recorder, int axis,
+    GuardPlan guards, const Interruption &interruption, std::optional<Trip> &trip);
+
+/// Waits until the device is seen stopped, at most 2 s, telling it again meanwhile; whether it was.
+[[nodiscard]] Task<bool> confirmStop(Device &device);
+/// Waits until its position stands, at most 5 s; whether it does.
+[[nodiscard]] Task<bool> untilAtRest(Device &device, const TrialRecorder &recorder);
+
+} // namespace mb::tuning

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiment/envelope.h"
+
+#include "model/axis.h"
+#include "model/family.h"
+#include "model/loopparameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mb::tuning {
+namespace {
+
+constexpr double wayStep = 0.01; ///< s, in which the way of a stimulus is summed up
+
+std::optional<double> narrower(std::optional<double> a, std::optional<double> b)
+{
+    if (!a || !b)
+        return a ? a : b;
+    return std::min(*a, *b);
+}
+
+using Entries = std::span<const ParameterStore::Entry>;
+
+/// In force now, as far as it is known.
+std::optional<double> numberOf(const Family &family, Entries entries, const std::string &key)
+{
+    const auto index = findParameter(family.parameters, key);
+    if (!index || index->value >= entries.size() || !entries[index->value].raw)
+        return std::nullopt;
+    const Value value = toValue(family.parameters[index->value], *entries[index->value].raw);
+    if (const bool *on = std::get_if<bool>(&value))
+        return *on ? 1.0 : 0.0;
+    const double *number = std::get_if<double>(&value);
+    return number ? std::optional(*number) : std::nullopt;
+}
+
+/// Read where that can be; else it is as last written.
+Task<void> refresh(Device &device, std::string key)
+{
+    const auto index = findParameter(device.family().parameters, key);
+    if (index && device.parameters().parameter(*index).access != Access::WriteOnly && device.offers(*index)) {
+        auto reading = device.read(*index);
+        co_await std::move(reading);
+    }
+    co_return {};
+}
+
+void apply(Envelope &envelope, const DeviceLimit &limit, double value, double position, std::optional<double> &other)
+{
+    switch (limit.bounds) {
+    case DeviceLimit::Bounds::Speed: envelope.speed = value; break;
+    case DeviceLimit::Bounds::Current: envelope.current = value; break;
+    case DeviceLimit::Bounds::Duty: envelope.duty = std::abs(value); break;
+    case DeviceLimit::Bounds::Position:
+        if (other) // both sides are closed
+            envelope.travel = std::max(0.0, std::min(*other, std::abs(value - position)));
+        other = std::abs(value - position);
+        break;
+    }
+}
+
+std::string together(const std::vector<std::string> &options)
+{
+    std::string list;
+    for (const std::string &option : options)
+        list += (list.empty() ? "" : " and ") + option;
+    return list;
+}
+
+tl::unexpected<Error> outside(const Message &what, double value, double limit)
+{
+    return fail(Fault::OutOfRange,
+        say("%1 %2 is outside the envelope, which ends at %3", what, std::round(value * 1000.0) / 1000.0, limit),
+        say("take a smaller step or widen it"));
+}
+
+double wayOf(const Stimulus &stimulus)
+{
+    double way = 0.0;
+    double farthest = 0.0;
+    for (double t = 0.0; t < stimulus.length(); t += wayStep) {
+        way += stimulus.at(t) * wayStep;
+        farthest = std::max(farthest, std::abs(way));
+    }
+    return farthest;
+}
+
+} // namespace
+
+std::optional<ChannelIndex> axisChannel(const Device &device, std::string_view key, int axis)
+{
+    if (device.family().capabilities.axes > 1) {
+        if (const auto own = device.telemetry()->find(axisKey(axis, key)))
+            return own;
+    }
+    return device.telemetry()->find(key);
+}
+
+bool hasCurrentScale(const Device &device, int axis)
+{
+    const auto channel = axisChannel(device, "current", axis);
+    return channel && device.telemetry()->channels()[channel->value].unit == "A";
+}
+
+std::string_view measuredOf(Mode mode)
+{
+    if (mode == Mode::Position)
+        return "position";
+    return mode == Mode::Current ? "current" : "velocity";
+}
+
+bool isClosedLoop(Mode mode)
+{
+    return mode == Mode::Position || mode == Mode::Velocity || mode == Mode::Current;
+}
+
+Envelope ownLimits(const Family &family, Entries entries, int axis, int slot, double position)
+{
+    Envelope envelope;
+    std::optional<double> otherSide;
+    for (const DeviceLimit &limit : family.trials->limits) {
+        const bool on = limit.enabled.empty()
+            || numberOf(family, entries, gainKey(family, limit.enabled, axis, slot)).value_or(0.0) != 0.0;
+        const auto value = on ? numberOf(family, entries, gainKey(family, limit.key, axis, slot)) : std::nullopt;
+        if (value)
+            apply(envelope, limit, *value / limit.one, position, otherSide);
+    }
+    return envelope;
+}
+
+Task<Envelope> readOwnLimits(Device &device, int axis, int slot, double position)
+{
+    const Family &family = device.family();
+    for (const DeviceLimit &limit : family.trials->limits) {
+        for (const std::string_view key : {limit.enabled, limit.key}) {
+            auto reading = refresh(device, gainKey(family, key, axis, slot));
+            co_await std::move(reading);
+        }
+    }
+    co_return ownLimits(family, device.parameters().entries(), axis, slot, position);
+}
+
+EnvelopeFacts factsOf(const Device &device, int axis)
+{
+    return {device.selector(), device.link().address().isSimulated(), hasCurrentScale(device, axis)};
+}
+
+Result<Envelope> resolve(
+    const Family &family, const EnvelopeFacts &facts, Mode mode, const Envelope &asked, const Envelope &own)
+{
+    const Envelope bench = facts.simulated ? family.trials->bench : Envelope();
+    const auto known = [](std::optional<double> a, std::optional<double> b, std::optional<double> rest) {
+        const auto found = narrower(a, b);
+        return found ? found : rest;
+    };
+    Envelope envelope;
+    envelope.travel = known(asked.travel, own.travel, bench.travel);
+    envelope.speed = known(asked.speed, own.speed, bench.speed);
+    envelope.duty = known(asked.duty, own.duty, bench.duty);
+    if (facts.currentScale)
+        envelope.current = known(asked.current, own.current, bench.current);
+    std::vector<std::string> missing;
+    if (!envelope.travel)
+        missing.emplace_back("--travel");
+    if (!envelope.speed && mode == Mode::Velocity)
+        missing.emplace_back("--speed");
+    if (!envelope.duty)
+        missing.emplace_back("--duty");
+    if (!envelope.current && facts.currentScale)
+        missing.emplace_back("--current");
+    if (missing.empty())
+        return envelope;
+    return fail(Fault::OutOfRange, say("%1 has no such limit of its own, so nothing bounds the motor", facts.selector),
+        say("give %1", together(missing)));
+}
+
+Result<void> checkInside(const Envelope &envelope, Mode mode, const Stimulus &stimulus, int repeat, double position)
+{
+    const double most = std::max(std::abs(stimulus.from), std::abs(stimulus.to));
+    const double none = std::numeric_limits<double>::infinity();
+    const double travel = envelope.travel.value_or(none);
+    if (mode == Mode::Duty && most > envelope.duty.value_or(1.0))
+        return outside(say("duty"), most, *envelope.duty);
+    if (mode == Mode::Current && most > envelope.current.value_or(none))
+        return outside(say("current"), most, *envelope.current);
+    if (mode == Mode::Velocity && most > envelope.speed.value_or(none))
+        return outside(say("speed"), most, *envelope.speed);
+    if (mode == Mode::Velocity && wayOf(stimulus) * repeat > travel)
+        return outside(say("travel"), wayOf(stimulus) * repeat, travel);
+    if (mode == Mode::Position) {
+        const double farthest = std::max(std::abs(stimulus.from - position), std::abs(stimulus.to - position));
+        if (farthest > travel)
+            return outside(say("travel"), farthest, travel);
+    }
+    return {};
+}
+
+} // namespace mb::tuning

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "experiment/trace.h"
+
+#include <vector>
+
+namespace mb::tuning {
+
+/// Seconds to wait before the edge of run `index` of `count`, so that the samples of all runs together lie `period/count`
+/// apart: the first does not wait.
+[[nodiscard]] double ditherOf(int index, int count, double period);
+
+/// One response out of repeats of the same: all samples in the order of their time since each run's own edge.
+[[nodiscard]] Trace merged(const std::vector<Trace> &runs);
+
+/// The mean of all runs in each `period` of the time since their edges, later over a `share` of that time.
+[[nodiscard]] Trace meanOf(const std::vector<Trace> &runs, double period, double share = 0.0);
+
+} // namespace mb::tuning

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "experiment/envelope.h"
+#include "experiment/experimentjournal.h"
+#include "experiment/interruption.h"
+#include "experiment/trial.h"
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace mb::tuning {
+
+class DirectionBook;
+
+/// Whether gains that an experiment has written stay in force after it.
+enum class Keep { Never, WhenDone, Always };
+
+/// What an experiment is asked to do. Numbers are in the unit of the mode.
+struct ExperimentPlan {
+    Mode mode = Mode::Velocity;
+    int axis = 1;
+    int slot = 0;
+    std::optional<double> from; ///< nothing: the present position in position mode, else 0
+    double to = 0.0;
+    Profile profile = Profile::Step;
+    std::optional<double> seconds; ///< of the profile; nothing: the usual
+    int repeat = 1;
+    std::optional<double> reach; ///< counts from where it began: a push ends where the motor would stop beyond
+    /// Counts: a push that changes its sign whenever the motor has passed its start by so much the way it is pushed, until it has swung
+    /// nine times; duty mode only.
+    std::optional<double> relay;
+    std::optional<double> rate; ///< samples per second asked for; nothing: the family's usual
+    double rest = 0.0;          ///< s that each way back takes at least
+    bool profiled = false;      ///< the device's own profile leads from X to Y and back; position mode only
+    double noise = 0.0;         ///< σ of what a loop measures, where it is known: no swing of it is taken for one
+    std::vector<ParameterChange> gains; ///< in force while it runs
+    Keep keep = Keep::Never;            ///< and afterwards
+    /// What it may make of the motor is said before it moves (announcement.h); its counts/s per duty at most, 0 where nobody knows.
+    std::optional<double> announced;
+    Envelope limits; ///< what the caller allows
+};
+
+/// What an experiment shares with who started it, who outlives it. Thread of the session.
+struct ExperimentSurroundings {
+    ExperimentJournal *journal = nullptr; ///< nullptr: nothing is kept, and gains are written with Keep::Always only
+    DirectionBook *directions = nullptr;  ///< of this run of the program
+    Interruption *interruption = nullptr;
+    double rate = 0.0;                         ///< samples per second to ask for; 0: what its family says
+    std::function<void(const Message &)> note; ///< a line for people: what happens now
+    std::function<void(const Message &)> warn; ///< one that they should not miss; where empty, a note
+    /// When a hold has ended, before the way back: the trial with what is measured so far. The motor still runs.
+    std::function<void(const Trial &)> measured;
+
+    void caution(const Message &text) const
+    {
+        if (const auto &told = warn ? warn : note)
+            told(text);
+    }
+};
+
+/// Of the stream's lease while an experiment runs.
+constexpr Duration experimentLease = std::chrono::seconds(1);
+
+} // namespace mb::tuning

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "experiment/direction.h"
+#include "experiment/experimentplan.h"
+#include "model/setpointstream.h"
+
+namespace mb::tuning {
+
+/// The stages of one experiment and what they share. Lives in the frame of runExperiment(); its tasks end before it.
+class ExperimentRun {
+public:
+    ExperimentRun(Device &device, SetPointStream &stream, ExperimentPlan plan, ExperimentSurroundings surroundings);
+    ExperimentRun(const ExperimentRun &) = delete;
+    ExperimentRun &operator=(const ExperimentRun &) = delete;
+    ~ExperimentRun();
+
+    /// Reads what it must know and refuses what it must; nothing is changed.
+    [[nodiscard]] Task<void> prepare();
+    /// Rates, gains, direction, motion. Fails where it could not begin.
+    [[nodiscard]] Task<void> perform();
+    /// Stop, gains and rates back, the trial complete; whatever happened before.
+    [[nodiscard]] Task<void> conclude(std::optional<Error> error);
+    [[nodiscard]] Trial takeTrial() { return std::move(m_trial); }
+    /// The motor was told to move.
+    [[nodiscard]] bool hasMoved() const { return m_moved; }
+
+private:
+    [[nodiscard]] Task<void> hearPosition();
+    [[nodiscard]] Task<void> writeDown();
+    [[nodiscard]] Task<void> raiseRates();
+    [[nodiscard]] Task<void> lowerRates();
+    [[nodiscard]] Task<void> findDirection();
+    [[nodiscard]] bool beginsHere();
+    [[nodiscard]] Task<void> drive();
+    [[nodiscard]] Task<void> goTo(double target);
+    [[nodiscard]] Task<void> followOnce(double dither);
+    [[nodiscard]] Task<void> swing(Instant end);
+    [[nodiscard]] bool hasGoneFar(double from) const;
+    /// To X, after the hold that ended at `since`.
+    [[nodiscard]] bool hasReturned(Instant since) const;
+    [[nodiscard]] Task<void> putBack();
+    [[nodiscard]] GuardPlan guardPlan() const;
+    [[nodiscard]] double rate() const;
+    [[nodiscard]] SetPoint setPointAt(double target) const;
+    void setTarget(double target);
+    void note(const Message &text) const;
+    void tellMeasured() const;
+    [[nodiscard]] bool isInterrupted() const;
+    /// Something has ended the motion.
+    [[nodiscard]] bool isOver() const;
+    void classifyEnding(const std::optional<Error> &error);
+
+    Device &m_device;
+    SetPointStream &m_stream;
+    ExperimentPlan m_plan;
+    ExperimentSurroundings m_around;
+    const double m_beat; ///< s
+    TrialRecorder m_recorder;
+    Trial m_trial;
+    double m_origin = 0.0; ///< counts
+    double m_breakaway = 0.1;
+    std::optional<Trip> m_trip;
+    std::optional<std::int64_t> m_number;
+    std::vector<OwedValue> m_owed;
+    bool m_wrote = false;
+    bool m_moved = false;
+    std::vector<ChannelIndex> m_raised;
+    std::vector<std::pair<Instant, Instant>> m_holds;   ///< edge and end of each step to Y
+    std::vector<std::pair<Instant, Instant>> m_returns; ///< the same of the way back
+};
+
+} // namespace mb::tuning

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiment/gains.h"
+
+#include "async/progress.h"
+#include "model/family.h"
+#include "model/loopparameters.h"
+
+#include <algorithm>
+
+namespace mb::tuning {
+namespace {
+
+bool isReadable(const Device &device, ParameterIndex index)
+{
+    return device.parameters().parameter(index).access != Access::WriteOnly && device.offers(index);
+}
+
+bool isKnown(const Device &device, ParameterIndex index)
+{
+    const auto &entry = device.parameters().entry(index);
+    return entry.raw && entry.state != ParameterState::Unknown && entry.state != ParameterState::Failed;
+}
+
+} // namespace
+
+Result<void> checkTried(const Family &family, ParameterIndex index)
+{
+    const Parameter &parameter = family.parameters[index.value];
+    const std::string key(parameter.key);
+    if (parameter.access == Access::ReadOnly)
+        return fail(Fault::OutOfRange, say("%1 is read-only", key), say("it cannot be tried"));
+    if (parameter.nature != Nature::Setting || parameter.afterRestart || key == family.trials->never)
+        return fail(
+            Fault::OutOfRange, say("%1 is never part of an experiment", key), say("write it with 'motorbenchctl set'"));
+    return {};
+}
+
+Task<std::vector<std::pair<std::string, std::optional<double>>>> readGains(
+    Device &device, Mode mode, int axis, int slot)
+{
+    std::vector<std::pair<std::string, std::optional<double>>> gains;
+    const LoopGains *const loop = loopOf(device.family(), mode);
+    const auto rows = loop ? loopParameters(device.family(), *loop, axis, slot) : std::vector<ParameterIndex>();
+    for (const ParameterIndex index : rows) {
+        if (!device.offers(index))
+            continue;
+        if (isReadable(device, index)) {
+            auto reading = device.read(index);
+            co_await std::move(reading);
+        }
+        std::optional<double> value;
+        if (isKnown(device, index)) {
+            const Value known = toValue(device.parameters().parameter(index), *device.parameters().entry(index).raw);
+            if (const double *number = std::get_if<double>(&known))
+                value = *number;
+        }
+        gains.emplace_back(device.parameters().parameter(index).key, value);
+    }
+    co_return gains;
+}
+
+Task<std::vector<OwedValue>> readReplaced(Device &device, std::vector<ParameterChange> changes)
+{
+    std::vector<OwedValue> values;
+    for (const ParameterChange &change : changes) {
+        const std::string key(device.parameters().parameter(change.index).key);
+        if (isReadable(device, change.index)) {
+            auto reading = device.read(change.index);
+            co_await std::move(reading);
+        } else if (!isKnown(device, change.index) || device.knowledge().profile().lost.contains(key)) {
+            co_return fail(Fault::OutOfRange, say("%1 cannot be read, so it could not be put back", key),
+                say("write the gains of this loop once, or keep what is tried"));
+        }
+        values.push_back({key, *device.parameters().entry(change.index).raw});
+    }
+    co_return values;
+}
+
+Task<void> writeGains(Device &device, std::vector<ParameterChange> changes)
+{
+    bool isSeen = false;
+    for (int pass = 0; pass < 2 && !isSeen; ++pass) {
+        NoProgress progress;
+        auto writing = writeParameters(device, changes, progress);
+        const std::vector<TransferOutcome> outcomes = co_await std::move(writing);
+        isSeen = true;
+        for (const TransferOutcome &outcome : outcomes) {
+            if (!outcome.raw)
+                co_return fail(outcome.raw.error());
+            if (outcome.verified == false)
+                co_return fail(Fault::BadCheck,
+                    say("%1 reads back different from what was written",
+                        device.parameters().parameter(outcome.index).key));
+            isSeen = isSeen && outcome.verified.has_value();
+        }
+    }
+    co_return {};
+}
+
+std::vector<ParameterChange> changesOf(const Family &family, const std::vector<OwedValue> &values)
+{
+    std::vector<ParameterChange> changes;
+    for (const OwedValue &value : values) {
+        if (const auto index = findParameter(family.parameters, value.key))
+            changes.push_back({*index, value.raw});
+    }
+    return changes;
+}
+
+std::vector<std::pair<std::string, std::optional<double>>> numbersOf(
+    const Family &family, const std::vector<ParameterChange> &changes)
+{
+    std::vector<std::pair<std::string, std::optional<double>>> numbers;
+    for (const ParameterChange &change : changes) {
+        const Parameter &parameter = family.parameters[change.index.value];
+        const Value value = toValue(parameter, change.raw);
+        if (const double *number = std::get_if<double>(&value))
+            numbers.emplace_back(parameter.key, *number);
+    }
+    return numbers;
+}
+
+bool needsRestart(const Device &device, const std::vector<ParameterChange> &changes)
+{
+    const TrialTraits &traits = *device.family().trials;
+    if (traits.atBoot.empty() || traits.atBootDialects.find(device.identity().dialect) == std::string_view::npos)
+        return false;
+    return std::any_of(changes.begin(), changes.end(), [&](const ParameterChange &change) {
+        const auto before = device.parameters().entry(change.index).raw;
+        return device.parameters().parameter(change.index).key == traits.atBoot && before != change.raw;
+    });
+}
+
+} // namespace mb::tuning

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "experiment/trace.h"
+
+#include <optional>
+#include <vector>
+
+namespace mb::tuning {
+
+struct Line {
+    double offset = 0.0;
+    double slope = 0.0;
+    [[nodiscard]] double at(double x) const { return offset + slope * x; }
+};
+/// Least squares; level through the mean where all x are equal.
+[[nodiscard]] Line fitLine(const std::vector<double> &x, const std::vector<double> &y);
+
+/// a + b·x + c·x²
+struct Parabola {
+    double a = 0.0;
+    double b = 0.0;
+    double c = 0.0;
+};
+/// Least squares through the samples of `trace` in [centre − half, centre + half] from number `begin` on, x = t − centre;
+/// nothing for fewer than three of them.
+[[nodiscard]] std::optional<Parabola> fitParabola(const Trace &trace, double centre, double half, std::size_t begin);
+
+/// The values of a trace, those from number `begin` on by a local parabola of this half width; it never looks before `begin`.
+[[nodiscard]] std::vector<double> smoothed(const Trace &trace, std::size_t begin, double half);
+/// The top of the parabola around sample `at`, if it has one within reach.
+[[nodiscard]] std::optional<double> vertexNear(const Trace &trace, std::size_t at, std::size_t begin, double reach);
+
+} // namespace mb::tuning

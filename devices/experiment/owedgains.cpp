@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiment/owedgains.h"
+
+#include "async/progress.h"
+#include "experiment/direction.h"
+#include "experiment/gains.h"
+#include "experiment/seconds.h"
+#include "experiment/verdict.h"
+#include "model/family.h"
+
+namespace mb::tuning {
+namespace {
+
+constexpr Duration storeMargin = std::chrono::seconds(5); ///< over the time after which a unit stores by itself
+
+/// It must have stored what was written then, and nothing says that it did not.
+Task<bool> hasStored(Device &device, double since)
+{
+    const Duration now = device.clock().now().time_since_epoch() + device.clock().unixOffset();
+    if (inSeconds(now) - since < inSeconds(storingTime(device)))
+        co_return false;
+    NoProgress unseen;
+    auto storing = device.store(unseen);
+    const Result<bool> stored = co_await std::move(storing).attempt();
+    co_return stored.has_value();
+}
+
+/// The unit has every value that is owed to it.
+Task<bool> has(Device &device, std::vector<OwedValue> values)
+{
+    auto reading = readReplaced(device, changesOf(device.family(), values));
+    const auto present = co_await std::move(reading).attempt();
+    co_return present &&*present == values;
+}
+
+} // namespace
+
+Duration storingTime(const Device &device)
+{
+    return device.family().capabilities.storesAfter + storeMargin;
+}
+
+bool storesLater(const Device &device)
+{
+    return device.family().capabilities.storesAfter > Duration::zero() && !device.link().address().isSimulated();
+}
+
+Task<void> markPutBack(Device &device, ExperimentJournal &journal, OwedGains owed)
+{
+    auto marking = storesLater(device) ? journal.owe(owed.trial, unitOf(device), std::move(owed.values))
+                                       : journal.settle(owed.trial);
+    co_await std::move(marking);
+    co_return {};
+}
+
+Task<std::vector<OwedGains>> lookForOwed(Device &device, ExperimentJournal &journal)
+{
+    auto asking = journal.owedTo(unitOf(device));
+    std::vector<OwedGains> owed = co_await std::move(asking);
+    std::vector<OwedGains> rest;
+    for (OwedGains &debt : owed) {
+        auto looking = has(device, debt.values);
+        if (!co_await std::move(looking)) {
+            rest.push_back(std::move(debt));
+            continue;
+        }
+        if (storesLater(device)) {
+            auto proving = hasStored(device, debt.time);
+            if (!co_await std::move(proving))
+                continue;
+        }
+        auto settling = journal.settle(debt.trial);
+        (void)co_await std::move(settling).attempt();
+    }
+    co_return rest;
+}
+
+Task<void> payOwed(Device &device, ExperimentJournal &journal, OwedGains owed)
+{
+    auto confirming = confirmStop(device);
+    if (!co_await std::move(confirming))
+        co_return fail(
+            Fault::Unsafe, say("the motor was not seen to stand"), say("stop it before its gains are put back"));
+    auto writing = writeGains(device, changesOf(device.family(), owed.values));
+    co_await std::move(writing);
+    auto marking = markPutBack(device, journal, std::move(owed));
+    co_await std::move(marking);
+    co_return {};
+}
+
+std::string assignmentsOf(const Family &family, const std::vector<OwedValue> &values)
+{
+    std::string text;
+    for (const OwedValue &value : values) {
+        if (const auto index = findParameter(family.parameters, value.key))
+            text += (text.empty() ? "" : " ") + value.key + '=' + toText(family.parameters[index->value], value.raw);
+    }
+    return text;
+}
+
+} // namespace mb::tuning

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "experiment/experimentjournal.h"
+#include "model/device.h"
+
+namespace mb::tuning {
+
+/// After this a unit that stores by itself has done so.
+[[nodiscard]] Duration storingTime(const Device &device);
+/// It stores what is written by itself, and not at once: what was put back counts when that is proved.
+[[nodiscard]] bool storesLater(const Device &device);
+
+/// What earlier experiments still owe to this unit and it has not, oldest first. What it has is settled on the way; where it
+/// stores later, only once it must have stored it and its flash says so, until when nobody is asked. Reads, and writes
+/// nothing to the unit.
+[[nodiscard]] Task<std::vector<OwedGains>> lookForOwed(Device &device, ExperimentJournal &journal);
+
+/// What a trial has changed is as before again: settled, or, where the unit stores later, owed from now on until that is proved.
+[[nodiscard]] Task<void> markPutBack(Device &device, ExperimentJournal &journal, OwedGains owed);
+
+/// Puts back what a trial owes, as above. Fails, and owes on, when the motor is not seen to stand
+/// (Unsafe), when a value reads back different (BadCheck), or with the link.
+[[nodiscard]] Task<void> payOwed(Device &device, ExperimentJournal &journal, OwedGains owed);
+
+/// "slot0.p=1.165 slot0.i=0.00346", as `set` takes it.
+[[nodiscard]] std::string assignmentsOf(const Family &family, const std::vector<OwedValue> &values);
+
+} // namespace mb::tuning

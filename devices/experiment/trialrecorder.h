@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "experiment/guards.h"
+#include "experiment/trial.h"
+#include "model/setpointstream.h"
+
+namespace mb::tuning {
+
+/// Keeps the samples of one axis while a trial runs, and shows each to the guards: the first trip stops the motor inside the
+/// same call that brought the sample. From its construction on.
+class TrialRecorder {
+public:
+    TrialRecorder(Device &device, SetPointStream &stream, Mode mode, int axis);
+    TrialRecorder(const TrialRecorder &) = delete;
+    TrialRecorder &operator=(const TrialRecorder &) = delete;
+
+    /// Watches from now on; what tripped before is forgotten.
+    void guard(const GuardPlan &plan);
+    void unguard();
+    /// The target that the loop follows now, of its mode.
+    void expect(double target);
+
+    [[nodiscard]] const std::optional<Trip> &trip() const { return m_trip; }
+    /// When the stop of the trip was handed to the link.
+    [[nodiscard]] Instant stoppedAt() const { return m_stoppedAt; }
+    /// Newest value of the measured channel, or of another of this axis.
+    [[nodiscard]] std::optional<double> latest(std::string_view key) const;
+    /// Seconds since `zero`.
+    [[nodiscard]] Trace trace(std::string_view key, Instant zero) const;
+    [[nodiscard]] std::vector<Signal> signals(Instant zero) const;
+    [[nodiscard]] std::uint64_t samples() const { return m_samples; }
+    [[nodiscard]] std::uint64_t lost() const;
+    /// Counts where the motor would come to rest by what its last positions say, in `lag` seconds; 0 while there are too few.
+    [[nodiscard]] double stopsAt(double lag) const;
+    /// Median time between the last positions, s; 0 while there are too few.
+    [[nodiscard]] double positionPeriod() const;
+    /// The measured value stayed within `width` over the last `share` of the time since `from`, which is `least` at least.
+    [[nodiscard]] bool isSettled(Instant from, Duration least, double share, double width) const;
+    /// The measured value has come to rest within `width`: at `aim`, if there is one, or beside it, which takes longer to be told from
+    /// a loop that turns round on its way or creeps. `from` is `least` ago at least.
+    [[nodiscard]] bool hasSettled(Instant from, Duration least, std::optional<double> aim, double width) const;
+    /// The position was told often enough and moved by a count at most over the last `span`, all of it after `from`.
+    [[nodiscard]] bool isStill(Instant from, Duration span) const;
+
+private:
+    struct Recorded {
+        ChannelIndex channel;
+        std::string key; ///< without the axis
+        std::vector<Point> points;
+    };
+
+    void take(const Sample &sample);
+    [[nodiscard]] std::optional<Trip> show(const std::string &key, const Sample &sample);
+    void look();
+    void ended(std::optional<Trip> trip);
+    [[nodiscard]] std::uint64_t lostSoFar() const;
+    [[nodiscard]] const Recorded *find(std::string_view key) const;
+
+    Device &m_device;
+    SetPointStream &m_stream;
+    std::string_view m_measured;
+    bool m_isOpen;                ///< there is no error: what is ordered is the duty
+    bool m_ordersAreDuty = false; ///< and the device does not tell it
+    std::vector<Recorded> m_recorded;
+    std::optional<Guards> m_guards;
+    std::optional<double> m_target;
+    std::optional<Trip> m_trip;
+    Instant m_stoppedAt{};
+    Instant m_lookedAt{};
+    std::uint64_t m_samples = 0;
+    std::uint64_t m_lostBefore = 0;
+    Timer m_timer;
+    Subscription m_subscription;
+};
+
+} // namespace mb::tuning

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiment/verdict.h"
+
+#include "experiment/effort.h"
+#include "experiment/envelope.h"
+#include "experiment/equivalenttime.h"
+#include "experiment/seconds.h"
+#include "model/device.h"
+#include "model/family.h"
+#include "model/loopparameters.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace mb::tuning {
+namespace {
+
+using Spans = std::vector<std::pair<Instant, Instant>>;
+
+constexpr double leastCounts = 5.0;
+constexpr double leastLevels = 50.0; ///< of the measured value in a step
+constexpr double notable = 0.02;     ///< share of time at the duty limit
+constexpr double nearlyAll = 0.98;
+constexpr double unlike = 0.25;     ///< rise up and down
+constexpr double beforeStep = 0.25; ///< s
+
+/// One response, or those of all repeats together.
+struct Reading {
+    Response response;
+    std::vector<Metrics> runs;
+};
+
+Reading readSteps(const TrialRecorder &recorder, std::string_view key, const Spans &spans, std::optional<double> target,
+    double leastMove)
+{
+    Reading reading;
+    std::vector<Trace> traces;
+    for (const auto &[edge, end] : spans) {
+        const Trace whole = recorder.trace(key, edge).part(-beforeStep, inSeconds(end - edge));
+        reading.runs.push_back(readResponse(whole, target, leastMove).metrics);
+        traces.push_back(whole);
+    }
+    if (traces.empty())
+        return reading;
+    const auto repeats = static_cast<int>(traces.size());
+    reading.response = readResponse(merged(traces), target, leastMove, repeats);
+    return reading;
+}
+
+void averageEffort(Metrics &into, const std::vector<Metrics> &runs)
+{
+    for (const auto member : {&Metrics::peakCurrent, &Metrics::dutyChatter, &Metrics::saturated}) {
+        double sum = 0.0;
+        std::size_t count = 0;
+        for (const Metrics &run : runs) {
+            sum += (run.*member).value_or(0.0);
+            count += run.*member ? 1U : 0U;
+        }
+        if (count > 0)
+            into.*member = sum / static_cast<double>(count);
+    }
+}
+
+bool isRampLimited(const Trial &trial, const Family &family)
+{
+    return std::any_of(trial.gains.begin(), trial.gains.end(), [&family](const auto &gain) {
+        return gain.second.value_or(0.0) > 0.0 && roleOf(family, gain.first) == Role::Ramp;
+    });
+}
+
+void addFlag(Trial &trial, std::string_view name, bool holds)
+{
+    if (holds && !trial.has(name))
+        trial.flags.emplace_back(name);
+}
+
+void addFlags(Trial &trial, const Family &family, const Response &response, const Response &back, const Trace &measured)
+{
+    const double swing = std::abs(trial.stimulus.to - trial.stimulus.from);
+    const bool steps = !trial.stimulus.edges().empty();
+    addFlag(trial, flag::saturated, trial.metrics.saturated.value_or(0.0) > notable);
+    addFlag(trial, flag::currentLimit,
+        trial.envelope.current && trial.metrics.peakCurrent.value_or(0.0) >= nearlyAll * *trial.envelope.current);
+    addFlag(trial, flag::rampLimit, isRampLimited(trial, family));
+    addFlag(trial, flag::lostSamples, trial.lost > 0);
+    const double resolution = resolutionOf(measured);
+    addFlag(
+        trial, flag::lowResolution, trial.mode != Mode::Duty && resolution > 0.0 && swing < leastLevels * resolution);
+    const auto up = response.metrics.rise;
+    const auto down = back.metrics.rise;
+    addFlag(trial, flag::asymmetric, up && down && std::abs(*up - *down) > unlike * std::max(*up, *down));
+    addFlag(trial, flag::didNotMove, steps && !response.moved && !measured.isEmpty());
+}
+
+std::vector<Span> spansOf(const Spans &spans, Instant zero)
+{
+    std::vector<Span> all;
+    for (const auto &[from, to] : spans)
+        all.push_back({inSeconds(from - zero), inSeconds(to - zero)});
+    return all;
+}
+
+} // namespace
+
+std::string unitOf(const Identity &identity, const std::string &selector, bool simulated)
+{
+    const std::string unit = identity.serial.empty() ? selector : identity.family + ' ' + identity.serial;
+    return simulated ? "simulated " + unit : unit;
+}
+
+std::string unitOf(const Device &device)
+{
+    return unitOf(device.identity(), device.selector(), device.link().address().isSimulated());
+}
+
+double resolutionOf(const Trace &trace)
+{
+    double least = 0.0;
+    for (std::size_t i = 1; i < trace.size(); ++i) {
+        const double difference = std::abs(trace.y[i] - trace.y[i - 1]);
+        if (difference > 0.0 && (least == 0.0 || difference < least))
+            least = difference;
+    }
+    return least;
+}
+
+void describe(Trial &trial, const Device &device)
+{
+    trial.device = device.selector();
+    trial.simulated = device.link().address().isSimulated();
+    trial.firmware = device.identity().firmware;
+    trial.unit = unitOf(device);
+}
+
+void nameEnding(Trial &trial, const Ending &ending)
+{
+    using End = SetPointStream::End;
+    const bool lost = !ending.linkOpen || ending.stream == End::LinkLost || ending.stream == End::DeviceSilent
+        || (ending.error && ending.error->fault == Fault::LinkLost);
+    if (ending.trip) {
+        trial.reason = toString(ending.trip->guard);
+        trial.detail = ending.trip->detail;
+    } else if (lost) {
+        trial.reason = toString(Guard::Link);
+        trial.detail = ending.error ? ending.error->detail : ending.streamReason;
+    } else if (ending.interrupted) {
+        trial.reason = "interrupted";
+        trial.detail = say("the user stopped it");
+    } else if (ending.error) {
+        trial.detail = ending.error->detail;
+    } else if (ending.stream == End::LeaseExpired) {
+        trial.reason = toString(Guard::User);
+        trial.detail = ending.streamReason;
+    } else if (ending.stream != End::Stopped && ending.stream != End::None) {
+        trial.reason = toString(ending.stream);
+        trial.detail = ending.streamReason;
+    } else {
+        trial.reason = "done";
+    }
+    addFlag(trial, flag::aborted, trial.reason != "done");
+}
+
+std::string_view endingLabel(std::string_view reason)
+{
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 21> labels{{
+        {"travel", MB_LABEL("travel")},
+        {"speed", MB_LABEL("speed")},
+        {"current", MB_LABEL("current")},
+        {"duty", MB_LABEL("duty")},
+        {"energy", MB_LABEL("energy")},
+        {"temperature", MB_LABEL("temperature")},
+        {"bus V", MB_LABEL("bus voltage")},
+        {"wrong direction", MB_LABEL("direction")},
+        {"no motion", MB_LABEL("no motion")},
+        {"oscillation", MB_LABEL("oscillation")},
+        {"time", MB_LABEL("time")},
+        {"link", MB_LABEL("link")},
+        {"user", MB_LABEL("user")},
+        {"late", MB_LABEL("lateness")},
+        {"slept", MB_LABEL("sleep")},
+        {"device restarted", MB_LABEL("restart")},
+        {"foreign master", MB_LABEL("foreign master")},
+        {"unguarded", MB_LABEL("missing guardian")},
+        {"refused", MB_LABEL("refusal")},
+        {"interrupted", MB_LABEL("interrupted")},
+        {"done", MB_LABEL("done")},
+    }};
+    const auto row
+        = std::find_if(labels.begin(), labels.end(), [reason](const auto &each) { return each.first == reason; });
+    return row == labels.end() ? std::string_view() : row->second;
+}
+
+void measure(
+    Trial &trial, const Family &family, const TrialRecorder &recorder, const Spans &holds, const Spans &returns)
+{
+    if (holds.empty())
+        return;
+    const std::string_view key = measuredOf(trial.mode);
+    const bool open = trial.mode == Mode::Duty;
+    const bool steps = !trial.stimulus.edges().empty();
+    const auto target = [open](double value) { return open ? std::nullopt : std::optional(value); };
+    const double leastMove = trial.mode == Mode::Current ? 0.0 : leastCounts;
+    Reading reading = readSteps(recorder, key, holds, target(trial.stimulus.to), leastMove);
+    const Reading back = readSteps(recorder, key, returns, target(trial.stimulus.from), leastMove);
+    const double limit = trial.envelope.duty.value_or(1.0);
+    for (std::size_t i = 0; i < holds.size(); ++i) {
+        const double hold = inSeconds(holds[i].second - holds[i].first);
+        readEffort(reading.runs[i], recorder.trace("current", holds[i].first), recorder.trace("duty", holds[i].first),
+            hold, limit);
+        if (trial.envelope.current == std::nullopt)
+            reading.runs[i].peakCurrent.reset(); // its channel has no scale
+    }
+    Metrics metrics = reading.response.metrics;
+    if (!steps)
+        metrics = Metrics();
+    averageEffort(metrics, reading.runs);
+    if (steps && trial.stimulus.profile == Profile::Step)
+        metrics.undershoot = back.response.metrics.overshoot;
+    trial.metrics = metrics;
+    if (steps && trial.repeat > 1)
+        trial.errors = errorsOf(reading.runs);
+    const Instant zero = holds.front().first;
+    trial.holds = spansOf(holds, zero);
+    trial.returns = spansOf(returns, zero);
+    trial.signals = recorder.signals(zero);
+    addFlags(trial, family, reading.response, back.response, recorder.trace(key, zero));
+}
+
+} // namespace mb::tuning

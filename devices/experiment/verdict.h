@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "experiment/trialrecorder.h"
+
+#include <string_view>
+
+namespace mb::tuning {
+
+/// What is known when an experiment is over.
+struct Ending {
+    std::optional<Trip> trip;
+    SetPointStream::End stream = SetPointStream::End::None;
+    Message streamReason;
+    bool interrupted = false;
+    bool linkOpen = true;
+    std::optional<Error> error;
+};
+
+/// Who a device is across links and runs: its serial number, or this place; simulated units apart.
+[[nodiscard]] std::string unitOf(const Device &device);
+[[nodiscard]] std::string unitOf(const Identity &identity, const std::string &selector, bool simulated);
+/// Who the device of a trial is.
+void describe(Trial &trial, const Device &device);
+/// Smallest difference that the samples of a trace have.
+[[nodiscard]] double resolutionOf(const Trace &trace);
+/// Reason, detail and the flag `aborted`.
+void nameEnding(Trial &trial, const Ending &ending);
+/// What Trial::reason is called in front of people, a label of the table: "direction" of "wrong direction";
+/// empty: not a reason that is known here.
+[[nodiscard]] std::string_view endingLabel(std::string_view reason);
+/// Metrics with their errors, signals and flags, from the steps to Y (edge and end) and the ways back.
+void measure(Trial &trial, const Family &family, const TrialRecorder &recorder,
+    const std::vector<std::pair<Instant, Instant>> &holds, const std::vector<std::pair<Instant, Instant>> &returns);
+
+} // namespace mb::tuning
