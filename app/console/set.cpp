@@ -19,29 +19,53 @@ struct SetArguments {
     bool store = false;
 };
 
-/// True: each was read back and is equal. False: one differs. Nothing: one cannot be read back.
-std::optional<bool> verdictOf(const std::vector<TransferOutcome> &outcomes)
+using Verdict = std::optional<bool>; ///< read back and equal; nothing: cannot be read back
+
+Verdict verdictOf(const TransferOutcome &outcome)
 {
-    std::optional<bool> verdict = true;
-    for (const TransferOutcome &outcome : outcomes) {
-        if (!outcome.raw && outcome.raw.error().fault == Fault::BadCheck)
-            return false;
-        if (!outcome.verified)
-            verdict.reset();
-    }
-    return verdict;
+    if (!outcome.raw && outcome.raw.error().fault == Fault::BadCheck)
+        return false;
+    return outcome.verified;
 }
 
-void show(
-    Console &console, const Device &device, const std::vector<ParameterIndex> &indices, std::optional<bool> verified)
+/// False where one differs, nothing where one cannot be read back.
+Verdict verdictOf(const std::vector<TransferOutcome> &outcomes)
 {
-    if (console.json()) {
-        QJsonObject object = parametersToJson(device, indices);
-        object.insert(QStringLiteral("verified"), verified ? QJsonValue(*verified) : QJsonValue());
-        console.out().json(object);
-    } else {
-        printParameters(console, device, indices);
+    Verdict all = true;
+    for (const TransferOutcome &outcome : outcomes) {
+        const Verdict one = verdictOf(outcome);
+        if (one == false)
+            return false;
+        if (!one)
+            all.reset();
     }
+    return all;
+}
+
+QJsonValue toJson(Verdict verdict)
+{
+    return verdict ? QJsonValue(*verdict) : QJsonValue();
+}
+
+/// `verified`: of all, and of what came of the flash.
+QJsonObject toJson(const Device &device, const std::vector<ParameterIndex> &indices,
+    const std::vector<TransferOutcome> &outcomes, Verdict verified)
+{
+    const QString key = QStringLiteral("verified");
+    QJsonObject object = parametersToJson(device, indices);
+    QJsonObject rows = object.value(QStringLiteral("parameters")).toObject();
+    for (QJsonObject::iterator row = rows.begin(); row != rows.end(); ++row) {
+        QJsonObject values = row.value().toObject();
+        values.insert(key, QJsonValue());
+        for (const TransferOutcome &outcome : outcomes) {
+            if (device.parameters().parameter(outcome.index).key == row.key().toStdString())
+                values.insert(key, toJson(verdictOf(outcome)));
+        }
+        row.value() = values;
+    }
+    object.insert(QStringLiteral("parameters"), rows);
+    object.insert(key, toJson(verified));
+    return object;
 }
 
 /// Yields the error that is to be told besides the values, if any. Fails when nothing is known to print.
@@ -90,7 +114,10 @@ Task<int> set(Console &console, SetArguments arguments)
     std::vector<ParameterIndex> indices;
     for (const ParameterChange &change : *changes)
         indices.push_back(change.index);
-    show(console, *device, indices, error ? std::optional<bool>(false) : verdictOf(outcomes));
+    if (console.json())
+        console.out().json(toJson(*device, indices, outcomes, error ? Verdict(false) : verdictOf(outcomes)));
+    else
+        printParameters(console, *device, indices);
     if (!error)
         co_return exitDone;
     if (error->fault == Fault::Timeout)

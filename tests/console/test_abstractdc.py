@@ -25,6 +25,7 @@ class AbstractDc(ContractTest):
         answer = self.run_one("set", F, "velocity.p=1000000", "velocity.divisor=1000000")
         self.assertIsNone(answer["verified"])
         self.assertEqual({row["state"] for row in answer["parameters"].values()}, {"assumed"})
+        self.assertEqual([row["verified"] for row in answer["parameters"].values()], [None, None])
         stored = Run(["--json", "set", F, "velocity.p=5", "--store"])
         self.assertEqual(stored.status, 0, stored.err)
         self.assertIn("cannot prove", stored.err)

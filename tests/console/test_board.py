@@ -38,7 +38,9 @@ class BoardTest(ContractTest):
         self.simulate()
         self.assertEqual(self.run_one("set", self.device, "history.length=8")["verified"], True)
         self.assertEqual(self.run_one("get", self.device, "history.length")["parameters"]["history.length"]["value"], 8)
-        self.assertIsNone(self.run_one("set", self.device, "ch2.position.p=250")["verified"])
+        mixed = self.run_one("set", self.device, "history.length=9", "ch2.position.p=250")
+        self.assertIsNone(mixed["verified"])
+        self.assertEqual({key: row["verified"] for key, row in mixed["parameters"].items()}, {"history.length": True, "ch2.position.p": None})
 
     def test_every_axis_drives_and_stops(self):
         self.simulate()

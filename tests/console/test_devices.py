@@ -108,7 +108,8 @@ class DeviceVerbs(ContractTest):
         got = self.run_one("set", CIM, "slot0.p=1.5", "limit.forward.soft.enabled=on", "encoder.position=-3")
         self.assertEqual(set(got), GET | {"verified"})
         self.assertIs(got["verified"], True)
-        self.assertEqual(got["parameters"]["slot0.p"], {"value": 1.5, "raw": 98304, "unit": got["parameters"]["slot0.p"]["unit"], "state": "ram"})
+        self.assertEqual(got["parameters"]["slot0.p"], {"value": 1.5, "raw": 98304, "unit": got["parameters"]["slot0.p"]["unit"], "state": "ram",
+                                                       "verified": True})
         self.assertIs(got["parameters"]["limit.forward.soft.enabled"]["value"], True)
         self.assert_error(2, "set", CIM, "slot0.p=1,500", says="with a dot")
 
