@@ -40,6 +40,16 @@ Task<void> Notebook::keepBefore(Device &device, settings::Occasion occasion)
     co_return {};
 }
 
+Task<void> Notebook::keepReplaced(Device &device, settings::Numbers before, settings::Origin origin)
+{
+    if (!m_settings || before.empty())
+        co_return {};
+    auto noting = settings::keepReplaced(device, std::move(before), origin, *m_settings);
+    if (const auto noted = co_await std::move(noting).attempt(); !noted)
+        m_console.note("the history does not have this write: " + noted.error().text());
+    co_return {};
+}
+
 Task<void> Notebook::settleOwed(Device &device, bool agreed)
 {
     if (!m_book)

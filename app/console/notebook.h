@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/console/console.h"
+#include "settings/writing.h"
 #include "storage/settingsbook.h"
 #include "storage/trialbook.h"
 
@@ -20,6 +21,8 @@ public:
     [[nodiscard]] SettingsBook *settings() { return m_settings.get(); }
     /// Takes a snapshot of a device before many of its values change; a note says which.
     [[nodiscard]] Task<void> keepBefore(Device &device, settings::Occasion occasion);
+    /// Into the history: what the values of a device were before this verb, which is `origin`, replaced them (settings/writing.h).
+    [[nodiscard]] Task<void> keepReplaced(Device &device, settings::Numbers before, settings::Origin origin);
     /// What earlier experiments owe to this unit: settled where the unit has it; else put back, with `agreed` or when somebody
     /// at the terminal says so, or named with its remedy.
     [[nodiscard]] Task<void> settleOwed(Device &device, bool agreed);

@@ -167,7 +167,7 @@ Result<int> verdictOf(const Trial &trial)
         say("remove the cause before it is run again"));
 }
 
-using Numbers = std::vector<std::pair<std::string, std::optional<double>>>;
+using settings::Numbers;
 
 /// What --set is about to replace, where it is known, by key; asked afresh where it can be.
 Task<Numbers> numbersBefore(Device &device, std::vector<ParameterChange> changes)
@@ -210,11 +210,8 @@ Task<int> perform(Console &console, Session &session, Device &device, StepPlan p
     }
     if (!trial)
         co_return fail(trial.error());
-    if (!before.empty()) {
-        auto noting = settings::keepReplaced(device, before, settings::Origin::Console, *notebook.settings());
-        if (const auto noted = co_await std::move(noting).attempt(); !noted)
-            console.note("the history does not have this write: " + noted.error().text());
-    }
+    auto noting = notebook.keepReplaced(device, before, settings::Origin::Console);
+    co_await std::move(noting);
     printTrial(console, *trial, trial->number);
     if (!plan.save.empty()) {
         if (auto saved = saveTrial(plan.save, *trial, trial->number); !saved)

@@ -155,9 +155,9 @@ Task<int> perform(Console &console, Session &session, Device &device, TuneOrder 
     Result<TuneReport> report = co_await std::move(tuning).attempt();
     if (!report)
         co_return fail(report.error());
-    if (report->result == TuneResult::Kept && notebook.settings()) {
-        auto noting = settings::keepReplaced(device, report->before, settings::Origin::Tuning, *notebook.settings());
-        (void)co_await std::move(noting).attempt();
+    if (report->result == TuneResult::Kept) {
+        auto noting = notebook.keepReplaced(device, report->before, settings::Origin::Tuning);
+        co_await std::move(noting);
     }
     if (plan.store && report->result == TuneResult::Kept) {
         auto storing = storeGains(console, device, *report);

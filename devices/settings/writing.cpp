@@ -181,8 +181,7 @@ Task<std::vector<TransferOutcome>> writeKept(
     co_return outcomes;
 }
 
-Task<void> keepReplaced(const Device &device, std::vector<std::pair<std::string, std::optional<double>>> before,
-    Origin origin, SettingsLog &log)
+Task<void> keepReplaced(const Device &device, Numbers before, Origin origin, SettingsLog &log)
 {
     std::vector<ValueChange> values;
     for (const auto &[key, number] : before) {

@@ -18,10 +18,11 @@ struct Order {
 [[nodiscard]] Task<std::vector<TransferOutcome>> writeKept(
     Device &device, std::vector<ParameterChange> changes, Order order, SettingsLog *log, Progress &progress);
 
-/// Keeps what something else has replaced, such as a tuning: by key, the numbers that were there before, in the unit of the
-/// parameter; what is there now is known of the device.
-[[nodiscard]] Task<void> keepReplaced(const Device &device,
-    std::vector<std::pair<std::string, std::optional<double>>> before, Origin origin, SettingsLog &log);
+/// By key, in the unit of the parameter; nothing for what is not known.
+using Numbers = std::vector<std::pair<std::string, std::optional<double>>>;
+
+/// Keeps what something else has replaced, such as a tuning: what was there before; what is there now is known of the device.
+[[nodiscard]] Task<void> keepReplaced(const Device &device, Numbers before, Origin origin, SettingsLog &log);
 
 /// mb::rewriteSettings() that is in the history; yields how many values were written again.
 [[nodiscard]] Task<int> rewriteKept(Device &device, Origin origin, SettingsLog *log, Progress &progress);
