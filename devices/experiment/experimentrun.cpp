@@ -23,9 +23,9 @@ constexpr Duration hearPeriod = 5ms;
 constexpr Duration rateTime = 200ms; ///< until samples come as often as was asked for
 constexpr Duration approachLimit = 3s;
 constexpr double nearX = 0.02; ///< of |Y − X|
-constexpr Duration beforeEdge = 250ms;
+constexpr Duration stillBefore = 250ms;
 constexpr Duration leastHold = 400ms;
-constexpr double settledShare = 0.5;
+constexpr double levelShare = 0.5;
 constexpr double settledWidth = 0.02; ///< of |Y − X|
 constexpr double longestReturn = 5.0; ///< s
 constexpr double returnedShare
@@ -240,7 +240,7 @@ GuardPlan ExperimentRun::guardPlan() const
     plan.highestBus = traits.highestBus;
     plan.telemetry = ofSeconds(std::max(1.0 / rate(), m_recorder.positionPeriod()));
     plan.command = m_device.family().capabilities.commandPeriod;
-    const double once = 2.0 * inSeconds(beforeEdge) + stimulus.length() + std::min(stimulus.length(), longestReturn);
+    const double once = 2.0 * inSeconds(stillBefore) + stimulus.length() + std::min(stimulus.length(), longestReturn);
     plan.longest = approachLimit + ofSeconds(once * m_plan.repeat);
     return plan;
 }
@@ -329,7 +329,7 @@ Task<void> ExperimentRun::goTo(double target)
     const Instant limit = from + approachLimit;
     while (!isOver()) {
         const double here = m_recorder.latest(key).value_or(0.0);
-        const bool rests = m_recorder.isSettled(from, beforeEdge, settledShare, 2.0 * width);
+        const bool rests = m_recorder.isSettled(from, stillBefore, levelShare, 2.0 * width);
         const bool arrived
             = m_plan.mode == Mode::Duty || m_plan.mode == Mode::Current || std::abs(here - target) <= width;
         if (rests && arrived)
@@ -358,7 +358,7 @@ Task<void> ExperimentRun::followOnce(double dither)
     Clock &clock = m_device.clock();
     const double width = settledWidth * std::abs(stimulus.to - stimulus.from);
     const auto aim = isClosedLoop(m_plan.mode) ? std::optional(stimulus.to) : std::nullopt;
-    Sleep waiting(clock, beforeEdge + ofSeconds(dither));
+    Sleep waiting(clock, stillBefore + ofSeconds(dither));
     co_await waiting;
     const Instant begin = clock.now();
     const Instant end = begin + ofSeconds(stimulus.length());

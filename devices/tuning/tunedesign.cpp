@@ -20,7 +20,7 @@
 namespace mb::tuning {
 namespace {
 
-constexpr double clearlyLess = 0.97;  ///< of the error, that is worth another proof
+constexpr double worthAProof = 0.97;  ///< of the error, that is worth another proof
 constexpr double hardlyMore = 2.0;    ///< of the error, that a model of a loop of whole steps may be wrong by
 constexpr double clearly = 2.0;       ///< standard deviations, by which noise alone may tell two currents apart
 constexpr double laterIsLonger = 0.2; ///< of the time since an edge, over which a current is taken
@@ -263,7 +263,7 @@ Task<bool> TuneDesign::improved()
     const double promised = promisedError(basis(), m_held->proposed.made, m_held->predicted->shape, m_step);
     const TuneReport &report = m_run.report();
     const double better = promisedError(basis(), report.proposed.made, report.predicted->shape, m_step);
-    if (!(better < clearlyLess * promised))
+    if (!(better < worthAProof * promised))
         co_return false;
     m_run.note(say("on the model as these steps have corrected it, other gains leave less error; now those"));
     co_return true;

@@ -6,11 +6,11 @@
 namespace mb::tuning {
 namespace {
 
-constexpr double leastShare = 0.05; ///< of a delay or a lag that stays, however large its error is
+constexpr double smallestShare = 0.05; ///< of a delay or a lag that stays, however large its error is
 
 double off(double value, double error)
 {
-    return std::max(value + error, leastShare * value);
+    return std::max(value + error, smallestShare * value);
 }
 
 } // namespace
