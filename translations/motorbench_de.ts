@@ -2147,6 +2147,14 @@
         <source>Hold Arm to go on</source>
         <translation>Zum Fortfahren Scharf-Taste halten</translation>
     </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
 </context>
 <context>
     <name>mb::BodePlot</name>
@@ -17726,6 +17734,58 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>number %1 has another session</source>
         <translation>Nummer %1 hat eine andere Session</translation>
+    </message>
+    <message>
+        <source>chatter of the duty</source>
+        <translation>Unruhe des Tastgrads</translation>
+    </message>
+    <message>
+        <source>encoder</source>
+        <translation>Encoder</translation>
+    </message>
+    <message>
+        <source>error at rest</source>
+        <translation>bleibende Abweichung</translation>
+    </message>
+    <message>
+        <source>friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>noise</source>
+        <translation>Rauschen</translation>
+    </message>
+    <message>
+        <source>overshoot</source>
+        <translation>Überschwingen</translation>
+    </message>
+    <message>
+        <source>peak current</source>
+        <translation>Stromspitze</translation>
+    </message>
+    <message>
+        <source>resistance</source>
+        <translation>Widerstand</translation>
+    </message>
+    <message>
+        <source>rise</source>
+        <translation>Anstieg</translation>
+    </message>
+    <message>
+        <source>settle</source>
+        <translation>Ausregelzeit</translation>
+    </message>
+    <message>
+        <source>time at the duty limit</source>
+        <translation>Zeit an der Tastgradgrenze</translation>
+    </message>
+    <message>
+        <source>undershoot</source>
+        <translation>Unterschwingen</translation>
     </message>
 </context>
 </TS>

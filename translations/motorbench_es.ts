@@ -2147,6 +2147,14 @@
         <source>Hold Arm to go on</source>
         <translation>Mantenga Armar para continuar</translation>
     </message>
+    <message>
+        <source>yes</source>
+        <translation>sí</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>no</translation>
+    </message>
 </context>
 <context>
     <name>mb::BodePlot</name>
@@ -17726,6 +17734,58 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>number %1 has another session</source>
         <translation>el número %1 tiene otra sesión</translation>
+    </message>
+    <message>
+        <source>chatter of the duty</source>
+        <translation>agitación del ciclo</translation>
+    </message>
+    <message>
+        <source>encoder</source>
+        <translation>encoder</translation>
+    </message>
+    <message>
+        <source>error at rest</source>
+        <translation>error en reposo</translation>
+    </message>
+    <message>
+        <source>friction</source>
+        <translation>fricción</translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation>ganancia</translation>
+    </message>
+    <message>
+        <source>noise</source>
+        <translation>ruido</translation>
+    </message>
+    <message>
+        <source>overshoot</source>
+        <translation>sobreimpulso</translation>
+    </message>
+    <message>
+        <source>peak current</source>
+        <translation>pico de corriente</translation>
+    </message>
+    <message>
+        <source>resistance</source>
+        <translation>resistencia</translation>
+    </message>
+    <message>
+        <source>rise</source>
+        <translation>subida</translation>
+    </message>
+    <message>
+        <source>settle</source>
+        <translation>estabilización</translation>
+    </message>
+    <message>
+        <source>time at the duty limit</source>
+        <translation>tiempo en el límite del ciclo</translation>
+    </message>
+    <message>
+        <source>undershoot</source>
+        <translation>subimpulso</translation>
     </message>
 </context>
 </TS>

@@ -2147,6 +2147,14 @@
         <source>Hold Arm to go on</source>
         <translation>Maintenir Armer pour continuer</translation>
     </message>
+    <message>
+        <source>yes</source>
+        <translation>oui</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>non</translation>
+    </message>
 </context>
 <context>
     <name>mb::BodePlot</name>
@@ -17726,6 +17734,58 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>number %1 has another session</source>
         <translation>le numéro %1 a une autre session</translation>
+    </message>
+    <message>
+        <source>chatter of the duty</source>
+        <translation>agitation du rapport cyclique</translation>
+    </message>
+    <message>
+        <source>encoder</source>
+        <translation>codeur</translation>
+    </message>
+    <message>
+        <source>error at rest</source>
+        <translation>erreur au repos</translation>
+    </message>
+    <message>
+        <source>friction</source>
+        <translation>frottement</translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation>gain</translation>
+    </message>
+    <message>
+        <source>noise</source>
+        <translation>bruit</translation>
+    </message>
+    <message>
+        <source>overshoot</source>
+        <translation>dépassement</translation>
+    </message>
+    <message>
+        <source>peak current</source>
+        <translation>pic de courant</translation>
+    </message>
+    <message>
+        <source>resistance</source>
+        <translation>résistance</translation>
+    </message>
+    <message>
+        <source>rise</source>
+        <translation>montée</translation>
+    </message>
+    <message>
+        <source>settle</source>
+        <translation>établissement</translation>
+    </message>
+    <message>
+        <source>time at the duty limit</source>
+        <translation>temps en limite de rapport cyclique</translation>
+    </message>
+    <message>
+        <source>undershoot</source>
+        <translation>sous-dépassement</translation>
     </message>
 </context>
 </TS>

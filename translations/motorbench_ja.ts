@@ -2145,6 +2145,14 @@
         <source>Hold Arm to go on</source>
         <translation>続けるには駆動許可ボタンを長押し</translation>
     </message>
+    <message>
+        <source>yes</source>
+        <translation>はい</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>いいえ</translation>
+    </message>
 </context>
 <context>
     <name>mb::BodePlot</name>
@@ -17712,6 +17720,58 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>number %1 has another session</source>
         <translation>番号 %1 のセッションは異なります</translation>
+    </message>
+    <message>
+        <source>chatter of the duty</source>
+        <translation>デューティの変動</translation>
+    </message>
+    <message>
+        <source>encoder</source>
+        <translation>エンコーダ</translation>
+    </message>
+    <message>
+        <source>error at rest</source>
+        <translation>定常偏差</translation>
+    </message>
+    <message>
+        <source>friction</source>
+        <translation>摩擦</translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation>ゲイン</translation>
+    </message>
+    <message>
+        <source>noise</source>
+        <translation>ノイズ</translation>
+    </message>
+    <message>
+        <source>overshoot</source>
+        <translation>オーバーシュート</translation>
+    </message>
+    <message>
+        <source>peak current</source>
+        <translation>ピーク電流</translation>
+    </message>
+    <message>
+        <source>resistance</source>
+        <translation>抵抗</translation>
+    </message>
+    <message>
+        <source>rise</source>
+        <translation>立上り</translation>
+    </message>
+    <message>
+        <source>settle</source>
+        <translation>整定</translation>
+    </message>
+    <message>
+        <source>time at the duty limit</source>
+        <translation>デューティ上限の時間</translation>
+    </message>
+    <message>
+        <source>undershoot</source>
+        <translation>アンダーシュート</translation>
     </message>
 </context>
 </TS>

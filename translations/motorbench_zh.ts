@@ -2145,6 +2145,14 @@
         <source>Hold Arm to go on</source>
         <translation>按住“解锁”以继续</translation>
     </message>
+    <message>
+        <source>yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
 </context>
 <context>
     <name>mb::BodePlot</name>
@@ -17712,6 +17720,58 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>number %1 has another session</source>
         <translation>编号 %1 的会话不同</translation>
+    </message>
+    <message>
+        <source>chatter of the duty</source>
+        <translation>占空比抖动</translation>
+    </message>
+    <message>
+        <source>encoder</source>
+        <translation>编码器</translation>
+    </message>
+    <message>
+        <source>error at rest</source>
+        <translation>稳态误差</translation>
+    </message>
+    <message>
+        <source>friction</source>
+        <translation>摩擦</translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation>增益</translation>
+    </message>
+    <message>
+        <source>noise</source>
+        <translation>噪声</translation>
+    </message>
+    <message>
+        <source>overshoot</source>
+        <translation>超调</translation>
+    </message>
+    <message>
+        <source>peak current</source>
+        <translation>峰值电流</translation>
+    </message>
+    <message>
+        <source>resistance</source>
+        <translation>电阻</translation>
+    </message>
+    <message>
+        <source>rise</source>
+        <translation>上升</translation>
+    </message>
+    <message>
+        <source>settle</source>
+        <translation>调节</translation>
+    </message>
+    <message>
+        <source>time at the duty limit</source>
+        <translation>处于占空比限值的时间</translation>
+    </message>
+    <message>
+        <source>undershoot</source>
+        <translation>下冲</translation>
     </message>
 </context>
 </TS>

@@ -255,19 +255,27 @@ Normal normalized(const Trace &measured, std::size_t begin, double start, double
 const std::array<MetricKey, 11> &metricKeys()
 {
     static constexpr std::array<MetricKey, 11> keys{{
-        {"rise", &Metrics::rise},
-        {"settle", &Metrics::settle},
-        {"overshoot", &Metrics::overshoot},
-        {"undershoot", &Metrics::undershoot},
-        {"sse", &Metrics::sse},
-        {"iae", &Metrics::iae},
-        {"itae", &Metrics::itae},
-        {"peak_current", &Metrics::peakCurrent},
-        {"rms_duty", &Metrics::dutyChatter},
-        {"saturated", &Metrics::saturated},
-        {"noise", &Metrics::noise},
+        {"rise", &Metrics::rise, 1e3, 0, "ms"},
+        {"settle", &Metrics::settle, 1e3, 0, "ms"},
+        {"overshoot", &Metrics::overshoot, 100.0, 1, "%"},
+        {"undershoot", &Metrics::undershoot, 100.0, 1, "%"},
+        {"sse", &Metrics::sse, 100.0, 2, "%"},
+        {"iae", &Metrics::iae, 1e3, 0, "ms"},
+        {"itae", &Metrics::itae, 1e3, 1, "ms·s"},
+        {"peak_current", &Metrics::peakCurrent, 1.0, 1, "A"},
+        {"rms_duty", &Metrics::dutyChatter, 100.0, 2, "%"},
+        {"saturated", &Metrics::saturated, 100.0, 1, "%"},
+        {"noise", &Metrics::noise, 100.0, 2, "%"},
     }};
     return keys;
+}
+
+const MetricKey *findMetric(std::string_view key)
+{
+    const auto &keys = metricKeys();
+    const auto *const found
+        = std::find_if(keys.begin(), keys.end(), [key](const MetricKey &each) { return each.key == key; });
+    return found == keys.end() ? nullptr : found;
 }
 
 Response readResponse(const Trace &measured, std::optional<double> target, double leastMove, int repeats)

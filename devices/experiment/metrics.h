@@ -27,12 +27,18 @@ struct Metrics {
     friend bool operator==(const Metrics &, const Metrics &) = default;
 };
 
-/// The keys of Metrics in JSON, CSV and journals, in their order.
+/// The keys of Metrics in JSON, CSV and journals, in their order; and how people read them: times `scale` in `unit`, with so many
+/// decimals.
 struct MetricKey {
     std::string_view key;
     std::optional<double> Metrics::*value;
+    double scale;
+    int decimals;
+    std::string_view unit;
 };
 [[nodiscard]] const std::array<MetricKey, 11> &metricKeys();
+/// nullptr where no metric has this key.
+[[nodiscard]] const MetricKey *findMetric(std::string_view key);
 
 /// How a response may be read.
 struct Response {

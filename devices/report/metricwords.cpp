@@ -7,6 +7,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <array>
 
 namespace mb {
@@ -15,23 +16,20 @@ namespace {
 struct Row {
     std::string_view key;
     const char *name;
-    double scale;
-    int decimals;
-    const char *unit;
 };
 
 constexpr std::array<Row, 11> metricRows{{
-    {"rise", QT_TRANSLATE_NOOP("mb::ReportText", "Rise, 10 to 90 %"), 1e3, 0, "ms"},
-    {"settle", QT_TRANSLATE_NOOP("mb::ReportText", "Settling to 2 %"), 1e3, 0, "ms"},
-    {"overshoot", QT_TRANSLATE_NOOP("mb::ReportText", "Overshoot"), 100.0, 1, "%"},
-    {"undershoot", QT_TRANSLATE_NOOP("mb::ReportText", "Undershoot of the way back"), 100.0, 1, "%"},
-    {"sse", QT_TRANSLATE_NOOP("mb::ReportText", "Error at rest"), 100.0, 2, "%"},
-    {"iae", QT_TRANSLATE_NOOP("mb::ReportText", "IAE"), 1e3, 0, "ms"},
-    {"itae", QT_TRANSLATE_NOOP("mb::ReportText", "ITAE"), 1e3, 1, "ms·s"},
-    {"peak_current", QT_TRANSLATE_NOOP("mb::ReportText", "Peak current"), 1.0, 1, "A"},
-    {"rms_duty", QT_TRANSLATE_NOOP("mb::ReportText", "Chatter of the duty, RMS"), 100.0, 2, "%"},
-    {"saturated", QT_TRANSLATE_NOOP("mb::ReportText", "Time at the duty limit"), 100.0, 1, "%"},
-    {"noise", QT_TRANSLATE_NOOP("mb::ReportText", "Noise of the measurement"), 100.0, 2, "%"},
+    {"rise", QT_TRANSLATE_NOOP("mb::ReportText", "Rise, 10 to 90 %")},
+    {"settle", QT_TRANSLATE_NOOP("mb::ReportText", "Settling to 2 %")},
+    {"overshoot", QT_TRANSLATE_NOOP("mb::ReportText", "Overshoot")},
+    {"undershoot", QT_TRANSLATE_NOOP("mb::ReportText", "Undershoot of the way back")},
+    {"sse", QT_TRANSLATE_NOOP("mb::ReportText", "Error at rest")},
+    {"iae", QT_TRANSLATE_NOOP("mb::ReportText", "IAE")},
+    {"itae", QT_TRANSLATE_NOOP("mb::ReportText", "ITAE")},
+    {"peak_current", QT_TRANSLATE_NOOP("mb::ReportText", "Peak current")},
+    {"rms_duty", QT_TRANSLATE_NOOP("mb::ReportText", "Chatter of the duty, RMS")},
+    {"saturated", QT_TRANSLATE_NOOP("mb::ReportText", "Time at the duty limit")},
+    {"noise", QT_TRANSLATE_NOOP("mb::ReportText", "Noise of the measurement")},
 }};
 
 QString profileWord(tuning::Profile profile)
@@ -51,11 +49,13 @@ QString profileWord(tuning::Profile profile)
 
 MetricWords metricWords(std::string_view key)
 {
-    for (const Row &row : metricRows) {
-        if (row.key == key)
-            return {ReportText::tr(row.name), row.scale, row.decimals, QString::fromUtf8(row.unit)};
-    }
-    return {qt(key), 1.0, 3, {}};
+    const tuning::MetricKey *const metric = tuning::findMetric(key);
+    if (!metric)
+        return {qt(key), 1.0, 3, {}};
+    const auto *const row
+        = std::find_if(metricRows.begin(), metricRows.end(), [key](const Row &each) { return each.key == key; });
+    return {row == metricRows.end() ? qt(key) : ReportText::tr(row->name), metric->scale, metric->decimals,
+        qt(metric->unit)};
 }
 
 QString metricText(std::string_view key, const std::optional<double> &value)

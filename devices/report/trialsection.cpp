@@ -200,11 +200,8 @@ QString stepHtml(const KeptTrial &kept)
     QStringList heads;
     QStringList values;
     for (const char *const key : {"rise", "overshoot", "settle", "sse", "peak_current"}) {
-        const auto metrics = tuning::metricKeys();
-        const auto metric = std::find_if(
-            metrics.begin(), metrics.end(), [key](const tuning::MetricKey &each) { return each.key == key; });
         heads << metricWords(key).name;
-        values << metricText(key, trial.metrics.*metric->value);
+        values << metricText(key, trial.metrics.*tuning::findMetric(key)->value);
     }
     HtmlTable table(QStringLiteral("rrrrr"), heads);
     table.add(values);

@@ -2,6 +2,8 @@
 #include "report/visitsection.h"
 
 #include "report/htmltext.h"
+#include "report/metricwords.h"
+#include "service/recipe.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,22 +26,28 @@ QString keyText(const std::string &key)
         return ReportText::tr("Gain 1/Ke, counts/s per V");
     if (key == "encoder")
         return ReportText::tr("Encoder counts both ways");
-    return escaped(key);
+    return escaped(metricWords(key).name);
+}
+
+/// A metric as in the tables of trials; of the motor, three digits in the unit that keyText() names.
+QString figureOf(const std::string &key, const std::optional<double> &value)
+{
+    return service::isFigure(key) ? figure(value, 3) : metricText(key, value);
 }
 
 QString valueText(const TestValue &value)
 {
     if (value.key == "encoder")
         return value.value.value_or(0.0) != 0.0 ? ReportText::tr("yes") : ReportText::tr("no");
-    return figure(value.value, 3);
+    return figureOf(value.key, value.value);
 }
 
 QString limitsText(const TestValue &value)
 {
     if (value.key == "encoder" || !value.high)
         return {};
-    return value.low ? figure(value.low, 3) + QStringLiteral(" … ") + figure(value.high, 3)
-                     : QStringLiteral("≤ ") + figure(value.high, 3);
+    const QString high = figureOf(value.key, value.high);
+    return value.low ? figureOf(value.key, value.low) + QStringLiteral(" … ") + high : QStringLiteral("≤ ") + high;
 }
 
 std::optional<double> valueOf(const Visit &visit, const std::string &key)
@@ -72,7 +80,7 @@ QString testHtml(const ReportUnit &unit)
         if (!change.isEmpty())
             change = ReportText::tr("%1 since %2").arg(change, timeText(earlier->time).left(10));
         table.add({keyText(value.key), value.passed ? valueText(value) : strong(valueText(value), "danger"),
-            limitsText(value), before && value.key != "encoder" ? figure(before, 3) : QString(), change});
+            limitsText(value), before && value.key != "encoder" ? figureOf(value.key, before) : QString(), change});
     }
     return table.isEmpty() ? QString() : table.html();
 }

@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/parameter.h"
+#include "async/message.h"
 
-#include <cmath>
-#include <string>
+#include <string_view>
 
 namespace mb::service {
 
-/// A measured number with three digits: "0.0916", "46.1", "4310".
-[[nodiscard]] inline std::string figureText(double number)
-{
-    if (number == 0.0 || !std::isfinite(number))
-        return "0";
-    const double perUnit = std::pow(10.0, std::max(0.0, 2.0 - std::floor(std::log10(std::abs(number)))));
-    return numberText(
-        std::round(number * perUnit) / perUnit); // a quotient of whole numbers is the nearest to its decimals
-}
+/// What a key of Acceptance is called in a sentence; what is none, as it is written.
+[[nodiscard]] Message figureName(std::string_view key);
+
+/// A value of that key with three digits and the unit that people read it in: "450 ms", "4.2 %", "46.1 A". Friction and gain have
+/// another unit on a device without a bus voltage, which the value does not tell: they stand without one.
+[[nodiscard]] MessageNumber figureNumber(std::string_view key, double value);
 
 } // namespace mb::service

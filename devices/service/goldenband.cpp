@@ -50,8 +50,9 @@ Message markUnusual(std::vector<TestValue> &values, const std::vector<Visit> &pa
         value.unusual = band && value.value && (*value.value < band->low() || *value.value > band->high());
         if (value.unusual)
             told = joined(told,
-                say("%1 %2 is unusual: %3 units have %4 to %5", value.key, figureText(*value.value), band->units,
-                    figureText(band->low()), figureText(band->high())));
+                say("%1 %2 is unusual: %3 units have %4 to %5", figureName(value.key),
+                    figureNumber(value.key, *value.value), band->units, figureNumber(value.key, band->low()),
+                    figureNumber(value.key, band->high())));
     }
     return told;
 }

@@ -15,8 +15,9 @@ using tuning::Trial;
 Message limitsText(const TestValue &value)
 {
     if (!value.low)
-        return say("limit %1", figureText(value.high.value_or(0.0)));
-    return say("limits %1 … %2", figureText(*value.low), figureText(value.high.value_or(0.0)));
+        return say("limit %1", figureNumber(value.key, value.high.value_or(0.0)));
+    return say(
+        "limits %1 … %2", figureNumber(value.key, *value.low), figureNumber(value.key, value.high.value_or(0.0)));
 }
 
 /// What may be done about a value that is out of its limits.
@@ -58,11 +59,8 @@ void endBy(TestFinding &finding, const Trial &trial)
 
 std::optional<double> metricOf(const Trial &trial, std::string_view key)
 {
-    for (const tuning::MetricKey &metric : tuning::metricKeys()) {
-        if (metric.key == key)
-            return trial.metrics.*metric.value;
-    }
-    return std::nullopt;
+    const tuning::MetricKey *const metric = tuning::findMetric(key);
+    return metric ? trial.metrics.*metric->value : std::nullopt;
 }
 
 std::optional<double> figureOf(const MotorFigures &figures, std::string_view key)
@@ -85,8 +83,9 @@ void evaluate(TestFinding &finding, const SelfTest &test, const Trial &trial, co
         if (value.passed || finding.failure)
             continue;
         const Message what = value.key == figure::encoder ? say("the encoder does not count both ways")
-            : value.value ? say("%1 is %2, %3", value.key, figureText(*value.value), limitsText(value))
-                          : say("%1 could not be measured", value.key);
+            : value.value
+            ? say("%1 is %2, %3", figureName(value.key), figureNumber(value.key, *value.value), limitsText(value))
+            : say("%1 could not be measured", figureName(value.key));
         finding.failure = Error{Fault::BadCheck, what, remedyOf(value.key)};
     }
 }

@@ -46,13 +46,13 @@ std::string mistakeIn(QByteArray text, const char *what, const char *with)
 
 TEST(FigureText, HasThreeDigitsAndNoNoiseOfBinaryFractions)
 {
-    EXPECT_EQ(figureText(0.34618), "0.346");
-    EXPECT_EQ(figureText(0.0001), "0.0001");
-    EXPECT_EQ(figureText(-0.09163), "-0.0916");
-    EXPECT_EQ(figureText(46.12), "46.1");
-    EXPECT_EQ(figureText(4310.4), "4310");
+    EXPECT_EQ(textOf(figureNumber("friction", 0.34618)), "0.346");
+    EXPECT_EQ(textOf(figureNumber("friction", 0.0001)), "0.0001");
+    EXPECT_EQ(textOf(figureNumber("sse", -0.0009163)), "-0.0916 %");
+    EXPECT_EQ(textOf(figureNumber("peak_current", 46.12)), "46.1 A");
+    EXPECT_EQ(textOf(figureNumber("gain", 4310.4)), "4310");
     for (int i = 1; i < 1000; ++i)
-        EXPECT_LE(figureText(i / 1e6).size(), std::string("0.000999").size()) << i;
+        EXPECT_LE(textOf(figureNumber("friction", i / 1e6)).size(), std::string("0.000999").size()) << i;
 }
 
 TEST(Recipes, SayWhatIsDoneToEveryUnit)
@@ -156,7 +156,7 @@ TEST(GoldenBand, BeginsAtEightUnitsAndOnlyWarns)
     EXPECT_NEAR(band->median, 0.435, 1e-9);
     EXPECT_NEAR(band->deviation, 0.02, 1e-9);
     std::vector<TestValue> values{{"settle", 0.50, std::nullopt, 1.0}};
-    EXPECT_EQ(markUnusual(values, passed), "settle 0.5 is unusual: 8 units have 0.375 to 0.495");
+    EXPECT_EQ(markUnusual(values, passed), "settle 500 ms is unusual: 8 units have 375 ms to 495 ms");
     EXPECT_TRUE(values[0].passed);
     EXPECT_TRUE(values[0].unusual);
     values[0].value = 0.49;

@@ -39,17 +39,19 @@ namespace {
 /// Without a decimal sign of its own: as numbers are shown.
 QString wordsOf(const Message &message, std::optional<QChar> decimal);
 
+QString quantityOf(const MessageNumber &quantity, std::optional<QChar> decimal)
+{
+    const QString digits = qt(textOf({quantity.value, quantity.decimals}));
+    const QString unit = quantity.unit.empty() ? QString() : QLatin1Char(' ') + qt(quantity.unit);
+    return (decimal ? QString(digits).replace(QLatin1Char('.'), *decimal) : formatWritten(digits)) + unit;
+}
+
 QString argumentText(const MessageArgument &argument, std::optional<QChar> decimal)
 {
     struct Wording {
         std::optional<QChar> decimal;
         QString operator()(std::int64_t number) const { return QString::number(number); }
-        QString operator()(const MessageNumber &number) const
-        {
-            const QString digits = qt(textOf({number.value, number.decimals}));
-            const QString unit = number.unit.empty() ? QString() : QLatin1Char(' ') + qt(number.unit);
-            return (decimal ? QString(digits).replace(QLatin1Char('.'), *decimal) : formatWritten(digits)) + unit;
-        }
+        QString operator()(const MessageNumber &number) const { return quantityOf(number, decimal); }
         QString operator()(const std::string &text) const { return qt(text); }
         QString operator()(const Message &message) const { return wordsOf(message, decimal); }
     };
@@ -83,6 +85,11 @@ QString messageText(const Message &message)
 QString messageText(const Message &message, QChar decimal)
 {
     return wordsOf(message, decimal);
+}
+
+QString quantityText(const MessageNumber &quantity)
+{
+    return quantityOf(quantity, std::nullopt);
 }
 
 QString errorText(const Error &error)

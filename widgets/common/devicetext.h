@@ -21,6 +21,8 @@ namespace mb {
 [[nodiscard]] QString messageText(const Message &message);
 /// The same with numbers for a file.
 [[nodiscard]] QString messageText(const Message &message, QChar decimal);
+/// "4.2 %", with the decimal sign of the language.
+[[nodiscard]] QString quantityText(const MessageNumber &quantity);
 [[nodiscard]] QString errorText(const Error &error);
 /// "over-current" for the key over_current.
 [[nodiscard]] QString faultText(const Family &family, std::string_view key);

@@ -29,11 +29,8 @@ constexpr std::array<std::string_view, 5> columns{"rise", "settle", "overshoot",
 
 std::optional<double> metricOf(const tuning::Metrics &metrics, std::string_view key)
 {
-    for (const tuning::MetricKey &row : tuning::metricKeys()) {
-        if (row.key == key)
-            return metrics.*row.value;
-    }
-    return std::nullopt;
+    const tuning::MetricKey *const metric = tuning::findMetric(key);
+    return metric ? metrics.*metric->value : std::nullopt;
 }
 
 QString cellText(std::string_view key, const std::optional<double> &value)

@@ -28,11 +28,8 @@ constexpr std::array<std::string_view, 10> keys{
 
 std::optional<double> valueOf(const tuning::Metrics &metrics, std::string_view key)
 {
-    for (const tuning::MetricKey &row : tuning::metricKeys()) {
-        if (row.key == key)
-            return metrics.*row.value;
-    }
-    return std::nullopt;
+    const tuning::MetricKey *const metric = tuning::findMetric(key);
+    return metric ? metrics.*metric->value : std::nullopt;
 }
 
 QString textOf(const std::optional<KeptTrial> &kept, std::string_view key, const MetricWord &word, bool withError)

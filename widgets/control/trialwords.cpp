@@ -39,9 +39,6 @@ constexpr std::array<Named, 10> flags{{
 struct Row {
     std::string_view key;
     const char *name;
-    double scale;
-    int decimals;
-    const char *unit;
     double same;
     const char *less;
     const char *more;
@@ -53,17 +50,17 @@ constexpr auto faster = QT_TRANSLATE_NOOP("mb::TrialWords", "faster");
 constexpr auto slower = QT_TRANSLATE_NOOP("mb::TrialWords", "slower");
 
 const std::array<Row, 11> rows{{
-    {"rise", QT_TRANSLATE_NOOP("mb::TrialWords", "Rise 10–90"), 1e3, 0, "ms", 1.0, faster, slower},
-    {"settle", QT_TRANSLATE_NOOP("mb::TrialWords", "Settle 2 %"), 1e3, 0, "ms", 1.0, better, worse},
-    {"overshoot", QT_TRANSLATE_NOOP("mb::TrialWords", "Overshoot"), 100.0, 1, "%", 0.1, better, worse},
-    {"undershoot", QT_TRANSLATE_NOOP("mb::TrialWords", "Undershoot"), 100.0, 1, "%", 0.1, better, worse},
-    {"sse", QT_TRANSLATE_NOOP("mb::TrialWords", "Steady error"), 100.0, 2, "%", 0.02, better, worse},
-    {"iae", QT_TRANSLATE_NOOP("mb::TrialWords", "IAE"), 1e3, 0, "ms", 1.0, better, worse},
-    {"itae", QT_TRANSLATE_NOOP("mb::TrialWords", "ITAE"), 1e3, 1, "ms·s", 0.1, better, worse},
-    {"peak_current", QT_TRANSLATE_NOOP("mb::TrialWords", "Peak current"), 1.0, 1, "A", 0.1, better, worse},
-    {"rms_duty", QT_TRANSLATE_NOOP("mb::TrialWords", "Duty chatter"), 100.0, 2, "%", 0.02, better, worse},
-    {"saturated", QT_TRANSLATE_NOOP("mb::TrialWords", "Saturated"), 100.0, 1, "%", 0.1, better, worse},
-    {"noise", QT_TRANSLATE_NOOP("mb::TrialWords", "Noise σ"), 100.0, 2, "%", 0.02, better, worse},
+    {"rise", QT_TRANSLATE_NOOP("mb::TrialWords", "Rise 10–90"), 1.0, faster, slower},
+    {"settle", QT_TRANSLATE_NOOP("mb::TrialWords", "Settle 2 %"), 1.0, better, worse},
+    {"overshoot", QT_TRANSLATE_NOOP("mb::TrialWords", "Overshoot"), 0.1, better, worse},
+    {"undershoot", QT_TRANSLATE_NOOP("mb::TrialWords", "Undershoot"), 0.1, better, worse},
+    {"sse", QT_TRANSLATE_NOOP("mb::TrialWords", "Steady error"), 0.02, better, worse},
+    {"iae", QT_TRANSLATE_NOOP("mb::TrialWords", "IAE"), 1.0, better, worse},
+    {"itae", QT_TRANSLATE_NOOP("mb::TrialWords", "ITAE"), 0.1, better, worse},
+    {"peak_current", QT_TRANSLATE_NOOP("mb::TrialWords", "Peak current"), 0.1, better, worse},
+    {"rms_duty", QT_TRANSLATE_NOOP("mb::TrialWords", "Duty chatter"), 0.02, better, worse},
+    {"saturated", QT_TRANSLATE_NOOP("mb::TrialWords", "Saturated"), 0.1, better, worse},
+    {"noise", QT_TRANSLATE_NOOP("mb::TrialWords", "Noise σ"), 0.02, better, worse},
 }};
 
 } // namespace
@@ -117,12 +114,12 @@ QString stimulusText(const tuning::Trial &trial, const DisplayUnits &units)
 
 MetricWord metricWord(std::string_view key)
 {
-    for (const Row &row : rows) {
-        if (row.key == key)
-            return {TrialWords::tr(row.name), row.scale, row.decimals, QString::fromUtf8(row.unit), true, row.same,
-                TrialWords::tr(row.less), TrialWords::tr(row.more)};
-    }
-    return {};
+    const tuning::MetricKey *const metric = tuning::findMetric(key);
+    const auto *const row = std::find_if(rows.begin(), rows.end(), [key](const Row &each) { return each.key == key; });
+    if (!metric || row == rows.end())
+        return {};
+    return {TrialWords::tr(row->name), metric->scale, metric->decimals, qt(metric->unit), true, row->same,
+        TrialWords::tr(row->less), TrialWords::tr(row->more)};
 }
 
 } // namespace mb

@@ -2,6 +2,7 @@
 #include "widgets/service/verdictof.h"
 
 #include "model/setpoint.h"
+#include "service/figuretext.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
 
@@ -29,10 +30,20 @@ bool hasEnded(RowState state)
 
 QString boundsOf(const service::TestValue &value)
 {
-    if (!value.high)
+    if (!value.high || value.key == service::figure::encoder)
         return {};
-    return value.low ? BenchText::tr("%1 … %2").arg(formatSignificant(*value.low, 3), formatSignificant(*value.high, 3))
-                     : BenchText::tr("at most %1").arg(formatSignificant(*value.high, 3));
+    const QString high = quantityText(service::figureNumber(value.key, *value.high));
+    return value.low ? BenchText::tr("%1 … %2").arg(quantityText(service::figureNumber(value.key, *value.low)), high)
+                     : BenchText::tr("at most %1").arg(high);
+}
+
+QString valueOf(const service::TestValue &value)
+{
+    if (!value.value)
+        return UnknownMark;
+    if (value.key == service::figure::encoder)
+        return *value.value != 0.0 ? BenchText::tr("yes") : BenchText::tr("no");
+    return quantityText(service::figureNumber(value.key, *value.value));
 }
 
 /// Nothing had to be done to it.
@@ -56,7 +67,7 @@ std::vector<Verdict::Fact> factsOf(const service::Visit &visit)
     if (visit.parameters)
         facts.push_back({BenchText::tr("parameters"), BenchText::tr("%1 equal").arg(*visit.parameters), {}});
     for (const service::TestValue &value : visit.test)
-        facts.push_back({qt(value.key), value.value ? formatSignificant(*value.value, 3) : QString(UnknownMark),
+        facts.push_back({messageText(service::figureName(value.key)), valueOf(value),
             value.unusual ? BenchText::tr("unusual, %1").arg(boundsOf(value)) : boundsOf(value)});
     if (facts.size() > mostFacts)
         facts.resize(mostFacts);
