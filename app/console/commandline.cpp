@@ -129,7 +129,7 @@ Result<Options> optionsFrom(const Globals &globals)
 
 std::string lowered(std::string text)
 {
-    if (text.size() > 1 && text[0] >= 'A' && text[0] <= 'Z' && (text[1] < 'A' || text[1] > 'Z'))
+    if (text.size() > 1 && text[0] >= 'A' && text[0] <= 'Z' && text[1] >= 'a' && text[1] <= 'z')
         text[0] = static_cast<char>(text[0] + 32);
     return text;
 }
@@ -177,6 +177,7 @@ Result<CommandLine> parseVerb(const Verb &verb, std::vector<std::string> argumen
     if (!options)
         return fail(options.error());
     line.options = *options;
+    line.options.verb = verb.name;
     return line;
 }
 

@@ -45,16 +45,16 @@ bool Console::hasSent() const
 int Console::fails(const Error &error) const
 {
     const int status = exitStatusOf(error.fault, hasSent());
-    tell(error, status, m_options.json);
+    tell(error, status, m_options);
     return status;
 }
 
-void tell(const Error &error, int status, bool json)
+void tell(const Error &error, int status, const Options &options)
 {
-    if (json)
-        complainPlain(jsonOf(error, status));
+    if (options.json)
+        complainPlain(jsonOf(error, status, options.verb));
     else
-        complainAtLast(lineOf(error));
+        complainAtLast(lineOf(error, options.verb));
 }
 
 void Console::interrupt()

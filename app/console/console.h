@@ -11,6 +11,7 @@
 namespace mb::console {
 
 struct Options {
+    std::string_view verb; ///< one of the table; empty: what was typed is not understood
     bool json = false;
     bool quiet = false; ///< no progress and no notes
     Patience patience;  ///< --timeout and --retries: of every question, and of finding a device
@@ -63,7 +64,7 @@ private:
 };
 
 /// Tells an error as --json or its absence asks; the last words of the program.
-void tell(const Error &error, int status, bool json);
+void tell(const Error &error, int status, const Options &options);
 
 /// A verb with its arguments, ready to run. Checks everything before it sends anything; yields the exit status.
 using Job = std::function<Task<int>(Console &)>;

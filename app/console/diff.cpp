@@ -185,8 +185,8 @@ Job declareDiff(CLI::App &arguments)
 {
     const auto a = std::make_shared<std::string>();
     const auto b = std::make_shared<std::string>();
-    arguments.add_option("a", *a, "A device, a file, snapshot:NAME, snapshot:NUMBER or defaults")->required();
-    arguments.add_option("b", *b, "Another one of these")->required();
+    arguments.add_option("A", *a, "A device, a file, snapshot:NAME, snapshot:NUMBER or defaults")->required();
+    arguments.add_option("B", *b, "Another one of these")->required();
     return [a, b](Console &console) { return diff(console, *a, *b); };
 }
 

@@ -9,7 +9,8 @@
 namespace mb::console {
 namespace {
 
-std::string_view remedyOf(Fault fault)
+/// Where the error itself knows no better. `verb`: that was run; empty before it is known.
+std::string remedyOf(Fault fault, std::string_view verb)
 {
     switch (fault) {
     case Fault::Timeout: return "check its power, the cable and the bit rate; 'motorbenchctl scan' lists what answers";
@@ -17,7 +18,9 @@ std::string_view remedyOf(Fault fault)
     case Fault::BadReply: return "the device speaks an unknown dialect or the link is disturbed; try again";
     case Fault::BadCheck: return "read it again with 'motorbenchctl get' before relying on it";
     case Fault::LinkLost: return "'motorbenchctl links' shows what can be opened";
-    case Fault::OutOfRange: return "'motorbenchctl help VERB' tells what is legal";
+    case Fault::OutOfRange:
+        return "'motorbenchctl help" + (verb.empty() ? std::string() : ' ' + std::string(verb))
+            + "' tells what is legal";
     case Fault::Unsupported: return "another family or another link may offer it";
     case Fault::Usage: return "'motorbenchctl help' tells what there is";
     case Fault::Cancelled: return "run it again to finish";
@@ -39,9 +42,9 @@ std::string causeOf(const Error &error)
     return error.detail.empty() ? std::string(toString(error.fault)) : error.detail.english();
 }
 
-std::string helpOf(const Error &error)
+std::string helpOf(const Error &error, std::string_view verb)
 {
-    return error.help().empty() ? std::string(remedyOf(error.fault)) : error.help().english();
+    return error.help().empty() ? remedyOf(error.fault, verb) : error.help().english();
 }
 
 } // namespace
@@ -63,18 +66,18 @@ int exitStatusOf(Fault fault, bool sent)
     return exitDevice;
 }
 
-std::string lineOf(const Error &error)
+std::string lineOf(const Error &error, std::string_view verb)
 {
-    return causeOf(error) + "; " + helpOf(error);
+    return causeOf(error) + "; " + helpOf(error, verb);
 }
 
-std::string jsonOf(const Error &error, int status)
+std::string jsonOf(const Error &error, int status, std::string_view verb)
 {
     const QJsonObject row{
         {QStringLiteral("status"), status},
         {QStringLiteral("fault"), QString::fromStdString(nameOf(error.fault))},
         {QStringLiteral("cause"), QString::fromStdString(causeOf(error))},
-        {QStringLiteral("remedy"), QString::fromStdString(helpOf(error))},
+        {QStringLiteral("remedy"), QString::fromStdString(helpOf(error, verb))},
     };
     return QJsonDocument(QJsonObject{{QStringLiteral("error"), row}}).toJson(QJsonDocument::Compact).toStdString();
 }

@@ -4,6 +4,7 @@
 #include "async/result.h"
 
 #include <string>
+#include <string_view>
 
 namespace mb::console {
 
@@ -19,9 +20,9 @@ enum Exit {
 
 /// `sent`: something has gone out, so that whatever is refused now is no wrong usage any more.
 [[nodiscard]] int exitStatusOf(Fault fault, bool sent);
-/// One line: the cause, and what helps.
-[[nodiscard]] std::string lineOf(const Error &error);
+/// One line: the cause, and what helps. `verb`: that was run, whose page of the help is named where nothing better is known.
+[[nodiscard]] std::string lineOf(const Error &error, std::string_view verb);
 /// The same as `{"error":{"status","fault","cause","remedy"}}`.
-[[nodiscard]] std::string jsonOf(const Error &error, int status);
+[[nodiscard]] std::string jsonOf(const Error &error, int status, std::string_view verb);
 
 } // namespace mb::console

@@ -202,7 +202,8 @@ Result<int> verdictOf(const Console &console, const UpdateReport &report)
     if (report.outcome == UpdateOutcome::Done || report.outcome == UpdateOutcome::UpToDate)
         return exitDone;
     if (report.outcome == UpdateOutcome::Refused && report.fault && exitStatusOf(*report.fault, false) == exitUsage) {
-        tell(Error{*report.fault, report.evidence, report.remedy}, exitUsage, console.json()); // nothing of it was sent
+        tell(Error{*report.fault, report.evidence, report.remedy}, exitUsage,
+            console.options()); // nothing of it was sent
         return exitUsage;
     }
     const Fault fallback = report.outcome == UpdateOutcome::Cancelled ? Fault::Cancelled : Fault::Refused;

@@ -101,7 +101,7 @@ private:
 };
 
 /// Before there is an event loop. A reader that has gone is no error.
-int print(const std::string &text, bool json)
+int print(const std::string &text, const Options &options)
 {
     std::string_view rest = text;
     while (!rest.empty()) {
@@ -113,7 +113,7 @@ int print(const std::string &text, bool json)
         else if (errno != EINTR && errno != EAGAIN) {
             tell({Fault::Refused, say("standard output cannot be written: %1", std::strerror(errno)),
                      say("make room, or choose another place")},
-                exitDevice, json);
+                exitDevice, options);
             return exitDevice;
         }
     }
@@ -127,14 +127,15 @@ int main(int argc, char **argv)
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error of the file
     const std::vector<std::string> words(argv + 1, argv + argc);
-    const bool json = std::find(words.begin(), words.end(), "--json") != words.end();
+    Options before; // anything is understood
+    before.json = std::find(words.begin(), words.end(), "--json") != words.end();
     auto line = parseCommandLine(words);
     if (!line) {
-        tell(line.error(), exitUsage, json);
+        tell(line.error(), exitUsage, before);
         return exitUsage;
     }
     if (!line->job)
-        return print(line->text, json);
+        return print(line->text, before);
     QCoreApplication application(argc, argv);
     std::setlocale(LC_NUMERIC, "C"); // a number has a dot whatever the locale
     Program program(application, line->options);

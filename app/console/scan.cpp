@@ -180,7 +180,7 @@ Task<int> scan(Console &console, std::vector<std::string> names, bool everything
     if (error && !names.empty() && !anyScanned)
         co_return fail(*error);
     if (error && names.empty())
-        console.note(lineOf(*error));
+        console.note(lineOf(*error, console.options().verb));
     for (const Link *link : opened.links) {
         const auto same = [link](const LinkListing &listing) { return listing.link == link->address(); };
         const auto known = std::find_if(opened.listings.begin(), opened.listings.end(), same);

@@ -182,7 +182,7 @@ private:
                 say("check power and cable; 'motorbenchctl scan' lists what answers"));
         if (counts.failed + counts.refused > 0)
             return fail(Fault::Refused,
-                say("%1 of %2 units failed, %3 were refused", counts.failed, counts.ended(), counts.refused),
+                say("of %1 units failed: %2, refused: %3", counts.ended(), counts.failed, counts.refused),
                 say("their lines say why; 'motorbenchctl journal' has them, too"));
         return exitDone;
     }

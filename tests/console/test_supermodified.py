@@ -131,11 +131,11 @@ class SupermodifiedTest(ContractTest):
     def test_what_a_profile_stores_and_may_pass_is_said(self):
         nodes = Nodes(self, "supermodified:4")
         node = f"serial:{nodes.path}?baud=57600/supermodified:4"
-        first = contract.Run(["--json", "drive", node, "--mode", "ramp-position", "--target", "100", "--velocity", "3000", "--for", "0.2"])
+        first = contract.Run(["--json", "drive", node, "--mode", "ramp-position", "--target", "100", "--velocity", "3000", "--for", "0.6"])
         self.assertEqual(first.status, 0, first.err)
         self.assertIn("profile.velocity becomes 3000, it was 800: the device stores it", first.err)
         self.assertIn("may pass the target", first.err)
-        again = contract.Run(["--json", "drive", node, "--mode", "ramp-position", "--target", "100", "--velocity", "3000", "--for", "0.2"])
+        again = contract.Run(["--json", "drive", node, "--mode", "ramp-position", "--target", "100", "--velocity", "3000", "--for", "0.6"])
         self.assertNotIn("stores it", again.err)
         self.assertEqual(self.run_one("get", node, "profile.velocity")["parameters"]["profile.velocity"]["value"], 3000)
 

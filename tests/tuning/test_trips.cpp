@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every guard in whole experiments on simulated units: the fault is in the motor, the device or on the line, and the time from
-// the guard's own condition to the stop is measured by somebody who looks on. The table it prints is in docs/tuning.md.
+// the guard's own condition to the stop is measured by somebody who looks on. The table it prints is in docs/safety.md.
 #include "experiment/owedgains.h"
 #include "families/abstractdc/simulatoroptions.h"
 #include "model/bench.h"
