@@ -53,8 +53,8 @@ LampStatus StationLamp::over(LampStatus status) const
             status.remaining = std::chrono::duration_cast<std::chrono::seconds>(
                 std::max(view.armedUntil - m_workbench.now(), Duration::zero()));
     } else {
-        status.armable = view.moves;
-        status.detail = view.moves ? QString() : tr("nothing turns here");
+        status.armable = view.moves();
+        status.detail = view.moves() ? QString() : tr("nothing turns here");
     }
     return status;
 }
@@ -63,7 +63,7 @@ void StationLamp::arm()
 {
     if (!m_workbench.service().running)
         m_arming.arm(m_selection.device());
-    else if (m_workbench.service().moves)
+    else if (m_workbench.service().moves())
         m_workbench.send(orders::ArmService{true});
 }
 

@@ -60,7 +60,8 @@ Result<void> ServiceJobs::begin(const orders::ServeUnits &order)
     options.units = order.units;
     options.run = order.run;
     options.onlyChosen = order.chosen.has_value();
-    m_queue = std::make_unique<service::ServiceQueue>(m_context.clock, *order.matter,
+    m_matter = order.matter;
+    m_queue = std::make_unique<service::ServiceQueue>(m_context.clock, *m_matter,
         service::QueueSurroundings{*m_books.visits, m_books.settings, m_books.trials, &m_permit, {}}, options);
     for (Link *const link : m_links.links())
         m_queue->addBus(m_context.session, *link);
@@ -212,7 +213,7 @@ void ServiceJobs::carryOut(const orders::ArmService &order, const Finished &fini
 
 void ServiceJobs::arm(bool on)
 {
-    m_permit.arm(on && isRunning() && m_queue->matter().recipe.test);
+    m_permit.arm(on && isRunning() && m_matter->recipe.test);
 }
 
 void ServiceJobs::carryOut(const orders::RenewService &, const Finished &finished)
@@ -242,10 +243,9 @@ ServiceView ServiceJobs::view() const
     view.announces = m_permit.isAnnouncing();
     view.waits = m_permit.isWaitedFor();
     view.trouble = m_trouble;
-    view.recipe = m_queue->matter().recipe.name;
+    view.matter = m_matter;
     view.run = m_queue->run();
     view.running = m_queue->isRunning();
-    view.moves = m_queue->matter().recipe.test.has_value();
     view.pausing = m_queue->isPausing();
     view.rows = m_queue->rows();
     view.counts = m_queue->counts();

@@ -76,6 +76,7 @@ private:
     Listeners<> m_changed;
     Listeners<const service::Visit &> m_unitEnded;
     Listeners<const JournalPlace &, const orders::KeepJournal &> m_journalChosen;
+    std::shared_ptr<const service::RecipeMatter> m_matter; ///< of the queue
     std::unique_ptr<service::ServiceQueue> m_queue;
     Subscription m_queueChanged;
     Subscription m_queueEnded;

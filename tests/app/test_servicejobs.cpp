@@ -258,7 +258,7 @@ TEST_F(Served, TickedUnitsOnlyAndTheOthersAreLeftOut)
         EXPECT_EQ(row.state, row.device == seven ? service::RowState::Passed : service::RowState::Skipped);
     EXPECT_GE(last.rows.size(), 2U);
     EXPECT_FALSE(last.run.empty());
-    EXPECT_EQ(last.recipe, "look");
+    EXPECT_EQ(last.matter->recipe.name, "look");
 }
 
 TEST_F(Served, AnotherLinkThatIsNotThereLendsNone)

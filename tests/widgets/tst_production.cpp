@@ -290,9 +290,20 @@ void TestProduction::theHeadNamesTheRecipeOfTheVerdict()
     };
     QVERIFY(named(s("No recipe yet")));
     QVERIFY(!start()->isEnabled());
-    bench.workbench.served.recipe = "firmware of the queue";
+    service::RecipeMatter others;
+    others.recipe.name = "firmware of the queue";
+    others.recipe.firmware = service::FirmwareRule{"/somewhere/dmc60c-1.25.hex", {}};
+    others.imageVersion = "1.25";
+    others.imageHash = "9f2a41c7d0";
+    others.recipe.test = service::SelfTest{};
+    others.recipe.test->to = 1500.0;
+    bench.workbench.served.matter = std::make_shared<const service::RecipeMatter>(others);
     bench.show({rowOf(1, service::RowState::Passed, "A1")}, false);
     QVERIFY(named(s("firmware of the queue")));
+    QVERIFY(named(s("dmc60c-1.25.hex · version 1.25 · sha 9f2a41c7")));
+    const auto *motion = bench.page->findChild<QLabel *>(s("motion"));
+    QVERIFY(motion->isVisible()
+        && motion->text().startsWith(s("The self-test turns the motor: velocity to"))); // before anybody arms it
     QVERIFY(!named(s("No recipe yet")));
     QVERIFY(!start()->isEnabled());
     QVERIFY(bench.open(plain));

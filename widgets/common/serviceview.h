@@ -3,6 +3,7 @@
 
 #include "service/servicequeue.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,17 +23,19 @@ struct JournalState {
 struct ServiceView {
     bool running = false;   ///< units are served, or waited for
     bool pausing = false;   ///< after this unit
-    bool moves = false;     ///< the recipe has a self-test: it can be armed while it runs
     bool armed = false;     ///< self-tests may turn the motor
     Instant armedUntil{};   ///< without a unit until then
     bool announces = false; ///< a motor turns within three seconds
     bool waits = false;     ///< a unit waits for its self-test until the station is armed
     std::vector<std::string> links;
-    std::string recipe;                  ///< its name
-    std::string run;                     ///< to be gone on with; empty: nothing has begun
-    Message trouble;                     ///< what ended it before its time
-    std::vector<service::QueueRow> rows; ///< in the order in which units were found
+    std::shared_ptr<const service::RecipeMatter> matter; ///< by which they are; nullptr: nothing has begun
+    std::string run;                                     ///< to be gone on with; empty: nothing has begun
+    Message trouble;                                     ///< what ended it before its time
+    std::vector<service::QueueRow> rows;                 ///< in the order in which units were found
     service::QueueCounts counts;
+
+    /// The recipe has a self-test that turns the motor: it can be armed while it runs.
+    [[nodiscard]] bool moves() const { return matter && matter->recipe.test; }
 };
 
 } // namespace mb

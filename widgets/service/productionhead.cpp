@@ -76,13 +76,13 @@ void ProductionHead::buildOrders(QWidget &orders)
         Q_EMIT serialTaken(m_serial->text().trimmed());
         m_serial->clear();
     });
-    show(nullptr);
+    show(nullptr, false);
 }
 
-void ProductionHead::show(const service::RecipeMatter *matter, const QString &name)
+void ProductionHead::show(const service::RecipeMatter *matter, bool canStart)
 {
-    m_hasRecipe = matter != nullptr;
-    m_name->setText(matter ? recipeName(matter) : name.isEmpty() ? tr("No recipe yet") : name);
+    m_canStart = canStart;
+    m_name->setText(matter ? recipeName(matter) : tr("No recipe yet"));
     m_image->setText(imageText(matter));
     m_parameters->setText(parameterText(matter));
     m_number->setText(numberText(matter));
@@ -92,7 +92,7 @@ void ProductionHead::show(const service::RecipeMatter *matter, const QString &na
 
 void ProductionHead::follow(const ServiceView &view)
 {
-    m_start->setEnabled(view.running || m_hasRecipe);
+    m_start->setEnabled(view.running || m_canStart);
     m_start->setText(view.running ? tr("End") : tr("Start"));
     m_start->setSymbol(view.running ? Symbol::Pause : Symbol::Play);
     m_link->setEnabled(!view.running);

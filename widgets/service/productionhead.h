@@ -24,8 +24,8 @@ class ProductionHead : public QWidget {
 public:
     ProductionHead(const ThemeSource &theme, QWidget *parent);
 
-    /// nullptr: no recipe yet, or somebody else's, of which the name alone is known; nothing can be started then.
-    void show(const service::RecipeMatter *matter, const QString &name = {});
+    /// The recipe of what is in sight; nullptr: none yet. `canStart`: the page has one of its own.
+    void show(const service::RecipeMatter *matter, bool canStart);
     void follow(const ServiceView &view);
     /// Offers the links that are open.
     void follow(const Snapshot &shot);
@@ -56,7 +56,7 @@ private:
     QComboBox *m_link = nullptr;
     CommandButton *m_start = nullptr;
     HoldButton *m_arm = nullptr;
-    bool m_hasRecipe = false;
+    bool m_canStart = false;
     QLineEdit *m_serial = nullptr;
 };
 

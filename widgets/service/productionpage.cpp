@@ -96,6 +96,7 @@ QWidget *ProductionPage::buildBench()
     auto *bench = new QWidget(this);
     auto *column = layoutIn<QVBoxLayout>(bench, m_theme.theme().u(12));
     m_motion = textLabel({}, TextRole::Emphasis, Tone::Dim, bench);
+    m_motion->setObjectName(QStringLiteral("motion"));
     m_motion->setWordWrap(true);
     m_motion->hide(); // until a recipe has a self-test
     m_verdict = new VerdictView(m_theme, bench);
@@ -160,8 +161,6 @@ bool ProductionPage::openRecipe(const QString &path)
         return false;
     }
     m_matter = std::make_shared<const service::RecipeMatter>(std::move(*loaded));
-    const auto &test = m_matter->recipe.test;
-    m_motion->setText(test ? tr("The self-test turns the motor: %1").arg(motionOf(*test)) : QString());
     if (m_workbench.service().running)
         follow();
     else
@@ -258,9 +257,12 @@ void ProductionPage::follow()
 void ProductionPage::showRecipe(const ServiceView &view)
 {
     const bool told = view.running || !m_verdict->verdict().unit.isEmpty();
-    const bool others = told && !view.recipe.empty() && (!m_matter || m_matter->recipe.name != view.recipe);
-    m_head->show(others ? nullptr : m_matter.get(), others ? qt(view.recipe) : QString());
-    m_motion->setVisible(!others && m_matter && m_matter->recipe.test);
+    const bool others = told && view.matter && view.matter != m_matter;
+    const service::RecipeMatter *const matter = others ? view.matter.get() : m_matter.get();
+    m_head->show(matter, m_matter != nullptr);
+    const bool turns = matter && matter->recipe.test;
+    m_motion->setText(turns ? tr("The self-test turns the motor: %1").arg(motionOf(*matter->recipe.test)) : QString());
+    m_motion->setVisible(turns);
 }
 
 void ProductionPage::ended(const service::Visit &visit)
