@@ -116,6 +116,23 @@ TEST(Experiment, AMotorThatALoadPullsOneWayIsMarkedAsNotSymmetric)
     EXPECT_TRUE(pulled->has(flag::asymmetric));
 }
 
+TEST(Experiment, DoesNotBeginWhereALoadHoldsTheUnitAwayFromItsStart)
+{
+    ExperimentBench bench;
+    ExperimentPlan plan = stepTo(Mode::Velocity, 40'000.0);
+    plan.gains = {bench.change("slot0.i", 0.0)};
+    expectDone(bench.run(plan)); // it knows which way its sensor counts
+    ASSERT_TRUE(bench.simulator()->disturb("load-torque", 0.2));
+    bench.bench.clock.advance(1s); // it turns
+    const auto trial = bench.run(plan);
+    ASSERT_TRUE(trial) << trial.error().text();
+    EXPECT_TRUE(trial->has(flag::aborted));
+    EXPECT_NE(trial->detail.english().find("away from where the experiment begins"), std::string::npos)
+        << trial->detail;
+    EXPECT_TRUE(trial->stopped);
+    EXPECT_FALSE(bench.simulator()->isOutputOn());
+}
+
 struct Unit {
     std::string_view link;
     std::string_view family;
