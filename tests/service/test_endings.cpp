@@ -89,5 +89,19 @@ TEST_F(Endings, NoUnitIsBegunAfterTheLastNumber)
     EXPECT_EQ(run.queue.trouble()->detail, "all numbers are used up, the highest is 63");
 }
 
+TEST_F(Endings, NoUnitIsBegunAfterAsManyAsWereAskedFor)
+{
+    for (const int wanted : {1, 2, 0}) { // 0: as many as there are
+        UnitRack rack({"dmc60c:5,serial=210334000001", "dmc60c:6,serial=210334000002", "dmc60c:7,serial=210334000003"});
+        const auto matter
+            = load(rack, R"({"recipe":1,"name":"some","family":"dmc60c","parameters":{"file":"base_c.json"}})");
+        QueueOptions options;
+        options.units = wanted;
+        QueueRun run(rack, *books, matter, options);
+        (void)run.run(2min);
+        EXPECT_EQ(books->visits().size(), wanted == 0 ? 3U : static_cast<std::size_t>(wanted));
+    }
+}
+
 } // namespace
 } // namespace mb::service
