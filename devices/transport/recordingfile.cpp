@@ -124,8 +124,6 @@ Result<std::optional<LoggedFrame>> RecordingFile::read(Cursor &cursor) const
             return fail(located(frame.error()));
         if (!*frame || (!m_interface.empty() && (*frame)->link != m_interface))
             continue;
-        if ((*frame)->time < cursor.place.time)
-            ++cursor.misplaced;
         cursor.place.time = std::max(cursor.place.time, (*frame)->time);
         (*frame)->time = cursor.place.time;
         return frame;
@@ -144,7 +142,7 @@ Result<void> RecordingFile::seek(Duration time)
     time = std::clamp(time, m_start, m_end);
     const auto after = std::lower_bound(m_places.begin(), m_places.end(), time,
         [](const Place &place, Duration wanted) { return place.time < wanted; });
-    m_player = Cursor{after == m_places.begin() ? m_places.front() : *std::prev(after), {}, 0, 0};
+    m_player = Cursor{after == m_places.begin() ? m_places.front() : *std::prev(after), {}, 0};
     m_sought.reset();
     do {
         auto frame = read(m_player);

@@ -22,7 +22,7 @@ public:
     ~RecordingFile();
 
     /// The next frame to play; nothing at the end. Times never go back: a frame that is older than the one before gets
-    /// the time of that, and is counted by misplaced().
+    /// the time of that.
     [[nodiscard]] Result<std::optional<LoggedFrame>> next();
     /// next() goes on with the first frame at or after `time`. Not beyond what survey() has seen.
     [[nodiscard]] Result<void> seek(Duration time);
@@ -37,7 +37,6 @@ public:
 
     [[nodiscard]] Duration start() const { return m_start; } ///< of the first frame
     [[nodiscard]] Duration end() const { return m_end; }     ///< of the last frame that survey() has seen
-    [[nodiscard]] std::uint64_t misplaced() const { return m_player.misplaced; }
 
 private:
     /// A place in the file, and what the parser knew there.
@@ -50,7 +49,6 @@ private:
         Place place; ///< of the line that `text` begins with, at `used`
         std::string text;
         std::size_t used = 0;
-        std::uint64_t misplaced = 0;
     };
 
     RecordingFile(std::string path, std::string interface, int descriptor);

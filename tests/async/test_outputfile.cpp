@@ -139,6 +139,17 @@ TEST_F(OutputFileTest, KeepsTheModeOfTheOldFile)
     EXPECT_EQ(read(old), "new");
 }
 
+TEST_F(OutputFileTest, ANewFileIsForThoseWhomTheUmaskLets)
+{
+    const auto before = ::umask(0022);
+    ASSERT_TRUE(writeFile(path("shared"), "text"));
+    ::umask(0077);
+    ASSERT_TRUE(writeFile(path("private"), "text"));
+    ::umask(before);
+    EXPECT_EQ(static_cast<unsigned>(fs::status(path("shared")).permissions()), 0644U);
+    EXPECT_EQ(static_cast<unsigned>(fs::status(path("private")).permissions()), 0600U);
+}
+
 TEST_F(OutputFileTest, WritesTheTargetOfALinkWhichStaysALink)
 {
     const std::string target = make("target", "old");

@@ -235,21 +235,33 @@ TEST(QuadQuad2DrvGainFit, TwelveSamplesOfAMotionBelowTheLimitAreNeeded)
     EXPECT_FALSE(fit(30, 0.079 * fastest, 8191.0)) << "so slowly it may stick";
 }
 
-TEST(QuadQuad2DrvGainFit, TheLongestGoodStretchCounts)
+/// Turns from sample to sample of each pair, and stands otherwise.
+Track brokenTrack(const std::vector<std::pair<int, int>> &turning, int samples)
 {
-    const Plant plant{2.0, 300.0, 0.0};
     Track track;
     double counts = 0.0;
-    for (int i = 0; i < 120; ++i) { // turns, stands, turns longer, stands
+    for (int i = 0; i < samples; ++i) {
         track.seconds.push_back(i / 100.0);
         track.counts.push_back(counts);
-        counts += i < 30 || (i >= 50 && i < 100) ? 20.0 : 0.0;
+        for (const auto &[from, to] : turning)
+            counts += i >= from && i < to ? 20.0 : 0.0;
     }
-    const auto fit = fitScale(plant, track, {std::vector<double>(track.size(), 100.0), {}, 8191.0});
-    ASSERT_TRUE(fit) << fit.error().text();
-    EXPECT_NEAR(fit->samples, 50, 6);
-    EXPECT_NEAR(fit->scale, 13.0, 0.4) << "1000 for the speed and 300 for the friction";
-    EXPECT_FALSE(fitScale(plant, track, {std::vector<double>(track.size(), 0.0), {}, 8191.0})) << "nothing to act on";
+    return track;
+}
+
+TEST(QuadQuad2DrvGainFit, TheLongestGoodStretchCountsWhereverItIs)
+{
+    const Plant plant{2.0, 300.0, 0.0};
+    for (const auto &turning : {std::vector<std::pair<int, int>>{{0, 30}, {50, 100}}, {{15, 45}, {60, 110}},
+             {{15, 65}, {80, 110}}, {{0, 15}, {30, 80}, {95, 110}}}) {
+        const Track track = brokenTrack(turning, 120);
+        const auto fit = fitScale(plant, track, {std::vector<double>(track.size(), 100.0), {}, 8191.0});
+        ASSERT_TRUE(fit) << fit.error().text();
+        EXPECT_NEAR(fit->samples, 50, 6) << turning.front().first << " to " << turning.front().second;
+        EXPECT_NEAR(fit->scale, 13.0, 0.4) << "1000 for the speed and 300 for the friction";
+        EXPECT_FALSE(fitScale(plant, track, {std::vector<double>(track.size(), 0.0), {}, 8191.0}))
+            << "nothing to act on";
+    }
 }
 
 TEST(QuadQuad2DrvGainFit, ScalesAgreeWithinTheirToleranceAndTheirMeanIsTheResult)

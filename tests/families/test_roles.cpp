@@ -55,5 +55,18 @@ TEST(Roles, WhatNobodyCallsByThisKeyHasNone)
     }
 }
 
+TEST(DemoUnits, AreThoseThatAFamilyNamesAndNoneWhereItNamesNone)
+{
+    for (const Family *family : families()) {
+        for (const auto unit :
+            {&DemoUnits::tuned, &DemoUnits::overshooting, &DemoUnits::inBootloader, &DemoUnits::stoppingShort}) {
+            const int named = family->demo ? family->demo->*unit : 0;
+            EXPECT_FALSE(isDemoUnit(*family, 0, unit)) << family->key << ": 0 is what is not named";
+            EXPECT_EQ(isDemoUnit(*family, named, unit), named != 0) << family->key << ' ' << named;
+            EXPECT_FALSE(isDemoUnit(*family, named + 1, unit)) << family->key;
+        }
+    }
+}
+
 } // namespace
 } // namespace mb

@@ -455,6 +455,10 @@ TEST_F(SupermodifiedJudgement, AStepStaysBelowWhatOverflowsTheLoop)
         EXPECT_EQ(reach(dialect, Mode::Position, -1073741.0, 0), bad);
         EXPECT_EQ(reach(dialect, Mode::Position, 0.0, 1073740), good);
         EXPECT_EQ(reach(dialect, Mode::Position, 0.0, 1073741), bad);
+        EXPECT_EQ(reach(dialect, Mode::Position, 1573740.0, 500000), good) << "from where it is";
+        EXPECT_EQ(reach(dialect, Mode::Position, 1573741.0, 500000), bad);
+        EXPECT_EQ(reach(dialect, Mode::Position, -600000.0, 473740), good);
+        EXPECT_EQ(reach(dialect, Mode::Position, -600000.0, 473741), bad);
         EXPECT_EQ(reach(dialect, Mode::Position, 5.0, std::nullopt), unsafe) << "from where";
         EXPECT_EQ(reach(dialect, Mode::Position, 5.0, std::nullopt, true), good)
             << "a relative one is its own distance";

@@ -473,5 +473,20 @@ TEST_F(SupermodifiedNode, ItsStopScriptStopsARunningNode)
     EXPECT_FALSE(node.isOutputOn());
 }
 
+TEST(SupermodifiedPower, ANodeWhoseFirstAnswersAreLostHasNotLostItsSupply)
+{
+    for (int missed = 1; missed <= 30; ++missed) { // it stands at 0, and was never seen anywhere else
+        Bench bench;
+        bench.add("supermodified:4");
+        const auto device = bench.connect(4);
+        bench.line.setLoss(1.0);
+        bench.clock.advance(10ms * missed);
+        bench.line.setLoss(0.0);
+        bench.clock.advance(500ms);
+        EXPECT_TRUE(device->liveness().heard);
+        EXPECT_FALSE(device->liveness().restarted) << missed;
+    }
+}
+
 } // namespace
 } // namespace mb::supermodified

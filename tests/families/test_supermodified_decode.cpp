@@ -117,6 +117,17 @@ TEST(SupermodifiedDecode, GivesEachValueOfAMessageThatHasSeveral)
     EXPECT_EQ(decodedText("55 AA 04 01 1C 01 01 1C"), "error-reporting level 4 AndID=4 OndID=1 level=1");
 }
 
+TEST(SupermodifiedDecode, AnAnswerOfOneByteComesFromItsNodeWhateverTheHostsId)
+{
+    Frame frame = request(9, 4, Command::GetWarnings); // to a host whose id is none of the usual ones
+    frame.from = 4;
+    frame.to = 9;
+    frame.size = 1;
+    const auto one = decodeFrame(frame);
+    ASSERT_TRUE(one);
+    EXPECT_EQ(one->address, 4) << "as with eight of them";
+}
+
 TEST(SupermodifiedDecode, DataOfALengthThatNoDialectHasIsNoMessage)
 {
     EXPECT_EQ(decodedText("55 AA 01 04 6F 01 33 5D"), "nothing");

@@ -40,6 +40,38 @@ TEST_F(Endings, AStopThatNobodyHasSeenIsWrittenDownAsSuch)
     EXPECT_EQ(visits[0].ending, Ending::StopUnconfirmed) << visits[0].cause.english();
 }
 
+/// Somebody else, at the same unit: its first setting, and what keeps that from stopping the motor.
+Task<void> moveSwitch(Device &device)
+{
+    for (const ParameterIndex place : {ParameterIndex{1}, ParameterIndex{0}}) {
+        auto writing = device.write(place, 1 - device.parameters().entry(place).raw.value_or(0));
+        (void)co_await std::move(writing);
+    }
+    co_return {};
+}
+
+TEST_F(Endings, WhatElseHasChangedMeanwhileIsCountedFromTheFirstSettingOn)
+{
+    UnitRack rack({"dmc60c:5,serial=210334000001"});
+    QueueRun run(rack, *books, load(rack, R"({"recipe":1,"name":"turn","family":"dmc60c",
+"parameters":{"file":"base_c.json"},"test":{"loop":"velocity","to":8000,"time":0.8,
+"limits":{"travel":400000,"speed":40000,"duty":0.9,"current":60},"accept":{"settle":0.9}}})"));
+    std::optional<Task<void>> other;
+    run.permit.asked = [&] {
+        other.emplace(moveSwitch(*rack.session->devices().front()));
+        other->start();
+    };
+    ASSERT_TRUE(run.run());
+    ASSERT_TRUE(other && other->isFinished() && other->result());
+    const auto visits = books->visits();
+    ASSERT_EQ(visits.size(), 1U);
+    EXPECT_EQ(visits[0].outcome, Outcome::Passed) << visits[0].cause.english();
+    std::string told = visits[0].evidence.english();
+    for (const StepEntry &step : visits[0].steps)
+        told += '\n' + step.detail.english();
+    EXPECT_NE(told.find("2 settings besides those of the recipe differ from the backup"), std::string::npos) << told;
+}
+
 TEST_F(Endings, NoUnitIsBegunAfterTheLastNumber)
 {
     UnitRack rack({"dmc60c:5,serial=210334000001", "dmc60c:6,serial=210334000002", "dmc60c:7,serial=210334000003"});
@@ -55,6 +87,20 @@ TEST_F(Endings, NoUnitIsBegunAfterTheLastNumber)
     EXPECT_EQ(visits[1].ending, Ending::NumbersUsedUp) << visits[1].cause.english();
     ASSERT_TRUE(run.queue.trouble());
     EXPECT_EQ(run.queue.trouble()->detail, "all numbers are used up, the highest is 63");
+}
+
+TEST_F(Endings, NoUnitIsBegunAfterAsManyAsWereAskedFor)
+{
+    for (const int wanted : {1, 2, 0}) { // 0: as many as there are
+        UnitRack rack({"dmc60c:5,serial=210334000001", "dmc60c:6,serial=210334000002", "dmc60c:7,serial=210334000003"});
+        const auto matter
+            = load(rack, R"({"recipe":1,"name":"some","family":"dmc60c","parameters":{"file":"base_c.json"}})");
+        QueueOptions options;
+        options.units = wanted;
+        QueueRun run(rack, *books, matter, options);
+        (void)run.run(2min);
+        EXPECT_EQ(books->visits().size(), wanted == 0 ? 3U : static_cast<std::size_t>(wanted));
+    }
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace mb {
@@ -255,6 +256,26 @@ TEST(Replay, IsReadInPieces)
         replay.clock.step();
         ASSERT_FALSE(replay.frames.empty());
         EXPECT_EQ(replay.frames.front().time, Instant(std::chrono::seconds(second)));
+    }
+}
+
+TEST(Replay, SeeksToTheFirstOfManyFramesOfOneTime)
+{
+    constexpr int many = 30'000; // of one time: several pieces of the file
+    std::string text = "(1.000000) can0 700#\n";
+    for (int i = 0; i < many; ++i)
+        text += std::string("(2.000000) can0 ") + (i == 0 ? "701" : "123") + "#0102030405060708\n";
+    text += "(3.000000) can0 702#\n";
+    Replay replay(text, "?speed=max");
+    ASSERT_TRUE(replay.survey());
+    for (const auto &[position, first, count] :
+        {std::tuple{1ms, 0x701U, many + 1}, {1000ms, 0x701U, many + 1}, {1001ms, 0x702U, 1}, {0ms, 0x700U, many + 2}}) {
+        ASSERT_TRUE(replay.link->seek(position));
+        replay.frames.clear();
+        replay.link->play();
+        replay.clock.advance(1s);
+        ASSERT_EQ(replay.frames.size(), static_cast<std::size_t>(count)) << position.count();
+        EXPECT_EQ(replay.frames.front().id, first) << position.count();
     }
 }
 

@@ -23,10 +23,11 @@ struct EchoBoard final : SpiSlave {
         std::transform(mosi.begin(), mosi.end(), miso.begin(), [](auto b) { return static_cast<std::uint8_t>(~b); });
     }
     [[nodiscard]] bool isReady() const override { return ready; }
-    void reset() override { }
+    void reset() override { ++resets; }
 
     std::vector<Bytes> heard;
     bool ready = true;
+    int resets = 0;
 };
 
 Task<Bytes> transferOn(SpiLink &link, Bytes mosi)
@@ -85,6 +86,21 @@ TEST_F(UnixSpi, TheLevelOfTheReadyLineComesBackWithEveryTransfer)
     ASSERT_TRUE(loop.runUntil([&] { return asked.isFinished(); }));
     EXPECT_EQ(link.ready(), false);
     EXPECT_EQ(*asked.result(), Bytes{0});
+}
+
+TEST_F(UnixSpi, AResetReachesTheBoardAtOnceAndLeavesTheTransfersAfterItWhole)
+{
+    for (int count = 1; count <= 2; ++count) {
+        ASSERT_TRUE(link.pulseReset());
+        ASSERT_TRUE(loop.runUntil([&] { return board.resets == count; })) << "though nothing is sent after it";
+    }
+    ASSERT_TRUE(link.pulseReset());
+    Task<Bytes> after = transferOn(link, {0x01, 0x02});
+    after.start();
+    ASSERT_TRUE(loop.runUntil([&] { return after.isFinished(); }));
+    EXPECT_EQ(board.resets, 3);
+    EXPECT_EQ(board.heard, (std::vector<Bytes>{{0x01, 0x02}}));
+    EXPECT_EQ(*after.result(), (Bytes{0xFE, 0xFD}));
 }
 
 TEST_F(UnixSpi, NothingIsSentAsideOfALinkThatIsClosed)

@@ -277,6 +277,20 @@ TEST_F(VirtualCan, BusOffLosesOneLinkAndItCanBeOpenedAgain)
     EXPECT_EQ(c.texts(), (Texts{"004#", "005#"}));
 }
 
+TEST_F(VirtualCan, ALinkThatIsOpenedAgainHearsEachFrameOnce)
+{
+    for (int i = 0; i < 3; ++i) {
+        b.link->close();
+        ASSERT_TRUE(b.link->open());
+    }
+    ASSERT_TRUE(a.link->send(standardFrame(0x123, {})));
+    clock.advance(1ms);
+    EXPECT_EQ(b.texts(), (Texts{"123#"}));
+    ASSERT_TRUE(b.link->send(standardFrame(0x124, {})));
+    clock.advance(1ms);
+    EXPECT_EQ(a.texts(), (Texts{"124#"}));
+}
+
 TEST_F(VirtualCan, ReceiversMayCloseOrDestroyLinksWhileTheyAreCalled)
 {
     const auto closes = a.link->received().add([this](const CanFrame &) {

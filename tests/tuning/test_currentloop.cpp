@@ -58,6 +58,27 @@ TEST(CurrentLoop, AMotorOfLittleCurrentIsProvenOnTheMeanOfManySteps)
     }
 }
 
+TEST(CurrentLoop, ItsPushesBeginGentlyAndGrowToTwiceAtMostUntilTheCurrentIsClear)
+{
+    for (const char *const motor : {"775pro", "n20"}) {
+        ExperimentBench bench("sim:can", "dmc60c", 5, std::string("dmc60c:5,motor=") + motor + ",load=5");
+        const auto report = tune(bench, planOf(Mode::Current));
+        ASSERT_TRUE(report) << report.error().text();
+        double strongest = 0.0;
+        int pushes = 0;
+        for (const Trial &trial : bench.journal.completed) {
+            if (trial.mode != Mode::Duty)
+                continue;
+            const double duty = std::abs(trial.stimulus.to);
+            EXPECT_LE(duty, pushes == 0 ? 0.05 : 2.0 * strongest + 1e-9) << motor << ", push " << pushes;
+            strongest = std::max(strongest, duty);
+            ++pushes;
+        }
+        EXPECT_GE(pushes, 4) << motor;
+        EXPECT_LE(strongest, 0.5) << motor << " stands, and so does its current";
+    }
+}
+
 TEST(CurrentLoop, WhatItsStepsTellOfTheWindingIsDesignedOnOnceMore)
 {
     ExperimentBench bench("sim:can", "dmc60c", 5, "dmc60c:5,motor=775pro,load=7,gains=overshoot");

@@ -76,6 +76,63 @@ TEST(Experiment, APositionStepStartsAtThePresentPositionAndComesBack)
     EXPECT_NEAR(bench.simulator()->position(), before, 200.0);
 }
 
+TEST(Experiment, AStepThatAsksForMoreThanThereIsSaysSo)
+{
+    ExperimentBench bench;
+    const auto easy = bench.run(stepTo(Mode::Velocity, 20'000.0));
+    expectDone(easy);
+    EXPECT_FALSE(easy->has(flag::saturated));
+    ExperimentPlan plan = stepTo(Mode::Velocity, 20'000.0);
+    plan.gains = {bench.change("slot0.p", 20.0)};
+    const auto hard = bench.run(plan);
+    ASSERT_TRUE(hard) << hard.error().text();
+    EXPECT_GT(hard->metrics.saturated.value_or(0.0), 0.02);
+    EXPECT_TRUE(hard->has(flag::saturated)) << "its shape is that of the limit, not of the gains";
+}
+
+TEST(Experiment, AStepOfFewCountsIsMarkedAsTooCoarse)
+{
+    ExperimentBench bench;
+    const double before = bench.device->telemetry()->latest(*bench.device->telemetry()->find("position"))->value;
+    const auto small = bench.run(stepTo(Mode::Position, before + 45.0));
+    ASSERT_TRUE(small) << small.error().text();
+    EXPECT_TRUE(small->has(flag::lowResolution));
+    const auto large = bench.run(stepTo(Mode::Position, before + 2000.0));
+    ASSERT_TRUE(large) << large.error().text();
+    EXPECT_FALSE(large->has(flag::lowResolution));
+}
+
+TEST(Experiment, AMotorThatALoadPullsOneWayIsMarkedAsNotSymmetric)
+{
+    ExperimentBench bench;
+    ExperimentPlan plan = stepTo(Mode::Velocity, 40'000.0);
+    plan.gains = {bench.change("slot0.i", 0.0)};
+    const auto even = bench.run(plan);
+    ASSERT_TRUE(even) << even.error().text();
+    EXPECT_FALSE(even->has(flag::asymmetric));
+    ASSERT_TRUE(bench.simulator()->disturb("load-torque", 0.03));
+    const auto pulled = bench.run(plan);
+    expectDone(pulled);
+    EXPECT_TRUE(pulled->has(flag::asymmetric));
+}
+
+TEST(Experiment, DoesNotBeginWhereALoadHoldsTheUnitAwayFromItsStart)
+{
+    ExperimentBench bench;
+    ExperimentPlan plan = stepTo(Mode::Velocity, 40'000.0);
+    plan.gains = {bench.change("slot0.i", 0.0)};
+    expectDone(bench.run(plan)); // it knows which way its sensor counts
+    ASSERT_TRUE(bench.simulator()->disturb("load-torque", 0.2));
+    bench.bench.clock.advance(1s); // it turns
+    const auto trial = bench.run(plan);
+    ASSERT_TRUE(trial) << trial.error().text();
+    EXPECT_TRUE(trial->has(flag::aborted));
+    EXPECT_NE(trial->detail.english().find("away from where the experiment begins"), std::string::npos)
+        << trial->detail;
+    EXPECT_TRUE(trial->stopped);
+    EXPECT_FALSE(bench.simulator()->isOutputOn());
+}
+
 struct Unit {
     std::string_view link;
     std::string_view family;

@@ -4,6 +4,7 @@
 #include "experiment/owedgains.h"
 #include "experiment/verdict.h"
 #include "model/family.h"
+#include "support/datedclock.h"
 #include "support/fakejournal.h"
 #include "support/simulatedsession.h"
 #include "transport/backends/virtualcan.h"
@@ -34,9 +35,9 @@ struct RealUnit {
         simulator = std::move(*dmc60c::family.simulate(port, clock, *SimulatedUnit::parse("dmc60c:5")));
         clock.advance(30s);
         EXPECT_TRUE(run(clock, dmc60c::family.scan(host, clock, sink)));
-        device = dmc60c::family.open(host, clock, *sink.last);
+        device = dmc60c::family.open(host, dated, *sink.last);
         clock.advance(1s);
-        journal.clock = &clock;
+        journal.clock = &dated;
         gain = *findParameter(dmc60c::family.parameters, "slot0.p");
         before = run(clock, device->read(gain)).value_or(-1);
     }
@@ -68,6 +69,7 @@ struct RealUnit {
     }
 
     VirtualClock clock;
+    test::DatedClock dated{clock};
     VirtualCanBus bus;
     VirtualCanLink host;
     VirtualCanLink port;
