@@ -5,7 +5,7 @@
 
 #include <QWidget>
 
-class QHBoxLayout;
+class QBoxLayout;
 class QLabel;
 class QProgressBar;
 
@@ -36,11 +36,15 @@ Q_SIGNALS:
     void retryWanted();
     void exportWanted();
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
-    void buildProgress(QHBoxLayout &row);
-    void buildOrders(QHBoxLayout &row);
+    void buildProgress();
+    void buildOrders();
 
     const ThemeSource &m_theme;
+    QBoxLayout *m_lines = nullptr;
     QLabel *m_headline = nullptr;
     QLabel *m_left = nullptr;
     QProgressBar *m_share = nullptr;

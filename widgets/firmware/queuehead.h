@@ -3,6 +3,7 @@
 
 #include <QWidget>
 
+class QBoxLayout;
 class QLabel;
 
 namespace mb {
@@ -26,11 +27,15 @@ Q_SIGNALS:
     /// The recipe that is open, or a new one.
     void editWanted();
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
     void askImage();
     void askRecipe();
 
     const ThemeSource &m_theme;
+    QBoxLayout *m_lines = nullptr;
     QLabel *m_name = nullptr;
     QLabel *m_image = nullptr;
     QLabel *m_parameters = nullptr;

@@ -35,6 +35,17 @@ void AxisChoice::addTo(QLayout &row)
     row.addWidget(m_copy);
 }
 
+int AxisChoice::neededWidth(int gap) const
+{
+    const int axes = m_axes->isHidden() ? 0 : m_axes->unfoldedWidth() + gap;
+    return axes + (m_copy->isHidden() ? 0 : m_copy->sizeHint().width() + gap);
+}
+
+void AxisChoice::setFolded(bool folded)
+{
+    m_axes->setFolded(folded);
+}
+
 const DeviceView *AxisChoice::device() const
 {
     return m_workbench.snapshot().device(m_selection.device());
