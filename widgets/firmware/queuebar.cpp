@@ -12,6 +12,8 @@
 
 #include <cmath>
 
+#include <algorithm>
+
 namespace mb {
 namespace {
 
@@ -28,6 +30,15 @@ QueueBar::QueueBar(const ThemeSource &theme, QWidget *parent)
     m_lines = layoutIn<QHBoxLayout>(this, edge, {theme.theme().u(16), edge, theme.theme().u(16), edge});
     buildProgress();
     buildOrders();
+}
+
+QSize QueueBar::minimumSizeHint() const
+{
+    int width = 0;
+    for (int i = 0; i < m_lines->count(); ++i)
+        width = std::max(width, m_lines->itemAt(i)->minimumSize().width());
+    const QMargins margins = m_lines->contentsMargins();
+    return {width + margins.left() + margins.right(), QWidget::minimumSizeHint().height()};
 }
 
 /// The orders below the progress where they have no room beside it, and all but Start as symbols.

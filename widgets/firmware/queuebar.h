@@ -18,6 +18,8 @@ class QueueBar : public QWidget {
     Q_OBJECT
 public:
     QueueBar(const ThemeSource &theme, QWidget *parent);
+    /// That of one part below the other, however they stand.
+    [[nodiscard]] QSize minimumSizeHint() const override;
 
     /// `hindrance`: why it cannot be started, empty when it can.
     void follow(const ServiceView &view, const QueueTotals &totals, const QString &hindrance);

@@ -11,6 +11,8 @@
 #include <QFileDialog>
 #include <QLabel>
 
+#include <algorithm>
+
 namespace mb {
 namespace {
 
@@ -42,6 +44,15 @@ QueueHead::QueueHead(const ThemeSource &theme, QWidget *parent)
     connect(static_cast<IconButton *>(m_edit), &QToolButton::clicked, this, &QueueHead::editWanted);
     connect(image, &QPushButton::clicked, this, &QueueHead::askImage);
     connect(recipe, &QPushButton::clicked, this, &QueueHead::askRecipe);
+}
+
+QSize QueueHead::minimumSizeHint() const
+{
+    int width = 0;
+    for (int i = 0; i < m_lines->count(); ++i)
+        width = std::max(width, m_lines->itemAt(i)->minimumSize().width());
+    const QMargins margins = m_lines->contentsMargins();
+    return {width + margins.left() + margins.right(), QWidget::minimumSizeHint().height()};
 }
 
 /// What is chosen above where it is chosen, if there is no room beside it.

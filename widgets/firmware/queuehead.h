@@ -16,6 +16,8 @@ class QueueHead : public QWidget {
     Q_OBJECT
 public:
     QueueHead(const ThemeSource &theme, QWidget *parent);
+    /// That of one part below the other, however they stand.
+    [[nodiscard]] QSize minimumSizeHint() const override;
 
     void show(const QueueRecipe &recipe);
     /// Off while units are served.

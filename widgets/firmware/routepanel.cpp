@@ -5,7 +5,6 @@
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
 #include "widgets/common/wraplayout.h"
-#include "widgets/common/wraplayout.h"
 #include "widgets/firmware/programmerbox.h"
 
 #include <QCheckBox>

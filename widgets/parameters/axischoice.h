@@ -34,6 +34,7 @@ Q_SIGNALS:
 
 private:
     void choose(int place);
+    void nameAxes();
     void copyFrom(int axis);
     void fillMenu();
     [[nodiscard]] const DeviceView *device() const;

@@ -45,6 +45,10 @@ HistoryPanel::HistoryPanel(Workbench &workbench, const ThemeSource &theme, QWidg
     column->addWidget(buildFoot());
     connect(m_line, &TimelineList::chosen, this, &HistoryPanel::choose);
     connect(m_table, &QTableWidget::itemChanged, this, &HistoryPanel::count);
+    connect(&theme, &ThemeSource::changed, this, [this] { // lines and symbols have colours of their own
+        if (m_states.family())
+            rebuild();
+    });
 }
 
 QWidget *HistoryPanel::buildBar()

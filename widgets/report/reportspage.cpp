@@ -7,6 +7,7 @@
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
+#include "widgets/common/leastheight.h"
 #include "widgets/common/pagekeys.h"
 #include "widgets/common/searchfield.h"
 #include "widgets/common/segmented.h"
@@ -87,6 +88,7 @@ QWidget *ReportsPage::buildList()
     m_list->setAccessibleName(tr("Reports, newest first"));
     m_list->setFrameShape(QFrame::NoFrame);
     m_list->setWordWrap(true);
+    m_list->setResizeMode(QListView::Adjust);
     column->addWidget(m_list, 1);
     connect(m_search, &QLineEdit::textChanged, this, &ReportsPage::fill);
     connect(m_filter, &Segmented::currentChanged, this, &ReportsPage::fill);
@@ -97,7 +99,7 @@ QWidget *ReportsPage::buildList()
 QWidget *ReportsPage::buildPreview()
 {
     const Theme &theme = m_theme.theme();
-    auto *area = new QWidget(m_states);
+    auto *area = new LeastHeight(m_states);
     auto *column = layoutIn<QVBoxLayout>(area, 0);
     auto *row = new WrapLayout;
     row->setContentsMargins(theme.u(12), theme.u(8), theme.u(12), theme.u(8));
