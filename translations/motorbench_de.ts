@@ -5662,6 +5662,10 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <source>Ctrl+H</source>
         <translation>Strg+H</translation>
     </message>
+    <message>
+        <source>More for the parameters</source>
+        <translation>Mehr für die Parameter</translation>
+    </message>
 </context>
 <context>
     <name>mb::ParameterHeader</name>

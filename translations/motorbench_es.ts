@@ -5662,6 +5662,10 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <source>Ctrl+H</source>
         <translation>Ctrl+H</translation>
     </message>
+    <message>
+        <source>More for the parameters</source>
+        <translation>Más para los parámetros</translation>
+    </message>
 </context>
 <context>
     <name>mb::ParameterHeader</name>

@@ -5662,6 +5662,10 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <source>Ctrl+H</source>
         <translation>Ctrl+H</translation>
     </message>
+    <message>
+        <source>More for the parameters</source>
+        <translation>Plus pour les paramètres</translation>
+    </message>
 </context>
 <context>
     <name>mb::ParameterHeader</name>

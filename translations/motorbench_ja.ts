@@ -2965,7 +2965,7 @@
     </message>
     <message>
         <source>Tuning</source>
-        <translation>調整中</translation>
+        <translation>調整</translation>
     </message>
     <message>
         <source>STOP ends it; what was changed is put back.</source>
@@ -5654,6 +5654,10 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>Ctrl+H</source>
         <translation>Ctrl+H</translation>
+    </message>
+    <message>
+        <source>More for the parameters</source>
+        <translation>パラメータのその他の操作</translation>
     </message>
 </context>
 <context>

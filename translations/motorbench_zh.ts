@@ -5655,6 +5655,10 @@ Double click or Enter plots it; drag it to a plot.</source>
         <source>Ctrl+H</source>
         <translation>Ctrl+H</translation>
     </message>
+    <message>
+        <source>More for the parameters</source>
+        <translation>参数的更多操作</translation>
+    </message>
 </context>
 <context>
     <name>mb::ParameterHeader</name>

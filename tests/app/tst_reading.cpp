@@ -6,6 +6,9 @@
 #include "support/windowtests.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/noticestrip.h"
+#include "widgets/parameters/parameterspage.h"
+#include "widgets/parameters/parameterview.h"
 #include "windowbench.h"
 
 #include <QAbstractButton>
@@ -31,6 +34,7 @@ constexpr int pageCount = 9;
 constexpr int target = 32; ///< px at 96 dpi and a font of 10 pt
 constexpr int slack = 3;
 constexpr int mostControls = 400; ///< more than any page has
+constexpr int leastRows = 4;      ///< of parameters, in sight
 
 /// Words of another language, which take more room: two fifths more.
 class LongWords : public QTranslator {
@@ -283,6 +287,12 @@ private Q_SLOTS:
     void everyTargetCanBeHit();
     void nothingIsCutOrOverprinted_data();
     void nothingIsCutOrOverprinted();
+    void parametersAreInSight_data();
+    void parametersAreInSight();
+    void noPageScrollsSideways_data() { parametersAreInSight_data(); }
+    void noPageScrollsSideways();
+    void theStripeIsNoHigherThanTwoLines_data() { parametersAreInSight_data(); }
+    void theStripeIsNoHigherThanTwoLines();
 };
 
 void ReadingTest::tabGoesAsOneReads_data()
@@ -372,6 +382,80 @@ void ReadingTest::nothingIsCutOrOverprinted()
                                           .arg(fontScale)));
     });
     verifyNone(bad);
+}
+
+void ReadingTest::parametersAreInSight_data()
+{
+    QTest::addColumn<QSize>("size");
+    QTest::addColumn<double>("fontScale");
+    QTest::newRow("1280x800 at 200 %") << QSize(1280, 800) << 2.0;
+    QTest::newRow("1366x768 at 150 %") << QSize(1366, 768) << 1.5;
+    QTest::newRow("1280x800 at 125 %") << QSize(1280, 800) << 1.25;
+}
+
+/// Whole rows with a value, and no column that has to be scrolled for.
+void ReadingTest::parametersAreInSight()
+{
+    QFETCH(QSize, size);
+    QFETCH(double, fontScale);
+    WindowBench bench(fontScale);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
+    bench.select(WindowBench::tuned);
+    bench.window().resize(size);
+    ParameterView &view = bench.page<ParametersPage>(PageId::Parameters).view();
+    QTRY_VERIFY_WITH_TIMEOUT(view.shownRows() > leastRows, patience);
+    settle();
+    const QRect seen = view.viewport()->visibleRegion().boundingRect();
+    const auto rowsInSight = [&view, &seen] {
+        int rows = 0;
+        for (int group = 0; group < view.model()->rowCount(); ++group) {
+            const QModelIndex head = view.model()->index(group, 0);
+            for (int row = 0; row < view.model()->rowCount(head); ++row)
+                rows
+                    += seen.contains(view.visualRect(view.model()->index(row, 0, head)).adjusted(1, 1, -1, -1)) ? 1 : 0;
+        }
+        return rows;
+    };
+    qInfo("%d rows", rowsInSight());
+    QVERIFY(rowsInSight() >= leastRows);
+    QCOMPARE(view.horizontalScrollBar()->maximum(), 0);
+}
+
+/// What is beyond the right edge is not seen by who reads, whatever can be scrolled.
+void ReadingTest::noPageScrollsSideways()
+{
+    QFETCH(QSize, size);
+    QFETCH(double, fontScale);
+    WindowBench bench(fontScale);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
+    bench.select(WindowBench::tuned);
+    MainWindow &window = bench.window();
+    window.resize(size);
+    QStringList wide;
+    for (int i = 0; i < pageCount; ++i) {
+        const auto id = static_cast<PageId>(i);
+        window.showPage(id);
+        settle();
+        const auto *area = qobject_cast<QScrollArea *>(window.page(id)->parentWidget()->parentWidget());
+        QVERIFY(area);
+        if (area->horizontalScrollBar()->maximum() > 0)
+            wide += QStringLiteral("%1 is %2 px wider than its place")
+                        .arg(window.findChild<QTabBar *>()->tabText(i))
+                        .arg(area->horizontalScrollBar()->maximum());
+    }
+    verifyNone(wide);
+}
+
+void ReadingTest::theStripeIsNoHigherThanTwoLines()
+{
+    QFETCH(QSize, size);
+    QFETCH(double, fontScale);
+    WindowBench bench(fontScale);
+    bench.window().resize(size);
+    settle();
+    const auto *strip = bench.window().findChild<NoticeStrip *>();
+    const int line = QFontMetrics(strip->font()).height();
+    QVERIFY2(strip->height() <= 2 * line + 2 * line / 3, qPrintable(QString::number(strip->height())));
 }
 
 MB_WINDOW_TEST(ReadingTest);

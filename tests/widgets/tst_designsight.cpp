@@ -8,6 +8,7 @@
 #include "widgets/common/numberformat.h"
 #include "widgets/design/adviserlist.h"
 #include "widgets/design/designcolumn.h"
+#include "widgets/design/designorders.h"
 #include "widgets/design/modelpanel.h"
 #include "widgets/design/proposallist.h"
 #include "widgets/design/tuningsteps.h"
@@ -29,6 +30,7 @@ private Q_SLOTS:
     void theArmedPageSaysDutySpeedAndTravelBeforeAnythingIsOrdered();
     void eachStimulusIsSaidWhileItRuns();
     void theSetsAndTheSlidersAreInSightInTheSmallestWindow();
+    void theChosenSetAndTheOrderThatProvesItAreInSightAtLargeText();
     void theNumberedStepsAreInSightInTheSmallestWindowAndOnlyWhyItWasKeptScrolls();
     void whyATuningFailedStandsAboveTheSteps();
     void gainsOfSetsThatAreNotChosenGiveWayToTheSlidersInALowWindow();
@@ -109,6 +111,12 @@ void endSmall(DesignBench &bench, TuneResult result)
 bool isSeenWhole(const QWidget *part)
 {
     return part && part->visibleRegion().boundingRect() == part->rect();
+}
+
+/// Of the first gain, as a card has it in one line.
+QString shortest(const Proposal &proposal)
+{
+    return formatSignificant(proposal.gains.rows.front().number, 4);
 }
 
 bool isInSight(const QWidget &part, const DesignColumn &column)
@@ -211,6 +219,33 @@ void TestDesignSight::theSetsAndTheSlidersAreInSightInTheSmallestWindow()
     bench.page->resize(1208, 1400);
     QCoreApplication::processEvents();
     QVERIFY2(model->isFolded(), "and folded");
+}
+
+/// The page of a window of 1280×800 at 200 %, in units of its font.
+void TestDesignSight::theChosenSetAndTheOrderThatProvesItAreInSightAtLargeText()
+{
+    DesignBench bench;
+    bench.page->resize(408, 247);
+    QCoreApplication::processEvents();
+    bench.arm();
+    bench.page->identify();
+    bench.finish(inFull());
+    for (const Aim aim : {Aim::Calm, Aim::Normal, Aim::Brisk}) {
+        bench.page->chooseAim(aim);
+        settleDown();
+        const auto *const list = bench.page->findChild<ProposalList *>();
+        const auto *const card = list->chosenCard();
+        QVERIFY(card);
+        const QString gains = shortest(*bench.page->chosen());
+        const QLabel *const told = labelWith(*card, gains);
+        QVERIFY2(told && isSeenWhole(told), qPrintable(gains));
+    }
+    const auto buttons = bench.page->findChildren<QPushButton *>();
+    const auto prove = std::find_if(buttons.begin(), buttons.end(),
+        [](const QPushButton *button) { return button->text() == DesignOrders::tr("Write and prove"); });
+    QVERIFY(prove != buttons.end());
+    QVERIFY(isSeenWhole(*prove));
+    QVERIFY((*prove)->width() >= (*prove)->minimumSizeHint().width());
 }
 
 void TestDesignSight::theNumberedStepsAreInSightInTheSmallestWindowAndOnlyWhyItWasKeptScrolls()

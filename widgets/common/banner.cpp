@@ -4,13 +4,18 @@
 #include "widgets/common/layoutin.h"
 #include "widgets/common/stateglyph.h"
 
+#include <QApplication>
 #include <QPainter>
 #include <QPushButton>
 
+#include <algorithm>
 #include <utility>
 
 namespace mb {
 namespace {
+
+constexpr int bannerHeight = 36; ///< units: a button, and air around it
+constexpr int bannerAir = 2;     ///< above and below
 
 QString kindWord(BannerKind kind)
 {
@@ -90,20 +95,22 @@ void Banner::setTwoLines(bool on)
 
 int Banner::heightOf(const Theme &theme, bool twoLines)
 {
-    return theme.u(twoLines ? 56 : 36);
+    const int line = QFontMetrics(theme.font(TextRole::Emphasis, QApplication::font())).height();
+    return std::max(theme.u(bannerHeight), twoLines ? 2 * line + theme.u(2 * bannerAir) : 0);
 }
 
-/// In one line the remedy has what the cause leaves; in two the cause has all.
+/// In one line the remedy has what the cause leaves; in two the orders stand beside both.
 void Banner::place()
 {
     auto *grid = qobject_cast<QGridLayout *>(layout());
     const int below = m_twoLines ? 1 : 0;
+    const int lines = below + 1;
     for (QWidget *part : std::initializer_list<QWidget *>{m_cause, m_remedy, m_action, m_dismiss})
         grid->removeWidget(part);
-    grid->addWidget(m_cause, 0, 0, 1, m_twoLines ? 4 : 1);
-    grid->addWidget(m_remedy, below, m_twoLines ? 0 : 1, 1, m_twoLines ? 2 : 1);
-    grid->addWidget(m_action, below, 2);
-    grid->addWidget(m_dismiss, below, 3);
+    grid->addWidget(m_cause, 0, 0, 1, lines);
+    grid->addWidget(m_remedy, below, 1 - below, 1, lines);
+    grid->addWidget(m_action, 0, 2, lines, 1);
+    grid->addWidget(m_dismiss, 0, 3, lines, 1);
     grid->setColumnStretch(1, 1);
 }
 
@@ -111,7 +118,7 @@ void Banner::restyle()
 {
     const Theme &theme = m_theme.theme();
     place();
-    layout()->setContentsMargins(theme.u(12 + 18 + 10), theme.u(2), theme.u(12), theme.u(2));
+    layout()->setContentsMargins(theme.u(12 + 18 + 10), theme.u(bannerAir), theme.u(12), theme.u(bannerAir));
     qobject_cast<QGridLayout *>(layout())->setHorizontalSpacing(theme.u(12));
     qobject_cast<QGridLayout *>(layout())->setVerticalSpacing(0);
     setFixedHeight(heightOf(theme, m_twoLines));

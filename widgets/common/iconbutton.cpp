@@ -93,10 +93,40 @@ void CommandButton::setKeyHint(const QString &key)
 bool CommandButton::event(QEvent *event)
 {
     if (event->type() == keysChanged() && !m_key.isEmpty()) {
+        tellWords();
         updateGeometry();
         update();
     }
     return QPushButton::event(event);
+}
+
+QString CommandButton::keyHint() const
+{
+    return keyShown(*this, m_key);
+}
+
+void CommandButton::setIconOnly(bool iconOnly)
+{
+    if (m_iconOnly == iconOnly)
+        return;
+    m_iconOnly = iconOnly;
+    if (iconOnly)
+        m_tip = toolTip();
+    else
+        setToolTip(m_tip);
+    tellWords();
+    updateGeometry();
+    update();
+}
+
+void CommandButton::tellWords()
+{
+    if (!m_iconOnly)
+        return;
+    QString told = text();
+    if (const QString key = keyHint(); !key.isEmpty())
+        told += QStringLiteral("  ") + key;
+    setToolTip(m_tip.isEmpty() ? told : told + QLatin1Char('\n') + m_tip);
 }
 
 void CommandButton::setTextVariants(const QStringList &texts)
@@ -120,6 +150,12 @@ QColor CommandButton::contentColor() const
 
 QSize CommandButton::sizeHint() const
 {
+    const QSize words = wordsSize();
+    return m_iconOnly ? QSize(m_theme.theme().u(32), words.height()) : words;
+}
+
+QSize CommandButton::wordsSize() const
+{
     ensurePolished();
     const Theme &theme = m_theme.theme();
     QFont widest = font();
@@ -130,9 +166,19 @@ QSize CommandButton::sizeHint() const
         width = std::max(width, metrics.horizontalAdvance(variant));
     if (m_symbol)
         width += theme.u(16 + 8);
-    if (const QString key = keyShown(*this, m_key); !key.isEmpty())
+    if (const QString key = keyHint(); !key.isEmpty())
         width += theme.u(8) + QFontMetrics(hintFont()).horizontalAdvance(key);
+    width += menu() ? theme.u(8 + 12) : 0;
     return {width + theme.u(28), std::max(theme.u(32), metrics.height() + theme.u(8))};
+}
+
+void CommandButton::paintSymbolAt(QPainter &painter, int x) const
+{
+    if (!m_symbol)
+        return;
+    const Theme &theme = m_theme.theme();
+    const QColor color = isEnabled() && m_tone != Tone::Text ? theme.tone(m_tone) : contentColor();
+    paintSymbol(painter, QRectF(x, (height() - theme.u(16)) / 2.0, theme.u(16), theme.u(16)), *m_symbol, color);
 }
 
 void CommandButton::paintEvent(QPaintEvent *)
@@ -142,13 +188,17 @@ void CommandButton::paintEvent(QPaintEvent *)
     initStyleOption(&option);
     option.text.clear();
     option.icon = {};
+    option.features &= ~QStyleOptionButton::HasMenu; // told by a chevron of ours
     QPainter painter(this);
     style()->drawControl(QStyle::CE_PushButton, &option, &painter, this);
+    if (m_iconOnly)
+        return paintSymbolAt(painter, (width() - theme.u(16)) / 2);
 
     const QFontMetrics hints(hintFont());
     const int iconWidth = m_symbol ? theme.u(16 + 8) : 0;
-    const int most = width() - theme.u(16) - iconWidth;
-    QString key = keyShown(*this, m_key);
+    const int chevron = menu() ? theme.u(8 + 12) : 0;
+    const int most = width() - theme.u(16) - iconWidth - chevron;
+    QString key = keyHint();
     int hintWidth = key.isEmpty() ? 0 : theme.u(8) + hints.horizontalAdvance(key);
     if (hintWidth > 0 && fontMetrics().size(Qt::TextShowMnemonic, text()).width() > most - hintWidth) {
         key.clear(); // the words matter more
@@ -157,12 +207,14 @@ void CommandButton::paintEvent(QPaintEvent *)
     const int room = most - hintWidth;
     const QString shown = fontMetrics().elidedText(text(), Qt::ElideRight, room, Qt::TextShowMnemonic);
     const int textWidth = fontMetrics().size(Qt::TextShowMnemonic, shown).width();
-    int x = (width() - iconWidth - textWidth - hintWidth) / 2;
-    if (m_symbol) {
-        const QColor color = isEnabled() && m_tone != Tone::Text ? theme.tone(m_tone) : contentColor();
-        paintSymbol(painter, QRectF(x, (height() - theme.u(16)) / 2.0, theme.u(16), theme.u(16)), *m_symbol, color);
-        x += iconWidth;
+    int x = (width() - iconWidth - textWidth - hintWidth - chevron) / 2;
+    if (chevron > 0) {
+        const QRectF box(x + iconWidth + textWidth + hintWidth + theme.u(8), (height() - theme.u(12)) / 2.0,
+            theme.u(12), theme.u(12));
+        paintSymbol(painter, box, Symbol::ChevronDown, isEnabled() && !isPrimary() ? theme.dim : contentColor());
     }
+    paintSymbolAt(painter, x);
+    x += iconWidth;
     painter.setPen(contentColor());
     painter.drawText(QRect(x, 0, textWidth + 1, height()), Qt::AlignVCenter | Qt::TextShowMnemonic, shown);
     if (hintWidth == 0)

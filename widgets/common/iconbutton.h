@@ -42,6 +42,12 @@ public:
     void setSymbol(std::optional<Symbol> symbol, Tone tone = Tone::Text);
     /// "F5" behind the text. The shortcut itself belongs to the page.
     void setKeyHint(const QString &key);
+    /// "Ctrl+H", as it is now.
+    QString keyHint() const;
+    /// Its symbol alone, words and key above its own tooltip; it needs a symbol.
+    void setIconOnly(bool iconOnly);
+    /// With its words, icon only or not.
+    QSize wordsSize() const;
     /// Texts this button may change to: it is as wide as the widest, so that the row does not move.
     void setTextVariants(const QStringList &texts);
     QSize sizeHint() const override;
@@ -53,13 +59,17 @@ protected:
 
 private:
     QFont hintFont() const;
+    void tellWords();
     QColor contentColor() const;
+    void paintSymbolAt(QPainter &painter, int x) const;
 
     const ThemeSource &m_theme;
     std::optional<Symbol> m_symbol;
     Tone m_tone = Tone::Text;
     QString m_key;
     QStringList m_variants;
+    QString m_tip; ///< of its own, while it is a symbol
+    bool m_iconOnly = false;
 };
 
 } // namespace mb

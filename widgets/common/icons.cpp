@@ -14,10 +14,10 @@ constexpr std::array<const char *, SymbolCount> Files{"list-add", "mb-arm", "cam
     "go-next", "go-up", "mb-chip", "clock", "window-close", "edit-copy", "mb-cursors", "edit-delete", "document",
     "document-edit", "dialog-error", "document-export", "view-filter", "zoom-fit-best", "folder", "mb-frame-send",
     "mb-gap", "mb-gauge", "help-contextual", "mb-identify", "document-import", "dialog-information", "mb-jog",
-    "object-locked", "text-log", "mb-mark", "mb-motor", "mb-nudge", "dialog-ok", "document-open", "mb-page-map",
-    "media-playback-pause", "mb-pin", "media-playback-start", "mb-plug", "preferences", "media-record", "edit-redo",
-    "view-refresh", "list-remove", "document-save", "edit-find", "mb-star", "mb-star-filled", "mb-stop", "mb-swap",
-    "mb-trigger", "edit-undo", "object-unlocked", "mb-wand", "dialog-warning", "mb-wave"};
+    "object-locked", "text-log", "mb-mark", "view-more", "mb-motor", "mb-nudge", "dialog-ok", "document-open",
+    "mb-page-map", "media-playback-pause", "mb-pin", "media-playback-start", "mb-plug", "preferences", "media-record",
+    "edit-redo", "view-refresh", "list-remove", "document-save", "edit-find", "mb-star", "mb-star-filled", "mb-stop",
+    "mb-swap", "mb-trigger", "edit-undo", "object-unlocked", "mb-wand", "dialog-warning", "mb-wave"};
 static_assert(static_cast<int>(Symbol::Wave) + 1 == SymbolCount);
 
 QByteArray colouredSvg(Symbol symbol, const QColor &color)

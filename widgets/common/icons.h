@@ -43,6 +43,7 @@ enum class Symbol {
     Lock,
     Log,
     Mark,
+    More,
     Motor,
     Nudge,
     Ok,
@@ -70,7 +71,7 @@ enum class Symbol {
     Warning,
     Wave
 };
-inline constexpr int SymbolCount = 57;
+inline constexpr int SymbolCount = 58;
 
 /// File name of a symbol without folder and suffix.
 QString symbolFile(Symbol symbol);

@@ -7,6 +7,11 @@
 #include <QPainter>
 
 namespace mb {
+namespace {
+
+constexpr int fieldWords = 90; ///< units, with the symbol before them
+
+} // namespace
 
 SearchField::SearchField(const ThemeSource &theme, const QString &placeholder, QWidget *parent)
     : QLineEdit(parent)
@@ -32,6 +37,12 @@ void SearchField::setResult(const QString &result)
     updateMargins();
 }
 
+/// Whoever has less room gives it a minimum of its own.
+QSize SearchField::minimumSizeHint() const
+{
+    return {m_theme.theme().u(160), QLineEdit::minimumSizeHint().height()};
+}
+
 void SearchField::setSymbol(Symbol symbol)
 {
     m_symbol = symbol;
@@ -40,7 +51,7 @@ void SearchField::setSymbol(Symbol symbol)
 
 void SearchField::restyle()
 {
-    setMinimumWidth(m_theme.theme().u(160));
+    updateGeometry();
     updateMargins();
 }
 
@@ -48,15 +59,26 @@ void SearchField::updateMargins()
 {
     const Theme &theme = m_theme.theme();
     const QFontMetrics caption(theme.font(TextRole::Caption, font()));
-    const QString right = text().isEmpty() ? keyShown(*this, m_key) : m_result;
+    const QString right = beside();
     const int room = right.isEmpty() ? 0 : caption.horizontalAdvance(right) + theme.u(16);
     setTextMargins(theme.u(22), 0, room, 0);
     update();
 }
 
+/// The key only where the words of the field have room too; they matter more.
+QString SearchField::beside() const
+{
+    if (!text().isEmpty())
+        return m_result;
+    const QString key = keyShown(*this, m_key);
+    const Theme &theme = m_theme.theme();
+    const int badge = QFontMetrics(theme.font(TextRole::Caption, font())).horizontalAdvance(key) + theme.u(16);
+    return width() < theme.u(fieldWords) + badge ? QString() : key;
+}
+
 bool SearchField::event(QEvent *event)
 {
-    if (event->type() == keysChanged())
+    if (event->type() == keysChanged() || event->type() == QEvent::Resize)
         updateMargins();
     return QLineEdit::event(event);
 }
@@ -69,7 +91,7 @@ void SearchField::paintEvent(QPaintEvent *event)
     painter.setRenderHint(QPainter::Antialiasing);
     const double side = theme.u(15);
     paintSymbol(painter, QRectF(theme.u(9), (height() - side) / 2, side, side), m_symbol, theme.dim);
-    const QString right = text().isEmpty() ? keyShown(*this, m_key) : m_result;
+    const QString right = beside();
     if (right.isEmpty())
         return;
     const QFont caption = theme.font(TextRole::Caption, font());

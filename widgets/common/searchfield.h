@@ -17,6 +17,7 @@ public:
     /// How much the filter leaves; empty hides it.
     void setResult(const QString &result);
     void setSymbol(Symbol symbol);
+    QSize minimumSizeHint() const override;
 
 protected:
     bool event(QEvent *event) override;
@@ -26,6 +27,7 @@ protected:
 private:
     void restyle();
     void updateMargins();
+    [[nodiscard]] QString beside() const;
 
     const ThemeSource &m_theme;
     Symbol m_symbol = Symbol::Search;

@@ -5,13 +5,16 @@
 #include "widgets/common/layoutin.h"
 
 #include <QButtonGroup>
+#include <QComboBox>
 #include <QCursor>
 #include <QPainter>
+#include <QStandardItemModel>
 #include <QStyleOptionToolButton>
 #include <QStylePainter>
 #include <QToolButton>
 
 #include <algorithm>
+#include <numeric>
 
 namespace mb {
 namespace {
@@ -60,8 +63,11 @@ Segmented::Segmented(const QString &accessibleName, QWidget *parent)
     m_group = new QButtonGroup(this);
     m_row = layoutIn<QHBoxLayout>(this, 0);
     connect(m_group, &QButtonGroup::idToggled, this, [this](int id, bool on) {
-        if (on)
-            Q_EMIT currentChanged(id);
+        if (!on)
+            return;
+        if (m_list)
+            m_list->setCurrentIndex(id);
+        Q_EMIT currentChanged(id);
     });
 }
 
@@ -83,6 +89,7 @@ void Segmented::removeLast()
     if (wasCurrent)
         setCurrent(0);
     updateEnds();
+    fillList();
 }
 
 int Segmented::addSegment(const QString &text)
@@ -97,9 +104,12 @@ int Segmented::addSegment(const QString &text)
     button->setSizePolicy(m_even ? QSizePolicy::Expanding : QSizePolicy::Maximum, QSizePolicy::Fixed);
     m_group->addButton(button, id);
     m_row->addWidget(button);
+    if (m_list)
+        button->hide();
     if (id == 0)
         button->setChecked(true);
     updateEnds();
+    fillList();
     return id;
 }
 
@@ -118,6 +128,7 @@ void Segmented::setText(int index, const QString &text)
         button->setText(text);
         button->setAccessibleName(text);
         button->updateGeometry();
+        fillList();
     }
 }
 
@@ -126,7 +137,66 @@ void Segmented::setSegmentEnabled(int index, bool enabled, const QString &reason
     if (QAbstractButton *button = m_group->button(index)) {
         button->setEnabled(enabled);
         button->setToolTip(enabled ? QString() : reason);
+        fillList();
     }
+}
+
+void Segmented::setFolded(bool folded)
+{
+    if (folded == isFolded())
+        return;
+    if (folded) {
+        m_list = new QComboBox(this);
+        m_list->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+        m_list->setAccessibleName(accessibleName());
+        m_row->addWidget(m_list);
+        connect(m_list, qOverload<int>(&QComboBox::activated), this, &Segmented::setCurrent);
+        fillList();
+    } else {
+        m_row->removeWidget(m_list);
+        m_list->hide();
+        m_list->deleteLater(); // it may be what asked for this
+        m_list = nullptr;
+    }
+    const auto buttons = m_group->buttons();
+    for (QAbstractButton *button : buttons)
+        button->setVisible(!folded);
+}
+
+int Segmented::unfoldedWidth() const
+{
+    const auto buttons = m_group->buttons();
+    return std::accumulate(buttons.begin(), buttons.end(), 0,
+        [](int sum, const QAbstractButton *button) { return sum + button->sizeHint().width(); });
+}
+
+int Segmented::leastUnfoldedWidth() const
+{
+    const auto buttons = m_group->buttons();
+    return std::accumulate(buttons.begin(), buttons.end(), 0,
+        [](int sum, const QAbstractButton *button) { return sum + button->minimumSizeHint().width(); });
+}
+
+/// The list says what the buttons say; nothing in it changes that is the same.
+void Segmented::fillList()
+{
+    if (!m_list)
+        return;
+    while (m_list->count() > count())
+        m_list->removeItem(m_list->count() - 1);
+    while (m_list->count() < count())
+        m_list->addItem({});
+    auto *const items = qobject_cast<QStandardItemModel *>(m_list->model());
+    for (int i = 0; i < count(); ++i) {
+        const QAbstractButton &button = *m_group->button(i);
+        if (m_list->itemText(i) != button.text()) {
+            m_list->setItemText(i, button.text());
+            m_list->updateGeometry();
+        }
+        items->item(i)->setEnabled(button.isEnabled());
+        m_list->setItemData(i, button.toolTip(), Qt::ToolTipRole);
+    }
+    m_list->setCurrentIndex(current());
 }
 
 int Segmented::count() const

@@ -5,6 +5,7 @@
 #include <QWidget>
 
 class QButtonGroup;
+class QComboBox;
 class QHBoxLayout;
 
 namespace mb {
@@ -29,15 +30,24 @@ public:
     void setCurrent(int index);
     /// All segments share the width evenly instead of following their texts.
     void setEven(bool even);
+    /// The same choice as a list that opens, where there is no room for all of it.
+    void setFolded(bool folded);
+    bool isFolded() const { return m_list != nullptr; }
+    /// Of the joined buttons, folded or not.
+    int unfoldedWidth() const;
+    /// The same without their air.
+    int leastUnfoldedWidth() const;
 
 Q_SIGNALS:
     void currentChanged(int index);
 
 private:
     void updateEnds();
+    void fillList();
 
     QButtonGroup *m_group = nullptr;
     QHBoxLayout *m_row = nullptr;
+    QComboBox *m_list = nullptr; ///< while it is folded
     bool m_even = false;
 };
 

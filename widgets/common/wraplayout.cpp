@@ -30,6 +30,20 @@ void WrapLayout::addSpring()
     m_spring = count();
 }
 
+void WrapLayout::prepend(QWidget *widget)
+{
+    addWidget(widget);
+    std::rotate(m_items.begin(), m_items.end() - 1, m_items.end());
+    m_spring += m_spring < 0 ? 0 : 1;
+}
+
+/// That of its line counts; the rest of what one is stretched by is found when it is placed.
+QSize WrapLayout::sizeOf(QLayoutItem &item) const
+{
+    const bool stretched = m_stretched && item.widget() == m_stretched;
+    return {stretched ? item.minimumSize().width() : item.sizeHint().width(), item.sizeHint().height()};
+}
+
 void WrapLayout::addItem(QLayoutItem *item)
 {
     m_items.push_back(item);
@@ -50,6 +64,7 @@ QLayoutItem *WrapLayout::takeAt(int index)
     QLayoutItem *item = itemAt(index);
     if (item)
         m_items.erase(m_items.begin() + index);
+    m_spring -= item && index < m_spring ? 1 : 0;
     return item;
 }
 
@@ -57,10 +72,10 @@ std::vector<WrapLayout::Line> WrapLayout::linesFor(int width) const
 {
     std::vector<Line> lines(1);
     for (int i = 0; i < count(); ++i) {
-        const QLayoutItem &item = *m_items[static_cast<std::size_t>(i)];
+        QLayoutItem &item = *m_items[static_cast<std::size_t>(i)];
         if (item.isEmpty())
             continue;
-        const QSize hint = item.sizeHint();
+        const QSize hint = sizeOf(item);
         Line *line = &lines.back();
         if (!line->items.empty() && line->width + gap() + hint.width() > width) {
             lines.emplace_back();
@@ -76,7 +91,7 @@ std::vector<WrapLayout::Line> WrapLayout::linesFor(int width) const
 void WrapLayout::placeLine(const Line &line, const QRect &room, bool sprung) const
 {
     int x = room.left();
-    const int spare = std::max(0, room.width() - line.width);
+    int spare = std::max(0, room.width() - line.width);
     bool given = !sprung;
     for (const int i : line.items) {
         if (!given && i >= m_spring) {
@@ -84,7 +99,12 @@ void WrapLayout::placeLine(const Line &line, const QRect &room, bool sprung) con
             given = true;
         }
         QLayoutItem &item = *m_items[static_cast<std::size_t>(i)];
-        const QSize size(std::min(item.sizeHint().width(), room.width()), item.sizeHint().height());
+        QSize size = sizeOf(item).boundedTo({room.width(), QWIDGETSIZE_MAX});
+        if (m_stretched && item.widget() == m_stretched) {
+            const int most = std::max(size.width(), item.maximumSize().width());
+            size.setWidth(std::min(size.width() + spare, most));
+            spare -= size.width() - sizeOf(item).width();
+        }
         item.setGeometry(QRect(QPoint(x, room.top() + (line.height - size.height()) / 2), size));
         x += size.width() + gap();
     }

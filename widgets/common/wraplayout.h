@@ -20,6 +20,10 @@ public:
     void setLineSpacing(int spacing) { m_lineSpacing = spacing; }
     /// What follows goes to the right end.
     void addSpring();
+    /// Before the others; what follows the spring stays what it is.
+    void prepend(QWidget *widget);
+    /// Takes what its line has to spare, and is as narrow as it may be before the line is broken.
+    void setStretched(QWidget *widget) { m_stretched = widget; }
 
     void addItem(QLayoutItem *item) override;
     int count() const override;
@@ -40,11 +44,13 @@ private:
     };
     [[nodiscard]] std::vector<Line> linesFor(int width) const;
     void placeLine(const Line &line, const QRect &room, bool sprung) const;
+    [[nodiscard]] QSize sizeOf(QLayoutItem &item) const;
     [[nodiscard]] int gap() const;
     [[nodiscard]] int lineGap() const { return m_lineSpacing.value_or(gap()); }
 
     std::vector<QLayoutItem *> m_items;
     int m_spring = -1;
+    QWidget *m_stretched = nullptr;
     std::optional<int> m_lineSpacing;
 };
 

@@ -25,6 +25,7 @@ void DesignColumn::setParts(ModelPanel *model, ProposalList *proposals, Envelope
     rows().addWidget(separatorLine(Qt::Horizontal, content()));
     rows().addWidget(envelope);
     rows().addStretch(1);
+    connect(proposals, &ProposalList::aimChosen, this, &DesignColumn::scrollToChosen, Qt::QueuedConnection);
     connect(model, &ModelPanel::wanted, this, [this](bool all) {
         m_wantsAll = all;
         fit();
@@ -56,6 +57,14 @@ void DesignColumn::fit()
             return;
         arrange(true, room);
     }
+    if (!isInSight())
+        QMetaObject::invokeMethod(this, &DesignColumn::scrollToChosen, Qt::QueuedConnection); // where it will stand
+}
+
+void DesignColumn::scrollToChosen()
+{
+    if (QWidget *const card = m_proposals->chosenCard())
+        ensureWidgetVisible(card, 0, 0);
 }
 
 void DesignColumn::arrange(bool folded, CardRoom room)

@@ -14,7 +14,7 @@ class ProposalList;
 class ThemeSource;
 
 /// The left column of the Design page: the model, the sets of gains that stand on it, and the limits. Where the sets would not be in sight
-/// without scrolling, the model folds to a line, and where that is not enough the gains of each set too, in the end to those of the chosen one.
+/// without scrolling, the model folds to a line, and where that is not enough the gains of each set too, in the end to those of the chosen one. What then still does not fit scrolls, with the chosen set in sight.
 class DesignColumn : public ScrollColumn {
     Q_OBJECT
 public:
@@ -31,6 +31,7 @@ protected:
 private:
     void fit();
     void arrange(bool folded, CardRoom room);
+    void scrollToChosen();
     [[nodiscard]] bool isInSight() const;
 
     ModelPanel *m_model = nullptr;

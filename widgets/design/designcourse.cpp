@@ -38,8 +38,7 @@ bool isStaged(StagedEdits &edits, const std::vector<ParameterChange> &changes)
 
 } // namespace
 
-DesignCourse::DesignCourse(
-    Workbench &workbench, DesignBook &book, const ThemeSource &theme, QWidget *prove, QWidget *parent)
+DesignCourse::DesignCourse(Workbench &workbench, DesignBook &book, const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
     , m_workbench(workbench)
     , m_book(book)
@@ -54,13 +53,19 @@ DesignCourse::DesignCourse(
     m_area->rows().addWidget(m_steps);
     m_area->rows().addStretch(0);
     column->addWidget(m_area, 1);
-    auto *foot = new QWidget(this);
-    auto *row = layoutIn<QHBoxLayout>(foot, 0, {look.u(12), look.u(4), look.u(12), look.u(10)});
-    row->addWidget(prove);
-    column->addWidget(foot);
+    m_foot = new QWidget(this);
+    (void)layoutIn<QHBoxLayout>(m_foot, 0, {look.u(12), look.u(4), look.u(12), look.u(10)});
+    column->addWidget(m_foot);
     connect(m_advisers, &AdviserList::stageRequested, this, &DesignCourse::stage);
     connect(m_advisers, &AdviserList::rebuilt, this, &DesignCourse::fit, Qt::QueuedConnection); // once they are shown
     connect(m_steps, &TuningSteps::rebuilt, this, &DesignCourse::fit, Qt::QueuedConnection);
+}
+
+void DesignCourse::setOrder(QWidget *order)
+{
+    if (order)
+        m_foot->layout()->addWidget(order);
+    m_foot->setVisible(order != nullptr);
 }
 
 void DesignCourse::resizeEvent(QResizeEvent *event)

@@ -14,12 +14,14 @@ class ScrollColumn;
 class TuningSteps;
 
 /// The right column of the Design page: what is to be known of the chosen set, what will happen to it, and at the foot, always in sight,
-/// the order that begins it. What an adviser proposes is staged here (EditDesk), and written on the pages where it is edited.
+/// the order that begins it, unless that stands elsewhere. What an adviser proposes is staged here (EditDesk), and written on the pages where it is edited.
 class DesignCourse : public QWidget {
     Q_OBJECT
 public:
-    /// Takes the button.
-    DesignCourse(Workbench &workbench, DesignBook &book, const ThemeSource &theme, QWidget *prove, QWidget *parent);
+    DesignCourse(Workbench &workbench, DesignBook &book, const ThemeSource &theme, QWidget *parent);
+
+    /// The order at its foot, which it takes; nullptr: it stands elsewhere.
+    void setOrder(QWidget *order);
 
     /// A set that is chosen, or nothing.
     struct Chosen {
@@ -41,6 +43,7 @@ private:
     Workbench &m_workbench;
     DesignBook &m_book;
     ScrollColumn *m_area = nullptr;
+    QWidget *m_foot = nullptr;
     AdviserList *m_advisers = nullptr;
     TuningSteps *m_steps = nullptr;
 };

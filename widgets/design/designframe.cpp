@@ -4,6 +4,7 @@
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
 #include "widgets/common/segmented.h"
+#include "widgets/design/designcourse.h"
 #include "widgets/design/designorders.h"
 
 #include <QEvent>
@@ -37,7 +38,7 @@ DesignFrame::DesignFrame(const ThemeSource &theme, QWidget *parent)
     m_commands->setSpacing(look.u(8));
     m_commands->setColumnStretch(0, 1);
     m_tabsRow = new QWidget(this);
-    auto *row = layoutIn<QHBoxLayout>(m_tabsRow, -1, {look.u(12), look.u(4), look.u(12), look.u(4)});
+    auto *row = layoutIn<QHBoxLayout>(m_tabsRow, look.u(8), {look.u(12), look.u(4), look.u(12), look.u(4)});
     m_tabs = new Segmented(tr("Part of the page"), {tr("Model"), tr("Curves"), tr("Course")}, m_tabsRow);
     row->addWidget(m_tabs);
     row->addStretch(1);
@@ -60,7 +61,8 @@ void DesignFrame::setParts(const Parts &parts)
     m_grid->addWidget(separatorLine(Qt::Horizontal, this), CommandsLine, 0, 1, 5);
     m_grid->addWidget(m_tabsRow, Tabs, 0, 1, 5);
     int column = 0;
-    for (QWidget *part : {parts.model, m_lineBefore, static_cast<QWidget *>(m_curvesArea), m_lineBehind, parts.course})
+    for (QWidget *part :
+        std::initializer_list<QWidget *>{parts.model, m_lineBefore, m_curvesArea, m_lineBehind, parts.course})
         m_grid->addWidget(part, Work, column++);
     m_grid->setRowStretch(Work, 1);
     arrange();
@@ -98,9 +100,18 @@ void DesignFrame::fold()
     m_compact = compact;
     m_stacked = stacked;
     if (changed) {
-        m_parts.orders->showKeys(!compact); // a line less
+        m_parts.orders->setCompact(compact); // a line less
         arrange();
     }
+    foldTabs();
+}
+
+void DesignFrame::foldTabs()
+{
+    const QMargins margins = m_tabsRow->layout()->contentsMargins();
+    const int needed = margins.left() + m_tabs->leastUnfoldedWidth() + m_tabsRow->layout()->spacing()
+        + m_parts.orders->proveButton()->sizeHint().width() + margins.right();
+    m_tabs->setFolded(m_compact && needed > width());
 }
 
 /// Units of the right column: what is said there takes fewer lines where there is room.
@@ -124,6 +135,12 @@ void DesignFrame::arrange()
     const auto part = static_cast<Part>(m_tabs->current());
     m_commands->addWidget(m_parts.status, 0, 0);
     m_commands->addWidget(m_parts.orders, m_stacked ? 1 : 0, m_stacked ? 0 : 1);
+    const int above = m_theme.theme().u(m_compact ? 4 : 6);
+    m_commands->setContentsMargins(m_theme.theme().u(12), above, m_theme.theme().u(12), above);
+    m_commands->setVerticalSpacing(m_theme.theme().u(m_compact ? 4 : 8));
+    m_parts.course->setOrder(m_compact ? nullptr : m_parts.orders->proveButton());
+    if (m_compact)
+        m_tabsRow->layout()->addWidget(m_parts.orders->proveButton());
     m_tabsRow->setVisible(m_compact);
     m_lineBefore->setVisible(!m_compact);
     m_lineBehind->setVisible(!m_compact);

@@ -10,27 +10,29 @@ class QScrollArea;
 
 namespace mb {
 
+class DesignCourse;
 class DesignOrders;
 class Segmented;
 
 /// Where the parts of the Design page stand. With room: status and orders in one row, below it model and proposals, curves, and what
-/// happens, side by side. Without (large fonts, small screens): the orders wrap below the status, and one part is seen at a time,
-/// chosen in a row of tabs. GUI thread.
+/// happens, side by side. Without (large fonts, small screens): the orders stand below the status, and one part is seen at a time,
+/// chosen in a row of tabs, beside which stands the order to prove. GUI thread.
 class DesignFrame : public QWidget {
     Q_OBJECT
 public:
     struct Parts {
         QWidget *status = nullptr;
-        DesignOrders *orders = nullptr; ///< wraps where it is narrow
+        DesignOrders *orders = nullptr; ///< folds and wraps where it is narrow
         QWidget *model = nullptr;
         QWidget *curves = nullptr;
-        QWidget *course = nullptr;
+        DesignCourse *course = nullptr;
     };
 
     explicit DesignFrame(const ThemeSource &theme, QWidget *parent = nullptr);
     /// Takes them; once.
     void setParts(const Parts &parts);
-    /// Little: it arranges itself into what it gets.
+    /// Little: it arranges itself into what it gets, and its parts scroll.
+    [[nodiscard]] bool hasHeightForWidth() const override { return false; }
     [[nodiscard]] QSize minimumSizeHint() const override;
 
 protected:
@@ -43,6 +45,7 @@ private:
 
     void arrange();
     void fold();
+    void foldTabs();
     [[nodiscard]] int courseNow() const;
     void setWidth(QWidget &column, int width) const;
 

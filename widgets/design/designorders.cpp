@@ -5,6 +5,7 @@
 #include "widgets/common/segmented.h"
 #include "widgets/common/wraplayout.h"
 
+#include <QEvent>
 #include <QSignalBlocker>
 
 #include <algorithm>
@@ -25,15 +26,13 @@ DesignOrders::DesignOrders(const ThemeSource &theme, QWidget *parent)
     , m_autotune(new CommandButton(theme, tr("Autotune"), this))
     , m_prove(new CommandButton(theme, Symbol::Play, tr("Write and prove"), this))
 {
-    showKeys(true);
     m_autotune->setToolTip(tr("Identifies, writes the chosen set and proves it, in one go"));
     m_prove->setPrimary(true);
-    m_prove->setKeyHint(QStringLiteral("F5"));
     auto *row = new WrapLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(theme.theme().u(8));
     for (QWidget *part : std::initializer_list<QWidget *>{m_loops, m_slots, m_identify, m_autotune})
         row->addWidget(part);
+    setCompact(false);
     connect(m_loops, &Segmented::currentChanged, this,
         [this](int index) { Q_EMIT loopChosen(designedLoops.at(static_cast<std::size_t>(index))); });
     connect(m_slots, &Segmented::currentChanged, this, &DesignOrders::slotChosen);
@@ -42,10 +41,36 @@ DesignOrders::DesignOrders(const ThemeSource &theme, QWidget *parent)
     connect(m_prove, &QPushButton::clicked, this, &DesignOrders::proveRequested);
 }
 
-void DesignOrders::showKeys(bool shown)
+void DesignOrders::setCompact(bool compact)
 {
-    m_identify->setKeyHint(shown ? QStringLiteral("Shift+F6") : QString());
-    m_autotune->setKeyHint(shown ? QStringLiteral("F6") : QString());
+    m_compact = compact;
+    layout()->setSpacing(fontMetrics().height() / (compact ? 4 : 2));
+    m_identify->setKeyHint(compact ? QString() : QStringLiteral("Shift+F6"));
+    m_autotune->setKeyHint(compact ? QString() : QStringLiteral("F6"));
+    m_prove->setKeyHint(compact ? QString() : QStringLiteral("F5"));
+    fold();
+}
+
+void DesignOrders::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    fold();
+}
+
+bool DesignOrders::event(QEvent *event)
+{
+    if (event->type() == QEvent::LayoutRequest) // other words in it, one slot more
+        fold();
+    return QWidget::event(event);
+}
+
+void DesignOrders::fold()
+{
+    const int gap = layout()->spacing();
+    int needed = m_loops->unfoldedWidth() + gap + m_identify->sizeHint().width() + gap + m_autotune->sizeHint().width();
+    needed += m_slots->isHidden() ? 0 : m_slots->unfoldedWidth() + gap;
+    for (Segmented *choice : {m_loops, m_slots})
+        choice->setFolded(m_compact && needed > width());
 }
 
 QWidget *DesignOrders::proveButton() const

@@ -20,8 +20,8 @@ public:
     /// Shows what is chosen for the motor in question; `mayRun`: its motor may be pushed, `mayProve`: there is something to write.
     void follow(const DesignBook &book, const Family &family, bool mayRun, bool mayProve);
 
-    /// Behind the names of the orders.
-    void showKeys(bool shown);
+    /// In one line: without the keys behind the names, and the two choices as lists where that is not enough.
+    void setCompact(bool compact);
     /// Write and prove, to be put where what it does is told.
     [[nodiscard]] QWidget *proveButton() const;
 
@@ -32,12 +32,19 @@ Q_SIGNALS:
     void autotuneRequested();
     void proveRequested();
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+    bool event(QEvent *event) override;
+
 private:
+    void fold();
+
     Segmented *m_loops = nullptr;
     Segmented *m_slots = nullptr;
     CommandButton *m_identify = nullptr;
     CommandButton *m_autotune = nullptr;
     CommandButton *m_prove = nullptr;
+    bool m_compact = false;
 };
 
 } // namespace mb

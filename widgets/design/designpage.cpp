@@ -58,7 +58,7 @@ void DesignPage::buildContent(const ThemeSource &theme)
     m_status = new StatusLine(theme, content);
     m_plots = new DesignPlots(theme, content);
     auto *const column = buildColumn(theme);
-    m_course = new DesignCourse(m_workbench, m_book, theme, m_orders->proveButton(), content);
+    m_course = new DesignCourse(m_workbench, m_book, theme, content);
     m_sweep = new SweepPanel(m_arming, theme, m_plots);
     m_plots->setFoot(m_sweep);
     content->setParts({m_status, m_orders, column, m_plots, m_course});

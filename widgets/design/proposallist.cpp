@@ -49,6 +49,7 @@ void ProposalList::chooseAim(tuning::Aim aim)
     now.aim = aim;
     now.own = false;
     showChosen();
+    Q_EMIT aimChosen();
 }
 
 void ProposalList::chooseOwn(double response, double ms)
@@ -156,6 +157,15 @@ void ProposalList::showChosen()
     m_comparedWords->setText(compared ? comparedText(*compared) : QString());
     m_plots.setMeasured(m_book.response());
     m_plots.show(*m_book.report(), {*proposal, chosenName(), compared}, basis);
+}
+
+QWidget *ProposalList::chosenCard() const
+{
+    if (m_book.choice().own)
+        return m_own;
+    const auto found = std::find_if(m_cards.begin(), m_cards.end(),
+        [aim = m_book.choice().aim](const ProposalCard *card) { return card->aim() == aim; });
+    return found == m_cards.end() ? nullptr : *found;
 }
 
 QString ProposalList::chosenName() const

@@ -39,7 +39,12 @@ public:
     /// nullptr: there is nothing yet.
     [[nodiscard]] const tuning::Proposal *chosen() const;
     [[nodiscard]] QString chosenName() const;
+    [[nodiscard]] QWidget *chosenCard() const;
     [[nodiscard]] const Envelope &inForce() const { return m_inForce; }
+
+Q_SIGNALS:
+    /// One of the cards, by hand.
+    void aimChosen();
 
 private:
     void designAll(const DeviceView &view);

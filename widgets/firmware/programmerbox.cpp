@@ -17,11 +17,11 @@ ProgrammerBox::ProgrammerBox(const ThemeSource &theme, QWidget *parent)
     m_programmer = makeBox(this, tr("Programmer"),
         tr("What writes the flash: one of the list, or the name that the program gives to another"));
     m_programmer->setObjectName(QStringLiteral("programmer"));
-    m_programmer->setMinimumWidth(theme.theme().u(220));
+    m_programmer->setMinimumWidth(theme.theme().u(140));
     m_port = makeBox(
         this, tr("Port of the programmer"), tr("Where the programmer, or the line to the bootloader, is plugged in"));
     m_port->setObjectName(QStringLiteral("programmerPort"));
-    m_port->setMinimumWidth(theme.theme().u(280));
+    m_port->setMinimumWidth(theme.theme().u(180));
     m_at = textLabel(tr("at"), TextRole::Body, Tone::Dim, this);
     auto *row = layoutIn<QHBoxLayout>(this, theme.theme().u(8));
     row->addWidget(m_programmer, 2);

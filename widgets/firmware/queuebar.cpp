@@ -4,17 +4,21 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/common/wraplayout.h"
 
-#include <QHBoxLayout>
 #include <QProgressBar>
 
 #include <cmath>
+
+#include <algorithm>
 
 namespace mb {
 namespace {
 
 constexpr int shareSteps = 1000;
+constexpr int progressBesideFrom = 820; ///< units
 
 } // namespace
 
@@ -22,15 +26,32 @@ QueueBar::QueueBar(const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
     , m_theme(theme)
 {
-    auto *row = new QHBoxLayout(this);
     const int edge = theme.theme().u(8);
-    row->setContentsMargins(theme.theme().u(16), edge, theme.theme().u(16), edge);
-    row->setSpacing(edge);
-    buildProgress(*row);
-    buildOrders(*row);
+    m_lines = layoutIn<QHBoxLayout>(this, edge, {theme.theme().u(16), edge, theme.theme().u(16), edge});
+    buildProgress();
+    buildOrders();
 }
 
-void QueueBar::buildProgress(QHBoxLayout &row)
+QSize QueueBar::minimumSizeHint() const
+{
+    int width = 0;
+    for (int i = 0; i < m_lines->count(); ++i)
+        width = std::max(width, m_lines->itemAt(i)->minimumSize().width());
+    const QMargins margins = m_lines->contentsMargins();
+    return {width + margins.left() + margins.right(), QWidget::minimumSizeHint().height()};
+}
+
+/// The orders below the progress where they have no room beside it, and all but Start as symbols.
+void QueueBar::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    const bool narrow = width() < m_theme.theme().u(progressBesideFrom);
+    m_lines->setDirection(narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    for (CommandButton *button : {m_pause, m_cancel, m_retry, m_export})
+        button->setIconOnly(narrow);
+}
+
+void QueueBar::buildProgress()
 {
     auto *box = new QVBoxLayout;
     box->setSpacing(m_theme.theme().u(2));
@@ -52,10 +73,10 @@ void QueueBar::buildProgress(QHBoxLayout &row)
     box->addLayout(words);
     box->addWidget(m_share);
     box->addWidget(m_counts);
-    row.addLayout(box, 1);
+    m_lines->addLayout(box, 1);
 }
 
-void QueueBar::buildOrders(QHBoxLayout &row)
+void QueueBar::buildOrders()
 {
     m_pause = new CommandButton(m_theme, Symbol::Pause, tr("Pause after this unit"), this);
     m_pause->setTextVariants({tr("Pause after this unit"), tr("Go on")});
@@ -65,8 +86,11 @@ void QueueBar::buildOrders(QHBoxLayout &row)
     m_start = new CommandButton(m_theme, Symbol::Play, tr("Start"), this);
     m_start->setKeyHint(QStringLiteral("F5"));
     m_start->setPrimary(true);
+    auto *row = new WrapLayout;
+    row->setSpacing(m_theme.theme().u(8));
     for (QWidget *button : std::initializer_list<QWidget *>{m_pause, m_cancel, m_retry, m_export, m_start})
-        row.addWidget(button);
+        row->addWidget(button);
+    m_lines->addLayout(row);
     connect(m_start, &QPushButton::clicked, this, &QueueBar::startWanted);
     connect(m_pause, &QPushButton::clicked, this, [this] { Q_EMIT pauseWanted(!m_pausing); });
     connect(m_cancel, &QPushButton::clicked, this, &QueueBar::cancelWanted);

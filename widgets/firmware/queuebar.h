@@ -5,7 +5,7 @@
 
 #include <QWidget>
 
-class QHBoxLayout;
+class QBoxLayout;
 class QLabel;
 class QProgressBar;
 
@@ -18,6 +18,8 @@ class QueueBar : public QWidget {
     Q_OBJECT
 public:
     QueueBar(const ThemeSource &theme, QWidget *parent);
+    /// That of one part below the other, however they stand.
+    [[nodiscard]] QSize minimumSizeHint() const override;
 
     /// `hindrance`: why it cannot be started, empty when it can.
     void follow(const ServiceView &view, const QueueTotals &totals, const QString &hindrance);
@@ -36,11 +38,15 @@ Q_SIGNALS:
     void retryWanted();
     void exportWanted();
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
-    void buildProgress(QHBoxLayout &row);
-    void buildOrders(QHBoxLayout &row);
+    void buildProgress();
+    void buildOrders();
 
     const ThemeSource &m_theme;
+    QBoxLayout *m_lines = nullptr;
     QLabel *m_headline = nullptr;
     QLabel *m_left = nullptr;
     QProgressBar *m_share = nullptr;

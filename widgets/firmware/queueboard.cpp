@@ -6,6 +6,7 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/layoutin.h"
+#include "widgets/common/turningsplitter.h"
 #include "widgets/firmware/queuebar.h"
 #include "widgets/firmware/queuechecks.h"
 #include "widgets/firmware/queuehead.h"
@@ -24,6 +25,11 @@
 #include <algorithm>
 
 namespace mb {
+namespace {
+
+constexpr int boardBesideFrom = 640; ///< units
+
+} // namespace
 
 QueueBoard::QueueBoard(Workbench &workbench, Selection &selection, std::span<const Family *const> families,
     const ThemeSource &theme, QWidget *parent)
@@ -51,7 +57,7 @@ QueueBoard::QueueBoard(Workbench &workbench, Selection &selection, std::span<con
 
 void QueueBoard::buildBody()
 {
-    auto *split = new QSplitter(Qt::Horizontal, this);
+    auto *split = new TurningSplitter(m_theme, boardBesideFrom, this);
     auto *left = new QSplitter(Qt::Vertical, split);
     left->addWidget(m_table = new QueueTable(m_theme, left));
     left->addWidget(m_log = new UpdateLog(m_workbench, m_theme, left));

@@ -3,35 +3,66 @@
 
 #include "widgets/common/captioned.h"
 #include "widgets/common/iconbutton.h"
+#include "widgets/common/layoutin.h"
+#include "widgets/common/wraplayout.h"
 #include "widgets/firmware/queuerecipe.h"
 #include "widgets/service/recipetext.h"
 
 #include <QFileDialog>
-#include <QHBoxLayout>
 #include <QLabel>
 
+#include <algorithm>
+
 namespace mb {
+namespace {
+
+constexpr int ordersBesideFrom = 640; ///< units
+
+} // namespace
 
 QueueHead::QueueHead(const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
     , m_theme(theme)
 {
-    auto *row = new QHBoxLayout(this);
-    const int edge = theme.theme().u(10);
-    row->setContentsMargins(theme.theme().u(16), edge, theme.theme().u(16), edge);
-    row->setSpacing(theme.theme().u(16));
+    const Theme &now = theme.theme();
+    m_lines = layoutIn<QHBoxLayout>(this, now.u(16), {now.u(16), now.u(10), now.u(16), now.u(10)});
+    auto *row = new QHBoxLayout;
+    row->setSpacing(now.u(16));
+    m_lines->addLayout(row, 1);
     m_name = addCaptioned(theme, tr("recipe"), TextRole::Emphasis, *row, 2, this);
     m_image = addCaptioned(theme, tr("image"), TextRole::Body, *row, 3, this);
     m_parameters = addCaptioned(theme, tr("parameters"), TextRole::Body, *row, 2, this);
     m_number = addCaptioned(theme, tr("number rule"), TextRole::Body, *row, 1, this);
     auto *image = new CommandButton(m_theme, Symbol::Folder, tr("Open image…"), this);
     auto *recipe = new CommandButton(m_theme, Symbol::Open, tr("Open recipe…"), this);
-    row->addWidget(m_openImage = image);
-    row->addWidget(m_openRecipe = recipe);
-    row->addWidget(m_edit = new IconButton(m_theme, Symbol::Edit, tr("Write a recipe"), this));
+    auto *orders = new WrapLayout;
+    orders->setSpacing(now.u(8));
+    orders->addWidget(m_openImage = image);
+    orders->addWidget(m_openRecipe = recipe);
+    orders->addWidget(m_edit = new IconButton(m_theme, Symbol::Edit, tr("Write a recipe"), this));
+    m_lines->addLayout(orders);
     connect(static_cast<IconButton *>(m_edit), &QToolButton::clicked, this, &QueueHead::editWanted);
     connect(image, &QPushButton::clicked, this, &QueueHead::askImage);
     connect(recipe, &QPushButton::clicked, this, &QueueHead::askRecipe);
+}
+
+QSize QueueHead::minimumSizeHint() const
+{
+    int width = 0;
+    for (int i = 0; i < m_lines->count(); ++i)
+        width = std::max(width, m_lines->itemAt(i)->minimumSize().width());
+    const QMargins margins = m_lines->contentsMargins();
+    return {width + margins.left() + margins.right(), QWidget::minimumSizeHint().height()};
+}
+
+/// What is chosen above where it is chosen, if there is no room beside it.
+void QueueHead::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    const Theme &now = m_theme.theme();
+    const bool narrow = width() < now.u(ordersBesideFrom);
+    m_lines->setDirection(narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    m_lines->setSpacing(now.u(narrow ? 6 : 16));
 }
 
 void QueueHead::show(const QueueRecipe &recipe)

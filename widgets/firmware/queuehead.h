@@ -3,6 +3,7 @@
 
 #include <QWidget>
 
+class QBoxLayout;
 class QLabel;
 
 namespace mb {
@@ -15,6 +16,8 @@ class QueueHead : public QWidget {
     Q_OBJECT
 public:
     QueueHead(const ThemeSource &theme, QWidget *parent);
+    /// That of one part below the other, however they stand.
+    [[nodiscard]] QSize minimumSizeHint() const override;
 
     void show(const QueueRecipe &recipe);
     /// Off while units are served.
@@ -26,11 +29,15 @@ Q_SIGNALS:
     /// The recipe that is open, or a new one.
     void editWanted();
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
     void askImage();
     void askRecipe();
 
     const ThemeSource &m_theme;
+    QBoxLayout *m_lines = nullptr;
     QLabel *m_name = nullptr;
     QLabel *m_image = nullptr;
     QLabel *m_parameters = nullptr;

@@ -22,8 +22,9 @@ RoutePanel::RoutePanel(const ThemeSource &theme, QWidget *parent)
     setObjectName(QStringLiteral("updateRoute"));
     auto *column = layoutIn<QVBoxLayout>(
         this, theme.theme().u(8), {theme.theme().u(16), theme.theme().u(10), theme.theme().u(16), theme.theme().u(10)});
-    auto *row = new QHBoxLayout;
+    auto *row = new WrapLayout;
     row->setSpacing(theme.theme().u(12));
+    row->setLineSpacing(theme.theme().u(6));
     row->addWidget(new SectionLabel(tr("Way in"), this));
     m_via = new QComboBox(this);
     m_via->setEditable(true);
@@ -40,11 +41,11 @@ RoutePanel::RoutePanel(const ThemeSource &theme, QWidget *parent)
     m_more->setCheckable(true);
     m_programmer = new ProgrammerBox(theme, this);
     row->addWidget(m_via);
-    row->addWidget(m_programmer, 1);
+    row->setStretched(m_programmer);
+    row->addWidget(m_programmer);
     row->addWidget(m_target);
     row->addWidget(m_erase);
     row->addWidget(m_more);
-    row->addStretch();
     column->addLayout(row);
     connect(m_more, &QPushButton::toggled, this, [this](bool on) {
         if (m_settings)

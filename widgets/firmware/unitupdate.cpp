@@ -6,7 +6,9 @@
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/common/turningsplitter.h"
 #include "widgets/common/updates.h"
+#include "widgets/common/wraplayout.h"
 #include "widgets/firmware/pagemap.h"
 #include "widgets/firmware/routepanel.h"
 #include "widgets/firmware/stepspanel.h"
@@ -17,10 +19,13 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QProgressBar>
-#include <QSplitter>
 
 namespace mb {
 namespace {
+
+constexpr int updateBesideFrom = 640; ///< units
+constexpr int leastDetail = 120;
+constexpr int leastProgress = 220;
 
 enum Check { ImageCheck, StandCheck, AloneCheck, SupplyCheck, Checks };
 
@@ -86,22 +91,26 @@ UnitUpdate::UnitUpdate(Workbench &workbench, Selection &selection, const ThemeSo
 void UnitUpdate::buildImage(QVBoxLayout &column)
 {
     const Theme &theme = m_theme.theme();
-    auto *row = new QHBoxLayout;
+    auto *row = new WrapLayout;
     row->setContentsMargins(theme.u(16), theme.u(10), theme.u(16), theme.u(10));
     row->setSpacing(theme.u(24));
+    row->setLineSpacing(theme.u(4));
     const auto pair = [&](const QString &caption, QLabel *&value) {
-        auto *box = new QVBoxLayout;
-        box->setSpacing(0);
-        box->addWidget(textLabel(caption, TextRole::Caption, Tone::Dim, this));
-        value = textLabel({}, TextRole::Emphasis, Tone::Text, this);
-        box->addWidget(value);
-        row->addLayout(box);
+        auto *box = new QWidget(this);
+        auto *lines = layoutIn<QVBoxLayout>(box, 0);
+        lines->addWidget(textLabel(caption, TextRole::Caption, Tone::Dim, box));
+        value = textLabel({}, TextRole::Emphasis, Tone::Text, box);
+        lines->addWidget(value);
+        row->addWidget(box);
     };
     pair(tr("device"), m_deviceName);
     pair(tr("firmware"), m_versions);
     pair(tr("image"), m_imageName);
     m_imageDetail = new ElidedLabel({}, this);
-    row->addWidget(m_imageDetail, 1, Qt::AlignBottom);
+    m_imageDetail->setMinimumWidth(theme.u(leastDetail));
+    row->setStretched(m_imageDetail);
+    row->addWidget(m_imageDetail);
+    row->addSpring();
     auto *open = new CommandButton(m_theme, Symbol::Folder, tr("Open image…"), this);
     row->addWidget(open);
     column.addLayout(row);
@@ -112,23 +121,26 @@ void UnitUpdate::buildImage(QVBoxLayout &column)
 void UnitUpdate::buildProgress(QVBoxLayout &column)
 {
     const Theme &theme = m_theme.theme();
-    auto *row = new QHBoxLayout;
+    auto *row = new WrapLayout;
     row->setContentsMargins(theme.u(16), theme.u(10), theme.u(16), theme.u(10));
     row->setSpacing(theme.u(12));
-    auto *box = new QVBoxLayout;
+    auto *box = new QWidget(this);
+    box->setMinimumWidth(theme.u(leastProgress));
+    auto *lines = layoutIn<QVBoxLayout>(box);
     auto *words = new QHBoxLayout;
-    m_step = new ElidedLabel({}, this);
+    m_step = new ElidedLabel({}, box);
     m_step->setAccessibleName(tr("Step"));
-    m_rate = textLabel({}, TextRole::Body, Tone::Dim, this);
+    m_rate = textLabel({}, TextRole::Body, Tone::Dim, box);
     words->addWidget(m_step, 1);
     words->addWidget(m_rate);
-    m_progress = new QProgressBar(this);
+    m_progress = new QProgressBar(box);
     m_progress->setAccessibleName(tr("Progress of the update"));
     m_progress->setTextVisible(false);
     m_progress->setFixedHeight(theme.u(8));
-    box->addLayout(words);
-    box->addWidget(m_progress);
-    row->addLayout(box, 1);
+    lines->addLayout(words);
+    lines->addWidget(m_progress);
+    row->setStretched(box);
+    row->addWidget(box);
     m_cancel = new CommandButton(m_theme, Symbol::Close, tr("Cancel"), this);
     m_start = new CommandButton(m_theme, Symbol::Play, tr("Update"), this);
     m_start->setTextVariants({tr("Update"), tr("Run the update again")});
@@ -144,7 +156,7 @@ void UnitUpdate::buildProgress(QVBoxLayout &column)
 
 void UnitUpdate::buildBody(QVBoxLayout &column)
 {
-    auto *split = new QSplitter(Qt::Horizontal, this);
+    auto *split = new TurningSplitter(m_theme, updateBesideFrom, this);
     split->addWidget(m_log = new UpdateLog(m_workbench, m_theme, split));
     split->addWidget(m_side = new UpdateSide(m_theme, split));
     split->setStretchFactor(0, 1);

@@ -2,28 +2,32 @@
 #include "widgets/firmware/updatechecks.h"
 
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
+#include "widgets/common/wraplayout.h"
 
-#include <QHBoxLayout>
+#include <QLabel>
 
 namespace mb {
 
 UpdateChecks::UpdateChecks(const ThemeSource &theme, int count, QWidget *parent)
     : QWidget(parent)
     , m_checks(static_cast<std::size_t>(count))
-    , m_row(new QHBoxLayout(this))
 {
-    const int edge = theme.theme().u(10);
-    m_row->setContentsMargins(theme.theme().u(16), edge, theme.theme().u(16), edge);
-    m_row->setSpacing(theme.theme().u(8));
-    m_row->addWidget(new SectionLabel(tr("Before start"), this));
+    const Theme &now = theme.theme();
+    auto *row = new WrapLayout(this);
+    row->setContentsMargins(now.u(16), now.u(10), now.u(16), now.u(10));
+    row->setSpacing(now.u(16));
+    row->setLineSpacing(now.u(4));
+    row->addWidget(new SectionLabel(tr("Before start"), this));
     for (Check &check : m_checks) {
-        m_row->addSpacing(theme.theme().u(8));
-        check.glyph = new StateGlyph(theme, GlyphState::Waiting, this);
-        check.text = textLabel({}, TextRole::Body, Tone::Text, this);
-        m_row->addWidget(check.glyph);
-        m_row->addWidget(check.text);
+        auto *const box = new QWidget(this);
+        auto *const parts = layoutIn<QHBoxLayout>(box, now.u(8));
+        check.glyph = new StateGlyph(theme, GlyphState::Waiting, box);
+        check.text = textLabel({}, TextRole::Body, Tone::Text, box);
+        parts->addWidget(check.glyph);
+        parts->addWidget(check.text);
+        row->addWidget(box);
     }
-    m_row->addStretch();
 }
 
 void UpdateChecks::set(int place, GlyphState state, const QString &text)

@@ -7,12 +7,11 @@
 
 #include <vector>
 
-class QHBoxLayout;
 class QLabel;
 
 namespace mb {
 
-/// What must hold before firmware is written, each with its glyph and words. GUI thread.
+/// What must hold before firmware is written, each with its glyph and words, on as many lines as they need. GUI thread.
 class UpdateChecks : public QWidget {
     Q_OBJECT
 public:
@@ -32,7 +31,6 @@ private:
         QLabel *text = nullptr;
     };
     std::vector<Check> m_checks;
-    QHBoxLayout *m_row = nullptr;
 };
 
 } // namespace mb

@@ -17,6 +17,13 @@
 #include <array>
 
 namespace mb {
+namespace {
+
+constexpr int foldedBelow = 560; ///< units
+constexpr int leastFilter = 110;
+constexpr int usualFilter = 160;
+
+} // namespace
 
 BusBar::BusBar(const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
@@ -72,7 +79,7 @@ void BusBar::buildState(QVBoxLayout &column)
 
 void BusBar::buildFilter(QVBoxLayout &column)
 {
-    auto *row = new QHBoxLayout;
+    auto *row = new WrapLayout;
     row->setSpacing(m_theme.theme().u(8));
     m_mode = new Segmented(tr("What the expression does"), {tr("Filter"), tr("Find")}, this);
     m_mode->setToolTip(tr("Filter hides what does not match; Find marks what does, F3 goes to the next"));
@@ -84,7 +91,8 @@ void BusBar::buildFilter(QVBoxLayout &column)
     auto *help = new IconButton(m_theme, Symbol::Help, tr("How to write a filter"), this);
     m_direction = new Segmented(tr("Direction"), {tr("All"), tr("rx"), tr("tx"), tr("errors")}, this);
     row->addWidget(m_mode);
-    row->addWidget(m_filter, 1);
+    row->addWidget(m_filter);
+    row->setStretched(m_filter);
     row->addWidget(help);
     row->addWidget(m_direction);
     column.addLayout(row);
@@ -95,6 +103,18 @@ void BusBar::buildFilter(QVBoxLayout &column)
     connect(m_filter, &QLineEdit::returnPressed, this, [this] { Q_EMIT findRequested(true); });
     connect(m_mode, &Segmented::currentChanged, this, &BusBar::applyFilter);
     connect(m_direction, &Segmented::currentChanged, this, &BusBar::applyFilter);
+}
+
+/// The choices fold to lists where they would take lines of the table.
+void BusBar::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    const bool narrow = width() < m_theme.theme().u(foldedBelow);
+    for (Segmented *choice : {m_mode, m_direction})
+        choice->setFolded(narrow);
+    m_filter->setMinimumWidth(m_theme.theme().u(narrow ? leastFilter : usualFilter));
+    for (CommandButton *button : {m_pause, m_send})
+        button->setIconOnly(narrow);
 }
 
 void BusBar::applyFilter()

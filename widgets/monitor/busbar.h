@@ -47,6 +47,9 @@ Q_SIGNALS:
     void exportRequested(bool all);
     void sendToggled(bool shown);
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
     void buildState(QVBoxLayout &column);
     void buildFilter(QVBoxLayout &column);

@@ -58,6 +58,11 @@ BusPage::BusPage(Workbench &workbench, Arming &arming, const ThemeSource &theme,
     });
 }
 
+int BusPage::heightForWidth(int width) const
+{
+    return layout()->minimumHeightForWidth(width);
+}
+
 void BusPage::buildColumn()
 {
     const Theme &theme = m_theme.theme();

@@ -43,6 +43,9 @@ public:
     /// Writes the frames that are shown, or all that are kept. Reports success or failure to the log.
     void exportTo(const QString &path, bool all);
 
+    /// The least, as the lists scroll by themselves.
+    [[nodiscard]] int heightForWidth(int width) const override;
+
 protected:
     void showEvent(QShowEvent *event) override;
     void hideEvent(QHideEvent *event) override;

@@ -10,6 +10,7 @@
 #include "widgets/common/layoutin.h"
 #include "widgets/common/searchfield.h"
 #include "widgets/common/segmented.h"
+#include "widgets/common/wraplayout.h"
 #include "widgets/monitor/noticemodel.h"
 
 #include <QFileDialog>
@@ -76,7 +77,7 @@ LogPage::LogPage(Workbench &workbench, const ThemeSource &theme, QWidget *parent
 void LogPage::buildBar()
 {
     const Theme &theme = m_theme.theme();
-    auto *row = new QHBoxLayout;
+    auto *row = new WrapLayout;
     row->setContentsMargins(theme.u(12), theme.u(10), theme.u(12), theme.u(10));
     row->setSpacing(theme.u(8));
     m_search = new SearchField(m_theme, tr("Search the log"), this);
@@ -85,7 +86,7 @@ void LogPage::buildBar()
     auto *save = new CommandButton(m_theme, Symbol::Export, tr("Save log…"), this);
     row->addWidget(m_search);
     row->addWidget(m_severity);
-    row->addStretch();
+    row->addSpring();
     row->addWidget(save);
     static_cast<QVBoxLayout *>(layout())->addLayout(row);
     connect(save, &QPushButton::clicked, this, &LogPage::askSave);
@@ -107,7 +108,7 @@ void LogPage::buildTable()
     m_table->setShowGrid(false);
     m_table->setFrameShape(QFrame::NoFrame);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setColumnWidth(NoticeModel::Time, theme.u(124));
+    m_table->setColumnWidth(NoticeModel::Time, theme.u(104));
     m_table->setColumnWidth(NoticeModel::Glyph, theme.u(32));
     m_table->setColumnWidth(NoticeModel::Device, // a name is whole
         widestName(fontMetrics()) + theme.u(24));

@@ -35,6 +35,27 @@ void AxisChoice::addTo(QLayout &row)
     row.addWidget(m_copy);
 }
 
+int AxisChoice::neededWidth(int gap) const
+{
+    const int axes = m_axes->isHidden() ? 0 : m_axes->unfoldedWidth() + gap;
+    return axes + (m_copy->isHidden() ? 0 : m_copy->sizeHint().width() + gap);
+}
+
+void AxisChoice::setFolded(bool folded)
+{
+    if (m_axes->isFolded() == folded)
+        return;
+    m_axes->setFolded(folded);
+    nameAxes();
+}
+
+/// Between the others a number says enough, alone it does not.
+void AxisChoice::nameAxes()
+{
+    for (int axis = 1; axis < m_axes->count() - 1; ++axis)
+        m_axes->setText(axis, m_axes->isFolded() ? axisTitle(axis) : QString::number(axis));
+}
+
 const DeviceView *AxisChoice::device() const
 {
     return m_workbench.snapshot().device(m_selection.device());
@@ -53,8 +74,7 @@ void AxisChoice::follow(const Family &family)
         m_axes->removeLast();
     while (m_axes->count() < axes + 2)
         m_axes->addSegment({});
-    for (int axis = 1; axis <= axes; ++axis)
-        m_axes->setText(axis, QString::number(axis));
+    nameAxes();
     m_axes->setText(axes + 1, tr("Board"));
     m_axes->setCurrent(m_boardOnly ? axes + 1 : m_selection.axis());
 }

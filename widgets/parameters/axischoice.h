@@ -20,6 +20,10 @@ public:
     AxisChoice(const ThemeSource &theme, Workbench &workbench, Selection &selection, QWidget &row);
 
     void addTo(QLayout &row);
+    /// px that it takes in a row with this gap, not folded; 0: it is hidden.
+    [[nodiscard]] int neededWidth(int gap) const;
+    /// The axes as a list that opens.
+    void setFolded(bool folded);
     /// Another device or another selection.
     void follow(const Family &family);
     /// Only rows of this axis, 0: those of the board; nothing: all.
@@ -30,6 +34,7 @@ Q_SIGNALS:
 
 private:
     void choose(int place);
+    void nameAxes();
     void copyFrom(int axis);
     void fillMenu();
     [[nodiscard]] const DeviceView *device() const;

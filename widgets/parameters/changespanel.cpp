@@ -39,13 +39,14 @@ ChangesPanel::ChangesPanel(
     setAttribute(Qt::WA_StyledBackground);
     setProperty("surface", QStringLiteral("window"));
     setAccessibleName(tr("Changes to write"));
-    auto *column = layoutIn<QVBoxLayout>(this, 0);
+    m_all = layoutIn<QVBoxLayout>(this, 0);
     m_head = buildHead();
-    column->addWidget(m_head);
-    column->addWidget(separatorLine(Qt::Horizontal, this));
-    column->addWidget(buildBody(), 1);
-    column->addWidget(separatorLine(Qt::Horizontal, this));
-    column->addWidget(buildFoot());
+    m_all->addWidget(m_head);
+    m_all->addWidget(separatorLine(Qt::Horizontal, this));
+    m_all->addWidget(buildBody(), 1);
+    m_all->addWidget(separatorLine(Qt::Horizontal, this));
+    m_foot = buildFoot();
+    m_all->addWidget(m_foot);
 }
 
 QWidget *ChangesPanel::buildHead()
@@ -127,8 +128,12 @@ void ChangesPanel::refresh(const DeviceView *device, const OperationView *operat
         ram.lastWrite = m_ledger.lastWrite(device->id);
         ram.mayStore = !busy && device->liveness.heard;
     }
+    const bool holds = !ram.rows.empty();
     m_ram->show(std::move(ram));
     fillFoot(device, operation);
+    const bool staged = m_model.edits() && m_model.edits()->count() > 0;
+    m_filled = staged || holds || busy;
+    Q_EMIT filled(m_filled);
 }
 
 void ChangesPanel::fillRows()
@@ -240,6 +245,9 @@ void ChangesPanel::setCompact(bool compact)
     m_compact = compact;
     m_head->setVisible(!compact);
     m_note->setVisible(!compact);
+    m_all->setDirection(compact ? QBoxLayout::BottomToTop : QBoxLayout::TopToBottom);
+    const Theme &t = m_theme.theme();
+    m_foot->layout()->setContentsMargins(t.u(12), t.u(compact ? 4 : 10), t.u(12), t.u(compact ? 4 : 12));
 }
 
 bool ChangesPanel::mayWrite() const

@@ -9,7 +9,6 @@
 
 class QLabel;
 class QProgressBar;
-class QScrollArea;
 class QVBoxLayout;
 
 namespace mb {
@@ -28,10 +27,13 @@ public:
     /// After a change of edits, snapshot or selection. `device` may be nullptr.
     void refresh(const DeviceView *device, const OperationView *operation);
     [[nodiscard]] bool mayWrite() const;
-    /// Below the table: without head and explanation.
+    /// Below the table: without head and explanation, what writes above what is written.
     void setCompact(bool compact);
+    /// Something is staged, in RAM only, or being done.
+    [[nodiscard]] bool isFilled() const { return m_filled; }
 
 Q_SIGNALS:
+    void filled(bool filled);
     void writeRequested();
     void discardRequested();
     void storeRequested();
@@ -50,7 +52,9 @@ private:
     Workbench &m_workbench;
     ParameterModel &m_model;
     const RamLedger &m_ledger;
+    QVBoxLayout *m_all = nullptr;
     QWidget *m_head = nullptr;
+    QWidget *m_foot = nullptr;
     QVBoxLayout *m_column = nullptr;
     QLabel *m_empty = nullptr;
     RamBlock *m_ram = nullptr;
@@ -61,6 +65,7 @@ private:
     CommandButton *m_write = nullptr;
     std::vector<ChangeRow *> m_rows;
     bool m_compact = false;
+    bool m_filled = false;
 };
 
 } // namespace mb

@@ -76,6 +76,16 @@ int sum(const ColumnWidths &widths)
     return std::accumulate(widths.begin(), widths.end(), 0);
 }
 
+/// Where even the least is too much: how a value stands must not be scrolled for, long units are cut before, and names last: they begin alike.
+void squeeze(ColumnWidths &widths, int room, const Theme &theme)
+{
+    for (const auto &[column, least] : {std::pair(ParameterModel::Unit, 44), std::pair(ParameterModel::ValueColumn, 80),
+             std::pair(ParameterModel::Label, 110)}) {
+        const int over = std::max(0, sum(widths) - room);
+        widths[at(column)] -= std::clamp(widths[at(column)] - theme.u(least), 0, over);
+    }
+}
+
 } // namespace
 
 ColumnWidths columnWidthsFor(
@@ -89,6 +99,7 @@ ColumnWidths columnWidthsFor(
     }
     widths[at(ParameterModel::State)]
         = std::min(widths[at(ParameterModel::State)], leastState(model, delegate, theme, body));
+    squeeze(widths, room, theme);
     int spare = room - sum(widths);
     const auto widen = [&](int column, int wish) {
         const int more = std::clamp(std::min(wish, natural[at(column)]) - widths[at(column)], 0, std::max(0, spare));

@@ -9,6 +9,7 @@
 #include <QComboBox>
 #include <QDateTime>
 #include <QLabel>
+#include <QMenu>
 
 #include <algorithm>
 
@@ -94,6 +95,17 @@ void ComparisonBox::refresh()
     m_box->addItem(tr("a file…"), ChooseFile);
     const int shown = m_box->findText(m_model.reference().title);
     m_box->setCurrentIndex(std::max(0, shown));
+}
+
+void ComparisonBox::addTo(QMenu &menu)
+{
+    QMenu *const with = menu.addMenu(tr("Compare with"));
+    for (int row = 0; row < m_box->count(); ++row) {
+        QAction *action = with->addAction(m_box->itemText(row), this, [this, row] { choose(row); });
+        action->setCheckable(true);
+        action->setChecked(row == m_box->currentIndex());
+    }
+    with->setEnabled(m_model.family() != nullptr);
 }
 
 void ComparisonBox::choose(int row)

@@ -10,6 +10,7 @@
 #include <map>
 
 class QComboBox;
+class QMenu;
 
 namespace mb {
 
@@ -29,6 +30,8 @@ public:
     void forgetAxis();
     /// What can be chosen, and what is.
     void refresh();
+    /// The same choice, below a title.
+    void addTo(QMenu &menu);
 
 Q_SIGNALS:
     void fileRequested();

@@ -7,17 +7,21 @@
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
 #include "widgets/common/segmented.h"
+#include "widgets/common/turningsplitter.h"
+#include "widgets/common/wraplayout.h"
 #include "widgets/parameters/differencetable.h"
 #include "widgets/parameters/stagededits.h"
 
 #include <QComboBox>
 #include <QPointer>
-#include <QSplitter>
 
 namespace mb {
 namespace {
 
 constexpr int narrowHistory = 900;
+constexpr int historyBesideFrom = 600; ///< units
+constexpr int stateLetters = 18;
+constexpr int fewLetters = 10;
 
 } // namespace
 
@@ -30,8 +34,7 @@ HistoryPanel::HistoryPanel(Workbench &workbench, const ThemeSource &theme, QWidg
     auto *column = layoutIn<QVBoxLayout>(this, 0);
     column->addWidget(buildBar());
     column->addWidget(separatorLine(Qt::Horizontal, this));
-    auto *splitter = new QSplitter(Qt::Horizontal, this);
-    splitter->setChildrenCollapsible(false);
+    auto *splitter = new TurningSplitter(theme, historyBesideFrom, this);
     splitter->setHandleWidth(1);
     m_line = new TimelineList(theme, splitter);
     m_table = new DifferenceTable(theme, splitter);
@@ -42,26 +45,33 @@ HistoryPanel::HistoryPanel(Workbench &workbench, const ThemeSource &theme, QWidg
     column->addWidget(buildFoot());
     connect(m_line, &TimelineList::chosen, this, &HistoryPanel::choose);
     connect(m_table, &QTableWidget::itemChanged, this, &HistoryPanel::count);
+    connect(&theme, &ThemeSource::changed, this, [this] { // lines and symbols have colours of their own
+        if (m_states.family())
+            rebuild();
+    });
 }
 
 QWidget *HistoryPanel::buildBar()
 {
     const Theme &t = m_theme.theme();
     auto *bar = new QWidget(this);
-    auto *row = layoutIn<QHBoxLayout>(bar, t.u(8), {t.u(12), t.u(4), t.u(12), t.u(8)});
+    auto *row = layoutIn<WrapLayout>(bar, t.u(8), {t.u(12), t.u(4), t.u(12), t.u(8)});
     const auto chooser = [&](const QString &letter, const QString &name) {
-        row->addWidget(textLabel(letter, TextRole::Emphasis, Tone::Accent, bar));
-        auto *box = new QComboBox(bar);
+        auto *both = new QWidget(bar);
+        auto *parts = layoutIn<QHBoxLayout>(both, t.u(8));
+        parts->addWidget(textLabel(letter, TextRole::Emphasis, Tone::Accent, both));
+        auto *box = new QComboBox(both);
         box->setAccessibleName(name);
-        box->setMinimumContentsLength(18);
+        box->setMinimumContentsLength(stateLetters);
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        row->addWidget(box);
+        parts->addWidget(box);
+        row->addWidget(both);
         return box;
     };
     m_a = chooser(QStringLiteral("A"), tr("State A"));
     m_b = chooser(QStringLiteral("B"), tr("State B"));
     m_which = new Segmented(tr("Which parameters"), {tr("Only differences"), tr("All")}, bar);
-    row->addStretch(1);
+    row->addSpring();
     row->addWidget(m_which);
     connect(m_a, qOverload<int>(&QComboBox::activated), this, [this](int place) { choose(place, true); });
     connect(m_b, qOverload<int>(&QComboBox::activated), this, [this](int place) { choose(place, false); });
@@ -211,6 +221,10 @@ void HistoryPanel::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
     m_table->setNarrow(width() < m_theme.theme().u(narrowHistory));
+    const bool narrow = width() < m_theme.theme().u(historyBesideFrom);
+    for (QComboBox *box : {m_a, m_b})
+        box->setMinimumContentsLength(narrow ? fewLetters : stateLetters); // what is cut is said in the list
+    m_which->setFolded(narrow);
 }
 
 } // namespace mb

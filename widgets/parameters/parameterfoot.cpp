@@ -19,8 +19,11 @@ ParameterFoot::ParameterFoot(const ThemeSource &theme, QWidget *parent)
     m_help = textLabel({}, TextRole::Caption, Tone::Dim, this);
     m_help->setIndent(0);
     auto *about = new QWidget(this); // a style sheet takes the margins of a label for its own
-    auto *line = layoutIn<QHBoxLayout>(about, -1, {t.u(12), t.u(6), t.u(12), t.u(6)});
-    line->addWidget(m_help);
+    auto *line = layoutIn<QHBoxLayout>(about, t.u(12), {t.u(12), t.u(6), t.u(12), t.u(6)});
+    m_status = new ReadStatus(theme, about);
+    m_status->hide();
+    line->addWidget(m_status);
+    line->addWidget(m_help, 1);
     m_help->setAccessibleName(tr("What the parameter does"));
     column->addWidget(separatorLine(Qt::Horizontal, this));
     column->addWidget(about);

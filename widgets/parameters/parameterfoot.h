@@ -3,6 +3,7 @@
 
 #include "widgets/common/stateglyph.h"
 #include "widgets/parameters/parameterfilter.h"
+#include "widgets/parameters/readstatus.h"
 
 class QLabel;
 
@@ -17,6 +18,8 @@ public:
     void showParameter(const Parameter *parameter);
     /// Without the counts, which the segments have too.
     void setCompact(bool compact);
+    /// How well the values are known, for where it is said nowhere else.
+    [[nodiscard]] ReadStatus &status() { return *m_status; }
 
 private:
     struct Count {
@@ -28,6 +31,7 @@ private:
     static void setCount(const Count &count, int number, const QString &text);
 
     const ThemeSource &m_theme;
+    ReadStatus *m_status = nullptr;
     QLabel *m_help = nullptr;
     QWidget *m_legend = nullptr;
     Count m_edited;

@@ -4,6 +4,7 @@
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/wraplayout.h"
 
+#include <QMenu>
 #include <QUndoStack>
 
 #include <algorithm>
@@ -22,13 +23,13 @@ ParameterHead::ParameterHead(const ThemeSource &theme, QWidget *parent)
     connect(m_export, &QPushButton::clicked, this, &ParameterHead::exportRequested);
     connect(m_snapshot, &QPushButton::clicked, this, &ParameterHead::snapshotRequested);
     connect(m_history, &QPushButton::toggled, this, &ParameterHead::historyToggled);
+    connect(m_menu, &QMenu::aboutToShow, this, &ParameterHead::fillMenu);
+    setRoom(HeadRoom::Words);
 }
 
 void ParameterHead::build()
 {
-    const Theme &t = m_theme.theme();
-    auto *row = new WrapLayout(this);
-    row->setContentsMargins(t.u(12), t.u(8), t.u(12), t.u(4));
+    m_row = new WrapLayout(this);
     m_status = new ReadStatus(m_theme, this);
     m_undo = new IconButton(m_theme, Symbol::Undo, tr("Undo the last edit or write"), this);
     m_undo->setKeyHint(tr("Ctrl+Z"));
@@ -43,11 +44,56 @@ void ParameterHead::build()
     m_history = new CommandButton(m_theme, Symbol::Clock, tr("History"), this);
     m_history->setKeyHint(tr("Ctrl+H"));
     m_history->setCheckable(true);
-    row->addWidget(m_status);
-    row->addSpring();
+    m_more = new IconButton(m_theme, Symbol::More, tr("More for the parameters"), this);
+    m_menu = new QMenu(m_more);
+    m_more->setMenu(m_menu);
+    m_more->setPopupMode(QToolButton::InstantPopup);
+    m_row->addWidget(m_status);
+    m_row->addSpring();
     for (QWidget *widget :
-        std::initializer_list<QWidget *>{m_undo, m_redo, m_read, m_import, m_export, m_snapshot, m_history})
-        row->addWidget(widget);
+        std::initializer_list<QWidget *>{m_undo, m_redo, m_read, m_import, m_export, m_snapshot, m_history, m_more})
+        m_row->addWidget(widget);
+}
+
+void ParameterHead::setRoom(HeadRoom room)
+{
+    const Theme &t = m_theme.theme();
+    const bool folded = room == HeadRoom::Menu;
+    m_row->setContentsMargins(folded ? QMargins() : QMargins(t.u(12), t.u(8), t.u(12), t.u(4)));
+    m_row->setSpacing(room == HeadRoom::Words ? 8 : t.u(4));
+    m_status->setVisible(!folded);
+    m_more->setVisible(folded);
+    m_read->setIconOnly(room != HeadRoom::Words);
+    for (CommandButton *button : inMenu()) {
+        button->setIconOnly(room != HeadRoom::Words);
+        button->setVisible(!folded);
+    }
+}
+
+int ParameterHead::wordsWidth() const
+{
+    const int gap = 8;
+    const int margins = m_theme.theme().u(24);
+    int width = m_status->sizeHint().width() + m_undo->sizeHint().width() + m_redo->sizeHint().width() + 2 * gap;
+    width += m_read->wordsSize().width() + gap;
+    for (const CommandButton *button : inMenu())
+        width += button->wordsSize().width() + gap;
+    return width + margins;
+}
+
+/// What the buttons are that it stands for.
+void ParameterHead::fillMenu()
+{
+    m_menu->clear();
+    for (CommandButton *button : inMenu()) {
+        const QString key = button->keyHint();
+        QAction *action = m_menu->addAction(
+            key.isEmpty() ? button->text() : button->text() + QLatin1Char('\t') + key, button, &QPushButton::click);
+        action->setEnabled(button->isEnabled());
+        action->setCheckable(button->isCheckable());
+        action->setChecked(button->isChecked());
+    }
+    Q_EMIT menuFilled(m_menu);
 }
 
 void ParameterHead::showDevice(

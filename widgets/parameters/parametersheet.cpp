@@ -7,6 +7,7 @@ namespace mb {
 namespace {
 
 constexpr int changesWidth = 288;
+constexpr int leastTable = 26 + 4 * 30; ///< units: its head and four rows
 
 } // namespace
 
@@ -19,6 +20,7 @@ ParameterSheet::ParameterSheet(
     auto *left = new QWidget(this);
     auto *rows = layoutIn<QVBoxLayout>(left, 0);
     m_view = new ParameterView(theme, model, left);
+    m_view->setMinimumHeight(theme.theme().u(leastTable));
     m_foot = new ParameterFoot(theme, left);
     rows->addWidget(m_view, 1);
     rows->addWidget(m_foot);
@@ -26,6 +28,7 @@ ParameterSheet::ParameterSheet(
     setStretchFactor(0, 1);
     setStretchFactor(1, 0);
     m_changes->setMinimumWidth(theme.theme().u(changesWidth));
+    connect(m_changes, &ChangesPanel::filled, this, &ParameterSheet::fit);
 }
 
 void ParameterSheet::setCompact(bool compact)
@@ -33,8 +36,28 @@ void ParameterSheet::setCompact(bool compact)
     setOrientation(compact ? Qt::Vertical : Qt::Horizontal);
     setStretchFactor(0, compact ? 3 : 1);
     setStretchFactor(1, compact ? 1 : 0);
+    m_compact = compact;
     m_changes->setCompact(compact);
     m_foot->setCompact(compact);
+    fit();
+}
+
+void ParameterSheet::setWritable(bool writable)
+{
+    m_writable = writable;
+    fit();
+}
+
+/// What is edited stays in sight when the changes come in below it.
+void ParameterSheet::fit()
+{
+    const bool shown = m_writable && (!m_compact || m_changes->isFilled());
+    if (shown != m_changes->isHidden())
+        return;
+    m_changes->setVisible(shown);
+    if (m_compact)
+        QMetaObject::invokeMethod(
+            m_view, [view = m_view] { view->scrollTo(view->currentIndex()); }, Qt::QueuedConnection);
 }
 
 } // namespace mb

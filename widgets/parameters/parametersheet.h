@@ -19,12 +19,19 @@ public:
     [[nodiscard]] ParameterView &view() { return *m_view; }
     [[nodiscard]] ParameterFoot &foot() { return *m_foot; }
     [[nodiscard]] ChangesPanel &changes() { return *m_changes; }
+    /// Below it only while there is something to write.
     void setCompact(bool compact);
+    /// False: values of a file, which has no unit.
+    void setWritable(bool writable);
 
 private:
+    void fit();
+
     ParameterView *m_view = nullptr;
     ParameterFoot *m_foot = nullptr;
     ChangesPanel *m_changes = nullptr;
+    bool m_compact = false;
+    bool m_writable = true;
 };
 
 } // namespace mb

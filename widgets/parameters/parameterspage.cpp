@@ -5,6 +5,7 @@
 #include "widgets/common/emptystate.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
+#include "widgets/common/leastheight.h"
 #include "widgets/common/pagekeys.h"
 #include "widgets/parameters/editdesk.h"
 #include "widgets/parameters/historypanel.h"
@@ -20,6 +21,7 @@ namespace mb {
 namespace {
 
 constexpr int besideFrom = 900; ///< narrower than this the panel goes below the table
+constexpr int lowBelow = 400;   ///< lower than this the orders share a line with the search
 
 QVBoxLayout *plainColumn(QWidget *widget)
 {
@@ -75,19 +77,19 @@ void ParametersPage::buildEmpty()
 
 QWidget *ParametersPage::buildTable(BannerStack &banners)
 {
-    auto *content = new QWidget(this);
+    auto *content = new LeastHeight(this);
     m_head = new ParameterHead(m_theme, content);
     m_tools = new ParameterTools(m_theme, m_workbench, m_selection, *m_model, content);
     m_sheet = new ParameterSheet(m_theme, m_workbench, *m_model, m_ledger, content);
     m_exchange = new FileExchange(m_workbench, banners, m_sheet->view());
     m_history = new HistoryPanel(m_workbench, m_theme, content);
     m_history->hide();
-    auto *column = plainColumn(content);
-    column->addWidget(m_head);
-    column->addWidget(m_tools);
-    column->addWidget(separatorLine(Qt::Horizontal, content));
-    column->addWidget(m_sheet, 1);
-    column->addWidget(m_history, 1);
+    m_column = plainColumn(content);
+    m_column->addWidget(m_head);
+    m_column->addWidget(m_tools);
+    m_column->addWidget(separatorLine(Qt::Horizontal, content));
+    m_column->addWidget(m_sheet, 1);
+    m_column->addWidget(m_history, 1);
     connect(m_tools, &ParameterTools::filterChanged, this, &ParametersPage::setFilter);
     connect(m_tools, &ParameterTools::searchEnded, &m_sheet->view(), qOverload<>(&QWidget::setFocus));
     connect(&m_tools->axes(), &AxisChoice::changed, this, &ParametersPage::follow);
@@ -109,6 +111,7 @@ void ParametersPage::connectHead()
     connect(m_head, &ParameterHead::readRequested, this, &ParametersPage::readAll);
     connect(m_head, &ParameterHead::snapshotRequested, this, &ParametersPage::takeSnapshot);
     connect(m_head, &ParameterHead::historyToggled, this, &ParametersPage::showHistory);
+    connect(m_head, &ParameterHead::menuFilled, this, [this](QMenu *menu) { m_tools->comparison().addTo(*menu); });
     connect(m_head, &ParameterHead::importRequested, this,
         [this] { askForFile(*this, tr("Import parameters"), [this](const QString &path) { importFrom(path); }); });
     connect(m_head, &ParameterHead::exportRequested, this, [this] {
@@ -203,7 +206,7 @@ void ParametersPage::showDevice(const DeviceView &device)
         m_model->show(device.family, &edits, true);
         m_file.reset();
         m_tools->comparison().forgetFile();
-        m_sheet->changes().show();
+        m_sheet->setWritable(true);
     } else {
         m_model->refresh();
     }
@@ -256,11 +259,16 @@ void ParametersPage::refreshTexts()
     m_sheet->foot().showCounts(counts);
     const auto current = view().currentParameter();
     m_sheet->foot().showParameter(current ? &m_model->parameter(*current) : nullptr);
-    if (const DeviceView *shown = m_file ? nullptr : device())
-        m_head->showDevice(
-            *shown, m_workbench.snapshot().operation(shown->id), countParameters(*m_model), edits->undoStack());
-    else
-        m_head->showFile(m_file ? m_file->name : QString(), qt(m_model->family()->title), edits->undoStack());
+    if (const DeviceView *shown = m_file ? nullptr : device()) {
+        const OperationView *const operation = m_workbench.snapshot().operation(shown->id);
+        const ParameterCounts known = countParameters(*m_model);
+        m_head->showDevice(*shown, operation, known, edits->undoStack());
+        m_sheet->foot().status().showDevice(*shown, operation, known);
+    } else {
+        const QString family = qt(m_model->family()->title);
+        m_head->showFile(m_file ? m_file->name : QString(), family, edits->undoStack());
+        m_sheet->foot().status().showFile(m_file ? m_file->name : QString(), family);
+    }
 }
 
 void ParametersPage::setFilter()
@@ -325,6 +333,7 @@ void ParametersPage::showHistory(bool on)
     m_history->setVisible(may);
     m_tools->setVisible(!may);
     m_sheet->setVisible(!may);
+    fit();
 }
 
 void ParametersPage::importFrom(const QString &path)
@@ -360,7 +369,7 @@ void ParametersPage::openFile(const QString &path)
     m_model->show(opened->family, opened->edits.get(), false);
     m_file = std::move(opened);
     m_tools->comparison().forgetFile();
-    m_sheet->changes().hide();
+    m_sheet->setWritable(false);
     m_stack->setCurrentIndex(1);
     m_tools->comparison().refresh();
     setFilter();
@@ -376,9 +385,23 @@ void ParametersPage::showEvent(QShowEvent *event)
 void ParametersPage::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
-    const bool compact = width() < m_theme.theme().u(besideFrom);
-    m_sheet->setCompact(compact);
-    m_tools->setCompact(compact);
+    fit();
+}
+
+/// Where the orders do not fit in a line with their words they are symbols, and in a low window those that are used most stand in one line
+/// with the search: the values are what the page is for.
+void ParametersPage::fit()
+{
+    const Theme &t = m_theme.theme();
+    const bool words = m_head->wordsWidth() <= width();
+    const bool low = height() < t.u(lowBelow) && !m_tools->isHidden();
+    m_head->setRoom(words ? HeadRoom::Words : low ? HeadRoom::Menu : HeadRoom::Symbols);
+    const bool leads = !words && low;
+    if (!leads)
+        m_column->insertWidget(0, m_head);
+    m_tools->setLead(leads ? m_head : nullptr);
+    m_sheet->setCompact(width() < t.u(besideFrom));
+    m_sheet->foot().status().setVisible(leads);
 }
 
 } // namespace mb

@@ -9,6 +9,7 @@
 #include <QWidget>
 
 class QStackedWidget;
+class QVBoxLayout;
 
 namespace mb {
 
@@ -57,6 +58,7 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
+    void fit();
     void buildEmpty();
     QWidget *buildTable(BannerStack &banners);
     void connectHead();
@@ -97,6 +99,7 @@ private:
     QStackedWidget *m_stack = nullptr;
     EmptyState *m_empty = nullptr;
     CommandButton *m_openFile = nullptr;
+    QVBoxLayout *m_column = nullptr;
     ParameterHead *m_head = nullptr;
     ParameterTools *m_tools = nullptr;
     ParameterSheet *m_sheet = nullptr;

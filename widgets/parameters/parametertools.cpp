@@ -5,7 +5,15 @@
 #include "widgets/common/segmented.h"
 #include "widgets/common/wraplayout.h"
 
+#include <QEvent>
+
 namespace mb {
+namespace {
+
+constexpr int leastSearch = 90; ///< units
+constexpr int mostSearch = 232;
+
+} // namespace
 
 ParameterTools::ParameterTools(
     const ThemeSource &theme, Workbench &workbench, Selection &selection, ParameterModel &model, QWidget *parent)
@@ -18,14 +26,15 @@ ParameterTools::ParameterTools(
 {
     const Theme &t = theme.theme();
     m_search->setKeyHint(tr("Ctrl+F"));
-    m_search->setFixedWidth(t.u(232));
-    auto *row = new WrapLayout(this);
-    row->setContentsMargins(t.u(12), t.u(4), t.u(12), t.u(8));
-    row->addWidget(m_search);
-    row->addWidget(m_segments);
-    m_axes->addTo(*row);
-    row->addSpring();
-    row->addWidget(m_comparison);
+    m_search->setMaximumWidth(t.u(mostSearch));
+    m_row = new WrapLayout(this);
+    m_row->setStretched(m_search);
+    m_row->addWidget(m_search);
+    m_row->addWidget(m_segments);
+    m_axes->addTo(*m_row);
+    m_row->addSpring();
+    m_row->addWidget(m_comparison);
+    setLead(nullptr);
     connect(m_search, &QLineEdit::textChanged, this, &ParameterTools::filterChanged);
     connect(m_search, &QLineEdit::returnPressed, this, &ParameterTools::searchEnded);
     connect(m_segments, &Segmented::currentChanged, this, &ParameterTools::filterChanged);
@@ -56,9 +65,46 @@ void ParameterTools::search()
     m_search->selectAll();
 }
 
-void ParameterTools::setCompact(bool compact)
+void ParameterTools::setLead(QWidget *lead)
 {
-    m_search->setFixedWidth(m_theme.theme().u(compact ? 170 : 232));
+    const Theme &t = m_theme.theme();
+    const int above = t.u(lead ? 2 : 4);
+    m_row->setContentsMargins(t.u(12), above, t.u(12), lead ? above : t.u(8));
+    if (lead && lead != m_lead)
+        m_row->prepend(lead);
+    m_lead = lead;
+    fit();
+}
+
+void ParameterTools::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    fit();
+}
+
+bool ParameterTools::event(QEvent *event)
+{
+    if (event->type() == QEvent::LayoutRequest) // other words in it
+        fit();
+    return QWidget::event(event);
+}
+
+/// All in one line if it can be: first the choice of rows folds to a list, then that of axes; the comparison goes where it is in the menu too.
+void ParameterTools::fit()
+{
+    m_search->setMinimumWidth(m_theme.theme().u(leastSearch));
+    const QMargins margins = m_row->contentsMargins();
+    const int gap = m_row->spacing();
+    int needed = margins.left() + margins.right() + m_search->minimumWidth() + gap + m_segments->unfoldedWidth();
+    needed += m_axes->neededWidth(gap);
+    if (m_lead)
+        needed += m_lead->sizeHint().width() + gap;
+    const int compared = m_comparison->sizeHint().width() + gap;
+    m_segments->setFolded(needed + compared > width());
+    if (m_segments->isFolded())
+        needed += m_segments->sizeHint().width() - m_segments->unfoldedWidth();
+    m_axes->setFolded(needed > width());
+    m_comparison->setVisible(!m_lead || needed + compared <= width());
 }
 
 } // namespace mb

@@ -8,6 +8,7 @@
 namespace mb {
 
 class SearchField;
+class WrapLayout;
 
 /// Between head and table: which parameters are shown, and what they are compared with.
 class ParameterTools : public QWidget {
@@ -24,15 +25,24 @@ public:
     void chooseEdited();
     /// The cursor goes into the search field.
     void search();
-    void setCompact(bool compact);
+    /// `lead` stands before the search then, and has the comparison in its menu; nullptr: there is room for both. Takes it.
+    void setLead(QWidget *lead);
 
 Q_SIGNALS:
     void filterChanged();
     /// Enter in the search field.
     void searchEnded();
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+    bool event(QEvent *event) override;
+
 private:
+    void fit();
+
     const ThemeSource &m_theme;
+    WrapLayout *m_row = nullptr;
+    QWidget *m_lead = nullptr;
     SearchField *m_search = nullptr;
     Segmented *m_segments = nullptr;
     ComparisonBox *m_comparison = nullptr;

@@ -5,6 +5,7 @@
 #include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/segmented.h"
+#include "widgets/common/wraplayout.h"
 #include "widgets/plots/recordingcontrol.h"
 
 #include <QComboBox>
@@ -47,16 +48,16 @@ PlotsBar::PlotsBar(
     , m_pause(new CommandButton(theme, Symbol::Pause, tr("Pause view"), this))
     , m_recording(new RecordingControl(workbench, theme, this))
 {
-    auto *row = layoutIn<QHBoxLayout>(
-        this, theme.theme().u(8), {theme.theme().u(12), theme.theme().u(6), theme.theme().u(12), theme.theme().u(6)});
+    const Theme &now = theme.theme();
+    m_row = layoutIn<WrapLayout>(this, now.u(8), {now.u(12), now.u(6), now.u(12), now.u(6)});
     m_pause->setKeyHint(QStringLiteral("P"));
     m_pause->setTextVariants({tr("Pause view"), tr("Follow live")});
     m_pause->setToolTip(tr("The recording goes on."));
-    row->addWidget(m_pause);
-    row->addWidget(m_recording);
-    row->addStretch(1);
-    buildView(*row);
-    buildTools(*row, layouts, exports);
+    m_row->addWidget(m_pause);
+    m_row->addWidget(m_recording);
+    m_row->addSpring();
+    buildView();
+    buildTools(layouts, exports);
     connect(m_pause, &QPushButton::clicked, this, [this] { m_stack.view().setLive(!m_stack.view().isLive()); });
     connect(&stack.view(), &PlotView::liveChanged, this, [this](bool live) {
         m_pause->setText(live ? tr("Pause view") : tr("Follow live"));
@@ -64,7 +65,7 @@ PlotsBar::PlotsBar(
     });
 }
 
-void PlotsBar::buildView(QHBoxLayout &row)
+void PlotsBar::buildView()
 {
     m_view = new Segmented(tr("View"), {tr("Time"), tr("X-Y"), tr("Spectrum")}, this);
     m_view->setToolTip(
@@ -75,8 +76,8 @@ void PlotsBar::buildView(QHBoxLayout &row)
         m_window->addItem(windowText(seconds), seconds);
     m_window->setCurrentIndex(m_window->findData(m_stack.view().window()));
     m_window->setAccessibleName(tr("Length of the time axis"));
-    row.addWidget(m_view);
-    row.addWidget(m_window);
+    m_row->addWidget(m_view);
+    m_row->addWidget(m_window);
     connect(m_view, &Segmented::currentChanged, this, &PlotsBar::viewChosen);
     connect(m_window, qOverload<int>(&QComboBox::activated), this,
         [this](int place) { m_stack.view().setWindow(windowChoices.at(static_cast<std::size_t>(place))); });
@@ -84,7 +85,7 @@ void PlotsBar::buildView(QHBoxLayout &row)
         [this](double seconds) { m_window->setCurrentIndex(m_window->findData(seconds)); });
 }
 
-void PlotsBar::buildTools(QHBoxLayout &row, const Fill &layouts, const Fill &exports)
+void PlotsBar::buildTools(const Fill &layouts, const Fill &exports)
 {
     m_trigger = new IconButton(m_theme, Symbol::Trigger, tr("Trigger: stands still at an edge or a level"), this);
     m_trigger->setCheckable(true);
@@ -96,11 +97,11 @@ void PlotsBar::buildTools(QHBoxLayout &row, const Fill &layouts, const Fill &exp
     fit->setKeyHint(QStringLiteral("0"));
     auto *pin = new IconButton(m_theme, Symbol::Pin, tr("Keep what is seen as a reference"), this);
     auto *layout = new IconButton(m_theme, Symbol::Preferences, tr("Layouts: save, restore, reset"), this);
-    auto *save = new CommandButton(m_theme, Symbol::Export, tr("Export"), this);
-    save->setToolTip(tr("The picture as PNG, SVG or PDF; samples as CSV or MCAP"));
-    for (QWidget *tool : std::initializer_list<QWidget *>{m_trigger, cursors, fit, pin, layout, save})
-        row.addWidget(tool);
-    popUpFrom(save, exports);
+    m_export = new CommandButton(m_theme, Symbol::Export, tr("Export"), this);
+    m_export->setToolTip(tr("The picture as PNG, SVG or PDF; samples as CSV or MCAP"));
+    for (QWidget *tool : std::initializer_list<QWidget *>{m_trigger, cursors, fit, pin, layout, m_export})
+        m_row->addWidget(tool);
+    popUpFrom(m_export, exports);
     popUpFrom(layout, layouts);
     connect(pin, &QToolButton::clicked, this, &PlotsBar::referencesWanted);
     connect(cursors, &QToolButton::toggled, &m_stack, &PlotStack::setCursorsShown);
@@ -108,6 +109,20 @@ void PlotsBar::buildTools(QHBoxLayout &row, const Fill &layouts, const Fill &exp
         [this, cursors] { cursors->setChecked(m_stack.cursorsShown()); });
     connect(fit, &QToolButton::clicked, &m_stack, &PlotStack::fit);
     connect(m_trigger, &QToolButton::toggled, this, &PlotsBar::triggerToggled);
+}
+
+/// Symbols for what has one, where that saves a line.
+void PlotsBar::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    int needed = m_row->sizeHint().width();
+    for (const CommandButton *button : {m_pause, m_export})
+        needed += button->wordsSize().width() - button->sizeHint().width();
+    needed += (m_row->count() - 1) * (m_theme.theme().u(8) - m_row->spacing());
+    const bool narrow = needed > width();
+    m_row->setSpacing(m_theme.theme().u(narrow ? 4 : 8));
+    for (CommandButton *button : {m_pause, m_export})
+        button->setIconOnly(narrow);
 }
 
 void PlotsBar::showView(int view)

@@ -6,7 +6,6 @@
 #include <functional>
 
 class QComboBox;
-class QHBoxLayout;
 
 namespace mb {
 
@@ -14,6 +13,7 @@ class CommandButton;
 class IconButton;
 class RecordingControl;
 class Segmented;
+class WrapLayout;
 class Workbench;
 
 /// Above the plots: pause, record, which view, how much time, and the tools. GUI thread.
@@ -38,17 +38,22 @@ Q_SIGNALS:
     void referencesWanted();
     void triggerToggled(bool on);
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
-    void buildView(QHBoxLayout &row);
-    void buildTools(QHBoxLayout &row, const Fill &layouts, const Fill &exports);
+    void buildView();
+    void buildTools(const Fill &layouts, const Fill &exports);
 
     PlotStack &m_stack;
     const ThemeSource &m_theme;
+    WrapLayout *m_row = nullptr;
     CommandButton *m_pause = nullptr;
     RecordingControl *m_recording = nullptr;
     Segmented *m_view = nullptr;
     QComboBox *m_window = nullptr;
     IconButton *m_trigger = nullptr;
+    CommandButton *m_export = nullptr;
 };
 
 } // namespace mb

@@ -7,6 +7,7 @@
 #include "widgets/common/layoutin.h"
 #include "widgets/common/pagekeys.h"
 #include "widgets/common/replaybar.h"
+#include "widgets/common/turningsplitter.h"
 #include "widgets/plots/analysisviews.h"
 #include "widgets/plots/exportbar.h"
 #include "widgets/plots/plotdialogs.h"
@@ -27,9 +28,10 @@ namespace mb {
 namespace {
 
 constexpr std::chrono::milliseconds repaintTime{16};
-constexpr double idleScroll = 0.25;  ///< silent devices scroll away this often
-constexpr double analyseEvery = 0.5; ///< seconds
-constexpr int roomyWidth = 1250;     ///< for the numbers of the recording
+constexpr double idleScroll = 0.25;   ///< silent devices scroll away this often
+constexpr double analyseEvery = 0.5;  ///< seconds
+constexpr int roomyWidth = 1250;      ///< for the numbers of the recording
+constexpr int tracesBesideFrom = 600; ///< units, for the lists of traces
 constexpr double narrowestWindow = 0.01;
 /// Samples per second to wish for, so that zooming does not change them all the time.
 constexpr std::array<double, 5> rateSteps{20.0, 50.0, 100.0, 200.0, 500.0};
@@ -93,18 +95,21 @@ PlotsPage::PlotsPage(Workbench &workbench, Selection &selection, const ThemeSour
 QWidget *PlotsPage::buildContent()
 {
     auto *content = new QWidget(m_pages);
-    auto *grid = layoutIn<QGridLayout>(content, 0);
-    grid->addWidget(buildPlots(), 2, 0);
+    auto *column = layoutIn<QVBoxLayout>(content, 0);
+    auto *split = new TurningSplitter(m_theme, tracesBesideFrom, content);
+    split->setHandleWidth(1);
+    QWidget *const plots = buildPlots();
     m_bar = new PlotsBar(
         m_workbench, *m_stack, m_theme, [this](QMenu &menu) { m_layoutBook.fillMenu(menu, *this); },
         [this](QMenu &menu) { fillExportMenu(menu); }, content);
-    grid->addWidget(m_bar, 0, 0, 1, 3);
-    grid->addWidget(separatorLine(Qt::Horizontal, content), 1, 0, 1, 3);
-    grid->addWidget(separatorLine(Qt::Vertical, content), 2, 1);
-    m_panel = new TracePanel(m_workbench, *m_stack, *m_board, m_theme, content);
-    grid->addWidget(m_panel, 2, 2);
-    grid->setColumnStretch(0, 1);
-    grid->setRowStretch(2, 1);
+    m_panel = new TracePanel(m_workbench, *m_stack, *m_board, m_theme, split);
+    split->addWidget(plots);
+    split->addWidget(m_panel);
+    split->setStretchFactor(0, 1);
+    split->setStretchFactor(1, 0);
+    column->addWidget(m_bar);
+    column->addWidget(separatorLine(Qt::Horizontal, content));
+    column->addWidget(split, 1);
     return content;
 }
 

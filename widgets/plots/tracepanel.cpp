@@ -31,7 +31,7 @@ TracePanel::TracePanel(
     , m_theme(theme)
 {
     const auto u = [&theme](int size) { return theme.theme().u(size); };
-    setFixedWidth(u(sideWidth));
+    setMinimumWidth(u(sideWidth));
     auto *column = layoutIn<QVBoxLayout>(this, 0);
     auto *head = new QHBoxLayout;
     head->setContentsMargins(u(12), u(8), u(12), u(8));
@@ -47,7 +47,12 @@ TracePanel::TracePanel(
         textLabel(tr("L cursors · 0 fits · + − zooms · P pauses · N note"), TextRole::Caption, Tone::Dim, this));
     column->addWidget(separatorLine(Qt::Horizontal, this));
     column->addLayout(foot);
-    connect(&theme, &ThemeSource::changed, this, [this] { setFixedWidth(m_theme.theme().u(sideWidth)); });
+    connect(&theme, &ThemeSource::changed, this, [this] { setMinimumWidth(m_theme.theme().u(sideWidth)); });
+}
+
+QSize TracePanel::sizeHint() const
+{
+    return {m_theme.theme().u(sideWidth), QWidget::sizeHint().height()};
 }
 
 void TracePanel::buildLists()

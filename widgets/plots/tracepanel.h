@@ -13,6 +13,7 @@ class TracePanel : public QWidget {
     Q_OBJECT
 public:
     TracePanel(Workbench &workbench, PlotStack &stack, PlotBoard &board, const ThemeSource &theme, QWidget *parent);
+    [[nodiscard]] QSize sizeHint() const override;
 
     [[nodiscard]] SignalList &signalList() { return *m_signals; }
     /// Other traces are on the board.

@@ -7,11 +7,14 @@
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
+#include "widgets/common/leastheight.h"
 #include "widgets/common/pagekeys.h"
 #include "widgets/common/searchfield.h"
 #include "widgets/common/segmented.h"
 #include "widgets/common/trialnotebook.h"
+#include "widgets/common/turningsplitter.h"
 #include "widgets/common/visitarchive.h"
+#include "widgets/common/wraplayout.h"
 #include "widgets/report/reportdrawings.h"
 #include "widgets/report/reportorder.h"
 
@@ -29,7 +32,9 @@
 namespace mb {
 namespace {
 
-constexpr int listWidth = 380;
+constexpr int listWidth = 380; ///< units
+constexpr int previewWidth = 700;
+constexpr int previewBesideFrom = 760;
 constexpr int newestEntries = 2000; ///< of the journal, in the list
 
 } // namespace
@@ -47,11 +52,12 @@ ReportsPage::ReportsPage(
     m_states = new QStackedWidget(this);
     m_states->addWidget(new EmptyState(theme, Symbol::Document, tr("Nothing to report yet"),
         tr("The cards of units, their tunings and their trials appear here."), m_states));
-    auto *both = new QWidget(m_states);
-    auto *row = layoutIn<QHBoxLayout>(both, 0);
-    row->addWidget(buildList());
-    row->addWidget(separatorLine(Qt::Vertical, both));
-    row->addWidget(buildPreview(), 1);
+    auto *both = new TurningSplitter(theme, previewBesideFrom, m_states);
+    both->setHandleWidth(1);
+    both->addWidget(buildList());
+    both->addWidget(buildPreview());
+    both->setStretchFactor(1, 1);
+    both->setSizes({theme.theme().u(listWidth), theme.theme().u(previewWidth)});
     m_states->addWidget(both);
     auto *column = layoutIn<QVBoxLayout>(this);
     column->addWidget(m_states);
@@ -65,7 +71,6 @@ QWidget *ReportsPage::buildList()
 {
     const Theme &theme = m_theme.theme();
     auto *side = new QWidget(m_states);
-    side->setFixedWidth(theme.u(listWidth));
     auto *column = layoutIn<QVBoxLayout>(side, 0);
     auto *head = new QHBoxLayout;
     head->setContentsMargins(theme.u(12), theme.u(10), theme.u(12), theme.u(10));
@@ -83,6 +88,7 @@ QWidget *ReportsPage::buildList()
     m_list->setAccessibleName(tr("Reports, newest first"));
     m_list->setFrameShape(QFrame::NoFrame);
     m_list->setWordWrap(true);
+    m_list->setResizeMode(QListView::Adjust);
     column->addWidget(m_list, 1);
     connect(m_search, &QLineEdit::textChanged, this, &ReportsPage::fill);
     connect(m_filter, &Segmented::currentChanged, this, &ReportsPage::fill);
@@ -93,13 +99,13 @@ QWidget *ReportsPage::buildList()
 QWidget *ReportsPage::buildPreview()
 {
     const Theme &theme = m_theme.theme();
-    auto *area = new QWidget(m_states);
+    auto *area = new LeastHeight(m_states);
     auto *column = layoutIn<QVBoxLayout>(area, 0);
-    auto *row = new QHBoxLayout;
+    auto *row = new WrapLayout;
     row->setContentsMargins(theme.u(12), theme.u(8), theme.u(12), theme.u(8));
     row->setSpacing(theme.u(8));
     row->addWidget(new SectionLabel(tr("Preview"), area));
-    row->addStretch();
+    row->addSpring();
     m_form = new QComboBox(area);
     m_form->setAccessibleName(tr("Size of the report"));
     m_form->addItem(tr("Pages, A4"));
