@@ -197,6 +197,11 @@ Result<void> checkOffered(const Family &family, const DriveArguments &arguments)
             say("leave --relative and --halt out"));
     if (arguments.buffered && !family.capabilities.bufferedMoves)
         return fail(Fault::Usage, say("%1 has no buffered moves", family.key), say("leave --buffered out"));
+    const bool profiled
+        = arguments.mode == toString(Mode::RampPosition) || arguments.mode == toString(Mode::RampVelocity);
+    if ((!arguments.velocity.empty() || !arguments.acceleration.empty()) && !profiled)
+        return fail(Fault::Usage, say("--velocity and --acceleration belong to a profile"),
+            say("give them with --mode ramp-position or ramp-velocity"));
     const bool positional
         = arguments.mode == toString(Mode::Position) || arguments.mode == toString(Mode::RampPosition);
     if (arguments.relative && !positional)

@@ -90,6 +90,9 @@ Task<int> set(Console &console, SetArguments arguments)
     const auto changes = parseAssignments(*target->family, arguments.assignments);
     if (!changes)
         co_return fail(changes.error());
+    if (arguments.store && !target->family->capabilities.keepsSettings)
+        co_return fail(Fault::Unsupported, say("%1 keeps nothing without power", target->family->title),
+            say("leave --store out, and write it again after each start"));
     Notebook notebook(console); // before the device is found: what is refused at once must not come after an answer
     auto connecting = connect(console, *target);
     Device *const device = co_await std::move(connecting);

@@ -67,9 +67,13 @@ Result<void> addGroup(Console &console, const std::vector<std::string> &group, s
         if (auto good = PtyLine::create(*link, console.clock()); !good)
             return fail(good.error());
     }
-    const auto same = [&link](const LinkAddress &other) { return other.scheme == "unix" && other.path == link->path; };
-    if (link->scheme == "unix" && (group.size() > 2 || std::any_of(plan.links.begin(), plan.links.end(), same)))
+    const bool isTwice = std::any_of(plan.links.begin(), plan.links.end(),
+        [&link](const LinkAddress &other) { return other.scheme == link->scheme && other.path == link->path; });
+    if (link->scheme == "unix" && (group.size() > 2 || isTwice))
         return fail(Fault::Usage, say("%1 carries one board", link->text()), say("give each its own path"));
+    if (link->scheme == "pty" && isTwice)
+        return fail(
+            Fault::Usage, say("%1 is named twice", link->text()), say("put all nodes of a line behind one --on"));
     plan.links.push_back(*link);
     for (std::size_t i = 1; i < group.size(); ++i) {
         auto unit = parseUnit(console, *link, group[i]);

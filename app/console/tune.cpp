@@ -128,7 +128,13 @@ Result<int> verdictOf(const TuneReport &report)
             say("cut its power if the motor still turns"));
     if (report.result == TuneResult::Stopped)
         return fail(Fault::Unsafe, say("the tuning was interrupted; the gains are as before"), say("run it again"));
-    return report.result == TuneResult::Kept || report.result == TuneResult::Proposed ? exitDone : exitDevice;
+    if (report.result == TuneResult::RolledBack)
+        return fail(Fault::Refused, say("no gains were kept: %1", report.evidence),
+            say("look at its trials, try another --aim, or tune by hand with 'motorbenchctl step'"));
+    if (report.result == TuneResult::Refused)
+        return fail(Fault::Refused, say("refused: %1", report.evidence),
+            say("remove the cause, or tune by hand with 'motorbenchctl step'"));
+    return exitDone;
 }
 
 /// Waits until the unit has it for good; what it says about that is added to the evidence.

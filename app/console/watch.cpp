@@ -110,6 +110,9 @@ Task<int> stream(Console &console, Device &device, WatchPlan plan, Publisher *pu
         error = ending.loss();
     else if (device.link().state() == LinkState::Lost)
         error = lossOf(device.link());
+    else if (!device.liveness().heard && device.identity().state != DeviceState::Bootloader
+        && device.link().address().scheme != "replay")
+        error = Error{Fault::Timeout, say("%1 is not heard any more", device.selector()), {}};
     if (plan.rate > 0.0) {
         auto restoring = setRates(device, plan.watched, 0.0);
         const std::optional<Error> failed = co_await std::move(restoring);

@@ -21,6 +21,16 @@ bool isKnown(const Device &device, ParameterIndex index)
     return entry.raw && entry.state != ParameterState::Unknown && entry.state != ParameterState::Failed;
 }
 
+/// Of one that cannot be read.
+Result<void> checkWritten(const Device &device, ParameterIndex index)
+{
+    const std::string key(device.parameters().parameter(index).key);
+    if (isKnown(device, index) && !device.knowledge().profile().lost.contains(key))
+        return {};
+    return fail(Fault::OutOfRange, say("%1 cannot be read, so it could not be put back", key),
+        say("write the gains of this loop once, or keep what is tried"));
+}
+
 } // namespace
 
 Result<void> checkTried(const Family &family, ParameterIndex index)
@@ -59,6 +69,19 @@ Task<std::vector<std::pair<std::string, std::optional<double>>>> readGains(
     co_return gains;
 }
 
+Result<void> checkPutBack(const Device &device, Mode mode, int axis, int slot)
+{
+    const LoopGains *const loop = loopOf(device.family(), mode);
+    const auto rows = loop ? loopParameters(device.family(), *loop, axis, slot) : std::vector<ParameterIndex>();
+    for (const ParameterIndex index : rows) {
+        if (!device.offers(index) || isReadable(device, index))
+            continue;
+        if (auto written = checkWritten(device, index); !written)
+            return written;
+    }
+    return {};
+}
+
 Task<std::vector<OwedValue>> readReplaced(Device &device, std::vector<ParameterChange> changes)
 {
     std::vector<OwedValue> values;
@@ -67,9 +90,8 @@ Task<std::vector<OwedValue>> readReplaced(Device &device, std::vector<ParameterC
         if (isReadable(device, change.index)) {
             auto reading = device.read(change.index);
             co_await std::move(reading);
-        } else if (!isKnown(device, change.index) || device.knowledge().profile().lost.contains(key)) {
-            co_return fail(Fault::OutOfRange, say("%1 cannot be read, so it could not be put back", key),
-                say("write the gains of this loop once, or keep what is tried"));
+        } else if (auto written = checkWritten(device, change.index); !written) {
+            co_return fail(written.error());
         }
         values.push_back({key, *device.parameters().entry(change.index).raw});
     }

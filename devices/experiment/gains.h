@@ -14,6 +14,10 @@ namespace mb::tuning {
 [[nodiscard]] Task<std::vector<std::pair<std::string, std::optional<double>>>> readGains(
     Device &device, Mode mode, int axis, int slot);
 
+/// Whether every gain of the loop can be put back: is read, or was written by this program since the unit's last known reset. OutOfRange
+/// with the remedy; asks the device nothing.
+[[nodiscard]] Result<void> checkPutBack(const Device &device, Mode mode, int axis, int slot);
+
 /// What `changes` would replace. OutOfRange with the remedy where that cannot be read, and was not written by this program
 /// since the unit's last known reset.
 [[nodiscard]] Task<std::vector<OwedValue>> readReplaced(Device &device, std::vector<ParameterChange> changes);

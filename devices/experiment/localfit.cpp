@@ -77,7 +77,17 @@ std::optional<double> vertexNear(const Trace &trace, std::size_t at, std::size_t
     const auto fit = fitParabola(trace, trace.t[at], reach, begin);
     if (!fit || fit->c >= 0.0 || std::abs(fit->b / (2.0 * fit->c)) > reach)
         return std::nullopt;
-    return fit->a - fit->b * fit->b / (4.0 * fit->c);
+    double lowest = trace.y[at];
+    double highest = trace.y[at];
+    for (std::size_t i = begin; i < trace.size(); ++i) {
+        if (std::abs(trace.t[i] - trace.t[at]) <= reach) {
+            lowest = std::min(lowest, trace.y[i]);
+            highest = std::max(highest, trace.y[i]);
+        }
+    }
+    // Samples of several runs that lie upon each other in time tell no curve: their parabola may go anywhere.
+    const double top = fit->a - fit->b * fit->b / (4.0 * fit->c);
+    return top - highest <= highest - lowest ? std::optional(top) : std::nullopt;
 }
 
 } // namespace mb::tuning

@@ -28,7 +28,7 @@ struct Parabola {
 
 /// The values of a trace, those from number `begin` on by a local parabola of this half width; it never looks before `begin`.
 [[nodiscard]] std::vector<double> smoothed(const Trace &trace, std::size_t begin, double half);
-/// The top of the parabola around sample `at`, if it has one within reach.
+/// The top of the parabola around sample `at`, if it has one within reach that is no farther above the samples there than they lie apart.
 [[nodiscard]] std::optional<double> vertexNear(const Trace &trace, std::size_t at, std::size_t begin, double reach);
 
 } // namespace mb::tuning

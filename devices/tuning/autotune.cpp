@@ -81,6 +81,13 @@ Task<void> sharpen(AutotuneRun &run, TuneDesign &design, TuneProof &proof)
 /// Ends with what the report says; an error is why the motor was refused.
 Task<void> perform(AutotuneRun &run, const TunePlan &plan)
 {
+    const bool writes = !plan.propose || !checkScales(run.device(), plan.loop); // the search for scales does, too
+    if (writes && !plan.keep) {
+        if (auto back = checkPutBack(run.device(), plan.loop, plan.axis, plan.slot); !back)
+            co_return fail(back.error());
+    }
+    auto bounding = run.readEnvelope(); // of the loop, before a push that needs less
+    co_await std::move(bounding);
     if (!checkScales(run.device(), plan.loop)) {
         auto finding = findScales(run);
         co_await std::move(finding);

@@ -119,8 +119,13 @@ void addFrictionHelp(const Family &family, int axis, int slot, const PlantModel 
 
 void freeIntegral(const Family &family, Mode loop, int axis, int slot, ScaledGains &into)
 {
-    if (into.made.i != 0.0)
-        addNumber(family, parameterOf(family, loop, axis, slot, Role::IntegralZone), 0.0, into);
+    if (into.made.i == 0.0)
+        return;
+    addNumber(family, parameterOf(family, loop, axis, slot, Role::IntegralZone), 0.0, into);
+    const bool isHelped = std::any_of(into.rows.begin(), into.rows.end(),
+        [](const ScaledGains::Row &row) { return row.role == Role::AllowableError; });
+    if (!isHelped)
+        addNumber(family, parameterOf(family, loop, axis, slot, Role::AllowableError), 0.0, into);
 }
 
 VelocityTaking velocityTaking(const Device &device, double speed, const std::optional<VelocityFilter> &found)

@@ -199,6 +199,23 @@ TEST(StepMetrics, TheMeanOfManyStepsTellsOvershootInNoiseOfAQuarterOfAStep)
     EXPECT_GE(swinging[2], 0.10);
 }
 
+TEST(StepMetrics, RepeatsWhoseSamplesLieUponEachOtherOvershootNoMoreThanTheirHighestSample)
+{
+    std::vector<Trace> runs;
+    for (int run = 0; run < 3; ++run) {
+        Trace trace;
+        for (int i = -50; i < 1000; ++i) {
+            const double t = i * 1e-3 + run * 1e-7; // a stamp of each, hardly beside those of the others
+            const double end = 1.0 + (run - 1) * 2e-3;
+            trace.add(t, t < 0.0 ? 0.0 : end * (1.0 - std::exp(-t / 0.05)));
+        }
+        runs.push_back(trace);
+    }
+    const Response response = readResponse(merged(runs), 1.0, 0.0, 3);
+    ASSERT_TRUE(response.metrics.overshoot);
+    EXPECT_LT(*response.metrics.overshoot, 0.01);
+}
+
 TEST(StepMetrics, ALoopThatStopsShortSettlesThereAndItsErrorIsToldOfTheSetPoint)
 {
     std::mt19937_64 random(1);

@@ -25,6 +25,7 @@ public:
     void refreshed() { m_owedLimit.reset(); }
 
 private:
+    [[nodiscard]] Task<bool> isTaken(int id);
     [[nodiscard]] Task<std::int64_t> readNumber(Command command);
     [[nodiscard]] Task<void> writeNumber(Command command, std::int64_t raw);
     [[nodiscard]] Task<void> writeDuration(std::int64_t raw);
