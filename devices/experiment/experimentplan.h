@@ -40,6 +40,7 @@ struct ExperimentPlan {
     /// What it may make of the motor is said before it moves (announcement.h); its counts/s per duty at most, 0 where nobody knows.
     std::optional<double> announced;
     Envelope limits; ///< what the caller allows
+    std::optional<Mode> loop; ///< that it is made for, whose limits must be known, too; nothing: its mode
 };
 
 /// What an experiment shares with who started it, who outlives it. Thread of the session.

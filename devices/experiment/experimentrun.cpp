@@ -88,7 +88,8 @@ Task<void> ExperimentRun::prepare()
         m_origin = 0.0; // it counts from its start
     auto reading = readOwnLimits(m_device, m_plan.axis, m_plan.slot, m_origin);
     const Envelope own = co_await std::move(reading);
-    const auto envelope = resolve(m_device.family(), factsOf(m_device, m_plan.axis), m_plan.mode, m_plan.limits, own);
+    const Mode bounded = m_plan.loop.value_or(m_plan.mode);
+    const auto envelope = resolve(m_device.family(), factsOf(m_device, m_plan.axis), bounded, m_plan.limits, own);
     if (!envelope)
         co_return fail(envelope.error());
     const double from = m_plan.from.value_or(m_plan.mode == Mode::Position ? m_origin : 0.0);

@@ -86,8 +86,6 @@ Task<void> perform(AutotuneRun &run, const TunePlan &plan)
         if (auto back = checkPutBack(run.device(), plan.loop, plan.axis, plan.slot); !back)
             co_return fail(back.error());
     }
-    auto bounding = run.readEnvelope(); // of the loop, before a push that needs less
-    co_await std::move(bounding);
     if (!checkScales(run.device(), plan.loop)) {
         auto finding = findScales(run);
         co_await std::move(finding);

@@ -42,6 +42,7 @@ void AutotuneRun::note(const Message &text) const
 /// One experiment; what ended it, if it was not its own end, ends the tuning. Travel is counted from where the tuning began.
 Task<Trial> AutotuneRun::runOnce(ExperimentPlan plan)
 {
+    plan.loop = m_plan.loop;
     plan.axis = m_plan.axis;
     plan.limits = m_plan.limits;
     if (plan.limits.travel)

@@ -128,6 +128,18 @@ class SupermodifiedTest(ContractTest):
             self.assert_error(2, "drive", device, "--mode", "position", "--target", "3000000", "--for", "1", says="overflows")
         self.assertEqual([event["event"] for _, event in nodes.events], [])
 
+    def test_limits_that_nobody_gives_are_asked_for_before_anything_is_sent(self):
+        nodes = Nodes(self, "supermodified:4")
+        node = f"serial:{nodes.path}?baud=57600/supermodified:4"
+        self.assert_error(2, "step", node, "--mode", "position", "--to", "100", says="give --travel")
+        self.assertEqual([event["event"] for _, event in nodes.events], [])
+
+    def test_a_number_that_another_node_has_is_refused_though_nobody_looked_for_it(self):
+        nodes = Nodes(self, "supermodified:4", "supermodified:5")
+        link = f"serial:{nodes.path}?baud=57600"
+        self.assert_error(1, "number", f"{link}/supermodified:4", "5", says="used by another node")
+        self.assertEqual(self.run_one("number", f"{link}/supermodified:4", "6")["new"], 6)
+
     def test_what_a_profile_stores_and_may_pass_is_said(self):
         nodes = Nodes(self, "supermodified:4")
         node = f"serial:{nodes.path}?baud=57600/supermodified:4"
