@@ -378,6 +378,8 @@ bool PlotsPage::eventFilter(QObject *watched, QEvent *event)
 void PlotsPage::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
+    const bool beside = width() >= m_theme.theme().u(tracesBesideFrom); // then the plots have what it leaves
+    m_panel->setMaximumWidth(beside ? m_panel->sizeHint().width() : QWIDGETSIZE_MAX);
     m_bar->recording().setRoomy(width() > m_theme.theme().u(roomyWidth));
 }
 
