@@ -4,6 +4,7 @@
 #include "model/registry.h"
 #include "support/windowtests.h"
 #include "tunebench.h"
+#include "widgets/common/searchfield.h"
 #include "widgets/report/reportorder.h"
 #include "widgets/report/reportspage.h"
 
@@ -19,6 +20,14 @@ using namespace mb;
 using namespace mb::test;
 
 namespace {
+
+QLineEdit *noteOf(const ReportsPage &page)
+{
+    const auto fields = page.findChildren<QLineEdit *>();
+    const auto found = std::find_if(
+        fields.begin(), fields.end(), [](const QLineEdit *field) { return !qobject_cast<const SearchField *>(field); });
+    return found == fields.end() ? nullptr : *found;
+}
 
 struct ReportsPageBench {
     FakeWorkbench workbench;
@@ -110,7 +119,7 @@ void TestReportsPage::theSearchLeavesWhatItNames()
 {
     ReportsPageBench bench;
     QTRY_COMPARE(bench.page->list().count(), 2);
-    bench.page->findChild<QLineEdit *>()->setText(QStringLiteral("GEARBOX"));
+    bench.page->findChild<SearchField *>()->setText(QStringLiteral("GEARBOX"));
     QCOMPARE(bench.page->list().count(), 1);
     QVERIFY(bench.page->list().item(0)->text().contains(QStringLiteral("#17")));
 }
@@ -157,11 +166,11 @@ void TestReportsPage::theJournalIsListedNewestFirst()
     QVERIFY(bench.page->list().item(0)->text().contains(QStringLiteral("2103343A7B2E #36 passed: drive-base rev C")));
     QVERIFY(bench.page->list().item(1)->text().contains(QStringLiteral("friction 0.61 V")));
     QVERIFY(!bench.page->list().item(1)->icon().isNull()); // a shape besides the word
-    bench.page->findChild<QLineEdit *>()->setText(QStringLiteral("bench 2"));
+    bench.page->findChild<SearchField *>()->setText(QStringLiteral("bench 2"));
     QCOMPARE(bench.page->list().count(), 2); // the station is searched, too
-    bench.page->findChild<QLineEdit *>()->setText(QStringLiteral("7B2E"));
+    bench.page->findChild<SearchField *>()->setText(QStringLiteral("7B2E"));
     QCOMPARE(bench.page->list().count(), 1);
-    bench.page->findChild<QLineEdit *>()->clear();
+    bench.page->findChild<SearchField *>()->clear();
     bench.page->setFilter(ReportsPage::Cards);
     QCOMPARE(bench.page->list().count(), 1);
     bench.page->setFilter(ReportsPage::Tunings);
@@ -216,7 +225,7 @@ void TestReportsPage::theJournalThatIsListedIsATable()
 {
     ReportsPageBench bench;
     bench.serve();
-    bench.page->findChild<QLineEdit *>()->setText(QStringLiteral("7B2E"));
+    bench.page->findChild<SearchField *>()->setText(QStringLiteral("7B2E"));
     bench.page->saveTable(QStringLiteral("journal.csv"));
     QCOMPARE(bench.workbench.visited.exported.size(), 1U);
     QCOMPARE(bench.workbench.visited.exported.front().id, std::string("b"));
@@ -228,7 +237,7 @@ void TestReportsPage::aNoteIsKept()
     ReportsPageBench bench;
     bench.serve();
     bench.page->setFilter(ReportsPage::Journal);
-    auto *note = bench.page->findChildren<QLineEdit *>().back();
+    auto *note = noteOf(*bench.page);
     QVERIFY(note->isVisible());
     note->setText(QStringLiteral("red box"));
     Q_EMIT note->editingFinished();
@@ -243,7 +252,7 @@ void TestReportsPage::aNoteHasRoomToBeRead()
     bench.page->resize(1047, 607); // as it is in the smallest window
     bench.page->setFilter(ReportsPage::Journal);
     QCoreApplication::processEvents();
-    const auto *const note = bench.page->findChildren<QLineEdit *>().back();
+    const auto *const note = noteOf(*bench.page);
     QVERIFY2(note->width() > note->fontMetrics().horizontalAdvance(note->placeholderText()) + 40,
         qPrintable(QString::number(note->width())));
 }
