@@ -39,7 +39,7 @@ struct ExperimentPlan {
     Keep keep = Keep::Never;            ///< and afterwards
     /// What it may make of the motor is said before it moves (announcement.h); its counts/s per duty at most, 0 where nobody knows.
     std::optional<double> announced;
-    Envelope limits; ///< what the caller allows
+    Envelope limits;          ///< what the caller allows
     std::optional<Mode> loop; ///< that it is made for, whose limits must be known, too; nothing: its mode
 };
 

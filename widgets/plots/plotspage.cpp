@@ -260,8 +260,7 @@ void PlotsPage::boardChanged()
     if (m_board->isTouched())
         m_layoutBook.remember();
     m_panel->showRows();
-    m_drawn = 0;
-    m_drawnAt = 0.0;
+    m_drawn = {};
     draw();
 }
 
@@ -272,10 +271,9 @@ void PlotsPage::draw()
     m_board->book().advance();
     const double now = plotKey(m_board->present());
     const std::uint64_t present = m_board->revision();
-    if (m_board->traces().empty() || (present == m_drawn && std::abs(now - m_drawnAt) < idleScroll))
+    if (m_board->traces().empty() || (present == m_drawn.samples && std::abs(now - m_drawn.at) < idleScroll))
         return;
-    m_drawn = present;
-    m_drawnAt = now;
+    m_drawn = {present, now};
     const Painting painting(m_stack->budget());
     m_trigger->poll(now);
     m_stack->refresh(now);
@@ -354,7 +352,7 @@ void PlotsPage::showEvent(QShowEvent *event)
     QWidget::showEvent(event);
     m_tick.setTimerType(Qt::PreciseTimer);
     m_tick.start();
-    m_drawn = 0;
+    m_drawn.samples = 0;
     follow();
 }
 

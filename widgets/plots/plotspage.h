@@ -57,6 +57,11 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
+    struct Drawn {
+        std::uint64_t samples = 0; ///< that were there
+        double at = 0.0;           ///< s
+    };
+
     QWidget *buildContent();
     QWidget *buildPlots();
     void connectParts();
@@ -73,8 +78,7 @@ private:
     Workbench &m_workbench;
     PageRates m_rates{m_workbench};
     const ThemeSource &m_theme;
-    std::uint64_t m_drawn = 0;
-    double m_drawnAt = 0.0;
+    Drawn m_drawn;
     double m_analysedAt = -1.0;
     QTimer m_tick;
     PlotStack *m_stack;
