@@ -271,7 +271,7 @@ void PlotsPage::draw()
     m_board->book().advance();
     const double now = plotKey(m_board->present());
     const std::uint64_t present = m_board->revision();
-    if (m_board->traces().empty() || (present == m_drawn.samples && std::abs(now - m_drawn.at) < idleScroll))
+    if (m_board->traces().empty() || (present == m_drawn.revision && std::abs(now - m_drawn.at) < idleScroll))
         return;
     m_drawn = {present, now};
     const Painting painting(m_stack->budget());
@@ -352,7 +352,7 @@ void PlotsPage::showEvent(QShowEvent *event)
     QWidget::showEvent(event);
     m_tick.setTimerType(Qt::PreciseTimer);
     m_tick.start();
-    m_drawn.samples = 0;
+    m_drawn.revision = 0;
     follow();
 }
 

@@ -58,8 +58,8 @@ protected:
 
 private:
     struct Drawn {
-        std::uint64_t samples = 0; ///< that were there
-        double at = 0.0;           ///< s
+        std::uint64_t revision = 0; ///< of the board
+        double at = 0.0;            ///< s
     };
 
     QWidget *buildContent();
