@@ -104,6 +104,12 @@ class DeviceVerbs(ContractTest):
         for call in (("get",), ("set", "slot0.p=1"), ("restore", path), ("drive", "--mode", "duty", "--target", "0.1", "--for", "1")):
             self.assert_error(1, call[0], EMPTY, *call[1:], says="flash")
 
+    def test_a_device_that_falls_silent_is_told_of_after_its_last_samples(self):
+        run = Run(["--json", "watch", "sim:can?fault=silent@60/dmc60c:5", "--for", "1.5"])
+        self.assertEqual(run.status, 3, run.err)
+        self.assertEqual(set(run.objects()[-1]), {"summary"})
+        self.assertIn("not heard any more", self.error_of(run, 3))
+
     def test_set_reads_back(self):
         got = self.run_one("set", CIM, "slot0.p=1.5", "limit.forward.soft.enabled=on", "encoder.position=-3")
         self.assertEqual(set(got), GET | {"verified"})

@@ -155,6 +155,11 @@ class Tune(ContractTest):
 
     def test_what_cannot_be_tuned_is_refused_before_anything_moves(self):
         self.assert_error(2, "tune", "sim:can/abstractdc:3", "--loop", "current")
+        for device in ("sim:can/abstractdc:3", "sim:spi/quadquad2drv:0"):  # nobody has written its gains
+            run = Run(["--json", "tune", device, "--loop", "velocity"])
+            self.assertEqual((run.status, run.out), (2, ""), run.err)
+            self.assertIn("cannot be read, so it could not be put back", self.error_of(run, 2))
+            self.assertNotIn("pushing", run.err)
         self.assert_error(2, "tune", "sim:serial/supermodified:4", "--loop", "velocity")
         self.assert_error(2, "tune", CIM, "--loop", "sideways")
         self.assert_error(2, "tune", CIM, "--loop", "velocity", "--aim", "reckless")
