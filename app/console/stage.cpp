@@ -30,16 +30,16 @@ Task<Device *> Stage::find(Target target)
         co_return fail(application.error());
     Sleep listening(device->clock(), masterListen);
     co_await listening;
+    m_console.onlyAsk(); // what an experiment refuses it refuses before it writes or moves; the rest is its result
     co_return device;
 }
 
 namespace {
 
-Task<int> performOnDevice(Console &console, Stage &stage, Target target, const Performance &performance)
+Task<int> performOnDevice(Stage &stage, Target target, const Performance &performance)
 {
     auto finding = stage.find(std::move(target));
     Device *const device = co_await std::move(finding);
-    console.onlyAsk(); // what an experiment refuses it refuses before it writes or moves; the rest is its result
     auto performing = performance(stage.session(), *device);
     co_return co_await std::move(performing).attempt();
 }
@@ -50,7 +50,7 @@ Task<int> performOn(Console &console, Target target, Performance performance)
 {
     const Subscription patient = console.interrupted().add([] {});
     Stage stage(console, target.selector.link);
-    auto performing = performOnDevice(console, stage, std::move(target), performance);
+    auto performing = performOnDevice(stage, std::move(target), performance);
     const Result<int> performed = co_await std::move(performing).attempt();
     Sleep leaving(console.clock(), Duration::zero()); // a session is never ended from inside its own work
     co_await leaving;

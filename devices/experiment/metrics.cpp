@@ -278,6 +278,12 @@ const MetricKey *findMetric(std::string_view key)
     return found == keys.end() ? nullptr : found;
 }
 
+std::optional<double> metricOf(const Metrics &metrics, std::string_view key)
+{
+    const MetricKey *const metric = findMetric(key);
+    return metric ? metrics.*metric->value : std::nullopt;
+}
+
 Response readResponse(const Trace &measured, std::optional<double> target, double leastMove, int repeats)
 {
     Response response;

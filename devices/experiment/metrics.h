@@ -39,6 +39,8 @@ struct MetricKey {
 [[nodiscard]] const std::array<MetricKey, 11> &metricKeys();
 /// nullptr where no metric has this key.
 [[nodiscard]] const MetricKey *findMetric(std::string_view key);
+/// Nothing where it was not measured, or no metric has this key.
+[[nodiscard]] std::optional<double> metricOf(const Metrics &metrics, std::string_view key);
 
 /// How a response may be read.
 struct Response {

@@ -201,7 +201,7 @@ QString stepHtml(const KeptTrial &kept)
     QStringList values;
     for (const char *const key : {"rise", "overshoot", "settle", "sse", "peak_current"}) {
         heads << metricWords(key).name;
-        values << metricText(key, trial.metrics.*tuning::findMetric(key)->value);
+        values << metricText(key, tuning::metricOf(trial.metrics, key));
     }
     HtmlTable table(QStringLiteral("rrrrr"), heads);
     table.add(values);

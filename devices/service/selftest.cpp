@@ -57,12 +57,6 @@ void endBy(TestFinding &finding, const Trial &trial)
     finding.ending = trial.stopped ? Ending::None : Ending::StopUnconfirmed;
 }
 
-std::optional<double> metricOf(const Trial &trial, std::string_view key)
-{
-    const tuning::MetricKey *const metric = tuning::findMetric(key);
-    return metric ? trial.metrics.*metric->value : std::nullopt;
-}
-
 std::optional<double> figureOf(const MotorFigures &figures, std::string_view key)
 {
     if (key == figure::resistance)
@@ -77,8 +71,8 @@ std::optional<double> figureOf(const MotorFigures &figures, std::string_view key
 void evaluate(TestFinding &finding, const SelfTest &test, const Trial &trial, const MotorFigures &figures)
 {
     for (const Acceptance &limit : test.accept) {
-        finding.values.push_back(
-            judged(limit, isFigure(limit.key) ? figureOf(figures, limit.key) : metricOf(trial, limit.key)));
+        finding.values.push_back(judged(
+            limit, isFigure(limit.key) ? figureOf(figures, limit.key) : tuning::metricOf(trial.metrics, limit.key)));
         const TestValue &value = finding.values.back();
         if (value.passed || finding.failure)
             continue;

@@ -27,12 +27,6 @@ constexpr int dialogWidth = 720; // u
 constexpr int dialogHeight = 620;
 constexpr std::array<std::string_view, 5> columns{"rise", "settle", "overshoot", "sse", "peak_current"};
 
-std::optional<double> metricOf(const tuning::Metrics &metrics, std::string_view key)
-{
-    const tuning::MetricKey *const metric = tuning::findMetric(key);
-    return metric ? metrics.*metric->value : std::nullopt;
-}
-
 QString cellText(std::string_view key, const std::optional<double> &value)
 {
     const MetricWord word = metricWord(key);
@@ -183,7 +177,7 @@ void BatteryDialog::addRow(const tuning::Trial &trial)
     };
     put(0, formatSignificant(sizeOf(trial), 4));
     for (std::size_t i = 0; i < columns.size(); ++i)
-        put(static_cast<int>(i) + 1, cellText(columns[i], metricOf(trial.metrics, columns[i])));
+        put(static_cast<int>(i) + 1, cellText(columns[i], tuning::metricOf(trial.metrics, columns[i])));
     m_table->scrollToBottom();
 }
 
@@ -197,7 +191,7 @@ void BatteryDialog::showWorst()
     m_table->insertRow(row);
     m_table->setItem(row, 0, new QTableWidgetItem(tr("worst")));
     for (std::size_t i = 0; i < columns.size(); ++i) {
-        auto *item = new QTableWidgetItem(cellText(columns[i], metricOf(worst.metrics, columns[i])));
+        auto *item = new QTableWidgetItem(cellText(columns[i], tuning::metricOf(worst.metrics, columns[i])));
         item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
         m_table->setItem(row, static_cast<int>(i) + 1, item);
         for (std::size_t key = 0; key < tuning::metricKeys().size(); ++key) {

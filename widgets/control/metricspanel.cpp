@@ -26,18 +26,12 @@ enum Column { Name, ValueA, ValueB, Difference, ColumnCount };
 constexpr std::array<std::string_view, 10> keys{
     "overshoot", "undershoot", "settle", "rise", "sse", "iae", "peak_current", "rms_duty", "saturated", "noise"};
 
-std::optional<double> valueOf(const tuning::Metrics &metrics, std::string_view key)
-{
-    const tuning::MetricKey *const metric = tuning::findMetric(key);
-    return metric ? metrics.*metric->value : std::nullopt;
-}
-
 QString textOf(const std::optional<KeptTrial> &kept, std::string_view key, const MetricWord &word, bool withError)
 {
-    const auto value = kept ? valueOf(kept->trial.metrics, key) : std::nullopt;
+    const auto value = kept ? tuning::metricOf(kept->trial.metrics, key) : std::nullopt;
     if (!value)
         return QString(UnknownMark);
-    const auto error = valueOf(kept->trial.errors, key);
+    const auto error = tuning::metricOf(kept->trial.errors, key);
     const QString text = formatNumber(*value * word.scale, word.decimals);
     return error && withError ? text + QStringLiteral("±") + formatNumber(*error * word.scale, word.decimals) : text;
 }
@@ -187,8 +181,8 @@ void MetricsPanel::fillRow(int row, std::string_view key, Detail detail)
 void MetricsPanel::fillDifference(int row, std::string_view key, Detail detail)
 {
     const MetricWord word = metricWord(key);
-    const auto a = m_a ? valueOf(m_a->trial.metrics, key) : std::nullopt;
-    const auto b = m_b ? valueOf(m_b->trial.metrics, key) : std::nullopt;
+    const auto a = m_a ? tuning::metricOf(m_a->trial.metrics, key) : std::nullopt;
+    const auto b = m_b ? tuning::metricOf(m_b->trial.metrics, key) : std::nullopt;
     if (!a || !b) {
         setCell(row, Difference, QString(), Tone::Dim, false);
         return;
@@ -198,7 +192,8 @@ void MetricsPanel::fillDifference(int row, std::string_view key, Detail detail)
     const double after = b.value_or(0.0);
     const double change = (after - before) * word.scale;
     const double difference = isSigned ? (std::abs(after) - std::abs(before)) * word.scale : change;
-    const auto error = valueOf(m_b->trial.errors, key).value_or(0.0) + valueOf(m_a->trial.errors, key).value_or(0.0);
+    const auto error = tuning::metricOf(m_b->trial.errors, key).value_or(0.0)
+        + tuning::metricOf(m_a->trial.errors, key).value_or(0.0);
     const bool same = std::abs(difference) < std::max(word.same, error * word.scale);
     const QString number
         = detail == Detail::WordsOnly ? QString() : formatDifference(change, word.decimals) + QLatin1Char(' ');

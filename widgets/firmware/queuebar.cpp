@@ -4,10 +4,10 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
-#include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/wraplayout.h"
 
+#include <QHBoxLayout>
 #include <QProgressBar>
 
 #include <cmath>
@@ -23,32 +23,22 @@ constexpr int progressBesideFrom = 820; ///< units
 } // namespace
 
 QueueBar::QueueBar(const ThemeSource &theme, QWidget *parent)
-    : QWidget(parent)
+    : TurningRow(theme, progressBesideFrom, parent)
     , m_theme(theme)
 {
     const int edge = theme.theme().u(8);
-    m_lines = layoutIn<QHBoxLayout>(this, edge, {theme.theme().u(16), edge, theme.theme().u(16), edge});
+    parts().setContentsMargins(theme.theme().u(16), edge, theme.theme().u(16), edge);
+    parts().setSpacing(edge);
     buildProgress();
     buildOrders();
-}
-
-QSize QueueBar::minimumSizeHint() const
-{
-    int width = 0;
-    for (int i = 0; i < m_lines->count(); ++i)
-        width = std::max(width, m_lines->itemAt(i)->minimumSize().width());
-    const QMargins margins = m_lines->contentsMargins();
-    return {width + margins.left() + margins.right(), QWidget::minimumSizeHint().height()};
 }
 
 /// The orders below the progress where they have no room beside it, and all but Start as symbols.
 void QueueBar::resizeEvent(QResizeEvent *event)
 {
-    QWidget::resizeEvent(event);
-    const bool narrow = width() < m_theme.theme().u(progressBesideFrom);
-    m_lines->setDirection(narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    TurningRow::resizeEvent(event);
     for (CommandButton *button : {m_pause, m_cancel, m_retry, m_export})
-        button->setIconOnly(narrow);
+        button->setIconOnly(isTurned());
 }
 
 void QueueBar::buildProgress()
@@ -73,7 +63,7 @@ void QueueBar::buildProgress()
     box->addLayout(words);
     box->addWidget(m_share);
     box->addWidget(m_counts);
-    m_lines->addLayout(box, 1);
+    parts().addLayout(box, 1);
 }
 
 void QueueBar::buildOrders()
@@ -90,7 +80,7 @@ void QueueBar::buildOrders()
     row->setSpacing(m_theme.theme().u(8));
     for (QWidget *button : std::initializer_list<QWidget *>{m_pause, m_cancel, m_retry, m_export, m_start})
         row->addWidget(button);
-    m_lines->addLayout(row);
+    parts().addLayout(row);
     connect(m_start, &QPushButton::clicked, this, &QueueBar::startWanted);
     connect(m_pause, &QPushButton::clicked, this, [this] { Q_EMIT pauseWanted(!m_pausing); });
     connect(m_cancel, &QPushButton::clicked, this, &QueueBar::cancelWanted);

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/common/turningrow.h"
 #include "widgets/firmware/queuelines.h"
 
-#include <QWidget>
-
-class QBoxLayout;
 class QLabel;
 class QProgressBar;
 
@@ -14,12 +12,10 @@ namespace mb {
 class CommandButton;
 
 /// How far a queue is, and what can be ordered of the whole. GUI thread.
-class QueueBar : public QWidget {
+class QueueBar : public TurningRow {
     Q_OBJECT
 public:
     QueueBar(const ThemeSource &theme, QWidget *parent);
-    /// That of one part below the other, however they stand.
-    [[nodiscard]] QSize minimumSizeHint() const override;
 
     /// `hindrance`: why it cannot be started, empty when it can.
     void follow(const ServiceView &view, const QueueTotals &totals, const QString &hindrance);
@@ -46,7 +42,6 @@ private:
     void buildOrders();
 
     const ThemeSource &m_theme;
-    QBoxLayout *m_lines = nullptr;
     QLabel *m_headline = nullptr;
     QLabel *m_left = nullptr;
     QProgressBar *m_share = nullptr;

@@ -3,12 +3,12 @@
 
 #include "widgets/common/captioned.h"
 #include "widgets/common/iconbutton.h"
-#include "widgets/common/layoutin.h"
 #include "widgets/common/wraplayout.h"
 #include "widgets/firmware/queuerecipe.h"
 #include "widgets/service/recipetext.h"
 
 #include <QFileDialog>
+#include <QHBoxLayout>
 #include <QLabel>
 
 #include <algorithm>
@@ -21,14 +21,14 @@ constexpr int ordersBesideFrom = 640; ///< units
 } // namespace
 
 QueueHead::QueueHead(const ThemeSource &theme, QWidget *parent)
-    : QWidget(parent)
+    : TurningRow(theme, ordersBesideFrom, parent)
     , m_theme(theme)
 {
     const Theme &now = theme.theme();
-    m_lines = layoutIn<QHBoxLayout>(this, now.u(16), {now.u(16), now.u(10), now.u(16), now.u(10)});
+    parts().setContentsMargins(now.u(16), now.u(10), now.u(16), now.u(10));
     auto *row = new QHBoxLayout;
     row->setSpacing(now.u(16));
-    m_lines->addLayout(row, 1);
+    parts().addLayout(row, 1);
     m_name = addCaptioned(theme, tr("recipe"), TextRole::Emphasis, *row, 2, this);
     m_image = addCaptioned(theme, tr("image"), TextRole::Body, *row, 3, this);
     m_parameters = addCaptioned(theme, tr("parameters"), TextRole::Body, *row, 2, this);
@@ -40,29 +40,17 @@ QueueHead::QueueHead(const ThemeSource &theme, QWidget *parent)
     orders->addWidget(m_openImage = image);
     orders->addWidget(m_openRecipe = recipe);
     orders->addWidget(m_edit = new IconButton(m_theme, Symbol::Edit, tr("Write a recipe"), this));
-    m_lines->addLayout(orders);
+    parts().addLayout(orders);
     connect(static_cast<IconButton *>(m_edit), &QToolButton::clicked, this, &QueueHead::editWanted);
     connect(image, &QPushButton::clicked, this, &QueueHead::askImage);
     connect(recipe, &QPushButton::clicked, this, &QueueHead::askRecipe);
 }
 
-QSize QueueHead::minimumSizeHint() const
-{
-    int width = 0;
-    for (int i = 0; i < m_lines->count(); ++i)
-        width = std::max(width, m_lines->itemAt(i)->minimumSize().width());
-    const QMargins margins = m_lines->contentsMargins();
-    return {width + margins.left() + margins.right(), QWidget::minimumSizeHint().height()};
-}
-
 /// What is chosen above where it is chosen, if there is no room beside it.
 void QueueHead::resizeEvent(QResizeEvent *event)
 {
-    QWidget::resizeEvent(event);
-    const Theme &now = m_theme.theme();
-    const bool narrow = width() < now.u(ordersBesideFrom);
-    m_lines->setDirection(narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
-    m_lines->setSpacing(now.u(narrow ? 6 : 16));
+    TurningRow::resizeEvent(event);
+    parts().setSpacing(m_theme.theme().u(isTurned() ? 6 : 16));
 }
 
 void QueueHead::show(const QueueRecipe &recipe)

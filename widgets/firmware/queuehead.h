@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QWidget>
+#include "widgets/common/turningrow.h"
 
-class QBoxLayout;
 class QLabel;
 
 namespace mb {
@@ -12,12 +11,10 @@ class QueueRecipe;
 class ThemeSource;
 
 /// What a queue does to every unit, in one line, and where another recipe is chosen. GUI thread.
-class QueueHead : public QWidget {
+class QueueHead : public TurningRow {
     Q_OBJECT
 public:
     QueueHead(const ThemeSource &theme, QWidget *parent);
-    /// That of one part below the other, however they stand.
-    [[nodiscard]] QSize minimumSizeHint() const override;
 
     void show(const QueueRecipe &recipe);
     /// Off while units are served.
@@ -37,7 +34,6 @@ private:
     void askRecipe();
 
     const ThemeSource &m_theme;
-    QBoxLayout *m_lines = nullptr;
     QLabel *m_name = nullptr;
     QLabel *m_image = nullptr;
     QLabel *m_parameters = nullptr;

@@ -99,8 +99,8 @@ Task<bool> NodeSettings::isTaken(int id)
 {
     if (m_line.roster().nodes().contains(id))
         co_return true;
-    auto asking = converse(m_line, supermodified::asking({id, m_node.baudrate, {}}, Command::GetPosition), {});
-    const Result<Frame> reply = co_await std::move(asking).attempt();
+    auto looking = converse(m_line, asking({id, m_node.baudrate, {}}, Command::GetPosition), {});
+    const Result<Frame> reply = co_await std::move(looking).attempt();
     if (!reply && reply.error().fault == Fault::LinkLost)
         co_return fail(reply.error());
     co_return reply || reply.error().fault != Fault::Timeout;
