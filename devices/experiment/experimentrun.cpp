@@ -4,7 +4,6 @@
 #include "async/sleep.h"
 #include "experiment/announcement.h"
 #include "experiment/envelope.h"
-#include "experiment/equivalenttime.h"
 #include "experiment/gains.h"
 #include "experiment/owedgains.h"
 #include "experiment/seconds.h"
@@ -21,19 +20,6 @@ using namespace std::chrono_literals;
 constexpr Duration hearLimit = 1s;
 constexpr Duration hearPeriod = 5ms;
 constexpr Duration rateTime = 200ms; ///< until samples come as often as was asked for
-constexpr Duration approachLimit = 3s;
-constexpr double nearX = 0.02; ///< of |Y − X|
-constexpr Duration stillBefore = 250ms;
-constexpr Duration leastHold = 400ms;
-constexpr double levelShare = 0.5;
-constexpr double settledWidth = 0.02; ///< of |Y − X|
-constexpr double longestReturn = 5.0; ///< s
-constexpr double returnedShare
-    = 0.35;                     ///< of a way back, over which it stays where it began: nothing but its next step waits
-constexpr double stopLag = 0.2; ///< s, as the guard of the travel counts
-constexpr int relayTurns = 18;
-constexpr Duration relayGlance = 2ms;
-constexpr Duration standsSpan = 150ms; ///< the same without a loop
 
 } // namespace
 
@@ -43,8 +29,8 @@ ExperimentRun::ExperimentRun(
     , m_stream(stream)
     , m_plan(std::move(plan))
     , m_around(std::move(surroundings))
-    , m_beat(inSeconds(device.family().capabilities.commandPeriod))
     , m_recorder(device, stream, m_plan.mode, m_plan.axis)
+    , m_motion(device, stream, m_plan, m_around, m_recorder, m_trial)
 {
     if (m_around.interruption)
         m_around.interruption->setStream(&stream);
@@ -93,7 +79,8 @@ Task<void> ExperimentRun::prepare()
     if (!envelope)
         co_return fail(envelope.error());
     const double from = m_plan.from.value_or(m_plan.mode == Mode::Position ? m_origin : 0.0);
-    const auto stimulus = Stimulus::make(m_plan.profile, from, m_plan.to, m_plan.seconds, m_beat);
+    const auto stimulus = Stimulus::make(
+        m_plan.profile, from, m_plan.to, m_plan.seconds, inSeconds(m_device.family().capabilities.commandPeriod));
     if (!stimulus)
         co_return fail(stimulus.error());
     if (stimulus->from == stimulus->to)
@@ -104,7 +91,7 @@ Task<void> ExperimentRun::prepare()
     m_trial.envelope = *envelope;
     if (!counted) {
         for (const double target : {stimulus->from, stimulus->to}) {
-            if (auto legal = m_device.check(setPointAt(target)); !legal)
+            if (auto legal = m_device.check(m_motion.setPointAt(target)); !legal)
                 co_return fail(legal.error());
         }
     }
@@ -126,7 +113,7 @@ Task<void> ExperimentRun::perform()
         m_trial.flags.emplace_back(flag::restartNeeded);
     auto writing = writeDown();
     co_await std::move(writing);
-    if (isInterrupted())
+    if (m_motion.isInterrupted())
         co_return {};
     if (m_plan.mode == Mode::Position && m_device.family().capabilities.zeroPosition) {
         auto zeroing = m_device.zeroPosition();
@@ -137,10 +124,13 @@ Task<void> ExperimentRun::perform()
     announce(m_device, m_around, m_plan, m_trial, m_origin);
     auto finding = findDirection();
     co_await std::move(finding);
-    if (const Message caution = m_device.caution(setPointAt(m_trial.stimulus.to)); !caution.empty())
+    if (const Message caution = m_device.caution(m_motion.setPointAt(m_trial.stimulus.to)); !caution.empty())
         m_around.caution(caution);
-    auto driving = drive();
-    co_await std::move(driving);
+    if (m_motion.isInterrupted())
+        co_return {};
+    m_moved = true;
+    auto moving = m_motion.run(guardPlan(), 1.0 / rate());
+    co_await std::move(moving);
     co_return {};
 }
 
@@ -212,18 +202,6 @@ Task<void> ExperimentRun::lowerRates()
     co_return {};
 }
 
-SetPoint ExperimentRun::setPointAt(double target) const
-{
-    SetPoint setPoint;
-    setPoint.mode = m_plan.profiled ? Mode::RampPosition : m_plan.mode;
-    setPoint.target = target;
-    setPoint.axis = m_plan.axis;
-    setPoint.slot = m_plan.slot;
-    if (m_device.family().capabilities.outputOptions)
-        setPoint.brake = true; // a coasting motor goes on many times as far
-    return setPoint;
-}
-
 GuardPlan ExperimentRun::guardPlan() const
 {
     const TrialTraits &traits = *m_device.family().trials;
@@ -241,8 +219,7 @@ GuardPlan ExperimentRun::guardPlan() const
     plan.highestBus = traits.highestBus;
     plan.telemetry = ofSeconds(std::max(1.0 / rate(), m_recorder.positionPeriod()));
     plan.command = m_device.family().capabilities.commandPeriod;
-    const double once = 2.0 * inSeconds(stillBefore) + stimulus.length() + std::min(stimulus.length(), longestReturn);
-    plan.longest = approachLimit + ofSeconds(once * m_plan.repeat);
+    plan.longest = m_motion.longest();
     return plan;
 }
 
@@ -266,173 +243,6 @@ Task<void> ExperimentRun::findDirection()
     m_around.directions->add(m_device.selector(), m_plan.axis, *duty);
     m_breakaway = *duty > 0.0 ? *duty : m_breakaway;
     co_return {};
-}
-
-/// The check of the direction has moved it a little, and its loop does not bring it back: where nobody asked for another X,
-/// that is where it stands now.
-bool ExperimentRun::beginsHere()
-{
-    const auto here = m_recorder.latest("position");
-    if (m_plan.mode != Mode::Position || m_plan.from || !here)
-        return false;
-    const auto stimulus = Stimulus::make(m_plan.profile, *here, m_plan.to, m_plan.seconds, m_beat);
-    if (!stimulus)
-        return false;
-    m_trial.stimulus = *stimulus;
-    setTarget(*here);
-    return true;
-}
-
-bool ExperimentRun::isInterrupted() const
-{
-    return m_around.interruption && m_around.interruption->isRequested();
-}
-
-bool ExperimentRun::isOver() const
-{
-    return m_recorder.trip() || !m_stream.isRunning() || isInterrupted();
-}
-
-void ExperimentRun::setTarget(double target)
-{
-    m_recorder.expect(target);
-    if (m_stream.isRunning() && m_stream.setPoint().target != target)
-        (void)m_stream.follow(setPointAt(target)); // a refusal ends the stream, and that is seen
-}
-
-Task<void> ExperimentRun::drive()
-{
-    if (isInterrupted())
-        co_return {};
-    m_recorder.guard(guardPlan());
-    m_recorder.expect(m_trial.stimulus.from);
-    m_moved = true;
-    if (auto started = m_stream.start(setPointAt(m_trial.stimulus.from), experimentLease); !started)
-        co_return fail(started.error());
-    auto going = goTo(m_trial.stimulus.from);
-    co_await std::move(going);
-    const double period = 1.0 / rate();
-    for (int i = 0; i < m_plan.repeat && !isOver(); ++i) {
-        auto following = followOnce(ditherOf(i, m_plan.repeat, period));
-        co_await std::move(following);
-    }
-    m_recorder.unguard();
-    if (m_stream.isRunning())
-        m_stream.stop();
-    co_return {};
-}
-
-Task<void> ExperimentRun::goTo(double target)
-{
-    const double width = nearX * std::abs(m_trial.stimulus.to - m_trial.stimulus.from);
-    const std::string_view key = measuredOf(m_plan.mode);
-    const Instant from = m_device.clock().now();
-    const Instant limit = from + approachLimit;
-    while (!isOver()) {
-        const double here = m_recorder.latest(key).value_or(0.0);
-        const bool rests = m_recorder.isSettled(from, stillBefore, levelShare, 2.0 * width);
-        const bool arrived
-            = m_plan.mode == Mode::Duty || m_plan.mode == Mode::Current || std::abs(here - target) <= width;
-        if (rests && arrived)
-            break;
-        if (m_device.clock().now() >= limit) {
-            if (arrived || m_plan.mode == Mode::Current)
-                break; // noise, or a slow creep
-            if (beginsHere())
-                break;
-            m_stream.stop();
-            co_return fail(Fault::Refused,
-                say("the unit stays %1 away from where the experiment begins, more than 2 % of its step",
-                    std::round(std::abs(here - target) * 100.0) / 100.0),
-                say("take a larger one, or begin where it stands"));
-        }
-        Sleep nap(m_device.clock(), hearPeriod);
-        co_await nap;
-    }
-    co_return {};
-}
-
-/// X for a moment, the stimulus on the device's beat, and back to X.
-Task<void> ExperimentRun::followOnce(double dither)
-{
-    const Stimulus &stimulus = m_trial.stimulus;
-    Clock &clock = m_device.clock();
-    const double width = settledWidth * std::abs(stimulus.to - stimulus.from);
-    const auto aim = isClosedLoop(m_plan.mode) ? std::optional(stimulus.to) : std::nullopt;
-    Sleep waiting(clock, stillBefore + ofSeconds(dither));
-    co_await waiting;
-    const Instant begin = clock.now();
-    const Instant end = begin + ofSeconds(stimulus.length());
-    const double place = m_recorder.latest("position").value_or(m_origin);
-    if (m_plan.relay) {
-        auto swinging = swing(end);
-        co_await std::move(swinging);
-    }
-    for (int beat = 0; !m_plan.relay && !isOver() && clock.now() < end; ++beat) {
-        setTarget(stimulus.at(inSeconds(clock.now() - begin)));
-        if (hasGoneFar(place) || (stimulus.ends && m_recorder.hasSettled(begin, leastHold, aim, width)))
-            break;
-        Sleep nap(clock, std::min(begin + ofSeconds(m_beat * (beat + 1)), end) - clock.now());
-        co_await nap;
-    }
-    const Instant back = clock.now();
-    for (const double edge : stimulus.edges())
-        m_holds.emplace_back(begin + ofSeconds(edge), std::min(begin + ofSeconds(edge + stimulus.hold()), back));
-    if (stimulus.edges().empty())
-        m_holds.emplace_back(begin, back);
-    setTarget(stimulus.from);
-    tellMeasured();
-    const Instant limit = back + ofSeconds(std::max(std::min(stimulus.length(), longestReturn), m_plan.rest));
-    while (!isOver() && clock.now() < limit && !hasReturned(back)) {
-        Sleep nap(clock, ofSeconds(m_beat));
-        co_await nap;
-    }
-    m_returns.emplace_back(back, clock.now());
-    co_return {};
-}
-
-bool ExperimentRun::hasGoneFar(double from) const
-{
-    return m_plan.reach && std::abs(m_recorder.stopsAt(stopLag) - from) > *m_plan.reach;
-}
-
-/// The duty of Y one way and the other: what makes the motor swing tells how sluggish it is (relaycycle.h).
-Task<void> ExperimentRun::swing(Instant end)
-{
-    Clock &clock = m_device.clock();
-    const double middle = m_recorder.latest("position").value_or(m_origin);
-    double target = m_trial.stimulus.to;
-    for (int turns = 0; !isOver() && clock.now() < end && turns < relayTurns;) {
-        setTarget(target);
-        Sleep nap(clock, relayGlance);
-        co_await nap;
-        const double passed = m_recorder.latest("position").value_or(middle) - middle;
-        if (passed * target > 0.0 && std::abs(passed) > *m_plan.relay) {
-            target = -target;
-            ++turns;
-        }
-    }
-    co_return {};
-}
-
-bool ExperimentRun::hasReturned(Instant since) const
-{
-    const Stimulus &stimulus = m_trial.stimulus;
-    if (m_plan.mode == Mode::Duty && stimulus.from == 0.0)
-        return m_recorder.isStill(since, standsSpan);
-    const double width = settledWidth * std::abs(stimulus.to - stimulus.from);
-    return m_recorder.isSettled(since, std::max(leastHold, ofSeconds(m_plan.rest)), returnedShare, width);
-}
-
-void ExperimentRun::tellMeasured() const
-{
-    if (!m_around.measured || isOver())
-        return;
-    Trial sofar = m_trial;
-    sofar.samples = m_recorder.samples();
-    sofar.lost = m_recorder.lost();
-    measure(sofar, m_device.family(), m_recorder, m_holds, m_returns);
-    m_around.measured(sofar);
 }
 
 Task<void> ExperimentRun::putBack()
@@ -460,8 +270,8 @@ void ExperimentRun::classifyEnding(const std::optional<Error> &error)
 {
     if (m_recorder.trip() && !m_trip)
         m_trip = m_recorder.trip();
-    const Ending ending{
-        m_trip, m_stream.end(), m_stream.reason(), isInterrupted(), m_device.link().state() == LinkState::Open, error};
+    const Ending ending{m_trip, m_stream.end(), m_stream.reason(), m_motion.isInterrupted(),
+        m_device.link().state() == LinkState::Open, error};
     nameEnding(m_trial, ending);
 }
 
@@ -479,7 +289,7 @@ Task<void> ExperimentRun::conclude(std::optional<Error> error)
     }
     m_trial.samples = m_recorder.samples();
     m_trial.lost = m_recorder.lost();
-    measure(m_trial, m_device.family(), m_recorder, m_holds, m_returns);
+    measure(m_trial, m_device.family(), m_recorder, m_motion.holds(), m_motion.returns());
     if (m_device.link().state() == LinkState::Open) {
         auto putting = putBack();
         co_await std::move(putting);

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "experiment/direction.h"
-#include "experiment/experimentplan.h"
-#include "model/setpointstream.h"
+#include "experiment/experimentmotion.h"
 
 namespace mb::tuning {
 
@@ -31,33 +30,19 @@ private:
     [[nodiscard]] Task<void> raiseRates();
     [[nodiscard]] Task<void> lowerRates();
     [[nodiscard]] Task<void> findDirection();
-    [[nodiscard]] bool beginsHere();
-    [[nodiscard]] Task<void> drive();
-    [[nodiscard]] Task<void> goTo(double target);
-    [[nodiscard]] Task<void> followOnce(double dither);
-    [[nodiscard]] Task<void> swing(Instant end);
-    [[nodiscard]] bool hasGoneFar(double from) const;
-    /// To X, after the hold that ended at `since`.
-    [[nodiscard]] bool hasReturned(Instant since) const;
     [[nodiscard]] Task<void> putBack();
     [[nodiscard]] GuardPlan guardPlan() const;
     [[nodiscard]] double rate() const;
-    [[nodiscard]] SetPoint setPointAt(double target) const;
-    void setTarget(double target);
     void note(const Message &text) const;
-    void tellMeasured() const;
-    [[nodiscard]] bool isInterrupted() const;
-    /// Something has ended the motion.
-    [[nodiscard]] bool isOver() const;
     void classifyEnding(const std::optional<Error> &error);
 
     Device &m_device;
     SetPointStream &m_stream;
     ExperimentPlan m_plan;
     ExperimentSurroundings m_around;
-    const double m_beat; ///< s
     TrialRecorder m_recorder;
     Trial m_trial;
+    ExperimentMotion m_motion;
     double m_origin = 0.0; ///< counts
     double m_breakaway = 0.1;
     std::optional<Trip> m_trip;
@@ -66,8 +51,6 @@ private:
     bool m_wrote = false;
     bool m_moved = false;
     std::vector<ChannelIndex> m_raised;
-    std::vector<std::pair<Instant, Instant>> m_holds;   ///< edge and end of each step to Y
-    std::vector<std::pair<Instant, Instant>> m_returns; ///< the same of the way back
 };
 
 } // namespace mb::tuning

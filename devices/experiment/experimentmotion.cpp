@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiment/experimentmotion.h"
+
+#include "async/sleep.h"
+#include "experiment/equivalenttime.h"
+#include "experiment/seconds.h"
+#include "experiment/verdict.h"
+#include "model/family.h"
+
+#include <cmath>
+
+namespace mb::tuning {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Duration glance = 5ms;
+constexpr Duration approachLimit = 3s;
+constexpr double nearX = 0.02; ///< of |Y − X|
+constexpr Duration stillBefore = 250ms;
+constexpr Duration leastHold = 400ms;
+constexpr double levelShare = 0.5;
+constexpr double settledWidth = 0.02; ///< of |Y − X|
+constexpr double longestReturn = 5.0; ///< s
+/// Of a way back, over which it stays where it began: nothing but its next step waits.
+constexpr double returnedShare = 0.35;
+constexpr double stopLag = 0.2; ///< s, as the guard of the travel counts
+constexpr int relayTurns = 18;
+constexpr Duration relayGlance = 2ms;
+constexpr Duration standsSpan = 150ms; ///< the same without a loop
+
+} // namespace
+
+ExperimentMotion::ExperimentMotion(Device &device, SetPointStream &stream, const ExperimentPlan &plan,
+    const ExperimentSurroundings &surroundings, TrialRecorder &recorder, Trial &trial)
+    : m_device(device)
+    , m_stream(stream)
+    , m_plan(plan)
+    , m_around(surroundings)
+    , m_recorder(recorder)
+    , m_trial(trial)
+    , m_beat(inSeconds(device.family().capabilities.commandPeriod))
+{
+}
+
+SetPoint ExperimentMotion::setPointAt(double target) const
+{
+    SetPoint setPoint;
+    setPoint.mode = m_plan.profiled ? Mode::RampPosition : m_plan.mode;
+    setPoint.target = target;
+    setPoint.axis = m_plan.axis;
+    setPoint.slot = m_plan.slot;
+    if (m_device.family().capabilities.outputOptions)
+        setPoint.brake = true; // a coasting motor goes on many times as far
+    return setPoint;
+}
+
+Duration ExperimentMotion::longest() const
+{
+    const double length = m_trial.stimulus.length();
+    const double once = 2.0 * inSeconds(stillBefore) + length + std::min(length, longestReturn);
+    return approachLimit + ofSeconds(once * m_plan.repeat);
+}
+
+bool ExperimentMotion::isInterrupted() const
+{
+    return m_around.interruption && m_around.interruption->isRequested();
+}
+
+bool ExperimentMotion::isOver() const
+{
+    return m_recorder.trip() || !m_stream.isRunning() || isInterrupted();
+}
+
+void ExperimentMotion::setTarget(double target)
+{
+    m_recorder.expect(target);
+    if (m_stream.isRunning() && m_stream.setPoint().target != target)
+        (void)m_stream.follow(setPointAt(target)); // a refusal ends the stream, and that is seen
+}
+
+Task<void> ExperimentMotion::run(const GuardPlan &guards, double period)
+{
+    m_origin = guards.origin;
+    m_recorder.guard(guards);
+    m_recorder.expect(m_trial.stimulus.from);
+    if (auto started = m_stream.start(setPointAt(m_trial.stimulus.from), experimentLease); !started)
+        co_return fail(started.error());
+    auto going = goTo(m_trial.stimulus.from);
+    co_await std::move(going);
+    for (int i = 0; i < m_plan.repeat && !isOver(); ++i) {
+        auto following = followOnce(ditherOf(i, m_plan.repeat, period));
+        co_await std::move(following);
+    }
+    m_recorder.unguard();
+    if (m_stream.isRunning())
+        m_stream.stop();
+    co_return {};
+}
+
+/// The check of the direction has moved it a little, and its loop does not bring it back: where nobody asked for another X,
+/// that is where it stands now.
+bool ExperimentMotion::beginsHere()
+{
+    const auto here = m_recorder.latest("position");
+    if (m_plan.mode != Mode::Position || m_plan.from || !here)
+        return false;
+    const auto stimulus = Stimulus::make(m_plan.profile, *here, m_plan.to, m_plan.seconds, m_beat);
+    if (!stimulus)
+        return false;
+    m_trial.stimulus = *stimulus;
+    setTarget(*here);
+    return true;
+}
+
+Task<void> ExperimentMotion::goTo(double target)
+{
+    const double width = nearX * std::abs(m_trial.stimulus.to - m_trial.stimulus.from);
+    const std::string_view key = measuredOf(m_plan.mode);
+    const Instant from = m_device.clock().now();
+    const Instant limit = from + approachLimit;
+    while (!isOver()) {
+        const double here = m_recorder.latest(key).value_or(0.0);
+        const bool rests = m_recorder.isSettled(from, stillBefore, levelShare, 2.0 * width);
+        const bool arrived
+            = m_plan.mode == Mode::Duty || m_plan.mode == Mode::Current || std::abs(here - target) <= width;
+        if (rests && arrived)
+            break;
+        if (m_device.clock().now() >= limit) {
+            if (arrived || m_plan.mode == Mode::Current)
+                break; // noise, or a slow creep
+            if (beginsHere())
+                break;
+            m_stream.stop();
+            co_return fail(Fault::Refused,
+                say("the unit stays %1 away from where the experiment begins, more than 2 % of its step",
+                    std::round(std::abs(here - target) * 100.0) / 100.0),
+                say("take a larger one, or begin where it stands"));
+        }
+        Sleep nap(m_device.clock(), glance);
+        co_await nap;
+    }
+    co_return {};
+}
+
+/// X for a moment, the stimulus, and back to X.
+Task<void> ExperimentMotion::followOnce(double dither)
+{
+    Clock &clock = m_device.clock();
+    Sleep waiting(clock, stillBefore + ofSeconds(dither));
+    co_await waiting;
+    const Instant begin = clock.now();
+    const Instant end = begin + ofSeconds(m_trial.stimulus.length());
+    auto following = m_plan.relay ? swing(end) : followProfile(begin, end);
+    co_await std::move(following);
+    keepHolds(begin, clock.now());
+    auto returning = comeBack();
+    co_await std::move(returning);
+    co_return {};
+}
+
+/// On the device's beat.
+Task<void> ExperimentMotion::followProfile(Instant begin, Instant end)
+{
+    const Stimulus &stimulus = m_trial.stimulus;
+    Clock &clock = m_device.clock();
+    const double width = settledWidth * std::abs(stimulus.to - stimulus.from);
+    const auto aim = isClosedLoop(m_plan.mode) ? std::optional(stimulus.to) : std::nullopt;
+    const double place = m_recorder.latest("position").value_or(m_origin);
+    for (int beat = 0; !isOver() && clock.now() < end; ++beat) {
+        setTarget(stimulus.at(inSeconds(clock.now() - begin)));
+        if (hasGoneFar(place) || (stimulus.ends && m_recorder.hasSettled(begin, leastHold, aim, width)))
+            break;
+        Sleep nap(clock, std::min(begin + ofSeconds(m_beat * (beat + 1)), end) - clock.now());
+        co_await nap;
+    }
+    co_return {};
+}
+
+/// The duty of Y one way and the other: what makes the motor swing tells how sluggish it is (relaycycle.h).
+Task<void> ExperimentMotion::swing(Instant end)
+{
+    Clock &clock = m_device.clock();
+    const double middle = m_recorder.latest("position").value_or(m_origin);
+    double target = m_trial.stimulus.to;
+    for (int turns = 0; !isOver() && clock.now() < end && turns < relayTurns;) {
+        setTarget(target);
+        Sleep nap(clock, relayGlance);
+        co_await nap;
+        const double passed = m_recorder.latest("position").value_or(middle) - middle;
+        if (passed * target > 0.0 && std::abs(passed) > *m_plan.relay) {
+            target = -target;
+            ++turns;
+        }
+    }
+    co_return {};
+}
+
+void ExperimentMotion::keepHolds(Instant begin, Instant back)
+{
+    const Stimulus &stimulus = m_trial.stimulus;
+    for (const double edge : stimulus.edges())
+        m_holds.emplace_back(begin + ofSeconds(edge), std::min(begin + ofSeconds(edge + stimulus.hold()), back));
+    if (stimulus.edges().empty())
+        m_holds.emplace_back(begin, back);
+}
+
+Task<void> ExperimentMotion::comeBack()
+{
+    const Stimulus &stimulus = m_trial.stimulus;
+    Clock &clock = m_device.clock();
+    const Instant back = clock.now();
+    setTarget(stimulus.from);
+    tellMeasured();
+    const Instant limit = back + ofSeconds(std::max(std::min(stimulus.length(), longestReturn), m_plan.rest));
+    while (!isOver() && clock.now() < limit && !hasReturned(back)) {
+        Sleep nap(clock, ofSeconds(m_beat));
+        co_await nap;
+    }
+    m_returns.emplace_back(back, clock.now());
+    co_return {};
+}
+
+bool ExperimentMotion::hasGoneFar(double from) const
+{
+    return m_plan.reach && std::abs(m_recorder.stopsAt(stopLag) - from) > *m_plan.reach;
+}
+
+/// To X, after the hold that ended at `since`.
+bool ExperimentMotion::hasReturned(Instant since) const
+{
+    const Stimulus &stimulus = m_trial.stimulus;
+    if (m_plan.mode == Mode::Duty && stimulus.from == 0.0)
+        return m_recorder.isStill(since, standsSpan);
+    const double width = settledWidth * std::abs(stimulus.to - stimulus.from);
+    return m_recorder.isSettled(since, std::max(leastHold, ofSeconds(m_plan.rest)), returnedShare, width);
+}
+
+void ExperimentMotion::tellMeasured() const
+{
+    if (!m_around.measured || isOver())
+        return;
+    Trial sofar = m_trial;
+    sofar.samples = m_recorder.samples();
+    sofar.lost = m_recorder.lost();
+    measure(sofar, m_device.family(), m_recorder, m_holds, m_returns);
+    m_around.measured(sofar);
+}
+
+} // namespace mb::tuning
