@@ -27,7 +27,7 @@ double roundedUp(double value)
         return 0.0;
     const double unit = std::pow(10.0, std::floor(std::log10(value))) / significant * 10.0;
     const double steps = std::ceil(value / unit);
-    return unit < 1.0 ? steps / std::round(1.0 / unit) : steps * unit; // 3.8, not 3.8000000000000003
+    return unit < 1.0 ? steps / std::round(1.0 / unit) : steps * unit; // not 3.8000000000000003
 }
 
 std::optional<double> speedOf(const ExperimentPlan &plan, const Stimulus &stimulus, double duty, double gain)

@@ -10,7 +10,11 @@ FOLDERS = ("app", "devices", "widgets", "tests")
 CITED = re.compile(r"(?<![\w/.])((?:docs/\w[\w-]*|(?:\w+/)?README)\.md)#([\w-]+)")
 PAGE = re.compile(r"(?<![\w/.])(docs/[\w/-]+\.md|(?:\w+/)?README\.md)(?!\w)")
 ELSEWHERE = re.compile(r"\bproduct\.md|\bpeers\.md|(?<!docs/)\btuning\.md [0-9]|\btraps? [0-9]|protocol reference|\bsections? [0-9]"
+                       r"|\b(?:product|tuning|architecture) [0-9]\."
                        r"|(?://|\*|#).*?(?<![\w/])(?!README)[\w-]+\.md, [a-z]", re.IGNORECASE)
+# "/// 2.1", "///< 1.4: why", "// Frame, 1.1", "in this order (6)": a section of a page that is not named.
+NUMBERED = re.compile(r"(?m)//[/!<]*[ ]*(?:[1-9]\.\d{1,2}(?!\d)(?:, [\d.]+)*(?: and \d)?(?=[ ]*(?:[:,]|$))|[1-9](?:, [\d.]+)*[ ]*$"
+                      r"|[A-Z][\w ]*, [1-9](?:\.\d{1,2})?(?=\.?$|;|\. [A-Z`])|[^\n]*\([1-9](?:\.\d{1,2})?\)\.?$)")
 NAMED = re.compile(r'docs/[\w/-]+\.md,\s*(?:///?\s*)?(?:"\w|[A-Z]\w+[).])')
 
 
@@ -63,8 +67,17 @@ class Citations(unittest.TestCase):
 
     def test_nothing_is_cited_that_a_reader_does_not_have(self):
         found = [f"{path.relative_to(ROOT)}:{text.count(chr(10), 0, match.start()) + 1}: {match[0]}"
-                 for path, text in self.sources for match in ELSEWHERE.finditer(text)]
+                 for path, text in self.sources for pattern in ((ELSEWHERE,) if path.suffix == ".py" else (ELSEWHERE, NUMBERED))
+                 for match in pattern.finditer(text)]
         self.assertEqual(found, [])
+
+    def test_the_number_of_a_section_without_its_page_is_found(self):
+        for cited in ("/// 2.1", "int a; ///< 1.4: why", "// Frame, 1.1", "/// CANCTRL0, 2.11. More", "/// In this order (6).", "/// 2, 2.4"):
+            with self.subTest(cited):
+                self.assertRegex(cited, NUMBERED)
+        for plain in ("/// 0: none", "double kept = 4.0; ///< 1.5 times", "/// 1, 2 or 5 of each", "/// A page of A4 at 96 dpi", "/// D1, D2: later"):
+            with self.subTest(plain):
+                self.assertNotRegex(plain, NUMBERED)
 
     def test_an_anchor_stands_once_in_its_page(self):
         for page in [*sorted((ROOT / "docs").glob("*.md")), *sorted((ROOT / "devices/families").glob("*/README.md"))]:

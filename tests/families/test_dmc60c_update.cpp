@@ -284,7 +284,7 @@ TEST(Dmc60cUpdate, RunsAgainToSuccessAfterThePowerWasCutAtSeededFrames)
         const auto first = bench.update(smallImage());
         if (first && first->outcome == UpdateOutcome::Done)
             continue;
-        bool bricked = false; // 7.7: a cut while page 0 is erased cannot be repaired over the bus
+        bool bricked = false; // a cut while page 0 is erased cannot be repaired over the bus
         for (const SimulatorEvent &event : bench.log)
             bricked = bricked || event.what == "bricked";
         bench.clock.advance(1s);

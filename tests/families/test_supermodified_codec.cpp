@@ -199,7 +199,7 @@ TEST(SupermodifiedCodec, EveryWidthKeepsItsExtremes)
         ASSERT_EQ(valueOf(request(4, 1, Command::MoveVelocity, Dialect::D1, value)->payload(), Format::I16), value);
 }
 
-// I2C, 1.5
+// I2C
 
 TEST(SupermodifiedI2c, CarriesAndIdAndNoHeader)
 {

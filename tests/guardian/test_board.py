@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A board without watchdog on an SPI socket, simulated by another process, and the program that drives it killed or frozen:
     test_board.py MOTORBENCHCTL WINDOWDRIVER
-Every motor stops within 700 ms of the signal (product and tuning 5.3). All times are of this machine's monotonic clock, that of
+Every motor stops within 700 ms of the signal (docs/safety.md). All times are of this machine's monotonic clock, that of
 the stop is when the simulator's line about it was read. The output of the board is off when none of its four motors is on."""
 import json
 import os

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The real guardian, started by a real program (guardedprogram) that is then killed, frozen or left without it. Prints how long a
-// motor goes on; product and tuning 5.3 allow 700 ms.
+// motor goes on; docs/safety.md allows 700 ms.
 #include "app/guardian/client/guardianprocess.h"
 
 #include <gtest/gtest.h>

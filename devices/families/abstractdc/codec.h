@@ -18,7 +18,7 @@ namespace mb::abstractdc {
 /// The dialect must have the log.
 [[nodiscard]] CanFrame encodeLogRequest(const Dialect &dialect, int offset, Log log);
 
-/// 2.1: each firmware ignores the other's length, so both together stop a drive of any dialect that can be stopped.
+/// README.md#no-watchdog: each firmware ignores the other's length, so both together stop a drive of any dialect that can be stopped.
 [[nodiscard]] std::array<CanFrame, 2> stopFrames(int offset);
 
 struct LogReply {

@@ -10,7 +10,7 @@
 /// Names and numbers of the Abstract DC Drive on CAN, shared by the codec and the simulator, and nothing else.
 namespace mb::abstractdc {
 
-/// 1.2: up to here every identifier has one meaning. From 100 on the set-points of one drive are the settings of another.
+/// Up to here every identifier has one meaning (README.md#offsets).
 constexpr int maxOffset = 99;
 
 enum class Loop : std::uint8_t { None, Velocity, Current, Position, Direct };
@@ -22,7 +22,7 @@ constexpr std::size_t fieldCount = 5;
 constexpr std::size_t logCount = 5;
 constexpr int absent = -1;
 
-namespace id { ///< 1.2: the offset of the drive is added; 0 is every drive
+namespace id { ///< the offset of the drive is added (README.md#offsets); 0 is every drive
 constexpr std::uint32_t setPoint = 100;
 constexpr std::uint32_t settings = 200;
 constexpr std::uint32_t logRequest = 900;
@@ -37,7 +37,7 @@ constexpr std::uint32_t positionLogLegacy = 1100;
 constexpr std::uint32_t currentLogLegacy = 1200;
 } // namespace id
 
-/// 0: one row of the table of dialects. Codes stand in the order of the enumerations above.
+/// One row of the table of dialects (README.md#dialects). Codes stand in the order of the enumerations above.
 struct Dialect {
     std::string_view key;
     std::array<int, loopCount> type;   ///< TYPE; `absent`: cannot be said
@@ -85,17 +85,17 @@ inline constexpr std::array<const Dialect *, 4> dialects{&dialectF, &dialectL, &
     return nullptr;
 }
 
-constexpr int fullPwm = 255;          ///< 2.1
-constexpr int adcMost = 1023;         ///< 2.3
-constexpr int averagingMost = 500;    ///< 2.2; the device does not check it
-constexpr int outputWraps = 32768;    ///< 3: an output is cast to 16 bits before it is clamped
+constexpr int fullPwm = 255;          ///< of a direct set-point, either sign
+constexpr int adcMost = 1023;         ///< of the current and temperature logs
+constexpr int averagingMost = 500;    ///< the device does not check it (README.md#averaging)
+constexpr int outputWraps = 32768;    ///< an output is cast to 16 bits before it is clamped (README.md#wraps)
 constexpr int wrapLoss = 65535;       ///< README.md#position: what a wrap of the 16-bit timer is counted as
 constexpr int savesUntilWarning = 40; ///< README.md#saves
 constexpr int savesPerPage = 50;      ///< the 51st record makes the next start load something else
 constexpr auto loopPeriod = std::chrono::microseconds(20040);
-constexpr auto answerSlack = std::chrono::milliseconds(20); ///< 1.3, besides twice the frames
+constexpr auto answerSlack = std::chrono::milliseconds(20); ///< of an answer, besides twice the frames
 
-/// 7: the settings, 1 KiB each for velocity, current, position.
+/// The settings in flash (README.md#saves), 1 KiB each for velocity, current, position.
 constexpr std::uint32_t settingsAddress = 0x0800C800;
 constexpr std::uint32_t settingsSize = 0xC00;
 

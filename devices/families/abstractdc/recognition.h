@@ -12,7 +12,7 @@
 namespace mb::abstractdc {
 
 /// For Family::recogniser: drives in the traffic of others. An answer alone does not tell whose it is (1024 … 1123 are today's
-/// speeds and legacy positions); a question with the identifier of its answer does, as in a scan (6).
+/// speeds and legacy positions); a question with the identifier of its answer does, as in a scan.
 class Recognition {
 public:
     /// Every frame of a recording, in their order. Who has answered with this one; the dialect is empty until a question was asked that not all dialects answer alike.

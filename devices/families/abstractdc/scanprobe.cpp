@@ -46,7 +46,7 @@ Task<std::optional<std::uint32_t>> Prober::ask(Probe probe, int most)
 
 namespace {
 
-/// 6.3: decides on 03, confirms with 04; D and F answer both elsewhere. The answers of D to these are answers of F to other
+/// README.md#dialects: decides on 03, confirms with 04; D and F answer both elsewhere. The answers of D to these are answers of F to other
 /// questions, so D is proven by its voltage, too, on an identifier that no other dialect has.
 Task<const Dialect *> tellNew(Prober &prober, int offset, int most)
 {
@@ -96,7 +96,7 @@ Task<std::optional<Found>> tellPresent(Prober &prober, int offset, std::uint32_t
 
 } // namespace
 
-/// 6.3: an identifier in 1024…1099 is today's with one offset or legacy with another.
+/// README.md#offsets: an identifier in 1024…1099 is today's with one offset or legacy with another.
 Task<std::optional<Found>> identifyDrive(Prober &prober, std::uint32_t answer)
 {
     const int today = static_cast<int>(answer) - static_cast<int>(id::velocityLog);

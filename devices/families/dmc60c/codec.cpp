@@ -34,7 +34,7 @@ LimitSwitch limitSwitch(std::uint8_t flags, int first)
     return {bit(flags, first), bit(flags, first + 1), bit(flags, first + 2), bit(flags, first + 3)};
 }
 
-/// 2.8: the low 16 bits in open-loop mode, all 24 elsewhere, nothing without drive.
+/// README.md#status-general: the low 16 bits in open-loop mode, all 24 elsewhere, nothing without drive.
 std::int32_t generalError(ControlMode mode, std::span<const std::uint8_t> b, bool divided)
 {
     if (mode == ControlMode::NoDrive)

@@ -24,7 +24,7 @@ struct VendorCommand {
     std::uint16_t param2 = 0;
 };
 
-/// CANCTRL0, 2.11. `target` is raw: duty units, counts per 100 ms, counts, 8.16 A or V, or a device number.
+/// CANCTRL0 (README.md#byte-orders). `target` is raw: duty units, counts per 100 ms, counts, 8.16 A or V, or a device number.
 struct Control {
     ControlMode mode = ControlMode::NoDrive;
     std::int32_t target = 0; ///< 24 bits with sign

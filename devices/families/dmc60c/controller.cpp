@@ -234,7 +234,7 @@ StopScript Controller::stopScript() const
     StopStep step;
     step.frame = encodeControl(identity().address, Control{});
     step.wait = std::chrono::milliseconds(10);
-    step.attempts = 2; // 6.1
+    step.attempts = 2; // README.md#stopping
     return {{std::move(step)}};
 }
 

@@ -24,7 +24,7 @@ constexpr std::uint32_t lastAddressOf(int page)
     return addressOf(page) + (pageBytes - 1);
 }
 
-/// 7.1: what a linker file has beyond the application.
+/// What a linker file has beyond the application.
 struct Region {
     std::uint32_t first;
     std::uint32_t last;

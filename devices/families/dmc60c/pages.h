@@ -32,11 +32,11 @@ struct Application {
 /// The pages of the file without any judgement.
 [[nodiscard]] Application pagesOf(const FirmwareImage &image);
 
-/// pagesOf() after the preflight of 7.2. Fault::OutOfRange when page 0 or page 30 has no data, when the version word is
+/// pagesOf() after the preflight. Fault::OutOfRange when page 0 or page 30 has no data, when the version word is
 /// missing, 0x0000 or 0xFFFF, or when there is no instruction at the entry point.
 [[nodiscard]] Result<Application> applicationFrom(const FirmwareImage &image);
 
-/// 7.4: the CRC is nowhere specified. A is what the 2016 bootloader computes, B is zlib's, C is A with half of the
+/// README.md#page-check: the CRC is nowhere specified. A is what the 2016 bootloader computes, B is zlib's, C is A with half of the
 /// flush. Trying is harmless: a page with a wrong CRC erases nothing.
 enum class CrcVariant { A, B, C };
 

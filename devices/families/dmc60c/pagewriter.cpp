@@ -12,7 +12,7 @@ using namespace std::chrono_literals;
 
 constexpr int pageTries = 4; ///< the page, and three times again
 constexpr int failedWriteTries = 3;
-constexpr Duration slowGap = 225us; ///< 7.5: after a time-out, between the frames of a page
+constexpr Duration slowGap = 225us; ///< after a time-out, between the frames of a page
 constexpr Duration pageTimeout = 2s;
 
 char letterOf(CrcVariant variant)

@@ -11,7 +11,7 @@ namespace mb::dmc60c {
 constexpr int bitrate = 1'000'000;
 constexpr int maxDeviceNumber = 63; ///< 0 = unassigned; firmware of 2016 refuses 63
 
-/// 1.2: identifiers without the device number, which is bits 5…0.
+/// README.md#identifiers: without the device number, which is bits 5…0.
 namespace id {
 constexpr std::uint32_t deviceMask = 0x3FU;
 constexpr std::uint32_t messageMask = 0x1FFFFFC0U;
@@ -34,7 +34,7 @@ enum class ImageType : std::uint16_t { Application = 0, Bootloader = 1, Auxiliar
 constexpr std::uint16_t noApplication = 0xFFFFU; ///< fwverApp without a valid application
 constexpr std::uint32_t productDmc60c = 0x602U;  ///< pdid bits 31…20
 
-/// 3: vendor commands.
+/// README.md#vendor-commands
 enum class Command : std::uint16_t {
     SetDevNumber = 0x01,
     SetDevName = 0x02,
@@ -84,7 +84,7 @@ enum class Descriptor : std::uint8_t { DevName = 1, ManName = 2, ProdName = 3, M
 constexpr int maxNameLength = 64; ///< accepted; above 28 some tools truncate
 constexpr int usualNameLength = 28;
 
-/// 6.2: modeSelect.
+/// modeSelect of CANCTRL0 and STSGENERAL.
 enum class ControlMode : std::uint8_t {
     Voltage = 0,
     Velocity = 1,
@@ -98,7 +98,7 @@ enum class ControlMode : std::uint8_t {
 constexpr std::int32_t fullDuty = 32767; ///< 100 %; −32768 is full reverse, so 32768 must never be sent
 constexpr int velocityPerSecond = 10;    ///< the wire counts per 100 ms
 
-/// 6.1, 5 and 8: times.
+/// Times: README.md#stopping, README.md#flash, README.md#enumeration.
 constexpr auto loopPeriod = std::chrono::microseconds(500);
 constexpr auto heartbeat = std::chrono::milliseconds(104);
 constexpr auto controlPeriod = std::chrono::milliseconds(20);
@@ -112,7 +112,7 @@ constexpr auto defaultGeneralPeriod = std::chrono::milliseconds(10);
 constexpr auto defaultEncoderPeriod = std::chrono::milliseconds(100);
 constexpr auto defaultAnalogPeriod = std::chrono::milliseconds(100);
 
-/// 7.1: flash pages.
+/// Flash pages: README.md#pages.
 constexpr int pageSize = 4096;
 constexpr int firstPage = 0; ///< written last
 constexpr int lastPage = 30; ///< written first; its last instruction holds the version

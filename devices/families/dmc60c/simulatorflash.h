@@ -28,7 +28,7 @@ struct ConfigImage {
     [[nodiscard]] std::vector<std::uint8_t> descriptors() const;
 };
 
-/// How the bootloader computes the check of a page, 7.4.
+/// How the bootloader computes the check of a page (README.md#page-check).
 enum class CrcVariant { A, B, C };
 [[nodiscard]] std::uint32_t pageCrc(CrcVariant variant, std::span<const std::uint8_t> bytes);
 
@@ -72,7 +72,7 @@ private:
     int m_spoiled = -1;
 };
 
-/// Flash of the microcontroller, 7.5: the processor waits for it.
+/// Flash of the microcontroller: the processor waits for it.
 constexpr auto eraseTime = std::chrono::microseconds(23100);
 constexpr auto writeTime = std::chrono::milliseconds(54);
 constexpr auto versionWriteTime = std::chrono::microseconds(100);

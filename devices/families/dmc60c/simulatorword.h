@@ -7,7 +7,7 @@
 
 namespace mb::dmc60c::simulation {
 
-/// CANCTRL0, 2.11.
+/// CANCTRL0 (README.md#byte-orders).
 struct ControlWord {
     ControlMode mode = ControlMode::NoDrive;
     int slot = 0;

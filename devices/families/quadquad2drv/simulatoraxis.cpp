@@ -8,7 +8,7 @@
 namespace mb::quadquad2drv::simulation {
 namespace {
 
-constexpr double ratedSpeed = 50'000.0; ///< 2.5, transitions/s
+constexpr double ratedSpeed = 50'000.0; ///< transitions/s
 constexpr double edgeSeconds = 0.64e-6;
 constexpr std::size_t mostPoints = 4096;
 
@@ -157,7 +157,7 @@ void Axis::step(double seconds)
 void Axis::watchInput()
 {
     const auto mode = static_cast<InputMode>(settings.input & 0x03U);
-    const bool activeLow = ((settings.input & 0x08U) != 0) == m_libraryPolarity; // 2.3, both readings
+    const bool activeLow = ((settings.input & 0x08U) != 0) == m_libraryPolarity; // README.md#inputs: both readings
     const bool active = mode != InputMode::Disabled && m_inputHigh != activeLow;
     if (active)
         m_status |= status::inputWasActive;

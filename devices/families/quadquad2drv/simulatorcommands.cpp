@@ -17,7 +17,7 @@ constexpr std::size_t sizeOfPosition(std::uint8_t code)
     return sizes[code & 3U];
 }
 
-/// Bytes of the tuple that begins here, mask included; 0 for a packet without tuples (2).
+/// Bytes of the tuple that begins here, mask included; 0 for a packet without tuples.
 std::size_t tupleSize(std::uint8_t id, Commands::Values from)
 {
     switch (static_cast<PacketId>(id)) {

@@ -12,7 +12,7 @@ namespace mb::supermodified {
 /// (RFC 6298 without its doubling). An idle machine with a plain port stays at the protocol's own times.
 class AnswerTime {
 public:
-    static constexpr Duration ceiling = std::chrono::milliseconds(200); ///< 1.4
+    static constexpr Duration ceiling = std::chrono::milliseconds(200); ///< README.md#time-outs
 
     /// From the end of a question to the start of its answer, late ones included.
     void add(Duration took)

@@ -67,7 +67,7 @@ struct CommandForm {
 /// The codes of an error frame, oldest first; nothing when it is none, or holds other than 1…8.
 [[nodiscard]] std::optional<std::span<const std::uint8_t>> codesOf(const Frame &reply);
 
-// Dialects, 6
+// Dialects: README.md#dialects
 
 /// What the length of a reply to GetPosition tells: D3, or D1 or D2.
 [[nodiscard]] std::optional<bool> isThirdGeneration(const Frame &positionReply);
@@ -76,7 +76,7 @@ struct CommandForm {
 [[nodiscard]] std::string_view toString(Dialect dialect);
 [[nodiscard]] std::optional<Dialect> dialectFrom(std::string_view text);
 
-// Error codes, 3
+// Error codes: README.md#errors
 
 struct CodeName {
     std::uint8_t code = 0;

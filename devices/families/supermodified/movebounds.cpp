@@ -9,8 +9,9 @@
 namespace mb::supermodified {
 namespace {
 
-constexpr double unreachable = 2147483648.0; ///< D1, D2: 32-bit arithmetic of the loop overflows at this P·e (4)
-constexpr double fastestProfile = 46340.0;   ///< D1, D2: its square must fit 32 bits (4)
+constexpr double unreachable
+    = 2147483648.0; ///< D1, D2: 32-bit arithmetic of the loop overflows at this P·e (README.md#overflow)
+constexpr double fastestProfile = 46340.0; ///< D1, D2: its square must fit 32 bits
 constexpr double surestProfile
     = 2500.0; ///< D1, D2: beyond it the knee of the profile may be missed (README.md#passed-target)
 constexpr double leastOverrun = 100.0; ///< ticks that a loop may swing past its target

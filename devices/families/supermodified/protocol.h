@@ -16,7 +16,7 @@ enum class Dialect : std::uint8_t {
     D3, ///< "V3": 64-bit positions, 32768 ticks per turn
 };
 
-// Frame, 1.1
+// Frame: README.md#frames
 
 constexpr std::uint8_t header0 = 0x55;
 constexpr std::uint8_t header1 = 0xAA;
@@ -38,7 +38,7 @@ constexpr std::size_t mostData = 22;
 constexpr std::size_t mostDataD1D2 = 16;
 
 enum class Command : std::uint8_t {
-    // Set, 2.1
+    // Set
     P = 0x00,
     I = 0x01,
     D = 0x02,
@@ -70,7 +70,7 @@ enum class Command : std::uint8_t {
     ErrorLevel = 0x1C,    ///< D1, D2: one byte; D3: error reaction, 20 bytes
     AntiWindup = 0x1D,    ///< D3
     ResetErrors = 0x1E,   ///< D3
-    // Get, 2.2
+    // Get
     GetP = 0x64,
     GetI = 0x65,
     GetD = 0x66,
@@ -88,7 +88,7 @@ enum class Command : std::uint8_t {
     GetCurrent = 0x72,
     GetWarnings = 0x73, ///< D3: error reaction
     GetAntiWindup = 0x74,
-    // Broadcast, 2.3; may also be sent to one node, which then answers
+    // Broadcast; may also be sent to one node, which then answers
     DoMove = 0xC8,
     GlobalStart = 0xC9,
     GlobalHalt = 0xCA,
@@ -106,7 +106,7 @@ constexpr bool isBroadcast(std::uint8_t command)
     return command >= 0xC8 && command < 0xFA;
 }
 
-// Errors, 3
+// Errors: README.md#errors
 
 namespace code {
 constexpr std::uint8_t motorStalled = 0x01;
@@ -138,9 +138,9 @@ constexpr int ticksPerTurn(Dialect dialect)
 constexpr std::size_t reactionCount = 20;
 constexpr std::uint8_t mostReaction = 2;
 
-// Times, 1.4
+// Times: README.md#time-outs
 
-/// The rates to look for nodes with, in this order (6).
+/// The rates to look for nodes with, in this order (README.md#scan).
 constexpr std::array<int, 5> searchRates{57600, 115200, 9600, 19200, 38400};
 /// Those that a node can be set to besides; a thorough search asks at them last.
 constexpr std::array<int, 4> rareRates{4800, 2400, 1200, 600};

@@ -279,7 +279,7 @@ Task<void> Search::runFor(int address)
         places.emplace_back(m_line->roster().entry(address).baudrate, address);
     for (const int rate : rates())
         plan(rate, address, address, places);
-    for (int attempt = 0; attempt < attemptsForOne && m_found.empty(); ++attempt) { // 1.4: silence is asked again
+    for (int attempt = 0; attempt < attemptsForOne && m_found.empty(); ++attempt) { // silence is asked again
         for (const Place &place : places) {
             auto looking = look(place, std::min<Duration>(answerTime * (1 << attempt), AnswerTime::ceiling));
             if (co_await std::move(looking))

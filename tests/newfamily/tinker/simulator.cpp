@@ -28,7 +28,7 @@ public:
         , m_report(clock)
         , m_received(link.received().add([this](const CanFrame &frame) { take(frame); }))
     {
-        m_flash[0] = 1; // 1.0
+        m_flash[0] = 1; // version 1.0
         setPowered(true);
     }
     std::string name() const override { return "tinker:" + std::to_string(m_address); }
