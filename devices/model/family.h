@@ -8,6 +8,7 @@
 #include "model/decoded.h"
 #include "model/identity.h"
 #include "model/livestate.h"
+#include "model/operation.h"
 #include "model/parameterstore.h"
 #include "model/setpoint.h"
 #include "model/trialtraits.h"
@@ -209,6 +210,9 @@ struct UpdateReport {
     /// Evidence and remedy in one.
     [[nodiscard]] Message summary() const { return joined(evidence, remedy); }
 };
+
+/// Of an update that was cancelled, or that an error ended before it could make its own report.
+[[nodiscard]] UpdateReport unfinished(const UpdateStanding &standing, const Error &error);
 
 /// Gets the frames of a recording in their order, those that the recorder had sent included, and tells who sent the one that
 /// came last: its address at least; session, state, versions and dialect where they are known by then. Nothing for frames of

@@ -2,6 +2,8 @@
 """Verbs that find, read, set up and update devices."""
 import json
 import os
+import signal
+import subprocess
 import tempfile
 
 import contract
@@ -163,6 +165,18 @@ class DeviceVerbs(ContractTest):
         result = run.objects()[-1]
         self.assertEqual((result["result"], result["verified"]), ("failed", False))
         self.assertTrue(result["evidence"])
+
+    def test_a_flash_that_is_cancelled_tells_how_far_it_came_and_what_was_there(self):
+        with subprocess.Popen([contract.PROGRAM, "--json", "flash", CIM, self.firmware], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+            line = process.stderr.readline()
+            while line and not line.startswith("motorbenchctl: Page 2"):
+                line = process.stderr.readline()
+            process.send_signal(signal.SIGINT)
+            out, err = process.communicate(timeout=contract.LIMIT)
+        self.assertEqual(process.returncode, 1, err)
+        cut = json.loads(out)
+        self.assertEqual((cut["result"], cut["from"], cut["to"], cut["verified"]), ("cancelled", "1.23", None, False))
+        self.assertIn(cut["pages"], range(3, 31), err)
 
     @contract.long
     def test_identify_number_and_rename(self):
