@@ -178,7 +178,8 @@ public:
     virtual ~ScanSink() = default;
     virtual void found(const Identity &identity) = 0;
     virtual void progress(const Message &what, int done, int total) = 0;
-    /// Who answered on this link in an earlier scan, perhaps of an earlier run: asked first, where a scan takes long.
+    /// Who answered on this link in an earlier scan, perhaps of an earlier run, and whom somebody has named now (his address,
+    /// no more): asked first, where a scan takes long.
     [[nodiscard]] virtual std::vector<Identity> remembered() const { return {}; }
     /// Devices of this family that are in the list of this link already.
     [[nodiscard]] virtual std::vector<Identity> known() const { return {}; }
