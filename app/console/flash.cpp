@@ -205,9 +205,10 @@ Result<int> verdictOf(const Console &console, const UpdateReport &report)
             console.options()); // nothing of it was sent
         return exitUsage;
     }
-    const Fault fallback = report.outcome == UpdateOutcome::Cancelled ? Fault::Cancelled : Fault::Refused;
+    if (report.outcome == UpdateOutcome::Cancelled)
+        return fail(Fault::Cancelled, report.evidence, report.remedy);
     return fail(
-        report.fault.value_or(fallback), say("%1: %2", toString(report.outcome), report.evidence), report.remedy);
+        report.fault.value_or(Fault::Refused), say("%1: %2", toString(report.outcome), report.evidence), report.remedy);
 }
 
 Task<int> flash(Console &console, FlashArguments arguments)
@@ -219,6 +220,7 @@ Task<int> flash(Console &console, FlashArguments arguments)
     Device *const device = co_await std::move(connecting);
     if (!arguments.options.dryRun) {
         Notebook notebook(console);
+        notebook.noteTrouble();
         auto keeping = notebook.keepBefore(*device, settings::Occasion::Update);
         co_await std::move(keeping);
         console.begin(); // till now it was only asked

@@ -15,8 +15,10 @@
 #include <csignal>
 #include <cstring>
 #include <optional>
-#include <unistd.h>
 #include <utility>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 namespace {
 
@@ -100,6 +102,16 @@ private:
     bool m_hasTold = false;
 };
 
+/// A standard stream that was closed (`>&-`) would be the number of the next file that is opened, and a line for people would go
+/// into a port or a database. What takes its place refuses what it is for.
+void occupyStandardStreams()
+{
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (::fcntl(stream, F_GETFD) < 0 && errno == EBADF)
+            (void)::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY); // the lowest number that is free
+    }
+}
+
 /// Before there is an event loop. A reader that has gone is no error.
 int print(const std::string &text, const Options &options)
 {
@@ -124,6 +136,7 @@ int print(const std::string &text, const Options &options)
 
 int main(int argc, char **argv)
 {
+    occupyStandardStreams();
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error of the file
     const std::vector<std::string> words(argv + 1, argv + argc);
