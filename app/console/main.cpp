@@ -13,6 +13,7 @@
 #include <cerrno>
 #include <clocale>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <optional>
 #include <utility>
@@ -108,7 +109,17 @@ void occupyStandardStreams()
 {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (::fcntl(stream, F_GETFD) < 0 && errno == EBADF)
-            (void)::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY); // the lowest number that is free
+            (void)::open("/", O_RDONLY); // a folder; it takes the lowest number that is free
+    }
+}
+
+/// One that is not absolute counts as not set (XDG Base Directory Specification): else a notebook would lie wherever it was run.
+void ignoreRelativeFolders()
+{
+    for (const char *const name : {"XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME"}) {
+        const char *const folder = std::getenv(name);
+        if (folder && *folder != '/')
+            ::unsetenv(name);
     }
 }
 
@@ -137,6 +148,7 @@ int print(const std::string &text, const Options &options)
 int main(int argc, char **argv)
 {
     occupyStandardStreams();
+    ignoreRelativeFolders();
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error of the file
     const std::vector<std::string> words(argv + 1, argv + argc);

@@ -43,7 +43,8 @@ SampleStream::SampleStream(Console &console, Device &device, Watched watched, Pu
         console.out().line("t,channel,value,unit");
     m_samples = device.telemetry()->samples().add([this](const Sample &sample) { print(sample); });
     m_stateChanged = device.statesChanged().add([this](Instant time) { printStates(time); });
-    m_heardChanged = device.changed().add([this] { m_silence.setHeard(m_device.liveness().heard); });
+    m_heardChanged = device.changed().add(
+        [this] { m_silence.setHeard(m_device.liveness().heard || m_device.link().address().isRecording()); });
     printStates(m_start);
     if (console.json())
         return; // programs name the states they want

@@ -122,6 +122,10 @@ Task<void> ExperimentRun::prepare()
 
 Task<void> ExperimentRun::perform()
 {
+    if (m_around.before) {
+        auto keeping = m_around.before();
+        co_await std::move(keeping);
+    }
     if (needsRestart(m_device, m_plan.gains))
         m_trial.flags.emplace_back(flag::restartNeeded);
     auto writing = writeDown();
@@ -341,10 +345,11 @@ Task<void> ExperimentRun::goTo(double target)
             if (beginsHere())
                 break;
             m_stream.stop();
-            co_return fail(Fault::Refused,
+            m_trip = Trip{Guard::Time,
                 say("the unit stays %1 away from where the experiment begins, more than 2 % of its step",
                     std::round(std::abs(here - target) * 100.0) / 100.0),
-                say("take a larger one, or begin where it stands"));
+                limit};
+            co_return {};
         }
         Sleep nap(m_device.clock(), hearPeriod);
         co_await nap;

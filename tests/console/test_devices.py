@@ -107,7 +107,7 @@ class DeviceVerbs(ContractTest):
             self.assert_error(1, call[0], EMPTY, *call[1:], says="flash")
 
     def test_a_device_that_falls_silent_is_told_of_after_its_last_samples(self):
-        run = Run(["--json", "watch", "sim:can?fault=silent@450/dmc60c:5", "--for", "1.5"])
+        run = Run(["--json", "watch", "sim:can?fault=silent@150/dmc60c:5", "--for", "1.5"])
         self.assertEqual(run.status, 3, run.err)
         self.assertEqual(set(run.objects()[-1]), {"summary"})
         self.assertIn("not heard any more", self.error_of(run, 3))
@@ -116,10 +116,10 @@ class DeviceVerbs(ContractTest):
         period = (positions[-1] - positions[0]) / (len(positions) - 1)
         missed = (1.5 - positions[-1]) / period
         lost = last["summary"]["lost"]
-        alone = Run(["--json", "watch", "sim:can?fault=silent@450/dmc60c:5", "--channel", "position", "--for", "1.5"]).objects()[-1]["summary"]
-        self.assertGreater(missed, 20)
+        alone = Run(["--json", "watch", "sim:can?fault=silent@150/dmc60c:5", "--channel", "position", "--for", "1.5"]).objects()[-1]["summary"]
+        self.assertGreater(missed, 5)
         self.assertGreater(lost, 2 * missed, "position and velocity come in one frame, and others beside it")
-        self.assertAlmostEqual(alone["lost"] + alone["samples"], 1.5 / period, delta=0.1 / period)
+        self.assertAlmostEqual(alone["lost"] + alone["samples"], 1.5 / period, delta=2)
 
     def test_set_reads_back(self):
         got = self.run_one("set", CIM, "slot0.p=1.5", "limit.forward.soft.enabled=on", "encoder.position=-3")

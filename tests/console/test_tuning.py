@@ -301,7 +301,7 @@ class StoredGains(ContractTest):
         return row["metrics"]["overshoot"]
 
     def test_loops_of_a_board_do_not_overshoot(self):
-        for axis, speeds in (("1", (500, -1200)), ("2", (450, -700)), ("3", (400, -600)), ("4", (-500, 1000))):
+        for axis, speeds in (("1", (500, -1200)), ("2", (550, -700)), ("3", (400, -600)), ("4", (-500, 1000))):
             for speed in speeds:
                 self.assertLessEqual(self.overshoot("sim:spi/quadquad2drv:0", "velocity", speed, "--axis", axis), 0.05, (axis, speed))
 
