@@ -300,11 +300,13 @@ class StoredGains(ContractTest):
         self.assertNotIn("did-not-move", row["flags"], (device, mode, target))
         return row["metrics"]["overshoot"]
 
+    @contract.long
     def test_loops_of_a_board_do_not_overshoot(self):
-        for axis, speeds in (("1", (500, -1200)), ("2", (550, -700)), ("3", (400, -600)), ("4", (-500, 1000))):
+        for axis, speeds in (("1", (500, -1200)), ("2", (700, -800)), ("3", (500, -700)), ("4", (-500, 1000))):
             for speed in speeds:
                 self.assertLessEqual(self.overshoot("sim:spi/quadquad2drv:0", "velocity", speed, "--axis", axis), 0.05, (axis, speed))
 
+    @contract.long
     def test_a_drive_whose_gains_nobody_knows_moves_and_does_not_overshoot(self):
         for target in (40000, -150000):
             self.assertLessEqual(self.overshoot("sim:can/abstractdc:5", "velocity", target), 0.05, target)
