@@ -17791,5 +17791,37 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>undershoot</source>
         <translation>Unterschwingen</translation>
     </message>
+    <message>
+        <source>%1 was cleared but reads %2</source>
+        <translation>%1 wurde gelöscht, gelesen wird %2</translation>
+    </message>
+    <message>
+        <source>%1: unknown key %2</source>
+        <translation>%1: unbekannter Schlüssel %2</translation>
+    </message>
+    <message>
+        <source>%1; the gains of the axis were not known, and are now those that the board starts with</source>
+        <translation>%1; die Verstärkungen der Achse waren unbekannt und sind jetzt die, mit denen die Platine startet</translation>
+    </message>
+    <message>
+        <source>correct it, or delete its row</source>
+        <translation>berichtigen oder die Zeile löschen</translation>
+    </message>
+    <message>
+        <source>its cause is there again, or still</source>
+        <translation>die Ursache besteht wieder oder noch immer</translation>
+    </message>
+    <message>
+        <source>the gains of axis %1 are not known here: it will be left with those that the board starts with</source>
+        <translation>die Verstärkungen der Achse %1 sind hier unbekannt: sie behält am Ende die, mit denen die Platine startet</translation>
+    </message>
+    <message>
+        <source>the gains of this loop are not known here, so its target begins within %1 of where it is, and goes further as its output is seen to allow it; write its p and divisor once</source>
+        <translation>die Verstärkungen dieses Reglers sind hier unbekannt, sein Ziel beginnt also innerhalb %1 von seinem Ort und geht weiter, sobald seine Ausgabe es sichtlich erlaubt; einmal p und divisor schreiben</translation>
+    </message>
+    <message>
+        <source>write &quot;value&quot; or &quot;raw&quot;</source>
+        <translation>&quot;value&quot; oder &quot;raw&quot; schreiben</translation>
+    </message>
 </context>
 </TS>

@@ -17791,5 +17791,37 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>undershoot</source>
         <translation>subimpulso</translation>
     </message>
+    <message>
+        <source>%1 was cleared but reads %2</source>
+        <translation>%1 se borró pero se lee %2</translation>
+    </message>
+    <message>
+        <source>%1: unknown key %2</source>
+        <translation>%1: clave desconocida %2</translation>
+    </message>
+    <message>
+        <source>%1; the gains of the axis were not known, and are now those that the board starts with</source>
+        <translation>%1; no se conocían las ganancias del eje, y ahora son aquellas con las que arranca la placa</translation>
+    </message>
+    <message>
+        <source>correct it, or delete its row</source>
+        <translation>corríjala o borre su fila</translation>
+    </message>
+    <message>
+        <source>its cause is there again, or still</source>
+        <translation>su causa está presente de nuevo, o todavía</translation>
+    </message>
+    <message>
+        <source>the gains of axis %1 are not known here: it will be left with those that the board starts with</source>
+        <translation>aquí no se conocen las ganancias del eje %1: al final quedará con aquellas con las que arranca la placa</translation>
+    </message>
+    <message>
+        <source>the gains of this loop are not known here, so its target begins within %1 of where it is, and goes further as its output is seen to allow it; write its p and divisor once</source>
+        <translation>aquí no se conocen las ganancias de este lazo, así que su destino empieza a menos de %1 de donde está, y avanza a medida que se ve que su salida lo permite; escriba una vez su p y su divisor</translation>
+    </message>
+    <message>
+        <source>write &quot;value&quot; or &quot;raw&quot;</source>
+        <translation>escriba «value» o «raw»</translation>
+    </message>
 </context>
 </TS>

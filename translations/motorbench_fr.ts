@@ -17791,5 +17791,37 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>undershoot</source>
         <translation>sous-dépassement</translation>
     </message>
+    <message>
+        <source>%1 was cleared but reads %2</source>
+        <translation>%1 a été effacé mais on lit %2</translation>
+    </message>
+    <message>
+        <source>%1: unknown key %2</source>
+        <translation>%1&#xa0;: clé inconnue %2</translation>
+    </message>
+    <message>
+        <source>%1; the gains of the axis were not known, and are now those that the board starts with</source>
+        <translation>%1&#x202f;; les gains de l’axe n’étaient pas connus et sont maintenant ceux avec lesquels la carte démarre</translation>
+    </message>
+    <message>
+        <source>correct it, or delete its row</source>
+        <translation>corrigez-la ou supprimez sa ligne</translation>
+    </message>
+    <message>
+        <source>its cause is there again, or still</source>
+        <translation>sa cause est de nouveau présente, ou l’est encore</translation>
+    </message>
+    <message>
+        <source>the gains of axis %1 are not known here: it will be left with those that the board starts with</source>
+        <translation>les gains de l’axe %1 ne sont pas connus ici&#xa0;: il gardera à la fin ceux avec lesquels la carte démarre</translation>
+    </message>
+    <message>
+        <source>the gains of this loop are not known here, so its target begins within %1 of where it is, and goes further as its output is seen to allow it; write its p and divisor once</source>
+        <translation>les gains de cette boucle ne sont pas connus ici, sa cible commence donc à moins de %1 de sa position, et s’éloigne à mesure que sa sortie le permet&#x202f;; écrivez une fois son p et son divisor</translation>
+    </message>
+    <message>
+        <source>write &quot;value&quot; or &quot;raw&quot;</source>
+        <translation>écrivez «&#xa0;value&#xa0;» ou «&#xa0;raw&#xa0;»</translation>
+    </message>
 </context>
 </TS>

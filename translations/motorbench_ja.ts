@@ -17777,5 +17777,37 @@ double click plots it, drag it to a pane or below them</source>
         <source>undershoot</source>
         <translation>アンダーシュート</translation>
     </message>
+    <message>
+        <source>%1 was cleared but reads %2</source>
+        <translation>%1 をクリアしましたが、読出し値は %2 です</translation>
+    </message>
+    <message>
+        <source>%1: unknown key %2</source>
+        <translation>%1: 不明なキー %2</translation>
+    </message>
+    <message>
+        <source>%1; the gains of the axis were not known, and are now those that the board starts with</source>
+        <translation>%1。軸のゲインは不明だったため、現在はボードの起動時の値になっています</translation>
+    </message>
+    <message>
+        <source>correct it, or delete its row</source>
+        <translation>修正するか、その行を削除してください</translation>
+    </message>
+    <message>
+        <source>its cause is there again, or still</source>
+        <translation>原因が再び生じたか、まだ残っています</translation>
+    </message>
+    <message>
+        <source>the gains of axis %1 are not known here: it will be left with those that the board starts with</source>
+        <translation>軸 %1 のゲインが不明です: 終了後はボードの起動時の値のままになります</translation>
+    </message>
+    <message>
+        <source>the gains of this loop are not known here, so its target begins within %1 of where it is, and goes further as its output is seen to allow it; write its p and divisor once</source>
+        <translation>この制御ループのゲインが不明なため、目標は現在位置から %1 以内で始め、出力に余裕があることを確認しながら広げます。p と divisor を一度書き込んでください</translation>
+    </message>
+    <message>
+        <source>write &quot;value&quot; or &quot;raw&quot;</source>
+        <translation>&quot;value&quot; または &quot;raw&quot; と書いてください</translation>
+    </message>
 </context>
 </TS>

@@ -17777,5 +17777,37 @@ double click plots it, drag it to a pane or below them</source>
         <source>undershoot</source>
         <translation>下冲</translation>
     </message>
+    <message>
+        <source>%1 was cleared but reads %2</source>
+        <translation>%1 已清除，但读出为 %2</translation>
+    </message>
+    <message>
+        <source>%1: unknown key %2</source>
+        <translation>%1：未知的键 %2</translation>
+    </message>
+    <message>
+        <source>%1; the gains of the axis were not known, and are now those that the board starts with</source>
+        <translation>%1；该轴的增益此前未知，现在是板启动时的增益</translation>
+    </message>
+    <message>
+        <source>correct it, or delete its row</source>
+        <translation>请更正，或删除该行</translation>
+    </message>
+    <message>
+        <source>its cause is there again, or still</source>
+        <translation>其原因再次出现，或仍然存在</translation>
+    </message>
+    <message>
+        <source>the gains of axis %1 are not known here: it will be left with those that the board starts with</source>
+        <translation>此处不知道轴 %1 的增益：结束后将保留板启动时的增益</translation>
+    </message>
+    <message>
+        <source>the gains of this loop are not known here, so its target begins within %1 of where it is, and goes further as its output is seen to allow it; write its p and divisor once</source>
+        <translation>此处不知道此回路的增益，因此其目标从当前位置的 %1 以内开始，并在看到其输出允许时逐步放远；请写入一次其 p 和 divisor</translation>
+    </message>
+    <message>
+        <source>write &quot;value&quot; or &quot;raw&quot;</source>
+        <translation>请写 “value” 或 “raw”</translation>
+    </message>
 </context>
 </TS>

@@ -19,7 +19,11 @@ Result<ParameterChange> parseAssignment(const Family &family, const std::string 
     const Parameter &parameter = family.parameters[index->value];
     if (parameter.access == Access::ReadOnly)
         return fail(Fault::OutOfRange, say("%1 is read-only", parameter.key), say("leave it out"));
-    const auto raw = parseRaw(parameter, text.substr(equals + 1));
+    const std::string value = text.substr(equals + 1);
+    if (value.find_first_of("xX") != std::string::npos && parameter.choices.empty())
+        return fail(Fault::OutOfRange, say("%1: '%2' is not a decimal number", parameter.key, value),
+            say("write it with digits and a dot, like 2.5"));
+    const auto raw = parseRaw(parameter, value);
     if (!raw)
         return fail(raw.error());
     return ParameterChange{*index, *raw};

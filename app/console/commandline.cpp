@@ -156,6 +156,22 @@ tl::unexpected<Error> unexpectedArgument(const CLI::App &app, const Verb &verb)
         suggestion(wrong.substr(0, wrong.find('=')), known, "it takes " + joined(known)));
 }
 
+/// CLI11 would take `--store=0` for a flag that is not set, and `--store=3` for one that is.
+Result<void> checkFlags(const CLI::App &app, const Verb &verb, const std::vector<std::string> &arguments)
+{
+    for (const std::string &word : arguments) {
+        if (word == "--")
+            break;
+        const auto equals = word.find('=');
+        if (!word.starts_with("--") || equals == std::string::npos)
+            continue;
+        const CLI::Option *const option = app.get_option_no_throw(word.substr(0, equals));
+        if (option && option->get_items_expected_max() == 0 && option->get_fnames().empty()) // but `{word}` has one
+            return fail(Fault::Usage, say("%1: %2 takes no value", verb.name, word.substr(0, equals)), usageOf(verb));
+    }
+    return {};
+}
+
 Result<CommandLine> parseVerb(const Verb &verb, std::vector<std::string> arguments, Globals globals)
 {
     const std::string name(verb.name);
@@ -163,6 +179,8 @@ Result<CommandLine> parseVerb(const Verb &verb, std::vector<std::string> argumen
     declareGlobals(app, globals);
     CommandLine line;
     line.job = verb.declare(app);
+    if (auto plain = checkFlags(app, verb, arguments); !plain)
+        return fail(plain.error());
     std::reverse(arguments.begin(), arguments.end()); // CLI11 takes them from the back
     try {
         app.parse(arguments);

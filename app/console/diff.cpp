@@ -51,7 +51,7 @@ Task<void> readDevice(Console &console, Part &part)
 /// A file or a snapshot, which says itself for which family it is.
 Result<void> load(Console &console, Part &part, Notebook &notebook, const std::string &unit)
 {
-    auto file = loadSettings(part.named, notebook.settings(), unit);
+    auto file = loadSettings(part.named, &notebook, unit);
     if (!file)
         return fail(file.error());
     const auto family = familyOf(*file);

@@ -117,6 +117,9 @@ public:
         m_console.note(path ? "the transcript of the update is in " + *path : path.error().text());
     }
 
+    /// How far it is, or was when it ended.
+    [[nodiscard]] const UpdateStanding &standing() const { return m_operation.status().update; }
+
     Event done;
     Result<UpdateReport> report{UpdateReport{}};
 
@@ -156,15 +159,11 @@ private:
 };
 
 /// A fault that ended the update is a report too: the caller always learns what became of the device.
-UpdateReport reportOf(Result<UpdateReport> result)
+UpdateReport reportOf(Result<UpdateReport> result, const UpdateStanding &standing)
 {
     if (result)
         return std::move(*result);
-    UpdateReport report;
-    report.outcome = result.error().fault == Fault::Cancelled ? UpdateOutcome::Cancelled : UpdateOutcome::Failed;
-    report.fault = result.error().fault;
-    report.evidence = result.error().detail;
-    report.remedy = result.error().help();
+    UpdateReport report = unfinished(standing, result.error());
     if (report.outcome == UpdateOutcome::Cancelled) {
         report.evidence = say("cancelled before it was complete");
         report.remedy = say("run it again to finish");
@@ -206,9 +205,10 @@ Result<int> verdictOf(const Console &console, const UpdateReport &report)
             console.options()); // nothing of it was sent
         return exitUsage;
     }
-    const Fault fallback = report.outcome == UpdateOutcome::Cancelled ? Fault::Cancelled : Fault::Refused;
+    if (report.outcome == UpdateOutcome::Cancelled)
+        return fail(Fault::Cancelled, report.evidence, report.remedy);
     return fail(
-        report.fault.value_or(fallback), say("%1: %2", toString(report.outcome), report.evidence), report.remedy);
+        report.fault.value_or(Fault::Refused), say("%1: %2", toString(report.outcome), report.evidence), report.remedy);
 }
 
 Task<int> flash(Console &console, FlashArguments arguments)
@@ -220,6 +220,7 @@ Task<int> flash(Console &console, FlashArguments arguments)
     Device *const device = co_await std::move(connecting);
     if (!arguments.options.dryRun) {
         Notebook notebook(console);
+        notebook.noteTrouble();
         auto keeping = notebook.keepBefore(*device, settings::Occasion::Update);
         co_await std::move(keeping);
         console.begin(); // till now it was only asked
@@ -232,7 +233,7 @@ Task<int> flash(Console &console, FlashArguments arguments)
         co_await update.done.wait();
         if (!update.report && exitStatusOf(update.report.error().fault, false) == exitUsage)
             co_return fail(update.report.error());
-        report = reportOf(std::move(update.report));
+        report = reportOf(std::move(update.report), update.standing());
         update.keep(*device, report);
     }
     const auto took = std::chrono::duration_cast<std::chrono::milliseconds>(console.clock().now() - start);

@@ -13,10 +13,13 @@
 #include <cerrno>
 #include <clocale>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <optional>
-#include <unistd.h>
 #include <utility>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 namespace {
 
@@ -100,6 +103,26 @@ private:
     bool m_hasTold = false;
 };
 
+/// A standard stream that was closed (`>&-`) would be the number of the next file that is opened, and a line for people would go
+/// into a port or a database. What takes its place refuses what it is for.
+void occupyStandardStreams()
+{
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (::fcntl(stream, F_GETFD) < 0 && errno == EBADF)
+            (void)::open("/", O_RDONLY); // a folder; it takes the lowest number that is free
+    }
+}
+
+/// One that is not absolute counts as not set (XDG Base Directory Specification): else a notebook would lie wherever it was run.
+void ignoreRelativeFolders()
+{
+    for (const char *const name : {"XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME"}) {
+        const char *const folder = std::getenv(name);
+        if (folder && *folder != '/')
+            ::unsetenv(name);
+    }
+}
+
 /// Before there is an event loop. A reader that has gone is no error.
 int print(const std::string &text, const Options &options)
 {
@@ -124,6 +147,8 @@ int print(const std::string &text, const Options &options)
 
 int main(int argc, char **argv)
 {
+    occupyStandardStreams();
+    ignoreRelativeFolders();
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error of the file
     const std::vector<std::string> words(argv + 1, argv + argc);

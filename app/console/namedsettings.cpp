@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/namedsettings.h"
 
-#include "app/console/notebook.h"
 #include "files/filebytes.h"
 #include "model/registry.h"
 
@@ -39,13 +38,13 @@ Result<NamedSettings> parseSettings(const Console &console, const std::string &t
     return NamedSettings{Kind::Device, text, std::move(*target)};
 }
 
-Result<QByteArray> loadSettings(const NamedSettings &named, SettingsBook *book, const std::string &unit)
+Result<QByteArray> loadSettings(const NamedSettings &named, Notebook *notebook, const std::string &unit)
 {
     if (named.kind == NamedSettings::Kind::File)
         return loadFile(named.text, mostBytes);
-    if (!book)
-        return fail(Fault::Usage, say("the file of snapshots cannot be opened"), say("see the note above"));
-    const auto snapshot = book->find(named.text, unit);
+    if (notebook->trouble())
+        return fail(*notebook->trouble());
+    const auto snapshot = notebook->settings()->find(named.text, unit);
     if (!snapshot)
         return fail(Fault::Usage, snapshot.error().detail, snapshot.error().remedy);
     return QByteArray::fromStdString(snapshot->file);

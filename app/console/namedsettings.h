@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/console/notebook.h"
 #include "app/console/target.h"
-#include "storage/settingsbook.h"
 
 #include <QByteArray>
 
@@ -19,7 +19,7 @@ struct NamedSettings {
 [[nodiscard]] Result<NamedSettings> parseSettings(const Console &console, const std::string &text);
 
 /// The object of `get` in a file or a snapshot. Of several snapshots of that name the newest of `unit` (Unit::key), where a
-/// unit is named. Usage, with the cause, where it is not there.
-[[nodiscard]] Result<QByteArray> loadSettings(const NamedSettings &named, SettingsBook *book, const std::string &unit);
+/// unit is named. Usage, with the cause, where it is not there. The notebook is for snapshots.
+[[nodiscard]] Result<QByteArray> loadSettings(const NamedSettings &named, Notebook *notebook, const std::string &unit);
 
 } // namespace mb::console

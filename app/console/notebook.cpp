@@ -15,7 +15,8 @@ Notebook::Notebook(Console &console)
 {
     auto opened = Database::open(databaseFile());
     if (!opened) {
-        console.note("nothing is kept of this: " + opened.error().detail.english());
+        m_trouble = opened.error();
+        m_trouble->fault = Fault::Usage;
         return;
     }
     m_database = std::move(*opened);
@@ -23,6 +24,12 @@ Notebook::Notebook(Console &console)
         complain(m_database->remark());
     m_book = std::make_unique<TrialBook>(*m_database, console.clock());
     m_settings = std::make_unique<SettingsBook>(*m_database, console.clock(), accountName());
+}
+
+void Notebook::noteTrouble() const
+{
+    if (m_trouble)
+        m_console.note("nothing is kept of this: " + m_trouble->text());
 }
 
 Task<void> Notebook::keepBefore(Device &device, settings::Occasion occasion)

@@ -7,14 +7,20 @@
 #include "storage/trialbook.h"
 
 #include <memory>
+#include <optional>
 
 namespace mb::console {
 
-/// The user's notebook of trials, snapshots and writes, as a verb uses it. What goes wrong with it is noted, and is no end of the verb.
+/// The user's notebook of trials, snapshots and writes, as a verb uses it. One that cannot be opened ends the verbs that are
+/// about what it keeps (trouble()), and is a note of those that go on without (noteTrouble()).
 class Notebook {
 public:
     explicit Notebook(Console &console);
 
+    /// Why it cannot be opened, with its remedy. Usage; nothing where it is open.
+    [[nodiscard]] const std::optional<Error> &trouble() const { return m_trouble; }
+    /// That, for people: what this verb does is not kept. Once nothing else can be refused.
+    void noteTrouble() const;
     /// nullptr when it cannot be opened for writing.
     [[nodiscard]] tuning::ExperimentJournal *book() { return m_book.get(); }
     /// The same for snapshots and writes.
@@ -29,6 +35,7 @@ public:
 
 private:
     Console &m_console;
+    std::optional<Error> m_trouble;
     std::unique_ptr<Database> m_database;
     std::unique_ptr<TrialBook> m_book;
     std::unique_ptr<SettingsBook> m_settings;

@@ -59,6 +59,7 @@ Task<int> renumber(Console &console, NumberArguments arguments)
         co_return fail(free.error());
     const int old = device->identity().address;
     Notebook notebook(console);
+    notebook.noteTrouble();
     NoProgress progress;
     auto renumbering
         = settings::renumberKept(*device, *number, settings::Origin::Console, notebook.settings(), progress);

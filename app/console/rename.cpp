@@ -2,7 +2,6 @@
 #include "app/console/notebook.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
-#include "app/folders/userfolders.h"
 #include "settings/unit.h"
 
 #include <memory>
@@ -36,10 +35,10 @@ void show(Console &console, const Device &device, const std::string &old, const 
 /// Of a unit that stores no name: what it is called is kept on this computer.
 Result<int> tag(Console &console, const Device &device, const std::string &name)
 {
+    console.onlyAsk(); // the device is told nothing
     Notebook notebook(console);
-    if (!notebook.settings())
-        return fail(Fault::Usage, say("%1 cannot be written, so no name can be kept", databaseFile()),
-            say("see to its rights"));
+    if (notebook.trouble())
+        return fail(*notebook.trouble());
     const std::string place = settings::unitOf(device).key;
     const std::string old(settings::tagIn(notebook.settings()->resolved(place)));
     if (auto kept = notebook.settings()->setTag(place, name); !kept)

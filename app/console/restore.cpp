@@ -37,8 +37,9 @@ Result<ParameterFile> parsed(const std::string &name, const Result<QByteArray> &
         return fail(bytes.error());
     auto file = parseParameterFile(*bytes, family);
     if (!file)
-        return fail(Fault::OutOfRange, say("%1: %2", name, file.error().message()),
-            say("save one with 'motorbenchctl get DEVICE --file F'"));
+        return fail(Fault::OutOfRange, say("%1: %2", name, file.error().detail),
+            file.error().help().empty() ? say("save one with 'motorbenchctl get DEVICE --file F'")
+                                        : file.error().help());
     return file;
 }
 
@@ -138,6 +139,7 @@ Result<void> mayPutBack(
 /// Writes what differs; yields the first error, after which the rest stays unchanged.
 Task<std::optional<Error>> write(Console &console, Device &device, Notebook &notebook, std::vector<Change> &changes)
 {
+    notebook.noteTrouble();
     auto keeping = notebook.keepBefore(device, settings::Occasion::Restore);
     co_await std::move(keeping);
     std::vector<ParameterChange> writes;
@@ -207,7 +209,7 @@ Task<int> restore(Console &console, RestoreArguments arguments)
     Notebook notebook(console);
     if (*source && !file) {
         const std::string unit = settings::unitOf(*device).key;
-        auto loaded = parsed(arguments.file, loadSettings(**source, notebook.settings(), unit), *target->family);
+        auto loaded = parsed(arguments.file, loadSettings(**source, &notebook, unit), *target->family);
         if (!loaded)
             co_return fail(loaded.error());
         file = std::move(*loaded);

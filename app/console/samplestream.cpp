@@ -28,6 +28,8 @@ SampleStream::SampleStream(Console &console, Device &device, Watched watched, Pu
     , m_time(device.clock(), device.link().address())
     , m_start(device.clock().now())
     , m_chosen(device.telemetry()->channels().size(), watched.channels.empty() && watched.states.empty())
+    , m_silence(device.telemetry()->channels().size(),
+          [&device](ChannelIndex channel) { return device.telemetry()->lost(channel); })
     , m_states(std::move(watched.states))
     , m_noted(device.states())
     , m_faults(device.liveness().faults)
@@ -41,6 +43,8 @@ SampleStream::SampleStream(Console &console, Device &device, Watched watched, Pu
         console.out().line("t,channel,value,unit");
     m_samples = device.telemetry()->samples().add([this](const Sample &sample) { print(sample); });
     m_stateChanged = device.statesChanged().add([this](Instant time) { printStates(time); });
+    m_heardChanged = device.changed().add(
+        [this] { m_silence.setHeard(m_device.liveness().heard || m_device.link().address().isRecording()); });
     printStates(m_start);
     if (console.json())
         return; // programs name the states they want
@@ -61,6 +65,7 @@ void SampleStream::print(const Sample &sample)
     if (!m_chosen[sample.channel.value] || sample.time < m_start)
         return;
     ++m_count;
+    m_silence.sample(sample.channel, sample.time);
     const Channel &channel = m_device.telemetry()->channels()[sample.channel.value];
     print(sample.time, channel.key, sample.value, channel.unit, sample.value);
 }
@@ -133,7 +138,7 @@ std::uint64_t SampleStream::lost() const
     m_device.telemetry()->commit();
     m_device.link().recount();
     const std::uint64_t now = lostSoFar();
-    return now > m_lostBefore ? now - m_lostBefore : 0;
+    return (now > m_lostBefore ? now - m_lostBefore : 0) + m_silence.missed(m_device.clock().now());
 }
 
 std::uint64_t SampleStream::lostSoFar() const

@@ -3,6 +3,7 @@
 
 #include "app/console/console.h"
 #include "app/console/publisher.h"
+#include "app/console/silentperiods.h"
 
 #include <string>
 #include <vector>
@@ -25,7 +26,7 @@ public:
     SampleStream(Console &console, Device &device, Watched watched, Publisher *publisher = nullptr);
 
     [[nodiscard]] std::uint64_t count() const { return m_count; }
-    /// Samples known missing, and frames that the link knows missing.
+    /// Samples known missing, those of a silent unit included, and frames that the link knows missing.
     [[nodiscard]] std::uint64_t lost() const;
 
 private:
@@ -46,6 +47,7 @@ private:
     std::vector<bool> m_chosen;
     std::uint64_t m_count = 0;
     std::uint64_t m_lostBefore = 0;
+    SilentPeriods m_silence;
     std::vector<StateIndex> m_states;
     LiveStates m_printed;
     LiveStates m_noted;
@@ -53,6 +55,7 @@ private:
     Subscription m_samples;
     Subscription m_stateChanged;
     Subscription m_changed;
+    Subscription m_heardChanged;
 };
 
 /// Usage for what the family has neither as a channel nor as a state.

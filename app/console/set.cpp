@@ -98,6 +98,7 @@ Task<int> set(Console &console, SetArguments arguments)
     Device *const device = co_await std::move(connecting);
     if (auto ready = needsApplication(*device); !ready)
         co_return fail(ready.error());
+    notebook.noteTrouble();
     std::vector<TransferOutcome> outcomes;
     {
         ProgressLine progress(console);

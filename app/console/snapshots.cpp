@@ -5,7 +5,6 @@
 #include "app/console/table.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
-#include "app/folders/userfolders.h"
 #include "settings/unit.h"
 
 #include <QDateTime>
@@ -57,14 +56,13 @@ Task<int> snapshot(Console &console, std::string device, std::string name)
         co_return fail(target.error());
     if (name.size() > longestName)
         co_return fail(Fault::Usage, say("--name: a name has at most %1 bytes", longestName));
+    Notebook notebook(console);
+    if (notebook.trouble())
+        co_return fail(*notebook.trouble());
     auto connecting = connect(console, *target);
     Device *const found = co_await std::move(connecting);
     if (auto ready = needsApplication(*found); !ready)
         co_return fail(ready.error());
-    Notebook notebook(console);
-    if (!notebook.settings())
-        co_return fail(Fault::Usage, say("%1 cannot be written, so nothing can be kept", databaseFile()),
-            say("see to its rights"));
     ProgressLine progress(console);
     auto taking = settings::takeSnapshot(*found, settings::Occasion::Hand, name, *notebook.settings(), progress);
     const ParameterSnapshot taken = co_await std::move(taking);
@@ -98,7 +96,9 @@ Task<int> snapshots(Console &console, std::string device)
         selector = target->selector.text();
     }
     Notebook notebook(console);
-    auto all = notebook.settings() ? notebook.settings()->snapshots() : std::vector<ParameterSnapshot>();
+    if (notebook.trouble())
+        co_return fail(*notebook.trouble());
+    auto all = notebook.settings()->snapshots();
     if (!all)
         co_return fail(all.error());
     if (!selector.empty())

@@ -57,12 +57,19 @@ Task<int> performOn(Console &console, Target target, Performance performance)
     co_return performed;
 }
 
+Error putsNothingBack(const Error &trouble)
+{
+    return {Fault::Usage, say("nothing could put the gains back after a crash: %1", trouble.detail),
+        trouble.help().empty() ? say("see to its rights, or --keep what is tried") : trouble.help()};
+}
+
 Experimenting::Experimenting(Console &console, Session &session, Device &device, Notebook &notebook)
     : m_console(console)
     , m_notebook(notebook)
     , m_stream(session.stream(device))
     , m_renewal(session.clock(), [this] { m_stream.renew(); })
 {
+    notebook.noteTrouble();
     if (console.isInterrupted())
         m_interruption.interrupt();
     m_signal = console.interrupted().add([this] { m_interruption.interrupt(); });

@@ -35,6 +35,9 @@ using Performance = std::function<Task<int>(Session &, Device &)>;
 /// A signal ends it through its own stop.
 [[nodiscard]] Task<int> performOn(Console &console, Target target, Performance performance);
 
+/// Of a notebook that cannot be opened, where an experiment writes gains that it owes back.
+[[nodiscard]] Error putsNothingBack(const Error &trouble);
+
 /// What the experiments of one verb share with this program while they run: the notebook, the signals that end them, its notes.
 class Experimenting {
 public:

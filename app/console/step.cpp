@@ -190,9 +190,8 @@ Task<Numbers> numbersBefore(Device &device, std::vector<ParameterChange> changes
     co_return known;
 }
 
-Task<int> perform(Console &console, Session &session, Device &device, StepPlan plan)
+Task<int> perform(Console &console, Session &session, Device &device, StepPlan plan, Notebook &notebook)
 {
-    Notebook notebook(console);
     auto settling = notebook.settleOwed(device, plan.yes);
     co_await std::move(settling);
     Result<Trial> trial;
@@ -225,8 +224,12 @@ Task<int> step(Console &console, StepArguments arguments)
     const auto plan = check(console, arguments);
     if (!plan)
         co_return fail(plan.error());
+    Notebook notebook(console);
+    const bool owes = !plan->experiment.gains.empty() && plan->experiment.keep != Keep::Always;
+    if (notebook.trouble() && owes)
+        co_return fail(putsNothingBack(*notebook.trouble()));
     auto performing = performOn(console, plan->target,
-        [&](Session &session, Device &device) { return perform(console, session, device, *plan); });
+        [&](Session &session, Device &device) { return perform(console, session, device, *plan, notebook); });
     co_return co_await std::move(performing).attempt();
 }
 

@@ -111,7 +111,10 @@ Result<TuneOrder> check(const Console &console, const TuneArguments &a)
 Task<TuneReport> tuneOn(Console &console, Session &session, Device &device, const TuneOrder &plan, Notebook &notebook)
 {
     Experimenting experimenting(console, session, device, notebook);
-    auto tuning = autotune(device, experimenting.stream(), plan.tuning, experimenting.surroundings());
+    ExperimentSurroundings surroundings = experimenting.surroundings();
+    if (!plan.tuning.propose)
+        surroundings.before = [&] { return notebook.keepBefore(device, settings::Occasion::Tuning); };
+    auto tuning = autotune(device, experimenting.stream(), plan.tuning, std::move(surroundings));
     co_return co_await std::move(tuning).attempt();
 }
 
@@ -148,15 +151,10 @@ Task<void> storeGains(Console &console, Device &device, TuneReport &report)
     co_return {};
 }
 
-Task<int> perform(Console &console, Session &session, Device &device, TuneOrder plan)
+Task<int> perform(Console &console, Session &session, Device &device, TuneOrder plan, Notebook &notebook)
 {
-    Notebook notebook(console);
     auto settling = notebook.settleOwed(device, plan.yes);
     co_await std::move(settling);
-    if (!plan.tuning.propose) {
-        auto keeping = notebook.keepBefore(device, settings::Occasion::Tuning);
-        co_await std::move(keeping);
-    }
     auto tuning = tuneOn(console, session, device, plan, notebook);
     Result<TuneReport> report = co_await std::move(tuning).attempt();
     if (!report)
@@ -182,8 +180,11 @@ Task<int> tune(Console &console, TuneArguments arguments)
     const auto plan = check(console, arguments);
     if (!plan)
         co_return fail(plan.error());
+    Notebook notebook(console);
+    if (notebook.trouble() && !plan->tuning.propose && !plan->tuning.keep)
+        co_return fail(putsNothingBack(*notebook.trouble()));
     auto performing = performOn(console, plan->target,
-        [&](Session &session, Device &device) { return perform(console, session, device, *plan); });
+        [&](Session &session, Device &device) { return perform(console, session, device, *plan, notebook); });
     co_return co_await std::move(performing).attempt();
 }
 

@@ -15,12 +15,6 @@ template <class T> Task<T> after(Task<void> first, Task<T> then)
     co_return co_await std::move(then).attempt();
 }
 
-UpdateReport reportOf(const Error &error)
-{
-    return {error.fault == Fault::Cancelled ? UpdateOutcome::Cancelled : UpdateOutcome::Failed, {}, {}, 0, 0, false,
-        error.detail, error.help(), error.fault};
-}
-
 } // namespace
 
 FirmwareUpdates::FirmwareUpdates(const EngineContext &context, const ParameterJobs &parameters, Scans &scans)
@@ -55,7 +49,7 @@ void FirmwareUpdates::carryOut(const orders::UpdateFirmware &order, const Finish
 
 void FirmwareUpdates::ended(Operations::Job &job, const Result<UpdateReport> &result, const Finished &finished)
 {
-    const UpdateReport report = result ? *result : reportOf(result.error());
+    const UpdateReport report = result ? *result : unfinished(job.operation->status().update, result.error());
     const bool good = report.outcome == UpdateOutcome::Done || report.outcome == UpdateOutcome::UpToDate;
     job.update = report;
     if (Device *device = m_context.session.find(job.device)) {

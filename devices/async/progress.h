@@ -4,6 +4,7 @@
 #include "async/message.h"
 
 #include <cstdint>
+#include <string>
 
 namespace mb {
 
@@ -22,6 +23,10 @@ public:
     virtual void log(Severity severity, const Message &text) = 0;
     /// While false, the job must not be cut (page 0 of a DMC60C).
     virtual void mayInterrupt(bool) { }
+    /// Of an update, as soon as each is known, so that it can be told whatever ends the job: the version before, and how many
+    /// parts the device has accepted, with how many were sent again.
+    virtual void replaces(const std::string &) { }
+    virtual void accepted(int, int) { }
 };
 
 /// For callers that do not look.

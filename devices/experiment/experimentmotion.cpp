@@ -132,10 +132,11 @@ Task<void> ExperimentMotion::goTo(double target)
             if (beginsHere())
                 break;
             m_stream.stop();
-            co_return fail(Fault::Refused,
+            m_unreached = Trip{Guard::Time,
                 say("the unit stays %1 away from where the experiment begins, more than 2 % of its step",
                     std::round(std::abs(here - target) * 100.0) / 100.0),
-                say("take a larger one, or begin where it stands"));
+                limit};
+            break;
         }
         Sleep nap(m_device.clock(), glance);
         co_await nap;

@@ -19,9 +19,11 @@ public:
     ExperimentMotion(Device &device, SetPointStream &stream, const ExperimentPlan &plan,
         const ExperimentSurroundings &surroundings, TrialRecorder &recorder, Trial &trial);
 
-    /// Under `guards`, of samples `period` s apart; stops the motor afterwards. Fails where X cannot be reached, with the motor stopped.
-    /// Takes the stimulus from the trial, and leaves there the one that was followed.
+    /// Under `guards`, of samples `period` s apart; stops the motor afterwards. Takes the stimulus from the trial, and leaves there
+    /// the one that was followed. Fails where the motor may not be driven so.
     [[nodiscard]] Task<void> run(const GuardPlan &guards, double period);
+    /// X was not reached in time, so the motor was stopped and nothing followed.
+    [[nodiscard]] const std::optional<Trip> &unreached() const { return m_unreached; }
     /// At most, from its beginning.
     [[nodiscard]] Duration longest() const;
     [[nodiscard]] SetPoint setPointAt(double target) const;
@@ -54,6 +56,7 @@ private:
     Trial &m_trial;
     const double m_beat;   ///< s
     double m_origin = 0.0; ///< counts
+    std::optional<Trip> m_unreached;
     std::vector<Hold> m_holds;
     std::vector<Hold> m_returns;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/task.h"
 #include "experiment/envelope.h"
 #include "experiment/experimentjournal.h"
 #include "experiment/interruption.h"
@@ -48,7 +49,9 @@ struct ExperimentSurroundings {
     ExperimentJournal *journal = nullptr; ///< nullptr: nothing is kept, and gains are written with Keep::Always only
     DirectionBook *directions = nullptr;  ///< of this run of the program
     Interruption *interruption = nullptr;
-    double rate = 0.0;                         ///< samples per second to ask for; 0: what its family says
+    double rate = 0.0; ///< samples per second to ask for; 0: what its family says
+    /// Once, when all is checked and before the first gain is written or anything moves; where it fails, so does the experiment.
+    std::function<Task<void>()> before;
     std::function<void(const Message &)> note; ///< a line for people: what happens now
     std::function<void(const Message &)> warn; ///< one that they should not miss; where empty, a note
     /// When a hold has ended, before the way back: the trial with what is measured so far. The motor still runs.

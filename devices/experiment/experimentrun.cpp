@@ -109,6 +109,10 @@ Task<void> ExperimentRun::prepare()
 
 Task<void> ExperimentRun::perform()
 {
+    if (m_around.before) {
+        auto keeping = m_around.before();
+        co_await std::move(keeping);
+    }
     if (needsRestart(m_device, m_plan.gains))
         m_trial.flags.emplace_back(flag::restartNeeded);
     auto writing = writeDown();
@@ -131,6 +135,7 @@ Task<void> ExperimentRun::perform()
     m_moved = true;
     auto moving = m_motion.run(guardPlan(), 1.0 / rate());
     co_await std::move(moving);
+    m_trip = m_motion.unreached();
     co_return {};
 }
 

@@ -18,6 +18,19 @@ std::string_view toString(UpdateOutcome outcome)
     return "";
 }
 
+UpdateReport unfinished(const UpdateStanding &standing, const Error &error)
+{
+    UpdateReport report;
+    report.outcome = error.fault == Fault::Cancelled ? UpdateOutcome::Cancelled : UpdateOutcome::Failed;
+    report.from = standing.from;
+    report.pages = standing.pages;
+    report.retries = standing.retries;
+    report.evidence = error.detail;
+    report.remedy = error.help();
+    report.fault = error.fault;
+    return report;
+}
+
 const Family *findFamily(std::span<const Family *const> families, std::string_view key)
 {
     for (const Family *family : families) {

@@ -8,6 +8,7 @@
 #include "model/decoded.h"
 #include "model/identity.h"
 #include "model/livestate.h"
+#include "model/operation.h"
 #include "model/parameterstore.h"
 #include "model/setpoint.h"
 #include "model/trialtraits.h"
@@ -177,7 +178,8 @@ public:
     virtual ~ScanSink() = default;
     virtual void found(const Identity &identity) = 0;
     virtual void progress(const Message &what, int done, int total) = 0;
-    /// Who answered on this link in an earlier scan, perhaps of an earlier run: asked first, where a scan takes long.
+    /// Who answered on this link in an earlier scan, perhaps of an earlier run, and whom somebody has named now (his address,
+    /// no more): asked first, where a scan takes long.
     [[nodiscard]] virtual std::vector<Identity> remembered() const { return {}; }
     /// Devices of this family that are in the list of this link already.
     [[nodiscard]] virtual std::vector<Identity> known() const { return {}; }
@@ -209,6 +211,9 @@ struct UpdateReport {
     /// Evidence and remedy in one.
     [[nodiscard]] Message summary() const { return joined(evidence, remedy); }
 };
+
+/// Of an update that was cancelled, or that an error ended before it could make its own report.
+[[nodiscard]] UpdateReport unfinished(const UpdateStanding &standing, const Error &error);
 
 /// Gets the frames of a recording in their order, those that the recorder had sent included, and tells who sent the one that
 /// came last: its address at least; session, state, versions and dialect where they are known by then. Nothing for frames of

@@ -65,6 +65,19 @@ void Operation::mayInterrupt(bool may)
     ++m_revision;
 }
 
+void Operation::replaces(const std::string &version)
+{
+    m_status.update.from = version;
+    ++m_revision;
+}
+
+void Operation::accepted(int parts, int retries)
+{
+    m_status.update.pages = parts;
+    m_status.update.retries = retries;
+    ++m_revision;
+}
+
 void Operation::ended(const Error *error)
 {
     m_status.endedAt = m_clock.now();

@@ -22,6 +22,13 @@ struct LogLine {
 /// What a long job does, for who has to know: its title is for people. Other: nobody asks.
 enum class OperationKind { Other, ReadParameters, RewriteSettings, UpdateFirmware, FamilyExperiment };
 
+/// How far an update is.
+struct UpdateStanding {
+    std::string from; ///< version before, empty until it was read and where there was none
+    int pages = 0;    ///< written and accepted
+    int retries = 0;
+};
+
 /// What a long job looks like from outside, by value.
 struct OperationStatus {
     enum class State { Running, Done, Failed, Cancelled };
@@ -35,6 +42,7 @@ struct OperationStatus {
     Instant endedAt{};
     bool mayInterrupt = true;
     std::map<int, PartState> parts;
+    UpdateStanding update; ///< nothing of other jobs
     std::vector<LogLine> log;
     Error error; ///< of Failed
 };
@@ -73,6 +81,8 @@ public:
     void part(int number, PartState state) override;
     void log(Severity severity, const Message &text) override;
     void mayInterrupt(bool may) override;
+    void replaces(const std::string &version) override;
+    void accepted(int parts, int retries) override;
 
 private:
     struct AnyJob {

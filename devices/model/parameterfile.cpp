@@ -7,6 +7,7 @@
 #include <QJsonDocument>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace mb {
@@ -66,15 +67,28 @@ Result<OptionalRaw> rawFrom(const Parameter &parameter, const QJsonObject &row)
     return *raw ? *raw : *value;
 }
 
+/// One that is spelt otherwise would be taken for a value that nobody knew.
+Result<void> checkMembers(const QString &key, const QJsonObject &row)
+{
+    constexpr std::array<QLatin1String, 5> members{QLatin1String("value"), QLatin1String("raw"), QLatin1String("unit"),
+        QLatin1String("state"), QLatin1String("verified")};
+    for (auto member = row.begin(); member != row.end(); ++member) {
+        if (std::find(members.begin(), members.end(), member.key()) == members.end())
+            return fail(Fault::OutOfRange, say("%1: unknown key %2", key.toStdString(), member.key().toStdString()),
+                say("write \"value\" or \"raw\""));
+    }
+    return {};
+}
+
 Result<void> takeRow(const Family &family, const QString &key, const QJsonValue &row, ParameterFile &file)
 {
     const auto index = findParameter(family.parameters, key.toStdString());
-    if (!index) {
-        file.notes.push_back(say("unknown key %1", key.toStdString()));
-        return {};
-    }
+    if (!index)
+        return fail(Fault::OutOfRange, say("unknown key %1", key.toStdString()), say("correct it, or delete its row"));
     if (!row.isObject())
         return fail(Fault::OutOfRange, say("%1 is not an object", key.toStdString()));
+    if (auto known = checkMembers(key, row.toObject()); !known)
+        return fail(known.error());
     const auto raw = rawFrom(family.parameters[index->value], row.toObject());
     if (!raw)
         return fail(raw.error());

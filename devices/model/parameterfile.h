@@ -32,12 +32,12 @@ struct ParameterFile {
     std::string serial;
     std::string firmware;
     std::vector<ParameterChange> values; ///< in table order
-    std::vector<Message> notes;          ///< rows that were left out and why: unknown keys, unknown values
+    std::vector<Message> notes;          ///< rows that were left out and why: their values are unknown
 };
 
 /// The family that the file says it is for; nothing when it is no such file.
 [[nodiscard]] std::optional<std::string> familyOf(const QByteArray &bytes);
-/// OutOfRange with one clear cause: not JSON, another family, a value out of range, `value` and `raw` of one row that say
+/// OutOfRange with one clear cause: not JSON, another family, an unknown key, a value out of range, `value` and `raw` of one row that say
 /// different things. Nothing is half taken.
 [[nodiscard]] Result<ParameterFile> parseParameterFile(const QByteArray &bytes, const Family &family);
 

@@ -66,15 +66,36 @@ namespace {
 
 constexpr Duration latestAnswer = std::chrono::milliseconds(250);
 
+/// Anything but 0 clears it, 0 leaves it as it is. What counts on meanwhile is told as it is: it is not clear.
+Task<TransferOutcome> afterClear(Device &device, ParameterChange change)
+{
+    const Parameter &parameter = device.parameters().parameter(change.index);
+    TransferOutcome outcome{change.index, 0, std::nullopt};
+    auto read = device.read(change.index);
+    outcome.raw = co_await std::move(read).attempt();
+    if (!outcome.raw)
+        co_return outcome;
+    outcome.verified = change.raw == 0 || *outcome.raw == 0;
+    if (!*outcome.verified)
+        outcome.raw
+            = fail(Fault::BadCheck, say("%1 was cleared but reads %2", parameter.key, toText(parameter, *outcome.raw)),
+                say("its cause is there again, or still"));
+    co_return outcome;
+}
+
 Task<TransferOutcome> writeOne(Device &device, ParameterChange change)
 {
     const Parameter &parameter = device.parameters().parameter(change.index);
     TransferOutcome outcome{change.index, 0, std::nullopt};
     auto write = device.write(change.index, change.raw);
     outcome.raw = co_await std::move(write).attempt();
-    if (!outcome.raw || parameter.access == Access::WriteOnly || parameter.nature == Nature::Counter
-        || parameter.afterRestart)
+    if (!outcome.raw || parameter.access == Access::WriteOnly || parameter.afterRestart)
         co_return outcome;
+    if (parameter.nature == Nature::Counter) {
+        auto looking = afterClear(device, change);
+        TransferOutcome cleared = co_await std::move(looking);
+        co_return cleared;
+    }
     auto read = device.read(change.index);
     Result<std::int64_t> back = co_await std::move(read).attempt();
     if (back && *back != change.raw && parameter.nature != Nature::Live) {

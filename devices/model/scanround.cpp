@@ -18,7 +18,13 @@ struct ScanRound::Sink final : ScanSink {
         if (round.m_options.progress)
             round.m_options.progress(what, passed, total);
     }
-    [[nodiscard]] std::vector<Identity> remembered() const override { return round.m_around.remembered(family); }
+    [[nodiscard]] std::vector<Identity> remembered() const override
+    {
+        std::vector<Identity> all = round.m_around.remembered(family);
+        if (const auto &named = round.m_named; named && named->family == family.key)
+            all.push_back(*named);
+        return all;
+    }
     [[nodiscard]] std::vector<Identity> known() const override { return round.m_around.known(family); }
     [[nodiscard]] ScanExtent extent() const override { return round.m_options.extent; }
     ScanRound &round;
@@ -52,6 +58,9 @@ void ScanRound::startFor(const DeviceSelector &selector)
 {
     const auto family = std::find_if(m_around.families.begin(), m_around.families.end(),
         [&selector](const Family *f) { return f->key == selector.family; });
+    m_named.emplace();
+    m_named->family = selector.family;
+    m_named->address = selector.address;
     if (family != m_around.families.end() && (*family)->probe && speaks(**family))
         spawn((*family)->probe(m_link, m_around.linkClock, selector.address, sinkOf(**family)));
     else

@@ -62,6 +62,7 @@ private:
     Link &m_link;
     ScanOptions m_options;
     Surroundings m_around;
+    std::optional<Identity> m_named; ///< who alone is looked for
     std::vector<Device *> m_seen;
     std::optional<Error> m_error;
     Event m_done;

@@ -19,6 +19,7 @@ namespace {
 
 constexpr auto damagedCode = "11";      // SQLITE_CORRUPT
 constexpr auto notADatabaseCode = "26"; // SQLITE_NOTADB
+constexpr auto otherTablesCode = "1";   // SQLITE_ERROR: a table or column is not there
 
 std::string nextConnection()
 {
@@ -101,7 +102,8 @@ Result<void> Database::connect()
     made.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=5000")
         + (m_readOnly ? QStringLiteral(";QSQLITE_OPEN_READONLY;QSQLITE_OPEN_URI") : QString()));
     if (!made.open())
-        return fail(Fault::OutOfRange, say("%1 cannot be opened: %2", m_path, made.lastError().text().toStdString()));
+        return fail(Fault::OutOfRange, say("%1 cannot be opened: %2", m_path, made.lastError().text().toStdString()),
+            say("move it away"));
     if (m_readOnly)
         return run("SELECT count(*) FROM trial");
     for (const char *const setting :
@@ -166,7 +168,8 @@ Result<void> Database::run(const char *statement, const QVariantList &values, co
     }
     m_lastCode = query.lastError().nativeErrorCode().toStdString();
     if (!good || query.lastError().isValid())
-        return fail(Fault::OutOfRange, say("%1: %2", m_path, query.lastError().databaseText().toStdString()));
+        return fail(Fault::OutOfRange, say("%1: %2", m_path, query.lastError().databaseText().toStdString()),
+            m_lastCode == otherTablesCode ? say("move it away") : Message());
     m_lastRow = query.lastInsertId().toLongLong();
     m_changed = query.numRowsAffected();
     return {};

@@ -78,15 +78,27 @@ Task<void> sharpen(AutotuneRun &run, TuneDesign &design, TuneProof &proof)
     co_return {};
 }
 
+/// The search for scales writes the gains of every loop of its axis.
+Result<void> checkAllPutBack(const Device &device, const TunePlan &plan, bool searches)
+{
+    for (const Mode mode : {plan.loop, Mode::Velocity, Mode::Position}) {
+        if (mode != plan.loop && !searches)
+            continue;
+        if (auto back = checkPutBack(device, mode, plan.axis, plan.slot); !back)
+            return back;
+    }
+    return {};
+}
+
 /// Ends with what the report says; an error is why the motor was refused.
 Task<void> perform(AutotuneRun &run, const TunePlan &plan)
 {
-    const bool writes = !plan.propose || !checkScales(run.device(), plan.loop); // the search for scales does, too
-    if (writes && !plan.keep) {
-        if (auto back = checkPutBack(run.device(), plan.loop, plan.axis, plan.slot); !back)
+    const bool searches = !checkScales(run.device(), plan.loop);
+    if ((searches || !plan.propose) && !plan.keep) {
+        if (auto back = checkAllPutBack(run.device(), plan, searches); !back)
             co_return fail(back.error());
     }
-    if (!checkScales(run.device(), plan.loop)) {
+    if (searches) {
         auto finding = findScales(run);
         co_await std::move(finding);
         run.beginClock();

@@ -39,6 +39,15 @@ void AutotuneRun::note(const Message &text) const
         m_around.note(text);
 }
 
+Task<void> AutotuneRun::keepBefore()
+{
+    if (const auto before = std::exchange(m_around.before, {})) {
+        auto keeping = before();
+        co_await std::move(keeping);
+    }
+    co_return {};
+}
+
 /// One experiment; what ended it, if it was not its own end, ends the tuning. Travel is counted from where the tuning began.
 Task<Trial> AutotuneRun::runOnce(ExperimentPlan plan)
 {
@@ -50,6 +59,7 @@ Task<Trial> AutotuneRun::runOnce(ExperimentPlan plan)
     plan.announced = m_gain;
     auto running = runExperiment(m_device, m_stream, plan, m_around);
     Trial trial = co_await std::move(running);
+    m_around.before = {}; // it was called by the first that moved
     m_moved = true;
     if (trial.number)
         m_report.trials.push_back(*trial.number);

@@ -41,6 +41,8 @@ public:
     void end(std::string_view reason, Message evidence);
     /// Something else than run() moves the motor now; lookWhere() afterwards.
     void setMoved() { m_moved = true; }
+    /// ExperimentSurroundings::before, for what moves the motor so.
+    [[nodiscard]] Task<void> keepBefore();
     /// Where the motor stands, as it was told last: travel counts from the first such place.
     void lookWhere();
     /// Its time begins now: what was found out before was not of this motor.

@@ -103,6 +103,8 @@ Task<void> findScales(AutotuneRun &run)
     run.note(textOf({options.power, run.envelope().speed, run.envelope().travel}));
     TrialRecorder recorder(device, run.stream(), Mode::Velocity, options.axis);
     recorder.guard(guardsOf(run));
+    auto beginning = run.keepBefore();
+    co_await std::move(beginning);
     run.setMoved();
     const Interruptible user(run.interruption(), run.stream());
     auto searching = experiment.run(device, run.stream(), options, progress);

@@ -91,6 +91,26 @@ class Hostile(ContractTest):
         self.assertRegex(last_note(process), r"\d+ samples, stopped, interrupted")
         process.communicate(timeout=contract.LIMIT)
 
+    def test_a_closed_standard_output_is_told_and_its_number_is_nobody_elses(self):
+        data = self.path("data")
+        os.mkdir(data)
+        for call in (["get", CIM], ["--json", "snapshot", CIM], ["trials"], ["parameters", "dmc60c"], ["help"], ["watch", CIM, "--for", "0.2"]):
+            with self.subTest(call=call):
+                done = subprocess.run([contract.PROGRAM, *call], stderr=subprocess.PIPE, text=True, check=False, preexec_fn=lambda: os.close(1),
+                                      env=dict(os.environ, XDG_DATA_HOME=data), timeout=contract.LIMIT)
+                self.assertEqual(done.returncode, 1, done.stderr)
+                self.assertIn("standard output cannot be written: Bad file descriptor", done.stderr)
+        self.assertEqual(len(Run(["--json", "snapshots"], environment=dict(os.environ, XDG_DATA_HOME=data)).objects()[0]["snapshots"]), 1)
+
+    def test_a_data_folder_that_is_not_absolute_counts_as_not_set(self):
+        home = self.path("home")
+        os.mkdir(home)
+        environment = dict(os.environ, HOME=home, XDG_DATA_HOME="here", XDG_CACHE_HOME="here", XDG_CONFIG_HOME="here")
+        done = subprocess.run([contract.PROGRAM, "snapshot", CIM], capture_output=True, text=True, check=False, cwd=self.folder.name, env=environment)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(os.listdir(self.folder.name), ["home"])
+        self.assertTrue(os.path.exists(os.path.join(home, ".local", "share", "motorbench", "motorbench.db")))
+
     def test_an_old_backup_survives_a_full_disk(self):
         path = self.path("backup.json", "precious")
 

@@ -153,7 +153,7 @@ class BoardTest(ContractTest):
         self.simulate(f",boot=pty:{self.boot},jumper=closed,fault=power-page@5")
         short = self.short_file()
         cut = self.run_one("flash", self.device, short, "--via", "serial:" + self.boot, status=1)
-        self.assertEqual((cut["result"], cut["verified"]), ("failed", False))
+        self.assertEqual((cut["result"], cut["from"], cut["pages"], cut["verified"]), ("failed", "1.3", 4, False))
         self.assertIn("4 of", cut["evidence"])
         again = self.run_one("flash", self.device, short, "--via", "serial:" + self.boot)
         self.assertEqual((again["result"], again["to"], again["verified"]), ("done", "1.4", True))

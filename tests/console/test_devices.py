@@ -2,6 +2,8 @@
 """Verbs that find, read, set up and update devices."""
 import json
 import os
+import signal
+import subprocess
 import tempfile
 
 import contract
@@ -105,10 +107,19 @@ class DeviceVerbs(ContractTest):
             self.assert_error(1, call[0], EMPTY, *call[1:], says="flash")
 
     def test_a_device_that_falls_silent_is_told_of_after_its_last_samples(self):
-        run = Run(["--json", "watch", "sim:can?fault=silent@60/dmc60c:5", "--for", "1.5"])
+        run = Run(["--json", "watch", "sim:can?fault=silent@150/dmc60c:5", "--for", "1.5"])
         self.assertEqual(run.status, 3, run.err)
         self.assertEqual(set(run.objects()[-1]), {"summary"})
         self.assertIn("not heard any more", self.error_of(run, 3))
+        *samples, last = run.objects()
+        positions = [sample["t"] for sample in samples if sample["channel"] == "position"]
+        period = (positions[-1] - positions[0]) / (len(positions) - 1)
+        missed = (1.5 - positions[-1]) / period
+        lost = last["summary"]["lost"]
+        alone = Run(["--json", "watch", "sim:can?fault=silent@150/dmc60c:5", "--channel", "position", "--for", "1.5"]).objects()[-1]["summary"]
+        self.assertGreater(missed, 5)
+        self.assertGreater(lost, 2 * missed, "position and velocity come in one frame, and others beside it")
+        self.assertAlmostEqual(alone["lost"] + alone["samples"], 1.5 / period, delta=2)
 
     def test_set_reads_back(self):
         got = self.run_one("set", CIM, "slot0.p=1.5", "limit.forward.soft.enabled=on", "encoder.position=-3")
@@ -156,6 +167,27 @@ class DeviceVerbs(ContractTest):
         self.assertEqual((set(trial), trial["from"], trial["pages"], trial["verified"]), (FLASH, "1.23", 0, False))
         self.assert_error(2, "flash", CIM, self.firmware, "--via", "avrdude:usbasp:/dev/ttyUSB0")
 
+    def test_faults_that_are_cleared_are_read_back(self):
+        for key in ("faults.sticky", "faults.under_voltage.count"):
+            got = self.run_one("set", CIM, f"{key}=1")
+            self.assertIs(got["verified"], True)
+            self.assertEqual((got["parameters"][key]["value"], got["parameters"][key]["verified"]), (0, True))
+
+    def test_numbers_of_keys_are_decimal(self):
+        for text in ("0x10", "0X10", "1e", "1,5", "1.5x", "", "nan", "inf"):
+            self.assert_error(2, "set", CIM, f"slot0.p={text}", says="slot0.p")
+        self.assert_error(2, "set", CIM, "encoder.position=0x10", says="decimal")
+
+    def test_a_file_with_a_key_that_nobody_knows_is_refused_as_a_whole(self):
+        path = self.path("some.json")
+        for rows, says in ('{"no.such":{"value":1}}', "no.such"), ('{"slot0.p":{"value":1},"no.such":{}}', "no.such"), ('{"slot0.p":{"valeu":1}}', "valeu"):
+            with open(path, "w", encoding="utf-8") as file:
+                file.write('{"family":"dmc60c","parameters":' + rows + "}")
+            self.assert_error(2, "restore", CIM, path, says=says)
+            self.assert_error(2, "diff", path, CIM, says=says)
+            self.assert_error(2, "diff", CIM, path, says=says)
+            self.assert_error(2, "diff", path, "defaults", says=says)
+
     @contract.long
     def test_a_flash_that_is_cut_is_not_a_success(self):
         run = Run(["--json", "flash", "sim:can?fault=silent@40/dmc60c:9", self.firmware])
@@ -163,6 +195,18 @@ class DeviceVerbs(ContractTest):
         result = run.objects()[-1]
         self.assertEqual((result["result"], result["verified"]), ("failed", False))
         self.assertTrue(result["evidence"])
+
+    def test_a_flash_that_is_cancelled_tells_how_far_it_came_and_what_was_there(self):
+        with subprocess.Popen([contract.PROGRAM, "--json", "flash", CIM, self.firmware], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+            line = process.stderr.readline()
+            while line and not line.startswith("motorbenchctl: Page 2"):
+                line = process.stderr.readline()
+            process.send_signal(signal.SIGINT)
+            out, err = process.communicate(timeout=contract.LIMIT)
+        self.assertEqual(process.returncode, 1, err)
+        cut = json.loads(out)
+        self.assertEqual((cut["result"], cut["from"], cut["to"], cut["verified"]), ("cancelled", "1.23", None, False))
+        self.assertIn(cut["pages"], range(3, 31), err)
 
     @contract.long
     def test_identify_number_and_rename(self):

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """test_tuning.py PROGRAM: experiments, the notebook and tuning by itself, on the simulated bench."""
+import contextlib
 import json
 import os
 import re
 import signal
+import sqlite3
 import subprocess
 import sys
 import tempfile
@@ -238,6 +240,76 @@ class Trouble(ContractTest):
             self.assertEqual(process.returncode, 4, err)
             self.assertEqual((row["result"], row["stopped"], row["gains"]), ("stopped", True, {}))
             self.assertIn("interrupted", err)
+
+
+class Refused(ContractTest):
+    """What ends before anything was sent leaves nothing behind."""
+
+    def test_a_tuning_that_is_refused_at_once_takes_no_snapshot(self):
+        for device in ("sim:spi/quadquad2drv:0", "sim:can/abstractdc:3"):
+            self.assert_error(2, "tune", device, "--loop", "velocity", says="could not be put back")
+        self.assertEqual(self.run_one("snapshots"), {"snapshots": []})
+        self.assertEqual(self.run_one("trials"), {"trials": []})
+
+    def test_the_search_for_scales_is_refused_too_where_gains_could_not_be_put_back(self):
+        self.assert_error(2, "tune", "sim:spi/quadquad2drv:0", "--loop", "velocity", "--propose", says="could not be put back")
+
+    def test_a_beginning_that_is_not_reached_ends_by_the_guard_of_the_time(self):
+        run = Run(["--json", "step", "sim:can/abstractdc:3", "--mode", "position", "--from", "300", "--to", "320"])
+        self.assertEqual(run.status, 4, run.err)
+        row = run.objects()[-1]
+        self.assertEqual((row["reason"], row["stopped"]), ("time", True))
+        self.assertIn("aborted", row["flags"])
+        self.assertIn("away from where the experiment begins", run.err)
+
+    def test_a_notebook_that_cannot_be_opened_is_one_line_of_what_needs_it(self):
+        with tempfile.NamedTemporaryFile() as file:
+            environment = dict(os.environ, XDG_DATA_HOME=file.name)
+            for call in (["snapshot", CIM], ["snapshots"], ["trials"], ["journal"], ["rename", "sim:serial/supermodified:4", "arm"],
+                         ["tune", CIM, "--loop", "velocity"], ["step", CIM, "--mode", "velocity", "--to", "2000", "--set", "slot0.p=1"],
+                         ["restore", CIM, "snapshot:1"], ["diff", CIM, "snapshot:1"], ["report", "trial:1", "--out", file.name + ".html"]):
+                for options in ([], ["--json"]):
+                    with self.subTest(call=call, options=options):
+                        run = Run([*options, *call], environment=environment)
+                        self.assertEqual((run.status, run.out), (2, ""), run.err)
+                        self.assertEqual(run.err.count("\n"), 1, run.err)
+                        self.assertIn(file.name, run.err)
+            run = Run(["set", CIM, "slot0.p=1"], environment=environment)
+            self.assertEqual(run.status, 0)
+            self.assertIn("nothing is kept of this", run.err)
+
+    def test_a_notebook_of_a_newer_version_is_left_alone(self):
+        self.run_one("snapshot", CIM)
+        path = os.path.join(os.environ["XDG_DATA_HOME"], "motorbench", "motorbench.db")
+        with contextlib.closing(sqlite3.connect(path)) as database:
+            database.execute("PRAGMA user_version = 99")
+        for call in (["snapshot", CIM], ["snapshots"], ["trials"], ["rename", "sim:serial/supermodified:4", "arm"], ["tune", CIM, "--loop", "velocity"]):
+            self.assert_error(2, *call, says="newer version")
+        with contextlib.closing(sqlite3.connect(path)) as database:
+            database.execute("PRAGMA user_version = 6")
+            database.execute("DROP TABLE trial")
+        self.assert_error(2, "trials", says="move it away")
+
+
+class StoredGains(ContractTest):
+    """Units of the bench but 7 step well with the gains that they store."""
+
+    def overshoot(self, device, mode, target, *more):
+        row = self.run_json("step", device, "--mode", mode, "--to", str(target), *more)[-1]
+        self.assertEqual(row["reason"], "done")
+        self.assertNotIn("did-not-move", row["flags"], (device, mode, target))
+        return row["metrics"]["overshoot"]
+
+    @contract.long
+    def test_loops_of_a_board_do_not_overshoot(self):
+        for axis, speeds in (("1", (500, -1200)), ("2", (700, -800)), ("3", (500, -700)), ("4", (-500, 1000))):
+            for speed in speeds:
+                self.assertLessEqual(self.overshoot("sim:spi/quadquad2drv:0", "velocity", speed, "--axis", axis), 0.05, (axis, speed))
+
+    @contract.long
+    def test_a_drive_whose_gains_nobody_knows_moves_and_does_not_overshoot(self):
+        for target in (40000, -150000):
+            self.assertLessEqual(self.overshoot("sim:can/abstractdc:5", "velocity", target), 0.05, target)
 
 
 class Report(ContractTest):

@@ -138,3 +138,9 @@ class Usage(ContractTest):
             done = subprocess.run([contract.PROGRAM, "parameters", "dmc60c"], stdout=full, stderr=subprocess.PIPE, text=True, check=False)
         self.assertEqual(done.returncode, 1)
         self.assertEqual(done.stderr.count("\n"), 1)
+
+    def test_a_flag_takes_no_value(self):
+        self.assert_error(2, "set", CIM, "slot0.p=1", "--store=3", says="--store takes no value")
+        self.assert_error(2, "set", CIM, "slot0.p=1", "--json=1", says="--json takes no value")
+        for value in ("1", "0", "true", "false", "yes", ""):
+            self.assert_error(2, "tune", CIM, "--loop", "velocity", "--propose=" + value, says="--propose takes no value")

@@ -16,6 +16,13 @@ namespace {
 struct FoundUnit final : ScanSink {
     void found(const Identity &identity) override { rows[identity.address] = identity; }
     void progress(const Message &, int, int) override { }
+    [[nodiscard]] std::vector<Identity> remembered() const override
+    {
+        Identity identity;
+        identity.address = named;
+        return named >= 0 ? std::vector{identity} : std::vector<Identity>();
+    }
+    int named = -1;
     [[nodiscard]] std::string text() const
     {
         std::string all;
@@ -30,9 +37,10 @@ struct FoundUnit final : ScanSink {
 class AbstractDcScan : public Drives {
 protected:
     using Drives::Drives;
-    std::string scanned()
+    std::string scanned(int named = -1)
     {
         FoundUnit sink;
+        sink.named = named;
         std::vector<std::string> sent;
         const Subscription tap = host.traffic().add([&](const Traffic &traffic) {
             if (traffic.direction == Direction::Sent)
@@ -68,6 +76,21 @@ TEST_F(AbstractDcScan, TellsTheDialectsApart)
     EXPECT_NE(last.at(3).detail.english().find("firmware's codes, not the document's"), std::string::npos);
     for (const auto &[offset, identity] : last)
         EXPECT_EQ(identity.state, DeviceState::Online);
+}
+
+class AbstractDcSlowLine : public AbstractDcScan {
+protected:
+    AbstractDcSlowLine()
+        : AbstractDcScan(50'000)
+    {
+    }
+};
+
+TEST_F(AbstractDcSlowLine, OneOfTheOldestIsAskedForWhenItIsNamedThoughTheLineIsTooSlowForAll)
+{
+    add("abstractdc:9,dialect=LL");
+    EXPECT_EQ(scanned(), "");
+    EXPECT_EQ(scanned(9), "9:LL ");
 }
 
 /// This program's own pollers ask for logs whose answers come where another dialect would answer the scan's questions.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is counted and concluded from the logs of an Abstract DC Drive, with every limit from both sides.
+#include "families/abstractdc/leadprobe.h"
 #include "families/abstractdc/motionsense.h"
 #include "families/abstractdc/outputwatch.h"
 #include "families/abstractdc/parameters.h"
@@ -15,6 +16,51 @@ namespace {
 using namespace std::chrono_literals;
 
 // Its output: abstractdc/README.md#wraps
+
+/// The output was read with the target as far ahead as it may be.
+void seen(LeadProbe &probe, std::int32_t output, Instant at)
+{
+    probe.sent(true, at - 50ms);
+    probe.heard(output, at);
+}
+
+TEST(AbstractDcLeadProbe, GrowsFourfoldEachTimeTheOutputIsSeenBelowFullPower)
+{
+    LeadProbe probe;
+    const Instant begin = Instant{} + 1s;
+    EXPECT_EQ(probe.most(), 1000.0);
+    seen(probe, 254, begin);
+    EXPECT_EQ(probe.most(), 4000.0);
+    seen(probe, -254, begin + 100ms);
+    EXPECT_EQ(probe.most(), 16000.0);
+    seen(probe, 255, begin + 200ms);
+    seen(probe, -255, begin + 300ms);
+    EXPECT_EQ(probe.most(), 16000.0) << "at full power already";
+    for (int i = 0; i < 20; ++i)
+        seen(probe, 0, begin + 1s + i * 100ms);
+    EXPECT_EQ(probe.most(), 2147483647.0);
+    probe.reset();
+    EXPECT_EQ(probe.most(), 1000.0);
+}
+
+TEST(AbstractDcLeadProbe, BelievesNoOutputOfBeforeTheTargetWasSoFarAhead)
+{
+    LeadProbe probe;
+    const Instant begin = Instant{} + 1s;
+    probe.heard(0, begin);
+    EXPECT_EQ(probe.most(), 1000.0) << "nothing was sent";
+    probe.sent(false, begin);
+    probe.heard(0, begin + 1s);
+    EXPECT_EQ(probe.most(), 1000.0) << "near enough";
+    probe.sent(true, begin + 2s);
+    probe.heard(0, begin + 2s + 40ms);
+    EXPECT_EQ(probe.most(), 1000.0) << "two passes of its loop are not over";
+    probe.sent(true, begin + 2s + 40ms);
+    probe.heard(0, begin + 2s + 41ms);
+    EXPECT_EQ(probe.most(), 4000.0);
+    probe.heard(0, begin + 3s);
+    EXPECT_EQ(probe.most(), 4000.0) << "not twice for one target";
+}
 
 class AbstractDcOutput : public testing::Test {
 protected:

@@ -63,11 +63,20 @@ TEST(ParameterFile, RefusesAValueThatWasEditedBesideItsRawValue)
 
 TEST(ParameterFile, NotesWhatItLeavesOut)
 {
-    const auto parsed
-        = parseParameterFile(file("\"no.such\":{\"raw\":1},\"slot0.p\":{\"raw\":null,\"value\":null}"), family());
+    const auto parsed = parseParameterFile(file("\"slot0.p\":{\"raw\":null,\"value\":null}"), family());
     ASSERT_TRUE(parsed);
     EXPECT_TRUE(parsed->values.empty());
-    EXPECT_EQ(parsed->notes.size(), 2U);
+    EXPECT_EQ(parsed->notes.size(), 1U);
+}
+
+TEST(ParameterFile, RefusesAKeyThatNobodyKnowsAndNamesIt)
+{
+    const auto parsed = parseParameterFile(file("\"slot0.p\":{\"raw\":1},\"no.such\":{\"raw\":1}"), family());
+    ASSERT_FALSE(parsed);
+    EXPECT_EQ(parsed.error().text(), "unknown key no.such; correct it, or delete its row");
+    const auto misspelt = parseParameterFile(file("\"slot0.p\":{\"valeu\":1}"), family());
+    ASSERT_FALSE(misspelt);
+    EXPECT_EQ(misspelt.error().text(), "slot0.p: unknown key valeu; write \"value\" or \"raw\"");
 }
 
 TEST(ParameterFile, RefusesTheWholeFileForOneBadRow)

@@ -71,6 +71,7 @@ LogSense::Owner Controller::owner()
                 if (m_ours)
                     sendStop();
             },
+        .output = [this](std::int32_t output, Instant time) { m_probe.heard(output, time); },
         .silent = [this] { onSilence(); },
         .heard = [this] { updateLiveness(); },
     };
@@ -123,9 +124,13 @@ Message Controller::caution(const SetPoint &setPoint) const
     const auto command = commandOf(setPoint, knowledge().profile());
     if (!command || knowsGains(parameters(), command->loop))
         return {};
-    const double lead = greatestError(parameters(), command->loop);
+    const double lead = LeadProbe().most();
     if (std::abs(command->target - m_logs.feedback(command->loop).value_or(0.0)) <= lead)
         return {};
+    if (m_logs.dialect() && m_logs.dialect()->has(Log::Voltage))
+        return say("the gains of this loop are not known here, so its target begins within %1 of where it is, and goes "
+                   "further as its output is seen to allow it; write its p and divisor once",
+            lead);
     return say("the gains of this loop are not known here, so its target stays within %1 of where it is: a weak loop "
                "may not move it; write its p and divisor once",
         lead);
@@ -143,10 +148,13 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
         return fail(Fault::Unsafe, say("its position is not known yet"),
             say("a step from the wrong place could be far too large"));
     const Instant now = clock().now();
-    if (m_logs.loop() != command->loop || !m_ours)
+    if (m_logs.loop() != command->loop || !m_ours) {
         m_lead.reset();
+        m_probe.reset();
+    }
+    const auto feedback = m_logs.feedback(command->loop);
     const std::int32_t target = m_lead.next(
-        *command, setPoint.ramp, m_logs.feedback(command->loop), greatestError(parameters(), command->loop), now);
+        *command, setPoint.ramp, feedback, greatestError(parameters(), command->loop, m_probe.most()), now);
     const bool news = m_logs.loop() != command->loop || !m_ours || target != m_sentTarget;
     // At low bit rates set-points would fill the wire: then a newer one waits for the next call.
     const Duration spacing = news ? 2 * roundTrip(m_can) : std::max<Duration>(repeatPeriod, 10 * roundTrip(m_can));
@@ -157,6 +165,7 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
     m_sentTarget = target;
     m_sentAt = now;
     m_ours = true;
+    m_probe.sent(std::abs(target - feedback.value_or(0.0)) + 1.0 >= m_probe.most(), now);
     enter(command->loop);
     const double perCount
         = command->loop == Loop::Current ? knowledge().profile().calibrated(calibration::amperes, 1.0) : 1.0;

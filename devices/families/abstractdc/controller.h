@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "families/abstractdc/leadprobe.h"
 #include "families/abstractdc/logsense.h"
 #include "families/abstractdc/powercycledebt.h"
 #include "families/abstractdc/setpoints.h"
@@ -57,6 +58,7 @@ private:
     PowerCycleDebt m_debt;
     SettingsDesk m_desk;
     TargetLead m_lead;
+    LeadProbe m_probe;
     bool m_ours = false; ///< the loop was commanded by us
     std::int32_t m_sentTarget = 0;
     Instant m_sentAt{};

@@ -173,6 +173,7 @@ void LogSense::takeVoltage(std::int32_t value, Instant time)
         m_owner.wrapped();
         return;
     }
+    m_owner.output(value, time);
     m_telemetry->append({channel::duty, time, std::clamp(value / double{fullPwm}, -1.0, 1.0)});
 }
 

@@ -16,10 +16,11 @@ class LogSense {
 public:
     /// What follows from the logs.
     struct Owner {
-        std::function<void(std::int32_t)> located; ///< counts, before it is judged and recorded
-        std::function<void()> wrapped;             ///< the output has turned to full reverse: OutputWatch
-        std::function<void()> silent;              ///< several questions in a row have had no answer
-        std::function<void()> heard;               ///< a log was taken
+        std::function<void(std::int32_t)> located;         ///< counts, before it is judged and recorded
+        std::function<void()> wrapped;                     ///< the output has turned to full reverse: OutputWatch
+        std::function<void(std::int32_t, Instant)> output; ///< of the loop that runs, PWM units
+        std::function<void()> silent;                      ///< several questions in a row have had no answer
+        std::function<void()> heard;                       ///< a log was taken
     };
 
     /// `profile` has the scales of the samples and outlives this.

@@ -76,7 +76,10 @@ public:
     }
     Task<void> askOldest()
     {
-        auto looking = findOldest(m_link, m_clock);
+        std::set<int> expected;
+        for (const Identity &identity : m_sink.remembered())
+            expected.insert(identity.address);
+        auto looking = findOldest(m_link, m_clock, std::move(expected));
         const std::vector<int> offsets = co_await std::move(looking);
         for (const int offset : offsets) {
             // A legacy drive that somebody else asks at this moment answers there too: only this one answers 800.

@@ -119,7 +119,7 @@ Task<std::optional<Found>> identifyDrive(Prober &prober, std::uint32_t answer)
 }
 
 /// Drives older than the broadcast are asked one by one, where the bit rate allows it.
-Task<std::vector<int>> findOldest(CanLink &link, Clock &clock)
+Task<std::vector<int>> findOldest(CanLink &link, Clock &clock, std::set<int> expected)
 {
     std::set<int> offsets;
     const Subscription received = link.received().add([&offsets](const CanFrame &frame) {
@@ -129,7 +129,9 @@ Task<std::vector<int>> findOldest(CanLink &link, Clock &clock)
     });
     const bool all = roundTrip(link) * maxOffset <= sweepMost;
     const Duration spacing = std::max<Duration>(1ms, 4 * roundTrip(link)); // others' frames do not wait behind a burst
-    for (int offset = 0; offset <= (all ? maxOffset : 0); ++offset) {
+    for (int offset = 0; offset <= maxOffset; ++offset) {
+        if (!all && offset > 0 && !expected.contains(offset))
+            continue;
         if (auto sent = link.send(encodeLogRequest(dialectLL, offset, Log::Position)); !sent)
             co_return fail(sent.error());
         co_await Sleep(clock, spacing);

@@ -12,9 +12,8 @@ namespace mb::abstractdc {
 namespace {
 
 constexpr double farthest = 2147483647.0;
-constexpr double usualRamp = 4.0;        ///< duty per second
-constexpr double safeOutput = 32000.0;   ///< of 32767
-constexpr double unknownStrength = 32.0; ///< output per unit of error, where nobody knows
+constexpr double usualRamp = 4.0;      ///< duty per second
+constexpr double safeOutput = 32000.0; ///< of 32767
 
 struct Scale {
     Loop loop = Loop::None;
@@ -92,11 +91,11 @@ bool knowsGains(const ParameterStore &known, Loop loop)
     return strengthOf(known, loop).has_value();
 }
 
-double greatestError(const ParameterStore &known, Loop loop)
+double greatestError(const ParameterStore &known, Loop loop, double unknown)
 {
     const auto strength = strengthOf(known, loop);
     if (!strength)
-        return safeOutput / unknownStrength;
+        return unknown;
     return *strength > 0.0 ? std::max(1.0, std::floor(safeOutput / *strength)) : farthest;
 }
 

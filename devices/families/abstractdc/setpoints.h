@@ -28,9 +28,9 @@ struct Command {
 
 /// P and divisor of the loop were written, by us or by somebody we heard.
 [[nodiscard]] bool knowsGains(const ParameterStore &known, Loop loop);
-/// The greatest error with which |P·e/divisor| stays where the drive's 16 bits do not wrap (README.md#wraps), from what was last written.
-/// Gains that are not known are taken for strong ones.
-[[nodiscard]] double greatestError(const ParameterStore &known, Loop loop);
+/// The greatest error with which |P·e/divisor| stays where the drive's 16 bits do not wrap (README.md#wraps), from what was last written;
+/// `unknown` where nobody knows that (LeadProbe).
+[[nodiscard]] double greatestError(const ParameterStore &known, Loop loop, double unknown);
 
 /// Leads the target from where the motor is to where it shall be: duty at full range in a quarter of a second, or as the
 /// set-point's ramp says; loops never further ahead of the feedback than is safe.

@@ -32,6 +32,7 @@ PageWriter::PageWriter(UpdateContact &contact, const Application &application, P
 Task<PageWriter::End> PageWriter::writeAll()
 {
     m_pages = 0;
+    m_progress.accepted(m_pages, m_retries);
     const int total = static_cast<int>(m_application.pages.size());
     for (const Page &page : m_application.pages) {
         m_progress.step(say("Page %1", page.number), m_pages, total);
@@ -44,6 +45,7 @@ Task<PageWriter::End> PageWriter::writeAll()
             co_return end;
         m_progress.part(page.number, PartState::Done);
         ++m_pages;
+        m_progress.accepted(m_pages, m_retries);
     }
     m_progress.step(say("All pages written"), total, total);
     co_return End::Written;
@@ -60,6 +62,7 @@ std::vector<std::uint8_t> PageWriter::transferOf(const Page &page) const
 void PageWriter::repeat(const Page &page, const Message &why)
 {
     ++m_retries;
+    m_progress.accepted(m_pages, m_retries);
     m_progress.part(page.number, PartState::Repeated);
     m_progress.log(Severity::Caution, say("page %1: %2, sent again", page.number, why));
 }

@@ -101,6 +101,7 @@ Task<void> Updater::preflight(bool force)
     auto asking = m_contact.versions();
     const FirmwareVersions now = co_await std::move(asking);
     m_report.from = versionText(now.application);
+    m_progress.replaces(m_report.from);
     const std::string version = versionText(m_application.version);
     const std::size_t pages = m_application.pages.size();
     const std::string bootloader = versionText(now.bootloader);

@@ -5,6 +5,7 @@
 #include "families/quadquad2drv/channels.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace mb::quadquad2drv {
@@ -20,6 +21,14 @@ constexpr double standingSpeed = 12.0;   ///< counts/s
 constexpr std::uint8_t shortHistory = 8; ///< edges, for a fast velocity estimate (README.md#gain-scale)
 constexpr std::uint8_t shortTime = 16;   ///< bits, 42 ms: nor does it begin slowly
 constexpr double steady = 0.015;
+
+bool knowsGains(const ParameterStore &known, int axis)
+{
+    using enum AxisParameter;
+    constexpr std::array gains{PositionP, PositionI, PositionD, PositionWindup, VelocityP, VelocityI, VelocityD};
+    return std::all_of(gains.begin(), gains.end(),
+        [&](AxisParameter gain) { return known.entry(indexOf(axis, gain)).raw.has_value(); });
+}
 
 double secondsOf(Duration time)
 {
@@ -61,6 +70,11 @@ Task<void> AxisTrial::prepare()
 {
     auto asking = m_board.askHistory();
     const History history = co_await std::move(asking);
+    m_leavesStartGains = !knowsGains(m_board.parameters(), m_axis);
+    if (m_leavesStartGains)
+        m_progress.log(Severity::Caution,
+            say("the gains of axis %1 are not known here: it will be left with those that the board starts with",
+                m_options.axis));
     std::vector<Bytes> before = m_board.settings().ofAxis(m_axis);
     before.push_back(
         setHistory(static_cast<std::uint8_t>(history.length), static_cast<std::uint8_t>(history.timeBits)));

@@ -38,6 +38,8 @@ public:
     /// One run of a closed loop, in the other direction each time.
     [[nodiscard]] Task<Track> drive(Run run);
 
+    /// Gains of this axis that nobody knew: it is left with those that the board starts with.
+    [[nodiscard]] bool leavesStartGains() const { return m_leavesStartGains; }
     /// Power units.
     [[nodiscard]] double mostPower() const { return m_most; }
     /// What is known of the motor; from then on a run that it cannot make is ended.
@@ -60,6 +62,7 @@ private:
     std::uint8_t m_mask;
     double m_most;
     bool m_started = false;
+    bool m_leavesStartGains = false;
     double m_direction = 1.0;
     Plant m_plant;
     std::vector<Bytes> m_before; ///< puts the axis back

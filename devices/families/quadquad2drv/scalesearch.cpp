@@ -52,6 +52,10 @@ Task<ExperimentReport> ScaleSearch::run()
         if (auto kept = m_board.knowledge().calibrate(key, scale); !kept)
             co_return fail(kept.error());
     }
+    if (m_trial.leavesStartGains())
+        m_report.sentence
+            = say("%1; the gains of the axis were not known, and are now those that the board starts with",
+                m_report.sentence);
     co_return m_report;
 }
 

@@ -126,7 +126,8 @@ double Axis::velocityLoop()
 {
     const auto &[p, i, d] = settings.velocityGains;
     const double error = m_referenceVelocity - m_window.speed();
-    m_integral = std::clamp(m_integral + m_scale * gain::velocityI * i * error, -1.0 * fullPower, 1.0 * fullPower);
+    m_integral = std::clamp(
+        m_integral + m_scale * gain::velocityI * i * error, -1.0 * settings.powerLimit, 1.0 * settings.powerLimit);
     const double out
         = m_scale * gain::velocityP * p * error + m_integral + m_scale * gain::velocityD * d * (error - m_lastError);
     m_lastError = error;

@@ -19,7 +19,7 @@ constexpr double positionP = 0.05;
 constexpr double positionI = 1e-4;
 constexpr double positionD = 0.2;
 constexpr double velocityP = 0.01;
-constexpr double velocityI = 1e-4;
+constexpr double velocityI = 3.5e-5;
 constexpr double velocityD = 1e-5;
 } // namespace gain
 

@@ -86,6 +86,7 @@ UpdateReport Updater::failed(const Error &error) const
 {
     UpdateReport report = m_report;
     report.outcome = UpdateOutcome::Failed;
+    report.pages = static_cast<int>(m_sent);
     report.fault = error.fault;
     report.evidence = error.detail;
     report.remedy = error.help();
@@ -105,6 +106,7 @@ Task<UpdateReport> Updater::run(bool dryRun)
             = say("dry run: %1 lines would be sent over %2", m_image.lines().size(), m_link.address().text());
         co_return m_report;
     }
+    m_progress.replaces(m_report.from);
     auto opening = openLine();
     Result<void> done = co_await std::move(opening).attempt();
     if (done) {
@@ -176,6 +178,7 @@ Task<void> Updater::sendAll()
         auto sending = sendLine(i);
         co_await std::move(sending);
         m_sent = i + 1;
+        m_progress.accepted(static_cast<int>(m_sent), 0);
     }
     m_report.pages = static_cast<int>(total);
     leaveStep(Step::Sending);
