@@ -19,6 +19,7 @@ ValueLabel::ValueLabel(
     , m_widest(formatNumber(-88888))
 {
     setSizePolicy(look == Look::Row ? QSizePolicy::Preferred : QSizePolicy::Fixed, QSizePolicy::Fixed);
+    m_broadest = QFontMetrics(valueFont()).horizontalAdvance(m_value);
     setSpoken(*this, m_caption, m_value + QLatin1Char(' ') + m_unit);
     connect(&theme, &ThemeSource::changed, this, [this] {
         updateGeometry();
@@ -38,6 +39,7 @@ void ValueLabel::setValue(const QString &value)
         return;
     const int before = fieldWidth();
     m_value = value;
+    m_broadest = std::max(m_broadest, QFontMetrics(valueFont()).horizontalAdvance(value));
     updateAccessibleText();
     if (fieldWidth() != before)
         updateGeometry();
@@ -47,6 +49,7 @@ void ValueLabel::setValue(const QString &value)
 void ValueLabel::clear()
 {
     setValue(UnknownMark);
+    m_broadest = QFontMetrics(valueFont()).horizontalAdvance(m_value);
 }
 
 void ValueLabel::setUnit(const QString &unit)
@@ -157,7 +160,7 @@ void ValueLabel::paintLine(QPainter &painter, const QColor &color) const
     const int baseline = (height() + metrics.ascent() - metrics.descent()) / 2;
     painter.setFont(captionFont());
     painter.setPen(theme.dim);
-    painter.drawText(0, baseline, m_caption);
+    painter.drawText(fieldWidth() - m_broadest, baseline, m_caption); // beside its number, not beside the number before
     const int left = QFontMetrics(captionFont()).horizontalAdvance(m_caption) + theme.u(6);
     painter.setFont(valueFont());
     painter.setPen(color);

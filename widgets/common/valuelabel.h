@@ -49,6 +49,7 @@ private:
     QString m_unit;
     QString m_value;
     QString m_widest;
+    int m_broadest = 0; ///< of the numbers so far, in pixels: a caption moves to the left only
     Tone m_tone = Tone::Text;
     bool m_stale = false;
 };
