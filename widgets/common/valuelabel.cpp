@@ -7,6 +7,11 @@
 #include <QPainter>
 
 namespace mb {
+namespace {
+
+constexpr int narrowerUntil = 60; ///< values: some seconds of a device
+
+} // namespace
 
 ValueLabel::ValueLabel(
     const ThemeSource &theme, Look look, const QString &caption, const QString &unit, QWidget *parent)
@@ -33,13 +38,24 @@ void ValueLabel::setWidest(const QString &widest)
     updateGeometry();
 }
 
+void ValueLabel::followBreadth(const QString &value)
+{
+    const int width = QFontMetrics(valueFont()).horizontalAdvance(value);
+    m_narrower = width < m_broadest ? m_narrower + 1 : 0;
+    if (width <= m_broadest && m_narrower < narrowerUntil)
+        return;
+    m_broadest = width;
+    m_narrower = 0;
+    update();
+}
+
 void ValueLabel::setValue(const QString &value)
 {
+    followBreadth(value);
     if (value == m_value)
         return;
     const int before = fieldWidth();
     m_value = value;
-    m_broadest = std::max(m_broadest, QFontMetrics(valueFont()).horizontalAdvance(value));
     updateAccessibleText();
     if (fieldWidth() != before)
         updateGeometry();
