@@ -36,6 +36,12 @@
 #include <QStackedWidget>
 
 namespace mb {
+namespace {
+
+constexpr int leastHeight = 240; ///< units
+
+} // namespace
+
 MainWindow::MainWindow(Workbench &workbench, ThemeSource &theme, Settings &settings, QWidget *parent)
     : QMainWindow(parent)
     , m_workbench(workbench)
@@ -57,6 +63,8 @@ MainWindow::MainWindow(Workbench &workbench, ThemeSource &theme, Settings &setti
     m_keys = new WindowKeys({*m_pages, *m_docks, *m_menu, *m_help, settings}, *this,
         [this] { m_production->show(!m_production->isShown()); });
     qApp->installEventFilter(new ArmKey(m_header->lamp(), *this));
+    // Never so narrow that the Arm button or STOP is cut, or that the devices beside it are squeezed to nothing.
+    setMinimumSize(m_header->minimumSizeHint().width(), theme.theme().u(leastHeight));
     restoreGeometry(settings.geometry());
     connect(&workbench, &Workbench::changed, this, &MainWindow::follow);
     connect(m_arming, &Arming::changed, this, &MainWindow::follow);

@@ -89,6 +89,11 @@ void SideDocks::addTo(PageKeys &keys)
 void SideDocks::follow(bool overview)
 {
     const bool room = m_window.width() >= m_theme.theme().u(roomyWidth);
+    if (room && m_room)
+        m_width = m_devices->width();
+    else if (room && m_width > 0) // they were squeezed meanwhile
+        m_window.resizeDocks({m_devices}, {m_width}, Qt::Horizontal);
+    m_room = room;
     const bool useful = overview && room && !m_workbench.snapshot().devices.empty();
     if (std::exchange(m_useful, useful) != useful)
         m_inspector->setVisible(useful);

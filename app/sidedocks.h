@@ -44,6 +44,8 @@ private:
     QDockWidget *m_devices = nullptr;
     QDockWidget *m_inspector = nullptr;
     bool m_useful = false; ///< the inspector
+    bool m_room = false;
+    int m_width = 0; ///< of the devices while there is room for all, in pixels
 };
 
 } // namespace mb

@@ -272,6 +272,14 @@
         <source>%1 axes</source>
         <translation>%1 Achsen</translation>
     </message>
+    <message>
+        <source>%1 Mbit/s</source>
+        <translation>%1 Mbit/s</translation>
+    </message>
+    <message>
+        <source>%1 kbit/s</source>
+        <translation>%1 kbit/s</translation>
+    </message>
 </context>
 <context>
     <name>DialogText</name>
@@ -2375,10 +2383,6 @@
         <translation>%1 Frames geschrieben nach %2</translation>
     </message>
     <message>
-        <source>load %1 &amp;nbsp; frames/s %2 &amp;nbsp; dropped %3 &amp;nbsp; errors %4</source>
-        <translation>Last %1 &amp;nbsp; Frames/s %2 &amp;nbsp; verworfen %3 &amp;nbsp; Fehler %4</translation>
-    </message>
-    <message>
         <source>pauses the list, and goes on</source>
         <translation>hält die Liste an und lässt sie weiterlaufen</translation>
     </message>
@@ -2393,6 +2397,14 @@
     <message>
         <source>finds the one before</source>
         <translation>findet den vorigen</translation>
+    </message>
+    <message>
+        <source>load %1 &amp;nbsp; frames/s %2</source>
+        <translation>Last %1 &amp;nbsp; Frames/s %2</translation>
+    </message>
+    <message>
+        <source>dropped %1 &amp;nbsp; errors %2</source>
+        <translation>verworfen %1 &amp;nbsp; Fehler %2</translation>
     </message>
 </context>
 <context>
@@ -3144,14 +3156,6 @@
     <message>
         <source>lost</source>
         <translation>verloren</translation>
-    </message>
-    <message>
-        <source>%1 Mbit/s</source>
-        <translation>%1 Mbit/s</translation>
-    </message>
-    <message>
-        <source>%1 kbit/s</source>
-        <translation>%1 kbit/s</translation>
     </message>
     <message>
         <source>scanning</source>
@@ -5345,6 +5349,10 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <source>what</source>
         <translation>Was</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>mb::OverviewPage</name>
@@ -5363,14 +5371,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>lost</source>
         <translation>verloren</translation>
-    </message>
-    <message>
-        <source>%1 kbit/s</source>
-        <translation>%1 kbit/s</translation>
-    </message>
-    <message>
-        <source>%1 bit/s</source>
-        <translation>%1 bit/s</translation>
     </message>
     <message>
         <source>unknown</source>

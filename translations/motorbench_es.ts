@@ -272,6 +272,14 @@
         <source>It keeps a move that was stopped before it began, and would begin it with the next start on its line. A new move replaces it; switching the unit off clears it.</source>
         <translation>Retiene un movimiento que se detuvo antes de empezar y lo iniciaría con el próximo arranque en su línea. Un movimiento nuevo lo sustituye; apagar el equipo lo borra.</translation>
     </message>
+    <message>
+        <source>%1 Mbit/s</source>
+        <translation>%1 Mbit/s</translation>
+    </message>
+    <message>
+        <source>%1 kbit/s</source>
+        <translation>%1 kbit/s</translation>
+    </message>
 </context>
 <context>
     <name>DialogText</name>
@@ -2367,10 +2375,6 @@
         <translation>busca el anterior</translation>
     </message>
     <message>
-        <source>load %1 &amp;nbsp; frames/s %2 &amp;nbsp; dropped %3 &amp;nbsp; errors %4</source>
-        <translation>carga %1 &amp;nbsp; tramas/s %2 &amp;nbsp; descartadas %3 &amp;nbsp; errores %4</translation>
-    </message>
-    <message>
         <source>not kept %1</source>
         <translation>no conservadas %1</translation>
     </message>
@@ -2393,6 +2397,14 @@
     <message>
         <source>%1 frames written to %2</source>
         <translation>%1 tramas escritas en %2</translation>
+    </message>
+    <message>
+        <source>load %1 &amp;nbsp; frames/s %2</source>
+        <translation>carga %1 &amp;nbsp; tramas/s %2</translation>
+    </message>
+    <message>
+        <source>dropped %1 &amp;nbsp; errors %2</source>
+        <translation>descartadas %1 &amp;nbsp; errores %2</translation>
     </message>
 </context>
 <context>
@@ -3144,14 +3156,6 @@
     <message>
         <source>lost</source>
         <translation>perdido</translation>
-    </message>
-    <message>
-        <source>%1 Mbit/s</source>
-        <translation>%1 Mbit/s</translation>
-    </message>
-    <message>
-        <source>%1 kbit/s</source>
-        <translation>%1 kbit/s</translation>
     </message>
     <message>
         <source>scanning</source>
@@ -5345,20 +5349,16 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <source>what</source>
         <translation>qué</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>mb::OverviewPage</name>
     <message>
         <source>Overview</source>
         <translation>Resumen</translation>
-    </message>
-    <message>
-        <source>%1 bit/s</source>
-        <translation>%1 bit/s</translation>
-    </message>
-    <message>
-        <source>%1 kbit/s</source>
-        <translation>%1 kbit/s</translation>
     </message>
     <message>
         <source>load</source>

@@ -272,6 +272,14 @@
         <source>It keeps a move that was stopped before it began, and would begin it with the next start on its line. A new move replaces it; switching the unit off clears it.</source>
         <translation>Il garde un mouvement arrêté avant d’avoir commencé, et le lancerait au prochain démarrage sur sa ligne. Un nouveau mouvement le remplace&#x202f;; la mise hors tension l’efface.</translation>
     </message>
+    <message>
+        <source>%1 Mbit/s</source>
+        <translation>%1 Mbit/s</translation>
+    </message>
+    <message>
+        <source>%1 kbit/s</source>
+        <translation>%1 kbit/s</translation>
+    </message>
 </context>
 <context>
     <name>DialogText</name>
@@ -2367,10 +2375,6 @@
         <translation>trouve le précédent</translation>
     </message>
     <message>
-        <source>load %1 &amp;nbsp; frames/s %2 &amp;nbsp; dropped %3 &amp;nbsp; errors %4</source>
-        <translation>charge %1 &amp;nbsp; trames/s %2 &amp;nbsp; rejetées %3 &amp;nbsp; erreurs %4</translation>
-    </message>
-    <message>
         <source>not kept %1</source>
         <translation>non conservées %1</translation>
     </message>
@@ -2393,6 +2397,14 @@
     <message>
         <source>%1 frames written to %2</source>
         <translation>%1 trames écrites dans %2</translation>
+    </message>
+    <message>
+        <source>load %1 &amp;nbsp; frames/s %2</source>
+        <translation>charge %1 &amp;nbsp; trames/s %2</translation>
+    </message>
+    <message>
+        <source>dropped %1 &amp;nbsp; errors %2</source>
+        <translation>rejetées %1 &amp;nbsp; erreurs %2</translation>
     </message>
 </context>
 <context>
@@ -3144,14 +3156,6 @@
     <message>
         <source>lost</source>
         <translation>perdu</translation>
-    </message>
-    <message>
-        <source>%1 Mbit/s</source>
-        <translation>%1 Mbit/s</translation>
-    </message>
-    <message>
-        <source>%1 kbit/s</source>
-        <translation>%1 kbit/s</translation>
     </message>
     <message>
         <source>scanning</source>
@@ -5345,20 +5349,16 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <source>what</source>
         <translation>quoi</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
 </context>
 <context>
     <name>mb::OverviewPage</name>
     <message>
         <source>Overview</source>
         <translation>Vue d’ensemble</translation>
-    </message>
-    <message>
-        <source>%1 bit/s</source>
-        <translation>%1 bit/s</translation>
-    </message>
-    <message>
-        <source>%1 kbit/s</source>
-        <translation>%1 kbit/s</translation>
     </message>
     <message>
         <source>load</source>

@@ -272,6 +272,14 @@
         <source>It keeps a move that was stopped before it began, and would begin it with the next start on its line. A new move replaces it; switching the unit off clears it.</source>
         <translation>開始前に停止した動作指令を保持しており、同じ回線で次の開始指令が出ると動き始めます。新しい動作指令で置き換わり、機器の電源を切ると消えます。</translation>
     </message>
+    <message>
+        <source>%1 Mbit/s</source>
+        <translation>%1 Mbit/s</translation>
+    </message>
+    <message>
+        <source>%1 kbit/s</source>
+        <translation>%1 kbit/s</translation>
+    </message>
 </context>
 <context>
     <name>DialogText</name>
@@ -2365,10 +2373,6 @@
         <translation>前を検索します</translation>
     </message>
     <message>
-        <source>load %1 &amp;nbsp; frames/s %2 &amp;nbsp; dropped %3 &amp;nbsp; errors %4</source>
-        <translation>負荷 %1 &amp;nbsp; フレーム/s %2 &amp;nbsp; 破棄 %3 &amp;nbsp; エラー %4</translation>
-    </message>
-    <message>
         <source>not kept %1</source>
         <translation>未保存 %1</translation>
     </message>
@@ -2391,6 +2395,14 @@
     <message>
         <source>%1 frames written to %2</source>
         <translation>%1 フレームを %2 に書き出しました</translation>
+    </message>
+    <message>
+        <source>load %1 &amp;nbsp; frames/s %2</source>
+        <translation>負荷 %1 &amp;nbsp; フレーム/s %2</translation>
+    </message>
+    <message>
+        <source>dropped %1 &amp;nbsp; errors %2</source>
+        <translation>破棄 %1 &amp;nbsp; エラー %2</translation>
     </message>
 </context>
 <context>
@@ -3142,14 +3154,6 @@
     <message>
         <source>lost</source>
         <translation>切断</translation>
-    </message>
-    <message>
-        <source>%1 Mbit/s</source>
-        <translation>%1 Mbit/s</translation>
-    </message>
-    <message>
-        <source>%1 kbit/s</source>
-        <translation>%1 kbit/s</translation>
     </message>
     <message>
         <source>scanning</source>
@@ -5338,20 +5342,16 @@ Double click or Enter plots it; drag it to a plot.</source>
         <source>what</source>
         <translation>内容</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>mb::OverviewPage</name>
     <message>
         <source>Overview</source>
         <translation>概要</translation>
-    </message>
-    <message>
-        <source>%1 bit/s</source>
-        <translation>%1 bit/s</translation>
-    </message>
-    <message>
-        <source>%1 kbit/s</source>
-        <translation>%1 kbit/s</translation>
     </message>
     <message>
         <source>load</source>

@@ -272,6 +272,14 @@
         <source>It keeps a move that was stopped before it began, and would begin it with the next start on its line. A new move replaces it; switching the unit off clears it.</source>
         <translation>它保留着一个在开始之前就被停止的运动，会随其线路上的下一次启动而开始执行。新的运动会取代它；关闭设备会将其清除。</translation>
     </message>
+    <message>
+        <source>%1 Mbit/s</source>
+        <translation>%1 Mbit/s</translation>
+    </message>
+    <message>
+        <source>%1 kbit/s</source>
+        <translation>%1 kbit/s</translation>
+    </message>
 </context>
 <context>
     <name>DialogText</name>
@@ -2365,10 +2373,6 @@
         <translation>查找上一个</translation>
     </message>
     <message>
-        <source>load %1 &amp;nbsp; frames/s %2 &amp;nbsp; dropped %3 &amp;nbsp; errors %4</source>
-        <translation>负载 %1 &amp;nbsp; 帧/s %2 &amp;nbsp; 丢弃 %3 &amp;nbsp; 错误 %4</translation>
-    </message>
-    <message>
         <source>not kept %1</source>
         <translation>未保留 %1</translation>
     </message>
@@ -2391,6 +2395,14 @@
     <message>
         <source>%1 frames written to %2</source>
         <translation>已将 %1 帧写入 %2</translation>
+    </message>
+    <message>
+        <source>load %1 &amp;nbsp; frames/s %2</source>
+        <translation>负载 %1 &amp;nbsp; 帧/s %2</translation>
+    </message>
+    <message>
+        <source>dropped %1 &amp;nbsp; errors %2</source>
+        <translation>丢弃 %1 &amp;nbsp; 错误 %2</translation>
     </message>
 </context>
 <context>
@@ -3142,14 +3154,6 @@
     <message>
         <source>lost</source>
         <translation>丢失</translation>
-    </message>
-    <message>
-        <source>%1 Mbit/s</source>
-        <translation>%1 Mbit/s</translation>
-    </message>
-    <message>
-        <source>%1 kbit/s</source>
-        <translation>%1 kbit/s</translation>
     </message>
     <message>
         <source>scanning</source>
@@ -5338,20 +5342,16 @@ Double click or Enter plots it; drag it to a plot.</source>
         <source>what</source>
         <translation>内容</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
 </context>
 <context>
     <name>mb::OverviewPage</name>
     <message>
         <source>Overview</source>
         <translation>概览</translation>
-    </message>
-    <message>
-        <source>%1 bit/s</source>
-        <translation>%1 bit/s</translation>
-    </message>
-    <message>
-        <source>%1 kbit/s</source>
-        <translation>%1 kbit/s</translation>
     </message>
     <message>
         <source>load</source>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Small screens: whatever gives way, the lamp and STOP do not.
 #include "support/windowtests.h"
+#include "widgets/connection/devicetree.h"
 #include "windowbench.h"
 
 #include <QAbstractScrollArea>
@@ -14,6 +15,7 @@ class SizeTest : public QObject {
 private Q_SLOTS:
     void lampAndStopAreWholeOnSmallScreens_data();
     void lampAndStopAreWholeOnSmallScreens();
+    void theLeastWindowKeepsThemAndGivesTheDevicesBack();
 };
 
 namespace {
@@ -92,6 +94,22 @@ void SizeTest::lampAndStopAreWholeOnSmallScreens()
     QCoreApplication::processEvents();
     keepPictureOfPage(window, QByteArray("may turn, ") + QTest::currentDataTag(), PageId::Tune);
     verifyWhole(bench.part<Lamp>(), window);
+}
+
+void SizeTest::theLeastWindowKeepsThemAndGivesTheDevicesBack()
+{
+    WindowBench bench;
+    MainWindow &window = bench.window();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
+    const auto &tree = bench.part<DeviceTree>();
+    const int before = tree.width();
+    window.resize(1, 1);
+    QCoreApplication::processEvents();
+    verifyWhole(bench.part<Lamp>(), window);
+    verifyWhole(bench.part<StopButton>(), window);
+    window.resize(1280, 800);
+    QCoreApplication::processEvents();
+    QCOMPARE(tree.width(), before);
 }
 
 MB_WINDOW_TEST(SizeTest);

@@ -28,6 +28,7 @@ private Q_SLOTS:
     void aVoltageLogIsOfTheDriveThatWasAsked();
     void identifiersKeepTheirPlaces();
     void identifiersHaveExactNumbers();
+    void aLongJitterIsWholeInItsColumn();
     void identifiersFollowTheFilter();
     void sortingMovesRowsOnlyWhenAsked();
     void theChosenFieldIsShownForAllOfItsMessage();
@@ -323,6 +324,18 @@ void BusModelsTest::identifiersHaveExactNumbers()
     model.refresh(traffic.now + 3s);
     QCOMPARE(cell(model, 0, IdModel::Rate), QStringLiteral("0"));
     QVERIFY(model.busiest() == nullptr);
+}
+
+void BusModelsTest::aLongJitterIsWholeInItsColumn()
+{
+    FakeTraffic traffic;
+    IdModel model(m_theme);
+    model.setDecoder(FrameDecoder(families()));
+    model.setSource(traffic.log);
+    for (int i = 0; i < 100; ++i)
+        traffic.add(generalOf5, Direction::Received, i % 2 == 0 ? 1000ms : 26000ms);
+    model.refresh(traffic.now + 1ms);
+    QCOMPARE(cell(model, 0, IdModel::Jitter), QString::fromUtf8("12\u202F500"));
 }
 
 void BusModelsTest::identifiersFollowTheFilter()

@@ -2,6 +2,13 @@
 // The Bus page as a person uses it: tables, filter, search, copies, files, its two arrangements.
 #include "buspagebench.h"
 #include "support/windowtests.h"
+#include "widgets/monitor/framemodel.h"
+#include "widgets/monitor/logpage.h"
+#include "widgets/monitor/noticemodel.h"
+
+#include <QHeaderView>
+
+#include <set>
 
 using namespace mb;
 using namespace mb::test;
@@ -18,6 +25,9 @@ private Q_SLOTS:
     void stateShowsLoadAndLoss();
     void theDetailMovesBesideTheIdentifiersWhenNarrow();
     void theDetailIsShortUntilAFrameIsSelected();
+    void theOrdersStandInOneLineBesideTheDevices();
+    void someFramesAreInSightAtTwiceTheFont();
+    void aTimeOfTheLogIsWhole();
     void everyControlSpeaks();
 };
 
@@ -185,6 +195,62 @@ void BusPageTest::theDetailIsShortUntilAFrameIsSelected()
     QVERIFY(detail->minimumSizeHint().width() <= std::max(width, detail->minimumWidth())); // nothing of it is cut
     Q_EMIT bench.page->bar().clearRequested();
     QVERIFY(!copy->isVisible());
+}
+
+void BusPageTest::aTimeOfTheLogIsWhole()
+{
+    BusBench bench;
+    bench.workbench.report(Severity::Info, QStringLiteral("DMC60C #5"), QStringLiteral("something"));
+    LogPage log(bench.workbench, bench.theme, nullptr);
+    log.resize(1048, 640);
+    log.show();
+    const auto *table = log.findChild<QTableView *>();
+    const QModelIndex time = table->model()->index(0, NoticeModel::Time);
+    QVERIFY(time.isValid());
+    QVERIFY(table->columnWidth(NoticeModel::Time) >= table->sizeHintForIndex(time).width());
+    log.resize(395, 400); // at twice the font, beside the devices
+    QVERIFY(table->isColumnHidden(NoticeModel::Device));
+    QVERIFY(table->columnWidth(NoticeModel::Text) > 180);
+    QCOMPARE(table->model()->index(0, NoticeModel::Text).data().toString(), QStringLiteral("DMC60C #5: something"));
+}
+
+/// The page of a window of 1280×800.
+void BusPageTest::theOrdersStandInOneLineBesideTheDevices()
+{
+    QFont font = QApplication::font();
+    font.setPointSizeF(darkTheme().bodyPointSize);
+    QApplication::setFont(font);
+    BusBench bench;
+    for (const char *name : {"serial", "spi"}) {
+        LinkView other = bench.workbench.shot.links.front();
+        other.address = "sim:" + std::string(name);
+        other.name = other.address;
+        bench.workbench.shot.links.push_back(other);
+    }
+    bench.page->resize(1092, 640); // at 100 dpi
+    bench.publish();
+    QCoreApplication::processEvents();
+    std::set<int> lines;
+    for (const auto *button : bench.page->bar().findChildren<QPushButton *>()) {
+        if (button->isVisible()
+            && (button->text() == QLatin1String("Pause") || button->text().startsWith(QLatin1String("Send"))))
+            lines.insert(button->mapTo(bench.page.get(), QPoint()).y());
+    }
+    QVERIFY2(*lines.rbegin() - *lines.begin() < 8, qPrintable(QString::number(*lines.rbegin() - *lines.begin())));
+}
+
+/// And at twice the font, in units of it.
+void BusPageTest::someFramesAreInSightAtTwiceTheFont()
+{
+    BusBench bench;
+    bench.page->resize(395, std::max(247, bench.page->minimumSizeHint().height()));
+    QCoreApplication::processEvents();
+    auto *frames = bench.named<TrafficView>("Frames");
+    const int top = frames->viewport()->mapTo(bench.page.get(), QPoint()).y();
+    QVERIFY2((247 - top) / frames->verticalHeader()->defaultSectionSize() >= 3, qPrintable(QString::number(top)));
+    QVERIFY(frames->viewport()->height() >= 5 * frames->verticalHeader()->defaultSectionSize());
+    const int message = frames->columnViewportPosition(FrameModel::Message) + frames->columnWidth(FrameModel::Message);
+    QVERIFY2(message <= frames->viewport()->width(), qPrintable(QString::number(message)));
 }
 
 void BusPageTest::everyControlSpeaks()

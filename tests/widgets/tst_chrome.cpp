@@ -6,6 +6,7 @@
 #include "widgets/common/emptystate.h"
 #include "widgets/common/headerbar.h"
 #include "widgets/common/iconbutton.h"
+#include "widgets/common/noticestrip.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/searchfield.h"
 #include "widgets/common/segmented.h"
@@ -36,9 +37,11 @@ private Q_SLOTS:
     void segmentedMovesByArrowKeys();
     void theWorstNoticeStandsAndTheOthersAreCounted();
     void pagesThatHaveNoRoomCanBeReached();
+    void theStripeGivesWayAtOnceToANotice();
     void aBannerThatPersistsDoesNotPileUp();
     void aDismissedBannerStaysSilentUntilItsConditionEnds();
     void valueFieldKeepsItsWidth();
+    void aCaptionStandsBesideItsOwnNumber();
     void sparklineRangeIgnoresGaps();
     void sparklineKeepsItsCapacity();
     void searchFieldLetsEscThrough();
@@ -206,6 +209,18 @@ void ChromeTest::pagesThatHaveNoRoomCanBeReached()
     QVERIFY(tabs->rect().contains(tabs->tabRect(6)));
 }
 
+/// Without a turn of the event loop: as it is seen first.
+void ChromeTest::theStripeGivesWayAtOnceToANotice()
+{
+    NoticeStrip strip(m_theme);
+    strip.resize(1280, 36);
+    strip.show();
+    QCoreApplication::processEvents();
+    QCOMPARE(strip.stripe().width(), 1280);
+    strip.banners().post(QStringLiteral("a"), BannerKind::Danger, QStringLiteral("Stopped"), QStringLiteral("again"));
+    QVERIFY2(strip.stripe().width() < 200, qPrintable(QString::number(strip.stripe().width())));
+}
+
 void ChromeTest::aBannerThatPersistsDoesNotPileUp()
 {
     BannerStack stack(m_theme);
@@ -244,6 +259,32 @@ void ChromeTest::valueFieldKeepsItsWidth()
         label.clear();
         QCOMPARE(label.value(), QString(UnknownMark));
     }
+}
+
+void ChromeTest::aCaptionStandsBesideItsOwnNumber()
+{
+    ValueLabel label(m_theme, ValueLabel::Look::Line, QStringLiteral("velocity"), {});
+    label.setWidest(formatNumber(-8888888));
+    label.setValue(formatNumber(-60000)); // for a moment
+    for (int i = 0; i < 100; ++i)
+        label.setValue(QStringLiteral("0"));
+    label.resize(label.sizeHint());
+    const QImage image = label.grab().toImage();
+    const QRgb ground = image.pixel(0, 0);
+    int empty = 0;
+    int widest = 0; // of the columns without a stroke behind the first stroke
+    bool begun = false;
+    for (int x = 0; x < image.width(); ++x) {
+        bool inked = false;
+        for (int y = 0; y < image.height() && !inked; ++y)
+            inked = image.pixel(x, y) != ground;
+        if (inked && begun)
+            widest = std::max(widest, empty);
+        begun = begun || inked;
+        empty = inked ? 0 : empty + 1;
+    }
+    QVERIFY(begun);
+    QVERIFY2(widest < m_theme.theme().u(14), qPrintable(QString::number(widest)));
 }
 
 void ChromeTest::sparklineRangeIgnoresGaps()

@@ -20,6 +20,7 @@ private Q_SLOTS:
     void oneKeyWritesWhatIsStagedAndRuns();
     void nothingRunsUnlessArmedAndInsideTheEnvelope();
     void aKindThatWouldLeaveTheEnvelopeCannotBeChosen();
+    void aTimeThatIsFarTooLongIsRefusedAndNotLookedAt();
     void whatIsMeasuredIsShownBeforeTheMotorIsBack();
     void twoTrialsLieOverEachOtherWithTheirDifferenceInWords();
     void anotherStimulusIsNotDrawnOverB();
@@ -107,6 +108,23 @@ void TestExperiments::aKindThatWouldLeaveTheEnvelopeCannotBeChosen()
     QVERIFY2(why.contains(QStringLiteral("100\u202F000")), qPrintable(why));
     allow("90000000");
     QVERIFY(mayChoose(tuning::Profile::Chirp));
+}
+
+/// What a step would do is worked out while its time is typed: 10^60 s of it would never come to an end.
+void TestExperiments::aTimeThatIsFarTooLongIsRefusedAndNotLookedAt()
+{
+    TrialBench bench;
+    bench.choose(60'000.0);
+    auto *bar = bench.page->findChild<StimulusBar *>();
+    auto *time = bench.find<QLineEdit>("Time of the stimulus");
+    QVERIFY(bar && time);
+    const auto before = bar->choice().seconds;
+    for (const char *typed : {"1e60", "99999999999999999999999999", "-0", "1e400"}) {
+        time->setText(s(typed));
+        Q_EMIT time->textEdited(time->text());
+        QVERIFY2(!bar->fault().isEmpty(), typed);
+        QCOMPARE(bar->choice().seconds, before);
+    }
 }
 
 void TestExperiments::whatIsMeasuredIsShownBeforeTheMotorIsBack()

@@ -40,6 +40,8 @@ private Q_SLOTS:
     void everyControlHasAName();
     void nothingIsCutAtTwiceTheFont();
     void namesGetTheRoomThatNoStateNeeds();
+    void onAWideScreenAValueStandsBesideItsName();
+    void namesThatBeginAlikeDifferWhereTheyAreCut();
 };
 
 void TestParametersPage::namesGetTheRoomThatNoStateNeeds()
@@ -62,6 +64,44 @@ void TestParametersPage::namesGetTheRoomThatNoStateNeeds()
     QCoreApplication::processEvents();
     QVERIFY(view.columnWidth(ParameterModel::State)
         > textWidth(ParameterModel::State, QStringLiteral("edited, was −32768")) + 18);
+}
+
+void TestParametersPage::onAWideScreenAValueStandsBesideItsName()
+{
+    ParameterBench bench;
+    bench.page->resize(3400, 640);
+    QCoreApplication::processEvents();
+    ParameterView &view = bench.page->view();
+    QVERIFY2(view.columnViewportPosition(ParameterModel::Reference) < 1000,
+        qPrintable(QString::number(view.columnViewportPosition(ParameterModel::Reference))));
+    ParameterReference other{QStringLiteral("long"), {}};
+    other.raws.resize(bench.model().family()->parameters.size());
+    other.raws[named("slot1.i_zone").value] = 2'000'000'000;
+    bench.model().setReference(other);
+    const QString text = bench.model().indexOf(named("slot1.i_zone"), ParameterModel::Reference).data().toString();
+    const QFontMetrics metrics(bench.theme.theme().font(TextRole::Body, view.font()));
+    const QString found = QStringLiteral("%1: %2, %3")
+                              .arg(text)
+                              .arg(view.columnWidth(ParameterModel::Reference))
+                              .arg(metrics.horizontalAdvance(text));
+    QVERIFY2(view.columnWidth(ParameterModel::Reference) >= metrics.horizontalAdvance(text),
+        qPrintable(found)); // a number that is cut says nothing
+}
+
+void TestParametersPage::namesThatBeginAlikeDifferWhereTheyAreCut()
+{
+    ParameterBench bench;
+    bench.page->resize(395, 400);
+    QCoreApplication::processEvents();
+    ParameterView &view = bench.page->view();
+    const auto picture = [&](const char *key) {
+        const QModelIndex index = bench.model().indexOf(named(key), ParameterModel::Label);
+        view.goTo(named("slot1.d"));
+        view.scrollTo(index, QAbstractItemView::PositionAtCenter);
+        QCoreApplication::processEvents();
+        return view.viewport()->grab(view.visualRect(index)).toImage();
+    };
+    QVERIFY(picture("limit.forward.switch.normally_closed") != picture("limit.forward.switch.disabled"));
 }
 
 void TestParametersPage::initTestCase()

@@ -36,7 +36,42 @@ private Q_SLOTS:
     void whatEndedIsSavedAsATable();
     void aRefusedStartIsSaid();
     void ticksAreForKeyboardAndReader();
+    void whatStartsIsInSightWhereLittleIs();
+    void thePageIsNoHigherThanItsWindow();
 };
+
+/// The page of a window of 1280×800 at twice the font, beside the devices.
+void QueueTest::whatStartsIsInSightWhereLittleIs()
+{
+    QueueBench bench;
+    bench.page->resize(395, 247);
+    for (const bool queue : {true, false}) {
+        bench.page->showQueue(queue);
+        QCoreApplication::processEvents();
+        bool seen = false;
+        for (const auto *button : bench.page->findChildren<CommandButton *>()) {
+            const QString text = button->text();
+            if (!button->isVisible() || text != (queue ? QStringLiteral("Start") : QStringLiteral("Update")))
+                continue;
+            seen = true;
+            const int end = button->mapTo(bench.page.get(), QPoint(0, button->height())).y();
+            QVERIFY2(end < 247, qPrintable(text + QString::number(end)));
+        }
+        QVERIFY(seen);
+    }
+}
+
+void QueueTest::thePageIsNoHigherThanItsWindow()
+{
+    QueueBench bench;
+    bench.page->resize(1048, 640);
+    for (const bool queue : {true, false}) {
+        bench.page->showQueue(queue);
+        QCoreApplication::processEvents();
+        QVERIFY2(bench.page->minimumSizeHint().height() < 560,
+            qPrintable(QString::number(bench.page->minimumSizeHint().height())));
+    }
+}
 
 void QueueTest::tickedUnitsAreServedAndNoOthers()
 {

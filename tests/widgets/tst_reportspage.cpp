@@ -5,16 +5,20 @@
 #include "support/windowtests.h"
 #include "tunebench.h"
 #include "widgets/common/searchfield.h"
+#include "widgets/report/reportdrawings.h"
 #include "widgets/report/reportorder.h"
 #include "widgets/report/reportspage.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QComboBox>
 #include <QFile>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTextBrowser>
 
 using namespace mb;
 using namespace mb::test;
@@ -105,7 +109,40 @@ private Q_SLOTS:
     void theJournalThatIsListedIsATable();
     void aNoteIsKept();
     void aNoteHasRoomToBeRead();
+    void nothingIsScrolledSideways();
+    void aWidePreviewIsAPageStill();
 };
+
+void TestReportsPage::nothingIsScrolledSideways()
+{
+    ReportsPageBench bench;
+    for (int i = 0; i < 60; ++i) { // more than the list is high
+        KeptTrial more = bench.workbench.book.matter->front().history.front();
+        more.number = 100 + i;
+        bench.workbench.book.matter->front().history.push_back(more);
+    }
+    bench.page->hide();
+    bench.page->show();
+    QTRY_VERIFY(bench.page->list().count() > 60);
+    QVERIFY(!bench.page->list().horizontalScrollBar()->isVisible());
+    auto *preview = bench.page->findChild<QTextBrowser *>();
+    ReportDrawings drawings;
+    const QString html = drawings.takeFrom(QStringLiteral("<p><svg xmlns=\"http://www.w3.org/2000/svg\" width=\"2000\" "
+                                                          "height=\"400\"><rect width=\"9\" height=\"9\"/></svg></p>"));
+    preview->document()->documentLayout()->registerHandler(QTextFormat::ImageObject, &drawings);
+    preview->setHtml(html);
+    QCOMPARE(preview->horizontalScrollBar()->maximum(), 0); // a drawing is as wide as there is room
+}
+
+void TestReportsPage::aWidePreviewIsAPageStill()
+{
+    ReportsPageBench bench;
+    bench.page->resize(3400, 1800);
+    QTRY_VERIFY(bench.page->list().count() > 0);
+    const auto *preview = bench.page->findChild<QTextBrowser *>();
+    QVERIFY(preview->viewport()->width() > 2000);
+    QVERIFY(preview->document()->textWidth() < 1000.0); // a line that is longer is not read
+}
 
 void TestReportsPage::unitsAndTheirTrialsAreListed()
 {

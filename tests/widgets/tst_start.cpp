@@ -5,7 +5,10 @@
 #include "support/windowtests.h"
 #include "tunebench.h"
 #include "widgets/common/applytheme.h"
+#include "widgets/common/card.h"
+#include "widgets/common/devicetext.h"
 #include "widgets/connection/firstselection.h"
+#include "widgets/connection/overviewpage.h"
 #include "widgets/connection/startpage.h"
 #include "widgets/start/guide.h"
 #include "widgets/start/guidestrip.h"
@@ -16,6 +19,9 @@
 #include <QScrollArea>
 #include <QSignalSpy>
 #include <QTest>
+#include <QVBoxLayout>
+
+#include <set>
 
 using namespace mb;
 using namespace mb::test;
@@ -138,6 +144,9 @@ private Q_SLOTS:
     void aMotorHasArrivedWhenItRestsAtItsTarget();
     void aStoryThatIsDismissedLeavesNothing();
     void theOfferIsMadeOnceAndNotInTheMiddleOfAStory();
+    void theOffersButtonsLieOverNothingInItsFirstPicture();
+    void aUnitThatNobodyNamedIsNotCalledByItsFamilyTwice();
+    void threeLinksStandInOneRowBesideTheInspector();
     void everyStepSaysWhatToDo();
     void theFirstUnitThatCanBeTunedIsSelected();
     void whatTheUserSelectedStays();
@@ -262,6 +271,80 @@ void StartTest::theOfferIsMadeOnceAndNotInTheMiddleOfAStory()
     buttons.at(1)->click();
     QCOMPARE(refused.count(), 1);
     QVERIFY(!strip.isVisibleTo(nullptr));
+}
+
+/// The picture is taken without a turn of the event loop: as it is seen first.
+void StartTest::theOffersButtonsLieOverNothingInItsFirstPicture()
+{
+    GuideBench bench;
+    ThemeSource theme{darkTheme()};
+    for (const std::initializer_list<int> widths : {std::initializer_list<int>{420}, {900}, {900, 420}, {420, 900}}) {
+        QWidget page;
+        auto *column = new QVBoxLayout(&page);
+        auto *strip = new GuideStrip(GuideStrip::Shows::Offers, bench.guide, theme, &page);
+        strip->offer(&taming());
+        column->addWidget(strip);
+        column->addStretch(1);
+        for (const int width : widths) {
+            page.resize(width, 600);
+            (void)page.grab();
+        }
+        const auto *words = strip->findChild<QLabel *>(QStringLiteral("guideWords"));
+        const auto place = [&page](const QWidget &part) { return QRect(part.mapTo(&page, QPoint()), part.size()); };
+        QVERIFY(words->height() >= words->heightForWidth(words->width()));
+        for (const auto *button : strip->findChildren<QPushButton *>()) {
+            QVERIFY(!place(*button).intersects(place(*words)));
+            QVERIFY(place(*strip).contains(place(*button)));
+        }
+    }
+}
+
+void StartTest::aUnitThatNobodyNamedIsNotCalledByItsFamilyTwice()
+{
+    DeviceView device = unit(1, 5);
+    device.telemetry = std::make_shared<Telemetry>(dmc60c().channels);
+    device.identity.edit().name = device.family->title;
+    QVERIFY2(!lineOf(device).contains(qt(device.family->title)), qPrintable(lineOf(device)));
+    device.identity.edit().name = "shooter";
+    QVERIFY(lineOf(device).startsWith(QStringLiteral("shooter")));
+}
+
+void StartTest::threeLinksStandInOneRowBesideTheInspector()
+{
+    FakeWorkbench workbench;
+    Selection selection;
+    ThemeSource theme{darkTheme()};
+    for (const auto &[name, kind, rate] : {std::tuple("sim:can", LinkKind::Can, 1'000'000),
+             std::tuple("sim:serial", LinkKind::Serial, 57'600), std::tuple("sim:spi", LinkKind::Spi, 0)}) {
+        LinkView link;
+        link.address = link.name = name;
+        link.kind = kind;
+        link.state = LinkState::Open;
+        link.bitrate = rate;
+        workbench.shot.links.push_back(link);
+    }
+    OverviewPage page(workbench, selection, theme, nullptr);
+    page.resize(787, 640); // of a window of 1280
+    page.show();
+    workbench.publish();
+    QCoreApplication::processEvents();
+    std::set<int> rows;
+    for (const auto *card : page.findChildren<Card *>()) {
+        if (card->isVisible())
+            rows.insert(card->mapTo(&page, QPoint()).y());
+    }
+    QCOMPARE(rows.size(), std::size_t(1));
+    LinkView fourth = workbench.shot.links.front();
+    fourth.address = "sim:can?loss=0.1";
+    workbench.shot.links.push_back(fourth);
+    page.resize(1300, 640);
+    workbench.publish();
+    page.resize(787, 640); // the inspector came
+    QCoreApplication::processEvents();
+    for (const auto *card : page.findChildren<Card *>())
+        QVERIFY(!card->isVisible() || card->mapTo(&page, QPoint(card->width(), 0)).x() <= page.width());
+    QCOMPARE(bitrateText(workbench.shot.links[0]), QStringLiteral("1 Mbit/s"));
+    QCOMPARE(bitrateText(workbench.shot.links[1]), QStringLiteral("57.6 kbit/s"));
 }
 
 void StartTest::everyStepSaysWhatToDo()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // PASS and FAIL: told apart by word and by shape, also without colour, and large enough for 3 m.
 #include "support/windowtests.h"
+#include "widgets/common/theme.h"
 #include "widgets/service/verdictview.h"
 
 #include <QImage>
@@ -60,6 +61,7 @@ private Q_SLOTS:
     void everyVerdictHasAShapeOfItsOwnWithoutColour();
     void theWordIsReadAtThreeMetres();
     void strokesStandOutFromTheGround();
+    void smallPrintIsReadInASmallPictureToo();
     void aScreenReaderHearsIt();
 };
 
@@ -106,6 +108,33 @@ void TestVerdict::theWordIsReadAtThreeMetres()
         }
         QVERIFY2(tallest >= farLetters, qPrintable(QString::number(tallest)));
     }
+}
+
+void TestVerdict::smallPrintIsReadInASmallPictureToo()
+{
+    const ThemeSource source(darkTheme());
+    VerdictView view(source);
+    Verdict verdict = verdictOf(Kind::Passed);
+    verdict.facts = {{QStringLiteral("HHHH"), QStringLiteral("HHHH"), {}}};
+    view.setVerdict(verdict);
+    view.resize(504, 252); // 0.6 of what it likes to be
+    const QImage image = view.grab().toImage().convertToFormat(QImage::Format_Grayscale8);
+    const int ground = qGray(image.pixel(image.width() / 2, image.height() - 12));
+    int rows = 0;
+    std::vector<int> lines; // their heights, from the bottom up
+    for (int y = image.height() - 12; y > 96; --y) {
+        bool inked = false;
+        for (int x = 34; x < 100 && !inked; ++x)
+            inked = ink(image, x, y, ground) > 60;
+        if (!inked && rows > 0)
+            lines.push_back(rows);
+        rows = inked ? rows + 1 : 0;
+    }
+    QVERIFY(lines.size() >= 2);
+    const auto capital
+        = [&](TextRole role) { return QFontMetrics(source.theme().font(role, view.font())).capHeight(); };
+    QVERIFY2(lines[0] >= capital(TextRole::Large) - 2, qPrintable(QString::number(lines[0])));
+    QVERIFY2(lines[1] >= capital(TextRole::Caption) - 1, qPrintable(QString::number(lines[1])));
 }
 
 void TestVerdict::strokesStandOutFromTheGround()

@@ -162,6 +162,18 @@ GlyphState glyphOf(Severity severity)
     return GlyphState::Volatile;
 }
 
+QString givenName(const DeviceView &device)
+{
+    return device.identity->name == device.family->title ? QString() : qt(device.identity->name);
+}
+
+QString bitrateText(const LinkView &link)
+{
+    return link.bitrate >= 1'000'000 ? DeviceText::tr("%1 Mbit/s").arg(link.bitrate / 1e6)
+        : link.bitrate > 0           ? DeviceText::tr("%1 kbit/s").arg(link.bitrate / 1e3)
+                                     : QString();
+}
+
 QString titleOf(const DeviceView &device)
 {
     return QStringLiteral("%1 #%2").arg(qt(device.family->title)).arg(device.identity->address);
@@ -191,7 +203,7 @@ QString lineOf(const DeviceView &device)
         break;
     }
     }
-    const QString name = QString::fromStdString(device.identity->name);
+    const QString name = givenName(device);
     return name.isEmpty() ? word : name + QStringLiteral(" · ") + word;
 }
 

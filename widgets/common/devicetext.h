@@ -37,6 +37,10 @@ namespace mb {
 [[nodiscard]] GlyphState glyphOf(Severity severity);
 /// "DMC60C #5"
 [[nodiscard]] QString titleOf(const DeviceView &device);
+/// What its user calls it; empty while it is still called as its maker calls all of them.
+[[nodiscard]] QString givenName(const DeviceView &device);
+/// "1 Mbit/s"; empty where it is not known.
+[[nodiscard]] QString bitrateText(const LinkView &link);
 /// Second line of the tree: name and what it does now.
 [[nodiscard]] QString lineOf(const DeviceView &device);
 /// What it says holds now, most important first: "forward limit switch holds", "halted".

@@ -31,8 +31,8 @@ void NoticeStrip::fit()
 {
     const bool notices = m_banners->count() > 0;
     m_banners->setTwoLines(width() < m_theme.theme().u(narrow));
+    m_stripe->setCompact(notices); // first: what is shown is laid out at once
     m_banners->setVisible(notices);
-    m_stripe->setCompact(notices);
     setFixedHeight(m_banners->height());
 }
 

@@ -7,6 +7,11 @@
 #include <QPainter>
 
 namespace mb {
+namespace {
+
+constexpr int narrowerUntil = 60; ///< values: some seconds of a device
+
+} // namespace
 
 ValueLabel::ValueLabel(
     const ThemeSource &theme, Look look, const QString &caption, const QString &unit, QWidget *parent)
@@ -19,6 +24,7 @@ ValueLabel::ValueLabel(
     , m_widest(formatNumber(-88888))
 {
     setSizePolicy(look == Look::Row ? QSizePolicy::Preferred : QSizePolicy::Fixed, QSizePolicy::Fixed);
+    m_broadest = QFontMetrics(valueFont()).horizontalAdvance(m_value);
     setSpoken(*this, m_caption, m_value + QLatin1Char(' ') + m_unit);
     connect(&theme, &ThemeSource::changed, this, [this] {
         updateGeometry();
@@ -32,8 +38,20 @@ void ValueLabel::setWidest(const QString &widest)
     updateGeometry();
 }
 
+void ValueLabel::followBreadth(const QString &value)
+{
+    const int width = QFontMetrics(valueFont()).horizontalAdvance(value);
+    m_narrower = width < m_broadest ? m_narrower + 1 : 0;
+    if (width <= m_broadest && m_narrower < narrowerUntil)
+        return;
+    m_broadest = width;
+    m_narrower = 0;
+    update();
+}
+
 void ValueLabel::setValue(const QString &value)
 {
+    followBreadth(value);
     if (value == m_value)
         return;
     const int before = fieldWidth();
@@ -47,6 +65,7 @@ void ValueLabel::setValue(const QString &value)
 void ValueLabel::clear()
 {
     setValue(UnknownMark);
+    m_broadest = QFontMetrics(valueFont()).horizontalAdvance(m_value);
 }
 
 void ValueLabel::setUnit(const QString &unit)
@@ -157,7 +176,7 @@ void ValueLabel::paintLine(QPainter &painter, const QColor &color) const
     const int baseline = (height() + metrics.ascent() - metrics.descent()) / 2;
     painter.setFont(captionFont());
     painter.setPen(theme.dim);
-    painter.drawText(0, baseline, m_caption);
+    painter.drawText(fieldWidth() - m_broadest, baseline, m_caption); // beside its number, not beside the number before
     const int left = QFontMetrics(captionFont()).horizontalAdvance(m_caption) + theme.u(6);
     painter.setFont(valueFont());
     painter.setPen(color);

@@ -38,6 +38,7 @@ private:
     QFont valueFont() const;
     QFont captionFont() const;
     int fieldWidth() const;
+    void followBreadth(const QString &value);
     void updateAccessibleText();
     void paintCard(QPainter &painter, const QColor &color) const;
     void paintLine(QPainter &painter, const QColor &color) const;
@@ -49,6 +50,9 @@ private:
     QString m_unit;
     QString m_value;
     QString m_widest;
+    int m_broadest
+        = 0; ///< of the numbers lately, in pixels: a caption stands beside that, and does not move with every digit
+    int m_narrower = 0; ///< how often it was told less since
     Tone m_tone = Tone::Text;
     bool m_stale = false;
 };

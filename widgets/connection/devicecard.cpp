@@ -94,8 +94,7 @@ void DeviceCard::buildNote()
 void DeviceCard::show(const DeviceView &device, Instant now, bool selected)
 {
     const GlyphState state = glyphOf(device);
-    setTitle(
-        titleOf(device), hasAxes(*device.family) ? axesLine(device) : QString::fromStdString(device.identity->name));
+    setTitle(titleOf(device), hasAxes(*device.family) ? axesLine(device) : givenName(device));
     setGlyph(state);
     setSpokenLive(*this, lineOf(device));
     const bool ordinary = device.identity->state == DeviceState::Online;

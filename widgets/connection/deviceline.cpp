@@ -33,7 +33,11 @@ DeviceLine::DeviceLine(Workbench &workbench, Selection &selection, const ThemeSo
     buildIdentity(*row);
     buildValues(*row);
     connect(&workbench, &Workbench::changed, this, &DeviceLine::follow);
-    connect(&selection, &Selection::changed, this, &DeviceLine::follow);
+    connect(&selection, &Selection::changed, this, [this] { // numbers of another device may be shorter
+        for (ValueLabel *label : {m_position, m_velocity, m_current, m_duty, m_bus, m_temperature})
+            label->clear();
+        follow();
+    });
     follow();
 }
 
@@ -89,9 +93,8 @@ void DeviceLine::resizeEvent(QResizeEvent *event)
 
 QString DeviceLine::aboutOf(const DeviceView &device) const
 {
-    const bool named = device.identity->name != device.family->title; // not as it comes from its maker
     if (!hasAxes(*device.family))
-        return named ? QString::fromStdString(device.identity->name) : QString();
+        return givenName(device);
     return m_selection.axis() > 0 ? commandOfAxis(device, m_selection.axis()) : axesLine(device);
 }
 

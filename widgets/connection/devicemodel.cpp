@@ -340,12 +340,7 @@ QVariant DeviceModel::linkData(const LinkView &link, int role) const
     case Qt::ToolTipRole:
         return QString::fromStdString(link.address)
             + (link.reason.empty() ? QString() : QLatin1Char('\n') + messageText(link.reason));
-    case LineRole:
-        if (link.state == LinkState::Lost)
-            return tr("lost");
-        return link.bitrate >= 1'000'000 ? tr("%1 Mbit/s").arg(link.bitrate / 1e6)
-            : link.bitrate > 0           ? tr("%1 kbit/s").arg(link.bitrate / 1e3)
-                                         : QString();
+    case LineRole: return link.state == LinkState::Lost ? tr("lost") : bitrateText(link);
     case DetailRole: return link.scanning ? tr("scanning") : tr("%1 %").arg(qRound(link.load * 100));
     case DeviceRole: return 0U;
     default: return {};

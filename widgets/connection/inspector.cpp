@@ -140,9 +140,8 @@ void Inspector::follow()
     m_title->setText(axis > 0 ? tr("%1 · %2").arg(titleOf(*device), axisTitle(axis)) : titleOf(*device));
     const LinkView *link = m_workbench.snapshot().link(device->link);
     const QString linkName = link ? QString::fromStdString(link->name) : QString();
-    m_subtitle->setText(device->identity->name.empty()
-            ? linkName
-            : QString::fromStdString(device->identity->name) + QStringLiteral(" · ") + linkName);
+    const QString name = givenName(*device);
+    m_subtitle->setText(name.isEmpty() ? linkName : name + QStringLiteral(" · ") + linkName);
     showLive(*device);
     m_profile->show(device);
     const auto text = [](ValueLabel *label, const std::string &value) {

@@ -22,6 +22,8 @@ namespace mb {
 namespace {
 
 constexpr int mostColumns = 6;
+constexpr int leastLinkCard = 220; ///< units
+constexpr int leastDeviceCard = 320;
 
 } // namespace
 
@@ -110,20 +112,15 @@ void OverviewPage::follow()
     followDevices(shot);
 }
 
-QString OverviewPage::rateText(const LinkView &link)
-{
-    return link.kind == LinkKind::Serial ? tr("%1 bit/s").arg(link.bitrate) : tr("%1 kbit/s").arg(link.bitrate / 1000);
-}
-
 OverviewPage::LinkCard OverviewPage::makeLinkCard(const LinkView &link)
 {
     LinkCard made;
     made.card = new Card(m_theme, QString::fromStdString(link.name), m_canvas);
     made.card->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     auto *row = new QHBoxLayout;
-    row->setSpacing(m_theme.theme().u(8));
+    row->setSpacing(m_theme.theme().u(12));
     const auto add = [&](const QString &caption, const QString &unit) {
-        auto *label = new ValueLabel(m_theme, ValueLabel::Look::Line, caption, unit, made.card);
+        auto *label = new ValueLabel(m_theme, ValueLabel::Look::Card, caption, unit, made.card);
         label->setWidest(QStringLiteral("88"));
         row->addWidget(label);
         return label;
@@ -157,9 +154,8 @@ void OverviewPage::followLinks(const Snapshot &shot)
             m_columns = 0;
         }
         const LinkCard &card = entry->second;
-        const QString rate = link.bitrate > 0 ? rateText(link) : QString();
-        card.card->setTitle(
-            QString::fromStdString(link.name), link.state == LinkState::Open ? rate : messageText(link.reason));
+        card.card->setTitle(QString::fromStdString(link.name),
+            link.state == LinkState::Open ? bitrateText(link) : messageText(link.reason));
         const std::optional<Tone> ailing
             = link.diagnosis.isHealthy() ? std::nullopt : std::optional<Tone>(Tone::Caution);
         card.card->setEdge(link.state == LinkState::Open ? ailing : std::optional<Tone>(Tone::Danger));
@@ -229,29 +225,34 @@ void OverviewPage::followOrder(const Snapshot &shot)
         m_columns = 0;
 }
 
-/// As many cards beside each other as none of them is cut.
-int OverviewPage::fittingColumns() const
+/// As many cards of this width, or wider, as stand beside each other.
+int OverviewPage::fittingColumns(int widest) const
 {
     const Theme &theme = m_theme.theme();
-    int widest = theme.u(320);
-    for (const auto &[address, card] : m_links)
-        widest = std::max(widest, card.card->minimumSizeHint().width());
-    for (const auto &[id, card] : m_cards)
-        widest = std::max(widest, card->minimumSizeHint().width());
     const auto *scroll = static_cast<QScrollArea *>(m_states->widget(0));
     const int room = width() - 2 * theme.u(12) - scroll->verticalScrollBar()->sizeHint().width();
     return std::clamp((room + theme.u(8)) / (widest + theme.u(8)), 1, mostColumns);
 }
 
+/// None of them is cut.
 void OverviewPage::arrange()
 {
-    const int columns = fittingColumns();
-    if (columns == m_columns)
+    const Theme &theme = m_theme.theme();
+    int widestLink = theme.u(leastLinkCard);
+    int widest = theme.u(leastDeviceCard);
+    for (const auto &[address, card] : m_links)
+        widestLink = std::max(widestLink, card.card->minimumSizeHint().width());
+    for (const auto &[id, card] : m_cards)
+        widest = std::max(widest, card->minimumSizeHint().width());
+    const int columns = fittingColumns(widest);
+    const int links = std::max(columns, std::min(fittingColumns(widestLink), static_cast<int>(m_links.size())));
+    if (columns == m_columns && links == m_linkColumns)
         return;
     m_columns = columns;
+    m_linkColumns = links;
     int place = 0;
     for (const auto &[address, card] : m_links) {
-        m_linkGrid->addWidget(card.card, place / columns, place % columns);
+        m_linkGrid->addWidget(card.card, place / links, place % links);
         ++place;
     }
     place = 0;
@@ -260,7 +261,7 @@ void OverviewPage::arrange()
         ++place;
     }
     for (int i = 0; i < mostColumns; ++i) {
-        m_linkGrid->setColumnStretch(i, i < columns ? 1 : 0);
+        m_linkGrid->setColumnStretch(i, i < links ? 1 : 0);
         m_deviceGrid->setColumnStretch(i, i < columns ? 1 : 0);
     }
 }

@@ -59,8 +59,7 @@ private:
     void followLinks(const Snapshot &shot);
     void followDevices(const Snapshot &shot);
     void followOrder(const Snapshot &shot);
-    [[nodiscard]] static QString rateText(const LinkView &link);
-    [[nodiscard]] int fittingColumns() const;
+    [[nodiscard]] int fittingColumns(int widest) const;
     void arrange();
     [[nodiscard]] LinkCard makeLinkCard(const LinkView &link);
 
@@ -77,6 +76,7 @@ private:
     std::map<DeviceId, DeviceCard *> m_cards;
     std::vector<DeviceId> m_order; ///< of the cards
     int m_columns = 0;
+    int m_linkColumns = 0;
 };
 
 } // namespace mb

@@ -197,8 +197,10 @@ void StimulusBar::read()
     take(m_from, m_unit.scale, choice.from, false);
     take(m_to, m_unit.scale, choice.to, true);
     take(m_seconds, 1.0, choice.seconds, false);
-    if (choice.seconds && (*choice.seconds <= 0.0 || *choice.seconds > longestTime))
+    if (choice.seconds && (*choice.seconds <= 0.0 || *choice.seconds > longestTime)) {
         m_fault = tr("The time is 0.001 to %1 s.").arg(longestTime);
+        choice.seconds = m_choice.seconds; // what is looked at ahead must have an end
+    }
     const int kind = std::max(0, m_kind->currentIndex());
     choice.profile = allKinds.at(static_cast<std::size_t>(kind));
     choice.repeat = m_repeat->currentData().toInt();

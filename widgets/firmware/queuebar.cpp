@@ -31,14 +31,10 @@ QueueBar::QueueBar(const ThemeSource &theme, QWidget *parent)
     parts().setSpacing(edge);
     buildProgress();
     buildOrders();
-}
-
-/// The orders below the progress where they have no room beside it, and all but Start as symbols.
-void QueueBar::resizeEvent(QResizeEvent *event)
-{
-    TurningRow::resizeEvent(event);
-    for (CommandButton *button : {m_pause, m_cancel, m_retry, m_export})
-        button->setIconOnly(isTurned());
+    connect(this, &TurningRow::arranged, this, [this](bool turned) { // below the progress all but Start are symbols
+        for (CommandButton *button : {m_pause, m_cancel, m_retry, m_export})
+            button->setIconOnly(turned);
+    });
 }
 
 void QueueBar::buildProgress()

@@ -34,9 +34,6 @@ Q_SIGNALS:
     void retryWanted();
     void exportWanted();
 
-protected:
-    void resizeEvent(QResizeEvent *event) override;
-
 private:
     void buildProgress();
     void buildOrders();

@@ -33,7 +33,7 @@ constexpr int boardBesideFrom = 640; ///< units
 
 QueueBoard::QueueBoard(Workbench &workbench, Selection &selection, std::span<const Family *const> families,
     const ThemeSource &theme, QWidget *parent)
-    : QWidget(parent)
+    : LeastHeight(parent)
     , m_workbench(workbench)
     , m_selection(selection)
     , m_families(families)
@@ -45,8 +45,6 @@ QueueBoard::QueueBoard(Workbench &workbench, Selection &selection, std::span<con
     column->addWidget(m_checks = new QueueChecks(theme, this));
     column->addWidget(separatorLine(Qt::Horizontal, this));
     column->addWidget(m_banner = new Banner(theme, BannerKind::Caution, {}, {}, this));
-    column->addWidget(m_bar = new QueueBar(theme, this));
-    column->addWidget(separatorLine(Qt::Horizontal, this));
     buildBody();
     buildFoot();
     connectAll();
@@ -55,8 +53,24 @@ QueueBoard::QueueBoard(Workbench &workbench, Selection &selection, std::span<con
     m_head->show(m_recipe);
 }
 
+/// Where little is in sight at once, what starts the queue comes before what it starts with.
+void QueueBoard::placeOrders(bool first)
+{
+    auto *column = static_cast<QVBoxLayout *>(layout());
+    if ((column->indexOf(m_orders) == 0) == first)
+        return;
+    column->removeWidget(m_orders);
+    column->insertWidget(first ? 0 : column->indexOf(m_banner) + 1, m_orders);
+}
+
 void QueueBoard::buildBody()
 {
+    m_orders = new QWidget(this);
+    auto *orders = layoutIn<QVBoxLayout>(m_orders, 0);
+    orders->addWidget(m_bar = new QueueBar(m_theme, m_orders));
+    orders->addWidget(separatorLine(Qt::Horizontal, m_orders));
+    layout()->addWidget(m_orders);
+    connect(m_bar, &TurningRow::arranged, this, &QueueBoard::placeOrders);
     auto *split = new TurningSplitter(m_theme, boardBesideFrom, this);
     auto *left = new QSplitter(Qt::Vertical, split);
     left->addWidget(m_table = new QueueTable(m_theme, left));
@@ -285,7 +299,7 @@ void QueueBoard::save(const QString &path)
 
 void QueueBoard::showEvent(QShowEvent *event)
 {
-    QWidget::showEvent(event);
+    LeastHeight::showEvent(event);
     follow();
 }
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/common/leastheight.h"
 #include "widgets/common/selection.h"
 #include "widgets/common/visitarchive.h"
 #include "widgets/common/workbench.h"
 #include "widgets/firmware/queuelines.h"
 #include "widgets/firmware/queuerecipe.h"
-
-#include <QWidget>
 
 #include <map>
 
@@ -28,7 +27,7 @@ class UpdateLog;
 
 /// Many units by one order: what is done to each, which are ticked, how far each is, what was said, and what can be ordered
 /// of the whole and of one. GUI thread.
-class QueueBoard : public QWidget {
+class QueueBoard : public LeastHeight {
     Q_OBJECT
 public:
     QueueBoard(Workbench &workbench, Selection &selection, std::span<const Family *const> families,
@@ -60,6 +59,7 @@ protected:
     void showEvent(QShowEvent *event) override;
 
 private:
+    void placeOrders(bool first);
     void buildBody();
     void buildFoot();
     void connectAll();
@@ -87,6 +87,7 @@ private:
     QueueChecks *m_checks = nullptr;
     Banner *m_banner = nullptr;
     QueueBar *m_bar = nullptr;
+    QWidget *m_orders = nullptr; ///< that bar and its line
     QueueTable *m_table = nullptr;
     UpdateLog *m_log = nullptr;
     QueueSide *m_side = nullptr;

@@ -44,13 +44,8 @@ QueueHead::QueueHead(const ThemeSource &theme, QWidget *parent)
     connect(static_cast<IconButton *>(m_edit), &QToolButton::clicked, this, &QueueHead::editWanted);
     connect(image, &QPushButton::clicked, this, &QueueHead::askImage);
     connect(recipe, &QPushButton::clicked, this, &QueueHead::askRecipe);
-}
-
-/// What is chosen above where it is chosen, if there is no room beside it.
-void QueueHead::resizeEvent(QResizeEvent *event)
-{
-    TurningRow::resizeEvent(event);
-    parts().setSpacing(m_theme.theme().u(isTurned() ? 6 : 16));
+    connect(this, &TurningRow::arranged, this,
+        [this](bool turned) { parts().setSpacing(m_theme.theme().u(turned ? 6 : 16)); });
 }
 
 void QueueHead::show(const QueueRecipe &recipe)

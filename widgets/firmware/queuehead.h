@@ -26,9 +26,6 @@ Q_SIGNALS:
     /// The recipe that is open, or a new one.
     void editWanted();
 
-protected:
-    void resizeEvent(QResizeEvent *event) override;
-
 private:
     void askImage();
     void askRecipe();

@@ -39,8 +39,7 @@ double shareOf(const QueueRow &row)
 
 QString nameOf(const DeviceView &device)
 {
-    const bool named = device.identity->name != device.family->title; // as it comes from its maker
-    const QString name = named ? qt(device.identity->name) : QString();
+    const QString name = givenName(device);
     return QStringLiteral("#%1").arg(device.identity->address) + (name.isEmpty() ? QString() : QLatin1Char(' ') + name);
 }
 

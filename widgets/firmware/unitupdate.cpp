@@ -66,7 +66,7 @@ bool isRunning(const OperationView *operation)
 } // namespace
 
 UnitUpdate::UnitUpdate(Workbench &workbench, Selection &selection, const ThemeSource &theme, QWidget *parent)
-    : QWidget(parent)
+    : LeastHeight(parent)
     , m_workbench(workbench)
     , m_selection(selection)
     , m_theme(theme)
@@ -121,10 +121,12 @@ void UnitUpdate::buildImage(QVBoxLayout &column)
 void UnitUpdate::buildProgress(QVBoxLayout &column)
 {
     const Theme &theme = m_theme.theme();
+    auto *orders = new QWidget(this);
+    auto *part = layoutIn<QVBoxLayout>(orders, 0);
     auto *row = new WrapLayout;
     row->setContentsMargins(theme.u(16), theme.u(10), theme.u(16), theme.u(10));
     row->setSpacing(theme.u(12));
-    auto *box = new QWidget(this);
+    auto *box = new QWidget(orders);
     box->setMinimumWidth(theme.u(leastProgress));
     auto *lines = layoutIn<QVBoxLayout>(box);
     auto *words = new QHBoxLayout;
@@ -141,17 +143,32 @@ void UnitUpdate::buildProgress(QVBoxLayout &column)
     lines->addWidget(m_progress);
     row->setStretched(box);
     row->addWidget(box);
-    m_cancel = new CommandButton(m_theme, Symbol::Close, tr("Cancel"), this);
-    m_start = new CommandButton(m_theme, Symbol::Play, tr("Update"), this);
+    m_cancel = new CommandButton(m_theme, Symbol::Close, tr("Cancel"), orders);
+    m_start = new CommandButton(m_theme, Symbol::Play, tr("Update"), orders);
     m_start->setTextVariants({tr("Update"), tr("Run the update again")});
+    m_start->setKeyHint(QStringLiteral("F5"));
     m_start->setPrimary(true);
     row->addWidget(m_cancel);
     row->addWidget(m_start);
-    column.addLayout(row);
-    column.addWidget(separatorLine(Qt::Horizontal, this));
+    part->addLayout(row);
+    part->addWidget(separatorLine(Qt::Horizontal, orders));
+    column.addWidget(orders);
     connect(m_start, &QPushButton::clicked, this, &UnitUpdate::start);
     connect(
         m_cancel, &QPushButton::clicked, this, [this] { m_workbench.send(orders::CancelOperation{m_shownOperation}); });
+}
+
+/// Where little is in sight at once, what starts the update comes before what it starts with.
+void UnitUpdate::resizeEvent(QResizeEvent *event)
+{
+    LeastHeight::resizeEvent(event);
+    auto *column = static_cast<QVBoxLayout *>(layout());
+    QWidget *const orders = m_start->parentWidget();
+    const bool first = width() < m_theme.theme().u(updateBesideFrom);
+    if ((column->indexOf(orders) == 0) == first)
+        return;
+    column->removeWidget(orders);
+    column->insertWidget(first ? 0 : column->indexOf(m_checks) + 2, orders); // behind its line
 }
 
 void UnitUpdate::buildBody(QVBoxLayout &column)
@@ -246,7 +263,7 @@ void UnitUpdate::start()
 
 void UnitUpdate::showEvent(QShowEvent *event)
 {
-    QWidget::showEvent(event);
+    LeastHeight::showEvent(event);
     follow();
 }
 
@@ -271,8 +288,8 @@ void UnitUpdate::follow()
 
 void UnitUpdate::followDevice(const DeviceView *device)
 {
-    m_deviceName->setText(device ? titleOf(*device) + QLatin1Char(' ') + QString::fromStdString(device->identity->name)
-                                 : tr("no device selected"));
+    m_deviceName->setText(
+        device ? (titleOf(*device) + QLatin1Char(' ') + givenName(*device)).trimmed() : tr("no device selected"));
     if (!device)
         return m_versions->clear();
     const QString now

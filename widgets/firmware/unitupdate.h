@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/common/leastheight.h"
 #include "widgets/common/selection.h"
 #include "widgets/common/workbench.h"
 #include "widgets/firmware/imagechoice.h"
-
-#include <QWidget>
 
 class QLabel;
 class QProgressBar;
@@ -22,7 +21,7 @@ class UpdateSide;
 
 /// Firmware of the selected device: image, checks before the start, page map, rate, time left, cancel, log. Says done only
 /// when the device has answered with the new version. GUI thread.
-class UnitUpdate : public QWidget {
+class UnitUpdate : public LeastHeight {
     Q_OBJECT
 public:
     UnitUpdate(Workbench &workbench, Selection &selection, const ThemeSource &theme, QWidget *parent);
@@ -35,6 +34,7 @@ public:
 
 protected:
     void showEvent(QShowEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     void buildImage(QVBoxLayout &column);

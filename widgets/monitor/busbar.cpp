@@ -20,6 +20,7 @@ namespace mb {
 namespace {
 
 constexpr int foldedBelow = 560; ///< units
+constexpr int sendWholeFrom = 1100;
 constexpr int leastFilter = 110;
 constexpr int usualFilter = 160;
 
@@ -110,11 +111,11 @@ void BusBar::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
     const bool narrow = width() < m_theme.theme().u(foldedBelow);
-    for (Segmented *choice : {m_mode, m_direction})
+    for (Segmented *choice : {m_links, m_mode, m_direction})
         choice->setFolded(narrow);
     m_filter->setMinimumWidth(m_theme.theme().u(narrow ? leastFilter : usualFilter));
-    for (CommandButton *button : {m_pause, m_send})
-        button->setIconOnly(narrow);
+    m_pause->setIconOnly(narrow);
+    m_send->setIconOnly(width() < m_theme.theme().u(sendWholeFrom)); // alone in a line it would take one of the table
 }
 
 void BusBar::applyFilter()

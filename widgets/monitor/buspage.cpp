@@ -29,6 +29,7 @@ namespace mb {
 namespace {
 
 constexpr std::chrono::milliseconds refreshTime{50};
+constexpr int losslessBelow = 560; ///< units
 constexpr Duration idsTime = std::chrono::milliseconds(200);
 
 } // namespace
@@ -218,11 +219,15 @@ void BusPage::showState(const LinkView &link)
     };
     const Theme &theme = m_theme.theme();
     const auto count = [](std::uint64_t number) { return formatCount(static_cast<qint64>(number)); };
-    QString state = tr("load %1 &nbsp; frames/s %2 &nbsp; dropped %3 &nbsp; errors %4")
+    QString state = tr("load %1 &nbsp; frames/s %2")
                         .arg(bold(formatValue(link.load * 100.0, 0, QStringLiteral("%")), theme.text),
-                            bold(formatNumber(m_rate.of(link, m_workbench.now()), 0), theme.text),
-                            bold(count(link.counters.lost), link.counters.lost > 0 ? theme.caution : theme.ok),
-                            bold(count(link.counters.errors), link.counters.errors > 0 ? theme.danger : theme.ok));
+                            bold(formatNumber(m_rate.of(link, m_workbench.now()), 0), theme.text));
+    const bool narrow = width() < theme.u(losslessBelow); // then what is 0 is not said
+    if (!narrow || link.counters.lost + link.counters.errors > 0)
+        state += QStringLiteral(" &nbsp; ")
+            + tr("dropped %1 &nbsp; errors %2")
+                  .arg(bold(count(link.counters.lost), link.counters.lost > 0 ? theme.caution : theme.ok),
+                      bold(count(link.counters.errors), link.counters.errors > 0 ? theme.danger : theme.ok));
     if (m_model->skipped() > 0)
         state += QStringLiteral(" &nbsp; ") + tr("not kept %1").arg(bold(count(m_model->skipped()), theme.caution));
     m_bar->setState(state);

@@ -14,6 +14,11 @@
 #include <algorithm>
 
 namespace mb {
+namespace {
+
+constexpr int leastFrames = 176; ///< units
+
+} // namespace
 
 BusTables::BusTables(const ThemeSource &theme, FrameModel &frames, IdModel &ids, QWidget *parent)
     : QSplitter(Qt::Vertical, parent)
@@ -37,12 +42,13 @@ void BusTables::build()
 {
     m_lower = new QSplitter(Qt::Horizontal, this);
     m_frames = new TrafficView(m_theme, tr("Frames"), {88, 66, 54, 88, 132, 42, 240, 208}, FrameModel::Decoded, this);
-    m_frames->setSpare(FrameModel::Data);
+    m_frames->setSpare({FrameModel::Data, FrameModel::Delta});
+    m_frames->setMinimumHeight(m_theme.theme().u(leastFrames)); // some lines, before the page scrolls
     m_frames->setModel(&m_model);
     m_frames->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_idTable = new TrafficView(
-        m_theme, tr("Identifiers"), {88, 50, 122, 42, 64, 72, 84, 208, 118, 100}, IdModel::Value, m_lower);
-    m_idTable->setSpare(IdModel::Data);
+        m_theme, tr("Identifiers"), {88, 46, 122, 42, 62, 72, 66, 208, 118, 96}, IdModel::Value, m_lower);
+    m_idTable->setSpare({IdModel::Data});
     m_idTable->setSharing(IdModel::Spark);
     m_idTable->setModel(&m_ids);
     m_idTable->setSelectionMode(QAbstractItemView::SingleSelection);

@@ -13,6 +13,7 @@ namespace {
 
 constexpr Duration trailTime = std::chrono::seconds(5);
 constexpr Duration highlightTime = std::chrono::milliseconds(700);
+constexpr double wholeJitterFrom = 0.1; ///< s of jitter, which has no decimals then
 
 bool isNumber(int column)
 {
@@ -235,7 +236,7 @@ QString IdModel::text(const Row &row, int column) const
         return known ? addressText(known->frame) : QString(UnknownMark);
     }
     case Rate: return formatNumber(traffic.rate, 0);
-    case Jitter: return millisecondsText(traffic.jitter, 2);
+    case Jitter: return millisecondsText(traffic.jitter, traffic.jitter.value_or(0.0) < wholeJitterFrom ? 2 : 0);
     case Count: return formatCount(static_cast<qint64>(traffic.count));
     case Data: return hexBytes(traffic.last);
     case Value: return valueText(row);

@@ -24,6 +24,8 @@
 namespace mb {
 namespace {
 
+constexpr int deviceColumnFrom = 560; ///< units
+
 /// Text anywhere in the row, and at least this severity.
 class NoticeFilter final : public QSortFilterProxyModel {
 public:
@@ -108,7 +110,9 @@ void LogPage::buildTable()
     m_table->setShowGrid(false);
     m_table->setFrameShape(QFrame::NoFrame);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setColumnWidth(NoticeModel::Time, theme.u(104));
+    m_table->setColumnWidth(NoticeModel::Time, // to the millisecond
+        QFontMetrics(theme.font(TextRole::Raw, font())).horizontalAdvance(QStringLiteral("88:88:88.888"))
+            + theme.u(32));
     m_table->setColumnWidth(NoticeModel::Glyph, theme.u(32));
     m_table->setColumnWidth(NoticeModel::Device, // a name is whole
         widestName(fontMetrics()) + theme.u(24));
@@ -127,6 +131,15 @@ void LogPage::buildTable()
     connect(m_search, &QLineEdit::textChanged, filter, apply);
     connect(m_severity, &Segmented::currentChanged, filter, apply);
     show();
+}
+
+/// Where it is narrow the device stands before what it said: both columns would be too narrow to read.
+void LogPage::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    const bool narrow = width() < m_theme.theme().u(deviceColumnFrom);
+    m_table->setColumnHidden(NoticeModel::Device, narrow);
+    m_model->setNamed(narrow);
 }
 
 QString LogPage::text() const

@@ -23,6 +23,9 @@ public:
     /// The whole log as text, one line each.
     [[nodiscard]] QString text() const;
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
     void buildBar();
     void buildTable();

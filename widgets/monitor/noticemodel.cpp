@@ -7,6 +7,8 @@
 
 #include <QDateTime>
 
+#include <utility>
+
 namespace mb {
 NoticeModel::NoticeModel(Workbench &workbench, const ThemeSource &theme, QObject *parent)
     : QAbstractTableModel(parent)
@@ -30,6 +32,12 @@ int NoticeModel::rowCount(const QModelIndex &parent) const
 int NoticeModel::columnCount(const QModelIndex &parent) const
 {
     return parent.isValid() ? 0 : ColumnCount;
+}
+
+void NoticeModel::setNamed(bool named)
+{
+    if (std::exchange(m_named, named) != named && rowCount() > 0)
+        Q_EMIT dataChanged(index(0, Text), index(rowCount() - 1, Text));
 }
 
 QString NoticeModel::timeText(const Notice &notice) const
@@ -59,7 +67,7 @@ QVariant NoticeModel::data(const QModelIndex &index, int role) const
     switch (index.column()) {
     case Time: return timeText(notice);
     case Device: return notice.device;
-    case Text: return notice.text;
+    case Text: return m_named && !notice.device.isEmpty() ? tr("%1: %2").arg(notice.device, notice.text) : notice.text;
     default: return {};
     }
 }

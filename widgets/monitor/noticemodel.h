@@ -21,12 +21,15 @@ public:
     [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    /// What was said begins with the device that it was said of.
+    void setNamed(bool named);
     [[nodiscard]] QString timeText(const Notice &notice) const;
 
 private:
     Workbench &m_workbench;
     const ThemeSource &m_theme;
     std::vector<Notice> m_notices;
+    bool m_named = false;
 };
 
 } // namespace mb

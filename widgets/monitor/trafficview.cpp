@@ -59,10 +59,10 @@ void TrafficView::layOut()
     for (std::size_t i = 0; i < m_widths.size(); ++i)
         rest -= static_cast<int>(i) == m_stretching ? 0 : theme.u(m_widths[i]);
     const int least = theme.u(m_widths[static_cast<std::size_t>(m_stretching)]);
-    const bool spared = m_spare >= 0 && rest < least;
-    if (m_spare >= 0) {
-        setColumnHidden(m_spare, spared);
-        rest += spared ? theme.u(m_widths[static_cast<std::size_t>(m_spare)]) : 0;
+    for (const int column : m_spare) {
+        const bool spared = rest < least;
+        setColumnHidden(column, spared);
+        rest += spared ? theme.u(m_widths[static_cast<std::size_t>(column)]) : 0;
     }
     const int shared = m_sharing >= 0 ? std::max(0, rest - least) / 2 : 0;
     for (std::size_t i = 0; i < m_widths.size(); ++i) {

@@ -19,8 +19,8 @@ public:
     TrafficView(const ThemeSource &theme, const QString &name, std::vector<int> widths, int stretching,
         QWidget *parent = nullptr);
     void setModel(QAbstractItemModel *model) override;
-    /// A column that is left out where the stretching one would become too narrow.
-    void setSpare(int column) { m_spare = column; }
+    /// Columns that are left out, the first first, where the stretching one would become too narrow.
+    void setSpare(std::vector<int> columns) { m_spare = std::move(columns); }
     /// A column that takes half of what the stretching one has beyond its least.
     void setSharing(int column) { m_sharing = column; }
     [[nodiscard]] bool isAtEnd() const;
@@ -34,7 +34,7 @@ private:
     const ThemeSource &m_theme;
     std::vector<int> m_widths;
     int m_stretching;
-    int m_spare = -1;
+    std::vector<int> m_spare;
     int m_sharing = -1;
 };
 

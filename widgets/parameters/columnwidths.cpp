@@ -12,6 +12,8 @@
 namespace mb {
 namespace {
 
+constexpr int air = 48; ///< units that a name and a unit get of what is left: eyes go along the row
+
 constexpr std::size_t at(int column)
 {
     return static_cast<std::size_t>(column);
@@ -111,10 +113,11 @@ ColumnWidths columnWidthsFor(
         widen(column, natural[at(column)]);
     if (spare <= 0)
         return widths;
-    widths[at(ParameterModel::Label)] += spare / 3;
-    widths[at(ParameterModel::Unit)] += spare / 3;
+    const int each = std::min(spare / 3, theme.u(air));
+    for (const int column : {ParameterModel::Label, ParameterModel::Unit})
+        widths[at(column)] += each;
     const int last = widths[at(ParameterModel::Raw)] > 0 ? ParameterModel::Raw : ParameterModel::State;
-    widths[at(last)] += spare - 2 * (spare / 3);
+    widths[at(last)] += spare - 2 * each;
     return widths;
 }
 

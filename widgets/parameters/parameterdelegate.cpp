@@ -128,8 +128,8 @@ void ParameterDelegate::paintText(QPainter &painter, const QStyleOptionViewItem 
     const QRect cell = option.rect.adjusted(first ? labelIndent() : padding(), 0, -padding(), 0);
     painter.setFont(cellFont(column, option.font));
     painter.setPen(first || changed ? theme.text : theme.dim);
-    const auto elide
-        = column == ParameterModel::Key ? Qt::ElideMiddle : Qt::ElideRight; // both ends of a key say something
+    const bool named = first || column == ParameterModel::Key; // many begin alike: both ends say something
+    const auto elide = named ? Qt::ElideMiddle : Qt::ElideRight;
     const QString text = painter.fontMetrics().elidedText(index.data().toString(), elide, cell.width());
     painter.drawText(cell, index.data(Qt::TextAlignmentRole).toInt(), text);
 }

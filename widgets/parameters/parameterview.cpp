@@ -40,6 +40,8 @@ ParameterView::ParameterView(const ThemeSource &theme, ParameterModel &model, QW
     connect(this, &QWidget::customContextMenuRequested, this, &ParameterView::openMenu);
     connect(&theme, &ThemeSource::changed, this, &ParameterView::fitColumns);
     connect(&model, &ParameterModel::standingChanged, this, &ParameterView::applyFilter);
+    connect(&model, &QAbstractItemModel::headerDataChanged, this,
+        &ParameterView::fitColumns); // numbers of another reference
 }
 
 void ParameterView::configure()

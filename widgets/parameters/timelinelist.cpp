@@ -51,6 +51,8 @@ TimelineList::TimelineList(const ThemeSource &theme, QWidget *parent)
 {
     setAccessibleName(tr("States of this unit"));
     setWordWrap(true);
+    setResizeMode(Adjust);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setUniformItemSizes(false);
     connect(this, &QListWidget::currentRowChanged, this, [this](int row) {
         const QListWidgetItem *shown = item(row);

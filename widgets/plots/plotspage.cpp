@@ -7,6 +7,7 @@
 #include "widgets/common/layoutin.h"
 #include "widgets/common/pagekeys.h"
 #include "widgets/common/replaybar.h"
+#include "widgets/common/turningrow.h"
 #include "widgets/plots/analysisviews.h"
 #include "widgets/plots/exportbar.h"
 #include "widgets/plots/plotdialogs.h"
@@ -95,18 +96,19 @@ QWidget *PlotsPage::buildContent()
 {
     auto *content = new QWidget(m_pages);
     auto *column = layoutIn<QVBoxLayout>(content, 0);
-    m_work = new QBoxLayout(QBoxLayout::TopToBottom); // until it is known how wide it is
-    m_work->setSpacing(0);
-    QWidget *const plots = buildPlots();
+    auto *work = new TurningRow(m_theme, tracesBesideFrom, content);
+    work->parts().setSpacing(0);
+    work->parts().addWidget(buildPlots(), 1);
+    work->parts().addWidget(m_panel = new TracePanel(m_workbench, *m_stack, *m_board, m_theme, work));
+    connect(work, &TurningRow::arranged, m_panel, [panel = m_panel](bool turned) { // the plots have what it leaves
+        panel->setMaximumWidth(turned ? QWIDGETSIZE_MAX : panel->sizeHint().width());
+    });
     m_bar = new PlotsBar(
         m_workbench, *m_stack, m_theme, [this](QMenu &menu) { m_layoutBook.fillMenu(menu, *this); },
         [this](QMenu &menu) { fillExportMenu(menu); }, content);
-    m_panel = new TracePanel(m_workbench, *m_stack, *m_board, m_theme, content);
-    m_work->addWidget(plots, 1);
-    m_work->addWidget(m_panel);
     column->addWidget(m_bar);
     column->addWidget(separatorLine(Qt::Horizontal, content));
-    column->addLayout(m_work, 1);
+    column->addWidget(work, 1);
     return content;
 }
 
@@ -373,9 +375,6 @@ bool PlotsPage::eventFilter(QObject *watched, QEvent *event)
 void PlotsPage::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
-    const bool beside = width() >= m_theme.theme().u(tracesBesideFrom); // then the plots have what it leaves
-    m_work->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-    m_panel->setMaximumWidth(beside ? m_panel->sizeHint().width() : QWIDGETSIZE_MAX);
     m_bar->recording().setRoomy(width() > m_theme.theme().u(roomyWidth));
 }
 

@@ -5,7 +5,6 @@
 #include "widgets/plots/plotlayoutbook.h"
 #include "widgets/plots/triggercontrol.h"
 
-class QBoxLayout;
 class QStackedWidget;
 
 namespace mb {
@@ -92,7 +91,6 @@ private:
     AgainstView *m_against = nullptr;
     SpectrumView *m_spectrum = nullptr;
     PlotScrubber *m_scrubber = nullptr;
-    QBoxLayout *m_work = nullptr; ///< plots and lists of traces, side by side with room
     TracePanel *m_panel = nullptr;
     ReplayBar *m_replay = nullptr;
 };

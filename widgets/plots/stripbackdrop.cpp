@@ -40,7 +40,7 @@ void StripBackdrop::draw(QCPPainter *painter)
 
 void StripBackdrop::drawWatermark(QCPPainter &painter, const QRectF &box) const
 {
-    if (m_decor.watermark.isEmpty() || box.height() < 24)
+    if (m_decor.watermark.isEmpty() || box.height() < 24 || box.width() < 24)
         return;
     const Theme &theme = m_theme.theme();
     QFont font = theme.font(TextRole::Emphasis, parentPlot()->font());

@@ -3,8 +3,12 @@
 
 #include <QPainter>
 #include <QSvgRenderer>
+#include <QTextBlock>
 #include <QTextDocument>
 #include <QTextFormat>
+#include <QTextFrame>
+
+#include <algorithm>
 
 namespace mb {
 namespace {
@@ -37,10 +41,19 @@ QString ReportDrawings::takeFrom(QString html)
     return html;
 }
 
-QSizeF ReportDrawings::intrinsicSize(QTextDocument *, int, const QTextFormat &format)
+QSizeF ReportDrawings::intrinsicSize(QTextDocument *document, int position, const QTextFormat &format)
 {
     const QSvgRenderer *const drawing = find(format);
-    return drawing ? QSizeF(drawing->defaultSize()) : QSizeF();
+    if (!drawing)
+        return {};
+    const QSizeF own = drawing->defaultSize();
+    const QTextBlockFormat block = document->findBlock(position).blockFormat();
+    double room = document->textWidth() - block.leftMargin() - block.rightMargin();
+    for (const QTextFrame *frame = document->frameAt(position); frame; frame = frame->parentFrame()) {
+        const QTextFrameFormat around = frame->frameFormat();
+        room -= around.leftMargin() + around.rightMargin() + 2 * (around.padding() + around.border());
+    }
+    return document->textWidth() > 0 && room < own.width() ? own * (std::max(room, 1.0) / own.width()) : own;
 }
 
 void ReportDrawings::drawObject(QPainter *painter, const QRectF &rect, QTextDocument *, int, const QTextFormat &format)

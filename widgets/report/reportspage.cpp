@@ -34,6 +34,7 @@ namespace {
 
 constexpr int listWidth = 380; ///< units
 constexpr int previewWidth = 700;
+constexpr int pageWidth = 860;
 constexpr int previewBesideFrom = 760;
 constexpr int newestEntries = 2000; ///< of the journal, in the list
 
@@ -88,6 +89,7 @@ QWidget *ReportsPage::buildList()
     m_list->setAccessibleName(tr("Reports, newest first"));
     m_list->setFrameShape(QFrame::NoFrame);
     m_list->setWordWrap(true);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->setResizeMode(QListView::Adjust);
     column->addWidget(m_list, 1);
     connect(m_search, &QLineEdit::textChanged, this, &ReportsPage::fill);
@@ -125,6 +127,8 @@ QWidget *ReportsPage::buildPreview()
     m_text->setAccessibleName(tr("Preview of the report"));
     m_text->setFrameShape(QFrame::NoFrame);
     m_text->setOpenLinks(false);
+    m_text->setLineWrapMode(QTextEdit::FixedPixelWidth);
+    m_text->installEventFilter(this);
     QPalette paper = m_text->palette(); // as it is printed, in both themes
     paper.setColor(QPalette::Base, Qt::white);
     paper.setColor(QPalette::Text, Qt::black);
@@ -170,6 +174,14 @@ void ReportsPage::showEvent(QShowEvent *event)
     m_asked.clear(); // there may be new trials
     askJournal();
     follow();
+}
+
+/// Lines that are wider than those of a page are not read.
+bool ReportsPage::eventFilter(QObject *watched, QEvent *event)
+{
+    if (watched == m_text && event->type() == QEvent::Resize)
+        m_text->setLineWrapColumnOrWidth(std::min(m_text->viewport()->width(), m_theme.theme().u(pageWidth)));
+    return QWidget::eventFilter(watched, event);
 }
 
 void ReportsPage::askJournal()

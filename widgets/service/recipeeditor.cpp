@@ -9,6 +9,7 @@
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/spoken.h"
+#include "widgets/common/turningrow.h"
 #include "widgets/service/recipeform.h"
 
 #include <QDir>
@@ -27,7 +28,7 @@ namespace {
 
 constexpr int editorWidth = 1020; // u
 constexpr int editorHeight = 660;
-constexpr int widthForBoth = 860; // less: the file stands below the fields
+constexpr int widthForBoth = 836; // less: the file stands below the fields
 constexpr int screenMargin = 48;  // for the frame
 constexpr std::int64_t mostBytes = 1 << 20;
 
@@ -68,7 +69,7 @@ RecipeEditor::RecipeEditor(
 
 void RecipeEditor::buildBody()
 {
-    m_body = new QBoxLayout(QBoxLayout::LeftToRight);
+    auto *body = new TurningRow(m_theme, widthForBoth, this);
     auto *scroll = new QScrollArea(this);
     scroll->setAccessibleName(tr("Fields of the recipe"));
     scroll->setWidgetResizable(true);
@@ -80,9 +81,9 @@ void RecipeEditor::buildBody()
     m_text->setTabChangesFocus(true);
     m_text->setLineWrapMode(QPlainTextEdit::NoWrap);
     m_text->setFont(m_theme.theme().font(TextRole::Raw, font()));
-    m_body->addWidget(scroll, 3);
-    m_body->addWidget(m_text, 2);
-    static_cast<QVBoxLayout *>(layout())->addLayout(m_body, 1);
+    body->parts().addWidget(scroll, 3);
+    body->parts().addWidget(m_text, 2);
+    static_cast<QVBoxLayout *>(layout())->addWidget(body, 1);
 }
 
 void RecipeEditor::buildFoot()
@@ -104,13 +105,6 @@ void RecipeEditor::buildFoot()
     connect(close, &QPushButton::clicked, this, &QDialog::reject);
     connect(m_save, &QPushButton::clicked, this, &RecipeEditor::save);
     connect(new QShortcut(QKeySequence::Save, this), &QShortcut::activated, this, &RecipeEditor::save);
-}
-
-void RecipeEditor::resizeEvent(QResizeEvent *event)
-{
-    const bool wide = width() >= m_theme.theme().u(widthForBoth);
-    m_body->setDirection(wide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-    QDialog::resizeEvent(event);
 }
 
 void RecipeEditor::changeEvent(QEvent *event)

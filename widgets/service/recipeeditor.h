@@ -10,7 +10,6 @@
 #include <optional>
 #include <span>
 
-class QBoxLayout;
 class QLabel;
 class QMessageBox;
 class QPlainTextEdit;
@@ -49,7 +48,6 @@ Q_SIGNALS:
     void saved(const QString &path);
 
 protected:
-    void resizeEvent(QResizeEvent *event) override;
     void changeEvent(QEvent *event) override;
 
 private:
@@ -70,7 +68,6 @@ private:
     QString m_path;    ///< empty: of no file yet
     QByteArray m_kept; ///< as it was opened or saved last
     std::optional<Error> m_problem;
-    QBoxLayout *m_body = nullptr;
     RecipeForm *m_form = nullptr;
     QPlainTextEdit *m_text = nullptr;
     QLabel *m_words = nullptr;

@@ -28,6 +28,13 @@ QFont fitted(QFont font, const QString &text, int width)
     return font;
 }
 
+/// Small print of a picture that is drawn smaller stays as large as elsewhere in the window, as far as there is room for it.
+QFont printed(QFont font, double print)
+{
+    font.setPointSizeF(font.pointSizeF() * print);
+    return font;
+}
+
 int paintLine(QPainter &painter, const QRect &box, const QFont &font, const QColor &color, const QString &text,
     int alignment = Qt::AlignLeft)
 {
@@ -163,7 +170,7 @@ void VerdictView::paintShape(QPainter &painter, const QRectF &box) const
     painter.drawPath(mark);
 }
 
-int VerdictView::paintHead(QPainter &painter, const QRect &box) const
+int VerdictView::paintHead(QPainter &painter, const QRect &box, double print) const
 {
     const Theme &theme = m_theme.theme();
     const int shape = std::min(theme.u(128), box.height() * 2 / 5);
@@ -184,29 +191,40 @@ int VerdictView::paintHead(QPainter &painter, const QRect &box) const
     const int below = paintLine(
         painter, side, fitted(number, m_verdict.number, right), theme.text, m_verdict.number, Qt::AlignRight);
     if (m_verdict.seconds > 0.0)
-        paintLine(painter, side.adjusted(0, below, 0, 0), theme.font(TextRole::Large, font()), theme.dim,
-            formatNumber(m_verdict.seconds, 1) + QChar(QChar::Nbsp) + QStringLiteral("s"), Qt::AlignRight);
+        paintSeconds(painter, side.adjusted(0, below, 0, 0), print);
     return std::max(height, shape + theme.u(20));
 }
 
-int VerdictView::paintFacts(QPainter &painter, const QRect &box) const
+void VerdictView::paintSeconds(QPainter &painter, const QRect &box, double print) const
+{
+    const Theme &theme = m_theme.theme();
+    const QString seconds = formatNumber(m_verdict.seconds, 1) + QChar(QChar::Nbsp) + QStringLiteral("s");
+    const QFont font = fitted(printed(theme.font(TextRole::Large, this->font()), print), seconds, box.width());
+    paintLine(painter, box, font, theme.dim, seconds, Qt::AlignRight);
+}
+
+int VerdictView::paintFacts(QPainter &painter, const QRect &box, double print) const
 {
     const Theme &theme = m_theme.theme();
     const int count = static_cast<int>(m_verdict.facts.size());
     if (count == 0)
         return 0;
     const int width = box.width() / std::max(count, 4);
+    const double natural = 2 * QFontMetricsF(theme.font(TextRole::Caption, font())).height()
+        + QFontMetricsF(theme.font(TextRole::Large, font())).height();
+    print = std::clamp(box.height() / natural, 1.0, print);
+    const QFont caption = printed(theme.font(TextRole::Caption, font()), print);
+    const QFont large = printed(theme.font(TextRole::Large, font()), print);
     int height = 0;
     for (int i = 0; i < count; ++i) {
         const Verdict::Fact &fact = m_verdict.facts[static_cast<std::size_t>(i)];
         QRect cell(box.left() + i * width, box.top(), width - theme.u(12), box.height());
         painter.setPen(QPen(theme.line, 1));
-        painter.drawLine(cell.left(), cell.top(), cell.left(), cell.top() + theme.u(56));
+        painter.drawLine(cell.left(), cell.top(), cell.left(), cell.top() + static_cast<int>(theme.u(56) * print));
         cell.adjust(theme.u(10), 0, 0, 0);
-        const QFont caption = theme.font(TextRole::Caption, font());
         int y = paintLine(painter, cell, caption, theme.dim, fact.name);
-        y += paintLine(painter, cell.adjusted(0, y, 0, 0),
-            fitted(theme.font(TextRole::Large, font()), fact.value, cell.width()), theme.text, fact.value);
+        y += paintLine(
+            painter, cell.adjusted(0, y, 0, 0), fitted(large, fact.value, cell.width()), theme.text, fact.value);
         y += paintLine(painter, cell.adjusted(0, y, 0, 0), caption, theme.dim, fact.note);
         height = std::max(height, y);
     }
@@ -245,7 +263,7 @@ void VerdictView::paintProgress(QPainter &painter, const QRect &box) const
     painter.drawRoundedRect(QRect(bar.topLeft(), QSize(done, bar.height())), theme.u(2), theme.u(2));
 }
 
-void VerdictView::paintFoot(QPainter &painter, const QRect &box) const
+void VerdictView::paintFoot(QPainter &painter, const QRect &box, double print) const
 {
     const Theme &theme = m_theme.theme();
     if (m_verdict.next.isEmpty())
@@ -256,7 +274,8 @@ void VerdictView::paintFoot(QPainter &painter, const QRect &box) const
     words.setPointSizeF(theme.bodyPointSize * 2.3);
     const QRect inner = box.adjusted(theme.u(24), theme.u(12), -theme.u(24), 0);
     const int y = paintLine(painter, inner, fitted(words, m_verdict.next, inner.width()), theme.text, m_verdict.next);
-    paintLine(painter, inner.adjusted(0, y, 0, 0), theme.font(TextRole::Body, font()), theme.dim, m_verdict.hint);
+    paintLine(painter, inner.adjusted(0, y, 0, 0), printed(theme.font(TextRole::Body, font()), print), theme.dim,
+        m_verdict.hint);
 }
 
 void VerdictView::paintEvent(QPaintEvent *)
@@ -267,6 +286,7 @@ void VerdictView::paintEvent(QPaintEvent *)
     const double zoom = std::clamp(
         std::min(width() / double(sizeHint().width()), height() / double(sizeHint().height())), leastZoom, mostZoom);
     painter.scale(zoom, zoom); // what has more room is read from farther away
+    const double print = std::max(1.0, 1.0 / zoom);
     const QRect whole(0, 0, static_cast<int>(width() / zoom), static_cast<int>(height() / zoom));
     const int frame = theme.u(3);
     painter.setBrush(ground());
@@ -275,15 +295,15 @@ void VerdictView::paintEvent(QPaintEvent *)
     const int edge = theme.u(36);
     const int foot = m_verdict.next.isEmpty() ? 0 : theme.u(88);
     const QRect inner = whole.adjusted(edge, theme.u(16), -edge, -foot - frame);
-    int y = paintHead(painter, inner) + theme.u(12);
+    int y = paintHead(painter, inner, print) + theme.u(12);
     const QRect rest = inner.adjusted(0, y, 0, 0);
     if (m_verdict.kind == Kind::Working)
         paintProgress(painter, rest);
     else if (!m_verdict.cause.isEmpty())
         paintCause(painter, rest);
     else
-        paintFacts(painter, rest);
-    paintFoot(painter, QRect(frame, whole.height() - foot, whole.width() - 2 * frame, foot));
+        paintFacts(painter, rest, print);
+    paintFoot(painter, QRect(frame, whole.height() - foot, whole.width() - 2 * frame, foot), print);
 }
 
 } // namespace mb

@@ -50,11 +50,12 @@ private:
     [[nodiscard]] QColor ground() const;
     void paintShape(QPainter &painter, const QRectF &box) const;
     /// They yield the height that they took.
-    int paintHead(QPainter &painter, const QRect &box) const;
-    int paintFacts(QPainter &painter, const QRect &box) const;
+    int paintHead(QPainter &painter, const QRect &box, double print) const;
+    void paintSeconds(QPainter &painter, const QRect &box, double print) const;
+    int paintFacts(QPainter &painter, const QRect &box, double print) const;
     int paintCause(QPainter &painter, const QRect &box) const;
     void paintProgress(QPainter &painter, const QRect &box) const;
-    void paintFoot(QPainter &painter, const QRect &box) const;
+    void paintFoot(QPainter &painter, const QRect &box, double print) const;
     void announce();
 
     const ThemeSource &m_theme;

@@ -2,20 +2,18 @@
 #include "widgets/start/guidestrip.h"
 
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/pagekeys.h"
 #include "widgets/common/spoken.h"
 #include "widgets/common/stateglyph.h"
+#include "widgets/common/turningbox.h"
 #include "widgets/common/wraplayout.h"
-
-#include <algorithm>
-
-#include <QGridLayout>
-#include <QResizeEvent>
 
 namespace mb {
 namespace {
 
 constexpr int roomBeside = 640; ///< of the strip, for its buttons beside its words
+constexpr int leastSteps = 160;
 
 } // namespace
 
@@ -36,51 +34,50 @@ GuideStrip::GuideStrip(Shows shows, Guide &guide, const ThemeSource &theme, QWid
 void GuideStrip::build()
 {
     const Theme &theme = m_theme.theme();
-    m_grid = new QGridLayout(this);
-    QGridLayout *const grid = m_grid;
-    grid->setContentsMargins(theme.u(12), theme.u(6), theme.u(12), theme.u(6));
+    auto *parts = new TurningBox(m_theme, roomBeside, this);
+    parts->setContentsMargins(theme.u(12), theme.u(6), theme.u(12), theme.u(6));
+    parts->setSpacing(theme.u(12));
+    auto *words = new QWidget(this);
+    auto *grid = layoutIn<QGridLayout>(words);
     grid->setHorizontalSpacing(theme.u(12));
     grid->setVerticalSpacing(theme.u(2));
-    m_glyph = new StateGlyph(m_theme, GlyphState::Busy, this);
-    m_title = textLabel({}, TextRole::Emphasis, Tone::Text, this);
-    m_steps = new ElidedLabel({}, this);
+    m_glyph = new StateGlyph(m_theme, GlyphState::Busy, words);
+    m_title = textLabel({}, TextRole::Emphasis, Tone::Text, words);
+    m_steps = new ElidedLabel({}, words);
     m_steps->setObjectName(QStringLiteral("guideSteps"));
+    m_steps->setMinimumWidth(theme.u(leastSteps));
     setTone(*m_steps, Tone::Dim);
-    m_words = textLabel({}, TextRole::Body, Tone::Text, this);
+    m_words = textLabel({}, TextRole::Body, Tone::Text, words);
     m_words->setObjectName(QStringLiteral("guideWords"));
     m_words->setWordWrap(true);
-    m_buttons = new QWidget(this);
-    auto *row = new WrapLayout(m_buttons);
+    auto *head = new WrapLayout; // the steps beside the title, or below it
+    head->setSpacing(theme.u(12));
+    head->setLineSpacing(theme.u(2));
+    head->addWidget(m_title);
+    head->addWidget(m_steps);
+    head->setStretched(m_steps);
+    grid->addWidget(m_glyph, 0, 0, Qt::AlignTop);
+    grid->addLayout(head, 0, 1);
+    grid->addWidget(m_words, 1, 1);
+    grid->setColumnStretch(1, 1);
+    parts->addWidget(words, 1);
+    parts->addWidget(buildButtons());
+}
+
+QWidget *GuideStrip::buildButtons()
+{
+    auto *buttons = new QWidget(this);
+    auto *row = new WrapLayout(buttons);
     row->setContentsMargins(0, 0, 0, 0);
-    m_act = new CommandButton(m_theme, tr("Show me where"), m_buttons);
+    m_act = new CommandButton(m_theme, tr("Show me where"), buttons);
     m_act->setTextVariants({tr("Show me where"), tr("Begin")});
-    m_leave = new CommandButton(m_theme, tr("Dismiss"), m_buttons);
+    m_leave = new CommandButton(m_theme, tr("Dismiss"), buttons);
     m_leave->setTextVariants({tr("Dismiss"), tr("Not now"), tr("Close")});
     row->addWidget(m_act);
     row->addWidget(m_leave);
-    arrange();
     connect(m_act, &QPushButton::clicked, this, &GuideStrip::act);
     connect(m_leave, &QPushButton::clicked, this, &GuideStrip::leave);
-}
-
-/// The buttons beside the words, or, where these would get too narrow, below them.
-void GuideStrip::arrange()
-{
-    const bool beside = width() >= m_theme.theme().u(roomBeside);
-    for (QWidget *part : std::initializer_list<QWidget *>{m_glyph, m_title, m_steps, m_words, m_buttons})
-        m_grid->removeWidget(part);
-    const int across = beside ? 1 : 3;
-    m_grid->addWidget(m_glyph, 0, 0);
-    m_grid->addWidget(m_title, 0, 1, 1, across);
-    m_grid->addWidget(m_steps, beside ? 0 : 1, beside ? 2 : 1, 1, across);
-    m_grid->addWidget(m_words, beside ? 1 : 2, 1, 1, beside ? 2 : 3);
-    if (beside)
-        m_grid->addWidget(m_buttons, 0, 3, 2, 1, Qt::AlignVCenter);
-    else
-        m_grid->addWidget(m_buttons, 3, 1, 1, 3);
-    m_buttons->setSizePolicy(beside ? QSizePolicy::Maximum : QSizePolicy::Preferred, QSizePolicy::Preferred);
-    m_buttons->setMinimumWidth(beside ? m_buttons->sizeHint().width() : 0);
-    m_grid->setColumnStretch(2, 1);
+    return buttons;
 }
 
 void GuideStrip::offer(const Story *story)
@@ -150,11 +147,9 @@ void GuideStrip::showSteps()
     m_leave->setText(done ? tr("Close") : tr("Dismiss"));
 }
 
-/// Whole, in as many lines as they need: the page below gives the room.
 void GuideStrip::setWords(const QString &words)
 {
     m_words->setText(words);
-    m_words->setMinimumHeight(std::max(0, m_words->heightForWidth(m_words->width())));
     setSpoken(*this, accessibleName(), words);
 }
 
@@ -169,15 +164,6 @@ bool GuideStrip::event(QEvent *event)
     if (event->type() == keysChanged())
         follow();
     return QFrame::event(event);
-}
-
-void GuideStrip::resizeEvent(QResizeEvent *event)
-{
-    QFrame::resizeEvent(event);
-    const int limit = m_theme.theme().u(roomBeside);
-    if ((event->oldSize().width() >= limit) != (width() >= limit))
-        arrange();
-    m_words->setMinimumHeight(std::max(0, m_words->heightForWidth(m_words->width())));
 }
 
 void GuideStrip::act()

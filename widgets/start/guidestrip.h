@@ -8,7 +8,6 @@
 
 #include <functional>
 
-class QGridLayout;
 class QLabel;
 
 namespace mb {
@@ -39,11 +38,10 @@ Q_SIGNALS:
 
 protected:
     bool event(QEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
 
 private:
     void build();
-    void arrange();
+    QWidget *buildButtons();
     void setWords(const QString &words);
     void follow();
     void showOffer();
@@ -56,12 +54,10 @@ private:
     const ThemeSource &m_theme;
     const Story *m_offer = nullptr;
     KeyOf m_keyOf;
-    QGridLayout *m_grid = nullptr;
     StateGlyph *m_glyph = nullptr;
     QLabel *m_title = nullptr;
     QLabel *m_steps = nullptr;
     QLabel *m_words = nullptr;
-    QWidget *m_buttons = nullptr;
     CommandButton *m_act = nullptr;
     CommandButton *m_leave = nullptr;
 };
