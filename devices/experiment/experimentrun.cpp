@@ -135,7 +135,8 @@ Task<void> ExperimentRun::perform()
     m_moved = true;
     auto moving = m_motion.run(guardPlan(), 1.0 / rate());
     co_await std::move(moving);
-    m_trip = m_motion.unreached();
+    if (m_motion.unreached())
+        m_trip = m_motion.unreached();
     co_return {};
 }
 
