@@ -26,11 +26,10 @@ constexpr double nearX = 0.02; ///< of |Y − X|
 constexpr Duration stillBefore = 250ms;
 constexpr Duration leastHold = 400ms;
 constexpr double levelShare = 0.5;
-constexpr double settledWidth = 0.02; ///< of |Y − X|
-constexpr double longestReturn = 5.0; ///< s
-constexpr double returnedShare
-    = 0.35;                     ///< of a way back, over which it stays where it began: nothing but its next step waits
-constexpr double stopLag = 0.2; ///< s, as the guard of the travel counts
+constexpr double settledWidth = 0.02;  ///< of |Y − X|
+constexpr double longestReturn = 5.0;  ///< s
+constexpr double returnedShare = 0.35; ///< of a way back, over which it stays: only its next step waits
+constexpr double stopLag = 0.2;        ///< s, as the guard of the travel counts
 constexpr int relayTurns = 18;
 constexpr Duration relayGlance = 2ms;
 constexpr Duration standsSpan = 150ms; ///< the same without a loop
@@ -70,8 +69,7 @@ Task<void> ExperimentRun::hearPosition()
     while (!m_recorder.latest("position") || !m_device.liveness().heard) {
         if (m_device.clock().now() >= limit)
             co_return fail(Fault::Timeout, say("%1 does not tell its position", m_device.selector()));
-        Sleep nap(m_device.clock(), hearPeriod);
-        co_await nap;
+        co_await Sleep(m_device.clock(), hearPeriod);
     }
     m_origin = *m_recorder.latest("position");
     co_return {};
@@ -345,14 +343,12 @@ Task<void> ExperimentRun::goTo(double target)
             if (beginsHere())
                 break;
             m_stream.stop();
-            m_trip = Trip{Guard::Time,
-                say("the unit stays %1 away from where the experiment begins, more than 2 % of its step",
-                    std::round(std::abs(here - target) * 100.0) / 100.0),
-                limit};
+            const double off = std::round(std::abs(here - target) * 100.0) / 100.0;
+            m_trip = {Guard::Time,
+                say("the unit stays %1 away from where the experiment begins, more than 2 % of its step", off), limit};
             co_return {};
         }
-        Sleep nap(m_device.clock(), hearPeriod);
-        co_await nap;
+        co_await Sleep(m_device.clock(), hearPeriod);
     }
     co_return {};
 }
