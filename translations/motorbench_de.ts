@@ -15732,10 +15732,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>einen feineren Encoder oder einen ruhigeren Regler nehmen</translation>
     </message>
     <message>
-        <source>take a larger one, or begin where it stands</source>
-        <translation>einen größeren nehmen, oder dort beginnen, wo er steht</translation>
-    </message>
-    <message>
         <source>take a smaller step or widen it</source>
         <translation>einen kleineren Sprung nehmen oder sie erweitern</translation>
     </message>

@@ -15792,10 +15792,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>use un encoder más fino o un lazo más suave</translation>
     </message>
     <message>
-        <source>take a larger one, or begin where it stands</source>
-        <translation>use uno mayor, o empiece donde está</translation>
-    </message>
-    <message>
         <source>take a smaller step or widen it</source>
         <translation>use un escalón menor o amplíelo</translation>
     </message>

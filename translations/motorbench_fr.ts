@@ -15792,10 +15792,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>prenez un codeur plus fin ou une boucle plus calme</translation>
     </message>
     <message>
-        <source>take a larger one, or begin where it stands</source>
-        <translation>prenez-en un plus grand, ou commencez là où il se trouve</translation>
-    </message>
-    <message>
         <source>take a smaller step or widen it</source>
         <translation>prenez un échelon plus petit ou élargissez-la</translation>
     </message>

@@ -15778,10 +15778,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>分解能の高いエンコーダまたはより緩やかな制御ループを使用してください</translation>
     </message>
     <message>
-        <source>take a larger one, or begin where it stands</source>
-        <translation>より大きくするか、現在位置から始めてください</translation>
-    </message>
-    <message>
         <source>take a smaller step or widen it</source>
         <translation>ステップを小さくするか、範囲を広げてください</translation>
     </message>

@@ -15778,10 +15778,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>使用更精细的编码器或更平缓的回路</translation>
     </message>
     <message>
-        <source>take a larger one, or begin where it stands</source>
-        <translation>取更大的值，或从其所在处开始</translation>
-    </message>
-    <message>
         <source>take a smaller step or widen it</source>
         <translation>取更小的阶跃或将其放宽</translation>
     </message>

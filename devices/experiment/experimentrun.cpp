@@ -56,8 +56,7 @@ Task<void> ExperimentRun::hearPosition()
     while (!m_recorder.latest("position") || !m_device.liveness().heard) {
         if (m_device.clock().now() >= limit)
             co_return fail(Fault::Timeout, say("%1 does not tell its position", m_device.selector()));
-        Sleep nap(m_device.clock(), hearPeriod);
-        co_await nap;
+        co_await Sleep(m_device.clock(), hearPeriod);
     }
     m_origin = *m_recorder.latest("position");
     co_return {};
