@@ -3,6 +3,7 @@
 
 #include "experiment/direction.h"
 #include "experiment/experimentplan.h"
+#include "experiment/raisedrates.h"
 #include "model/setpointstream.h"
 
 namespace mb::tuning {
@@ -28,8 +29,6 @@ public:
 private:
     [[nodiscard]] Task<void> hearPosition();
     [[nodiscard]] Task<void> writeDown();
-    [[nodiscard]] Task<void> raiseRates();
-    [[nodiscard]] Task<void> lowerRates();
     [[nodiscard]] Task<void> findDirection();
     [[nodiscard]] bool beginsHere();
     [[nodiscard]] Task<void> drive();
@@ -65,7 +64,7 @@ private:
     std::vector<OwedValue> m_owed;
     bool m_wrote = false;
     bool m_moved = false;
-    std::vector<ChannelIndex> m_raised;
+    RaisedRates m_rates;
     std::vector<std::pair<Instant, Instant>> m_holds;   ///< edge and end of each step to Y
     std::vector<std::pair<Instant, Instant>> m_returns; ///< the same of the way back
 };
