@@ -17791,5 +17791,9 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>undershoot</source>
         <translation>subimpulso</translation>
     </message>
+    <message>
+        <source>%1 duty makes the motor quicker than %2 counts/s, which are allowed</source>
+        <translation>con un ciclo de trabajo del %1 el motor va más rápido que los %2 counts/s permitidos</translation>
+    </message>
 </context>
 </TS>

@@ -17791,5 +17791,9 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>undershoot</source>
         <translation>sous-dépassement</translation>
     </message>
+    <message>
+        <source>%1 duty makes the motor quicker than %2 counts/s, which are allowed</source>
+        <translation>%1 de rapport cyclique rendent le moteur plus rapide que les %2 counts/s autorisés</translation>
+    </message>
 </context>
 </TS>

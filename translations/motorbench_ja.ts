@@ -17777,5 +17777,9 @@ double click plots it, drag it to a pane or below them</source>
         <source>undershoot</source>
         <translation>アンダーシュート</translation>
     </message>
+    <message>
+        <source>%1 duty makes the motor quicker than %2 counts/s, which are allowed</source>
+        <translation>デューティ %1 でモーターは許可された %2 counts/s より速くなります</translation>
+    </message>
 </context>
 </TS>
