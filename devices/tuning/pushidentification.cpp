@@ -3,6 +3,7 @@
 
 #include "experiment/figures.h"
 #include "model/family.h"
+#include "transport/canlink.h"
 #include "tuning/autotunerun.h"
 #include "tuning/currentidentification.h"
 #include "tuning/proof.h"
@@ -59,6 +60,17 @@ std::optional<Ohm> drawnBy(const std::vector<Trial> &pushes)
         return std::nullopt;
     const auto ohm = fitOhm(pushes);
     return ohm && ohm->gainError <= mostCurrentDoubt * ohm->gain ? std::optional(*ohm) : std::nullopt;
+}
+
+/// s, that an order and the position which shows it are on their way: a frame of eight bytes each. Neither is a delay of the loop.
+double onTheWire(const Device &device)
+{
+    const auto *const can = dynamic_cast<const CanLink *>(&device.link());
+    if (!can || can->bitrate() <= 0)
+        return 0.0;
+    const CanFrame shortest // that no bit is stuffed into
+        = extendedFrame(0x0AAAAAAA, {0x55, 0x55, 0x55, 0x55, 0x55, 0x55, 0x55, 0x55});
+    return 2.0 * bitsOnWire(shortest) / can->bitrate();
 }
 
 /// A first touch was ended before its time.
@@ -257,7 +269,7 @@ Result<void> PushIdentification::conclude(AutotuneRun &run) const
     const double waited = scale.dutyAtOnce ? 0.0 : orderWaits * loop;
     const double own
         = m_pushes.front().signal("duty") ? electrical : 0.0; // of the motor, that the wait taken off may have been
-    const double delay = std::max(found->pushes.delay - waited, own) + loopDelays * loop;
+    const double delay = std::max(found->pushes.delay - waited - onTheWire(run.device()), own) + loopDelays * loop;
     PlantModel plant{found->line.gain, found->pushes.tau, delay, found->line.friction, found->braking};
     plant.sag = found->pushes.sag;
     plant.warming = found->pushes.warming;
