@@ -20,13 +20,14 @@ public:
     /// False where there is none, or numbers were asked for.
     [[nodiscard]] Task<bool> reconsider();
     /// After a proof that held, and again after one that was better for it: the same aim on the model as its steps correct it, which needs
-    /// less caution. False where that promises no clearly smaller error, where `seconds` of another proof are too many, or where numbers were asked for.
+    /// less caution. False where that promises no clearly smaller error, where `seconds` of another proof are too many, or where numbers
+    /// were asked for.
     [[nodiscard]] Task<bool> sharpen(double seconds);
     /// Once, after a proof that held: the gains that were there, where they are known, may be tried and promise hardly more error. False
     /// where they do not, where `seconds` of another proof are too many, or where calm gains or numbers were asked for.
     [[nodiscard]] bool recallFormer(double seconds);
-    /// The steps in one direction of what sharpen() or recallFormer() proposed left hardly more error than those of what was proven before: both
-    /// directions together may leave less.
+    /// The steps in one direction of what sharpen() or recallFormer() proposed left hardly more error than those of what was proven before:
+    /// both directions together may leave less.
     [[nodiscard]] bool isPromising() const;
     /// After the proof of what they proposed: goes back to what was proven before unless the new one held and its steps left less
     /// error.
