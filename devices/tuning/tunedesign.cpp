@@ -210,10 +210,15 @@ bool TuneDesign::recallFormer(double seconds)
 bool TuneDesign::isPromising() const
 {
     const auto &proof = m_run.report().proof;
-    if (!m_held || proof.empty() || proof.size() >= m_held->proof.size())
+    if (!m_held || proof.empty() || proof.size() > m_held->proof.size())
+        return true;
+    const LoopShape &shape = m_held->predicted->shape;
+    if (m_plan.loop == Mode::Current) // noise is forgiven each way
+        return isBetter({proof.back()}, {m_held->proof[proof.size() - 1]}, shape);
+    if (proof.size() == m_held->proof.size())
         return true; // both ways together tell
     const std::vector<Trial> same(m_held->proof.begin(), m_held->proof.begin() + std::ssize(proof));
-    return isBetter(proof, same, m_held->predicted->shape, stillOpen);
+    return isBetter(proof, same, shape, stillOpen);
 }
 
 void TuneDesign::takeTheBetter()
@@ -232,7 +237,7 @@ void TuneDesign::takeTheBetter()
     if (less < 1.0)
         m_less = (m_less > 0.0 ? m_less : 1.0) * less;
     m_isLevel = better && less >= 1.0;
-    m_isBettered = m_isProven && less < 1.0;
+    m_isBettered = m_isProven && less < 1.0 && m_plan.loop != Mode::Current;
     if (!better)
         goBack();
     m_held.reset();
