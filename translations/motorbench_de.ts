@@ -17819,5 +17819,9 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>write &quot;value&quot; or &quot;raw&quot;</source>
         <translation>&quot;value&quot; oder &quot;raw&quot; schreiben</translation>
     </message>
+    <message>
+        <source>%1 duty makes the motor quicker than %2 counts/s, which are allowed</source>
+        <translation>%1 Tastgrad machen den Motor schneller als die erlaubten %2 counts/s</translation>
+    </message>
 </context>
 </TS>

@@ -17819,5 +17819,9 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>write &quot;value&quot; or &quot;raw&quot;</source>
         <translation>escriba «value» o «raw»</translation>
     </message>
+    <message>
+        <source>%1 duty makes the motor quicker than %2 counts/s, which are allowed</source>
+        <translation>con un ciclo de trabajo del %1 el motor va más rápido que los %2 counts/s permitidos</translation>
+    </message>
 </context>
 </TS>

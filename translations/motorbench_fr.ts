@@ -17819,5 +17819,9 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>write &quot;value&quot; or &quot;raw&quot;</source>
         <translation>écrivez «&#xa0;value&#xa0;» ou «&#xa0;raw&#xa0;»</translation>
     </message>
+    <message>
+        <source>%1 duty makes the motor quicker than %2 counts/s, which are allowed</source>
+        <translation>%1 de rapport cyclique rendent le moteur plus rapide que les %2 counts/s autorisés</translation>
+    </message>
 </context>
 </TS>

@@ -17805,5 +17805,9 @@ double click plots it, drag it to a pane or below them</source>
         <source>write &quot;value&quot; or &quot;raw&quot;</source>
         <translation>&quot;value&quot; または &quot;raw&quot; と書いてください</translation>
     </message>
+    <message>
+        <source>%1 duty makes the motor quicker than %2 counts/s, which are allowed</source>
+        <translation>デューティ %1 でモーターは許可された %2 counts/s より速くなります</translation>
+    </message>
 </context>
 </TS>

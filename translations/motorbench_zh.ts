@@ -17805,5 +17805,9 @@ double click plots it, drag it to a pane or below them</source>
         <source>write &quot;value&quot; or &quot;raw&quot;</source>
         <translation>请写 “value” 或 “raw”</translation>
     </message>
+    <message>
+        <source>%1 duty makes the motor quicker than %2 counts/s, which are allowed</source>
+        <translation>%1 占空比会使电机快于允许的 %2 counts/s</translation>
+    </message>
 </context>
 </TS>

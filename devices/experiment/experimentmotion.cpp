@@ -222,9 +222,13 @@ Task<void> ExperimentMotion::comeBack()
     co_return {};
 }
 
+/// Farther, or quicker, than a push is to go.
 bool ExperimentMotion::hasGoneFar(double from) const
 {
-    return m_plan.reach && std::abs(m_recorder.stopsAt(stopLag) - from) > *m_plan.reach;
+    const double stops = m_recorder.stopsAt(stopLag);
+    const double rolls = std::abs(stops - m_recorder.latest("position").value_or(stops));
+    return (m_plan.reach && std::abs(stops - from) > *m_plan.reach)
+        || (m_plan.fastest && rolls > *m_plan.fastest * stopLag);
 }
 
 /// To X, after the hold that ended at `since`.

@@ -28,7 +28,8 @@ struct ExperimentPlan {
     Profile profile = Profile::Step;
     std::optional<double> seconds; ///< of the profile; nothing: the usual
     int repeat = 1;
-    std::optional<double> reach; ///< counts from where it began: a push ends where the motor would stop beyond
+    std::optional<double> reach;   ///< counts from where it began: a push ends where the motor would stop beyond
+    std::optional<double> fastest; ///< counts/s: a push ends where the motor is quicker
     /// Counts: a push that changes its sign whenever the motor has passed its start by so much the way it is pushed, until it has swung
     /// nine times; duty mode only.
     std::optional<double> relay;

@@ -5,6 +5,7 @@
 #include "experiment/announcement.h"
 #include "experiment/envelope.h"
 #include "experiment/gains.h"
+#include "experiment/latepush.h"
 #include "experiment/owedgains.h"
 #include "experiment/seconds.h"
 #include "experiment/verdict.h"
@@ -19,7 +20,6 @@ using namespace std::chrono_literals;
 
 constexpr Duration hearLimit = 1s;
 constexpr Duration hearPeriod = 5ms;
-constexpr Duration rateTime = 200ms; ///< until samples come as often as was asked for
 
 } // namespace
 
@@ -31,6 +31,7 @@ ExperimentRun::ExperimentRun(
     , m_around(std::move(surroundings))
     , m_recorder(device, stream, m_plan.mode, m_plan.axis)
     , m_motion(device, stream, m_plan, m_around, m_recorder, m_trial)
+    , m_rates(device)
 {
     if (m_around.interruption)
         m_around.interruption->setStream(&stream);
@@ -122,7 +123,7 @@ Task<void> ExperimentRun::perform()
         auto zeroing = m_device.zeroPosition();
         co_await std::move(zeroing);
     }
-    auto raising = raiseRates();
+    auto raising = m_rates.raise(m_plan.axis, rate());
     co_await std::move(raising);
     announce(m_device, m_around, m_plan, m_trial, m_origin);
     auto finding = findDirection();
@@ -177,34 +178,6 @@ double ExperimentRun::rate() const
     return m_plan.rate.value_or(m_plan.mode == Mode::Current && traits.currentRate > 0.0 ? traits.currentRate : usual);
 }
 
-Task<void> ExperimentRun::raiseRates()
-{
-    for (const std::string_view key : {"position", "velocity", "current", "duty"}) {
-        const auto channel = axisChannel(m_device, key, m_plan.axis);
-        if (!channel)
-            continue;
-        auto setting = m_device.setRate(*channel, rate());
-        const Result<void> set = co_await std::move(setting).attempt();
-        if (set)
-            m_raised.push_back(*channel);
-        else if (set.error().fault == Fault::LinkLost)
-            co_return fail(set.error());
-    }
-    Sleep listening(m_device.clock(), rateTime);
-    co_await listening;
-    co_return {};
-}
-
-Task<void> ExperimentRun::lowerRates()
-{
-    for (const ChannelIndex channel : m_raised) {
-        auto setting = m_device.setRate(channel, 0.0);
-        const Result<void> set = co_await std::move(setting).attempt();
-        if (!set && m_device.link().state() == LinkState::Open)
-            m_around.caution(say("the device's rate was not put back: %1", set.error().detail));
-    }
-    m_raised.clear();
-    co_return {};
 }
 
 GuardPlan ExperimentRun::guardPlan() const
@@ -219,6 +192,7 @@ GuardPlan ExperimentRun::guardPlan() const
     plan.dutyKnown = m_plan.mode == Mode::Duty || axisChannel(m_device, "duty", m_plan.axis).has_value();
     plan.isVelocity = m_plan.mode == Mode::Velocity;
     plan.breakaway = m_breakaway;
+    plan.late = ofSeconds(secondsUntilPush(m_device, m_trial, m_breakaway));
     plan.hottest = traits.hottest;
     plan.lowestBus = traits.lowestBus;
     plan.highestBus = traits.highestBus;
@@ -298,7 +272,7 @@ Task<void> ExperimentRun::conclude(std::optional<Error> error)
     if (m_device.link().state() == LinkState::Open) {
         auto putting = putBack();
         co_await std::move(putting);
-        auto lowering = lowerRates();
+        auto lowering = m_rates.lower(m_around);
         co_await std::move(lowering);
     }
     if (m_number) {

@@ -3,6 +3,7 @@
 
 #include "experiment/direction.h"
 #include "experiment/experimentmotion.h"
+#include "experiment/raisedrates.h"
 
 namespace mb::tuning {
 
@@ -27,8 +28,6 @@ public:
 private:
     [[nodiscard]] Task<void> hearPosition();
     [[nodiscard]] Task<void> writeDown();
-    [[nodiscard]] Task<void> raiseRates();
-    [[nodiscard]] Task<void> lowerRates();
     [[nodiscard]] Task<void> findDirection();
     [[nodiscard]] Task<void> putBack();
     [[nodiscard]] GuardPlan guardPlan() const;
@@ -50,7 +49,7 @@ private:
     std::vector<OwedValue> m_owed;
     bool m_wrote = false;
     bool m_moved = false;
-    std::vector<ChannelIndex> m_raised;
+    RaisedRates m_rates;
 };
 
 } // namespace mb::tuning

@@ -108,7 +108,7 @@ std::optional<Trip> Guards::position(Instant time, double counts)
         return trip(Guard::WrongDirection, time,
             underPush(m_motion.pushed() > 0.0 ? say("the sensor is reversed: it counts down")
                                               : say("the sensor is reversed: it counts up")));
-    if (m_motion.stuck() >= stuckTime)
+    if (m_motion.stuck() >= stuckTime + m_plan.late)
         return trip(Guard::NoMotion, time,
             underPush(
                 say("stalled, or the encoder is dead: less than 3 counts in %1", milliseconds(m_motion.stuck()))));

@@ -46,6 +46,7 @@ struct GuardPlan {
     bool isVelocity = false; ///< the loop's: there a large target does
     double lag = 0.15;       ///< s, in which a braked motor stops, at most
     double breakaway = 0.1;  ///< duty that moves it
+    Duration late{};         ///< after which a loop of which no duty is told puts out as much; its integral may be slow
     double hottest = 80.0;   ///< °C
     double lowestBus = 0.0;  ///< V
     double highestBus = 1e3; ///< V

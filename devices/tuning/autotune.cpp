@@ -52,8 +52,10 @@ Task<void> proveBeside(AutotuneRun &run, TuneDesign &design, TuneProof &proof)
 {
     auto proving = proof.prove();
     co_await std::move(proving);
-    if (run.report().stopReason == toString(Guard::Oscillation)) {
-        run.forgive(); // what was proven before did not swing
+    const TuneReport &report = run.report();
+    const bool isLossy = report.stopReason == toString(Guard::Link) && report.stopped && run.device().liveness().heard;
+    if (isLossy || report.stopReason == toString(Guard::Oscillation)) {
+        run.forgive(); // what was proven before did not swing, and the wire let it through
         run.report().result = TuneResult::RolledBack;
     }
     if (!run.isOver())
@@ -70,11 +72,13 @@ Task<void> sharpen(AutotuneRun &run, TuneDesign &design, TuneProof &proof)
         if (run.isOver())
             co_return {};
     }
-    auto sharpening = design.sharpen(proof.seconds());
-    if (!co_await std::move(sharpening))
-        co_return {};
-    auto proving = proveBeside(run, design, proof);
-    co_await std::move(proving);
+    while (!run.isOver()) {
+        auto sharpening = design.sharpen(proof.seconds());
+        if (!co_await std::move(sharpening))
+            break;
+        auto proving = proveBeside(run, design, proof);
+        co_await std::move(proving);
+    }
     co_return {};
 }
 

@@ -110,6 +110,7 @@ Task<Trial> AutotuneRun::push(Push push)
     plan.repeat = push.repeat;
     plan.reach = push.reach;
     plan.relay = push.relay;
+    plan.fastest = push.fastest;
     if (const double rate = m_device.family().trials->currentRate; m_plan.loop == Mode::Current && rate > 0.0)
         plan.rate = rate;
     const double seconds = std::round(push.seconds * 100.0) / 100.0;

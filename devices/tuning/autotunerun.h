@@ -28,6 +28,7 @@ public:
         int repeat = 1;
         std::optional<double> reach{}; ///< as ExperimentPlan
         std::optional<double> relay{};
+        std::optional<double> fastest{};
     };
 
     /// One experiment within the limits of the tuning; what ended it, if it was not its own end, ends the tuning.

@@ -94,6 +94,12 @@ std::span<const Doubt> doubtsOf(const SearchTask &task)
                                          : std::span<const Doubt>(doubts);
 }
 
+/// Where it comes to rest depends on where its counts fall.
+bool isLuck(const LoopShape &shape)
+{
+    return shape.integralStep > 0.0 || shape.windowCounts > 0.0;
+}
+
 /// Of each step.
 double secondsOf(const PlantModel &plant, double response, const SearchTask &task)
 {
@@ -106,12 +112,13 @@ public:
     Search(Mode loop, const PlantModel &plant, const Design &start, const SearchTask &task)
         : m_loop(loop)
         , m_plant(plant)
+        , m_steep(atLeastAsSteep(plant, task.steepest))
         , m_task(task)
         , m_start(start)
         , m_seconds(secondsOf(plant, start.response, task))
         , m_rest(task.shape.windowCounts > 0.0 ? restOfCounts : 0.0)
         , m_doubts(doubtsOf(task))
-        , m_nextPhase(task.shape.integralStep > 0.0 ? 1.0 / static_cast<double>(m_doubts.size()) : 0.0)
+        , m_nextPhase(isLuck(task.shape) ? 1.0 / static_cast<double>(m_doubts.size()) : 0.0)
         , m_near(loop == Mode::Position ? nearTarget / std::abs(task.step) : 0.0)
     {
         if (task.shape.integralStep == 0.0)
@@ -225,7 +232,7 @@ private:
     [[nodiscard]] Found held(Found found) const
     {
         const auto holds = [this](const ContinuousGains &gains) {
-            return hasMargin(m_loop, m_plant, gains, m_task.mostMs, m_task.mostMsOff);
+            return hasMargin(m_loop, m_steep, gains, m_task.mostMs, m_task.mostMsOff);
         };
         for (int i = 0; i < mostLessenings && !holds(found.gains); ++i) {
             for (const auto gain : {&ContinuousGains::p, &ContinuousGains::i, &ContinuousGains::d})
@@ -324,7 +331,7 @@ private:
                 return false;
         }
         return isWithin(gains, m_task.bounds)
-            && hasMargin(m_loop, m_plant, gains, m_task.mostMs, m_task.mostMsOff, pointsOfSearch);
+            && hasMargin(m_loop, m_steep, gains, m_task.mostMs, m_task.mostMsOff, pointsOfSearch);
     }
     [[nodiscard]] double mostGain() const
     {
@@ -334,7 +341,7 @@ private:
         if (m_task.quickest > 0.0)
             omega = std::min(omega, 1.0 / m_task.quickest);
         const bool position = m_loop == Mode::Position;
-        const double natural = position ? m_plant.tau * omega * omega / m_plant.gain
+        const double natural = position ? m_steep.tau * omega * omega / m_steep.gain
             : m_task.isHeldToRule       ? 0.0
                                         : never;
         const bool isBounded = position && m_task.setPoints > 0.0 && !m_task.isHeldToRule;
@@ -345,12 +352,13 @@ private:
 
     Mode m_loop;
     PlantModel m_plant;
+    PlantModel m_steep; ///< whose margins are held
     SearchTask m_task;
     const Design &m_start;
     double m_seconds;
     double m_rest; ///< s, of the way back, at least
     std::span<const Doubt> m_doubts;
-    double m_nextPhase; ///< of a count and of its clock, from doubt to doubt, where an integral adds whole steps
+    double m_nextPhase; ///< of a count and of its clock, from doubt to doubt, where that is luck
     double m_near;
 };
 

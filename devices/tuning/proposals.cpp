@@ -211,12 +211,14 @@ Result<Proposal> proposalFor(const ProposalBasis &basis, const ProposalWish &wis
         task.bounds.largestError = task.step;
         task.least = leastOf(basis, proposal.design.gains);
         task.isProven = wish.isProven;
+        task.steepest = wish.steepest;
         task.quickest = basis.scale ? basis.scale->quickest : 0.0;
         proposal.design = searched(basis.loop, plant, proposal.design, task);
     }
     if (auto made = finish(basis, task.step, proposal); !made)
         return fail(made.error());
-    for (int i = 0; i < mostRoundings && !hasMargin(basis.loop, plant, proposal.gains.made, ms.model, ms.off); ++i) {
+    const PlantModel steep = atLeastAsSteep(plant, wish.steepest);
+    for (int i = 0; i < mostRoundings && !hasMargin(basis.loop, steep, proposal.gains.made, ms.model, ms.off); ++i) {
         ContinuousGains &gains = proposal.design.gains; // rounding has made more of them
         for (const auto gain : {&ContinuousGains::p, &ContinuousGains::i, &ContinuousGains::d})
             gains.*gain *= lessForRounding;

@@ -3,6 +3,7 @@
 
 #include "experiment/figures.h"
 #include "model/family.h"
+#include "transport/canlink.h"
 #include "tuning/autotunerun.h"
 #include "tuning/currentidentification.h"
 #include "tuning/proof.h"
@@ -16,11 +17,18 @@ namespace mb::tuning {
 namespace {
 
 constexpr std::array<double, 3> probes{0.15, 0.25, 0.4}; ///< duty
-constexpr double probeSeconds = 0.6;  ///< longer than a motor may stand before it is taken for stalled
-constexpr double probeReach = 0.3;    ///< of the travel
-constexpr double strongest = 0.4;     ///< duty of the pushes
-constexpr double overBreakaway = 2.5; ///< times what moved the motor
-constexpr double weaker = 0.6;        ///< of the strongest
+constexpr double probeSeconds = 0.6; ///< longer than a motor may stand before it is taken for stalled
+constexpr double probeReach = 0.3;   ///< of the travel
+constexpr double firstTouch = 0.03;  ///< duty, where only so much speed is allowed
+constexpr double touchSeconds = 0.3;
+constexpr double beatOfTouch = 0.05; ///< s, that the end of one may be off by
+constexpr double harderTouch = 1.5;
+constexpr double touchedShare = 0.5;    ///< of the speed that is allowed
+constexpr double strongest = 0.4;       ///< duty of the pushes
+constexpr double overBreakaway = 2.5;   ///< times what moved the motor
+constexpr double weaker = 0.6;          ///< of the strongest,
+constexpr double hardlyWeaker = 0.9;    ///< or up to so much
+constexpr double freeOfFriction = 0.65; ///< share of a push that friction may take
 constexpr double leastPush = 0.1;
 constexpr double taus = 5.0; ///< that a push lasts
 constexpr double leastTaus = 2.5;
@@ -54,6 +62,34 @@ std::optional<Ohm> drawnBy(const std::vector<Trial> &pushes)
     return ohm && ohm->gainError <= mostCurrentDoubt * ohm->gain ? std::optional(*ohm) : std::nullopt;
 }
 
+/// s, that an order and the position which shows it are on their way: a frame of eight bytes each. Neither is a delay of the loop.
+double onTheWire(const Device &device)
+{
+    const auto *const can = dynamic_cast<const CanLink *>(&device.link());
+    if (!can || can->bitrate() <= 0)
+        return 0.0;
+    const CanFrame shortest // that no bit is stuffed into
+        = extendedFrame(0x0AAAAAAA, {0x55, 0x55, 0x55, 0x55, 0x55, 0x55, 0x55, 0x55});
+    return 2.0 * bitsOnWire(shortest) / can->bitrate();
+}
+
+/// A first touch was ended before its time.
+bool wasCut(const Trial &trial)
+{
+    return !trial.holds.empty() && trial.holds.front().to - trial.holds.front().from < touchSeconds - beatOfTouch;
+}
+
+/// How its loop takes a velocity is designed on: asked for where nobody has yet.
+Task<void> askForEdges(Device &device)
+{
+    const auto index = findParameter(device.family().parameters, device.family().loop->velocityEdges);
+    if (!index || device.parameters().entry(*index).raw)
+        co_return {};
+    auto reading = device.read(*index);
+    co_await std::move(reading);
+    co_return {};
+}
+
 } // namespace
 
 Task<void> PushIdentification::identify(AutotuneRun &run)
@@ -73,14 +109,22 @@ Task<void> PushIdentification::identify(AutotuneRun &run)
     co_await std::move(pushing);
     if (run.isOver())
         co_return {};
+    auto asking = askForEdges(run.device());
+    co_await std::move(asking);
     co_return conclude(run);
 }
 
 /// Pushes that grow until the motor turns.
 Task<void> PushIdentification::probe(AutotuneRun &run)
 {
+    if (const auto &speed = run.plan().limits.speed) {
+        auto feeling = feelSpeed(run, *speed);
+        co_await std::move(feeling);
+        if (run.isOver())
+            co_return {};
+    }
     Trial trial;
-    double most = std::min(probes.back(), run.plan().limits.duty.value_or(1.0));
+    double most = std::min({probes.back(), run.plan().limits.duty.value_or(1.0), m_careful});
     for (const double duty : probes) {
         m_probed = std::min(duty, most);
         auto pushing = run.push({m_probed, probeSeconds, 1, reachOf(run)});
@@ -101,7 +145,7 @@ Task<void> PushIdentification::probe(AutotuneRun &run)
         co_return {};
     auto measuring = measureOut(run, std::move(trial));
     co_await std::move(measuring);
-    if (m_duty >= leastPush || m_seconds <= longestPush)
+    if (m_duty >= leastDuty() || m_seconds <= longestPush)
         co_return checkRoom(run);
     auto again = run.push({m_probed, probeSeconds, 1, reachOf(run)}); // a lag without end is that of a lost order
     trial = co_await std::move(again);
@@ -114,6 +158,34 @@ Task<void> PushIdentification::probe(AutotuneRun &run)
     co_return checkRoom(run);
 }
 
+/// Nobody knows how quick it is: pushes of little duty that grow, each ended at half of the speed that is allowed, until the first probe is
+/// known to stay below that.
+Task<void> PushIdentification::feelSpeed(AutotuneRun &run, double allowed)
+{
+    const double most = std::min(probes.front(), run.plan().limits.duty.value_or(1.0));
+    for (double duty = firstTouch; duty < most; duty *= harderTouch) {
+        auto touching = run.push({duty, touchSeconds, 1, reachOf(run), {}, touchedShare * allowed});
+        const Trial trial = co_await std::move(touching);
+        const bool tooQuick = run.report().stopReason == toString(Guard::Speed);
+        if (run.isOver() && !tooQuick)
+            co_return {};
+        const std::vector<PushRecord> seen = pushesOf(trial);
+        const auto fit = fitPushes(seen);
+        if (tooQuick || (fit ? std::abs(fit->speeds.front()) > usableShare * allowed : wasCut(trial)))
+            co_return fail(Fault::OutOfRange,
+                say("%1 duty makes the motor quicker than %2 counts/s, which are allowed", percentText(duty), allowed),
+                say("allow more speed"));
+        if (!fit)
+            continue; // it stands, or hardly moves
+        const double gain = mostOfFriction * std::abs(fit->speeds.front()) / duty;
+        run.expect(gain);
+        m_careful = std::max(duty, touchedShare * allowed / gain);
+        if (m_careful >= most || gain * harderTouch * duty > touchedShare * allowed)
+            break;
+    }
+    co_return {};
+}
+
 /// How strong and how long the others are.
 Task<void> PushIdentification::measureOut(AutotuneRun &run, Trial trial)
 {
@@ -124,9 +196,10 @@ Task<void> PushIdentification::measureOut(AutotuneRun &run, Trial trial)
     auto reading = run.readEnvelope(); // anew: some devices get a limit with their first motion
     co_await std::move(reading);
     const Envelope &envelope = run.envelope();
-    const double gain = speedReserve * std::abs(fit->speeds.front() / seen.front().duty); // counts/s per duty, at most
+    m_speed = std::abs(fit->speeds.front());
+    const double gain = speedReserve * m_speed / std::abs(seen.front().duty); // counts/s per duty, at most
     m_duty = std::min(std::max(strongest, overBreakaway * seen.front().duty), nearlyFull * envelope.duty.value_or(1.0));
-    run.expect(mostOfFriction * std::abs(fit->speeds.front() / seen.front().duty));
+    run.expect(mostOfFriction * m_speed / std::abs(seen.front().duty));
     if (envelope.speed)
         m_duty = std::min(m_duty, usableShare * *envelope.speed / gain);
     const double period = std::max(samplePeriod(seen.front().position), 1e-3);
@@ -140,11 +213,18 @@ Task<void> PushIdentification::measureOut(AutotuneRun &run, Trial trial)
     co_return {};
 }
 
+/// Of pushes that tell something: what has moved it does.
+double PushIdentification::leastDuty() const
+{
+    return std::min(leastPush, m_probed);
+}
+
 /// A position loop can do without pushes that last.
 Result<void> PushIdentification::checkRoom(const AutotuneRun &run)
 {
-    m_isNarrow = m_duty < leastPush && run.plan().loop == Mode::Position;
-    if (m_duty < leastPush && !m_isNarrow)
+    const bool isWeak = m_duty < leastDuty();
+    m_isNarrow = isWeak && run.plan().loop == Mode::Position;
+    if (isWeak && !m_isNarrow)
         return fail(Fault::OutOfRange,
             say("there is not enough room to identify the motor: its limits leave pushes of %1 duty only",
                 percentText(m_duty)),
@@ -155,7 +235,8 @@ Result<void> PushIdentification::checkRoom(const AutotuneRun &run)
 /// Of two sizes, both ways.
 Task<void> PushIdentification::push(AutotuneRun &run)
 {
-    for (const double size : {m_duty, weaker * m_duty}) {
+    for (const bool strong : {true, false}) {
+        const double size = strong ? m_duty : weakerDuty();
         for (const double sign : {1.0, -1.0}) {
             auto pushing = run.push({sign * size, m_seconds, pushRepeats});
             m_pushes.push_back(co_await std::move(pushing));
@@ -164,6 +245,18 @@ Task<void> PushIdentification::push(AutotuneRun &run)
         }
     }
     co_return {};
+}
+
+/// Where friction takes much of what may push, the two sizes lie closer together: both must overcome it.
+double PushIdentification::weakerDuty() const
+{
+    const std::vector<PushRecord> seen = pushesOf(m_pushes.front());
+    const auto fit = fitPushes(seen);
+    if (!fit || m_duty <= m_probed || std::abs(fit->speeds.front()) <= m_speed)
+        return weaker * m_duty;
+    const double gain = (std::abs(fit->speeds.front()) - m_speed) / (m_duty - m_probed);
+    const double friction = m_probed - m_speed / gain;
+    return std::clamp(friction / freeOfFriction, weaker * m_duty, hardlyWeaker * m_duty);
 }
 
 Result<void> PushIdentification::conclude(AutotuneRun &run) const
@@ -176,7 +269,7 @@ Result<void> PushIdentification::conclude(AutotuneRun &run) const
     const double waited = scale.dutyAtOnce ? 0.0 : orderWaits * loop;
     const double own
         = m_pushes.front().signal("duty") ? electrical : 0.0; // of the motor, that the wait taken off may have been
-    const double delay = std::max(found->pushes.delay - waited, own) + loopDelays * loop;
+    const double delay = std::max(found->pushes.delay - waited - onTheWire(run.device()), own) + loopDelays * loop;
     PlantModel plant{found->line.gain, found->pushes.tau, delay, found->line.friction, found->braking};
     plant.sag = found->pushes.sag;
     plant.warming = found->pushes.warming;

@@ -3,6 +3,8 @@
 
 #include "tuning/simulatedloop.h"
 
+#include <algorithm>
+
 namespace mb::tuning {
 
 /// What the rules of gainrules.h do not know: the step that matters, and the loop that takes it.
@@ -19,6 +21,17 @@ struct SearchTask {
     LoopShape shape;
     double quickest = 0.0; ///< s, 1/omega of a position loop that is not to be outrun; 0: none
     bool isProven = false; ///< a loop on this model was seen to do what it predicts
+    double steepest
+        = 0.0; ///< counts/s² per duty at the start of a push, at least, wherever a margin is looked at: pushes tell it better
+               ///< than what corrected the model; 0: as the model has it
 };
+
+/// The motor whose margins are held.
+[[nodiscard]] inline PlantModel atLeastAsSteep(PlantModel plant, double steepest)
+{
+    if (steepest > 0.0)
+        plant.tau = std::min(plant.tau, plant.gain / steepest);
+    return plant;
+}
 
 } // namespace mb::tuning

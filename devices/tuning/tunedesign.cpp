@@ -2,123 +2,29 @@
 #include "tuning/tunedesign.h"
 
 #include "experiment/envelope.h"
-#include "experiment/equivalenttime.h"
 #include "experiment/figures.h"
 #include "tuning/aside.h"
 #include "tuning/autotunerun.h"
-#include "tuning/gainsearch.h"
-#include "tuning/leastsquares.h"
 #include "tuning/proof.h"
 #include "tuning/refinement.h"
+#include "tuning/stepcomparison.h"
 #include "tuning/windingfit.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 namespace mb::tuning {
 namespace {
 
-constexpr double worthAProof = 0.97;  ///< of the error, that is worth another proof
-constexpr double hardlyMore = 2.0;    ///< of the error, that a model of a loop of whole steps may be wrong by
-constexpr double clearly = 2.0;       ///< standard deviations, by which noise alone may tell two currents apart
-constexpr double laterIsLonger = 0.2; ///< of the time since an edge, over which a current is taken
-constexpr double restFrom = 0.75;     ///< of a step
-constexpr double wholeHold = 10.0;    ///< s
-constexpr double mostOfLink = 0.025;  ///< s, that it takes from an order to the position that shows it
-
-/// The shortest hold of all steps, s.
-double shortestHold(const std::vector<Trial> &proof, double shortest)
-{
-    for (const Trial &trial : proof) {
-        for (const Span &hold : trial.holds)
-            shortest = std::min(shortest, hold.to - hold.from);
-    }
-    return shortest;
-}
-
-/// Those of a trial, seconds since the edge of each.
-std::vector<Trace> heldStepsOf(const Trial &trial, double seconds)
-{
-    const Signal *const measured = trial.signal(measuredOf(trial.mode));
-    std::vector<Trace> steps;
-    for (std::size_t i = 0; measured && i < trial.holds.size(); ++i) {
-        const double from = trial.holds[i].from;
-        steps.push_back(measured->trace.part(from, from + seconds, from));
-    }
-    return steps;
-}
-
-/// s², integral of time times error over the step, of one of them; but of a current, with the error that it rests with, for as long again;
-/// of a position beyond what is near enough.
-double errorOfStep(const Trial &trial, const Trace &step, double seconds)
-{
-    const double way = std::abs(trial.stimulus.to - trial.stimulus.from);
-    const double near = trial.mode == Mode::Position ? nearTarget / way : 0.0;
-    double sum = 0.0;
-    LeastSquares<1> rest;
-    for (std::size_t k = 1; k < step.size(); ++k) {
-        const double error = (trial.stimulus.to - step.y[k]) / way;
-        sum += step.t[k] * std::max(std::abs(error) - near, 0.0) * (step.t[k] - step.t[k - 1]);
-        if (step.t[k] > restFrom * seconds && trial.mode != Mode::Current)
-            rest.add({1.0}, error);
-    }
-    if (const auto mean = rest.solve())
-        sum += std::max(std::abs(mean->values[0]) - near, 0.0) * 1.5 * seconds * seconds;
-    return sum;
-}
-
-/// That of what was measured in the first `seconds` of each step; of a current of the mean of all steps of a trial, over ever longer times,
-/// for one sample is mostly noise, and what is late is slow. Noise adds to it, the same to all steps of a loop.
-double errorOf(const std::vector<Trial> &proof, double seconds)
-{
-    double sum = 0.0;
-    std::size_t count = 0;
-    for (const Trial &trial : proof) {
-        std::vector<Trace> steps = heldStepsOf(trial, seconds);
-        if (trial.mode == Mode::Current && !steps.empty())
-            steps = {meanOf(steps, samplePeriod(steps.front()), laterIsLonger)};
-        for (const Trace &step : steps)
-            sum += errorOfStep(trial, step, seconds);
-        count += steps.size();
-    }
-    return count > 0 ? sum / static_cast<double>(count) : std::numeric_limits<double>::infinity();
-}
-
-/// Standard error of that of a current, as its steps differ; of other loops nothing is forgiven.
-double doubtOfError(const std::vector<Trial> &proof, double seconds)
-{
-    double squares = 0.0;
-    for (const Trial &trial : proof) {
-        double sum = 0.0;
-        double sumOfSquares = 0.0;
-        const std::vector<Trace> steps = heldStepsOf(trial, seconds);
-        const auto count = static_cast<double>(steps.size());
-        if (trial.mode != Mode::Current || count < 2.0)
-            return 0.0;
-        for (const Trace &step : steps) {
-            const double error = errorOfStep(trial, step, seconds);
-            sum += error;
-            sumOfSquares += error * error;
-        }
-        squares += std::max(sumOfSquares - sum * sum / count, 0.0) / (count - 1.0) / count;
-    }
-    return proof.empty() ? 0.0 : std::sqrt(squares) / static_cast<double>(proof.size());
-}
+constexpr double worthAProof = 0.97; ///< of the error, that is worth another proof
+constexpr double stillOpen = 1.1;    ///< times the error in one direction, which the other may make up for
+constexpr double hardlyMore = 2.0;   ///< of the error, that a model of a loop of whole steps may be wrong by
+constexpr double mostOfLink = 0.025; ///< s, that it takes from an order to the position that shows it
 
 /// It had no room for pushes, and was identified by a limit cycle.
 bool isSwung(const TuneReport &report)
 {
     return std::any_of(report.gates.begin(), report.gates.end(), [](const Gate &gate) { return gate.name == "relay"; });
-}
-
-/// What was designed on a model that was corrected leaves less error than what was proven before, as far as that can be told.
-bool isBetter(const std::vector<Trial> &now, const std::vector<Trial> &before)
-{
-    const double seconds = shortestHold(now, shortestHold(before, wholeHold));
-    const double doubt = std::hypot(doubtOfError(now, seconds), doubtOfError(before, seconds));
-    return errorOf(now, seconds) < errorOf(before, seconds) + clearly * doubt;
 }
 
 } // namespace
@@ -141,7 +47,7 @@ ProposalBasis TuneDesign::basis() const
 ProposalWish TuneDesign::wishFor(Aim aim) const
 {
     const bool asked = aim == m_plan.aim;
-    return {aim, asked ? m_plan.response : std::nullopt, asked ? m_plan.ms : std::nullopt, m_isProven};
+    return {aim, asked ? m_plan.response : std::nullopt, asked ? m_plan.ms : std::nullopt, m_isProven, m_steepest};
 }
 
 VelocityTaking TuneDesign::taking() const
@@ -248,13 +154,15 @@ Task<bool> TuneDesign::sharpen(double seconds)
     co_return true;
 }
 
-/// On the model as the steps have corrected it; once.
+/// On the model as the steps have corrected it; again where that was better.
 Task<bool> TuneDesign::improved()
 {
-    if (std::exchange(m_isProven, true))
+    if (std::exchange(m_isProven, true) && !std::exchange(m_isBettered, false))
         co_return false;
     auto correcting = corrected();
     const std::optional<PlantModel> plant = co_await std::move(correcting);
+    if (m_plan.loop != Mode::Current)
+        m_steepest = std::max(m_steepest, m_held->plant.gain / m_held->plant.tau);
     if (!plant && m_plan.loop == Mode::Current)
         co_return false; // what is not known of its winding has cost it nothing that less caution would give back
     auto proposing = proposeOn(plant.value_or(m_held->plant));
@@ -304,9 +212,13 @@ bool TuneDesign::isPromising() const
     const auto &proof = m_run.report().proof;
     if (!m_held || proof.empty() || proof.size() > m_held->proof.size())
         return true;
-    const std::vector<Trial> same{m_held->proof[proof.size() - 1]};
-    const std::vector<Trial> last{proof.back()};
-    return isBetter(last, same);
+    const LoopShape &shape = m_held->predicted->shape;
+    if (m_plan.loop == Mode::Current) // noise is forgiven each way
+        return isBetter({proof.back()}, {m_held->proof[proof.size() - 1]}, shape);
+    if (proof.size() == m_held->proof.size())
+        return true; // both ways together tell
+    const std::vector<Trial> same(m_held->proof.begin(), m_held->proof.begin() + std::ssize(proof));
+    return isBetter(proof, same, shape, stillOpen);
 }
 
 void TuneDesign::takeTheBetter()
@@ -315,9 +227,9 @@ void TuneDesign::takeTheBetter()
         return;
     TuneReport &report = m_run.report();
     const bool held = report.result != TuneResult::RolledBack && report.proof.size() == m_held->proof.size();
-    const double seconds = shortestHold(report.proof, shortestHold(m_held->proof, wholeHold));
-    const double less = held ? errorOf(report.proof, seconds) / errorOf(m_held->proof, seconds) : 1.0;
-    const bool better = held && isBetter(report.proof, m_held->proof);
+    const LoopShape &shape = m_held->predicted->shape;
+    const double less = held ? errorRatio(report.proof, m_held->proof, shape) : 1.0;
+    const bool better = held && isBetter(report.proof, m_held->proof, shape);
     if (m_former == Former::Tried)
         m_former = less < 1.0 ? Former::Better : Former::Worse;
     else if (m_former == Former::Better && less < 1.0)
@@ -325,6 +237,7 @@ void TuneDesign::takeTheBetter()
     if (less < 1.0)
         m_less = (m_less > 0.0 ? m_less : 1.0) * less;
     m_isLevel = better && less >= 1.0;
+    m_isBettered = m_isProven && less < 1.0 && m_plan.loop != Mode::Current;
     if (!better)
         goBack();
     m_held.reset();

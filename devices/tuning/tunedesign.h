@@ -19,13 +19,15 @@ public:
     /// What to prove after a proposal did not do what was predicted: the same on the model as those steps correct it, then the calm one.
     /// False where there is none, or numbers were asked for.
     [[nodiscard]] Task<bool> reconsider();
-    /// Once, after a proof that held: the same aim on the model as its steps correct it, which needs less caution. False where that
-    /// promises no clearly smaller error, where `seconds` of another proof are too many, or where numbers were asked for.
+    /// After a proof that held, and again after one that was better for it: the same aim on the model as its steps correct it, which needs
+    /// less caution. False where that promises no clearly smaller error, where `seconds` of another proof are too many, or where numbers
+    /// were asked for.
     [[nodiscard]] Task<bool> sharpen(double seconds);
     /// Once, after a proof that held: the gains that were there, where they are known, may be tried and promise hardly more error. False
     /// where they do not, where `seconds` of another proof are too many, or where calm gains or numbers were asked for.
     [[nodiscard]] bool recallFormer(double seconds);
-    /// The step that was just seen of what sharpen() or recallFormer() proposed left less error than the same step of what was proven before.
+    /// The steps in one direction of what sharpen() or recallFormer() proposed left hardly more error than those of what was proven before:
+    /// both directions together may leave less.
     [[nodiscard]] bool isPromising() const;
     /// After the proof of what they proposed: goes back to what was proven before unless the new one held and its steps left less
     /// error.
@@ -56,9 +58,11 @@ private:
     AutotuneRun &m_run;
     TunePlan m_plan; ///< its aim as it has become
     double m_step = 0.0;
-    bool m_refined = false;  ///< the model was corrected after a failure, or could not be
-    bool m_isCalmed = false; ///< the calm proposal took the place of the one that was asked for
-    bool m_isProven = false; ///< a loop on this model was seen to do what was predicted
+    bool m_refined = false;    ///< the model was corrected after a failure, or could not be
+    bool m_isCalmed = false;   ///< the calm proposal took the place of the one that was asked for
+    bool m_isProven = false;   ///< a loop on this model was seen to do what was predicted
+    bool m_isBettered = false; ///< what was designed on it then left less error
+    double m_steepest = 0.0;   ///< of the models before that was corrected
     double m_less = 0.0; ///< error of the steps over that of those before, where what was tried beside them was better
     bool m_isLevel = false; ///< what was tried beside them is kept though noise does not tell which is better
     Former m_former = Former::Untried;

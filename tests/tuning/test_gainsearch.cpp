@@ -62,6 +62,21 @@ TEST(GainSearch, IsQuickerThanTheRuleAndWithinTheSameBounds)
     }
 }
 
+TEST(GainSearch, MarginsHoldForAMotorThatPushesSaidIsQuicker)
+{
+    SearchTask task = taskOf(Mode::Velocity);
+    const Design rule = design(Mode::Velocity, geared, responseOf(Mode::Velocity, Aim::Normal, geared), task.bounds);
+    PlantModel quicker = geared;
+    quicker.tau /= 1.05;
+    const auto holds = [&](const SearchTask &its) {
+        return hasMargin(
+            Mode::Velocity, quicker, searched(Mode::Velocity, geared, rule, its).gains, task.mostMs, task.mostMsOff);
+    };
+    EXPECT_FALSE(holds(task));
+    task.steepest = quicker.gain / quicker.tau;
+    EXPECT_TRUE(holds(task));
+}
+
 TEST(GainSearch, ACalmLoopIsHeldToItsRule)
 {
     SearchTask task = taskOf(Mode::Velocity);

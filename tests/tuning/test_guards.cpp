@@ -157,6 +157,20 @@ TEST(Guards, WithoutADutyToLookAtALargeErrorStandsForIt)
     EXPECT_FALSE(run(blind, 100, away(200.0, 0.0)));
 }
 
+TEST(Guards, AnIntegralThatIsKnownToBeSlowHasThatMuchLongerToMoveItsMotor)
+{
+    GuardPlan blind = plan();
+    blind.dutyKnown = false;
+    blind.isVelocity = true;
+    blind.late = 700ms;
+    const auto stands = [](Guards &g, Instant t, int i) {
+        if (i == 0)
+            g.target(1000.0);
+        return g.position(t, 200.0);
+    };
+    expectTrip(run(blind, 200, stands), Guard::NoMotion, start + 1200ms, "half a step");
+}
+
 TEST(Guards, OscillationTripsWhenALoopSwingsItselfUpOrHitsBothEnds)
 {
     const auto swing = [](double growth) {

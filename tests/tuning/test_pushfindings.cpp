@@ -18,6 +18,7 @@ namespace {
 using test::ExperimentBench;
 using test::planOf;
 using test::tune;
+using test::TunePlan;
 
 constexpr double sampleTime = 0.005;
 
@@ -207,6 +208,23 @@ TEST(Findings, FeedForwardIsWrittenAsZeroSoThatItDoesNotFightTheIntegral)
     }
     EXPECT_EQ(test::rawOf(bench, "slot0.f"), 0);
     EXPECT_EQ(test::rawOf(bench, "slot0.i_zone"), 0);
+}
+
+TEST(PushFindings, FramesOnTheirWayAreNoDelayOfTheLoop)
+{
+    const auto delayAt = [](const char *link) {
+        ExperimentBench bench(link);
+        TunePlan plan = planOf(Mode::Position);
+        plan.slot = 1;
+        plan.propose = true;
+        const auto report = tune(bench, plan);
+        EXPECT_TRUE(report) << link;
+        return report ? report->plant.delay : 0.0;
+    };
+    const double atOneMegabit = delayAt("sim:can?bitrate=1000000");
+    const double atAQuarter = delayAt("sim:can?bitrate=250000");
+    std::printf("delay %.2f ms at 1 Mbit/s, %.2f ms at 250 kbit/s\n", 1e3 * atOneMegabit, 1e3 * atAQuarter);
+    EXPECT_NEAR(atAQuarter, atOneMegabit, 0.4e-3); // of two frames 0.8 ms longer
 }
 
 } // namespace

@@ -83,6 +83,21 @@ TEST(TuningMatrix, WhatProvedToBeWrongAboutAMotorMakesItsGainsBetter)
     EXPECT_LE(row.kept->itae, 1.1 * row.best->itae);
 }
 
+TEST(TuningMatrix, BothDirectionsTogetherTellWhichGainsLeaveLessError)
+{
+    // the second set is worse by a little one way, which is noise, and better by much the other way
+    const MatrixRow row = tuneCell(cellOf("dmc60c", "n20", Mode::Velocity, 4, 0.0), Compare::Nothing);
+    ASSERT_EQ(row.result, "kept") << textOf(row);
+    EXPECT_NE(row.reason.find("left more error, these leave"), std::string::npos) << row.reason;
+}
+
+TEST(TuningMatrix, AWireThatFailsWhileSomethingBetterIsTriedDoesNotLoseWhatWasProven)
+{
+    const MatrixRow row = tuneCell(cellOf("dmc60c", "25dlp", Mode::Velocity, 3, 50.0), Compare::Nothing);
+    EXPECT_EQ(row.result, "kept") << textOf(row);
+    EXPECT_TRUE(row.stopped);
+}
+
 /// What a second tuning of the same unit leaves, over what the first did; its answer.
 std::pair<double, std::string> tunedAgain(const Cell &cell)
 {

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiment/raisedrates.h"
+
+#include "async/sleep.h"
+
+namespace mb::tuning {
+namespace {
+
+constexpr Duration rateTime = std::chrono::milliseconds(200); ///< until samples come as often as was asked for
+
+} // namespace
+
+Task<void> RaisedRates::raise(int axis, double rate)
+{
+    for (const std::string_view key : {"position", "velocity", "current", "duty"}) {
+        const auto channel = axisChannel(m_device, key, axis);
+        if (!channel)
+            continue;
+        auto setting = m_device.setRate(*channel, rate);
+        const Result<void> set = co_await std::move(setting).attempt();
+        if (set)
+            m_raised.push_back(*channel);
+        else if (set.error().fault == Fault::LinkLost)
+            co_return fail(set.error());
+    }
+    Sleep listening(m_device.clock(), rateTime);
+    co_await listening;
+    co_return {};
+}
+
+Task<void> RaisedRates::lower(const ExperimentSurroundings &around)
+{
+    for (const ChannelIndex channel : m_raised) {
+        auto setting = m_device.setRate(channel, 0.0);
+        const Result<void> set = co_await std::move(setting).attempt();
+        if (!set && m_device.link().state() == LinkState::Open)
+            around.caution(say("the device's rate was not put back: %1", set.error().detail));
+    }
+    m_raised.clear();
+    co_return {};
+}
+
+} // namespace mb::tuning
