@@ -178,8 +178,6 @@ double ExperimentRun::rate() const
     return m_plan.rate.value_or(m_plan.mode == Mode::Current && traits.currentRate > 0.0 ? traits.currentRate : usual);
 }
 
-}
-
 GuardPlan ExperimentRun::guardPlan() const
 {
     const TrialTraits &traits = *m_device.family().trials;
