@@ -66,8 +66,8 @@ TEST(DemoBoard, AWeakIntegralPushesLate)
     ExperimentBench bench("sim:spi", "quadquad2drv", 0);
     EXPECT_EQ(secondsUntilPush(*bench.device, weakStep(40.0), 0.1), 0.0) << "nobody knows what a gain makes";
     calibrateDemo(bench);
-    // 819.1 of 8191, of which P makes 200 at once and I 2 in each pass of 2 ms
-    EXPECT_NEAR(secondsUntilPush(*bench.device, weakStep(40.0), 0.1), 0.619, 0.001);
+    // 819.1 of 8191, of which P makes 200 at once and I 0.7 in each pass of 2 ms
+    EXPECT_NEAR(secondsUntilPush(*bench.device, weakStep(40.0), 0.1), 1.769, 0.001);
     EXPECT_EQ(secondsUntilPush(*bench.device, weakStep(40.0), 0.02), 0.0);
     EXPECT_EQ(secondsUntilPush(*bench.device, weakStep(1.0), 0.1), 5.0);
     EXPECT_EQ(secondsUntilPush(*bench.device, weakStep(0.0), 0.1), 0.0);

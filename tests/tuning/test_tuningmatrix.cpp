@@ -252,6 +252,13 @@ TEST(TuningMatrix, PlayOfASupermodifiedIsMetByLargerSteps)
     }
 }
 
+/// Of the shaft. A rotor that crosses its play is quicker for some milliseconds, which 124 edges of a QuadQuad2Drv do not tell
+/// (docs/tuning.md#where-it-stays-behind).
+double mostOvershoot(std::string_view drive, Mode loop)
+{
+    return drive == "quadquad2drv" && loop == Mode::Velocity ? 0.15 : 0.075;
+}
+
 TEST(TuningMatrix, AMotorThatNoModelFitsIsRefusedOrStaysWithinTheBounds)
 {
     for (const char *const drive : {"dmc60c", "abstractdc", "quadquad2drv", "supermodified"}) {
@@ -267,7 +274,8 @@ TEST(TuningMatrix, AMotorThatNoModelFitsIsRefusedOrStaysWithinTheBounds)
                 if (row.result == "kept") {
                     ASSERT_TRUE(row.kept) << textOf(row);
                     EXPECT_TRUE(row.kept->isStable) << textOf(row);
-                    EXPECT_LE(row.kept->overshoot, 0.075) << textOf(row);
+                    EXPECT_LE(row.kept->overshoot, mostOvershoot(drive, loop)) << textOf(row);
+                    EXPECT_LE(row.measuredOvershoot, 0.075) << textOf(row);
                 }
             }
         }
