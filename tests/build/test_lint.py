@@ -191,6 +191,17 @@ class Lint(unittest.TestCase):
         self.assertEqual(status, 1)
         self.assertIn("error: circle of folders: widgets/one, widgets/two", output)
 
+    def test_a_type_is_defined_once_in_the_program(self):
+        one = "namespace mb {\nclass Rate final : public QObject {\n    struct Row {\n    };\n};\n}\n"
+        two = "namespace mb {\nstruct Rate {\n};\n}\n"
+        for other, is_rejected in ((two, True), (two.replace("namespace mb", "namespace mb::wire"), False), (two.replace("Rate", "Row"), False),
+                                   ("namespace mb {\nnamespace {\nstruct Rate {\n};\n}\n}\n", False),
+                                   ("namespace mb {\nstruct Rate::Row {\n};\nclass Rate;\n}\n", False)):
+            with self.subTest(other):
+                status, output = lint(complete([("devices/wire/a.h", LICENCE + one), ("widgets/monitor/b.h", LICENCE + other)]))
+                self.assertEqual(status, int(is_rejected), output)
+                self.assertEqual("widgets/monitor/b.h:3: error: mb::Rate is defined in devices/wire/a.h, too" in output, is_rejected, output)
+
     def test_half_a_budget_over_warns_and_passes(self):
         files = [("app/a.cpp", LICENCE + "void f()\n" + body(41)), ("app/b.cpp", LICENCE + "A::A()\n" + body(26)),
                  ("app/c.cpp", LICENCE + "int x;\n" * 300)]

@@ -4,7 +4,7 @@
 #include "widgets/common/theme.h"
 #include "widgets/common/workbench.h"
 #include "widgets/monitor/framefilter.h"
-#include "widgets/monitor/framerate.h"
+#include "widgets/monitor/linkframerate.h"
 
 #include <QTimer>
 #include <QWidget>
@@ -80,7 +80,7 @@ private:
     BusSide *m_side = nullptr;
     bool m_paused = false;
     Instant m_idsAt{};
-    FrameRate m_rate;
+    LinkFrameRate m_rate;
     QTimer m_tick;
 };
 

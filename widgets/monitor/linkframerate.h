@@ -6,7 +6,7 @@
 namespace mb {
 
 /// How many frames a second pass on the link that is shown, counted anew twice a second.
-class FrameRate {
+class LinkFrameRate {
 public:
     /// 0 until a link was looked at for long enough.
     [[nodiscard]] double of(const LinkView &link, Instant now);

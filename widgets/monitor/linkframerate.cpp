@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/monitor/framerate.h"
+#include "widgets/monitor/linkframerate.h"
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@ constexpr Duration rateTime = std::chrono::milliseconds(500);
 
 } // namespace
 
-double FrameRate::of(const LinkView &link, Instant now)
+double LinkFrameRate::of(const LinkView &link, Instant now)
 {
     const bool known = m_link == link.address;
     if (known && now - m_since < rateTime)
