@@ -79,7 +79,7 @@ void ExperimentMotion::setTarget(double target)
         (void)m_stream.follow(setPointAt(target)); // a refusal ends the stream, and that is seen
 }
 
-Task<void> ExperimentMotion::run(const GuardPlan &guards, double period)
+Task<void> ExperimentMotion::run(GuardPlan guards, double period)
 {
     m_origin = guards.origin;
     m_recorder.guard(guards);

@@ -21,7 +21,7 @@ public:
 
     /// Under `guards`, of samples `period` s apart; stops the motor afterwards. Takes the stimulus from the trial, and leaves there
     /// the one that was followed. Fails where the motor may not be driven so.
-    [[nodiscard]] Task<void> run(const GuardPlan &guards, double period);
+    [[nodiscard]] Task<void> run(GuardPlan guards, double period);
     /// X was not reached in time, so the motor was stopped and nothing followed.
     [[nodiscard]] const std::optional<Trip> &unreached() const { return m_unreached; }
     /// At most, from its beginning.
