@@ -3,6 +3,7 @@
 
 #include "widgets/common/numberformat.h"
 #include "widgets/common/spoken.h"
+#include "widgets/common/withinroom.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -73,7 +74,7 @@ void BusLoadView::paintEvent(QPaintEvent *)
         const QString text = i == 3 ? QStringLiteral("0") : formatNumber(i * 20.0 - 60.0, 0);
         const double size = metrics.horizontalAdvance(text) + 2.0;
         painter.drawText(
-            QRectF(std::clamp(x - size / 2, 0.0, width() - size), box.bottom() + 2, size, metrics.height()),
+            QRectF(withinRoom(x - size / 2, 0.0, width() - size), box.bottom() + 2, size, metrics.height()),
             Qt::AlignCenter, text);
     }
     if (m_loads.empty())

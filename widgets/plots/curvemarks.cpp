@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/curvemarks.h"
 
+#include "widgets/common/withinroom.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -153,7 +155,7 @@ void CurveMarks::arrange()
     std::vector<QRectF> taken;
     for (const auto &[mark, words] : m_words) {
         const QPointF at(m_plot.xAxis->coordToPixel(mark.x),
-            std::clamp(m_plot.yAxis->coordToPixel(mark.y), room.top(), room.bottom()));
+            withinRoom(m_plot.yAxis->coordToPixel(mark.y), room.top(), room.bottom()));
         words->setVisible(std::isfinite(at.x()) && at.x() >= room.left() - 1 && at.x() <= room.right() + 1);
         if (!words->visible())
             continue;

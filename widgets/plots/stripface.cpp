@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/stripface.h"
 
+#include "widgets/common/withinroom.h"
 #include "widgets/plots/plotframe.h"
 #include "widgets/plots/plotlabels.h"
 #include "widgets/plots/plottickers.h"
@@ -150,7 +151,7 @@ void StripFace::drawTrigger(QCPPainter &painter, const QRectF &box) const
     const Theme &theme = m_theme.theme();
     const QCPAxis &values = *m_rect.axis(m_decor.trigger->second ? QCPAxis::atRight : QCPAxis::atLeft);
     const double wanted = values.coordToPixel(m_decor.trigger->level);
-    const double y = std::floor(std::clamp(wanted, box.top(), box.bottom())) + 0.5;
+    const double y = std::floor(withinRoom(wanted, box.top(), box.bottom())) + 0.5;
     const bool inside = wanted >= box.top() && wanted <= box.bottom();
     QPen pen(theme.accent, 1);
     pen.setCosmetic(true);
@@ -223,7 +224,7 @@ void StripFace::drawTags(QCPPainter &painter, const QRectF &box) const
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::vector<double> centre;
     for (const ValueTag &tag : m_decor.tags)
-        centre.push_back(std::clamp(place(tag), box.top() + line / 2, box.bottom() - line / 2));
+        centre.push_back(withinRoom(place(tag), box.top() + line / 2, box.bottom() - line / 2));
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return centre[a] < centre[b]; });
     // Push apart downwards, then back up from the lower edge, so that no two tags overlap.
     for (std::size_t i = 1; i < order.size(); ++i)

@@ -3,6 +3,7 @@
 
 #include "widgets/common/icons.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/common/withinroom.h"
 
 #include <QAccessible>
 #include <QPainter>
@@ -212,7 +213,7 @@ int VerdictView::paintFacts(QPainter &painter, const QRect &box, double print) c
     const int width = box.width() / std::max(count, 4);
     const double natural = 2 * QFontMetricsF(theme.font(TextRole::Caption, font())).height()
         + QFontMetricsF(theme.font(TextRole::Large, font())).height();
-    print = std::clamp(box.height() / natural, 1.0, print);
+    print = withinRoom(box.height() / natural, 1.0, print);
     const QFont caption = printed(theme.font(TextRole::Caption, font()), print);
     const QFont large = printed(theme.font(TextRole::Large, font()), print);
     int height = 0;
