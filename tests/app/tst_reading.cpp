@@ -405,8 +405,8 @@ void ReadingTest::parametersAreInSight()
     ParameterView &view = bench.page<ParametersPage>(PageId::Parameters).view();
     QTRY_VERIFY_WITH_TIMEOUT(view.shownRows() > leastRows, patience);
     settle();
-    const QRect seen = view.viewport()->visibleRegion().boundingRect();
-    const auto rowsInSight = [&view, &seen] {
+    const auto rowsInSight = [&view] {
+        const QRect seen = view.viewport()->visibleRegion().boundingRect();
         int rows = 0;
         for (int group = 0; group < view.model()->rowCount(); ++group) {
             const QModelIndex head = view.model()->index(group, 0);
