@@ -51,7 +51,8 @@ void ValueLabel::followBreadth(const QString &value)
 
 void ValueLabel::setValue(const QString &value)
 {
-    followBreadth(value);
+    if (m_look == Look::Line) // the only one that draws its caption by it
+        followBreadth(value);
     if (value == m_value)
         return;
     const int before = fieldWidth();
