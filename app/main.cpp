@@ -2,6 +2,7 @@
 #include "app/about.h"
 #include "app/application.h"
 #include "app/crashreport.h"
+#include "app/folders/relativefolders.h"
 #include "app/folders/userfolders.h"
 #include "app/plotfile.h"
 #include "app/reportfile.h"
@@ -12,6 +13,7 @@
 
 int main(int argc, char **argv)
 {
+    mb::ignoreRelativeFolders();
     std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error of the file
     QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
     QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);

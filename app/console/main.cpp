@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/commandline.h"
 #include "app/console/signals.h"
+#include "app/folders/relativefolders.h"
 #include "app/sleep/logindinhibitor.h"
 #include "app/sleep/sleepguard.h"
 #include "async/scope.h"
@@ -13,7 +14,6 @@
 #include <cerrno>
 #include <clocale>
 #include <csignal>
-#include <cstdlib>
 #include <cstring>
 #include <optional>
 #include <utility>
@@ -110,16 +110,6 @@ void occupyStandardStreams()
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (::fcntl(stream, F_GETFD) < 0 && errno == EBADF)
             (void)::open("/", O_RDONLY); // a folder; it takes the lowest number that is free
-    }
-}
-
-/// One that is not absolute counts as not set (XDG Base Directory Specification): else a notebook would lie wherever it was run.
-void ignoreRelativeFolders()
-{
-    for (const char *const name : {"XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME"}) {
-        const char *const folder = std::getenv(name);
-        if (folder && *folder != '/')
-            ::unsetenv(name);
     }
 }
 
