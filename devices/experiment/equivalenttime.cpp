@@ -2,6 +2,7 @@
 #include "experiment/equivalenttime.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 namespace mb::tuning {
@@ -27,6 +28,22 @@ Trace merged(const std::vector<Trace> &runs)
     for (const std::size_t at : order)
         sorted.add(all.t[at], all.y[at]);
     return sorted;
+}
+
+Trace averaged(const std::vector<Trace> &runs)
+{
+    std::vector<Trace> heard;
+    std::copy_if(runs.begin(), runs.end(), std::back_inserter(heard), [](const Trace &run) { return !run.isEmpty(); });
+    Trace mean = merged(heard);
+    if (heard.size() < 2)
+        return mean;
+    for (std::size_t i = 0; i < mean.size(); ++i) {
+        double sum = 0.0;
+        for (const Trace &run : heard)
+            sum += valueAt(run, mean.t[i]);
+        mean.y[i] = sum / static_cast<double>(heard.size());
+    }
+    return mean;
 }
 
 Trace meanOf(const std::vector<Trace> &runs, double period, double share)

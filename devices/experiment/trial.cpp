@@ -18,13 +18,13 @@ double shortest(const std::vector<Span> &spans)
     return least;
 }
 
-/// The stretches of a signal, one over the other, from `lead` before their beginning until `length` after it.
+/// The mean of stretches of a signal, one over the other, from `lead` before their beginning until `length` after it.
 Trace over(const Trace &trace, const std::vector<Span> &spans, double lead, double length)
 {
     std::vector<Trace> runs;
     for (const Span &span : spans)
         runs.push_back(trace.part(span.from - lead, span.from + length, span.from));
-    return merged(runs);
+    return averaged(runs);
 }
 
 } // namespace

@@ -74,7 +74,7 @@ struct Trial {
 
     [[nodiscard]] bool has(std::string_view flag) const;
     [[nodiscard]] const Signal *signal(std::string_view key) const; ///< of its axis; nullptr: not recorded
-    /// One response out of all repeats (equivalenttime.h), t = 0 at the edge, some of what was before: the hold as long as all
+    /// The mean of all repeats (averaged(), equivalenttime.h), t = 0 at the edge, some of what was before: the hold as long as all
     /// have it, then the ways back, each from where the shortest hold has ended. The signal as it is where nothing steps.
     [[nodiscard]] Trace folded(std::string_view key) const;
 };

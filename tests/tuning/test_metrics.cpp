@@ -307,30 +307,5 @@ TEST(Effort, OfRepeatsHasAnErrorOnlyWhereAllRunsHaveAValue)
     EXPECT_FALSE(errorsOf({one}).rise);
 }
 
-TEST(EquivalentTime, DitheredRepeatsShowAStepFinerThanItsSamples)
-{
-    // a step of 8 ms lag seen every 20 ms: eight runs together see it every 2.5 ms
-    constexpr double period = 0.020;
-    std::vector<Trace> runs;
-    for (int run = 0; run < 8; ++run) {
-        const double delay = ditherOf(run, 8, period);
-        Trace trace;
-        for (int i = -10; i < 50; ++i) {
-            const double t = i * period - delay;
-            trace.add(t, t > 0.0 ? 1.0 - std::exp(-t / 0.008) : 0.0);
-        }
-        runs.push_back(trace);
-    }
-    const Trace all = merged(runs);
-    ASSERT_EQ(all.size(), 480U);
-    EXPECT_TRUE(std::is_sorted(all.t.begin(), all.t.end()));
-    EXPECT_NEAR(samplePeriod(all), 0.0025, 1e-9);
-    const double truth = 0.008 * std::log(9.0);
-    const double alone = readResponse(runs.front(), 1.0, 0.0).metrics.rise.value_or(0.0);
-    const double together = readResponse(all, 1.0, 0.0, 8).metrics.rise.value_or(0.0);
-    EXPECT_GT(std::abs(alone - truth), 4.0 * std::abs(together - truth));
-    EXPECT_NEAR(together, truth, 0.001);
-}
-
 } // namespace
 } // namespace mb::tuning

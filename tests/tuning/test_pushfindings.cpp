@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a tuning tells beside the model: rest and latency, one way and the other, what set-points may ask for.
+#include "simulation/motorparameters.h"
 #include "tests/tuning/tuningbench.h"
 #include "tuning/crosscheck.h"
 #include "tuning/identification.h"
