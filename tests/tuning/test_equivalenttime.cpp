@@ -71,13 +71,13 @@ TEST(EquivalentTime, ATrialThatWasRunTwiceIsDrawnAsTheMeanOfItsHolds)
 TEST(EquivalentTime, DitheredRepeatsShowAStepFinerThanItsSamples)
 {
     // a step of 8 ms lag seen every 20 ms: eight runs together see it every 2.5 ms
-    constexpr double period = 0.020;
+    constexpr double spacing = 0.020;
     std::vector<Trace> runs;
     for (int run = 0; run < 8; ++run) {
-        const double delay = ditherOf(run, 8, period);
+        const double delay = ditherOf(run, 8, spacing);
         Trace trace;
         for (int i = -10; i < 50; ++i) {
-            const double t = i * period - delay;
+            const double t = i * spacing - delay;
             trace.add(t, t > 0.0 ? 1.0 - std::exp(-t / 0.008) : 0.0);
         }
         runs.push_back(trace);
