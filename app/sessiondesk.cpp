@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/sessiondesk.h"
+#include "widgets/common/clocktext.h"
 
 #include "app/crashnotice.h"
 #include "app/crashreport.h"
@@ -33,7 +34,7 @@ QString whenText(qint64 unixTime, qint64 now)
 {
     const QDateTime then = QDateTime::fromSecsSinceEpoch(unixTime);
     const QDate today = QDateTime::fromSecsSinceEpoch(now).date();
-    const QString clock = QLocale().toString(then.time(), QLocale::ShortFormat);
+    const QString clock = clockText(then, ClockPart::Minutes);
     if (then.date() == today)
         return SessionDesk::tr("today %1").arg(clock);
     if (then.date() == today.addDays(-1))

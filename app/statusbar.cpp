@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/statusbar.h"
+#include "widgets/common/clocktext.h"
 
 #include "app/footprint.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/losses.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/spoken.h"
-
-#include <QDateTime>
 
 namespace mb {
 namespace {
@@ -43,9 +42,7 @@ StatusBar::StatusBar(Workbench &workbench, const ThemeSource &theme, QWidget *pa
 
 void StatusBar::showNotice(const Notice &notice)
 {
-    const auto seconds
-        = std::chrono::duration_cast<std::chrono::seconds>(notice.time.time_since_epoch() + m_workbench.unixOffset());
-    const QString time = QDateTime::fromSecsSinceEpoch(seconds.count()).toString(QStringLiteral("HH:mm:ss"));
+    const QString time = clockText(momentOf(notice.time.time_since_epoch() + m_workbench.unixOffset()));
     const QString words = (notice.device.isEmpty() ? QString() : notice.device + QStringLiteral(": ")) + notice.text;
     m_message->setText(time + QLatin1Char(' ') + words);
     announce(*m_message, words);

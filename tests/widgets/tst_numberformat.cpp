@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/utf8.h"
 #include "support/windowtests.h"
+#include "widgets/common/clocktext.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
 
@@ -34,6 +35,8 @@ private Q_SLOTS:
     void parsesIntegers();
     void editTextReadsBackEqual();
     void aLanguageWithACommaWritesAndUnderstandsIt();
+    void theTimeOfDayHasTwentyFourHoursInEveryLanguage_data();
+    void theTimeOfDayHasTwentyFourHoursInEveryLanguage();
 };
 
 void NumberFormatTest::formatsNumbers_data()
@@ -160,6 +163,29 @@ void NumberFormatTest::aLanguageWithACommaWritesAndUnderstandsIt()
             QStringLiteral("12,43\u00a0V"), QStringLiteral("0,25"), QStringLiteral("-1,500"), QStringLiteral("1,5"),
             QStringLiteral("= 1,5"), QString(), QStringLiteral("ended at 0,5"), QStringLiteral("ended at 0.5")}));
     QCOMPARE(back, std::optional(0.125));
+}
+
+void NumberFormatTest::theTimeOfDayHasTwentyFourHoursInEveryLanguage_data()
+{
+    QTest::addColumn<QLocale>("locale");
+    QTest::newRow("hours to twelve") << QLocale(QLocale::English, QLocale::UnitedStates);
+    QTest::newRow("hours to twenty-four") << QLocale(QLocale::German);
+    QTest::newRow("twelve with words") << QLocale(QLocale::Chinese, QLocale::Taiwan);
+}
+
+void NumberFormatTest::theTimeOfDayHasTwentyFourHoursInEveryLanguage()
+{
+    QFETCH(QLocale, locale);
+    const QDateTime evening(QDate(2026, 11, 26), QTime(18, 5, 7, 89));
+    const QLocale before;
+    QLocale::setDefault(locale);
+    const QString both = dateAndClockText(evening);
+    const QString day = QLocale().toString(evening.date(), QLocale::ShortFormat);
+    QLocale::setDefault(before);
+    QCOMPARE(both, day + QStringLiteral(" 18:05"));
+    QCOMPARE(clockText(evening), QStringLiteral("18:05:07"));
+    QCOMPARE(clockText(evening, ClockPart::Milliseconds), QStringLiteral("18:05:07.089"));
+    QCOMPARE(clockText(momentOf(static_cast<double>(evening.toMSecsSinceEpoch()) * 1e-3)), QStringLiteral("18:05:07"));
 }
 
 MB_WINDOW_TEST(NumberFormatTest);

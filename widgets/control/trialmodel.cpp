@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/control/trialmodel.h"
+#include "widgets/common/clocktext.h"
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/icons.h"
@@ -230,9 +231,8 @@ QString TrialModel::textOf(const KeptTrial &kept, int column) const
         return QStringLiteral("#%1%2").arg(kept.number).arg(letter);
     }
     case Time: {
-        const QDateTime time = QDateTime::fromMSecsSinceEpoch(std::llround(kept.time * 1e3));
-        return time.toString(
-            time.date() == QDate::currentDate() ? QStringLiteral("HH:mm:ss") : QStringLiteral("dd.MM. HH:mm"));
+        const QDateTime time = momentOf(kept.time);
+        return time.date() == QDate::currentDate() ? clockText(time) : dateAndClockText(time);
     }
     case Stimulus: return stimulusText(kept.trial, m_units);
     case GainP:

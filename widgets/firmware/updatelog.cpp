@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/firmware/updatelog.h"
+#include "widgets/common/clocktext.h"
 
 #include "files/filebytes.h"
 #include "widgets/common/devicetext.h"
@@ -7,7 +8,6 @@
 #include "widgets/common/layoutin.h"
 #include "widgets/common/theme.h"
 
-#include <QDateTime>
 #include <QFileDialog>
 #include <QHeaderView>
 #include <QPushButton>
@@ -75,9 +75,7 @@ void UpdateLog::add(const LogLine &line, const QString &who)
 
 QString UpdateLog::timeOf(Instant time) const
 {
-    const auto unixTime
-        = std::chrono::duration_cast<std::chrono::milliseconds>(time.time_since_epoch() + m_workbench.unixOffset());
-    return QDateTime::fromMSecsSinceEpoch(unixTime.count()).toString(QStringLiteral("HH:mm:ss.zzz"));
+    return clockText(momentOf(time.time_since_epoch() + m_workbench.unixOffset()), ClockPart::Milliseconds);
 }
 
 QString UpdateLog::text() const

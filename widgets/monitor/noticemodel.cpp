@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/monitor/noticemodel.h"
+#include "widgets/common/clocktext.h"
 
 #include "widgets/common/devicetext.h"
 
 #include "widgets/common/stateglyph.h"
-
-#include <QDateTime>
 
 #include <utility>
 
@@ -42,9 +41,7 @@ void NoticeModel::setNamed(bool named)
 
 QString NoticeModel::timeText(const Notice &notice) const
 {
-    const auto time = std::chrono::duration_cast<std::chrono::milliseconds>(
-        notice.time.time_since_epoch() + m_workbench.unixOffset());
-    return QDateTime::fromMSecsSinceEpoch(time.count()).toString(QStringLiteral("HH:mm:ss.zzz"));
+    return clockText(momentOf(notice.time.time_since_epoch() + m_workbench.unixOffset()), ClockPart::Milliseconds);
 }
 
 QVariant NoticeModel::data(const QModelIndex &index, int role) const

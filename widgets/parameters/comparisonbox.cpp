@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameters/comparisonbox.h"
+#include "widgets/common/clocktext.h"
 
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
@@ -47,10 +48,8 @@ void ComparisonBox::remember(const DeviceView &device)
         [](const auto &entry) { return entry.raw && entry.state != ParameterState::Failed; });
     if (!complete)
         return;
-    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(
-        m_workbench.now().time_since_epoch() + m_workbench.unixOffset());
-    ParameterReference found{
-        tr("as found %1").arg(QDateTime::fromSecsSinceEpoch(seconds.count()).toString(QStringLiteral("HH:mm"))), {}};
+    const QDateTime now = momentOf(m_workbench.now().time_since_epoch() + m_workbench.unixOffset());
+    ParameterReference found{tr("as found %1").arg(clockText(now, ClockPart::Minutes)), {}};
     for (const auto &entry : *device.parameters)
         found.raws.push_back(entry.raw);
     m_asFound.emplace(device.id, std::move(found));

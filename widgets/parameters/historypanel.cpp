@@ -149,7 +149,7 @@ void HistoryPanel::take(const SettingsTimeline &timeline)
 /// States that are known by now, in the choices and on the time line.
 void HistoryPanel::rebuild()
 {
-    m_states.rebuild(locale());
+    m_states.rebuild();
     if (!m_chose)
         m_chosenB = m_states.newestUnlike();
     for (QComboBox *box : {m_a, m_b}) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameters/timelinelist.h"
+#include "widgets/common/clocktext.h"
 
 #include "settings/history.h"
 #include "widgets/common/devicetext.h"
@@ -9,17 +10,11 @@
 #include <QMouseEvent>
 
 #include <algorithm>
-#include <cmath>
 
 namespace mb {
 namespace {
 
 constexpr int statePlaceRole = Qt::UserRole;
-
-QDateTime momentOf(double seconds)
-{
-    return QDateTime::fromMSecsSinceEpoch(std::llround(seconds * 1e3));
-}
 
 Symbol stateSymbol(UnitState::Kind kind)
 {
@@ -118,7 +113,7 @@ void TimelineList::addChange(const Family &family, const settings::SettingsChang
         = messageText(settings::textOf(family, change)).replace(QStringLiteral("->"), QStringLiteral("→"));
     if (values.isEmpty())
         return;
-    const QString when = locale().toString(momentOf(change.time).time(), QStringLiteral("HH:mm:ss"));
+    const QString when = clockText(momentOf(change.time));
     const QString who = change.origin == settings::Origin::Elsewhere
         ? originText(change.origin)
         : tr("%1, %2").arg(originText(change.origin), qt(change.person));

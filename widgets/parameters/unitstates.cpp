@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameters/unitstates.h"
+#include "widgets/common/clocktext.h"
 
 #include "widgets/common/devicetext.h"
 
-#include <QDateTime>
-
 #include <algorithm>
-#include <cmath>
 
 namespace mb {
 namespace {
@@ -39,7 +37,7 @@ std::vector<std::int64_t> UnitStates::missing() const
     return numbers;
 }
 
-void UnitStates::rebuild(const QLocale &locale)
+void UnitStates::rebuild()
 {
     m_states.clear();
     m_states.push_back({UnitState::Kind::Now, present, tr("Device, now"), {}, m_now});
@@ -47,9 +45,8 @@ void UnitStates::rebuild(const QLocale &locale)
         const auto file = m_files.find(snapshot->number);
         if (file == m_files.end())
             continue;
-        const QDateTime time = QDateTime::fromMSecsSinceEpoch(std::llround(snapshot->time * 1e3));
         m_states.push_back({UnitState::Kind::Snapshot, snapshot->number, tableText(snapshot->name),
-            locale.toString(time.time(), QStringLiteral("HH:mm:ss")), file->second});
+            clockText(momentOf(snapshot->time)), file->second});
     }
     m_states.push_back(
         {UnitState::Kind::Defaults, defaults, tr("factory defaults"), {}, settings::defaultsOf(*m_family)});

@@ -4,7 +4,6 @@
 #include "widgets/parameters/timelinelist.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 namespace mb {
 
@@ -24,7 +23,7 @@ public:
     /// Of the newest snapshots those whose files have not come.
     [[nodiscard]] std::vector<std::int64_t> missing() const;
     /// Puts them together anew.
-    void rebuild(const QLocale &locale);
+    void rebuild();
 
     [[nodiscard]] const Family *family() const { return m_family; }
     [[nodiscard]] const SettingsTimeline &timeline() const { return m_timeline; }

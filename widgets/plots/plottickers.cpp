@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/plottickers.h"
+#include "widgets/common/clocktext.h"
 
 #include "widgets/common/numberformat.h"
 #include "widgets/plots/autorange.h"
@@ -87,9 +88,9 @@ QString TimeTicker::text(double key, double step) const
     const int decimals = step >= 1 ? 0 : static_cast<int>(std::ceil(-std::log10(step) - 1e-9));
     if (!m_unixAtZero)
         return formatNumber(std::abs(key) < step * 1e-6 ? 0.0 : key, decimals);
-    const auto time = QDateTime::fromMSecsSinceEpoch(std::llround((key + *m_unixAtZero) * 1000));
+    const QDateTime time = momentOf(key + *m_unixAtZero);
     if (decimals == 0)
-        return time.toString(QStringLiteral("HH:mm:ss"));
+        return clockText(time);
     return time.toString(QStringLiteral("ss.zzz")).left(3 + std::min(decimals, 3));
 }
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/report/reportentry.h"
+#include "widgets/common/clocktext.h"
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/service/verdictof.h"
 
 #include <QCoreApplication>
-#include <QDateTime>
-#include <QLocale>
 
 namespace mb {
 namespace {
@@ -17,11 +16,6 @@ using service::Outcome;
 struct EntryText {
     Q_DECLARE_TR_FUNCTIONS(mb::EntryText)
 };
-
-QString whenOf(double time)
-{
-    return QLocale().toString(QDateTime::fromMSecsSinceEpoch(static_cast<qint64>(time * 1000.0)), QLocale::ShortFormat);
-}
 
 GlyphState glyphOf(Outcome outcome)
 {
@@ -49,7 +43,7 @@ QString wordOf(Outcome outcome)
 
 QString ReportEntry::text() const
 {
-    const QString when = time > 0.0 ? whenOf(time) : EntryText::tr("as it is now");
+    const QString when = time > 0.0 ? dateAndClockText(momentOf(time)) : EntryText::tr("as it is now");
     return title + QLatin1Char('\n') + when + (about.isEmpty() ? QString() : QStringLiteral(" · ") + about);
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/service/unitlist.h"
+#include "widgets/common/clocktext.h"
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/stateglyph.h"
 #include "widgets/service/verdictof.h"
 
-#include <QDateTime>
 #include <QPainter>
 #include <QStyledItemDelegate>
 
@@ -119,9 +119,7 @@ void UnitList::follow(const ServiceView &view)
         if (row.visit.seconds > 0.0)
             item->setData(Seconds, formatValue(row.visit.seconds, 1, QStringLiteral("s")));
         if (row.visit.time > 0.0)
-            item->setData(Time,
-                QLocale().toString(
-                    QDateTime::fromSecsSinceEpoch(static_cast<qint64>(row.visit.time)).time(), QLocale::ShortFormat));
+            item->setData(Time, clockText(momentOf(row.visit.time), ClockPart::Minutes));
         item->setToolTip(lineOf(row));
     }
 }

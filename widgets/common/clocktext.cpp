@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/clocktext.h"
+
+#include <QLocale>
+
+#include <cmath>
+
+namespace mb {
+
+QDateTime momentOf(double unixTime)
+{
+    return QDateTime::fromMSecsSinceEpoch(std::llround(unixTime * 1e3));
+}
+
+QDateTime momentOf(std::chrono::nanoseconds unixTime)
+{
+    return QDateTime::fromMSecsSinceEpoch(std::chrono::floor<std::chrono::milliseconds>(unixTime).count());
+}
+
+QString clockText(const QDateTime &moment, ClockPart part)
+{
+    switch (part) {
+    case ClockPart::Minutes: return moment.toString(QStringLiteral("HH:mm"));
+    case ClockPart::Seconds: break;
+    case ClockPart::Milliseconds: return moment.toString(QStringLiteral("HH:mm:ss.zzz"));
+    }
+    return moment.toString(QStringLiteral("HH:mm:ss"));
+}
+
+QString dateAndClockText(const QDateTime &moment)
+{
+    return QLocale().toString(moment.date(), QLocale::ShortFormat) + QLatin1Char(' ')
+        + clockText(moment, ClockPart::Minutes);
+}
+
+} // namespace mb
