@@ -156,6 +156,22 @@ void print(Console &console, const std::vector<Device *> &devices)
         table.print(console.out());
 }
 
+/// What became of the links while they were scanned.
+void refreshListings(Console &console, Opened &opened)
+{
+    for (const Link *link : opened.links) {
+        const auto same = [link](const LinkListing &listing) { return listing.link == link->address(); };
+        const auto known = std::find_if(opened.listings.begin(), opened.listings.end(), same);
+        const LinkListing now = listingOf(*link, console.clock().now());
+        if (known == opened.listings.end())
+            opened.listings.push_back(now);
+        else if (!now.diagnosis.isHealthy())
+            *known = now;
+        if (!now.diagnosis.isHealthy() && !console.json())
+            console.note(link->address().text() + ": " + now.detail.english());
+    }
+}
+
 Task<int> scan(Console &console, std::vector<std::string> names, bool everything)
 {
     Opened opened;
@@ -181,17 +197,7 @@ Task<int> scan(Console &console, std::vector<std::string> names, bool everything
         co_return fail(*error);
     if (error && names.empty())
         console.note(lineOf(*error, console.options().verb));
-    for (const Link *link : opened.links) {
-        const auto same = [link](const LinkListing &listing) { return listing.link == link->address(); };
-        const auto known = std::find_if(opened.listings.begin(), opened.listings.end(), same);
-        const LinkListing now = listingOf(*link, console.clock().now());
-        if (known == opened.listings.end())
-            opened.listings.push_back(now);
-        else if (!now.diagnosis.isHealthy())
-            *known = now;
-        if (!now.diagnosis.isHealthy() && !console.json())
-            console.note(link->address().text() + ": " + now.detail.english());
-    }
+    refreshListings(console, opened);
     if (console.json()) {
         QJsonArray rows;
         for (const Device *device : devices)

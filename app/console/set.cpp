@@ -82,6 +82,18 @@ Task<std::optional<Error>> store(Console &console, Device &device)
     co_return std::optional<Error>();
 }
 
+void show(Console &console, const Device &device, const std::vector<ParameterChange> &changes,
+    const std::vector<TransferOutcome> &outcomes, bool failed)
+{
+    std::vector<ParameterIndex> indices;
+    for (const ParameterChange &change : changes)
+        indices.push_back(change.index);
+    if (console.json())
+        console.out().json(toJson(device, indices, outcomes, failed ? Verdict(false) : verdictOf(outcomes)));
+    else
+        printParameters(console, device, indices);
+}
+
 Task<int> set(Console &console, SetArguments arguments)
 {
     const auto target = parseTarget(console, arguments.device);
@@ -115,13 +127,7 @@ Task<int> set(Console &console, SetArguments arguments)
         auto storing = store(console, *device);
         error = co_await std::move(storing);
     }
-    std::vector<ParameterIndex> indices;
-    for (const ParameterChange &change : *changes)
-        indices.push_back(change.index);
-    if (console.json())
-        console.out().json(toJson(*device, indices, outcomes, error ? Verdict(false) : verdictOf(outcomes)));
-    else
-        printParameters(console, *device, indices);
+    show(console, *device, *changes, outcomes, error.has_value());
     if (!error)
         co_return exitDone;
     if (error->fault == Fault::Timeout)

@@ -27,6 +27,51 @@ bool isAlive(const fs::path &folder)
     return !free;
 }
 
+/// Files that follow each other, in one writer: a topic of several is one channel, of their facts the last counts.
+class Joint {
+public:
+    explicit Joint(McapWriter &writer)
+        : m_writer(writer)
+    {
+    }
+
+    /// False for a file that was cut before its first channel: it has nothing.
+    bool add(const std::string &path)
+    {
+        std::map<std::uint16_t, std::uint16_t> ids;
+        McapReader reader;
+        reader.channel = [&](std::uint16_t id, const std::string &topic, const mcap::Map &about) {
+            const auto known = m_topics.find(topic);
+            ids[id] = known != m_topics.end() ? known->second : m_writer.addChannel({topic, about});
+            m_topics[topic] = ids[id];
+        };
+        reader.metadata = [&](const std::string &name, const mcap::Map &map) {
+            if (name == "note")
+                m_writer.metadata(name, map);
+            else
+                m_facts[name] = map;
+        };
+        reader.sample = [&](std::uint16_t id, std::int64_t time, double value, std::uint64_t lost, bool gap) {
+            m_writer.write(ids[id], time, value, lost, gap);
+            ++m_report.samples;
+            m_report.lost += lost;
+        };
+        return static_cast<bool>(reader.read(path));
+    }
+    void addFacts()
+    {
+        for (const auto &[name, map] : m_facts)
+            m_writer.metadata(name, map);
+    }
+    [[nodiscard]] const ExportReport &report() const { return m_report; }
+
+private:
+    McapWriter &m_writer;
+    ExportReport m_report;
+    std::map<std::string, std::uint16_t> m_topics;
+    std::map<std::string, mcap::Map> m_facts;
+};
+
 } // namespace
 
 Result<ExportReport> joinRecordings(
@@ -38,43 +83,22 @@ Result<ExportReport> joinRecordings(
     auto writer = McapWriter::create(place);
     if (!writer)
         return fail(writer.error());
-    ExportReport report;
-    std::map<std::string, std::uint16_t> topics;
-    std::map<std::string, mcap::Map> facts;
-    std::size_t readable = 0;
+    Joint joint(**writer);
+    bool anything = false;
     for (std::size_t i = 0; i < paths.size(); ++i) {
         if (progress && !progress(static_cast<double>(i) / static_cast<double>(paths.size())))
             return fail(Fault::Cancelled);
-        std::map<std::uint16_t, std::uint16_t> ids;
-        McapReader reader;
-        reader.channel = [&](std::uint16_t id, const std::string &topic, const mcap::Map &about) {
-            const auto known = topics.find(topic);
-            ids[id] = known != topics.end() ? known->second : (*writer)->addChannel({topic, about});
-            topics[topic] = ids[id];
-        };
-        reader.metadata = [&](const std::string &name, const mcap::Map &map) {
-            if (name == "note")
-                (*writer)->metadata(name, map);
-            else
-                facts[name] = map;
-        };
-        reader.sample = [&](std::uint16_t id, std::int64_t time, double value, std::uint64_t lost, bool gap) {
-            (*writer)->write(ids[id], time, value, lost, gap);
-            ++report.samples;
-            report.lost += lost;
-        };
-        readable += reader.read(paths[i]) ? 1U : 0U; // one that was cut before its first channel has nothing
+        anything = joint.add(paths[i]) || anything;
     }
-    if (readable == 0)
+    if (!anything)
         return fail(Fault::Unsupported, say("nothing has been recorded yet"));
-    for (const auto &[name, map] : facts)
-        (*writer)->metadata(name, map);
+    joint.addFacts();
     if (auto finished = (*writer)->finish(); !finished)
         return fail(finished.error());
     writer->reset();
     if (auto moved = place.commit(); !moved)
         return fail(moved.error());
-    return report;
+    return joint.report();
 }
 
 Result<std::vector<std::string>> recoverRecordings(const std::string &folder)

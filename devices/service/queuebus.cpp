@@ -214,6 +214,28 @@ Task<Visit> QueueBus::openVisit(Row &row, const Device &device)
     co_return opened;
 }
 
+/// The row that is served, for as long as it is.
+class QueueBus::Serving {
+public:
+    Serving(QueueBus &bus, Row &row)
+        : m_bus(bus)
+    {
+        m_bus.m_serving = &row;
+        m_bus.m_run.serving(1);
+    }
+    Serving(const Serving &) = delete;
+    Serving &operator=(const Serving &) = delete;
+    ~Serving()
+    {
+        m_bus.m_run.serving(-1);
+        m_bus.m_serving = nullptr;
+        m_bus.m_stream = nullptr;
+    }
+
+private:
+    QueueBus &m_bus;
+};
+
 Task<void> QueueBus::serve(Row &row)
 {
     Device *const device = m_session.find(row.shown.device);
@@ -221,24 +243,7 @@ Task<void> QueueBus::serve(Row &row)
         row.shown.state = RowState::Skipped;
         co_return {};
     }
-    struct Serving {
-        explicit Serving(QueueBus &bus)
-            : m_bus(bus)
-        {
-        }
-        Serving(const Serving &) = delete;
-        Serving &operator=(const Serving &) = delete;
-        ~Serving()
-        {
-            m_bus.m_run.serving(-1);
-            m_bus.m_serving = nullptr;
-            m_bus.m_stream = nullptr;
-        }
-        QueueBus &m_bus;
-    };
-    m_serving = &row;
-    m_run.serving(1);
-    const Serving serving(*this);
+    const Serving serving(*this, row);
     row.shown.state = RowState::Running;
     row.shown.startedAt = m_run.clock().now();
     row.shown.parts.clear();

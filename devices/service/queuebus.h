@@ -39,6 +39,7 @@ private:
     [[nodiscard]] Task<void> look();
     [[nodiscard]] Task<void> checkAll();
     [[nodiscard]] Task<void> check(Row &row);
+    class Serving;
     [[nodiscard]] Task<void> serve(Row &row);
     [[nodiscard]] Task<Visit> openVisit(Row &row, const Device &device);
     [[nodiscard]] Task<Visit> perform(Row &row, Device &device, Visit visit);

@@ -60,20 +60,18 @@ std::vector<KeptTrial> newestSweep(const std::vector<KeptTrial> &history, const 
     return sines;
 }
 
-/// History, and what of it stands in full: what was asked for, or the newest of each loop.
-Result<void> fill(TrialBook &book, ReportUnit &unit, const ReportWish &wish)
+void addVisits(Database &database, ReportUnit &unit)
 {
-    const std::vector<std::int64_t> &asked = wish.trials;
-    auto history = book.listOf(unit.unit);
-    if (!history)
-        return fail(history.error());
-    unit.history = std::move(*history);
     service::VisitFilter served;
     served.unit = unit.unit;
-    if (auto visits = getVisits(book.database(), served)) { // a file that is read only may be older than they are
+    if (auto visits = getVisits(database, served)) { // a file that is read only may be older than they are
         for (KeptVisit &kept : *visits)
             unit.visits.push_back(std::move(kept.visit));
     }
+}
+
+Result<void> addTunings(TrialBook &book, ReportUnit &unit, const std::vector<std::int64_t> &asked)
+{
     auto tunings = book.tuningsOf(unit.unit);
     if (!tunings)
         return fail(tunings.error());
@@ -92,6 +90,13 @@ Result<void> fill(TrialBook &book, ReportUnit &unit, const ReportWish &wish)
                 return added;
         }
     }
+    return {};
+}
+
+/// The trials that no tuning of the report has shown.
+std::vector<KeptTrial> shownTrials(const ReportUnit &unit, const ReportWish &wish)
+{
+    const std::vector<std::int64_t> &asked = wish.trials;
     std::vector<KeptTrial> full;
     for (const KeptTrial &kept : unit.history) {
         const bool told = std::any_of(unit.tunings.begin(), unit.tunings.end(),
@@ -100,10 +105,23 @@ Result<void> fill(TrialBook &book, ReportUnit &unit, const ReportWish &wish)
                           : isIn(asked, kept.number) && !(wish.tuningsOnly && told))
             full.push_back(kept);
     }
-    unit.trials = asked.empty()
+    return asked.empty()
         ? newestOf(full, [](const KeptTrial &kept) { return std::tuple(kept.trial.mode, kept.trial.axis); })
-        : std::move(full);
-    unit.sines = newestSweep(unit.history, asked);
+        : full;
+}
+
+/// History, and what of it stands in full: what was asked for, or the newest of each loop.
+Result<void> fill(TrialBook &book, ReportUnit &unit, const ReportWish &wish)
+{
+    auto history = book.listOf(unit.unit);
+    if (!history)
+        return fail(history.error());
+    unit.history = std::move(*history);
+    addVisits(book.database(), unit);
+    if (auto added = addTunings(book, unit, wish.trials); !added)
+        return added;
+    unit.trials = shownTrials(unit, wish);
+    unit.sines = newestSweep(unit.history, wish.trials);
     for (std::vector<KeptTrial> *const shown : {&unit.sines, &unit.trials}) {
         for (KeptTrial &kept : *shown) {
             if (auto added = addSignals(book, kept.trial); !added)

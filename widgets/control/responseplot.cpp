@@ -131,16 +131,21 @@ void ResponsePlot::setTrials(const Family *family, const KeptTrial *a, const Kep
     addMarks(sideA, sideB, unit);
     addSpans(sideA, sideB);
     m_stack->strips().setWatermark(trial.simulated ? tr("DEMO") : QString());
-    m_stack->setFootNote(trial.repeat > 1
-            ? tr("t = 0 at the edge, mean of %1 · %2 samples, %3 lost")
-                  .arg(trial.repeat)
-                  .arg(trial.samples)
-                  .arg(trial.lost)
-            : tr("t = 0 at the edge · %1 samples, %2 lost").arg(trial.samples).arg(trial.lost));
+    m_stack->setFootNote(footNoteOf(trial));
     m_stack->view().setRange(-std::min(beforeEdge, 0.1 * m_length), std::max(m_length, 0.05));
     m_stack->refresh(0.0);
     setAccessibleName(tr("Responses"));
     setAccessibleDescription(summary());
+}
+
+QString ResponsePlot::footNoteOf(const Trial &trial)
+{
+    if (trial.repeat > 1)
+        return tr("t = 0 at the edge, mean of %1 · %2 samples, %3 lost")
+            .arg(trial.repeat)
+            .arg(trial.samples)
+            .arg(trial.lost);
+    return tr("t = 0 at the edge · %1 samples, %2 lost").arg(trial.samples).arg(trial.lost);
 }
 
 void ResponsePlot::add(

@@ -45,6 +45,7 @@ private:
     void addSpans(const Side &a, const Side &b);
     void addLimits(const tuning::Trial &trial, int strip, std::string_view channel);
 
+    [[nodiscard]] static QString footNoteOf(const tuning::Trial &trial);
     /// Strips that are not flat: the measured value, duty, current.
     [[nodiscard]] int strips() const;
 

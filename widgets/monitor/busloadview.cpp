@@ -60,13 +60,22 @@ void BusLoadView::paintEvent(QPaintEvent *)
     const QFontMetrics metrics = painter.fontMetrics();
     const int left = metrics.horizontalAdvance(QStringLiteral("100")) + theme.u(6);
     const QRectF box(left, metrics.height() / 2.0, width() - left - theme.u(6), height() - metrics.height() * 1.7);
+    paintScales(painter, box);
+    if (!m_loads.empty())
+        paintLoad(painter, box);
+}
+
+void BusLoadView::paintScales(QPainter &painter, const QRectF &box) const
+{
+    const Theme &theme = m_theme.theme();
+    const QFontMetrics metrics = painter.fontMetrics();
     painter.fillRect(box, theme.canvas);
     for (int i = 0; i <= 2; ++i) {
         const double y = box.bottom() - box.height() * i / 2.0;
         painter.setPen(QPen(theme.grid, 1));
         painter.drawLine(QPointF(box.left(), y), QPointF(box.right(), y));
         painter.setPen(theme.dim);
-        painter.drawText(QRectF(0, y - metrics.height() / 2.0, left - theme.u(4), metrics.height()),
+        painter.drawText(QRectF(0, y - metrics.height() / 2.0, box.left() - theme.u(4), metrics.height()),
             Qt::AlignRight | Qt::AlignVCenter, QString::number(top() * i / 2));
     }
     for (int i = 0; i <= 3; ++i) {
@@ -77,8 +86,11 @@ void BusLoadView::paintEvent(QPaintEvent *)
             QRectF(withinRoom(x - size / 2, 0.0, width() - size), box.bottom() + 2, size, metrics.height()),
             Qt::AlignCenter, text);
     }
-    if (m_loads.empty())
-        return;
+}
+
+void BusLoadView::paintLoad(QPainter &painter, const QRectF &box) const
+{
+    const QColor &ink = m_theme.theme().dim;
     QPolygonF line;
     const double step = box.width() / static_cast<double>(points - 1);
     double x = box.right() - step * static_cast<double>(m_loads.size() - 1);
@@ -91,10 +103,10 @@ void BusLoadView::paintEvent(QPaintEvent *)
     area.addPolygon(line);
     area.lineTo(line.last().x(), box.bottom());
     area.lineTo(line.first().x(), box.bottom());
-    QColor fill = theme.dim;
+    QColor fill = ink;
     fill.setAlphaF(0.18);
     painter.fillPath(area, fill);
-    painter.setPen(QPen(theme.dim, 1.2));
+    painter.setPen(QPen(ink, 1.2));
     painter.drawPolyline(line);
 }
 

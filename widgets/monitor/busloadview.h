@@ -28,6 +28,9 @@ protected:
     void paintEvent(QPaintEvent *event) override;
 
 private:
+    /// Percent at the left, seconds below.
+    void paintScales(QPainter &painter, const QRectF &box) const;
+    void paintLoad(QPainter &painter, const QRectF &box) const;
     [[nodiscard]] int top() const;
 
     const ThemeSource &m_theme;
