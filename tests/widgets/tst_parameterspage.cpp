@@ -74,6 +74,12 @@ void TestParametersPage::onAWideScreenAValueStandsBesideItsName()
     ParameterView &view = bench.page->view();
     QVERIFY2(view.columnViewportPosition(ParameterModel::Reference) < 1000,
         qPrintable(QString::number(view.columnViewportPosition(ParameterModel::Reference))));
+    const QFontMetricsF plain(bench.theme.theme().font(TextRole::Body, view.font()));
+    for (std::uint16_t i = 0; i < bench.model().family()->parameters.size(); ++i) {
+        const QString text = bench.model().indexOf({i}, ParameterModel::Reference).data().toString();
+        const int room = view.columnWidth(ParameterModel::Reference) - 2 * bench.theme.theme().u(8);
+        QVERIFY2(room >= plain.horizontalAdvance(text), qPrintable(QStringLiteral("%1 in %2").arg(text).arg(room)));
+    }
     ParameterReference other{QStringLiteral("long"), {}};
     other.raws.resize(bench.model().family()->parameters.size());
     other.raws[named("slot1.i_zone").value] = 2'000'000'000;

@@ -4,7 +4,8 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
 
-#include <QFontMetrics>
+#include <QFontMetricsF>
+#include <QtMath>
 
 #include <algorithm>
 #include <numeric>
@@ -19,15 +20,20 @@ constexpr std::size_t at(int column)
     return static_cast<std::size_t>(column);
 }
 
+/// Rounded up: a text that is a part of a pixel too long is cut by a whole letter.
+int textWidth(const QFont &font, const QString &text)
+{
+    return qCeil(QFontMetricsF(font).horizontalAdvance(text));
+}
+
 /// What every column would like to have.
 ColumnWidths naturalWidths(
     const ParameterModel &model, const ParameterDelegate &delegate, const Theme &theme, const QFont &body)
 {
     ColumnWidths widths{};
-    const auto metrics = [&](int column) { return QFontMetrics(delegate.cellFont(column, body)); };
     const auto widen = [&](int column, const QString &text) {
-        widths[at(column)]
-            = std::max(widths[at(column)], metrics(column).horizontalAdvance(text) + 2 * delegate.padding());
+        const int needed = textWidth(delegate.cellFont(column, body), text) + 2 * delegate.padding();
+        widths[at(column)] = std::max(widths[at(column)], needed);
     };
     widen(ParameterModel::ValueColumn, QStringLiteral("−2147483648"));
     widen(ParameterModel::State, ParameterModel::tr("edited, was %1").arg(QStringLiteral("−32768")));
@@ -60,9 +66,9 @@ ColumnWidths leastWidths(const ColumnWidths &natural, const Theme &theme)
 /// For what a row says that nobody edits; what it was before an edit stands in the panel beside, too.
 int leastState(const ParameterModel &model, const ParameterDelegate &delegate, const Theme &theme, const QFont &body)
 {
-    const QFontMetrics metrics(delegate.cellFont(ParameterModel::State, body));
-    int widest = metrics.horizontalAdvance(model.headerData(ParameterModel::State, Qt::Horizontal).toString());
-    const auto widen = [&](const QString &word) { widest = std::max(widest, metrics.horizontalAdvance(word)); };
+    const QFont font = delegate.cellFont(ParameterModel::State, body);
+    int widest = textWidth(font, model.headerData(ParameterModel::State, Qt::Horizontal).toString());
+    const auto widen = [&](const QString &word) { widest = std::max(widest, textWidth(font, word)); };
     for (const GlyphState state :
         {GlyphState::Stored, GlyphState::Edited, GlyphState::Assumed, GlyphState::Volatile, GlyphState::OutOfRange})
         widen(glyphWord(state));
