@@ -70,11 +70,11 @@ Result<OptionalRaw> rawFrom(const Parameter &parameter, const QJsonObject &row)
 /// One that is spelt otherwise would be taken for a value that nobody knew.
 Result<void> checkMembers(const QString &key, const QJsonObject &row)
 {
-    constexpr std::array<QLatin1String, 5> members{QLatin1String("value"), QLatin1String("raw"), QLatin1String("unit"),
-        QLatin1String("state"), QLatin1String("verified")};
+    constexpr std::array<std::string_view, 5> members{"value", "raw", "unit", "state", "verified"};
     for (auto member = row.begin(); member != row.end(); ++member) {
-        if (std::find(members.begin(), members.end(), member.key()) == members.end())
-            return fail(Fault::OutOfRange, say("%1: unknown key %2", key.toStdString(), member.key().toStdString()),
+        const std::string name = member.key().toStdString();
+        if (std::find(members.begin(), members.end(), name) == members.end())
+            return fail(Fault::OutOfRange, say("%1: unknown key %2", key.toStdString(), name),
                 say("write \"value\" or \"raw\""));
     }
     return {};
