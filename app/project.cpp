@@ -160,12 +160,12 @@ Result<Project> Project::load(const QString &folder)
     if (object.value(QStringLiteral("project")).toInt() != projectFormat)
         return fail(Fault::OutOfRange, say("%1 is no project of this version", file.toStdString()));
     Project project;
-    for (const QJsonValue &link : object.value(QStringLiteral("links")).toArray()) {
+    for (const QJsonValue link : object.value(QStringLiteral("links")).toArray()) {
         if (const auto address = LinkAddress::parse(link.toString().toStdString()); !address)
             return fail(Fault::OutOfRange, say("%1: %2", file.toStdString(), address.error().message()));
         project.links += link.toString();
     }
-    for (const QJsonValue &row : object.value(QStringLiteral("units")).toArray()) {
+    for (const QJsonValue row : object.value(QStringLiteral("units")).toArray()) {
         ProjectUnit unit = fromJson(row.toObject());
         const QString parameters = row.toObject().value(QStringLiteral("parameters")).toString();
         if (!parameters.isEmpty() && parameters == parametersFile(unit)) { // and no other file of this computer

@@ -13,7 +13,7 @@ constexpr int sessionFormat = 1;
 QStringList textsOf(const QJsonValue &value)
 {
     QStringList texts;
-    for (const QJsonValue &one : value.toArray())
+    for (const QJsonValue one : value.toArray())
         texts += one.toString();
     return texts;
 }

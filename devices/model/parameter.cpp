@@ -86,23 +86,30 @@ bool isLegal(const Parameter &parameter, std::int64_t raw)
     return number >= parameter.minimum * parameter.one - 0.5 && number <= parameter.maximum * parameter.one + 0.5;
 }
 
+namespace {
+
+Result<std::int64_t> parseSwitch(const Parameter &parameter, std::string word)
+{
+    std::transform(word.begin(), word.end(), word.begin(),
+        [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    if (word == "on" || word == "true" || word == "yes" || word == "1")
+        return 1;
+    if (word == "off" || word == "false" || word == "no" || word == "0")
+        return 0;
+    return fail(Fault::OutOfRange, say("%1: '%2' is neither on nor off", parameter.key, word), say("write on or off"));
+}
+
+} // namespace
+
 Result<std::int64_t> parseRaw(const Parameter &parameter, std::string_view text)
 {
-    std::string word = trimmed(text);
+    const std::string word = trimmed(text);
     for (const Choice &choice : parameter.choices) {
         if (choice.label == word)
             return choice.raw;
     }
-    if (parameter.type == WireType::Boolean) {
-        std::transform(word.begin(), word.end(), word.begin(),
-            [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-        if (word == "on" || word == "true" || word == "yes" || word == "1")
-            return 1;
-        if (word == "off" || word == "false" || word == "no" || word == "0")
-            return 0;
-        return fail(
-            Fault::OutOfRange, say("%1: '%2' is neither on nor off", parameter.key, word), say("write on or off"));
-    }
+    if (parameter.type == WireType::Boolean)
+        return parseSwitch(parameter, word);
     const auto hexadecimal = hexadecimalFrom(word);
     const auto number = hexadecimal ? hexadecimal : numberFrom(word);
     if (!number)

@@ -145,17 +145,22 @@ struct Parameter {
     return row;
 }
 
-/// Every row has a key and an id of its own, a default inside its range, and a range that its wire type can carry.
+/// A row has names, a default inside its range, and a range that its wire type can carry.
+consteval bool checkParameter(const Parameter &p)
+{
+    const RawRange wire = rangeOf(p.type);
+    const bool named = !p.key.empty() && !p.label.empty() && !p.group.empty() && p.one > 0.0;
+    const bool ordered = p.minimum <= p.maximum && p.fallback >= p.minimum && p.fallback <= p.maximum;
+    return named && ordered && p.minimum * p.one >= static_cast<double>(wire.low)
+        && p.maximum * p.one <= static_cast<double>(wire.high);
+}
+
+/// Every row is one, with a key and an id of its own.
 template <std::size_t N> consteval bool checkParameters(const std::array<Parameter, N> &table)
 {
     for (std::size_t i = 0; i < N; ++i) {
         const Parameter &p = table[i];
-        const RawRange wire = rangeOf(p.type);
-        if (p.key.empty() || p.label.empty() || p.group.empty() || p.one <= 0.0)
-            return false;
-        if (p.minimum > p.maximum || p.fallback < p.minimum || p.fallback > p.maximum)
-            return false;
-        if (p.minimum * p.one < static_cast<double>(wire.low) || p.maximum * p.one > static_cast<double>(wire.high))
+        if (!checkParameter(p))
             return false;
         for (std::size_t j = 0; j < i; ++j) {
             if (table[j].key == p.key || table[j].id == p.id)

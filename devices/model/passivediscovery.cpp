@@ -5,6 +5,22 @@
 
 namespace mb {
 
+namespace {
+
+void takeDescriptors(Identity &known, const Identity &seen)
+{
+    for (const auto &[key, text] : seen.descriptors) {
+        const auto same = std::find_if(known.descriptors.begin(), known.descriptors.end(),
+            [&name = key](const auto &entry) { return entry.first == name; });
+        if (same == known.descriptors.end())
+            known.descriptors.emplace_back(key, text);
+        else
+            same->second = text;
+    }
+}
+
+} // namespace
+
 PassiveDiscovery::PassiveDiscovery(std::span<const Family *const> families, Found found)
     : m_found(std::move(found))
 {
@@ -53,29 +69,18 @@ Identity PassiveDiscovery::merged(Sighting &sighting, Identity seen)
             sighting.sessions.insert(*known.session);
         out.session = seen.session;
     }
-    if (!seen.firmware.empty() || !seen.bootloader.empty()) {
+    const bool tellsVersion = !seen.firmware.empty() || !seen.bootloader.empty();
+    if (tellsVersion) {
         out.firmware = seen.firmware;
         out.bootloader = seen.bootloader;
-        if (known.state != DeviceState::Duplicate) {
-            out.state = seen.state;
-            out.detail = seen.detail;
-        }
     }
-    for (auto &[key, text] : seen.descriptors) {
-        const auto same = std::find_if(out.descriptors.begin(), out.descriptors.end(),
-            [&name = key](const auto &entry) { return entry.first == name; });
-        if (same == out.descriptors.end())
-            out.descriptors.emplace_back(key, text);
-        else
-            same->second = text;
-    }
-    if (!seen.dialect.empty()) {
+    if (!seen.dialect.empty())
         out.dialect = seen.dialect;
-        if (out.state != DeviceState::Duplicate) {
-            out.state = seen.state;
-            out.detail = seen.detail;
-        }
+    if ((tellsVersion || !seen.dialect.empty()) && known.state != DeviceState::Duplicate) {
+        out.state = seen.state;
+        out.detail = seen.detail;
     }
+    takeDescriptors(out, seen);
     return out;
 }
 

@@ -54,7 +54,7 @@ std::optional<std::vector<Identity>> parse(const QByteArray &bytes, std::string_
     if (object.value(QStringLiteral("link")).toString() != qt(link) || !rows.isArray())
         return std::nullopt;
     std::vector<Identity> all;
-    for (const QJsonValue &row : rows.toArray()) {
+    for (const QJsonValue row : rows.toArray()) {
         auto identity = identityIn(row);
         if (!identity)
             return std::nullopt;

@@ -94,6 +94,19 @@ Task<std::vector<Device *>> Session::ask(Link &link, DeviceSelector selector)
     co_return round.seen();
 }
 
+namespace {
+
+Error nobody(const DeviceSelector &selector, bool inRecording)
+{
+    const std::string link = selector.link.text();
+    if (inRecording)
+        return {Fault::Timeout, say("no %1 sends as number %2 in %3", selector.family, selector.address, link),
+            say("a scan of the recording lists who does")};
+    return {Fault::Timeout, say("no %1 answers as number %2 on %3", selector.family, selector.address, link)};
+}
+
+} // namespace
+
 Task<Device *> Session::connect(DeviceSelector selector)
 {
     auto opening = openLinkSoon(selector.link);
@@ -116,11 +129,7 @@ Task<Device *> Session::connect(DeviceSelector selector)
         co_return fail(
             Fault::Timeout, say("number %1 has another session", selector.address), say("it is %1", other->selector()));
     if (fitting.empty())
-        co_return fail(Fault::Timeout,
-            recording
-                ? say("no %1 sends as number %2 in %3", selector.family, selector.address, selector.link.text())
-                : say("no %1 answers as number %2 on %3", selector.family, selector.address, selector.link.text()),
-            recording ? say("a scan of the recording lists who does") : Message());
+        co_return fail(nobody(selector, recording));
     if (fitting.size() > 1)
         co_return fail(Fault::Refused, say("%1 units answer as number %2", fitting.size(), selector.address),
             say("name one: %1 or %2", fitting[0]->selector(), fitting[1]->selector()));

@@ -111,18 +111,43 @@ struct Expression::Compiler {
         return text;
     }
 
-    Result<std::string> call(const std::string &text, std::size_t at, std::size_t open, MovingValue::Kind kind)
+    struct Brackets {
+        std::size_t open;
+        std::size_t close; ///< the size of the text: missing
+        std::size_t comma; ///< of this level; npos: none; the size of the text: several
+    };
+
+    static Brackets bracketsAt(const std::string &text, std::size_t open)
     {
+        Brackets found{open, open, std::string::npos};
         int level = 0;
-        std::size_t comma = std::string::npos;
-        std::size_t close = open;
-        for (; close < text.size(); ++close) {
-            level += text[close] == '(' ? 1 : text[close] == ')' ? -1 : 0;
-            if (level == 1 && text[close] == ',')
-                comma = comma == std::string::npos ? close : text.size(); // a second one is wrong
+        for (; found.close < text.size(); ++found.close) {
+            const char c = text[found.close];
+            level += c == '(' ? 1 : c == ')' ? -1 : 0;
+            if (level == 1 && c == ',')
+                found.comma = found.comma == std::string::npos ? found.close : text.size();
             if (level == 0)
                 break;
         }
+        return found;
+    }
+
+    static Result<double> secondsFrom(const std::string &number)
+    {
+        double seconds = 0.0;
+        const Result<void> read = guarded([&] {
+            mu::Parser parser;
+            parser.SetExpr(number);
+            seconds = parser.Eval();
+        });
+        if (!read || !(seconds > 0.0 && seconds <= longestAverage))
+            return fail(Fault::OutOfRange, say("average takes 0 to 3600 seconds, not '%1'", number));
+        return seconds;
+    }
+
+    Result<std::string> call(const std::string &text, std::size_t at, std::size_t open, MovingValue::Kind kind)
+    {
+        const auto [first, close, comma] = bracketsAt(text, open);
         if (close == text.size())
             return fail(Fault::OutOfRange, say("a parenthesis is not closed"));
         const bool average = kind == MovingValue::Kind::Average;
@@ -130,21 +155,13 @@ struct Expression::Compiler {
             return fail(Fault::OutOfRange,
                 average ? say("average takes a signal and seconds, such as average(x, 0.1)")
                         : say("derivative and integral take one signal"));
-        double seconds = 0.0;
-        if (average) {
-            const std::string number = text.substr(comma + 1, close - comma - 1);
-            const Result<void> read = guarded([&] {
-                mu::Parser parser;
-                parser.SetExpr(number);
-                seconds = parser.Eval();
-            });
-            if (!read || !(seconds > 0.0 && seconds <= longestAverage))
-                return fail(Fault::OutOfRange, say("average takes 0 to 3600 seconds, not '%1'", number));
-        }
-        auto inner = compile(text.substr(open + 1, std::min(comma, close) - open - 1));
+        const auto seconds = average ? secondsFrom(text.substr(comma + 1, close - comma - 1)) : Result<double>(0.0);
+        if (!seconds)
+            return fail(seconds.error());
+        auto inner = compile(text.substr(first + 1, std::min(comma, close) - first - 1));
         if (!inner)
             return inner;
-        auto step = std::make_unique<Formula::Step>(Formula::Step{{}, MovingValue(kind, seconds)});
+        auto step = std::make_unique<Formula::Step>(Formula::Step{{}, MovingValue(kind, *seconds)});
         if (auto bound = bind(step->parser, *inner); !bound)
             return fail(bound.error());
         formula.steps.push_back(std::move(step));

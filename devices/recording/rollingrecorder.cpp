@@ -120,7 +120,7 @@ Result<void> RollingRecorder::endSegment()
 {
     if (!m_writer)
         return {};
-    const auto finished = m_writer->finish();
+    auto finished = m_writer->finish();
     m_segments.back().bytes = m_writer->bytes();
     if (finished)
         m_writer.reset();

@@ -56,7 +56,7 @@ QString unitHtml(const ReportUnit &unit, const Report &report, bool first)
     html += lastVisitHtml(unit, report);
     bool onFirstPage = true;
     const auto newPage = [&onFirstPage](const QString &section) {
-        const QString placed
+        QString placed
             = onFirstPage ? section : QStringLiteral("<div style=\"page-break-before: always\"></div>") + section;
         onFirstPage = false;
         return placed;

@@ -21,31 +21,42 @@ Result<void> runAll(SqlConnection &sql, const char *statements)
     return {};
 }
 
+/// 0 before there were any tables.
+Result<int> versionOf(SqlConnection &sql)
+{
+    int version = 0;
+    auto done = sql.run("CREATE TABLE IF NOT EXISTS motorbench_schema (version BIGINT NOT NULL)");
+    if (done)
+        done = sql.run("SELECT version FROM motorbench_schema", {},
+            [&version](const QSqlQuery &row) { version = row.value(0).toInt(); });
+    if (!done)
+        return fail(done.error());
+    return version;
+}
+
 /// Two stations may come at the same moment: one of them makes the tables, or brings them up to date.
 Result<void> makeTables(SqlConnection &sql)
 {
     return sql.transact([&sql]() -> Result<void> {
         auto done = sql.run("SELECT pg_advisory_xact_lock(7733101)");
-        if (done)
-            done = sql.run("CREATE TABLE IF NOT EXISTS motorbench_schema (version BIGINT NOT NULL)");
+        if (!done)
+            return done;
         const auto versions = journalSchemaVersions();
         const auto newest = static_cast<int>(versions.size());
-        int version = 0;
-        if (done)
-            done = sql.run("SELECT version FROM motorbench_schema", {},
-                [&version](const QSqlQuery &row) { version = row.value(0).toInt(); });
-        if (!done || version == newest)
-            return done;
-        if (version > newest)
+        const auto found = versionOf(sql);
+        if (!found)
+            return fail(found.error());
+        if (*found == newest)
+            return {};
+        if (*found > newest)
             return fail(Fault::OutOfRange, say("the journal on the server was made by a newer version of this program"),
                 say("use that one"));
-        const bool isFresh = version == 0;
-        for (; done && version < newest; ++version)
+        for (int version = *found; done && version < newest; ++version)
             done = runAll(sql, versions[static_cast<std::size_t>(version)]);
         if (!done)
             return done;
-        return sql.run(
-            isFresh ? "INSERT INTO motorbench_schema (version) VALUES (?)" : "UPDATE motorbench_schema SET version = ?",
+        return sql.run(*found == 0 ? "INSERT INTO motorbench_schema (version) VALUES (?)"
+                                   : "UPDATE motorbench_schema SET version = ?",
             {newest});
     });
 }

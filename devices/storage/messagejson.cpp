@@ -68,7 +68,7 @@ Message messageFrom(const QJsonValue &value)
     if (!object.contains(literalKey))
         return Message::verbatim(value.toString().toStdString());
     std::vector<MessageArgument> arguments;
-    for (const QJsonValue &argument : object.value(argumentsKey).toArray())
+    for (const QJsonValue argument : object.value(argumentsKey).toArray())
         arguments.push_back(argumentFrom(argument));
     return Message::composed(object.value(literalKey).toString().toStdString(), std::move(arguments));
 }

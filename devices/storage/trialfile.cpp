@@ -71,27 +71,37 @@ std::string timeOf(const KeptTrial &kept)
     return QDateTime::fromMSecsSinceEpoch(std::llround(kept.time * 1e3)).toString(Qt::ISODate).toStdString();
 }
 
+std::string gainsOf(const Trial &trial)
+{
+    std::string gains;
+    for (const auto &[key, value] : trial.gains)
+        gains += (gains.empty() ? "" : " ") + key + '=' + (value ? numberText(*value) : "?");
+    return gains;
+}
+
+std::string csvRow(const KeptTrial &kept)
+{
+    const Trial &t = kept.trial;
+    const auto truth = [](bool yes) { return yes ? "1" : "0"; };
+    std::string text = std::to_string(kept.number) + ',' + timeOf(kept) + ',' + quoted(t.device) + ',' + quoted(t.unit)
+        + ',' + t.firmware + ',' + truth(t.simulated) + ',' + std::string(toString(t.mode)) + ','
+        + std::to_string(t.axis) + ',' + std::to_string(t.slot) + ',' + std::string(toString(t.stimulus.profile)) + ','
+        + numberText(t.stimulus.from) + ',' + numberText(t.stimulus.to) + ',' + std::to_string(t.repeat);
+    for (const tuning::MetricKey &key : tuning::metricKeys())
+        text += ',' + (t.metrics.*key.value ? numberText(*(t.metrics.*key.value)) : std::string());
+    return text + ',' + quoted(list(t.flags)) + ',' + t.reason + ',' + truth(t.stopped) + ','
+        + std::to_string(t.samples) + ',' + std::to_string(t.lost) + ',' + truth(kept.star) + ',' + quoted(kept.note)
+        + ',' + quoted(gainsOf(t)) + '\n';
+}
+
 QByteArray trialsAsCsv(const std::vector<KeptTrial> &trials)
 {
     std::string text = "trial,time,device,unit,firmware,simulated,mode,axis,slot,profile,from,to,repeat";
     for (const tuning::MetricKey &key : tuning::metricKeys())
         text += ',' + std::string(key.key);
     text += ",flags,reason,stopped,samples,lost,star,note,gains\n";
-    for (const KeptTrial &kept : trials) {
-        const Trial &t = kept.trial;
-        text += std::to_string(kept.number) + ',' + timeOf(kept) + ',' + quoted(t.device) + ',' + quoted(t.unit) + ','
-            + t.firmware + ',' + (t.simulated ? "1" : "0") + ',' + std::string(toString(t.mode)) + ','
-            + std::to_string(t.axis) + ',' + std::to_string(t.slot) + ',' + std::string(toString(t.stimulus.profile))
-            + ',' + numberText(t.stimulus.from) + ',' + numberText(t.stimulus.to) + ',' + std::to_string(t.repeat);
-        for (const tuning::MetricKey &key : tuning::metricKeys())
-            text += ',' + (t.metrics.*key.value ? numberText(*(t.metrics.*key.value)) : std::string());
-        std::string gains;
-        for (const auto &[key, value] : t.gains)
-            gains += (gains.empty() ? "" : " ") + key + '=' + (value ? numberText(*value) : "?");
-        text += ',' + quoted(list(t.flags)) + ',' + t.reason + ',' + (t.stopped ? "1" : "0") + ','
-            + std::to_string(t.samples) + ',' + std::to_string(t.lost) + ',' + (kept.star ? "1" : "0") + ','
-            + quoted(kept.note) + ',' + quoted(gains) + '\n';
-    }
+    for (const KeptTrial &kept : trials)
+        text += csvRow(kept);
     return QByteArray::fromStdString(text);
 }
 

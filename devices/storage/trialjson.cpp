@@ -31,7 +31,7 @@ QJsonArray spansToJson(const std::vector<tuning::Span> &spans)
 std::vector<tuning::Span> readSpans(const QJsonArray &array)
 {
     std::vector<tuning::Span> spans;
-    for (const QJsonValue &span : array)
+    for (const QJsonValue span : array)
         spans.push_back({span.toArray().at(0).toDouble(), span.toArray().at(1).toDouble()});
     return spans;
 }

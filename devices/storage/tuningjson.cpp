@@ -140,7 +140,7 @@ QJsonObject toJson(const ScaledGains &gains)
 ScaledGains gainsFrom(const QJsonObject &object)
 {
     ScaledGains gains;
-    for (const QJsonValue &value : object.value(QStringLiteral("rows")).toArray()) {
+    for (const QJsonValue value : object.value(QStringLiteral("rows")).toArray()) {
         const QJsonObject row = value.toObject();
         gains.rows.push_back({row.value(QStringLiteral("key")).toString().toStdString(),
             static_cast<std::int64_t>(row.value(QStringLiteral("raw")).toDouble()),
@@ -164,7 +164,7 @@ Design designFrom(const QJsonObject &object)
     Design design;
     design.gains = numbersFrom(object.value(QStringLiteral("gains")).toObject(), gainNumbers);
     design.response = object.value(QStringLiteral("response")).toDouble();
-    for (const QJsonValue &value : object.value(QStringLiteral("bounds")).toArray()) {
+    for (const QJsonValue value : object.value(QStringLiteral("bounds")).toArray()) {
         for (const std::string_view known : boundNames) {
             if (value.toString() == qt(known))
                 design.bounds.push_back(known);
@@ -257,7 +257,7 @@ std::vector<Gate> gatesFrom(const QJsonArray &array)
     const auto text = [](const QJsonObject &object, const char *key) {
         return object.value(QLatin1String(key)).toString().toStdString();
     };
-    for (const QJsonValue &value : array) {
+    for (const QJsonValue value : array) {
         const QJsonObject gate = value.toObject();
         gates.push_back({text(gate, "gate"), messageFrom(gate.value(QLatin1String("detail"))),
             gate.value(QStringLiteral("passed")).toBool(), messageFrom(gate.value(QLatin1String("remedy"))),
@@ -327,18 +327,18 @@ void readTuning(const QJsonObject &object, TuneReport &report)
     report.motor = motorFrom(object.value(QStringLiteral("motor")));
     report.plant = numbersFrom(object.value(QStringLiteral("plant")).toObject(), plantNumbers);
     report.gates = gatesFrom(object.value(QStringLiteral("gates")).toArray());
-    for (const QJsonValue &value : object.value(QStringLiteral("proposals")).toArray())
+    for (const QJsonValue value : object.value(QStringLiteral("proposals")).toArray())
         report.proposals.push_back(proposalFrom(value.toObject()));
     report.proposed = gainsFrom(object.value(QStringLiteral("proposed")).toObject());
-    for (const QJsonValue &value : object.value(QStringLiteral("before")).toArray()) {
+    for (const QJsonValue value : object.value(QStringLiteral("before")).toArray()) {
         const QJsonValue number = value.toArray().at(1);
         report.before.emplace_back(value.toArray().at(0).toString().toStdString(),
             number.isDouble() ? std::optional(number.toDouble()) : std::nullopt);
     }
     report.measured = metricsFrom(object.value(QStringLiteral("measured")).toObject());
-    for (const QJsonValue &value : object.value(QStringLiteral("trials")).toArray())
+    for (const QJsonValue value : object.value(QStringLiteral("trials")).toArray())
         report.trials.push_back(static_cast<std::int64_t>(value.toDouble()));
-    for (const QJsonValue &value : object.value(QStringLiteral("proof")).toArray())
+    for (const QJsonValue value : object.value(QStringLiteral("proof")).toArray())
         report.proof.emplace_back().number = static_cast<std::int64_t>(value.toDouble());
     if (const QJsonValue value = object.value(QStringLiteral("scale")); value.isObject())
         report.scale = numbersFrom(value.toObject(), scaleNumbers);

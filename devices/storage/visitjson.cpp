@@ -100,7 +100,7 @@ QJsonArray testToJson(const std::vector<TestValue> &test)
 std::vector<TestValue> testFromJson(const QJsonArray &array)
 {
     std::vector<TestValue> test;
-    for (const QJsonValue &each : array) {
+    for (const QJsonValue each : array) {
         const QJsonObject object = each.toObject();
         TestValue value;
         value.key = object.value(QStringLiteral("key")).toString().toStdString();

@@ -88,29 +88,41 @@ struct SampleChunk {
         std::uint32_t low = least; // its offset is below,
         std::uint32_t high = last; // and this one's is not
         const auto guess = least + static_cast<std::uint32_t>(part * (last - least) / span);
-        std::uint32_t step = 1;
-        if (offsets[guess] < offset) {
-            low = guess;
-            while (low + step < high && offsets[low + step] < offset) {
-                low += step;
-                step *= 2;
-                ++visited;
-            }
-            high = std::min(high, low + step);
-        } else {
-            high = guess;
-            while (low + step < high && offsets[high - step] >= offset) {
-                high -= step;
-                step *= 2;
-                ++visited;
-            }
-            low = std::max(low, high < step ? low : high - step);
-        }
+        if (offsets[guess] < offset)
+            searchUp(offset, guess, low, high, visited);
+        else
+            searchDown(offset, guess, low, high, visited);
         for (; high - low > 1; ++visited) {
             const std::uint32_t middle = low + (high - low) / 2;
             (offsets[middle] < offset ? low : high) = middle;
         }
         return high;
+    }
+
+private:
+    /// Narrows what lies between `low` and `high`, from a `guess` that is below.
+    void searchUp(
+        Micros offset, std::uint32_t guess, std::uint32_t &low, std::uint32_t &high, std::uint64_t &visited) const
+    {
+        low = guess;
+        std::uint32_t step = 1;
+        for (; low + step < high && offsets[low + step] < offset; step *= 2) {
+            low += step;
+            ++visited;
+        }
+        high = std::min(high, low + step);
+    }
+    /// The same from one that is not.
+    void searchDown(
+        Micros offset, std::uint32_t guess, std::uint32_t &low, std::uint32_t &high, std::uint64_t &visited) const
+    {
+        high = guess;
+        std::uint32_t step = 1;
+        for (; low + step < high && offsets[high - step] >= offset; step *= 2) {
+            high -= step;
+            ++visited;
+        }
+        low = std::max(low, high < step ? low : high - step);
     }
 };
 

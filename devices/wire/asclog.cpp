@@ -158,9 +158,8 @@ std::string AscParser::nameOf(std::uint64_t channel) const
     return "ch" + std::to_string(channel);
 }
 
-Result<std::optional<LoggedFrame>> AscParser::readEvent(std::string_view time, Words words)
+Result<void> AscParser::readTime(std::string_view time)
 {
-    const std::optional<LoggedFrame> none;
     const auto stamp = parseSeconds(time);
     if (!stamp)
         return malformed(say("%1 is no time stamp", quoted(time)));
@@ -168,6 +167,14 @@ Result<std::optional<LoggedFrame>> AscParser::readEvent(std::string_view time, W
     if (m_relative ? m_last > room || *stamp > room - m_last : *stamp > room)
         return malformed(say("the time stamp %1 is out of range", quoted(time)));
     m_last = m_relative ? m_last + *stamp : *stamp;
+    return {};
+}
+
+Result<std::optional<LoggedFrame>> AscParser::readEvent(std::string_view time, Words words)
+{
+    const std::optional<LoggedFrame> none;
+    if (auto read = readTime(time); !read)
+        return fail(read.error());
     const std::string_view where = words.take();
     if (equalsAnyCase(where, "canfd"))
         return malformed(say("a CAN FD frame, and only classic CAN is read"));
@@ -229,14 +236,20 @@ Result<LoggedFrame> AscParser::readFrame(std::string_view id, std::string_view d
     if (!size || *size > 15)
         return malformed(say("the length of the frame is %1", quoted(length)));
     frame.size = static_cast<std::uint8_t>(std::min<std::uint64_t>(*size, frame.data.size())); // 9…15 mean 8
+    if (auto read = readBytes(words, frame); !read)
+        return fail(read.error());
+    return logged;
+}
+
+Result<void> AscParser::readBytes(Words words, CanFrame &frame) const
+{
     for (std::size_t i = 0; !frame.remote && i < frame.size; ++i) {
-        const std::string_view text = words.take();
-        const auto byte = number(text, m_hex ? 16 : 10);
+        const auto byte = number(words.take(), m_hex ? 16 : 10);
         if (!byte || *byte > 0xFF)
             return malformed(say("the frame has %1 of %2 bytes", i, frame.size));
         frame.data[i] = static_cast<std::uint8_t>(*byte);
     }
-    return logged;
+    return {};
 }
 
 void AscWriter::begin(Duration start, std::string &out)

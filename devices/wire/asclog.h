@@ -31,9 +31,11 @@ private:
     struct Words;
     Result<void> readBase(Words words);
     void readComment(std::string_view comment);
+    Result<void> readTime(std::string_view time);
     Result<std::optional<LoggedFrame>> readEvent(std::string_view time, Words words);
     static LoggedFrame readErrorFrame(Words ours);
     Result<LoggedFrame> readFrame(std::string_view id, std::string_view direction, Words words) const;
+    Result<void> readBytes(Words words, CanFrame &frame) const;
     [[nodiscard]] std::string nameOf(std::uint64_t channel) const;
 
     bool m_hex = true;

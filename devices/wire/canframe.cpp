@@ -102,42 +102,66 @@ std::string toText(const CanFrame &frame)
     return text;
 }
 
-std::optional<CanFrame> canFrameFromText(std::string_view text)
+namespace {
+
+/// Hex digits and nothing else.
+template <typename Number> bool hexInto(std::string_view digits, Number &number)
 {
-    const auto hash = text.find('#');
-    if (hash != 3 && hash != 8)
-        return std::nullopt;
-    CanFrame frame;
-    const auto idEnd = text.data() + hash;
-    if (const auto parsed = std::from_chars(text.data(), idEnd, frame.id, 16);
-        parsed.ec != std::errc{} || parsed.ptr != idEnd)
-        return std::nullopt;
-    frame.extended = hash == 8;
+    const char *const end = digits.data() + digits.size();
+    const auto parsed = std::from_chars(digits.data(), end, number, 16);
+    return parsed.ec == std::errc{} && parsed.ptr == end;
+}
+
+/// Three or eight digits; with bit 29 an error frame.
+bool readIdentifier(std::string_view digits, CanFrame &frame)
+{
+    if ((digits.size() != 3 && digits.size() != 8) || !hexInto(digits, frame.id))
+        return false;
+    frame.extended = digits.size() == 8;
     if (frame.extended && (frame.id & 0xE0000000U) == 0x20000000U) {
         frame.error = true;
         frame.extended = false;
         frame.id &= 0x1FFFFFFFU;
     }
-    if (frame.id > (frame.extended || frame.error ? 0x1FFFFFFFU : 0x7FFU))
+    return frame.id <= (frame.extended || frame.error ? 0x1FFFFFFFU : 0x7FFU);
+}
+
+/// What follows the R of a request: nothing, or its length.
+bool readRequest(std::string_view length, CanFrame &frame)
+{
+    frame.remote = true;
+    if (length.empty())
+        return true;
+    if (length.size() != 1 || length[0] < '0' || length[0] > '8')
+        return false;
+    frame.size = static_cast<std::uint8_t>(length[0] - '0');
+    return true;
+}
+
+bool readPayload(std::string_view digits, CanFrame &frame)
+{
+    if (digits.size() % 2 != 0 || digits.size() > 2 * frame.data.size())
+        return false;
+    frame.size = static_cast<std::uint8_t>(digits.size() / 2);
+    for (std::size_t i = 0; i < frame.size; ++i) {
+        if (!hexInto(digits.substr(2 * i, 2), frame.data[i]))
+            return false;
+    }
+    return true;
+}
+
+} // namespace
+
+std::optional<CanFrame> canFrameFromText(std::string_view text)
+{
+    const auto hash = text.find('#');
+    CanFrame frame;
+    if (hash == std::string_view::npos || !readIdentifier(text.substr(0, hash), frame))
         return std::nullopt;
     const std::string_view data = text.substr(hash + 1);
-    if (!data.empty() && (data.front() == 'R' || data.front() == 'r')) {
-        frame.remote = true;
-        if (data.size() == 2 && data[1] >= '0' && data[1] <= '8')
-            frame.size = static_cast<std::uint8_t>(data[1] - '0');
-        else if (data.size() != 1)
-            return std::nullopt;
-        return frame;
-    }
-    if (data.size() % 2 != 0 || data.size() > 16)
+    const bool request = !data.empty() && (data.front() == 'R' || data.front() == 'r');
+    if (request ? !readRequest(data.substr(1), frame) : !readPayload(data, frame))
         return std::nullopt;
-    frame.size = static_cast<std::uint8_t>(data.size() / 2);
-    for (std::size_t i = 0; i < frame.size; ++i) {
-        const char *first = data.data() + 2 * i;
-        const auto parsed = std::from_chars(first, first + 2, frame.data[i], 16);
-        if (parsed.ec != std::errc{} || parsed.ptr != first + 2)
-            return std::nullopt;
-    }
     return frame;
 }
 
