@@ -132,6 +132,11 @@ void TestReportsPage::nothingIsScrolledSideways()
     preview->document()->documentLayout()->registerHandler(QTextFormat::ImageObject, &drawings);
     preview->setHtml(html);
     QCOMPARE(preview->horizontalScrollBar()->maximum(), 0); // a drawing is as wide as there is room
+    preview->setHtml(html + QStringLiteral("<p>a line</p>").repeated(200));
+    QTRY_VERIFY(preview->verticalScrollBar()->isVisible());
+    QTRY_COMPARE(preview->horizontalScrollBar()->maximum(), 0); // nor beside the bar of a long report
+    bench.page->resize(1048, 660);
+    QTRY_COMPARE(preview->horizontalScrollBar()->maximum(), 0);
 }
 
 void TestReportsPage::aWidePreviewIsAPageStill()

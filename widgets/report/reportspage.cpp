@@ -128,7 +128,7 @@ QWidget *ReportsPage::buildPreview()
     m_text->setFrameShape(QFrame::NoFrame);
     m_text->setOpenLinks(false);
     m_text->setLineWrapMode(QTextEdit::FixedPixelWidth);
-    m_text->installEventFilter(this);
+    m_text->viewport()->installEventFilter(this); // its width is known once the bar beside it is
     QPalette paper = m_text->palette(); // as it is printed, in both themes
     paper.setColor(QPalette::Base, Qt::white);
     paper.setColor(QPalette::Text, Qt::black);
@@ -179,7 +179,7 @@ void ReportsPage::showEvent(QShowEvent *event)
 /// Lines that are wider than those of a page are not read.
 bool ReportsPage::eventFilter(QObject *watched, QEvent *event)
 {
-    if (watched == m_text && event->type() == QEvent::Resize)
+    if (m_text && watched == m_text->viewport() && event->type() == QEvent::Resize)
         m_text->setLineWrapColumnOrWidth(std::min(m_text->viewport()->width(), m_theme.theme().u(pageWidth)));
     return QWidget::eventFilter(watched, event);
 }
