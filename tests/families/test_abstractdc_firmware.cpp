@@ -140,6 +140,15 @@ TEST(AbstractDcFirmware, AnImageIsAProgramForAnStm32)
     test::HexText arm;
     arm.add(0x08000000, {0x00, 0x50, 0x00, 0x20, 0x08, 0x00, 0x00, 0x08, 0xFE, 0xE7});
     EXPECT_FALSE(inspect(imageOf(arm))) << "an even reset vector";
+    for (const std::vector<std::uint8_t> &vectors :
+        {std::vector<std::uint8_t>{0x00, 0x50, 0x00, 0x21, 0x09, 0, 0, 0x08},
+            {0x00, 0x50, 0x00, 0x20, 0x09, 0, 0, 0x09}, {0x00, 0x50, 0x00, 0x20, 0x0D, 0, 0, 0x08},
+            {0x00, 0x50, 0x00, 0x20, 0x09, 0, 0}}) {
+        test::HexText other;
+        other.add(0x08000000, vectors);
+        other.add(0x08000008, {0xFE, 0xE7});
+        EXPECT_FALSE(inspect(imageOf(other))) << "no stack in RAM, no program at its reset, seven bytes";
+    }
     for (const auto &[address, touched] : {std::pair{0x0800C7FFU, false}, {0x0800C800U, true}, {0x0800D3FFU, true},
              {0x0800D400U, false}}) { // three pages of 1 KiB
         auto edge = program();
@@ -196,9 +205,8 @@ protected:
     {
         return "cat >&2 <<'END'\n" + text + "\nEND\nexit " + std::to_string(status) + "\n";
     }
-    Result<UpdateReport> update(UpdateOptions options)
+    Result<UpdateReport> update(UpdateOptions options, const FirmwareImage &image = imageOf(program()))
     {
-        const FirmwareImage image = imageOf(program());
         auto task = abstractdc::update(*device, image, std::move(options), steps);
         task.start();
         EXPECT_TRUE(loop.runUntil([&] { return task.isFinished(); }, 60s));
@@ -320,6 +328,32 @@ TEST_F(AbstractDcUpdate, ADryRunStartsNothing)
     EXPECT_EQ(report->outcome, UpdateOutcome::Done);
     EXPECT_FALSE(report->verified);
     EXPECT_FALSE(QFile::exists(folder.path() + "/ran"));
+}
+
+TEST_F(AbstractDcUpdate, RefusesWhileItsMotorMoves)
+{
+    standIn("touch '" + folder.path().toStdString() + "/ran'\n" + replay(success, 0));
+    SetPoint turn;
+    turn.mode = Mode::Duty;
+    turn.target = 0.5;
+    ASSERT_TRUE(device->command(turn));
+    ASSERT_TRUE(loop.runUntil([&] { return device->liveness().moving; }));
+    const auto refused = update(by("openocd:stlink"));
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().fault, Fault::Unsafe);
+    EXPECT_FALSE(QFile::exists(folder.path() + "/ran"));
+}
+
+TEST_F(AbstractDcUpdate, RefusesToEraseTheSettingsThatItsImageWrites)
+{
+    standIn("touch '" + folder.path().toStdString() + "/ran'\n" + replay(success, 0));
+    auto hex = program();
+    hex.add(0x0800C800, {1});
+    const auto refused = update(by("openocd:stlink", true), imageOf(hex));
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().fault, Fault::OutOfRange);
+    EXPECT_FALSE(QFile::exists(folder.path() + "/ran"));
+    EXPECT_TRUE(update(by("openocd:stlink"), imageOf(hex)));
 }
 
 TEST_F(AbstractDcUpdate, AMissingProgramIsOneLineThatSaysWhatToInstall)

@@ -87,6 +87,37 @@ TEST_F(SupermodifiedRefusals, AReleaseOfBufferedMovesThatStillWaitsIsNotSentAfte
     EXPECT_NEAR(node.position(), 0.0, 5.0);
 }
 
+TEST_F(SupermodifiedRefusals, ABufferedMoveOfWhichNobodyHeardIsNotReleased)
+{
+    order(setPoint(Mode::Position, 0.0), 300ms);
+    SetPoint move = setPoint(Mode::Position, 1000.0);
+    move.buffered = true;
+    bench.line.setLoss(1.0);
+    order(move, 3s);
+    bench.line.setLoss(0.0);
+    bench.clock.advance(500ms);
+    bench.sent.clear();
+    const auto released = device->releaseMoves();
+    ASSERT_FALSE(released);
+    EXPECT_NE(released.error().text().find("does not answer"), std::string::npos) << released.error().text();
+    bench.clock.advance(500ms);
+    EXPECT_EQ(bench.count(Command::DoMove), 0);
+}
+
+TEST_F(SupermodifiedRefusals, ANodeThatLosesItsSupplyAfterItsMotionFailedHasRestarted)
+{
+    order(setPoint(Mode::Velocity, 500.0), 1s);
+    bench.line.setLoss(1.0);
+    order(setPoint(Mode::Velocity, 600.0), 3s);
+    ASSERT_FALSE(device->command(setPoint(Mode::Velocity, 700.0)));
+    node.setPowered(false);
+    bench.clock.advance(100ms);
+    node.setPowered(true);
+    bench.line.setLoss(0.0);
+    bench.clock.advance(1s);
+    EXPECT_TRUE(device->liveness().restarted);
+}
+
 TEST_F(SupermodifiedRefusals, AMotorThatStalledIsNotDrivenAnyMore)
 {
     order(setPoint(Mode::Velocity, 100.0), 300ms);

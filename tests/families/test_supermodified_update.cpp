@@ -3,6 +3,7 @@
 // without a programmer.
 #include "families/supermodified/avrdude.h"
 #include "families/supermodified/firmware.h"
+#include "families/supermodified/line.h"
 #include "families/supermodified/scan.h"
 #include "families/supermodified/simulator.h"
 #include "firmware/intelhex.h"
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <numeric>
 
 namespace mb::supermodified {
 namespace {
@@ -35,6 +37,18 @@ FirmwareImage image(std::string_view text = imageText)
     auto parsed = FirmwareImage::fromIntelHex(text);
     EXPECT_TRUE(parsed) << (parsed ? "" : parsed.error().text());
     return parsed.value_or(FirmwareImage{});
+}
+
+/// A program of these bytes from an address below 64 KiB on.
+FirmwareImage programOf(std::uint16_t address, const std::vector<std::uint8_t> &bytes)
+{
+    std::vector<std::uint8_t> record{static_cast<std::uint8_t>(bytes.size()), static_cast<std::uint8_t>(address >> 8U),
+        static_cast<std::uint8_t>(address & 0xFFU), 0};
+    record.insert(record.end(), bytes.begin(), bytes.end());
+    record.push_back(static_cast<std::uint8_t>(-std::accumulate(record.begin(), record.end(), 0)));
+    QByteArray hex(reinterpret_cast<const char *>(record.data()), static_cast<int>(record.size()));
+    return image(
+        ":" + hex.toHex().toUpper().toStdString() + "\n" + std::string(address == 0 ? ":00000001FF\n" : imageText));
 }
 
 TEST(SupermodifiedAvrdude, TakesAProgrammerAndAPort)
@@ -125,6 +139,22 @@ TEST(SupermodifiedFirmware, TakesProgramsOfAnAvrOnly)
     EXPECT_EQ(image(toIntelHex(image())).byteCount(), image().byteCount());
 }
 
+TEST(SupermodifiedFirmware, BeginsWithAJumpLongOrShort)
+{
+    for (const std::vector<std::uint8_t> &jump :
+        {std::vector<std::uint8_t>{0x0C, 0x94}, {0x0D, 0x94}, {0x00, 0xC0}, {0xFF, 0xCF}})
+        EXPECT_TRUE(inspect(programOf(0, jump))) << int{jump[0]} << ' ' << int{jump[1]};
+    for (const std::vector<std::uint8_t> &other :
+        {std::vector<std::uint8_t>{0x0C, 0x95}, {0x0E, 0x94}, {0x00, 0xD0}, {0x94, 0x0C}, {0x0C}})
+        EXPECT_FALSE(inspect(programOf(0, other))) << int{other[0]};
+}
+
+TEST(SupermodifiedFirmware, EndsWithTheFlash)
+{
+    EXPECT_EQ(inspect(programOf(0x7FFF, {0}))->parts, (std::vector<int>{0, 255}));
+    EXPECT_FALSE(inspect(programOf(0x8000, {0})));
+}
+
 /// A node on a line in memory, in real time, and an `avrdude` of our own in PATH.
 struct SupermodifiedUpdateBench {
     SupermodifiedUpdateBench()
@@ -167,7 +197,6 @@ struct SupermodifiedUpdateBench {
     {
         Operation operation(loop.clock(), say("firmware update"));
         std::optional<Result<UpdateReport>> report;
-        UpdateOptions options;
         options.via = via;
         operation.run<UpdateReport>(supermodified::update(*device, written, options, operation),
             [&report](Result<UpdateReport> result) { report = std::move(result); });
@@ -189,6 +218,7 @@ struct SupermodifiedUpdateBench {
     std::unique_ptr<Simulator> simulator;
     std::unique_ptr<Device> device;
     FirmwareImage written = image();
+    UpdateOptions options;
     QTemporaryDir folder;
     std::string before;
     std::vector<LogLine> log;
@@ -304,7 +334,64 @@ TEST(SupermodifiedUpdate, RefusesBeforeAnythingRuns)
     bench.standIn(supermodifiedSuccess);
     EXPECT_EQ(bench.update("").error().fault, Fault::OutOfRange);
     EXPECT_EQ(bench.update("openocd:stlink").error().fault, Fault::OutOfRange);
+    bench.options.target = "master";
+    EXPECT_EQ(bench.update("avrdude:usbasp:usb").error().fault, Fault::OutOfRange);
     EXPECT_TRUE(bench.calls().isEmpty());
+}
+
+TEST(SupermodifiedUpdate, LeavesABootloaderToAProgrammerOnThePins)
+{
+    SupermodifiedUpdateBench bench;
+    bench.standIn(supermodifiedSuccess);
+    for (const std::uint16_t address : {std::uint16_t{0x7800}, std::uint16_t{0x7FFF}}) {
+        bench.written = programOf(address, {0});
+        const auto refused = bench.update("avrdude:arduino:/dev/ttyUSB7");
+        ASSERT_FALSE(refused) << address;
+        EXPECT_NE(refused.error().text().find("bootloader"), std::string::npos) << refused.error().text();
+    }
+    EXPECT_TRUE(bench.calls().isEmpty());
+    EXPECT_TRUE(bench.update("avrdude:usbasp:usb"));
+    bench.written = programOf(0x77FF, {0});
+    EXPECT_TRUE(bench.update("avrdude:arduino:/dev/ttyUSB7"));
+}
+
+TEST(SupermodifiedUpdate, RefusesWhileAMotorOnItsLineIsDriven)
+{
+    SupermodifiedUpdateBench bench;
+    bench.standIn(supermodifiedSuccess);
+    Line::of(bench.host, bench.loop.clock())->driven().set(5, true);
+    const auto refused = bench.update("avrdude:usbasp:usb");
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().fault, Fault::Unsafe);
+    EXPECT_TRUE(bench.calls().isEmpty());
+}
+
+TEST(SupermodifiedUpdate, ADryRunSaysHowManyPagesAndWritesNone)
+{
+    SupermodifiedUpdateBench bench;
+    bench.standIn(supermodifiedSuccess);
+    bench.options.dryRun = true;
+    const auto report = bench.update("avrdude:usbasp:usb");
+    ASSERT_TRUE(report);
+    EXPECT_FALSE(report->verified);
+    EXPECT_NE(report->evidence.english().find("1 pages"), std::string::npos) << report->evidence;
+    EXPECT_TRUE(bench.calls().isEmpty());
+}
+
+TEST(SupermodifiedUpdate, OnlyASilentBootloaderIsAskedAtTheOtherRate)
+{
+    for (const QByteArray &script :
+        {QByteArray("echo 'avrdude OS error: cannot open port /dev/x: Permission denied' >&2; exit 1\n"),
+            QByteArray("echo 'Writing | ####' >&2; echo 'avrdude: programmer is not responding' >&2; exit 1\n")}) {
+        SupermodifiedUpdateBench bench;
+        bench.standIn(script);
+        EXPECT_FALSE(bench.update("avrdude:arduino:/dev/ttyUSB7"));
+        EXPECT_EQ(bench.calls().count('\n'), 1) << script.toStdString();
+    }
+    SupermodifiedUpdateBench silent;
+    silent.standIn("echo 'avrdude: programmer is not responding' >&2; exit 1\n");
+    EXPECT_FALSE(silent.update("avrdude:arduino:/dev/ttyUSB7"));
+    EXPECT_EQ(silent.calls().count('\n'), 2);
 }
 
 TEST(SupermodifiedUpdate, TheRealAvrdudeIsUnderstood)

@@ -59,7 +59,6 @@ Controller::Controller(const Family &family, CanLink &link, Clock &clock, Identi
                 onFrame(*traffic.can, true);
         });
     speak();
-    m_logs.plan();
 }
 
 LogSense::Owner Controller::owner()

@@ -13,7 +13,9 @@ using namespace std::chrono_literals;
 constexpr Duration silentPeriod = 500ms;
 constexpr Duration pollerMemory = 3s;
 constexpr Duration longestWait = 1s; ///< for one answer, however much is sent
-constexpr int longSilence = 20;      ///< questions in a row without an answer, until it is asked less often
+/// Where one frame of fifty is lost, three on end without an answer are nothing special within a minute; five are.
+constexpr int silentAfter = 5;
+constexpr int longSilence = 20; ///< questions in a row without an answer, until it is asked less often
 
 std::size_t at(Log log)
 {
@@ -91,12 +93,6 @@ std::size_t LogPoller::pollers() const
     const auto others = std::count_if(
         m_askedSeen.begin(), m_askedSeen.end(), [since](Instant time) { return time != Instant{} && time > since; });
     return std::max<std::size_t>(1, static_cast<std::size_t>(others));
-}
-
-/// Where one frame of fifty is lost, three on end without an answer are nothing special within a minute; five are.
-int LogPoller::silentAfter()
-{
-    return 5;
 }
 
 /// From the end of an answer to the next question.
@@ -181,7 +177,7 @@ void LogPoller::timedOut()
     m_missed = std::min(m_missed + 1, longSilence);
     if (open && m_heard)
         m_events.missed(*open);
-    if (m_missed >= silentAfter()) {
+    if (m_missed >= silentAfter) {
         m_freeAt = m_clock.now() + (m_missed < longSilence ? answerTime(m_link) : silentPeriod);
         if (std::exchange(m_heard, false))
             m_events.silent();

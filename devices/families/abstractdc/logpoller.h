@@ -41,7 +41,6 @@ private:
     void timedOut();
     void arrived(Log log, std::int32_t value, Instant time);
     [[nodiscard]] std::optional<LogReply> replyIn(const CanFrame &frame) const;
-    [[nodiscard]] static int silentAfter();
     [[nodiscard]] std::size_t pollers() const;
     [[nodiscard]] Duration gap() const;
     [[nodiscard]] Log mostUrgent() const;

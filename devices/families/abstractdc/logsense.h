@@ -36,8 +36,6 @@ public:
     [[nodiscard]] bool isDriven() const { return m_loop && *m_loop != Loop::None; }
     /// Device::setRate().
     [[nodiscard]] Result<void> wish(ChannelIndex channel, double hertz);
-    /// Asks as often as is wished for and the loop deserves.
-    void plan();
     /// After a silence: nothing that was known holds.
     void forget();
 
@@ -51,6 +49,8 @@ public:
     [[nodiscard]] std::optional<double> feedback(Loop loop) const;
 
 private:
+    /// Asks as often as is wished for and the loop deserves.
+    void plan();
     [[nodiscard]] double rateOf(Log log) const;
     [[nodiscard]] bool isFresh(Log log) const;
     void take(Log log, std::int32_t value, Instant time);

@@ -238,6 +238,8 @@ void Motion::setPosition(std::int64_t raw)
 
 Result<void> Motion::release()
 {
+    if (m_failure)
+        return mb::fail(Fault::Unsafe, *m_failure);
     if (isBusy())
         return mb::fail(Fault::Unsafe, say("a buffered move is not acknowledged yet"), say("try again"));
     Line::Request tell = telling(m_node, Command::DoMove);

@@ -36,7 +36,7 @@ public:
     /// Takes a set-point; what it needs is sent one after the other. Fails with why the motion before it ended (stall, no
     /// answer) until stop() was called, and while a stop is not acknowledged.
     [[nodiscard]] Result<void> command(const SetPoint &setPoint);
-    /// Broadcasts DoMove once everything that was commanded has been acknowledged.
+    /// Broadcasts DoMove once everything that was commanded has been acknowledged; never after a motion that failed.
     [[nodiscard]] Result<void> release();
     /// Stops now, and goes on until the node has acknowledged it; across a lost link, too.
     void stop();
