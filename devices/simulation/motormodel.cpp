@@ -39,6 +39,12 @@ void MotorModel::setBacklash(double angle)
     m_loadAngle = m_angle;
 }
 
+void MotorModel::turn(double angle)
+{
+    m_angle += angle;
+    m_loadAngle += angle;
+}
+
 void MotorModel::setLoadTorque(double torque)
 {
     m_weight = torque / m_parameters.gearRatio;
@@ -194,6 +200,8 @@ bool MotorModel::disturb(std::string_view what, double value)
         m_friction = value;
     else if (what == "backlash")
         setBacklash(value);
+    else if (what == "turn")
+        turn(value);
     else if (what == "encoder-counts")
         m_parameters.countsPerTurn = static_cast<int>(value);
     else if (what == "winding-temperature")

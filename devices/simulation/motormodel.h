@@ -60,8 +60,9 @@ public:
     /// Fault: the encoder stays where it is.
     void setEncoderDead(bool dead) { m_encoder.setDead(dead, countPosition()); }
     /// What Simulator::disturb() can do to any motor: "load-torque" (N·m), "stall" (0 or 1), "bus-voltage" (V), "bus-resistance"
-    /// (Ohm, of battery and cables), "friction" (times what the motor has), "backlash" (rad of the rotor), "encoder-counts"
-    /// (of a rotor turn), "winding-temperature" (°C), "encoder-dead", "encoder-reversed" (0 or 1); false for anything else.
+    /// (Ohm, of battery and cables), "friction" (times what the motor has), "backlash" (rad of the rotor), "turn" (rad of the
+    /// rotor, on by hand with its load), "encoder-counts" (of a rotor turn), "winding-temperature" (°C), "encoder-dead", "encoder-reversed"
+    /// (0 or 1); false for anything else.
     bool disturb(std::string_view what, double value);
 
 private:
@@ -69,6 +70,7 @@ private:
 
     /// rad of the rotor that its load is free in. The load is where the rotor is.
     void setBacklash(double angle);
+    void turn(double angle);
     void stepOnce(double duty, Bridge bridge, double seconds);
     void drive(double duty, double seconds);
     void slip(const Circuit &circuit, double friction, double seconds);

@@ -325,6 +325,20 @@ TEST(MotorModel, WithBacklashTurnsFreelyUntilTheLoadIsTouched)
     EXPECT_NEAR(two.speed(), 0.0, 0.1);
 }
 
+TEST(MotorModel, IsTurnedByHandWithItsLoad)
+{
+    MotorModel motor(*motorByName("25d"), 5.0);
+    ASSERT_TRUE(motor.disturb("backlash", 0.2));
+    const double before = motor.countPosition();
+    ASSERT_TRUE(motor.disturb("turn", 1.5));
+    EXPECT_NEAR(
+        motor.countPosition() - before, 1.5 * motor.parameters().countsPerTurn / (2.0 * std::numbers::pi), 1e-9);
+    const double turned = motor.angle();
+    motor.step(0.0, Bridge::Brake, 0.1); // its load came along, and does not push
+    EXPECT_EQ(motor.angle(), turned);
+    EXPECT_EQ(motor.speed(), 0.0);
+}
+
 TEST(MotorModel, WithSlipHoldsFirmlyAndLetsGo)
 {
     const MotorParameters &p = *motorByName("cim-slip");

@@ -10,6 +10,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
 
 namespace mb::test {
 namespace {
@@ -21,20 +24,26 @@ constexpr double mostMsOff = 1.9;
 constexpr double moreGain = 1.2;
 constexpr double moreDelay = 1.3;
 constexpr double mostOvershoot = 0.05;
-constexpr std::size_t bestFew = 5;
+constexpr std::size_t bestOfOnePhase = 24;
+constexpr std::size_t bestOfFewPhases = 8;
+constexpr std::size_t bestOfAllPhases = 3;
+constexpr int fewPhases = 3;
+constexpr double coarsely = 1.1;
+constexpr double finely = 1.04;
 constexpr double noiseShare = 0.1;
 constexpr double strongestError = 3.0 * 1.001;
 constexpr double quickestOfSetPoints = 2.0; ///< natural frequency times their period
 
-/// Looks at gains, keeps the best.
+/// Looks at gains from some phases, and keeps what is within the bounds from each of them; no two that are the same to the unit.
 class Search {
 public:
-    Search(
-        StepProbe &probe, const Cell &cell, const tuning::PlantModel &truth, const std::vector<ParameterChange> &also)
+    Search(StepProbe &probe, const Cell &cell, const tuning::PlantModel &truth,
+        const std::vector<ParameterChange> &also, StepPhase phase)
         : m_probe(probe)
         , m_cell(cell)
         , m_truth(truth)
         , m_also(also)
+        , m_phases{phase}
     {
     }
     void look(const ContinuousGains &gains)
@@ -42,22 +51,34 @@ public:
         if (!isWithinBounds(m_cell, m_truth, gains, m_probe.step()))
             return;
         const auto scaled = tuning::scaleGains(m_probe.device(), m_cell.loop, 1, 0, gains, trueScale(m_cell));
-        if (!scaled)
+        if (!scaled || !m_seen.insert(rawOf(*scaled)).second)
             return;
         std::vector<ParameterChange> changes = scaled->changes;
         changes.insert(changes.end(), m_also.begin(), m_also.end());
-        const auto response = m_probe.run(changes);
+        const auto response = m_probe.runAll(changes, m_phases, {worstKept(), mostOvershoot});
         if (!response || !isWithinBounds(m_probe, *response))
             return;
         const BestGains found{gains, *response};
-        all.push_back(found);
+        m_all.insert(std::upper_bound(m_all.begin(), m_all.end(), found, isLess), found);
         if (!best || response->itae < best->response.itae)
             best = found;
+    }
+    /// The best of what was found are looked at anew, from these phases, and of them a few are kept.
+    void lookAgain(std::size_t few, std::vector<StepPhase> phases)
+    {
+        std::vector<BestGains> again = std::exchange(m_all, {});
+        again.resize(std::min(again.size(), m_few));
+        m_few = few;
+        m_phases = std::move(phases);
+        m_seen.clear();
+        best.reset();
+        for (const BestGains &gains : again)
+            look(gains.gains);
     }
     /// Each gain a little up and down from the best, as long as that helps.
     void refine(double factor)
     {
-        bool better = true;
+        bool better = best.has_value();
         for (int round = 0; better && round < 4; ++round) {
             better = false;
             for (const auto gain : {&ContinuousGains::p, &ContinuousGains::i, &ContinuousGains::d}) {
@@ -73,14 +94,38 @@ public:
         }
     }
 
+    [[nodiscard]] std::vector<BestGains> bestFew() const
+    {
+        std::vector<BestGains> few = m_all;
+        few.resize(std::min(few.size(), m_few));
+        return few;
+    }
+
     std::optional<BestGains> best;
-    std::vector<BestGains> all;
 
 private:
+    static bool isLess(const BestGains &a, const BestGains &b) { return a.response.itae < b.response.itae; }
+    /// What is not among the best few need not be known.
+    [[nodiscard]] double worstKept() const
+    {
+        return m_all.size() < m_few ? std::numeric_limits<double>::infinity() : m_all[m_few - 1].response.itae;
+    }
+    static std::vector<std::int64_t> rawOf(const tuning::ScaledGains &scaled)
+    {
+        std::vector<std::int64_t> raw;
+        for (const ParameterChange &change : scaled.changes)
+            raw.push_back(change.raw);
+        return raw;
+    }
+
     StepProbe &m_probe;
     const Cell &m_cell;
     tuning::PlantModel m_truth;
     const std::vector<ParameterChange> &m_also;
+    std::vector<StepPhase> m_phases;
+    std::set<std::vector<std::int64_t>> m_seen;
+    std::size_t m_few = bestOfOnePhase;
+    std::vector<BestGains> m_all; ///< the best first
 };
 
 const Family &familyOf(const Cell &cell)
@@ -148,22 +193,20 @@ bool isWithinBounds(const Cell &cell, const tuning::PlantModel &truth, const Con
         && tuning::marginsOf(cell.loop, off, gains).ms <= mostMsOff;
 }
 
-std::vector<BestGains> bruteForce(
-    StepProbe &probe, const Cell &cell, const tuning::PlantModel &truth, const std::vector<ParameterChange> &also)
+std::vector<BestGains> bruteForce(StepProbe &probe, const Cell &cell, const tuning::PlantModel &truth,
+    const std::vector<ParameterChange> &also, const std::vector<StepPhase> &phases)
 {
-    Search search(probe, cell, truth, also);
+    Search search(probe, cell, truth, also, phases.front());
     if (cell.loop == Mode::Position)
         lookAtPositions(search, truth, !trueScale(cell) && !tuning::hasFrictionHelp(probe.device().family()));
     else
         lookAtVelocities(search, truth);
-    if (search.best) {
-        search.refine(1.1);
-        search.refine(1.04);
-    }
-    std::sort(search.all.begin(), search.all.end(),
-        [](const BestGains &a, const BestGains &b) { return a.response.itae < b.response.itae; });
-    search.all.resize(std::min(search.all.size(), bestFew));
-    return search.all;
+    search.refine(coarsely);
+    search.refine(finely);
+    search.lookAgain(bestOfFewPhases, {phases.begin(), phases.begin() + fewPhases});
+    search.lookAgain(bestOfAllPhases, phases);
+    search.refine(finely);
+    return search.bestFew();
 }
 
 } // namespace mb::test

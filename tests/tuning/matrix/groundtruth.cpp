@@ -31,12 +31,6 @@ supermodified::Dialect dialectOf(const Cell &cell)
     return cell.dialect == "D3" ? Dialect::D3 : cell.dialect == "D2" ? Dialect::D2 : Dialect::D1;
 }
 
-/// Counts of a rotor turn: a Supermodified has its encoder on the output.
-double countsOfTurn(const Cell &cell, const MotorParameters &motor)
-{
-    return cell.family == "supermodified" ? ticksPerTurn(dialectOf(cell)) / motor.gearRatio : countsOf(cell);
-}
-
 /// Seconds over which the loop takes its velocity.
 double windowOf(const Cell &cell, double speed, double cycle)
 {
@@ -57,6 +51,12 @@ tuning::PlantModel windingOf(const Cell &cell, const MotorParameters &m, double 
 }
 
 } // namespace
+
+double countsOfTurn(const Cell &cell)
+{
+    const double gear = motorByName(cell.motor)->gearRatio;
+    return cell.family == "supermodified" ? ticksPerTurn(dialectOf(cell)) / gear : countsOf(cell);
+}
 
 double cycleOf(const Cell &cell)
 {
@@ -89,7 +89,7 @@ tuning::PlantModel groundTruth(const Cell &cell, double speed)
     tuning::PlantModel plant;
     plant.tau = r * inertia / kept / perSpeed;
     plant.friction = r * cell.around.friction * m.friction / kept / m.nominalVoltage;
-    plant.gain = m.nominalVoltage / perSpeed * countsOfTurn(cell, m) / (2.0 * std::numbers::pi);
+    plant.gain = m.nominalVoltage / perSpeed * countsOfTurn(cell) / (2.0 * std::numbers::pi);
     const double cycle = cycleOf(cell);
     plant.delay = loopPeriods * cycle + m.inductance / r;
     if (cell.loop == Mode::Velocity)

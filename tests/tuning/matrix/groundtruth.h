@@ -14,6 +14,9 @@ namespace mb::test {
 /// dialect); nothing elsewhere.
 [[nodiscard]] std::optional<tuning::TriedScale> trueScale(const Cell &cell);
 
+/// Of a rotor turn, as the unit counts them (a Supermodified has its encoder on the output).
+[[nodiscard]] double countsOfTurn(const Cell &cell);
+
 /// s between two passes of its loop.
 [[nodiscard]] double cycleOf(const Cell &cell);
 

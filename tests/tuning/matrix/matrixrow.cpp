@@ -21,7 +21,7 @@ constexpr double shortestHold = 0.6;
 constexpr double longestHold = 6.0;
 constexpr double shortestOfCurrent = 0.08; ///< s, as its proof
 constexpr double longestOfCurrent = 0.2;   ///< s
-constexpr int runsOfMean = 4;
+constexpr int runsOfMean = 8;
 
 const tuning::Proposal *normalOf(const TuneReport &report)
 {
@@ -43,28 +43,6 @@ std::vector<ParameterChange> frictionHelp(const Device &device, const tuning::Sc
     return rest;
 }
 
-/// The mean of a few runs. Where a loop comes to rest may be luck, which the best of many runs has had once.
-std::optional<ShaftResponse> meanOf(StepProbe &probe, const std::vector<ParameterChange> &changes)
-{
-    std::optional<ShaftResponse> mean;
-    for (int i = 0; i < runsOfMean; ++i) {
-        const auto response = probe.run(changes);
-        if (!response)
-            return std::nullopt;
-        if (!mean) {
-            mean = response;
-            mean->itae /= runsOfMean;
-            continue;
-        }
-        mean->itae += response->itae / runsOfMean;
-        mean->overshoot = std::max(mean->overshoot, response->overshoot);
-        mean->settle = std::max(mean->settle, response->settle);
-        mean->peakCurrent = std::max(mean->peakCurrent, response->peakCurrent);
-        mean->isStable = mean->isStable && response->isStable;
-    }
-    return mean;
-}
-
 std::optional<ShaftResponse> tryRule(
     StepProbe &probe, const Cell &cell, const tuning::ContinuousGains &gains, const std::vector<ParameterChange> &also)
 {
@@ -73,7 +51,7 @@ std::optional<ShaftResponse> tryRule(
         return std::nullopt;
     std::vector<ParameterChange> changes = scaled->changes;
     changes.insert(changes.end(), also.begin(), also.end());
-    return meanOf(probe, changes);
+    return probe.runAll(changes, stepPhases(runsOfMean));
 }
 
 /// What raw gains make, as the firmware of the cell has it; those of the report where it knows that itself.
@@ -131,13 +109,14 @@ void compareWithOthers(MatrixRow &row, const TuneReport &report, const std::vect
     const double seconds = std::clamp(
         holdSettles * settle, isCurrent ? shortestOfCurrent : shortestHold, isCurrent ? longestOfCurrent : longestHold);
     StepProbe probe(cell, {row.step, seconds, report.scale ? report.scale->rate : 0.0, mostCurrentOf(cell)});
-    row.before = meanOf(probe, {});
-    row.kept = meanOf(probe, report.proposed.changes);
+    const auto phases = stepPhases(runsOfMean);
+    row.before = probe.runAll({}, phases);
+    row.kept = probe.runAll(report.proposed.changes, phases);
     row.isWithin = row.isWithin && row.kept && !probe.drawsTooMuch(*row.kept);
     if (!all)
         return;
     const auto help = frictionHelp(probe.device(), report.proposed);
-    for (const BestGains &best : bruteForce(probe, cell, row.truth, help)) {
+    for (const BestGains &best : bruteForce(probe, cell, row.truth, help, stepPhases(runsOfMean, runsOfMean))) {
         const auto again = tryRule(probe, cell, best.gains, help);
         if (!again || !isWithinBounds(probe, *again)) // which it was by luck
             continue;
@@ -258,7 +237,7 @@ std::string matrixHead()
         head += std::string("\t") + who + "_itae\t" + who + "_os\t" + who + "_settle";
     return head
         + "\tkept_p\tkept_i\tkept_d\tbest_p\tbest_i\tbest_d\tbefore_p\tbefore_i\tbefore_d\tbefore_"
-          "within\tdialect\treason";
+          "within\tkept_spread\tbest_spread\tdialect\treason";
 }
 
 std::string textOf(const MatrixRow &row)
@@ -277,6 +256,8 @@ std::string textOf(const MatrixRow &row)
     for (const auto *const gains : {&row.keptGains, &row.bestGains, &row.formerGains})
         text += '\t' + number(gains->p) + '\t' + number(gains->i) + '\t' + number(gains->d);
     text += row.isFormerWithin ? "\t1" : "\t0";
+    for (const auto *const response : {&row.kept, &row.best})
+        text += '\t' + (*response ? number((*response)->spread) : "");
     return text + '\t' + cell.dialect + '\t' + row.reason;
 }
 

@@ -5,9 +5,11 @@
 #include "experiment/experiment.h"
 #include "experiment/gains.h"
 #include "model/family.h"
+#include "tests/tuning/matrix/groundtruth.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace mb::test {
 namespace {
@@ -22,6 +24,7 @@ constexpr int mostWaits = 100;
 constexpr double band = 0.05;
 constexpr double longRest = 2.0; ///< s
 constexpr double stableBand = 0.3;
+constexpr Duration longestBeat = 501ms;
 constexpr double goodEnough = 4.0; ///< counts beside a target that nobody asks to be mended
 
 /// s between two steps, at least. A QuadQuad2Drv takes a motor for moving until it has waited 0.67 s for its next edge, and its integral
@@ -31,7 +34,32 @@ double restOf(const Cell &cell)
     return cell.family == "quadquad2drv" && cell.loop == Mode::Velocity ? longRest : 0.0;
 }
 
+double fractionOf(double value)
+{
+    return value - std::floor(value);
+}
+
+/// Of the integrals, with the worse of all else: another run of the same.
+void add(ShaftResponse &all, const ShaftResponse &run)
+{
+    all.itae += run.itae;
+    all.overshoot = std::max(all.overshoot, run.overshoot);
+    all.settle = std::max(all.settle, run.settle);
+    all.peakCurrent = std::max(all.peakCurrent, run.peakCurrent);
+    all.isStable = all.isStable && run.isStable;
+}
+
 } // namespace
+
+std::vector<StepPhase> stepPhases(int count, int first)
+{
+    constexpr double byCount = 0.7548776662466927; // powers of the root of x³ = x + 1
+    constexpr double byTime = byCount * byCount;
+    std::vector<StepPhase> phases;
+    for (int i = first; i < first + count; ++i)
+        phases.push_back({fractionOf(0.5 + i * byCount), fractionOf(0.5 + i * byTime)});
+    return phases;
+}
 
 StepProbe::StepProbe(const Cell &cell, const ProbedStep &step)
     : m_cell(cell)
@@ -88,6 +116,18 @@ bool StepProbe::comeToRest()
     return still == 2;
 }
 
+/// Turns the rotor on to where the phase begins, and waits for its time.
+void StepProbe::meet(StepPhase phase)
+{
+    VirtualClock &clock = m_unit->clock();
+    const double counts = fractionOf(phase.count - m_unit->simulator().position());
+    EXPECT_TRUE(m_unit->simulator().disturb("turn", counts * 2.0 * std::numbers::pi / countsOfTurn(m_cell)));
+    const Duration late = clock.now().time_since_epoch() % longestBeat;
+    const auto beat = std::chrono::duration<double>(longestBeat).count();
+    const auto at = std::chrono::duration_cast<Duration>(std::chrono::duration<double>(phase.time * beat));
+    clock.advance((at - late + longestBeat) % longestBeat);
+}
+
 /// Its loop holds it where it stands: what the unit calls that.
 std::optional<double> StepProbe::begin()
 {
@@ -120,13 +160,42 @@ bool StepProbe::waitForReturn(double origin, bool again, ShaftResponse &response
     return true;
 }
 
-std::optional<ShaftResponse> StepProbe::run(const std::vector<ParameterChange> &changes)
+std::optional<ShaftResponse> StepProbe::runAll(
+    const std::vector<ParameterChange> &changes, const std::vector<StepPhase> &phases, const StepLimits &limits)
+{
+    double left = limits.itae * static_cast<double>(phases.size());
+    std::vector<double> integrals;
+    std::optional<ShaftResponse> all;
+    for (const StepPhase &phase : phases) {
+        const auto response = run(changes, phase, {left, limits.overshoot});
+        if (!response)
+            return std::nullopt;
+        left -= response->itae;
+        integrals.push_back(response->itae);
+        if (all)
+            add(*all, *response);
+        else
+            all = response;
+    }
+    if (!all)
+        return std::nullopt;
+    all->itae /= static_cast<double>(integrals.size());
+    double squares = 0.0;
+    for (const double integral : integrals)
+        squares += (integral - all->itae) * (integral - all->itae);
+    all->spread = std::sqrt(squares / static_cast<double>(integrals.size())) / all->itae;
+    return all;
+}
+
+std::optional<ShaftResponse> StepProbe::run(
+    const std::vector<ParameterChange> &changes, StepPhase phase, const StepLimits &limits)
 {
     ++m_runs;
     if (!comeToRest())
         return std::nullopt;
     if (!changes.empty() && !test::run(m_unit->clock(), tuning::writeGains(device(), changes)))
         return std::nullopt;
+    meet(phase);
     const double base = m_cell.loop == Mode::Position ? m_unit->simulator().position() : 0.0;
     const auto origin = begin();
     if (!origin)
@@ -136,16 +205,15 @@ std::optional<ShaftResponse> StepProbe::run(const std::vector<ParameterChange> &
     for (int repeat = 0; repeat < 2; ++repeat) {
         if (!m_unit->stream().update(setPoint(*origin + m_step.size)))
             return std::nullopt;
-        const ShaftResponse seen = watch(base);
-        worse.itae += 0.5 * seen.itae;
-        worse.overshoot = std::max(worse.overshoot, seen.overshoot);
-        worse.settle = std::max(worse.settle, seen.settle);
-        worse.peakCurrent = std::max(worse.peakCurrent, seen.peakCurrent);
-        worse.isStable = worse.isStable && seen.isStable;
+        const auto seen = watch(base, {2.0 * limits.itae - worse.itae, limits.overshoot});
+        if (!seen)
+            return std::nullopt;
+        add(worse, *seen);
         if (!waitForReturn(*origin, repeat == 0, worse))
             return std::nullopt;
     }
     m_unit->stream().stop();
+    worse.itae *= 0.5;
     return worse;
 }
 
@@ -163,7 +231,7 @@ void StepProbe::noteCurrent(ShaftResponse &response) const
         response.peakCurrent = std::max(response.peakCurrent, std::abs(m_unit->simulator().current().value_or(0.0)));
 }
 
-ShaftResponse StepProbe::watch(double base)
+std::optional<ShaftResponse> StepProbe::watch(double base, const StepLimits &limits)
 {
     ShaftResponse response;
     const double near = m_cell.loop == Mode::Position ? goodEnough / m_step.size : 0.0;
@@ -177,6 +245,8 @@ ShaftResponse StepProbe::watch(double base)
         const double value = (looked() - base) / m_step.size;
         response.itae += t * std::max(std::abs(1.0 - value) - near, 0.0) * seconds;
         response.overshoot = std::max(response.overshoot, value - 1.0);
+        if (response.itae > limits.itae || response.overshoot > limits.overshoot)
+            return std::nullopt;
         if (std::abs(1.0 - value) > band)
             response.settle = t;
         if (t > 0.75 * m_step.seconds) {

@@ -3,6 +3,8 @@
 
 #include "tests/tuning/matrix/matrixunit.h"
 
+#include <limits>
+
 namespace mb::test {
 
 /// What a step did to the shaft itself, seen every millisecond without an encoder; of a current, to the current itself, four times as often.
@@ -12,6 +14,22 @@ struct ShaftResponse {
     double settle = 0.0;      ///< s, until it stays within 5 % of the target; the hold where it does not
     double peakCurrent = 0.0; ///< A, of step and way back; 0 where the unit's limit needs no watching
     bool isStable = false;    ///< it stays within a band of 30 % of the step over the last quarter
+    double spread = 0.0;      ///< σ of the integrals of its runs over their mean; 0 of one run
+};
+
+/// Where a run begins, what makes its luck: shares of one count, at which its rotor stands, and of 501 ms, at which it is ordered (the
+/// longest that a loop takes until it meets the clock of its unit again: 25 passes of an Abstract DC Drive).
+struct StepPhase {
+    double count = 0.0;
+    double time = 0.0;
+};
+/// So many of a sequence that fills both evenly, from a place in it on: the same for whoever is compared.
+[[nodiscard]] std::vector<StepPhase> stepPhases(int count, int first = 0);
+
+/// What gains are given up at: nothing is told of them then.
+struct StepLimits {
+    double itae = std::numeric_limits<double>::infinity(); ///< s², of the mean
+    double overshoot = std::numeric_limits<double>::infinity();
 };
 
 /// A step of a cell, for whoever is compared.
@@ -28,7 +46,11 @@ public:
     StepProbe(const Cell &cell, const ProbedStep &step);
     /// Writes the changes and steps from rest, back, and once more: the mean of the integrals, of all else the worse. Nothing where
     /// the unit does not take them.
-    [[nodiscard]] std::optional<ShaftResponse> run(const std::vector<ParameterChange> &changes);
+    [[nodiscard]] std::optional<ShaftResponse> run(
+        const std::vector<ParameterChange> &changes, StepPhase phase = {}, const StepLimits &limits = {});
+    /// The same of a run from each phase.
+    [[nodiscard]] std::optional<ShaftResponse> runAll(const std::vector<ParameterChange> &changes,
+        const std::vector<StepPhase> &phases, const StepLimits &limits = {});
     /// As it is.
     [[nodiscard]] std::optional<ShaftResponse> run() { return run({}); }
     [[nodiscard]] Device &device() { return m_unit->device(); }
@@ -41,12 +63,13 @@ public:
 
 private:
     [[nodiscard]] bool comeToRest();
+    void meet(StepPhase phase);
     [[nodiscard]] std::optional<double> begin();
     [[nodiscard]] bool waitForReturn(double origin, bool again, ShaftResponse &response);
     void leadByProfile();
     void noteCurrent(ShaftResponse &response) const;
     [[nodiscard]] double looked() const;
-    [[nodiscard]] ShaftResponse watch(double base);
+    [[nodiscard]] std::optional<ShaftResponse> watch(double base, const StepLimits &limits);
     [[nodiscard]] SetPoint setPoint(double target) const;
 
     Cell m_cell;
