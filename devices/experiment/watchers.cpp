@@ -92,10 +92,10 @@ void MotionWatch::position(Instant time, double counts)
 {
     const bool first = !m_counts;
     const double span = inSeconds(time - m_lastAt);
-    const double step = first ? 0.0 : counts - m_lastCounts;
+    const double step = counts - m_counts.value_or(counts);
     const double before = std::abs(m_speed);
-    m_speed = !first && span > 0.0 ? step / span : 0.0;
-    m_counts = m_lastCounts = counts;
+    m_speed = span > 0.0 ? step / span : 0.0;
+    m_counts = counts;
     m_lastAt = time;
     if (!m_pushedAt)
         return;

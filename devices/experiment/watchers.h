@@ -63,7 +63,6 @@ private:
     bool m_surely = false;             ///< it is pushed much harder than friction
     Instant m_movedAt{};
     double m_movedTo = 0.0;
-    double m_lastCounts = 0.0;
     Instant m_lastAt{};
     double m_speed = 0.0;      ///< counts/s, between the last two samples
     double m_entrySpeed = 0.0; ///< when the push began: a motor that is braked goes on, but not faster

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiment/gains.h"
 #include "families/abstractdc/simulatoroptions.h"
 #include "tests/tuning/experimentbench.h"
 
@@ -341,6 +342,20 @@ TEST(Experiment, ASlotOrAModeThatTheFamilyHasNotIsRefused)
     const auto refused = servo.run(stepTo(Mode::Velocity, 100.0));
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().text().find("position"), std::string::npos) << refused.error().detail;
+}
+
+TEST(Experiment, AGainThatAUnitTakesWhenItStartsNeedsARestartWhereItChanges)
+{
+    ExperimentBench first("sim:serial", "supermodified", 4, "supermodified:4,dialect=D1");
+    const ParameterIndex index = first.bench.index(*first.device, "gain.p");
+    ASSERT_TRUE(test::run(first.bench.clock, first.device->read(index)));
+    const auto present = first.device->parameters().entry(index).raw;
+    ASSERT_TRUE(present);
+    EXPECT_FALSE(needsRestart(*first.device, {{index, *present}}));
+    EXPECT_TRUE(needsRestart(*first.device, {first.change("gain.d", 3.0), {index, *present + 1}}));
+    EXPECT_FALSE(needsRestart(*first.device, {first.change("gain.d", 3.0)}));
+    ExperimentBench third("sim:serial", "supermodified", 6, "supermodified:6,dialect=D3");
+    EXPECT_FALSE(needsRestart(*third.device, {third.change("gain.p", 3.0)}));
 }
 
 TEST(Experiment, AStepOutsideTheEnvelopeIsRefusedWithBothNumbersBeforeAnythingMoves)

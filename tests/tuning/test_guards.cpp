@@ -84,6 +84,15 @@ TEST(Guards, CurrentTripsAfterAHundredMillisecondsAboveOrAtOnceFarAbove)
     EXPECT_FALSE(run(plan(), 900, [](Guards &g, Instant t, int i) { return g.current(t, i % 10 == 0 ? 2.0 : 10.4); }));
 }
 
+TEST(Guards, AMotorThatRestsIsHeardAndHasNoCurrent)
+{
+    Guards guards(plan(), start);
+    EXPECT_FALSE(guards.current(start, 11.0));
+    guards.rested(start + 90ms);
+    EXPECT_FALSE(guards.look(start + 185ms, 10, 0));
+    EXPECT_FALSE(guards.current(start + 190ms, 11.0)) << "it did not flow all the time";
+}
+
 TEST(Guards, EnergyTripsAfterTheHeatOfTenSecondsAtTheLimit)
 {
     expectTrip(run(plan(), 2000, [](Guards &g, Instant t, int) { return g.current(t, 9.9); }), Guard::Energy,
@@ -154,7 +163,8 @@ TEST(Guards, WithoutADutyToLookAtALargeErrorStandsForIt)
     };
     expectTrip(run(blind, 100, away(300.0, 0.0)), Guard::NoMotion, start + 500ms, "half a step");
     expectTrip(run(blind, 100, away(300.0, -4.0)), Guard::WrongDirection, start + 70ms, "down");
-    EXPECT_FALSE(run(blind, 100, away(200.0, 0.0)));
+    EXPECT_FALSE(run(blind, 100, away(250.0, 0.0))) << "half a step is not more than half a step";
+    EXPECT_TRUE(run(blind, 100, away(250.1, 0.0)));
 }
 
 TEST(Guards, AnIntegralThatIsKnownToBeSlowHasThatMuchLongerToMoveItsMotor)
@@ -179,18 +189,16 @@ TEST(Guards, OscillationTripsWhenALoopSwingsItselfUpOrHitsBothEnds)
         };
     };
     const auto grown = run(plan(), 200, swing(1.2));
-    ASSERT_TRUE(grown);
-    EXPECT_EQ(grown->guard, Guard::Oscillation);
+    expectTrip(grown, Guard::Oscillation, start + 600ms, "6 swings");
     EXPECT_FALSE(run(plan(), 200, swing(0.9)));
     EXPECT_FALSE(run(plan(), 200, swing(1.0)));
     GuardPlan noisy = plan();
     noisy.noise = 40.0; // swings of 60 and more: six of them may be noise as long as they are less than 200
     EXPECT_FALSE(run(noisy, 70, swing(1.2)));
-    EXPECT_TRUE(run(noisy, 200, swing(1.2)));
+    expectTrip(run(noisy, 200, swing(1.2)), Guard::Oscillation, start + 1300ms, "6 swings");
     GuardPlan wide = plan();
     const auto flipping = run(wide, 200, [](Guards &g, Instant t, int i) { return g.duty(t, i % 4 < 2 ? 0.4 : -0.4); });
-    ASSERT_TRUE(flipping);
-    EXPECT_EQ(flipping->guard, Guard::Oscillation);
+    expectTrip(flipping, Guard::Oscillation, start + 420ms, "21 times");
     EXPECT_FALSE(run(wide, 200, [](Guards &g, Instant t, int i) { return g.duty(t, i % 4 < 2 ? 0.2 : -0.2); }));
 }
 
@@ -205,8 +213,7 @@ TEST(Guards, APositionWithoutADutyThatDoesNotComeToRestTripsOscillation)
         };
     };
     const auto lasting = run(blind, 100, swinging(10.0, 1.0));
-    ASSERT_TRUE(lasting);
-    EXPECT_EQ(lasting->guard, Guard::Oscillation);
+    expectTrip(lasting, Guard::Oscillation, start + 240ms, "25 swings");
     EXPECT_FALSE(run(blind, 100, swinging(14.0, 0.9))) << "it comes to rest";
     EXPECT_FALSE(run(blind, 100, swinging(1.0, 1.0))) << "of a count or two";
     EXPECT_FALSE(run(plan(), 100, swinging(10.0, 1.0))) << "its duty shows how hard it works";

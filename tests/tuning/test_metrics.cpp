@@ -274,6 +274,17 @@ TEST(StepMetrics, AnOpenLoopHasNoErrorBecauseItHasNoTarget)
     EXPECT_FALSE(response.metrics.iae);
 }
 
+TEST(Traces, ThePeriodOfSamplesIsTheMedianOfAllTheirSteps)
+{
+    Trace trace;
+    for (const double time : {0.0, 1.0})
+        trace.add(time, 0.0);
+    EXPECT_DOUBLE_EQ(samplePeriod(trace), 1.0);
+    for (const double time : {3.0, 4.0, 10.0})
+        trace.add(time, 0.0);
+    EXPECT_DOUBLE_EQ(samplePeriod(trace), 1.5);
+}
+
 TEST(Effort, IsReadOverTheHold)
 {
     Trace current;
