@@ -6,6 +6,7 @@
 #include "service/jsonlines.h"
 #include "service/recipematter.h"
 #include "service/reciperead.h"
+#include "service/selftest.h"
 
 #include <gtest/gtest.h>
 
@@ -161,6 +162,44 @@ TEST(GoldenBand, BeginsAtEightUnitsAndOnlyWarns)
     EXPECT_TRUE(values[0].unusual);
     values[0].value = 0.49;
     EXPECT_EQ(markUnusual(values, passed), "");
+    values[0].value = 0.37;
+    EXPECT_NE(markUnusual(values, passed), "");
+    EXPECT_TRUE(values[0].unusual) << "too good, too";
+    values[0].value.reset();
+    EXPECT_EQ(markUnusual(values, passed), "");
+}
+
+TEST(GoldenBand, IsOfValuesOfUnitsThatPassed)
+{
+    std::vector<Visit> visits;
+    for (int i = 0; i < 8; ++i)
+        visits.push_back(passedWith("u" + std::to_string(i), 0.40 + 0.01 * i));
+    EXPECT_FALSE(bandOf(visits, "sse")) << "another key";
+    visits[3].outcome = Outcome::Failed;
+    EXPECT_FALSE(bandOf(visits, "settle"));
+    visits.push_back(passedWith("u8", 0.43));
+    EXPECT_TRUE(bandOf(visits, "settle"));
+    visits[4].test[0].value.reset();
+    EXPECT_FALSE(bandOf(visits, "settle"));
+    visits.push_back(passedWith("u9", 0.44));
+    visits.push_back(passedWith("u10", 0.50));
+    const auto odd = bandOf(visits, "settle");
+    ASSERT_TRUE(odd);
+    EXPECT_EQ(odd->units, 9);
+    EXPECT_DOUBLE_EQ(odd->median, 0.44);
+}
+
+TEST(SelfTests, AValueOnALimitIsWithinIt)
+{
+    const Acceptance band{"friction", 0.1, 0.4};
+    for (const double within : {0.1, 0.25, 0.4})
+        EXPECT_TRUE(judged(band, within).passed) << within;
+    for (const double outside : {0.0999, 0.4001})
+        EXPECT_FALSE(judged(band, outside).passed) << outside;
+    EXPECT_FALSE(judged(band, std::nullopt).passed) << "what was not measured";
+    EXPECT_TRUE(judged({"settle", std::nullopt, 0.6}, -5.0).passed);
+    EXPECT_TRUE(judged({"encoder", std::nullopt, 1.0}, 1.0).passed);
+    EXPECT_FALSE(judged({"encoder", std::nullopt, 1.0}, 0.0).passed);
 }
 
 } // namespace
