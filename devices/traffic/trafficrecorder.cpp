@@ -36,10 +36,12 @@ TrafficRecorder::TrafficRecorder(Link &link, Clock &clock, Duration unixOffset, 
     , m_since(clock.now())
     , m_tick(clock)
     , m_traffic(link.traffic().add([this](const Traffic &traffic) { take(traffic); }))
+    , m_opened(link.stateChanged().add([this, &link](LinkState) { // a link that was closed counts from 0 again
+        m_linkLostBefore = std::min(m_linkLostBefore, link.counters().lost);
+    }))
     , m_batch(link.batchEnded().add([this, &link] {
-        const std::uint64_t lost = link.counters().lost; // begins at 0 again when the link is opened again
-        m_linkLost += lost - std::min(lost, m_linkLostBefore);
-        m_linkLostBefore = lost;
+        m_linkLost += link.counters().lost - m_linkLostBefore;
+        m_linkLostBefore = link.counters().lost;
     }))
 {
     m_frame.link = link.address().shortName();
@@ -97,6 +99,7 @@ void TrafficRecorder::stop()
     if (std::exchange(m_stopped, true))
         return;
     m_traffic.reset();
+    m_opened.reset();
     m_batch.reset();
     m_text.clear();
     m_writer.finish(m_text);

@@ -68,6 +68,7 @@ private:
     Listeners<> m_changed;
     Timer m_tick;
     Subscription m_traffic;
+    Subscription m_opened;
     Subscription m_batch;
 };
 

@@ -188,6 +188,23 @@ TEST(Telemetry, ForgetsRecordingsButNotTheLatestWhenCleared)
     EXPECT_FALSE(telemetry.extremes(position, at(0), at(9)));
 }
 
+TEST(Telemetry, ForgetsWhatWasMeasuredInAnotherUnit)
+{
+    static constexpr std::array<Channel, 3> inMilliamperes{
+        {channels[0], channels[1], {"current", "mA", "Current", Quantity::Current}}};
+    Telemetry telemetry(channels);
+    telemetry.append({position, at(1), 1.0});
+    telemetry.append({current, at(1), 2.0});
+    const std::uint64_t revision = telemetry.revision();
+    telemetry.useTable(inMilliamperes);
+    EXPECT_GT(telemetry.revision(), revision);
+    EXPECT_EQ(telemetry.channels()[current.value].unit, "mA");
+    EXPECT_EQ(telemetry.size(position), 1U);
+    EXPECT_TRUE(telemetry.latest(position));
+    EXPECT_EQ(telemetry.size(current), 0U) << "what waited, too";
+    EXPECT_FALSE(telemetry.latest(current));
+}
+
 TEST(Telemetry, TellsItsMemory)
 {
     Telemetry telemetry(channels);

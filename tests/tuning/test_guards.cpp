@@ -50,7 +50,7 @@ TEST(Guards, TravelTripsBeforeTheMotorCanOnlyStopBeyondIt)
     // 2000 counts/s, stopped within 155 ms: 310 counts of way
     const auto trip = run(plan(), 100, [](Guards &g, Instant t, int i) { return g.position(t, 200.0 + 20.0 * i); });
     expectTrip(trip, Guard::Travel, start + 350ms, "1000 are allowed");
-    EXPECT_FALSE(run(plan(), 200, [](Guards &g, Instant t, int) { return g.position(t, 1150.0); }));
+    EXPECT_FALSE(run(plan(), 200, [](Guards &g, Instant t, int) { return g.position(t, 1200.0); }));
     EXPECT_TRUE(run(plan(), 1, [](Guards &g, Instant t, int) { return g.position(t, -801.0); }));
 }
 
@@ -113,7 +113,11 @@ TEST(Guards, DutyTemperatureAndSupplyTripAtTheirLimits)
     EXPECT_FALSE(run(limits, 5, [](Guards &g, Instant t, int) { return g.busVoltage(t, 14.0); }));
     expectTrip(run(limits, 5, [](Guards &g, Instant t, int) { return g.busVoltage(t, 14.1); }), Guard::BusVoltage,
         start, "14.1");
+    EXPECT_FALSE(run(limits, 5, [](Guards &g, Instant t, int) { return g.busVoltage(t, 6.0); }));
     EXPECT_TRUE(run(limits, 5, [](Guards &g, Instant t, int) { return g.busVoltage(t, 5.9); }));
+    limits.envelope.duty.reset();
+    EXPECT_FALSE(run(limits, 5, [](Guards &g, Instant t, int) { return g.duty(t, 1.0); }));
+    EXPECT_TRUE(run(limits, 5, [](Guards &g, Instant t, int) { return g.duty(t, 1.03); })) << "all there is";
 }
 
 TEST(Guards, WrongDirectionTripsAfterFiveSamplesBeyondTenCounts)
@@ -165,6 +169,9 @@ TEST(Guards, WithoutADutyToLookAtALargeErrorStandsForIt)
     expectTrip(run(blind, 100, away(300.0, -4.0)), Guard::WrongDirection, start + 70ms, "down");
     EXPECT_FALSE(run(blind, 100, away(250.0, 0.0))) << "half a step is not more than half a step";
     EXPECT_TRUE(run(blind, 100, away(250.1, 0.0)));
+    EXPECT_FALSE(run(plan(), 100, away(300.0, 0.0))) << "its duty is known, and is none";
+    blind.isVelocity = true;
+    EXPECT_FALSE(run(blind, 100, away(300.0, 0.0))) << "the target of a speed stands for it";
 }
 
 TEST(Guards, AnIntegralThatIsKnownToBeSlowHasThatMuchLongerToMoveItsMotor)
@@ -216,7 +223,12 @@ TEST(Guards, APositionWithoutADutyThatDoesNotComeToRestTripsOscillation)
     expectTrip(lasting, Guard::Oscillation, start + 240ms, "25 swings");
     EXPECT_FALSE(run(blind, 100, swinging(14.0, 0.9))) << "it comes to rest";
     EXPECT_FALSE(run(blind, 100, swinging(1.0, 1.0))) << "of a count or two";
-    EXPECT_FALSE(run(plan(), 100, swinging(10.0, 1.0))) << "its duty shows how hard it works";
+    GuardPlan seen = blind;
+    seen.dutyKnown = true;
+    EXPECT_FALSE(run(seen, 100, swinging(10.0, 1.0))) << "its duty shows how hard it works";
+    GuardPlan turning = blind;
+    turning.isVelocity = true;
+    EXPECT_FALSE(run(turning, 100, swinging(10.0, 1.0))) << "a speed swings about its target";
 }
 
 TEST(Guards, LinkTripsAfterSilenceAndAfterLoss)
@@ -244,6 +256,20 @@ TEST(Guards, LinkTripsAfterSilenceAndAfterLoss)
     ASSERT_TRUE(trip);
     EXPECT_EQ(trip->guard, Guard::Link);
     EXPECT_FALSE(run(plan(), 100, lossy(4)));
+}
+
+TEST(Guards, ASampleOfAnyKindIsHeard)
+{
+    using Feed = std::optional<Trip> (Guards::*)(Instant, double);
+    for (const Feed feed : {&Guards::position, &Guards::velocity, &Guards::current, &Guards::duty, &Guards::temperature,
+             &Guards::busVoltage}) {
+        GuardPlan wide = plan();
+        wide.lowestBus = 0.0;
+        Guards guards(wide, start);
+        EXPECT_FALSE((guards.*feed)(start + 90ms, 0.25));
+        EXPECT_FALSE(guards.look(start + 190ms, 10, 0));
+        EXPECT_TRUE(guards.look(start + 191ms, 10, 0));
+    }
 }
 
 TEST(Guards, TimeTripsAtHalfAsLongAgainAsPlanned)

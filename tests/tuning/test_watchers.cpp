@@ -126,8 +126,10 @@ struct Pushed {
 TEST(MotionWatch, TenCountsTheWrongWayAreForgivenAndNoneBeyond)
 {
     for (const double sign : {1.0, -1.0}) {
+        EXPECT_EQ(Pushed(0.06 * sign).see({-10.05 * sign}), 1);
         Pushed motor(0.06 * sign);
         EXPECT_EQ(motor.see({-5.0 * sign, -10.0 * sign}), 0);
+        motor.watch.duty(motor.now, 0.06 * sign, 0.02); // the same push goes on
         EXPECT_EQ(motor.see({-15.0 * sign}), 1);
         EXPECT_EQ(motor.see({-20.0 * sign}), 2);
         EXPECT_EQ(motor.see({-20.0 * sign}), 2) << "it stands";
@@ -164,10 +166,12 @@ TEST(MotionWatch, AMotorThatIsBrakedGoesOnButNotAFifthFaster)
 
 TEST(MotionWatch, SamplesOfOneMomentTellNoSpeed)
 {
-    Pushed motor(0.06);
-    motor.see({-5.0});
-    motor.watch.position(motor.now, -15.0);
-    EXPECT_EQ(motor.watch.wrong(), 0);
+    for (const double sign : {1.0, -1.0}) {
+        Pushed motor(0.06 * sign);
+        motor.see({0.0});
+        motor.watch.position(motor.now, -15.0 * sign);
+        EXPECT_EQ(motor.watch.wrong(), 0);
+    }
 }
 
 /// Half waves of the error, one number each: growing() when the last begins.
@@ -194,7 +198,7 @@ TEST(OscillationWatch, CountsHalfWavesThatAreMoreThanATwentiethLargerThanTheOneB
     OscillationWatch noisy;
     EXPECT_EQ(waves(noisy, {60.0, -90.0}, 100.0, 60.0), 0);
     OscillationWatch touching;
-    EXPECT_EQ(waves(touching, {60.0, 0.0, 60.0}), 0) << "it came back before it was through";
+    EXPECT_EQ(waves(touching, {60.0, 0.0}), 0) << "it is not through yet";
 }
 
 TEST(OscillationWatch, AHalfWaveThatTheTargetMadeByTurningCountsBeyondItsSwingOnly)
@@ -229,6 +233,10 @@ TEST(OscillationWatch, WhereTheDutyIsAtItsLimitAsLargeIsEnough)
     EXPECT_EQ(waves(smaller, {60.0, -60.0, 57.0}), 2);
     smaller.duty(start, 0.5, 0.5);
     EXPECT_EQ(waves(smaller, {-60.0}), 0);
+    OscillationWatch asLarge;
+    EXPECT_EQ(waves(asLarge, {60.0, -60.0, 57.1}), 2);
+    asLarge.duty(start, 0.5, 0.5);
+    EXPECT_EQ(waves(asLarge, {-60.0}), 3);
 }
 
 TEST(OscillationWatch, TurnsOfMoreThanTheNoiseLastUntilTheTargetMoves)
@@ -282,6 +290,8 @@ TEST(LossWatch, IsThatOfTheLastSecond)
     EXPECT_DOUBLE_EQ(loss.share(), 50.0 / 150.0);
     loss.add(start + 1001ms, 100, 50);
     EXPECT_EQ(loss.share(), 0.0);
+    loss.add(start + 5s, 100, 150);
+    EXPECT_EQ(loss.share(), 0.0) << "nobody knows when in the four seconds";
 }
 
 } // namespace

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "async/virtualclock.h"
+#include "support/temporaryfile.h"
+#include "traffic/trafficrecorder.h"
+#include "transport/canlink.h"
+
+#include <gtest/gtest.h>
+
+namespace mb {
+namespace {
+
+/// A CAN link that loses frames when a test says so.
+class LosingLink final : public CanLink {
+public:
+    explicit LosingLink(Clock &clock)
+        : CanLink(LinkAddress{"socketcan", "can7", {}}, clock)
+    {
+    }
+    void loseInABatch(std::uint64_t frames)
+    {
+        countLost(frames);
+        endBatch();
+    }
+
+private:
+    Result<void> doOpen() override { return {}; }
+    void doClose() override { }
+    Result<void> doSend(const CanFrame &, Priority) override { return {}; }
+    [[nodiscard]] std::size_t doBacklog() const override { return 0; }
+    [[nodiscard]] int doBitrate() const override { return 0; }
+};
+
+TEST(TrafficRecorder, CountsWhatTheLinkLostSinceItsStartAlsoAfterItWasOpenedAgain)
+{
+    VirtualClock clock;
+    LosingLink link(clock);
+    ASSERT_TRUE(link.open());
+    link.loseInABatch(10);
+    test::TemporaryFolder folder;
+    const auto recorder = TrafficRecorder::start(link, clock, Duration::zero(), folder.path("run.log"));
+    ASSERT_TRUE(recorder);
+    EXPECT_EQ((*recorder)->state().lost, 0U);
+    link.loseInABatch(3);
+    EXPECT_EQ((*recorder)->state().lost, 3U);
+    link.close();
+    ASSERT_TRUE(link.open());
+    ASSERT_EQ(link.counters().lost, 0U);
+    link.loseInABatch(5);
+    EXPECT_EQ((*recorder)->state().lost, 8U);
+    link.close();
+    link.closedFor(say("unplugged"));
+    ASSERT_TRUE(link.open());
+    link.loseInABatch(20);
+    EXPECT_EQ((*recorder)->state().lost, 28U);
+    (*recorder)->stop();
+    link.loseInABatch(1);
+    EXPECT_EQ((*recorder)->state().lost, 28U);
+}
+
+} // namespace
+} // namespace mb
