@@ -129,7 +129,7 @@ QWidget *ReportsPage::buildPreview()
     m_text->setOpenLinks(false);
     m_text->setLineWrapMode(QTextEdit::FixedPixelWidth);
     m_text->viewport()->installEventFilter(this); // its width is known once the bar beside it is
-    QPalette paper = m_text->palette(); // as it is printed, in both themes
+    QPalette paper = m_text->palette();           // as it is printed, in both themes
     paper.setColor(QPalette::Base, Qt::white);
     paper.setColor(QPalette::Text, Qt::black);
     m_text->setPalette(paper);
