@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/sessiondesk.h"
-#include "widgets/common/clocktext.h"
 
 #include "app/crashnotice.h"
 #include "app/crashreport.h"
@@ -9,6 +8,7 @@
 #include "app/sessionkeeper.h"
 #include "app/welcome.h"
 #include "widgets/common/banner.h"
+#include "widgets/common/clocktext.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/connection/startpage.h"
 

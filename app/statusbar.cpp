@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/statusbar.h"
-#include "widgets/common/clocktext.h"
 
 #include "app/footprint.h"
+#include "widgets/common/clocktext.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/losses.h"
 #include "widgets/common/numberformat.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/control/trialmodel.h"
-#include "widgets/common/clocktext.h"
 
+#include "widgets/common/clocktext.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/numberformat.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/firmware/updatelog.h"
-#include "widgets/common/clocktext.h"
 
 #include "files/filebytes.h"
+#include "widgets/common/clocktext.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"

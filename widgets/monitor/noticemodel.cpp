@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/monitor/noticemodel.h"
-#include "widgets/common/clocktext.h"
 
+#include "widgets/common/clocktext.h"
 #include "widgets/common/devicetext.h"
 
 #include "widgets/common/stateglyph.h"

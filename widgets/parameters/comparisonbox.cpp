@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameters/comparisonbox.h"
-#include "widgets/common/clocktext.h"
 
+#include "widgets/common/clocktext.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
 #include "widgets/parameters/axisparameters.h"

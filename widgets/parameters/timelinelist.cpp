@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameters/timelinelist.h"
-#include "widgets/common/clocktext.h"
 
 #include "settings/history.h"
+#include "widgets/common/clocktext.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/icons.h"
 

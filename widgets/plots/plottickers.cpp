@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/plottickers.h"
-#include "widgets/common/clocktext.h"
 
+#include "widgets/common/clocktext.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/plots/autorange.h"
 
