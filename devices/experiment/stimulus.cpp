@@ -34,6 +34,16 @@ constexpr double prbsBitTime = 0.125;
 constexpr int prbsLength = 127;
 constexpr double beatsPerSwing = 10.0; ///< a swing of fewer is no sine any more
 
+constexpr std::array<bool, prbsLength> prbsBits = [] {
+    std::array<bool, prbsLength> bits{};
+    unsigned state = 0x7F;
+    for (bool &bit : bits) {
+        bit = (state & 1U) != 0;
+        state = (state << 1U | ((state >> 6U ^ state >> 5U) & 1U)) & 0x7FU; // x^7 + x^6 + 1
+    }
+    return bits;
+}();
+
 tl::unexpected<Error> tooFine(const Stimulus &stimulus, const Message &what, double seconds, double beat)
 {
     return fail(Fault::OutOfRange,
@@ -161,10 +171,7 @@ double Stimulus::hold() const
 
 bool prbsBit(int index)
 {
-    unsigned state = 0x7F;
-    for (int i = 0; i < index % prbsLength; ++i)
-        state = (state << 1U | ((state >> 6U ^ state >> 5U) & 1U)) & 0x7FU; // x^7 + x^6 + 1
-    return (state & 1U) != 0;
+    return prbsBits[static_cast<std::size_t>(index % prbsLength)];
 }
 
 } // namespace mb::tuning

@@ -4,9 +4,11 @@
 #include "widgets/common/noticestrip.h"
 #include "widgets/common/segmented.h"
 #include "widgets/connection/devicetree.h"
+#include "widgets/start/guidestrip.h"
 #include "windowbench.h"
 
 #include <QElapsedTimer>
+#include <QTemporaryDir>
 
 using namespace mb;
 using namespace mb::test;
@@ -31,12 +33,32 @@ void waitUntilItRests(const QWidget &page)
 
 } // namespace
 
+/// Counts what is laid out anew anywhere in the program.
+class Layouts : public QObject {
+public:
+    Layouts() { qApp->installEventFilter(this); }
+    int count = 0;
+
+protected:
+    bool eventFilter(QObject * /*watched*/, QEvent *event) override
+    {
+        count += event->type() == QEvent::LayoutRequest ? 1 : 0;
+        return false;
+    }
+};
+
 class StillTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    void initTestCase() { qputenv("XDG_CONFIG_HOME", m_config.path().toUtf8()); }
     void noticesMoveNothing_data();
     void noticesMoveNothing();
     void openingTheSimulatedBenchMovesNoFrame();
+    void aPageWithNothingNewIsNotLaidOutAnew_data();
+    void aPageWithNothingNewIsNotLaidOutAnew();
+
+private:
+    QTemporaryDir m_config;
 };
 
 void StillTest::noticesMoveNothing_data()
@@ -106,6 +128,44 @@ void StillTest::openingTheSimulatedBenchMovesNoFrame()
     application.engine().send(orders::OpenLink{address});
     QTRY_VERIFY_WITH_TIMEOUT(!window.findChild<DemoStripe *>()->isEmpty(), patience);
     QCOMPARE(frames(), before);
+}
+
+void StillTest::aPageWithNothingNewIsNotLaidOutAnew_data()
+{
+    QTest::addColumn<QSize>("size");
+    QTest::addColumn<double>("fontScale");
+    QTest::newRow("normal text") << QSize(1280, 800) << 1.0;
+    QTest::newRow("larger text") << QSize(1440, 900) << 1.2;
+}
+
+/// Motors at rest: what a picture of the engine brings is a few figures of other widths.
+void StillTest::aPageWithNothingNewIsNotLaidOutAnew()
+{
+    QFETCH(QSize, size);
+    QFETCH(double, fontScale);
+    WindowBench bench(fontScale);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
+    bench.window().resize(size);
+    int pictures = 0;
+    connect(&bench.engine(), &Workbench::changed, this, [&pictures] { ++pictures; });
+    const auto look = [&](PageId id) {
+        waitUntilItRests(*bench.window().page(id));
+        Layouts layouts;
+        pictures = 0;
+        QTRY_VERIFY_WITH_TIMEOUT(pictures >= 10, patience);
+        const int each = layouts.count / pictures;
+        qInfo("page %d: %d layouts a picture", static_cast<int>(id), each);
+        QVERIFY2(each < 40, qPrintable(QString::number(each)));
+    };
+    QVERIFY(bench.window().findChild<GuideStrip *>(QStringLiteral("guideOffer"))->isVisible());
+    look(PageId::Overview); // with what a newcomer is offered
+    bench.select(WindowBench::tuned);
+    for (int page = 0; page <= static_cast<int>(PageId::Reports) && !QTest::currentTestFailed(); ++page) {
+        const auto id = static_cast<PageId>(page);
+        bench.window().showPage(id);
+        QTRY_VERIFY_WITH_TIMEOUT(id != PageId::Parameters || bench.isRead(WindowBench::tuned), patience);
+        look(id);
+    }
 }
 
 MB_WINDOW_TEST(StillTest);

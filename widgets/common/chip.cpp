@@ -28,30 +28,40 @@ void Chip::changed()
 
 void Chip::setGlyph(std::optional<GlyphState> state)
 {
+    if (m_glyph == state)
+        return;
     m_glyph = state;
     changed();
 }
 
 void Chip::setTitle(const QString &title)
 {
+    if (m_title == title)
+        return;
     m_title = title;
     changed();
 }
 
 void Chip::setParts(std::vector<Part> parts)
 {
+    if (m_parts == parts)
+        return;
     m_parts = std::move(parts);
     changed();
 }
 
 void Chip::setEdge(std::optional<Tone> edge)
 {
+    if (m_edge == edge)
+        return;
     m_edge = edge;
     changed();
 }
 
 void Chip::setFlat(bool flat)
 {
+    if (m_flat == flat)
+        return;
     m_flat = flat;
     changed();
 }
@@ -158,7 +168,7 @@ void LinkChip::setStatus(const LinkStatus &status)
     } else {
         if (status.load) {
             const QString percent = tr("%1 %").arg(std::lround(*status.load * 100));
-            parts.push_back({{}, false, {}, Part::Kind::Bar, *status.load});
+            parts.push_back({{}, false, {}, Part::Kind::Bar, std::round(*status.load * 100.0) / 100.0});
             parts.push_back({percent, true, tr("%1 %").arg(88)});
             spoken = tr("load %1").arg(percent);
         } else if (!status.rate.isEmpty()) {

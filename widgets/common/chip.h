@@ -21,6 +21,8 @@ public:
         QString widest = {}; ///< keeps the width of this text, so that numbers do not move
         Kind kind = Kind::Text;
         double level = 0.0; ///< of a bar, 0 … 1
+
+        friend bool operator==(const Part &, const Part &) = default;
     };
     explicit Chip(const ThemeSource &theme, QWidget *parent = nullptr);
 

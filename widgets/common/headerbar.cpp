@@ -197,6 +197,8 @@ void HeaderBar::updateFolding()
 
 void HeaderBar::setNotices(int count)
 {
+    if (count == m_noticeCount)
+        return;
     m_noticeCount = count;
     m_notices->setFlat(count == 0);
     m_notices->setGlyph(count == 0 ? GlyphState::Done : GlyphState::Warning);
@@ -218,6 +220,8 @@ void HeaderBar::setRecording(const QString &text)
 
 void HeaderBar::setLampStatus(const LampStatus &status)
 {
+    if (m_lamp->status() == status)
+        return;
     m_lamp->setStatus(status);
     updateFolding();
     update();

@@ -24,6 +24,8 @@ struct LampStatus {
     QString detail;
     std::optional<std::chrono::seconds> remaining;
     bool armable = true; ///< false: holding does nothing, the Arm button is faint
+
+    friend bool operator==(const LampStatus &, const LampStatus &) = default;
 };
 
 /// Energy may flow.

@@ -6,6 +6,31 @@
 #include <algorithm>
 
 namespace mb {
+namespace {
+
+/// Answers as another layout's item does, and leaves it where it lies.
+class Mirror : public QLayoutItem {
+public:
+    explicit Mirror(const QLayoutItem &item)
+        : QLayoutItem(item.alignment())
+        , m_item(item)
+    {
+    }
+    [[nodiscard]] QSize sizeHint() const override { return m_item.sizeHint(); }
+    [[nodiscard]] QSize minimumSize() const override { return m_item.minimumSize(); }
+    [[nodiscard]] QSize maximumSize() const override { return m_item.maximumSize(); }
+    [[nodiscard]] Qt::Orientations expandingDirections() const override { return m_item.expandingDirections(); }
+    [[nodiscard]] bool isEmpty() const override { return m_item.isEmpty(); }
+    [[nodiscard]] bool hasHeightForWidth() const override { return m_item.hasHeightForWidth(); }
+    [[nodiscard]] int heightForWidth(int width) const override { return m_item.heightForWidth(width); }
+    [[nodiscard]] QRect geometry() const override { return m_item.geometry(); }
+    void setGeometry(const QRect & /*rect*/) override { }
+
+private:
+    const QLayoutItem &m_item;
+};
+
+} // namespace
 
 TurningBox::TurningBox(const ThemeSource &theme, int besideFrom, QWidget *parent)
     : QBoxLayout(LeftToRight, parent)
@@ -24,21 +49,26 @@ QSize TurningBox::minimumSize() const
     return {width + margins.left() + margins.right(), QBoxLayout::minimumSize().height()};
 }
 
-/// Which way it lies follows from the width that is asked about, as everything else that a layout keeps of it.
-void TurningBox::turnFor(int width) const
+QBoxLayout::Direction TurningBox::directionFor(int width) const
 {
-    const_cast<TurningBox *>(this)->setDirection(width < m_theme.theme().u(m_besideFrom) ? TopToBottom : LeftToRight);
+    return width < m_theme.theme().u(m_besideFrom) ? TopToBottom : LeftToRight;
 }
 
 int TurningBox::heightForWidth(int width) const
 {
-    turnFor(width);
-    return QBoxLayout::hasHeightForWidth() ? QBoxLayout::heightForWidth(width) : QBoxLayout::sizeHint().height();
+    QBoxLayout asked(directionFor(width));
+    asked.setContentsMargins(contentsMargins());
+    asked.setSpacing(spacing());
+    for (int i = 0; i < count(); ++i) {
+        asked.addItem(new Mirror(*itemAt(i)));
+        asked.setStretch(i, stretch(i));
+    }
+    return asked.hasHeightForWidth() ? asked.heightForWidth(width) : asked.sizeHint().height();
 }
 
 void TurningBox::setGeometry(const QRect &rect)
 {
-    turnFor(rect.width());
+    setDirection(directionFor(rect.width()));
     QBoxLayout::setGeometry(rect);
 }
 

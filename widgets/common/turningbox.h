@@ -8,7 +8,8 @@
 namespace mb {
 
 /// Parts side by side, or one below the other where they have no room for that. How high it gets in a width is known before it is laid out in it,
-/// so that nothing lies over anything in the first picture. It never holds its widget wider than its widest part.
+/// so that nothing lies over anything in the first picture, and asking for it changes nothing: a layout that turns when it is asked
+/// is laid out anew without end. It never holds its widget wider than its widest part.
 class TurningBox : public QBoxLayout {
     Q_OBJECT
 public:
@@ -21,7 +22,7 @@ public:
     void setGeometry(const QRect &rect) override;
 
 private:
-    void turnFor(int width) const;
+    [[nodiscard]] Direction directionFor(int width) const;
 
     const ThemeSource &m_theme;
     int m_besideFrom;

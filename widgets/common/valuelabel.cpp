@@ -71,6 +71,8 @@ void ValueLabel::clear()
 
 void ValueLabel::setUnit(const QString &unit)
 {
+    if (unit == m_unit)
+        return;
     m_unit = unit;
     updateAccessibleText();
     updateGeometry();
@@ -79,6 +81,8 @@ void ValueLabel::setUnit(const QString &unit)
 
 void ValueLabel::setTone(Tone tone)
 {
+    if (tone == m_tone)
+        return;
     m_tone = tone;
     update();
 }

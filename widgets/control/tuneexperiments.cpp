@@ -72,7 +72,7 @@ void TuneExperiments::follow(const DeviceView &view)
     const ExperimentCheck found = check(view, wishOf(view, axis));
     stimulus.setEnabled(found.possible);
     envelope.setInForce(found.inForce, found.missing);
-    if (!m_parts.commands->isLive())
+    if (m_page.isVisible() && !m_parts.commands->isLive())
         checkKinds(view);
     const QString fault = stimulus.fault();
     stimulus.setVerdict(fault.isEmpty() && found.good, fault.isEmpty() ? found.words : fault);
