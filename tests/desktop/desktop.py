@@ -44,8 +44,11 @@ def enter():
             environment["XDG_" + name] = os.path.join(home, folder)
             os.mkdir(environment["XDG_" + name], 0o700)
         try:
-            status = subprocess.call(["dbus-run-session", "--", sys.executable, "-B", *sys.argv], env=environment,
-                                     stderr=None if os.environ.get("MOTORBENCH_VERBOSE") else subprocess.DEVNULL)
+            with open(os.path.join(home, "said"), "w+", encoding="utf-8", errors="replace") as said:
+                status = subprocess.call(["dbus-run-session", "--", sys.executable, "-B", *sys.argv], env=environment, stderr=said)
+                said.seek(0)
+                if status or os.environ.get("MOTORBENCH_VERBOSE"):
+                    print(said.read(), flush=True)
         finally:
             server.terminate()
             server.wait()

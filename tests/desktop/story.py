@@ -5,7 +5,7 @@ import os
 import re
 import subprocess
 
-from desktop import wait
+from desktop import Missing, wait
 
 TUNING = 240.0  # seconds, of a tuning and its proof of flash on a busy computer
 
@@ -17,7 +17,13 @@ def steps(program):
 
 
 def await_step(program, name, limit=TUNING):
-    wait(f"step {name} of the story", lambda: re.search(rf"\d\. {name}\b", steps(program)), limit)
+    """Also ends where the motor was stopped meanwhile: the story would wait for somebody who arms it again."""
+    def reached():
+        stopped = program.find("push button", "^Arm button: STOPPED")
+        if stopped:
+            raise Missing(f"step {name} of the story: stopped, {stopped.description}")
+        return re.search(rf"\d\. {name}\b", steps(program))
+    wait(f"step {name} of the story", reached, limit)
 
 
 def await_done(program):
