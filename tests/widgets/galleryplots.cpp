@@ -57,8 +57,8 @@ QWidget *livePlotPage(const ThemeSource &theme)
             s("1 kHz, 0 lost")));
     stack->strips().addTrace({s("ch2 position"), s("t"), TraceRole::Position, 2},
         sampled(95, 112, 0.005, [](double t) { return 8192 * std::sin(t); }));
-    stack->strips().addTrace({s("ch2 duty"), s("%"), TraceRole::Duty, 2},
-        sampled(95, 112, 0.005, [](double t) { return 3000 * std::cos(t * 2); }));
+    stack->strips().addTrace({s("ch2 set-point"), s("t"), TraceRole::Setpoint, 2},
+        sampled(95, 112, 0.005, [](double t) { return 8192 * std::sin(t + 0.3); }));
     stack->strips().annotate<PlotLimit>(
         1, {{60, s("peak limit 60 A"), TraceRole::Current}, {30, s("limit 30 A"), TraceRole::Current}});
     stack->strips().setClock(1718100000.0);
