@@ -27,7 +27,9 @@
 #include <QFileInfo>
 #include <QLibraryInfo>
 #include <QLocale>
+#include <QScreen>
 #include <QStandardPaths>
+#include <QStyle>
 
 #include <utility>
 
@@ -175,13 +177,24 @@ Application::Application(QApplication &qt, const Options &options)
     if (const QStringList sides = options.size.split(QLatin1Char('x')); sides.size() == 2)
         m_window->resize(sides[0].toInt(), sides[1].toInt());
     else if (options.tour.isEmpty()) // whose pictures are larger than a screen that is not there
-        m_window->resize(m_window->size().boundedTo(m_window->screen()->availableSize()));
+        fitScreen();
     qt.installEventFilter(&m_stopKeys);
     QObject::connect(
         &m_stopKeys, &StopKeys::stopPressed, &qt, [this](const QString &key) { m_window->arming().stopAll(key); });
 }
 
 Application::~Application() = default;
+
+/// A window that would not fit with what the desktop draws around it takes the whole screen.
+void Application::fitScreen()
+{
+    const QSize room = m_window->screen()->availableSize();
+    const int title = m_window->style()->pixelMetric(QStyle::PM_TitleBarHeight);
+    if (m_window->width() <= room.width() && m_window->height() + title <= room.height())
+        return;
+    m_window->resize(m_window->size().boundedTo(room - QSize(0, title)));
+    m_window->setWindowState(m_window->windowState() | Qt::WindowMaximized);
+}
 
 void Application::makeWindow()
 {

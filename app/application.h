@@ -58,6 +58,7 @@ private:
     void wearTheme();
     void followDesktop();
     void openLinks();
+    void fitScreen();
     void makeWindow();
     void keepJournal();
     void setUpPlots();

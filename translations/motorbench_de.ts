@@ -2406,6 +2406,14 @@
         <source>dropped %1 &amp;nbsp; errors %2</source>
         <translation>verworfen %1 &amp;nbsp; Fehler %2</translation>
     </message>
+    <message>
+        <source>No link yet</source>
+        <translation>Noch keine Verbindung</translation>
+    </message>
+    <message>
+        <source>Open a link, or the simulated bench from the menu; what passes on it appears here.</source>
+        <translation>Eine Verbindung oder im Menü den simulierten Prüfstand öffnen; hier erscheint, was darüber läuft.</translation>
+    </message>
 </context>
 <context>
     <name>mb::BusSide</name>
@@ -10754,6 +10762,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>Intel HEX (*.hex *.ihex);;All files (*)</source>
         <translation>Intel HEX (*.hex *.ihex);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>motor not known</source>
+        <translation>Motor unbekannt</translation>
     </message>
 </context>
 <context>

@@ -2406,6 +2406,14 @@
         <source>dropped %1 &amp;nbsp; errors %2</source>
         <translation>descartadas %1 &amp;nbsp; errores %2</translation>
     </message>
+    <message>
+        <source>No link yet</source>
+        <translation>Aún no hay ningún enlace</translation>
+    </message>
+    <message>
+        <source>Open a link, or the simulated bench from the menu; what passes on it appears here.</source>
+        <translation>Abra un enlace, o el banco simulado desde el menú; lo que pase por él aparece aquí.</translation>
+    </message>
 </context>
 <context>
     <name>mb::BusSide</name>
@@ -10754,6 +10762,10 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>Intel HEX (*.hex *.ihex);;All files (*)</source>
         <translation>Intel HEX (*.hex *.ihex);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>motor not known</source>
+        <translation>motor desconocido</translation>
     </message>
 </context>
 <context>

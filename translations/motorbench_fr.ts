@@ -2406,6 +2406,14 @@
         <source>dropped %1 &amp;nbsp; errors %2</source>
         <translation>rejetées %1 &amp;nbsp; erreurs %2</translation>
     </message>
+    <message>
+        <source>No link yet</source>
+        <translation>Pas encore de liaison</translation>
+    </message>
+    <message>
+        <source>Open a link, or the simulated bench from the menu; what passes on it appears here.</source>
+        <translation>Ouvrez une liaison, ou le banc simulé depuis le menu&#x202f;; ce qui y passe apparaît ici.</translation>
+    </message>
 </context>
 <context>
     <name>mb::BusSide</name>
@@ -10754,6 +10762,10 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>Intel HEX (*.hex *.ihex);;All files (*)</source>
         <translation>Intel HEX (*.hex *.ihex);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>motor not known</source>
+        <translation>moteur inconnu</translation>
     </message>
 </context>
 <context>

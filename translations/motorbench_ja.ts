@@ -2404,6 +2404,14 @@
         <source>dropped %1 &amp;nbsp; errors %2</source>
         <translation>破棄 %1 &amp;nbsp; エラー %2</translation>
     </message>
+    <message>
+        <source>No link yet</source>
+        <translation>リンクはまだありません</translation>
+    </message>
+    <message>
+        <source>Open a link, or the simulated bench from the menu; what passes on it appears here.</source>
+        <translation>リンク、またはメニューからシミュレーションベンチを開いてください。流れるデータがここに表示されます。</translation>
+    </message>
 </context>
 <context>
     <name>mb::BusSide</name>
@@ -10740,6 +10748,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>Intel HEX (*.hex *.ihex);;All files (*)</source>
         <translation>Intel HEX (*.hex *.ihex);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>motor not known</source>
+        <translation>モーター不明</translation>
     </message>
 </context>
 <context>

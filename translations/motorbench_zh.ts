@@ -2404,6 +2404,14 @@
         <source>dropped %1 &amp;nbsp; errors %2</source>
         <translation>丢弃 %1 &amp;nbsp; 错误 %2</translation>
     </message>
+    <message>
+        <source>No link yet</source>
+        <translation>尚无链路</translation>
+    </message>
+    <message>
+        <source>Open a link, or the simulated bench from the menu; what passes on it appears here.</source>
+        <translation>打开链路，或从菜单打开仿真台架；链路上传输的内容会显示在此处。</translation>
+    </message>
 </context>
 <context>
     <name>mb::BusSide</name>
@@ -10740,6 +10748,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>Intel HEX (*.hex *.ihex);;All files (*)</source>
         <translation>Intel HEX (*.hex *.ihex);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>motor not known</source>
+        <translation>电机未知</translation>
     </message>
 </context>
 <context>

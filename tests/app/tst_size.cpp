@@ -6,6 +6,8 @@
 
 #include <QAbstractScrollArea>
 #include <QDir>
+#include <QScreen>
+#include <QTemporaryDir>
 
 using namespace mb;
 using namespace mb::test;
@@ -16,6 +18,7 @@ private Q_SLOTS:
     void lampAndStopAreWholeOnSmallScreens_data();
     void lampAndStopAreWholeOnSmallScreens();
     void theLeastWindowKeepsThemAndGivesTheDevicesBack();
+    void aWindowThatDoesNotFitWithItsFrameTakesTheScreen();
 };
 
 namespace {
@@ -110,6 +113,18 @@ void SizeTest::theLeastWindowKeepsThemAndGivesTheDevicesBack()
     window.resize(1280, 800);
     QCoreApplication::processEvents();
     QCOMPARE(tree.width(), before);
+}
+
+void SizeTest::aWindowThatDoesNotFitWithItsFrameTakesTheScreen()
+{
+    const QTemporaryDir config; // no window was kept
+    qputenv("XDG_CONFIG_HOME", config.path().toUtf8());
+    Application application(*qApp, Options());
+    const MainWindow &window = application.window();
+    const QSize room = window.screen()->availableSize();
+    QVERIFY(room.width() < 1440); // of the platform that draws nowhere
+    QVERIFY(window.isMaximized());
+    QVERIFY(window.normalGeometry().width() <= room.width() && window.normalGeometry().height() < room.height());
 }
 
 MB_WINDOW_TEST(SizeTest);

@@ -50,15 +50,11 @@ protected:
 class StillTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void initTestCase() { qputenv("XDG_CONFIG_HOME", m_config.path().toUtf8()); }
     void noticesMoveNothing_data();
     void noticesMoveNothing();
     void openingTheSimulatedBenchMovesNoFrame();
     void aPageWithNothingNewIsNotLaidOutAnew_data();
     void aPageWithNothingNewIsNotLaidOutAnew();
-
-private:
-    QTemporaryDir m_config;
 };
 
 void StillTest::noticesMoveNothing_data()
@@ -143,6 +139,8 @@ void StillTest::aPageWithNothingNewIsNotLaidOutAnew()
 {
     QFETCH(QSize, size);
     QFETCH(double, fontScale);
+    const QTemporaryDir config; // of a newcomer
+    qputenv("XDG_CONFIG_HOME", config.path().toUtf8());
     WindowBench bench(fontScale);
     QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
     bench.window().resize(size);
@@ -158,7 +156,7 @@ void StillTest::aPageWithNothingNewIsNotLaidOutAnew()
         QVERIFY2(each < 40, qPrintable(QString::number(each)));
     };
     QVERIFY(bench.window().findChild<GuideStrip *>(QStringLiteral("guideOffer"))->isVisible());
-    look(PageId::Overview); // with what a newcomer is offered
+    look(PageId::Overview);
     bench.select(WindowBench::tuned);
     for (int page = 0; page <= static_cast<int>(PageId::Reports) && !QTest::currentTestFailed(); ++page) {
         const auto id = static_cast<PageId>(page);

@@ -2,6 +2,7 @@
 // The Bus page as a person uses it: tables, filter, search, copies, files, its two arrangements.
 #include "buspagebench.h"
 #include "support/windowtests.h"
+#include "widgets/common/emptystate.h"
 #include "widgets/monitor/framemodel.h"
 #include "widgets/monitor/logpage.h"
 #include "widgets/monitor/noticemodel.h"
@@ -9,6 +10,7 @@
 #include <QHeaderView>
 
 #include <set>
+#include <utility>
 
 using namespace mb;
 using namespace mb::test;
@@ -28,6 +30,8 @@ private Q_SLOTS:
     void theOrdersStandInOneLineBesideTheDevices();
     void someFramesAreInSightAtTwiceTheFont();
     void aTimeOfTheLogIsWhole();
+    void withoutALinkItSaysHowToGetOne();
+    void whatALinkLeftStaysWhenItIsClosed();
     void everyControlSpeaks();
 };
 
@@ -251,6 +255,40 @@ void BusPageTest::someFramesAreInSightAtTwiceTheFont()
     QVERIFY(frames->viewport()->height() >= 5 * frames->verticalHeader()->defaultSectionSize());
     const int message = frames->columnViewportPosition(FrameModel::Message) + frames->columnWidth(FrameModel::Message);
     QVERIFY2(message <= frames->viewport()->width(), qPrintable(QString::number(message)));
+}
+
+void BusPageTest::withoutALinkItSaysHowToGetOne()
+{
+    BusBench bench;
+    const std::vector<LinkView> links = std::exchange(bench.workbench.shot.links, {});
+    const auto page = std::make_unique<BusPage>(bench.workbench, bench.arming, bench.theme);
+    page->show();
+    bench.publish();
+    const auto buttons = page->findChildren<QPushButton *>();
+    const auto send = std::find_if(buttons.begin(), buttons.end(),
+        [](const QPushButton *button) { return button->text() == QStringLiteral("Send frame…"); });
+    QVERIFY(send != buttons.end());
+    QVERIFY(page->findChild<EmptyState *>()->isVisible());
+    QVERIFY(!page->findChild<TrafficView *>()->isVisible());
+    QVERIFY(!(*send)->isEnabled());
+    bench.workbench.shot.links = links;
+    bench.publish();
+    QVERIFY(!page->findChild<EmptyState *>()->isVisible());
+    QVERIFY(page->findChild<TrafficView *>()->isVisible());
+    QVERIFY((*send)->isEnabled());
+}
+
+void BusPageTest::whatALinkLeftStaysWhenItIsClosed()
+{
+    BusBench bench;
+    bench.traffic.add(generalOf5);
+    bench.publish();
+    bench.page->bar().setSendShown(true);
+    QVERIFY(bench.panel().isVisible());
+    bench.workbench.shot.links.clear();
+    bench.publish();
+    QVERIFY(bench.page->findChild<TrafficView *>()->isVisible());
+    QVERIFY(!bench.panel().isVisible()); // there is nothing to send on
 }
 
 void BusPageTest::everyControlSpeaks()

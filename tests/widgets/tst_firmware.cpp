@@ -17,6 +17,7 @@ private Q_SLOTS:
     void nothingIsCalledSafeWhileAnotherUnitIsWritten();
     void aSecondUpdateOnTheBusIsRefusedWithWords();
     void anotherBusMayBeUpdatedMeanwhile();
+    void withoutADeviceNothingIsSaidOfAMotor();
 };
 
 namespace {
@@ -128,6 +129,18 @@ void FirmwareTest::anotherBusMayBeUpdatedMeanwhile()
     bench.page->startUpdate();
     QCOMPARE(bench.workbench.given<orders::UpdateFirmware>().size(), 1U);
     QVERIFY(bench.says(QStringLiteral("DMC60C #5 on sim:can"))); // until its own operation is there
+}
+
+void FirmwareTest::withoutADeviceNothingIsSaidOfAMotor()
+{
+    FirmwareBench bench;
+    QVERIFY(bench.says(QStringLiteral("motor stopped")));
+    bench.selection.select({});
+    bench.workbench.shot.devices.clear();
+    bench.workbench.publish();
+    QVERIFY(!bench.says(QStringLiteral("motor stopped")));
+    QVERIFY(bench.says(QStringLiteral("motor not known")));
+    QVERIFY(bench.says(QStringLiteral("no device")));
 }
 
 MB_WINDOW_TEST(FirmwareTest);

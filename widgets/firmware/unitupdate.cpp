@@ -301,8 +301,11 @@ void UnitUpdate::followChecks(const DeviceView *device, const OperationView *)
 {
     const bool image = m_image.summary().has_value();
     m_checks->set(ImageCheck, image, image ? tr("image fits this family") : tr("no usable image"));
-    m_checks->set(StandCheck, device && !device->liveness.moving,
-        device && device->liveness.moving ? tr("motor is moving") : tr("motor stopped"));
+    if (device)
+        m_checks->set(StandCheck, !device->liveness.moving,
+            device->liveness.moving ? tr("motor is moving") : tr("motor stopped"));
+    else
+        m_checks->set(StandCheck, GlyphState::Assumed, tr("motor not known"));
     const bool alone = device && !device->liveness.foreignMaster && device->identity->state != DeviceState::Duplicate;
     m_checks->set(AloneCheck, alone,
         alone        ? tr("no other master, number unique")

@@ -144,6 +144,8 @@ void BusBar::setLinks(const QStringList &names)
         m_links->setText(i, names[i]);
     m_names = names;
     m_links->setVisible(m_names.size() > 1);
+    m_send->setEnabled(!m_names.isEmpty());
+    m_send->setChecked(m_send->isChecked() && !m_names.isEmpty());
 }
 
 int BusBar::link() const

@@ -2,6 +2,7 @@
 #include "widgets/monitor/buspage.h"
 
 #include "widgets/common/devicetext.h"
+#include "widgets/common/emptystate.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
@@ -22,6 +23,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QFileDialog>
+#include <QStackedWidget>
 
 #include <algorithm>
 
@@ -78,12 +80,16 @@ void BusPage::buildColumn()
         column->addWidget(part);
     column->addLayout(panel);
     column->addWidget(separatorLine(Qt::Horizontal, this));
-    column->addWidget(m_outer, 1);
+    column->addWidget(m_lists, 1);
 }
 
 void BusPage::buildContent()
 {
-    m_outer = new QSplitter(Qt::Horizontal, this);
+    m_lists = new QStackedWidget(this);
+    m_lists->addWidget(new EmptyState(m_theme, Symbol::Plug, tr("No link yet"),
+        tr("Open a link, or the simulated bench from the menu; what passes on it appears here."), m_lists));
+    m_outer = new QSplitter(Qt::Horizontal, m_lists);
+    m_lists->addWidget(m_outer);
     m_tables = new BusTables(m_theme, *m_model, *m_ids, m_outer);
     m_side = new BusSide(m_theme, m_outer);
     m_outer->addWidget(m_side);
@@ -150,6 +156,7 @@ void BusPage::followLinks()
     m_bar->setLinks(names);
     followWanted();
     const LinkView *shown = link();
+    m_lists->setCurrentIndex(shown || m_model->rowCount() > 0 ? 1 : 0); // what a link that is closed left stays
     if (!shown)
         return;
     const FrameDecoder decoder = decoderFor(m_workbench.snapshot(), shown->address);

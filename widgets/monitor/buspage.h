@@ -10,6 +10,7 @@
 #include <QWidget>
 
 class QSplitter;
+class QStackedWidget;
 
 namespace mb {
 
@@ -74,7 +75,8 @@ private:
     SendPanel *m_send = nullptr;
     RecordStrip *m_record = nullptr;
     ReplayBar *m_replay = nullptr;
-    std::string m_wanted; ///< to be shown once it is there
+    std::string m_wanted;              ///< to be shown once it is there
+    QStackedWidget *m_lists = nullptr; ///< or that there is no link
     QSplitter *m_outer = nullptr;
     BusTables *m_tables = nullptr;
     BusSide *m_side = nullptr;
