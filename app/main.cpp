@@ -11,6 +11,28 @@
 #include <csignal>
 #include <cstdio>
 
+namespace {
+
+void putUnlessSet(const char *name, const char *value)
+{
+    if (!qEnvironmentVariableIsSet(name))
+        qputenv(name, value);
+}
+
+/// What Qt asks the environment for before it has a window.
+void choosePlatform(const mb::Options &options)
+{
+    if (options.hasNoWindow())
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    // A screen that is not there would have 100 dpi: pictures of a tour are as large as --size says, and not blurred.
+    if (qEnvironmentVariable("QT_QPA_PLATFORM") == QLatin1String("offscreen"))
+        putUnlessSet("QT_FONT_DPI", "96");
+    putUnlessSet("QT_XCB_GL_INTEGRATION",
+        "none"); // nothing is drawn by OpenGL, whose driver takes 50 MB where it has a compiler
+}
+
+} // namespace
+
 int main(int argc, char **argv)
 {
     mb::ignoreRelativeFolders();
@@ -37,12 +59,7 @@ int main(int argc, char **argv)
         std::puts("motorbench " MOTORBENCH_VERSION);
         return 0;
     }
-    if (options->hasNoWindow())
-        qputenv("QT_QPA_PLATFORM", "offscreen");
-    // A screen that is not there would have 100 dpi: pictures of a tour are as large as --size says, and not blurred.
-    if (qEnvironmentVariable("QT_QPA_PLATFORM") == QLatin1String("offscreen")
-        && !qEnvironmentVariableIsSet("QT_FONT_DPI"))
-        qputenv("QT_FONT_DPI", "96");
+    choosePlatform(*options);
     QApplication::setStyle(QStringLiteral("Fusion"));
     QApplication qt(argc, argv);
     QApplication::setApplicationName(QStringLiteral("MotorBench"));
