@@ -186,6 +186,8 @@ class Program:
 
     def __init__(self, path, *arguments):
         self.manager = subprocess.Popen(["openbox", "--sm-disable"], stderr=subprocess.DEVNULL)  # a second one ends at once
+        wait("a window manager", lambda: subprocess.run(  # which loses a window that is mapped while it starts
+            ["xdotool", "get_desktop"], capture_output=True, check=False).returncode == 0)
         self.process = subprocess.Popen([path, "--language", "en", *arguments])
         # A program that is asked before it has told the bus of all its parts answers no more.
         wait("its window on the screen", lambda: subprocess.run(
