@@ -119,11 +119,11 @@ int Chip::paintPart(QPainter &painter, const Part &part, int x) const
     const Theme &theme = m_theme.theme();
     const int size = partWidth(part);
     if (part.kind == Part::Kind::Bar) {
-        const QRectF bar(x, (height() - theme.u(8)) / 2, size, theme.u(8));
+        const QRect bar(x, (height() - theme.u(8)) / 2, size, theme.u(8));
         const int filled = static_cast<int>(std::lround(std::clamp(part.level, 0.0, 1.0) * size));
         painter.fillRect(bar, theme.dark ? theme.hover : theme.line);
         painter.fillRect(
-            QRectF(bar.left(), bar.top(), std::max(part.level > 0 ? 1 : 0, filled), bar.height()), theme.dim);
+            QRect(bar.left(), bar.top(), std::max(part.level > 0 ? 1 : 0, filled), bar.height()), theme.dim);
         return size;
     }
     painter.setFont(partFont());

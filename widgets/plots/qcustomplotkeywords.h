@@ -16,7 +16,7 @@
 #define signals Q_SIGNALS
 #define slots Q_SLOTS
 #define emit Q_EMIT
-#define foreach(variable, container) for (variable : container)
+#define foreach(variable, container) for (variable : container) // NOLINT(bugprone-macro-parentheses): a declaration
 #include <qcustomplot.h>
 #pragma pop_macro("signals")
 #pragma pop_macro("slots")
