@@ -7,7 +7,6 @@
 #include "widgets/start/guidestrip.h"
 #include "windowbench.h"
 
-#include <QElapsedTimer>
 #include <QTemporaryDir>
 
 using namespace mb;
@@ -15,23 +14,21 @@ using namespace mb::test;
 
 namespace {
 
-/// Until what is seen of a page has kept its size for a while: values that come in may still bring or take a scroll bar.
-void waitUntilItRests(const QWidget &page)
+/// Until what is seen of a page has kept its size for some pictures of the engine: values that come in may still bring or take a
+/// scroll bar.
+void waitUntilItRests(WindowBench &bench, PageId id)
 {
-    constexpr int quiet = 300; // ms
-    QSize seen;
-    QElapsedTimer since;
-    since.start();
-    while (!since.hasExpired(quiet)) {
-        QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
-        if (page.parentWidget()->size() != seen) {
-            seen = page.parentWidget()->size();
-            since.restart();
-        }
-    }
+    constexpr int still = 15;
+    const QWidget &seen = *bench.window().page(id)->parentWidget();
+    QSize size;
+    int pictures = 0;
+    const auto counts = QObject::connect(&bench.engine(), &Workbench::changed, &bench.window(), [&] {
+        pictures = seen.size() == size ? pictures + 1 : 0;
+        size = seen.size();
+    });
+    QTRY_VERIFY_WITH_TIMEOUT(pictures >= still, patience);
+    QObject::disconnect(counts);
 }
-
-} // namespace
 
 /// Counts what is laid out anew anywhere in the program.
 class Layouts : public QObject {
@@ -46,6 +43,8 @@ protected:
         return false;
     }
 };
+
+} // namespace
 
 class StillTest : public QObject {
     Q_OBJECT
@@ -76,7 +75,7 @@ void StillTest::noticesMoveNothing()
         bench.window().showPage(id);
         QTRY_VERIFY_WITH_TIMEOUT(id != PageId::Parameters || bench.isRead(WindowBench::tuned), patience);
         const auto *page = bench.window().page(id);
-        waitUntilItRests(*page);
+        waitUntilItRests(bench, id);
         const QPoint corner = page->mapTo(&bench.window(), QPoint());
         const QPoint tabs = bench.part<PageTabs>().mapTo(&bench.window(), QPoint());
         const QPoint tree = bench.part<DeviceTree>().mapTo(&bench.window(), QPoint());
@@ -147,7 +146,7 @@ void StillTest::aPageWithNothingNewIsNotLaidOutAnew()
     int pictures = 0;
     connect(&bench.engine(), &Workbench::changed, this, [&pictures] { ++pictures; });
     const auto look = [&](PageId id) {
-        waitUntilItRests(*bench.window().page(id));
+        waitUntilItRests(bench, id);
         Layouts layouts;
         pictures = 0;
         QTRY_VERIFY_WITH_TIMEOUT(pictures >= 10, patience);
