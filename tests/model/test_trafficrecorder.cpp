@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 namespace mb {
 namespace {
 
@@ -55,6 +57,31 @@ TEST(TrafficRecorder, CountsWhatTheLinkLostSinceItsStartAlsoAfterItWasOpenedAgai
     (*recorder)->stop();
     link.loseInABatch(1);
     EXPECT_EQ((*recorder)->state().lost, 28U);
+}
+
+TEST(TrafficRecorder, EndsItsFileOnceHoweverOftenItIsStopped)
+{
+    VirtualClock clock;
+    LosingLink link(clock);
+    ASSERT_TRUE(link.open());
+    test::TemporaryFolder folder;
+    auto recorder = TrafficRecorder::start(link, clock, std::chrono::seconds(1'700'000'000), folder.path("run.asc"));
+    ASSERT_TRUE(recorder);
+    ASSERT_TRUE(link.send(standardFrame(5, {})));
+    (*recorder)->stop();
+    const std::uint64_t bytes = (*recorder)->state().bytes;
+    (*recorder)->stop();
+    EXPECT_EQ((*recorder)->state().bytes, bytes);
+    EXPECT_EQ((*recorder)->state().frames, 1U);
+    auto file = (*recorder)->end();
+    recorder->reset(); // has nothing left to stop
+    ASSERT_TRUE(file);
+    file.reset(); // waits for what is written
+    std::ifstream written(folder.path("run.asc"));
+    const std::string text{std::istreambuf_iterator<char>(written), {}};
+    EXPECT_EQ(text.size(), bytes);
+    EXPECT_EQ(text.find("End TriggerBlock"), text.rfind("End TriggerBlock"));
+    EXPECT_NE(text.find("End TriggerBlock"), std::string::npos);
 }
 
 } // namespace
