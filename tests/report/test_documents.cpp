@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whole documents, compared line by line with those in tests/report/documents. MOTORBENCH_WRITE_DOCUMENTS=1 writes them anew.
+#include "report/htmltext.h"
 #include "support/sourcetree.h"
 #include "wholereport.h"
 
@@ -77,6 +78,24 @@ TEST_F(Documents, AHistoryHasItsNewestSixtyTrials)
     history.push_back(stepTrial());
     EXPECT_FALSE(htmlOf(report).contains(QStringLiteral("4711*")));
     EXPECT_TRUE(htmlOf(report).contains(QStringLiteral("The newest 60 of 61 trials.")));
+}
+
+TEST_F(Documents, AUnitHasATableOfParametersFromTheFirstThatIsKnown)
+{
+    Report report = wholeReport();
+    report.units = {report.units[1]};
+    std::vector<ParameterStore::Entry> &entries = report.units.front().parameters;
+    entries.resize(report.units.front().family->parameters.size());
+    EXPECT_FALSE(htmlOf(report).contains(QStringLiteral("<h2>Parameters</h2>")));
+    entries[1] = {1, ParameterState::Stored};
+    EXPECT_TRUE(htmlOf(report).contains(QStringLiteral("<h2>Parameters</h2>")));
+}
+
+TEST(Figures, VeryLargeAndVerySmallOnesHaveAPowerOfTen)
+{
+    EXPECT_EQ(figure(0.00002, 3).toStdString(), "2e−05");
+    EXPECT_EQ(figure(-3.25e12, 3).toStdString(), "−3.25e+12");
+    EXPECT_EQ(figure(0.0001, 2).toStdString(), "0.00010");
 }
 
 } // namespace

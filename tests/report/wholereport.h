@@ -264,6 +264,7 @@ inline Report wholeReport()
     ReportUnit stranger;
     stranger.identity.family = "of a newer version";
     stranger.identity.address = 9;
+    stranger.parameters = {{1, ParameterState::Stored}};
     report.units = {drive(), board(), stranger};
     return report;
 }

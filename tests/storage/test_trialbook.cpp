@@ -102,6 +102,17 @@ TEST_F(Notebooks, ATrialComesBackAsItWasKept)
     EXPECT_EQ(*signals, kept.signals);
 }
 
+TEST_F(Notebooks, TwoRepeatsHaveAnErrorAndOneHasNone)
+{
+    const auto database = open();
+    TrialBook book(*database, clock);
+    tuning::Trial kept = trial();
+    kept.repeat = 2;
+    EXPECT_EQ(book.find(keep(book, kept))->trial.errors, kept.errors);
+    kept.repeat = 1;
+    EXPECT_EQ(book.find(keep(book, kept))->trial.errors, tuning::Metrics());
+}
+
 TEST_F(Notebooks, ATrialThatNobodySawEndIsThereAsAborted)
 {
     {
