@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <thread>
 
 namespace mb {
 namespace {
@@ -82,6 +83,24 @@ TEST(TrafficRecorder, EndsItsFileOnceHoweverOftenItIsStopped)
     EXPECT_EQ(text.size(), bytes);
     EXPECT_EQ(text.find("End TriggerBlock"), text.rfind("End TriggerBlock"));
     EXPECT_NE(text.find("End TriggerBlock"), std::string::npos);
+}
+
+TEST(TrafficRecorder, TellsOnceThatItsFileIsWhole)
+{
+    VirtualClock clock;
+    LosingLink link(clock);
+    ASSERT_TRUE(link.open());
+    test::TemporaryFolder folder;
+    const auto recorder = TrafficRecorder::start(link, clock, Duration::zero(), folder.path("run.log"));
+    ASSERT_TRUE(recorder);
+    int told = 0;
+    const auto listener = (*recorder)->changed().add([&told] { ++told; });
+    (*recorder)->stop();
+    while (!(*recorder)->state().finished)
+        std::this_thread::yield(); // to the thread that writes
+    EXPECT_EQ(told, 0);
+    clock.advance(std::chrono::seconds(2));
+    EXPECT_EQ(told, 1);
 }
 
 } // namespace
