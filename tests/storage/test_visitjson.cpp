@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QJsonArray>
 #include <QJsonObject>
 
 #include <fstream>
@@ -72,6 +73,16 @@ TEST(VisitJson, ALineHasNullForWhatIsNotKnown)
     const QJsonObject empty = visitLine({});
     for (const char *const key : {"serial", "from", "to", "parameters"})
         EXPECT_TRUE(empty.value(QLatin1String(key)).isNull()) << key;
+}
+
+TEST(VisitJson, RowsAreLinesWithTheirPlace)
+{
+    const QJsonArray rows = visitRows({whole(), Visit()});
+    ASSERT_EQ(rows.size(), 2);
+    const QJsonObject row = rows[0].toObject();
+    EXPECT_EQ(row.value(QStringLiteral("unit")).toString().toStdString(), "dmc60c A");
+    EXPECT_EQ(row.value(QStringLiteral("time")).toDouble(), 1.7e9);
+    EXPECT_EQ(row.value(QStringLiteral("station")).toString().toStdString(), "bench 1");
 }
 
 } // namespace
