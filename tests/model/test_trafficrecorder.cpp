@@ -141,6 +141,13 @@ TEST(TrafficRecorder, WhoeverTakesItsFileHasAllOfItAndItIsLeftAlone)
     std::ifstream written(folder.path("run.asc"));
     const std::string text{std::istreambuf_iterator<char>(written), {}};
     EXPECT_NE(text.find("End TriggerBlock"), std::string::npos);
+    {
+        const auto left = TrafficRecorder::start(link, clock, Duration::zero(), folder.path("left.asc"));
+        ASSERT_TRUE(left);
+        ASSERT_TRUE(link.send(standardFrame(5, {})));
+    } // nobody has stopped it
+    std::ifstream other(folder.path("left.asc"));
+    EXPECT_NE(std::string(std::istreambuf_iterator<char>(other), {}).find("End TriggerBlock"), std::string::npos);
 }
 
 } // namespace
