@@ -96,6 +96,17 @@ TEST(TrafficLog, KeepsBytesBesideFramesAndSaysWhenTheyAreGone)
     EXPECT_TRUE(rows.empty()) << "bytes have no identifier";
 }
 
+TEST(TrafficLog, ItsFirstTimeIsThatOfTheFirstRecordThoughTheRingOverran)
+{
+    TrafficLog log(2);
+    for (int i = 7; i < 12; ++i) {
+        CanFrame timed = frame(10);
+        timed.time = Instant{} + std::chrono::seconds(i);
+        log.append(Direction::Received, timed);
+    }
+    EXPECT_EQ(log.firstTime(), Instant{} + std::chrono::seconds(7));
+}
+
 TEST(TrafficLog, IsReadWhileItIsWritten)
 {
     TrafficLog log(256);

@@ -6,16 +6,20 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <thread>
+
 namespace mb {
 namespace {
 
 /// A CAN link that loses frames when a test says so.
 class LosingLink final : public CanLink {
 public:
-    explicit LosingLink(Clock &clock)
-        : CanLink(LinkAddress{"socketcan", "can7", {}}, clock)
+    explicit LosingLink(Clock &clock, const std::string &name = "can7")
+        : CanLink(LinkAddress{"socketcan", name, {}}, clock)
     {
     }
+    using CanLink::deliver;
     void loseInABatch(std::uint64_t frames)
     {
         countLost(frames);
@@ -55,6 +59,95 @@ TEST(TrafficRecorder, CountsWhatTheLinkLostSinceItsStartAlsoAfterItWasOpenedAgai
     (*recorder)->stop();
     link.loseInABatch(1);
     EXPECT_EQ((*recorder)->state().lost, 28U);
+}
+
+TEST(TrafficRecorder, EndsItsFileOnceHoweverOftenItIsStopped)
+{
+    VirtualClock clock;
+    LosingLink link(clock);
+    ASSERT_TRUE(link.open());
+    test::TemporaryFolder folder;
+    auto recorder = TrafficRecorder::start(link, clock, std::chrono::seconds(1'700'000'000), folder.path("run.asc"));
+    ASSERT_TRUE(recorder);
+    ASSERT_TRUE(link.send(standardFrame(5, {})));
+    (*recorder)->stop();
+    const std::uint64_t bytes = (*recorder)->state().bytes;
+    ASSERT_TRUE(link.send(standardFrame(5, {}))); // too late
+    (*recorder)->stop();
+    EXPECT_EQ((*recorder)->state().bytes, bytes);
+    EXPECT_EQ((*recorder)->state().frames, 1U);
+    auto file = (*recorder)->end();
+    recorder->reset(); // has nothing left to stop
+    ASSERT_TRUE(file);
+    file.reset(); // waits for what is written
+    std::ifstream written(folder.path("run.asc"));
+    const std::string text{std::istreambuf_iterator<char>(written), {}};
+    EXPECT_EQ(text.size(), bytes);
+    EXPECT_EQ(text.find("End TriggerBlock"), text.rfind("End TriggerBlock"));
+    EXPECT_NE(text.find("End TriggerBlock"), std::string::npos);
+}
+
+TEST(TrafficRecorder, TellsOnceThatItsFileIsWhole)
+{
+    VirtualClock clock;
+    LosingLink link(clock);
+    ASSERT_TRUE(link.open());
+    test::TemporaryFolder folder;
+    const auto recorder = TrafficRecorder::start(link, clock, Duration::zero(), folder.path("run.log"));
+    ASSERT_TRUE(recorder);
+    int told = 0;
+    const auto listener = (*recorder)->changed().add([&told] { ++told; });
+    (*recorder)->stop();
+    while (!(*recorder)->state().finished)
+        std::this_thread::yield(); // to the thread that writes
+    EXPECT_EQ(told, 0);
+    clock.advance(std::chrono::seconds(2));
+    EXPECT_EQ(told, 1);
+}
+
+TEST(TrafficRecorder, WritesEachFrameOnceWithItsTimeItsLinkAndItsDirection)
+{
+    VirtualClock clock;
+    LosingLink link(clock, "can 7");
+    ASSERT_TRUE(link.open());
+    test::TemporaryFolder folder;
+    {
+        const auto recorder
+            = TrafficRecorder::start(link, clock, std::chrono::seconds(1'700'000'000), folder.path("run.log"));
+        ASSERT_TRUE(recorder);
+        clock.advance(std::chrono::milliseconds(1500));
+        ASSERT_TRUE(link.send(standardFrame(5, {})));
+        CanFrame heard = extendedFrame(6, {});
+        heard.time = clock.now() + std::chrono::milliseconds(250);
+        link.deliver(heard);
+    } // is written to its end
+    std::ifstream written(folder.path("run.log"));
+    const std::string text{std::istreambuf_iterator<char>(written), {}};
+    EXPECT_EQ(text, "(1700000001.500000) can_7 005# T\n(1700000001.750000) can_7 00000006# R\n");
+}
+
+TEST(TrafficRecorder, WhoeverTakesItsFileHasAllOfItAndItIsLeftAlone)
+{
+    VirtualClock clock;
+    LosingLink link(clock);
+    ASSERT_TRUE(link.open());
+    test::TemporaryFolder folder;
+    const auto recorder = TrafficRecorder::start(link, clock, Duration::zero(), folder.path("run.asc"));
+    ASSERT_TRUE(recorder);
+    ASSERT_TRUE(link.send(standardFrame(5, {})));
+    auto file = (*recorder)->end();
+    clock.advance(std::chrono::seconds(1));
+    file.reset();
+    std::ifstream written(folder.path("run.asc"));
+    const std::string text{std::istreambuf_iterator<char>(written), {}};
+    EXPECT_NE(text.find("End TriggerBlock"), std::string::npos);
+    {
+        const auto left = TrafficRecorder::start(link, clock, Duration::zero(), folder.path("left.asc"));
+        ASSERT_TRUE(left);
+        ASSERT_TRUE(link.send(standardFrame(5, {})));
+    } // nobody has stopped it
+    std::ifstream other(folder.path("left.asc"));
+    EXPECT_NE(std::string(std::istreambuf_iterator<char>(other), {}).find("End TriggerBlock"), std::string::npos);
 }
 
 } // namespace

@@ -57,6 +57,14 @@ TEST(TrafficStatistics, RateStartsAgainAfterAPause)
     EXPECT_EQ(only(statistics, start + 101s).rate, 10.0);
 }
 
+TEST(TrafficStatistics, RateOfATimeBeforeTheNewestFrameIsExact)
+{
+    TrafficStatistics statistics;
+    for (int i = 0; i <= 40; ++i)
+        statistics.add(Direction::Received, countedFrame(5, start + i * 50ms));
+    EXPECT_EQ(only(statistics, start + 1450ms).rate, 20.0) << "the clock of an adapter may be half a second ahead";
+}
+
 TEST(TrafficStatistics, JitterIsTheStandardDeviationOfThePeriod)
 {
     TrafficStatistics steady;
@@ -99,6 +107,12 @@ TEST(TrafficStatistics, TooFewFramesTellNoPeriodAndNoJitter)
     EXPECT_TRUE(only(statistics, start).period);
     EXPECT_FALSE(only(statistics, start).jitter);
     EXPECT_FALSE(only(statistics, start).worst);
+    statistics.add(Direction::Received, countedFrame(5, start + 20ms));
+    EXPECT_TRUE(only(statistics, start).jitter);
+    EXPECT_TRUE(only(statistics, start).worst);
+    std::vector<CanFrame> trail;
+    statistics.trail(keyOf(Direction::Received, countedFrame(5, start)), Instant{}, trail);
+    EXPECT_EQ(trail.size(), 1U) << "all three lie in one step of 50 ms";
 }
 
 TEST(TrafficStatistics, RemembersWhenEachByteChanged)
@@ -107,6 +121,7 @@ TEST(TrafficStatistics, RemembersWhenEachByteChanged)
     statistics.add(Direction::Received, countedFrame(5, start, {1, 2, 3}));
     EXPECT_EQ(only(statistics, start).changed, (std::array<Instant, 8>{})) << "the first frame changes nothing";
     statistics.add(Direction::Received, countedFrame(5, start + 1s, {1, 9, 3}));
+    EXPECT_EQ(only(statistics, start + 1s).changed[3], Instant{}) << "it has no fourth byte";
     statistics.add(Direction::Received, countedFrame(5, start + 2s, {1, 9, 3, 0}));
     const TrafficRow row = only(statistics, start + 2s);
     EXPECT_EQ(row.changed[0], Instant{});
@@ -114,6 +129,8 @@ TEST(TrafficStatistics, RemembersWhenEachByteChanged)
     EXPECT_EQ(row.changed[2], Instant{});
     EXPECT_EQ(row.changed[3], start + 2s) << "a byte that appeared";
     EXPECT_TRUE(sameContent(row.last, countedFrame(5, start, {1, 9, 3, 0})));
+    statistics.add(Direction::Received, countedFrame(5, start + 3s, {7, 9, 3, 0}));
+    EXPECT_EQ(only(statistics, start + 3s).changed[0], start + 3s);
 }
 
 TEST(TrafficStatistics, KeepsKindsAndDirectionsOfOneIdentifierApart)

@@ -102,6 +102,15 @@ TEST(Mcap, WhatWasWrittenReadsBackWithGapsLossAndFacts)
     EXPECT_FALSE(fs::exists(folder.file("a.mcap.part")));
 }
 
+TEST(Mcap, TopicsHaveNoOtherSignsThanLettersDigitsAndSlashes)
+{
+    ExportChannel channel{nullptr, velocity, "socketcan:can0/dmc60c:5", "dmc60c", "slot0.error", "", {}, false};
+    EXPECT_EQ(channel.topic(), "/socketcan_can0/dmc60c_5/slot0/error");
+    channel.device.clear();
+    channel.key = "2*a/b";
+    EXPECT_EQ(channel.topic(), "/derived/2_a/b");
+}
+
 /// For tests/recording/read_examples.py, which reads them with nothing of ours.
 TEST(Examples, AreWrittenForOtherReaders)
 {

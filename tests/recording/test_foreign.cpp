@@ -159,6 +159,16 @@ TEST(ForeignTable, AMarkOfUtf8BeforeOurOwnLinesIsNoPartOfThem)
     }
 }
 
+TEST(ForeignTable, ANoteWhoseTimeCannotBeReadShiftsNothing)
+{
+    const test::Folder folder;
+    const auto read = loadRecording(
+        write(folder, "noted.csv", "# time_s 0 is noon (Unix twelve)\ntime_s,speed (rpm)\n0.0,1\n0.5,2\n"));
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_FALSE((*read)->hasClock);
+    EXPECT_EQ((*read)->telemetry->last({0})->time, Instant(std::chrono::milliseconds(500)));
+}
+
 TEST(ForeignTable, SemicolonsWithDecimalCommasAndMillisecondsAreRead)
 {
     const test::Folder folder;

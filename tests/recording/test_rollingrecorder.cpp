@@ -91,6 +91,25 @@ TEST(RollingRecorder, KeepingBeginsBeforeItWasAskedFor)
         ASSERT_EQ(points[i].value, points[i - 1].value + 10.0);
 }
 
+TEST(RollingRecorder, AGapWaitsForTheSampleAfterIt)
+{
+    const Folder folder;
+    const auto recording = telemetry();
+    RollingRecorder recorder(rolling(folder, "run"));
+    recorder.follow({{recording, velocity, "sim:can/dmc60c:5", "dmc60c", "velocity", "counts/s", {}, true}}, {});
+    put(*recording, velocity, 10, 1.0);
+    recording->lost(velocity, 5);
+    put(*recording, velocity, 500, 2.0);
+    ASSERT_TRUE(recorder.write(ms(550), unixOffset)); // the second still settles
+    EXPECT_EQ(recorder.samples(), 1U);
+    ASSERT_TRUE(recorder.write(ms(700), unixOffset));
+    ASSERT_TRUE(recorder.save(folder.file("kept.mcap"), {}));
+    const auto loaded = loadRecording(folder.file("kept.mcap"));
+    ASSERT_TRUE(loaded);
+    EXPECT_EQ((*loaded)->telemetry->size({0}), 2U);
+    EXPECT_EQ((*loaded)->telemetry->lost({0}), 5U);
+}
+
 TEST(RollingRecorder, SurvivesAKilledProcess)
 {
     const Folder folder;

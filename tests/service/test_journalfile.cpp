@@ -2,6 +2,7 @@
 // The journal in a file that is damaged, full, not to be written, or shared by two programs.
 #include "files/qttext.h"
 #include "servicebench.h"
+#include "storage/sharedjournal.h"
 #include "support/fulldisk.h"
 
 #include <unistd.h>
@@ -37,6 +38,16 @@ protected:
     VirtualClock clock;
     test::ServiceBooks books{clock};
 };
+
+TEST_F(JournalFiles, WhatWaitedForTheServerIsOfferedToItAsSoonAsTheProgramStarts)
+{
+    const JournalServer nobody = *JournalServer::parse("postgresql://anna@127.0.0.1:1/journal");
+    opened(*books.journal, "a");
+    const SharedJournal next(*books.journal, nobody, clock, nullptr);
+    clock.advance(std::chrono::milliseconds(1));
+    EXPECT_FALSE(next.trouble().detail.empty());
+    EXPECT_EQ(next.waiting(), 1);
+}
 
 TEST_F(JournalFiles, ADamagedFileIsPutAsideWithAWordAndTheQueueGoesOn)
 {

@@ -49,6 +49,7 @@ protected:
         trial.reason = "done";
         trial.stopped = true;
         trial.samples = 4711;
+        trial.lost = 7;
         tuning::Trace trace;
         for (int i = 0; i < 500; ++i)
             trace.add(0.005 * i, 0.1 * i);
@@ -95,11 +96,23 @@ TEST_F(Notebooks, ATrialComesBackAsItWasKept)
     EXPECT_EQ(back.flags, kept.flags);
     EXPECT_EQ(back.reason, kept.reason);
     EXPECT_EQ(back.samples, kept.samples);
+    EXPECT_EQ(back.lost, kept.lost);
     EXPECT_TRUE(back.stopped);
     EXPECT_TRUE(back.simulated);
     const auto signals = book.signals(1);
     ASSERT_TRUE(signals);
     EXPECT_EQ(*signals, kept.signals);
+}
+
+TEST_F(Notebooks, TwoRepeatsHaveAnErrorAndOneHasNone)
+{
+    const auto database = open();
+    TrialBook book(*database, clock);
+    tuning::Trial kept = trial();
+    kept.repeat = 2;
+    EXPECT_EQ(book.find(keep(book, kept))->trial.errors, kept.errors);
+    kept.repeat = 1;
+    EXPECT_EQ(book.find(keep(book, kept))->trial.errors, tuning::Metrics());
 }
 
 TEST_F(Notebooks, ATrialThatNobodySawEndIsThereAsAborted)

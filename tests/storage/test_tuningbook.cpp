@@ -143,6 +143,7 @@ TEST_F(KeptTunings, ATuningComesBackWithItsModelProposalsAndProof)
     EXPECT_TRUE(std::isinf(normal.margins.gain));
     EXPECT_DOUBLE_EQ(normal.margins.ms, 1.44);
     EXPECT_LE(normal.predicted.measured.size(), 400U);
+    EXPECT_GT(normal.predicted.measured.size(), 380U) << "thinned out no more than it must";
     EXPECT_DOUBLE_EQ(valueAt(normal.predicted.measured, 2.0), 20'000.0);
     ASSERT_EQ(back.proof.size(), 1U) << "the other trial was deleted";
     EXPECT_DOUBLE_EQ(back.proof.front().stimulus.to, 30'000.0);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "async/task.h"
+#include "firmware/programmer.h"
 #include "support/eventloop.h"
 #include "transport/externalprogram.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 
@@ -131,6 +133,31 @@ TEST(ExternalProgram, ManyLinesInOneGoAreAllTold)
     ASSERT_TRUE(heard);
     ASSERT_EQ(heard->lines.size(), 20000U);
     EXPECT_EQ(heard->lines.back(), "20000");
+}
+
+/// What is told of a job.
+class Told final : public Progress {
+public:
+    void step(const Message &, int, int) override { }
+    void part(int, PartState) override { }
+    void log(Severity, const Message &text) override { lines.push_back(text.english()); }
+    std::vector<std::string> lines;
+};
+
+TEST(Programmer, WholeLinesThatAreNotEmptyGoToTheLog)
+{
+    test::EventLoop loop;
+    Told told;
+    std::vector<std::string> taken;
+    auto task = runProgrammer(
+        loop.clock(), {"sh", {"-c", "echo erased; echo; printf 'writing 1'; sleep 0.1; echo 2; exit 4"}}, {},
+        [&taken](const ExternalProgram::Piece &piece) { taken.push_back(piece.text); }, told);
+    task.start();
+    ASSERT_TRUE(loop.runUntil([&] { return task.isFinished(); }));
+    ASSERT_TRUE(task.result());
+    EXPECT_EQ(task.result()->status, 4);
+    EXPECT_EQ(told.lines, (std::vector<std::string>{"erased", "writing 12"}));
+    EXPECT_EQ(std::count(taken.begin(), taken.end(), "writing 1"), 1) << "what grows is seen while it does";
 }
 
 } // namespace
