@@ -23,7 +23,7 @@ std::int32_t clampDuty(std::int64_t duty)
 } // namespace
 
 Drive::Drive(Rig rig, ParameterBank &bank, VelocityWindow window, Notify notify)
-    : m_rig(std::move(rig))
+    : m_rig(rig)
     , m_bank(bank)
     , m_notify(std::move(notify))
     , m_sensing(m_rig, bank, window)
