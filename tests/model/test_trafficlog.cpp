@@ -96,6 +96,43 @@ TEST(TrafficLog, KeepsBytesBesideFramesAndSaysWhenTheyAreGone)
     EXPECT_TRUE(rows.empty()) << "bytes have no identifier";
 }
 
+TEST(TrafficLog, KeepsAPieceUntilItsFirstByteIsOverwritten)
+{
+    TrafficLog log;
+    const Instant time{};
+    log.append(Direction::Sent, time, std::vector<std::uint8_t>{0x55});
+    const std::vector<std::uint8_t> most(4096, 0xAA);
+    for (int i = 0; i < 63; ++i)
+        log.append(Direction::Received, time, most);
+    log.append(Direction::Received, time, std::vector<std::uint8_t>(4095, 0xAB)); // 262144 bytes in all
+    const auto oldest = [&log] {
+        std::vector<TrafficRecord> out;
+        log.fetch(0, 100, out);
+        return out.at(0).bytes;
+    };
+    EXPECT_EQ(oldest(), std::vector<std::uint8_t>{0x55});
+    log.append(Direction::Received, time, std::vector<std::uint8_t>{0x66});
+    EXPECT_TRUE(oldest().empty());
+}
+
+TEST(TrafficLog, TellsTheTrailOfOneIdentifier)
+{
+    TrafficLog log(2);
+    for (int i = 0; i < 4; ++i) {
+        CanFrame timed = frame(i % 2 == 0 ? 10 : 11);
+        timed.time = Instant{} + std::chrono::seconds(7) + i * std::chrono::milliseconds(100);
+        log.append(Direction::Received, timed);
+    }
+    std::vector<TrafficRow> rows;
+    log.statistics(Instant{} + std::chrono::seconds(8), rows);
+    ASSERT_EQ(rows.size(), 2U);
+    std::vector<CanFrame> trail;
+    log.trail(rows[1].key, Instant{}, trail);
+    ASSERT_EQ(trail.size(), 2U);
+    EXPECT_EQ(trail[0].id, 11U);
+    EXPECT_EQ(trail[1].time, Instant{} + std::chrono::milliseconds(7300));
+}
+
 TEST(TrafficLog, ItsFirstTimeIsThatOfTheFirstRecordThoughTheRingOverran)
 {
     TrafficLog log(2);
