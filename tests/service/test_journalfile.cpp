@@ -12,7 +12,6 @@
 namespace mb {
 namespace {
 
-using service::NumberWish;
 using service::Outcome;
 using service::Step;
 using service::Visit;

@@ -36,7 +36,7 @@ public:
     }
     std::string write(std::string_view name, std::string_view text) const
     {
-        const std::string file = path(name);
+        std::string file = path(name);
         std::ofstream(file, std::ios::binary) << text;
         return file;
     }
