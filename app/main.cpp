@@ -27,8 +27,8 @@ void choosePlatform(const mb::Options &options)
     // A screen that is not there would have 100 dpi: pictures of a tour are as large as --size says, and not blurred.
     if (qEnvironmentVariable("QT_QPA_PLATFORM") == QLatin1String("offscreen"))
         putUnlessSet("QT_FONT_DPI", "96");
-    putUnlessSet("QT_XCB_GL_INTEGRATION",
-        "none"); // nothing is drawn by OpenGL, whose driver takes 50 MB where it has a compiler
+    // Nothing is drawn by OpenGL, whose driver takes 50 MB where it has a compiler.
+    putUnlessSet("QT_XCB_GL_INTEGRATION", "none");
 }
 
 } // namespace

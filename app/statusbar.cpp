@@ -42,7 +42,7 @@ StatusBar::StatusBar(Workbench &workbench, const ThemeSource &theme, QWidget *pa
 
 void StatusBar::showNotice(const Notice &notice)
 {
-    const QString time = clockText(momentOf(notice.time.time_since_epoch() + m_workbench.unixOffset()));
+    const QString time = clockText(momentOf(m_workbench, notice.time));
     const QString words = (notice.device.isEmpty() ? QString() : notice.device + QStringLiteral(": ")) + notice.text;
     m_message->setText(time + QLatin1Char(' ') + words);
     announce(*m_message, words);

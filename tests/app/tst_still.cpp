@@ -22,12 +22,12 @@ void waitUntilItRests(WindowBench &bench, PageId id)
     const QWidget &seen = *bench.window().page(id)->parentWidget();
     QSize size;
     int pictures = 0;
-    const auto counts = QObject::connect(&bench.engine(), &Workbench::changed, &bench.window(), [&] {
+    const QObject here; // ends the connection, also where the wait fails
+    QObject::connect(&bench.engine(), &Workbench::changed, &here, [&] {
         pictures = seen.size() == size ? pictures + 1 : 0;
         size = seen.size();
     });
     QTRY_VERIFY_WITH_TIMEOUT(pictures >= still, patience);
-    QObject::disconnect(counts);
 }
 
 /// Counts what is laid out anew anywhere in the program.

@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <thread>
 
 namespace mb {
@@ -80,8 +79,7 @@ TEST(TrafficRecorder, EndsItsFileOnceHoweverOftenItIsStopped)
     recorder->reset(); // has nothing left to stop
     ASSERT_TRUE(file);
     file.reset(); // waits for what is written
-    std::ifstream written(folder.path("run.asc"));
-    const std::string text{std::istreambuf_iterator<char>(written), {}};
+    const std::string text = folder.read("run.asc");
     EXPECT_EQ(text.size(), bytes);
     EXPECT_EQ(text.find("End TriggerBlock"), text.rfind("End TriggerBlock"));
     EXPECT_NE(text.find("End TriggerBlock"), std::string::npos);
@@ -121,8 +119,7 @@ TEST(TrafficRecorder, WritesEachFrameOnceWithItsTimeItsLinkAndItsDirection)
         heard.time = clock.now() + std::chrono::milliseconds(250);
         link.deliver(heard);
     } // is written to its end
-    std::ifstream written(folder.path("run.log"));
-    const std::string text{std::istreambuf_iterator<char>(written), {}};
+    const std::string text = folder.read("run.log");
     EXPECT_EQ(text, "(1700000001.500000) can_7 005# T\n(1700000001.750000) can_7 00000006# R\n");
 }
 
@@ -138,16 +135,14 @@ TEST(TrafficRecorder, WhoeverTakesItsFileHasAllOfItAndItIsLeftAlone)
     auto file = (*recorder)->end();
     clock.advance(std::chrono::seconds(1));
     file.reset();
-    std::ifstream written(folder.path("run.asc"));
-    const std::string text{std::istreambuf_iterator<char>(written), {}};
+    const std::string text = folder.read("run.asc");
     EXPECT_NE(text.find("End TriggerBlock"), std::string::npos);
     {
         const auto left = TrafficRecorder::start(link, clock, Duration::zero(), folder.path("left.asc"));
         ASSERT_TRUE(left);
         ASSERT_TRUE(link.send(standardFrame(5, {})));
     } // nobody has stopped it
-    std::ifstream other(folder.path("left.asc"));
-    EXPECT_NE(std::string(std::istreambuf_iterator<char>(other), {}).find("End TriggerBlock"), std::string::npos);
+    EXPECT_NE(folder.read("left.asc").find("End TriggerBlock"), std::string::npos);
 }
 
 } // namespace

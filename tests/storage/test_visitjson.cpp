@@ -7,8 +7,6 @@
 #include <QJsonArray>
 #include <QJsonObject>
 
-#include <fstream>
-
 namespace mb {
 namespace {
 
@@ -50,9 +48,7 @@ TEST(VisitJson, ATableHasARowAVisitAndAColumnAMeasuredValue)
     begun.time = 1.7e9 + 60;
     begun.test = {{"gain", 4000.0, {}, {}}, {"friction", {}, {}, {}}};
     ASSERT_TRUE(exportVisits(folder.path("visits.csv"), {whole(), begun}));
-    std::ifstream file(folder.path("visits.csv"));
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    EXPECT_EQ(text,
+    EXPECT_EQ(folder.read("visits.csv"),
         "time,station,person,recipe,recipe_hash,image_hash,unit,serial,device,result,step,from,to,parameters,number,"
         "seconds,cause,remedy,evidence,note,encoder,friction,gain,resistance\n"
         "2023-11-14T22:13:20Z,bench 1,anna,\"rev C, \"\"left\"\"\",a1,b2,dmc60c A,A,sim:can/dmc60c:5,failed,self-test,"

@@ -26,44 +26,37 @@ void Chip::changed()
     update();
 }
 
+template <typename Value> void Chip::keep(Value &member, Value value)
+{
+    if (member == value)
+        return;
+    member = std::move(value);
+    changed();
+}
+
 void Chip::setGlyph(std::optional<GlyphState> state)
 {
-    if (m_glyph == state)
-        return;
-    m_glyph = state;
-    changed();
+    keep(m_glyph, state);
 }
 
 void Chip::setTitle(const QString &title)
 {
-    if (m_title == title)
-        return;
-    m_title = title;
-    changed();
+    keep(m_title, title);
 }
 
 void Chip::setParts(std::vector<Part> parts)
 {
-    if (m_parts == parts)
-        return;
-    m_parts = std::move(parts);
-    changed();
+    keep(m_parts, std::move(parts));
 }
 
 void Chip::setEdge(std::optional<Tone> edge)
 {
-    if (m_edge == edge)
-        return;
-    m_edge = edge;
-    changed();
+    keep(m_edge, edge);
 }
 
 void Chip::setFlat(bool flat)
 {
-    if (m_flat == flat)
-        return;
-    m_flat = flat;
-    changed();
+    keep(m_flat, flat);
 }
 
 QFont Chip::titleFont() const

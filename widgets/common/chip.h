@@ -46,6 +46,7 @@ private:
     QFont partFont() const;
     void paintFrame(QPainter &painter) const;
     int paintPart(QPainter &painter, const Part &part, int x) const;
+    template <typename Value> void keep(Value &member, Value value); ///< what is not new is not measured anew
     void changed();
 
     const ThemeSource &m_theme;

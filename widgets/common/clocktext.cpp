@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/clocktext.h"
 
+#include "widgets/common/workbench.h"
+
 #include <QLocale>
 
 #include <cmath>
@@ -12,8 +14,9 @@ QDateTime momentOf(double unixTime)
     return QDateTime::fromMSecsSinceEpoch(std::llround(unixTime * 1e3));
 }
 
-QDateTime momentOf(std::chrono::nanoseconds unixTime)
+QDateTime momentOf(const Workbench &workbench, Instant time)
 {
+    const Duration unixTime = time.time_since_epoch() + workbench.unixOffset();
     return QDateTime::fromMSecsSinceEpoch(std::chrono::floor<std::chrono::milliseconds>(unixTime).count());
 }
 

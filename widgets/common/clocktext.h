@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/clock.h"
+
 #include <QDateTime>
 
-#include <chrono>
-
 namespace mb {
+
+class Workbench;
 
 /// How finely a time of day is told.
 enum class ClockPart { Minutes, Seconds, Milliseconds };
 
 /// A time since 1970, in s, as the wall clock here has it.
 [[nodiscard]] QDateTime momentOf(double unixTime);
-[[nodiscard]] QDateTime momentOf(std::chrono::nanoseconds unixTime);
+/// A time stamp of the workbench.
+[[nodiscard]] QDateTime momentOf(const Workbench &workbench, Instant time);
 
 /// The time of day, from 0 to 23 hours in every language, so that pages, logs and files can be compared: "18:21:28".
 [[nodiscard]] QString clockText(const QDateTime &moment, ClockPart part = ClockPart::Seconds);

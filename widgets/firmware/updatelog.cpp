@@ -75,7 +75,7 @@ void UpdateLog::add(const LogLine &line, const QString &who)
 
 QString UpdateLog::timeOf(Instant time) const
 {
-    return clockText(momentOf(time.time_since_epoch() + m_workbench.unixOffset()), ClockPart::Milliseconds);
+    return clockText(momentOf(m_workbench, time), ClockPart::Milliseconds);
 }
 
 QString UpdateLog::text() const

@@ -41,7 +41,7 @@ void NoticeModel::setNamed(bool named)
 
 QString NoticeModel::timeText(const Notice &notice) const
 {
-    return clockText(momentOf(notice.time.time_since_epoch() + m_workbench.unixOffset()), ClockPart::Milliseconds);
+    return clockText(momentOf(m_workbench, notice.time), ClockPart::Milliseconds);
 }
 
 QVariant NoticeModel::data(const QModelIndex &index, int role) const

@@ -48,7 +48,7 @@ void ComparisonBox::remember(const DeviceView &device)
         [](const auto &entry) { return entry.raw && entry.state != ParameterState::Failed; });
     if (!complete)
         return;
-    const QDateTime now = momentOf(m_workbench.now().time_since_epoch() + m_workbench.unixOffset());
+    const QDateTime now = momentOf(m_workbench, m_workbench.now());
     ParameterReference found{tr("as found %1").arg(clockText(now, ClockPart::Minutes)), {}};
     for (const auto &entry : *device.parameters)
         found.raws.push_back(entry.raw);
