@@ -24,14 +24,18 @@ public:
     ~EventLoop() { QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); }
     [[nodiscard]] QtClock &clock() { return m_clock; }
 
-    /// Serves events until `done()`; false when that did not come true within `limit`, so that no test hangs.
+    /// Serves events until `done()`; false when that did not come true within `limit`, so that no test hangs. Asked again after
+    /// every event and every few milliseconds: what another process or thread does need not be an event here.
     bool runUntil(const std::function<bool()> &done, Duration limit = std::chrono::seconds(20))
     {
         bool late = false;
         Timer alarm(m_clock);
         alarm.startIn(limit, [&late] { late = true; });
-        while (!done() && !late)
+        Timer look(m_clock);
+        while (!done() && !late) {
+            look.startIn(std::chrono::milliseconds(5), [] {});
             QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
+        }
         return done();
     }
     /// Serves what is at hand: everything that was ready before this call has run when it returns.
