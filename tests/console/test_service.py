@@ -24,9 +24,6 @@ class Recipes(ContractTest):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
-        data = tempfile.TemporaryDirectory()
-        self.addCleanup(data.cleanup)
-        os.environ["XDG_DATA_HOME"] = data.name
         shutil.copy(os.path.join(contract.SOURCE, "resources/firmware/dmc60c-demo.hex"), self.folder.name)
         self.write("base.json", {"family": "dmc60c", "parameters": {"slot1.d": {"raw": 77}}})
 

@@ -50,15 +50,6 @@ class Nodes:
 
 
 class SupermodifiedTest(ContractTest):
-    def setUp(self):
-        """Each test has a memory of its own."""
-        cache = tempfile.TemporaryDirectory()
-        self.addCleanup(cache.cleanup)
-        self.cache = cache.name
-        before = os.environ.get("XDG_CACHE_HOME")
-        os.environ["XDG_CACHE_HOME"] = cache.name
-        self.addCleanup(lambda: os.environ.pop("XDG_CACHE_HOME") if before is None else os.environ.update(XDG_CACHE_HOME=before))
-
     def spawn(self, *arguments):
         process = subprocess.Popen([contract.PROGRAM, "--json", *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.addCleanup(process.communicate)
@@ -183,8 +174,8 @@ class SupermodifiedTest(ContractTest):
         begin = time.monotonic()
         self.run_one("get", f"{link}/supermodified:77", "gain.p")
         self.assertLess(time.monotonic() - begin, 1.5)
-        [file] = os.listdir(os.path.join(self.cache, "motorbench", "scans"))
-        with open(os.path.join(self.cache, "motorbench", "scans", file), "w", encoding="utf-8") as spoilt:
+        [file] = os.listdir(os.path.join(os.environ["XDG_CACHE_HOME"], "motorbench", "scans"))
+        with open(os.path.join(os.environ["XDG_CACHE_HOME"], "motorbench", "scans", file), "w", encoding="utf-8") as spoilt:
             spoilt.write("{")
         third, _, err = self.timed_scan(link)
         self.assertEqual(third, first)

@@ -13,6 +13,9 @@ import threading
 import time
 import unittest
 
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import ownhome  # noqa: E402 pylint: disable=wrong-import-position
+
 CONTROL = WINDOW = ""
 LIMIT = 0.7
 PATIENCE = 60
@@ -104,4 +107,5 @@ class Guarded(unittest.TestCase):
 
 if __name__ == "__main__":
     CONTROL, WINDOW = (os.path.abspath(path) for path in sys.argv[1:3])
-    unittest.main(argv=[sys.argv[0], "-v", *sys.argv[3:]])
+    with ownhome.move_in():
+        unittest.main(argv=[sys.argv[0], "-v", *sys.argv[3:]])

@@ -17,6 +17,7 @@ from bench import PATIENCE, Program
 from rows import ROWS
 
 sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import ownhome  # noqa: E402, F401 pylint: disable=wrong-import-position,unused-import
 from steady import SteadyCase  # noqa: E402, F401 pylint: disable=wrong-import-position,unused-import
 
 ROUNDS = int(os.environ.get("MOTORBENCH_SAFETY_ROUNDS", "1"))

@@ -10,7 +10,7 @@ import unittest
 
 from bench import Motor, SerialCable, SocketCable
 from rows import ROWS
-from scenarios import CableScenarios, MotionScenarios, Rounds, WindowScenarios, SteadyCase
+from scenarios import CableScenarios, MotionScenarios, Rounds, WindowScenarios, SteadyCase, ownhome
 from trials import TrialScenarios, TuneScenarios
 
 
@@ -115,6 +115,7 @@ class SocketWindow(WindowScenarios, SteadyCase):
 if __name__ == "__main__":
     Rounds.control = os.path.abspath(sys.argv.pop(1))
     Rounds.window = os.path.abspath(sys.argv.pop(1))
-    result = unittest.main(argv=[sys.argv[0], "-v", *sys.argv[1:]], exit=False).result
+    with ownhome.move_in():
+        result = unittest.main(argv=[sys.argv[0], "-v", *sys.argv[1:]], exit=False).result
     ROWS.print()
     sys.exit(not result.wasSuccessful())

@@ -51,8 +51,9 @@ int main(int argc, char **argv)
     rest.insert(rest.end(), argv + 2, argv + argc);
     int count = static_cast<int>(rest.size());
     rest.push_back(nullptr);
-    const QTemporaryDir data; // what the program keeps of devices and trials goes with the test
-    qputenv("XDG_DATA_HOME", data.path().toUtf8());
+    const QTemporaryDir home; // what the program keeps goes with the test
+    for (const char *const folder : {"XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME"})
+        qputenv(folder, home.filePath(QLatin1String(folder)).toUtf8());
     QApplication application(count, rest.data());
     QCoreApplication::setAttribute(Qt::AA_Use96Dpi, true);
     const auto test = chosen->second();
