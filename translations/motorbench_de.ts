@@ -17835,5 +17835,21 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>%1 duty makes the motor quicker than %2 counts/s, which are allowed</source>
         <translation>%1 Tastgrad machen den Motor schneller als die erlaubten %2 counts/s</translation>
     </message>
+    <message>
+        <source>&apos;sqlite3 %1 .recover&apos; tells what it still holds; where it is moved away, a new one is begun</source>
+        <translation>&apos;sqlite3 %1 .recover&apos; zeigt, was sie noch enthält; ist sie weggeräumt, wird eine neue begonnen</translation>
+    </message>
+    <message>
+        <source>another program holds it: try again when that has ended</source>
+        <translation>Ein anderes Programm hält sie: noch einmal versuchen, wenn es beendet ist</translation>
+    </message>
+    <message>
+        <source>look whether its disk is there, has room and is in order</source>
+        <translation>prüfen, ob ihr Datenträger da ist, Platz hat und in Ordnung ist</translation>
+    </message>
+    <message>
+        <source>make room on its disk</source>
+        <translation>Platz auf ihrem Datenträger schaffen</translation>
+    </message>
 </context>
 </TS>

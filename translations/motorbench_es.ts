@@ -17835,5 +17835,21 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>%1 duty makes the motor quicker than %2 counts/s, which are allowed</source>
         <translation>con un ciclo de trabajo del %1 el motor va más rápido que los %2 counts/s permitidos</translation>
     </message>
+    <message>
+        <source>&apos;sqlite3 %1 .recover&apos; tells what it still holds; where it is moved away, a new one is begun</source>
+        <translation>&apos;sqlite3 %1 .recover&apos; muestra lo que aún contiene; si se aparta, se empieza uno nuevo</translation>
+    </message>
+    <message>
+        <source>another program holds it: try again when that has ended</source>
+        <translation>otro programa lo tiene en uso: vuelva a intentarlo cuando haya terminado</translation>
+    </message>
+    <message>
+        <source>look whether its disk is there, has room and is in order</source>
+        <translation>compruebe que su disco está presente, tiene espacio y está en buen estado</translation>
+    </message>
+    <message>
+        <source>make room on its disk</source>
+        <translation>libere espacio en su disco</translation>
+    </message>
 </context>
 </TS>

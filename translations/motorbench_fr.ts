@@ -17835,5 +17835,21 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>%1 duty makes the motor quicker than %2 counts/s, which are allowed</source>
         <translation>%1 de rapport cyclique rendent le moteur plus rapide que les %2 counts/s autorisés</translation>
     </message>
+    <message>
+        <source>&apos;sqlite3 %1 .recover&apos; tells what it still holds; where it is moved away, a new one is begun</source>
+        <translation>&apos;sqlite3 %1 .recover&apos; montre ce qu’il contient encore ; s’il est mis de côté, un nouveau est commencé</translation>
+    </message>
+    <message>
+        <source>another program holds it: try again when that has ended</source>
+        <translation>un autre programme le tient : réessayez quand il aura fini</translation>
+    </message>
+    <message>
+        <source>look whether its disk is there, has room and is in order</source>
+        <translation>vérifiez que son disque est présent, a de la place et est en bon état</translation>
+    </message>
+    <message>
+        <source>make room on its disk</source>
+        <translation>faites de la place sur son disque</translation>
+    </message>
 </context>
 </TS>

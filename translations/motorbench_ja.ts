@@ -17821,5 +17821,21 @@ double click plots it, drag it to a pane or below them</source>
         <source>%1 duty makes the motor quicker than %2 counts/s, which are allowed</source>
         <translation>デューティ %1 でモーターは許可された %2 counts/s より速くなります</translation>
     </message>
+    <message>
+        <source>&apos;sqlite3 %1 .recover&apos; tells what it still holds; where it is moved away, a new one is begun</source>
+        <translation>&apos;sqlite3 %1 .recover&apos; で残っている内容が分かります。別の場所へ移せば新しいものが作られます</translation>
+    </message>
+    <message>
+        <source>another program holds it: try again when that has ended</source>
+        <translation>別のプログラムが使用中です。終了してからもう一度試してください</translation>
+    </message>
+    <message>
+        <source>look whether its disk is there, has room and is in order</source>
+        <translation>ディスクが接続されているか、空きがあるか、正常かを確認してください</translation>
+    </message>
+    <message>
+        <source>make room on its disk</source>
+        <translation>ディスクの空きを増やしてください</translation>
+    </message>
 </context>
 </TS>

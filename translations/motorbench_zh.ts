@@ -17821,5 +17821,21 @@ double click plots it, drag it to a pane or below them</source>
         <source>%1 duty makes the motor quicker than %2 counts/s, which are allowed</source>
         <translation>%1 占空比会使电机快于允许的 %2 counts/s</translation>
     </message>
+    <message>
+        <source>&apos;sqlite3 %1 .recover&apos; tells what it still holds; where it is moved away, a new one is begun</source>
+        <translation>“sqlite3 %1 .recover”可显示其中仍有的内容；将其移走后会新建一个</translation>
+    </message>
+    <message>
+        <source>another program holds it: try again when that has ended</source>
+        <translation>另一个程序正在占用它：待其结束后重试</translation>
+    </message>
+    <message>
+        <source>look whether its disk is there, has room and is in order</source>
+        <translation>检查其磁盘是否存在、有空间且完好</translation>
+    </message>
+    <message>
+        <source>make room on its disk</source>
+        <translation>在其磁盘上腾出空间</translation>
+    </message>
 </context>
 </TS>

@@ -17,9 +17,31 @@
 namespace mb {
 namespace {
 
-constexpr auto damagedCode = "11";      // SQLITE_CORRUPT
-constexpr auto notADatabaseCode = "26"; // SQLITE_NOTADB
-constexpr auto otherTablesCode = "1";   // SQLITE_ERROR: a table or column is not there
+// Primary result codes of SQLite: of an extended one the lowest byte.
+constexpr int otherTables = 1;   // SQLITE_ERROR: a table or column is not there
+constexpr int heldByAnother = 5; // SQLITE_BUSY
+constexpr int notReached = 10;   // SQLITE_IOERR
+constexpr int damaged = 11;      // SQLITE_CORRUPT
+constexpr int diskIsFull = 13;   // SQLITE_FULL
+constexpr int notADatabase = 26; // SQLITE_NOTADB
+
+int primary(const std::string &code)
+{
+    return std::atoi(code.c_str()) & 0xFF;
+}
+
+Message remedyOf(int code, const std::string &path)
+{
+    switch (code) {
+    case otherTables: return say("move it away");
+    case heldByAnother: return say("another program holds it: try again when that has ended");
+    case notReached: return say("look whether its disk is there, has room and is in order");
+    case damaged:
+        return say("'sqlite3 %1 .recover' tells what it still holds; where it is moved away, a new one is begun", path);
+    case diskIsFull: return say("make room on its disk");
+    default: return {};
+    }
+}
 
 std::string nextConnection()
 {
@@ -77,8 +99,8 @@ Result<std::unique_ptr<Database>> Database::open(const std::string &path)
             say("check the rights of the folder above it"));
     std::unique_ptr<Database> database(new Database(path, nextConnection()));
     auto connected = database->connect();
-    const bool damaged = database->m_lastCode == damagedCode || database->m_lastCode == notADatabaseCode;
-    if (!connected && damaged) {
+    const int code = primary(database->m_lastCode);
+    if (!connected && (code == damaged || code == notADatabase)) {
         if (auto aside = database->putAside(); !aside)
             return fail(aside.error());
         connected = database->connect();
@@ -169,7 +191,7 @@ Result<void> Database::run(const char *statement, const QVariantList &values, co
     m_lastCode = query.lastError().nativeErrorCode().toStdString();
     if (!good || query.lastError().isValid())
         return fail(Fault::OutOfRange, say("%1: %2", m_path, query.lastError().databaseText().toStdString()),
-            m_lastCode == otherTablesCode ? say("move it away") : Message());
+            remedyOf(primary(m_lastCode), m_path));
     m_lastRow = query.lastInsertId().toLongLong();
     m_changed = query.numRowsAffected();
     return {};

@@ -228,6 +228,58 @@ TEST_F(Notebooks, ADamagedFileIsPutAsideWithAWordAndNeverDeleted)
     }
 }
 
+TEST_F(Notebooks, ADamagedPageThatOpeningDoesNotReadIsToldWithWhatMayBeDone)
+{
+    constexpr qint64 page = 4096;
+    {
+        const auto database = open();
+        TrialBook book(*database, clock);
+        for (int i = 0; i < 40; ++i)
+            keep(book, trial());
+    } // all is in the file itself, not in its log
+    QFile file(QString::fromStdString(path));
+    ASSERT_TRUE(file.open(QIODevice::ReadWrite));
+    const qint64 pages = file.size() / page;
+    for (qint64 at = pages / 3; at < pages; ++at) {
+        ASSERT_TRUE(file.seek(at * page));
+        file.write(QByteArray(page, '\xEE'));
+    }
+    file.close();
+    const auto database = open();
+    ASSERT_TRUE(database);
+    EXPECT_EQ(database->remark(), "");
+    TrialBook book(*database, clock);
+    const auto failed = book.list();
+    ASSERT_FALSE(failed);
+    EXPECT_NE(failed.error().detail.english().find(path + ": "), std::string::npos) << failed.error().text();
+    EXPECT_EQ(failed.error().remedy.english(),
+        "'sqlite3 " + path + " .recover' tells what it still holds; where it is moved away, a new one is begun");
+}
+
+TEST_F(Notebooks, ADiskWithoutRoomIsNamed)
+{
+    const auto database = open();
+    TrialBook book(*database, clock);
+    keep(book, trial());
+    ASSERT_TRUE(database->run("PRAGMA max_page_count = 1")); // SQLite takes what the file has already
+    tuning::Trial large = trial();
+    large.device = std::string(100'000, 'x');
+    const auto failed = test::run(clock, book.begin(large));
+    ASSERT_FALSE(failed);
+    EXPECT_EQ(failed.error().remedy.english(), "make room on its disk") << failed.error().text();
+}
+
+TEST_F(Notebooks, AnotherProgramThatKeepsTheFileIsNamed)
+{
+    const auto one = open();
+    const auto two = open();
+    ASSERT_TRUE(one->run("BEGIN EXCLUSIVE"));
+    ASSERT_TRUE(two->run("PRAGMA busy_timeout = 0"));
+    const auto failed = two->run("DELETE FROM trial");
+    ASSERT_FALSE(failed);
+    EXPECT_EQ(failed.error().remedy.english(), "another program holds it: try again when that has ended");
+}
+
 TEST_F(Notebooks, AFileOfANewerVersionIsLeftAloneAndSaidSo)
 {
     ASSERT_TRUE(open()->run("PRAGMA user_version = 1000"));
@@ -263,13 +315,16 @@ TEST_F(Notebooks, AFullDiskFailsTheTrialButKeepsTheOthers)
         large.signals.front().trace.add(i, static_cast<double>(noise >> 11U));
     }
     {
+        const auto number = test::run(clock, book.begin(large));
+        ASSERT_TRUE(number);
         const test::FullDisk full(300'000);
-        const auto failed = test::run(clock, book.complete(1, large));
+        const auto failed = test::run(clock, book.complete(*number, large));
         ASSERT_FALSE(failed);
         EXPECT_EQ(failed.error().fault, Fault::OutOfRange);
+        EXPECT_EQ(failed.error().remedy.english(), "look whether its disk is there, has room and is in order");
     }
     EXPECT_EQ(book.find(1)->trial.samples, 4711U);
-    EXPECT_EQ(keep(book, trial()), 2);
+    EXPECT_EQ(keep(book, trial()), 3);
 }
 
 TEST_F(Notebooks, AFolderThatCannotBeMadeIsSaidSo)
