@@ -17,18 +17,13 @@
 namespace mb {
 namespace {
 
-// Primary result codes of SQLite: of an extended one the lowest byte.
+// Primary result codes of SQLite.
 constexpr int otherTables = 1;   // SQLITE_ERROR: a table or column is not there
 constexpr int heldByAnother = 5; // SQLITE_BUSY
 constexpr int notReached = 10;   // SQLITE_IOERR
 constexpr int damaged = 11;      // SQLITE_CORRUPT
 constexpr int diskIsFull = 13;   // SQLITE_FULL
 constexpr int notADatabase = 26; // SQLITE_NOTADB
-
-int primary(const std::string &code)
-{
-    return std::atoi(code.c_str()) & 0xFF;
-}
 
 Message remedyOf(int code, const std::string &path)
 {
@@ -99,7 +94,7 @@ Result<std::unique_ptr<Database>> Database::open(const std::string &path)
             say("check the rights of the folder above it"));
     std::unique_ptr<Database> database(new Database(path, nextConnection()));
     auto connected = database->connect();
-    const int code = primary(database->m_lastCode);
+    const int code = database->m_lastCode;
     if (!connected && (code == damaged || code == notADatabase)) {
         if (auto aside = database->putAside(); !aside)
             return fail(aside.error());
@@ -188,10 +183,10 @@ Result<void> Database::run(const char *statement, const QVariantList &values, co
         if (row)
             row(query);
     }
-    m_lastCode = query.lastError().nativeErrorCode().toStdString();
+    m_lastCode = query.lastError().nativeErrorCode().toInt() & 0xFF; // of an extended code the primary one
     if (!good || query.lastError().isValid())
         return fail(Fault::OutOfRange, say("%1: %2", m_path, query.lastError().databaseText().toStdString()),
-            remedyOf(primary(m_lastCode), m_path));
+            remedyOf(m_lastCode, m_path));
     m_lastRow = query.lastInsertId().toLongLong();
     m_changed = query.numRowsAffected();
     return {};
@@ -202,7 +197,7 @@ Result<void> Database::transact(const std::function<Result<void>()> &work)
     if (auto begun = run("BEGIN IMMEDIATE"); !begun)
         return begun;
     auto worked = work();
-    const std::string code = m_lastCode;
+    const int code = m_lastCode;
     if (worked) {
         worked = run("COMMIT");
         if (worked)

@@ -47,9 +47,9 @@ private:
     std::string m_path;
     std::string m_connection;
     std::string m_remark;
-    std::string m_lastCode;
     bool m_readOnly = false;
     std::int64_t m_lastRow = 0;
+    int m_lastCode = 0; ///< SQLite's, of what run() has done last
     int m_changed = 0;
 };
 
