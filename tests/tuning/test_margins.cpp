@@ -65,6 +65,27 @@ TEST(Margins, TwoIntegratorsBeginAtMinus180Degrees)
     EXPECT_TRUE(margins.isStable());
 }
 
+TEST(Margins, APhaseBeyond180DegreesIsNotTakenForOneThatLeads)
+{
+    // an integral quicker than the lag: −180° + atan(omega·p/i) − atan(omega·tau) of a position loop, and a double integrator's size
+    const PlantModel plant{1000.0, 0.2, 0.0};
+    const Margins margins = marginsOf(Mode::Position, plant, {0.01, 0.2});
+    const double omega = margins.crossover;
+    const double size = 1000.0 * std::hypot(0.01 * omega, 0.2) / (omega * omega * std::hypot(0.2 * omega, 1.0));
+    EXPECT_NEAR(size, 1.0, 0.02);
+    EXPECT_NEAR(margins.phase, (std::atan(0.05 * omega) - std::atan(0.2 * omega)) * degrees, 0.2);
+    EXPECT_LT(margins.phase, -20.0);
+    EXPECT_FALSE(margins.isStable());
+    EXPECT_TRUE(std::isinf(margins.ms));
+    // a derivative brings it back: −180° − 90° + its lead
+    const Margins led = marginsOf(Mode::Position, plant, {0.01, 0.2, 0.02});
+    const double w = led.crossover;
+    const double lead
+        = 180.0 - std::atan(0.01 * w / (0.02 * w * w - 0.2)) * degrees; // of i + p·s + d·s², beyond its quarter
+    EXPECT_NEAR(led.phase, lead - std::atan(0.2 * w) * degrees, 0.2);
+    EXPECT_TRUE(led.phase > 0.0);
+}
+
 TEST(Margins, ALoopWithoutGainHasThemAll)
 {
     const Margins margins = marginsOf(Mode::Velocity, {1000.0, 0.2, 0.05}, {});

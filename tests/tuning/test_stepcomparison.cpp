@@ -21,7 +21,7 @@ Trial comparedTrial(Mode mode, double to, double hold, const std::vector<Course>
     Signal signal;
     signal.channel = mode == Mode::Velocity ? "ch1.velocity" : mode == Mode::Position ? "ch1.position" : "ch1.current";
     for (std::size_t i = 0; i < missing.size(); ++i) {
-        const double from = static_cast<double>(i) * (hold + 1.0);
+        const double from = 2.0 + static_cast<double>(i) * (hold + 1.0);
         trial.holds.push_back({from, from + hold});
         for (int k = 0; k <= static_cast<int>(std::lround(1000.0 * (hold + 0.5))); ++k)
             signal.trace.add(from + 0.001 * k, to * (1.0 - (k <= 1000.0 * hold + 0.5 ? missing[i](0.001 * k) : 50.0)));
@@ -152,6 +152,26 @@ TEST(StepComparison, ForgivesACurrentTwoStandardErrorsOfItsSteps)
     // of one step of each set nothing is known of its noise
     EXPECT_FALSE(isBetter({comparedTrial(Mode::Current, 10.0, 0.1, {until(0.021)})},
         {comparedTrial(Mode::Current, 10.0, 0.1, {until(0.02)})}, {}));
+}
+
+TEST(StepComparison, TwoStepsOfACurrentTellLittle)
+{
+    // 128 and 288 again: half of what lies between is 80; of 33 ms 132, both together 154, and twice that is forgiven
+    const std::vector before{spreadCurrent(0.02, 0.004, 1)};
+    EXPECT_TRUE(isBetter({spreadCurrent(0.028, 0.004, 1)}, before, {}));
+    EXPECT_FALSE(isBetter({spreadCurrent(0.033, 0.004, 1)}, before, {}));
+}
+
+TEST(StepComparison, AStepIsWhatLiesBetweenItsEnds)
+{
+    // the same way, from another place
+    std::vector moved{comparedTrial(Mode::Velocity, 1000.0, 1.0, {until(0.3)})};
+    moved.front().stimulus.from += 500.0;
+    moved.front().stimulus.to += 500.0;
+    for (double &y : moved.front().signals.front().trace.y)
+        y += 500.0;
+    EXPECT_NEAR(
+        errorRatio(moved, {comparedTrial(Mode::Velocity, 1000.0, 1.0, {until(0.3)})}, coarseIntegral()), 1.0, 1e-9);
 }
 
 TEST(StepComparison, ACurrentOfTwoTrialsIsAsSureAsTheMeanOfBoth)
