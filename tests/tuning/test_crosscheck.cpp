@@ -12,16 +12,16 @@ namespace {
 constexpr double crossGain = 120'000.0; ///< counts/s per duty
 constexpr double crossFriction = 0.05;
 
-/// A push of a motor with this lag, from standstill, sampled each `period` until `end`.
-PushRecord crossPush(double duty, double tau, double delay, double growth, double period, double end)
+/// A push of a motor with this lag, from standstill, sampled each `spacing` until `end`.
+PushRecord crossPush(double duty, double tau, double delay, double growth, double spacing, double end)
 {
     PushRecord record;
     record.duty = duty;
     record.growth = growth;
     const double speed = crossGain * (duty - std::copysign(crossFriction, duty));
-    for (int i = 0; i * period <= end + 1e-9; ++i) {
-        const double t = std::max(i * period - delay - growth, 0.0);
-        record.position.add(i * period, speed * (t - tau * (1.0 - std::exp(-t / tau))));
+    for (int i = 0; i * spacing <= end + 1e-9; ++i) {
+        const double t = std::max(i * spacing - delay - growth, 0.0);
+        record.position.add(i * spacing, speed * (t - tau * (1.0 - std::exp(-t / tau))));
     }
     return record;
 }
@@ -36,10 +36,10 @@ PushFit crossFit(const std::vector<PushRecord> &records, double tau, double dela
     return fit;
 }
 
-std::optional<double> crossLag(double tau, double period, double guessed, double end)
+std::optional<double> crossLag(double tau, double spacing, double guessed, double end)
 {
-    const std::vector records{crossPush(0.4, tau, 0.01, 0.02, period, end),
-        crossPush(-0.25, tau, 0.01, 0.04, period, end), crossPush(0.08, tau, 0.01, 0.0, period, end)};
+    const std::vector records{crossPush(0.4, tau, 0.01, 0.02, spacing, end),
+        crossPush(-0.25, tau, 0.01, 0.04, spacing, end), crossPush(0.08, tau, 0.01, 0.0, spacing, end)};
     return lagByRegression(records, crossFit(records, guessed, 0.01));
 }
 

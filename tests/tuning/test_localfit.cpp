@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines and parabolas through samples: exact where the samples are those of one.
+// Lines and parabolas through samples: curve where the samples are those of one.
 #include "experiment/localfit.h"
 
 #include <gtest/gtest.h>
@@ -89,9 +89,9 @@ TEST(LocalFit, SmoothingTakesNoiseOutAndLooksAtNothingBeforeItsBeginning)
     for (int i = 0; i < 50; ++i)
         trace.y[static_cast<std::size_t>(i)] = -1000.0; // before a step
     const std::vector<double> kept = smoothed(trace, 50, 0.5);
-    const Trace exact = sampledCurve();
+    const Trace curve = sampledCurve();
     for (std::size_t i = 0; i < 101; ++i)
-        EXPECT_NEAR(kept[i], i < 50 ? -1000.0 : exact.y[i], 1e-9) << i;
+        EXPECT_NEAR(kept[i], i < 50 ? -1000.0 : curve.y[i], 1e-9) << i;
     Trace noisy;
     for (int i = 0; i < 41; ++i)
         noisy.add(0.1 * i, i % 2 == 0 ? 1.0 : -1.0);

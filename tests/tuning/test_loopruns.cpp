@@ -145,12 +145,12 @@ TEST(LoopRuns, ARampIsTheMeanOfItsSteps)
     // after a long time a ramp is at its end; its derivative's part adds `lead` of its speed while it lasts
     EXPECT_NEAR(rampOfSecondOrder(40.0, 400.0, 0.1, 5.0, 0.4), 1.0, 1e-9);
     EXPECT_EQ(rampOfSecondOrder(40.0, 400.0, 0.1, 0.2, 0.0), stepOfSecondOrder(40.0, 400.0, 0.2));
-    double exact = 0.0;
+    double mean = 0.0;
     for (int i = 0; i < 10'000; ++i)
-        exact += stepOfSecondOrder(40.0, 400.0, 0.3 - 0.2 * (i + 0.5) / 10'000) / 10'000;
-    EXPECT_NEAR(rampOfSecondOrder(40.0, 400.0, 0.0, 0.3, 0.2), exact, 1e-3);
+        mean += stepOfSecondOrder(40.0, 400.0, 0.3 - 0.2 * (i + 0.5) / 10'000) / 10'000;
+    EXPECT_NEAR(rampOfSecondOrder(40.0, 400.0, 0.0, 0.3, 0.2), mean, 1e-3);
     const double led = stepOfSecondOrder(40.0, 400.0, 0.3) - stepOfSecondOrder(40.0, 400.0, 0.1);
-    EXPECT_NEAR(rampOfSecondOrder(40.0, 400.0, 0.06, 0.3, 0.2), exact + 0.06 * led / 0.2, 1e-3);
+    EXPECT_NEAR(rampOfSecondOrder(40.0, 400.0, 0.06, 0.3, 0.2), mean + 0.06 * led / 0.2, 1e-3);
 }
 
 TEST(LoopRuns, ADelayIsWithinWhatALinkTakes)

@@ -10,7 +10,7 @@
 namespace mb::tuning {
 namespace {
 
-constexpr double degrees = 180.0 / std::numbers::pi;
+constexpr double toDegrees = 180.0 / std::numbers::pi;
 
 TEST(Margins, OfAnIntegratorWithADelayAreKnown)
 {
@@ -20,7 +20,7 @@ TEST(Margins, OfAnIntegratorWithADelayAreKnown)
     const double p = k * plant.tau / plant.gain;
     const Margins margins = marginsOf(Mode::Velocity, plant, {p, p / plant.tau});
     EXPECT_NEAR(margins.crossover, k, 0.01 * k);
-    EXPECT_NEAR(margins.phase, 90.0 - k * plant.delay * degrees, 0.1);
+    EXPECT_NEAR(margins.phase, 90.0 - k * plant.delay * toDegrees, 0.1);
     const double turn = std::numbers::pi / 2.0 / plant.delay;
     EXPECT_NEAR(margins.turnover, turn, 0.01 * turn);
     EXPECT_NEAR(margins.gain, turn / k, 0.01 * turn / k);
@@ -49,7 +49,7 @@ TEST(Margins, APositionLoopHasTheIntegratorOfItsShaft)
     const Margins margins = marginsOf(Mode::Position, plant, {0.01});
     const double omega = std::sqrt((std::sqrt(1.0 + 4.0 * 100.0 * 0.04) - 1.0) / (2.0 * 0.04));
     EXPECT_NEAR(margins.crossover, omega, 0.01 * omega);
-    EXPECT_NEAR(margins.phase, 90.0 - std::atan(0.2 * omega) * degrees, 0.3);
+    EXPECT_NEAR(margins.phase, 90.0 - std::atan(0.2 * omega) * toDegrees, 0.3);
     EXPECT_TRUE(std::isinf(margins.gain));
     EXPECT_EQ(margins.turnover, 0.0);
 }
@@ -61,7 +61,7 @@ TEST(Margins, TwoIntegratorsBeginAtMinus180Degrees)
     const Margins margins = marginsOf(Mode::Position, plant, {0.02, 0.1});
     const double omega = std::sqrt(200.0 + std::sqrt(200.0 * 200.0 + 100.0 * 100.0)); // omega⁴ = 20²·omega² + 100²
     EXPECT_NEAR(margins.crossover, omega, 0.01 * omega);
-    EXPECT_NEAR(margins.phase, (std::atan(0.2 * omega) - std::atan(0.001 * omega)) * degrees, 0.2);
+    EXPECT_NEAR(margins.phase, (std::atan(0.2 * omega) - std::atan(0.001 * omega)) * toDegrees, 0.2);
     EXPECT_TRUE(margins.isStable());
 }
 
@@ -73,7 +73,7 @@ TEST(Margins, APhaseBeyond180DegreesIsNotTakenForOneThatLeads)
     const double omega = margins.crossover;
     const double size = 1000.0 * std::hypot(0.01 * omega, 0.2) / (omega * omega * std::hypot(0.2 * omega, 1.0));
     EXPECT_NEAR(size, 1.0, 0.02);
-    EXPECT_NEAR(margins.phase, (std::atan(0.05 * omega) - std::atan(0.2 * omega)) * degrees, 0.2);
+    EXPECT_NEAR(margins.phase, (std::atan(0.05 * omega) - std::atan(0.2 * omega)) * toDegrees, 0.2);
     EXPECT_LT(margins.phase, -20.0);
     EXPECT_FALSE(margins.isStable());
     EXPECT_TRUE(std::isinf(margins.ms));
@@ -81,8 +81,8 @@ TEST(Margins, APhaseBeyond180DegreesIsNotTakenForOneThatLeads)
     const Margins led = marginsOf(Mode::Position, plant, {0.01, 0.2, 0.02});
     const double w = led.crossover;
     const double lead
-        = 180.0 - std::atan(0.01 * w / (0.02 * w * w - 0.2)) * degrees; // of i + p·s + d·s², beyond its quarter
-    EXPECT_NEAR(led.phase, lead - std::atan(0.2 * w) * degrees, 0.2);
+        = 180.0 - std::atan(0.01 * w / (0.02 * w * w - 0.2)) * toDegrees; // of i + p·s + d·s², beyond its quarter
+    EXPECT_NEAR(led.phase, lead - std::atan(0.2 * w) * toDegrees, 0.2);
     EXPECT_TRUE(led.phase > 0.0);
 }
 
@@ -101,7 +101,7 @@ TEST(Margins, TheDampingOfADerivativeIsInThem)
     const PlantModel plant{1000.0, 0.2, 0.02};
     const Margins margins = marginsOf(Mode::Position, plant, {0.01, 0.0, 0.01 * 0.2});
     EXPECT_NEAR(margins.crossover, 10.0, 0.1);
-    EXPECT_NEAR(margins.phase, 90.0 - 10.0 * 0.02 * degrees, 0.1);
+    EXPECT_NEAR(margins.phase, 90.0 - 10.0 * 0.02 * toDegrees, 0.1);
 }
 
 TEST(Margins, TheOpenLoopIsThatOfTheMotorAndItsDelay)

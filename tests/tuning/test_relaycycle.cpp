@@ -11,17 +11,17 @@
 namespace mb::tuning {
 namespace {
 
-/// Swings around 70 counts, one after the other; each as long as `period` tells of its number, as far as `reach` does.
-Trace swings(int count, const std::function<double(int)> &period, const std::function<double(int)> &reach)
+/// Swings around 70 counts, one after the other; each as long as `spacing` tells of its number, as far as `reach` does.
+Trace swings(int count, const std::function<double(int)> &spacing, const std::function<double(int)> &reach)
 {
     Trace trace;
     double begun = 0.0;
     for (int i = 0; i < count; ++i) {
         const int samples = 100;
         for (int k = 0; k < samples; ++k)
-            trace.add(begun + period(i) * k / samples,
+            trace.add(begun + spacing(i) * k / samples,
                 70.0 + reach(i) * std::sin(2.0 * std::numbers::pi * (k + 0.5) / samples - std::numbers::pi / 2.0));
-        begun += period(i);
+        begun += spacing(i);
     }
     return trace;
 }
@@ -90,7 +90,7 @@ TEST(RelayCycle, ACrossingThatCountNoiseMadeIsNone)
 /// A motor under a relay, simulated in small steps: half its way, and its speed at the change of sign.
 ExactCycle simulatedCycle(double gain, double duty, double friction, double tau, double half, double braking)
 {
-    constexpr double fine = 1e-5;
+    constexpr double shortPass = 1e-5;
     double speed = 0.0;
     double place = 0.0;
     double low = 0.0;
@@ -99,12 +99,12 @@ ExactCycle simulatedCycle(double gain, double duty, double friction, double tau,
     for (int i = 0; i < 12; ++i, sign = -sign) {
         if (i % 2 == 0)
             low = high = place;
-        for (double t = 0.0; t < half; t += fine) {
+        for (double t = 0.0; t < half; t += shortPass) {
             const double driving = gain * (sign * duty - std::copysign(friction, speed == 0.0 ? sign : speed));
             const bool brakes = speed * sign < 0.0;
             const double way = brakes ? gain * sign * (duty + friction / braking) : driving;
-            speed += (way - speed) / (brakes ? tau / braking : tau) * fine;
-            place += speed * fine;
+            speed += (way - speed) / (brakes ? tau / braking : tau) * shortPass;
+            place += speed * shortPass;
             low = std::min(low, place);
             high = std::max(high, place);
         }
@@ -118,10 +118,10 @@ TEST(RelayCycle, TheExactCycleIsThatOfTheMotorWithFrictionAndAGearThatBrakes)
         double friction, braking;
     };
     for (const Row &row : {Row{0.0, 1.0}, Row{0.05, 1.0}, Row{0.05, 2.0}, Row{0.0, 1.5}}) {
-        const ExactCycle exact = exactCycle(5000.0, 0.2, row.friction, 0.15, 0.1, row.braking);
+        const ExactCycle known = exactCycle(5000.0, 0.2, row.friction, 0.15, 0.1, row.braking);
         const ExactCycle seen = simulatedCycle(5000.0, 0.2, row.friction, 0.15, 0.1, row.braking);
-        EXPECT_NEAR(exact.amplitude, seen.amplitude, 0.002 * seen.amplitude) << row.friction << ' ' << row.braking;
-        EXPECT_NEAR(exact.speed, seen.speed, 0.002 * seen.speed) << row.friction << ' ' << row.braking;
+        EXPECT_NEAR(known.amplitude, seen.amplitude, 0.002 * seen.amplitude) << row.friction << ' ' << row.braking;
+        EXPECT_NEAR(known.speed, seen.speed, 0.002 * seen.speed) << row.friction << ' ' << row.braking;
     }
 }
 

@@ -13,7 +13,7 @@ namespace {
 const PlantModel rollingPlant{20'000.0, 0.2, 0.0, 0.05, 1.5};
 constexpr double rollDelay = 0.004;
 
-struct Pushed {
+struct RollPush {
     double duty = 0.4;
     double seconds = 0.6;
     double rest = 1.0; ///< s until the next
@@ -21,7 +21,7 @@ struct Pushed {
 };
 
 /// One after the other, samples each 2 ms, `rollDelay` late.
-Trial rollingTrial(const Pushed &push, const PlantModel &plant = rollingPlant)
+Trial rollingTrial(const RollPush &push, const PlantModel &plant = rollingPlant)
 {
     Trial trial;
     trial.mode = Mode::Duty;
@@ -83,11 +83,11 @@ TEST(RollOut, CountsOnlyWhatWasSeenToComeToRest)
 TEST(RollOut, SaysNothingOfAMotorThatHardlyRolls)
 {
     const double usual = rollOutsOf(rollingTrial({}), rollingFit(), 0.05).at(0).distance; // goes with the gain
-    PlantModel slow = rollingPlant;
-    slow.gain *= 9.5 / usual;
-    EXPECT_TRUE(rollOutsOf(rollingTrial({}, slow), rollingFit(), 0.05).empty());
-    slow.gain *= 10.5 / 9.5;
-    EXPECT_EQ(rollOutsOf(rollingTrial({}, slow), rollingFit(), 0.05).size(), 2U);
+    PlantModel sluggish = rollingPlant;
+    sluggish.gain *= 9.5 / usual;
+    EXPECT_TRUE(rollOutsOf(rollingTrial({}, sluggish), rollingFit(), 0.05).empty());
+    sluggish.gain *= 10.5 / 9.5;
+    EXPECT_EQ(rollOutsOf(rollingTrial({}, sluggish), rollingFit(), 0.05).size(), 2U);
     EXPECT_TRUE(rollOutsOf({}, rollingFit(), 0.05).empty());
     EXPECT_TRUE(rollOutsOf(rollingTrial({0.0}), rollingFit(), 0.05).empty());
 }

@@ -13,20 +13,20 @@ constexpr ContinuousGains noGains{};
 /// A loop that puts out 1 for each count/s or count of its target.
 constexpr ContinuousGains straight{0.0, 0.0, 0.0, 1.0};
 
-LoopShape passShape(double period)
+LoopShape passShape(double pass)
 {
     LoopShape shape;
-    shape.period = period;
+    shape.period = pass;
     return shape;
 }
 
 TEST(SimulatedLoop, AMotorAnswersADutyAsItsLagSaysWhateverThePassesAre)
 {
     const PlantModel plant{1000.0, 0.2, 0.0, 0.05};
-    for (const double period : {0.001, 0.01, 0.1}) {
-        SimulatedLoop velocity(Mode::Velocity, plant, straight, passShape(period), 0.0);
-        SimulatedLoop position(Mode::Position, plant, straight, passShape(period), 0.0);
-        const int passes = static_cast<int>(std::lround(0.3 / period));
+    for (const double pass : {0.001, 0.01, 0.1}) {
+        SimulatedLoop velocity(Mode::Velocity, plant, straight, passShape(pass), 0.0);
+        SimulatedLoop position(Mode::Position, plant, straight, passShape(pass), 0.0);
+        const int passes = static_cast<int>(std::lround(0.3 / pass));
         for (int i = 0; i < passes; ++i) {
             EXPECT_EQ(velocity.pass(0.4), 0.4);
             (void)position.pass(-0.4);
@@ -70,25 +70,25 @@ TEST(SimulatedLoop, AMotorTurnsWithinAPassWithoutLosingItsTime)
     // braked to 0 and driven the other way in one long pass, as in many short ones
     const PlantModel plant{1000.0, 0.2, 0.0, 0.05, 1.5};
     SimulatedLoop coarse(Mode::Position, plant, straight, passShape(0.25), 0.0);
-    SimulatedLoop fine(Mode::Position, plant, straight, passShape(0.0001), 0.0);
+    SimulatedLoop small(Mode::Position, plant, straight, passShape(0.0001), 0.0);
     for (const double duty : {0.6, -0.6, 0.3}) {
         (void)coarse.pass(duty);
         for (int i = 0; i < 2500; ++i)
-            (void)fine.pass(duty);
-        EXPECT_NEAR(coarse.value(), fine.value(), 0.01) << duty;
+            (void)small.pass(duty);
+        EXPECT_NEAR(coarse.value(), small.value(), 0.01) << duty;
     }
 }
 
 TEST(SimulatedLoop, ASupplyThatSagsMakesTheLagLongerToSevenDigits)
 {
     // tau·(1 + sag·(duty² − 0.3²)); a pass shorter than a fifth of a lag takes a fraction for the exponential
-    for (const double period : {0.01, 0.03, 0.06}) {
+    for (const double pass : {0.01, 0.03, 0.06}) {
         PlantModel plant{1000.0, 0.2, 0.0, 0.0};
         plant.sag = 0.5;
-        SimulatedLoop velocity(Mode::Velocity, plant, straight, passShape(period), 0.0);
+        SimulatedLoop velocity(Mode::Velocity, plant, straight, passShape(pass), 0.0);
         (void)velocity.pass(0.9);
         const double tau = 0.2 * (1.0 + 0.5 * (0.81 - 0.09));
-        EXPECT_NEAR(velocity.value(), 900.0 * (1.0 - std::exp(-period / tau)), 900.0 * 5e-7) << period;
+        EXPECT_NEAR(velocity.value(), 900.0 * (1.0 - std::exp(-pass / tau)), 900.0 * 5e-7) << pass;
     }
 }
 
@@ -105,17 +105,17 @@ TEST(SimulatedLoop, AtRestItIsHeldByMoreThanItsFrictionWhereNoGearLosesTorque)
     EXPECT_TRUE(moves(plain, 0.121, passShape(0.01)));
     EXPECT_TRUE(moves(plain, -0.121, passShape(0.01)));
     // 2/(1 + braking) of its friction is its own: 1.2·2/2.2 of it, or all of it
-    PlantModel geared = plain;
-    geared.braking = 1.2;
-    EXPECT_FALSE(moves(geared, 0.109, passShape(0.01)));
-    EXPECT_TRUE(moves(geared, 0.110, passShape(0.01)));
-    geared.braking = 2.0;
-    EXPECT_FALSE(moves(geared, 0.0999, passShape(0.01)));
-    EXPECT_TRUE(moves(geared, 0.1001, passShape(0.01)));
+    PlantModel lossy = plain;
+    lossy.braking = 1.2;
+    EXPECT_FALSE(moves(lossy, 0.109, passShape(0.01)));
+    EXPECT_TRUE(moves(lossy, 0.110, passShape(0.01)));
+    lossy.braking = 2.0;
+    EXPECT_FALSE(moves(lossy, 0.0999, passShape(0.01)));
+    EXPECT_TRUE(moves(lossy, 0.1001, passShape(0.01)));
     LoopShape counted = passShape(0.01);
     counted.windowCounts = 8.0;
-    EXPECT_FALSE(moves(geared, 0.119, counted));
-    EXPECT_TRUE(moves(geared, 0.121, counted));
+    EXPECT_FALSE(moves(lossy, 0.119, counted));
+    EXPECT_TRUE(moves(lossy, 0.121, counted));
     LoopShape helped = passShape(0.01);
     helped.leastOutput = 0.11; // written so that it moves the motor
     EXPECT_FALSE(moves(plain, 0.05, passShape(0.01)));
@@ -191,8 +191,8 @@ TEST(SimulatedLoop, ALeastOutputOvercomesFrictionUntilItIsGoodEnough)
     EXPECT_NEAR(loop.pass(4.1), 0.1, 1e-12);
     EXPECT_NEAR(loop.pass(200.0), 0.2 + 0.1 + 0.00205, 1e-9) << "what was integrated before is forgotten";
     shape.goodEnough = 0.0;
-    SimulatedLoop exact(Mode::Position, still, {0.001, 0.0, 0.0, 0.0}, shape, 0.0);
-    EXPECT_NEAR(exact.pass(0.5), 0.1, 1e-12);
+    SimulatedLoop sure(Mode::Position, still, {0.001, 0.0, 0.0, 0.0}, shape, 0.0);
+    EXPECT_NEAR(sure.pass(0.5), 0.1, 1e-12);
 }
 
 TEST(SimulatedLoop, SeesAStepAsLateAsThePlantsDelaySaysWithoutAPassAndAHalf)
@@ -246,13 +246,13 @@ TEST(SimulatedLoop, AWindowOfCountsIsTheShortestInWhichItWentSoFar)
     (void)quick.pass(0.1); // which sees the one before: 1 count after 5 and 5
     EXPECT_NEAR(quick.measured(), 11.0 / 0.03, 0.1);
     // slower than eight counts in 0.671 s it waits no longer
-    SimulatedLoop slow(Mode::Velocity, plant, straight, shape, 0.0);
+    SimulatedLoop late(Mode::Velocity, plant, straight, shape, 0.0);
     for (int pass = 0; pass < 300; ++pass)
-        (void)slow.pass(0.005);
-    EXPECT_NEAR(slow.measured(), 5.0, 0.01);
+        (void)late.pass(0.005);
+    EXPECT_NEAR(late.measured(), 5.0, 0.01);
     for (int pass = 0; pass < 34; ++pass)
-        (void)slow.pass(0.0);
-    EXPECT_NEAR(slow.measured(), 5.0 * 34.0 / 67.0, 0.15) << "half of its window at rest";
+        (void)late.pass(0.0);
+    EXPECT_NEAR(late.measured(), 5.0 * 34.0 / 67.0, 0.15) << "half of its window at rest";
 }
 
 TEST(SimulatedLoop, ASetPointIsLedAtItsRate)

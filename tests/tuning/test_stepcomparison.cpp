@@ -12,8 +12,8 @@ namespace {
 
 using Course = std::function<double(double)>; ///< share of the step that is missing, by s since the edge
 
-/// Steps of `hold` s to `to`, 1 ms between samples, the next one a second later.
-Trial comparedTrial(Mode mode, double to, double hold, const std::vector<Course> &missing)
+/// Steps of `held` s to `to`, 1 ms between samples, the next one a second later.
+Trial comparedTrial(Mode mode, double to, double held, const std::vector<Course> &missing)
 {
     Trial trial;
     trial.mode = mode;
@@ -21,10 +21,10 @@ Trial comparedTrial(Mode mode, double to, double hold, const std::vector<Course>
     Signal signal;
     signal.channel = mode == Mode::Velocity ? "ch1.velocity" : mode == Mode::Position ? "ch1.position" : "ch1.current";
     for (std::size_t i = 0; i < missing.size(); ++i) {
-        const double from = 2.0 + static_cast<double>(i) * (hold + 1.0);
-        trial.holds.push_back({from, from + hold});
-        for (int k = 0; k <= static_cast<int>(std::lround(1000.0 * (hold + 0.5))); ++k)
-            signal.trace.add(from + 0.001 * k, to * (1.0 - (k <= 1000.0 * hold + 0.5 ? missing[i](0.001 * k) : 50.0)));
+        const double from = 2.0 + static_cast<double>(i) * (held + 1.0);
+        trial.holds.push_back({from, from + held});
+        for (int k = 0; k <= static_cast<int>(std::lround(1000.0 * (held + 0.5))); ++k)
+            signal.trace.add(from + 0.001 * k, to * (1.0 - (k <= 1000.0 * held + 0.5 ? missing[i](0.001 * k) : 50.0)));
     }
     trial.signals = {signal};
     return trial;
@@ -100,9 +100,9 @@ TEST(StepComparison, ForgivesAVelocityHalfAStepOfItsReadingWhereItsIntegralIsExa
 {
     // 20 counts/s are a step of both readings
     const Course beside = [](double t) { return t < 0.4 ? 1.0 : std::lround(1000.0 * t) % 2 == 0 ? -0.01 : 0.01; };
-    const Course exact = [](double t) { return t < 0.0015 ? 0.98 : until(0.4)(t); };
+    const Course fineReading = [](double t) { return t < 0.0015 ? 0.98 : until(0.4)(t); };
     const std::vector now{comparedTrial(Mode::Velocity, 1000.0, 1.0, {beside})};
-    const std::vector before{comparedTrial(Mode::Velocity, 1000.0, 1.0, {exact})};
+    const std::vector before{comparedTrial(Mode::Velocity, 1000.0, 1.0, {fineReading})};
     EXPECT_NEAR(errorRatio(now, before, {}), 1.0, 0.003);
     EXPECT_NEAR(errorRatio(now, before, coarseIntegral()), 1.0 + 0.01 * 0.42 / 0.08, 0.005);
     const Course further = [&beside](double t) { return t < 0.4 ? 1.0 : beside(t) + std::copysign(0.02, beside(t)); };
@@ -132,12 +132,12 @@ TEST(StepComparison, ForgivesNothingOfALoopThatIsNotOfACurrent)
 /// Currents whose steps differ: an error of 1 until `mean` ± `spread`, half of the steps each.
 Trial spreadCurrent(double mean, double spread, int pairs)
 {
-    std::vector<Course> steps;
+    std::vector<Course> courses;
     for (int i = 0; i < pairs; ++i) {
-        steps.push_back(until(mean - spread));
-        steps.push_back(until(mean + spread));
+        courses.push_back(until(mean - spread));
+        courses.push_back(until(mean + spread));
     }
-    return comparedTrial(Mode::Current, 10.0, 0.1, steps);
+    return comparedTrial(Mode::Current, 10.0, 0.1, courses);
 }
 
 TEST(StepComparison, ForgivesACurrentTwoStandardErrorsOfItsSteps)

@@ -4,6 +4,7 @@
 #include "model/loopparameters.h"
 #include "tests/tuning/tuningbench.h"
 #include "tuning/autotunerun.h"
+#include "tuning/prediction.h"
 #include "tuning/tunedesign.h"
 
 #include <gtest/gtest.h>
@@ -15,17 +16,31 @@ using test::ExperimentBench;
 using test::planOf;
 
 /// A step of a velocity that comes to its target after `late` s at once.
-Trial lateStep(double late, double target)
+Trial lateStep(double late, double aim)
 {
     Trial trial;
     trial.mode = Mode::Velocity;
-    trial.stimulus.to = target;
+    trial.stimulus.to = aim;
     trial.holds = {{0.0, 1.0}};
     Signal velocity{"ch1.velocity", "counts/s", {}};
     for (int i = 0; i <= 1000; ++i)
-        velocity.trace.add(0.001 * i, i < 2 ? 1.0 : 0.001 * i < late ? 0.0 : target);
+        velocity.trace.add(0.001 * i, i < 2 ? 1.0 : 0.001 * i < late ? 0.0 : aim);
     trial.signals = {velocity};
     return trial;
+}
+
+/// What these gains do with another motor, both ways.
+std::vector<Trial> stepsOf(const PlantModel &plant, const TuneReport &report, double step)
+{
+    std::vector<Trial> trials;
+    for (const double sign : {1.0, -1.0}) {
+        Trial trial = lateStep(0.0, sign * step);
+        trial.signals.front().trace
+            = predictStep(Mode::Velocity, plant, report.proposed.made, 0.0, sign * step, 1.0, report.predicted->shape)
+                  .measured;
+        trials.push_back(std::move(trial));
+    }
+    return trials;
 }
 
 /// A design of a motor that nothing has moved, with steps of normal gains as its proof; others stand in the unit.
@@ -140,6 +155,28 @@ TEST(TuneDesign, AfterAFailureTheCalmGainsComeOnceWhereNothingCorrectsTheModel)
     EXPECT_EQ(tested.design.before().english(), "the normal gains did not: it did not settle");
     EXPECT_EQ(tested.design.story().english(), "these are the calm gains, the normal gains did not: it did not settle");
     EXPECT_FALSE(again());
+}
+
+TEST(TuneDesign, StepsOfAnotherMotorCorrectTheModelBothAfterAFailureAndAfterAProof)
+{
+    for (const bool failed : {true, false}) {
+        ProvenDesign tested;
+        const PlantModel thought = tested.run.report().plant;
+        PlantModel other = thought;
+        other.tau *= 1.25;
+        tested.run.report().proof = stepsOf(other, tested.run.report(), tested.design.step());
+        tested.run.report().evidence = say("it overshot");
+        const Result<bool> again = failed ? test::run(tested.bench.bench.clock, tested.design.reconsider())
+                                          : test::run(tested.bench.bench.clock, tested.design.sharpen(10.0));
+        ASSERT_TRUE(again && *again) << failed;
+        EXPECT_TRUE(tested.isBegunAnew()) << "nothing of the first proof counts for the second";
+        const PlantModel &corrected = tested.run.report().plant;
+        EXPECT_NEAR(corrected.gain / corrected.tau, other.gain / other.tau, 0.05 * other.gain / other.tau);
+        EXPECT_EQ(tested.design.before().empty(), !failed);
+        if (failed) {
+            EXPECT_EQ(tested.design.before().english(), "the normal gains of the first model did not: it overshot");
+        }
+    }
 }
 
 TEST(TuneDesign, NumbersThatWereAskedForAreNotChanged)

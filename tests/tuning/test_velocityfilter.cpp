@@ -59,8 +59,8 @@ TEST(VelocityFilter, LooksForWindowsOfThreeTenthsOfASecondAndATenthOfLatenessAtM
 
 TEST(VelocityFilter, AWindowOfTwoSamplesOrTenMillisecondsIsNone)
 {
-    const auto kindOf = [](double window, double period, int samples) {
-        const auto filter = filterOf({window, 0.0, 0.0, period, samples});
+    const auto kindOf = [](double window, double spacing, int samples) {
+        const auto filter = filterOf({window, 0.0, 0.0, spacing, samples});
         return filter ? filter->kind : VelocityFilter::Kind::Block;
     };
     EXPECT_EQ(kindOf(0.005, 0.001, 600), VelocityFilter::Kind::None);
@@ -72,7 +72,7 @@ TEST(VelocityFilter, AWindowOfTwoSamplesOrTenMillisecondsIsNone)
 
 TEST(VelocityFilter, WhatIsHeldForThreeFifthsOfItsWindowIsABlock)
 {
-    const auto kindOf = [](double hold) { return filterOf({0.1, 0.0, hold}).value().kind; };
+    const auto kindOf = [](double held) { return filterOf({0.1, 0.0, held}).value().kind; };
     // which it is seen over a little longer for being held
     EXPECT_EQ(kindOf(0.1), VelocityFilter::Kind::Block);
     EXPECT_EQ(kindOf(0.08), VelocityFilter::Kind::Block);
@@ -101,12 +101,12 @@ TEST(VelocityFilter, AsksForFortySamplesOfEach)
 
 TEST(VelocityFilter, SaysNothingOfSpeedsWithinATenthOfEachOther)
 {
-    const auto tells = [](double low, double high, int slow, int fast) {
+    const auto tells = [](double low, double high, int first, int last) {
         Trace position;
         Trace velocity;
         double place = 0.0;
         for (int i = 0; i < 100; ++i) {
-            const double speed = i < slow ? low : i >= 100 - fast ? high : 0.5 * (low + high);
+            const double speed = i < first ? low : i >= 100 - last ? high : 0.5 * (low + high);
             position.add(0.01 * i, place);
             velocity.add(0.01 * i, speed);
             place += 0.01 * speed;
