@@ -213,6 +213,38 @@ TEST(SimulatedLoop, SeesAStepAsLateAsThePlantsDelaySaysWithoutAPassAndAHalf)
     EXPECT_EQ(firstSeen(0.065), 6);
 }
 
+TEST(SimulatedLoop, WindowAndWindingAreInTheDelay)
+{
+    // 3 passes besides half of a window of ten, and a winding of one
+    const PlantModel plant{1000.0, 1e-6, 0.105, 0.0};
+    LoopShape shape = passShape(0.01);
+    shape.window = 0.1;
+    shape.winding = 0.01;
+    SimulatedLoop velocity(Mode::Velocity, plant, straight, shape, 0.0);
+    int unseen = 0;
+    for (; velocity.measured() < 1.0 && unseen < 50; ++unseen)
+        (void)velocity.pass(0.5);
+    EXPECT_EQ(unseen, 5) << "of the first pass, the second shows it at once";
+    shape.winding = 0.0;
+    const ContinuousGains gains{0.001, 0.005, 0.0, 0.0004};
+    SimulatedLoop moving(Mode::Velocity, {1000.0, 0.2, 0.105, 0.05}, gains, shape, 300.0);
+    for (int i = 0; i < 30; ++i) {
+        EXPECT_NEAR(moving.pass(300.0), 0.35, 1e-9) << "it has been at its speed for ever";
+        EXPECT_NEAR(moving.measured(), 300.0, 1e-6);
+    }
+    shape.window = 0.02;
+    shape.windowCounts = 8.0;
+    SimulatedLoop counted(Mode::Velocity, {1000.0, 1e-6, 0.045, 0.0}, straight, shape, 0.0);
+    for (int pass = 0; pass < 100; ++pass)
+        (void)counted.pass(0.5);
+    for (const double exactly : {500.0, 500.0, 500.0}) { // two passes, and the one that is not over
+        (void)counted.pass(1.0);
+        EXPECT_NEAR(counted.measured(), exactly, 1e-3);
+    }
+    (void)counted.pass(1.0);
+    EXPECT_GT(counted.measured(), 700.0);
+}
+
 TEST(SimulatedLoop, AVelocityIsTakenOverItsWindow)
 {
     // position after each pass of a motor at a constant speed from rest: its mean over ten passes

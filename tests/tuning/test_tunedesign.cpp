@@ -4,7 +4,7 @@
 #include "model/loopparameters.h"
 #include "tests/tuning/tuningbench.h"
 #include "tuning/autotunerun.h"
-#include "tuning/prediction.h"
+#include "tuning/simulatedloop.h"
 #include "tuning/tunedesign.h"
 
 #include <gtest/gtest.h>
@@ -29,15 +29,21 @@ Trial lateStep(double late, double aim)
     return trial;
 }
 
-/// What these gains do with another motor, both ways.
+/// What these gains do with another motor, both ways: held for a second, and half of one on the way back.
 std::vector<Trial> stepsOf(const PlantModel &plant, const TuneReport &report, double step)
 {
     std::vector<Trial> trials;
     for (const double sign : {1.0, -1.0}) {
         Trial trial = lateStep(0.0, sign * step);
-        trial.signals.front().trace
-            = predictStep(Mode::Velocity, plant, report.proposed.made, 0.0, sign * step, 1.0, report.predicted->shape)
-                  .measured;
+        trial.returns = {{1.0, 1.5}};
+        Trace &velocity = trial.signals.front().trace;
+        velocity = {};
+        const LoopShape shape = withoutClock(report.predicted->shape);
+        SimulatedLoop motor(Mode::Velocity, plant, report.proposed.made, shape, 0.0);
+        for (double t = -0.05; t < 1.5; t += shape.period) {
+            (void)motor.pass(t >= 0.0 && t < 1.0 ? sign * step : 0.0);
+            velocity.add(t, motor.measured());
+        }
         trials.push_back(std::move(trial));
     }
     return trials;
