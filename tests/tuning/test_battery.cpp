@@ -23,6 +23,25 @@ TEST(Batteries, HaveFiveSizesInBothDirectionsUpToTheLargest)
     EXPECT_DOUBLE_EQ(batteryOf(test::stepTo(Mode::Position, 500.0), 77.0, true).steps[1].to, -100.0);
 }
 
+TEST(Batteries, AreStepsHeldAsLongAsIsUsualOnceEach)
+{
+    ExperimentPlan largest = test::stepTo(Mode::Velocity, 50'000.0);
+    largest.profile = Profile::Sine;
+    largest.repeat = 3;
+    largest.seconds = 7.0;
+    largest.from = 10'000.0;
+    const Battery battery = batteryOf(largest, 123.0, false);
+    for (const ExperimentPlan &step : battery.steps) {
+        EXPECT_EQ(step.profile, Profile::Step);
+        EXPECT_EQ(step.repeat, 1);
+        EXPECT_FALSE(step.seconds);
+        EXPECT_EQ(step.from, 10'000.0);
+        EXPECT_EQ(step.mode, Mode::Velocity);
+    }
+    EXPECT_DOUBLE_EQ(battery.steps.front().to, 18'000.0);
+    EXPECT_DOUBLE_EQ(battery.steps[1].to, 2'000.0);
+}
+
 TEST(Batteries, NameTheWorstOfEachMetricAndWhereItWas)
 {
     std::vector<Trial> trials(3);

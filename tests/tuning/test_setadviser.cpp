@@ -15,7 +15,7 @@ using State = SetAdvice::State;
 
 const PlantModel livelyMotor{1'285'000.0, 0.26, 0.0507, 0.002};
 
-ProposalBasis basisOf(const ExperimentBench &bench, Mode loop = Mode::Velocity)
+ProposalBasis advisedBasis(const ExperimentBench &bench, Mode loop = Mode::Velocity)
 {
     Envelope envelope;
     envelope.duty = 1.0;
@@ -52,7 +52,7 @@ SetAdvice adviceOn(Cause cause, const ProposalBasis &basis, const Proposal &prop
 TEST(SetAdviser, HasItsPlacesInOneOrderAlsoWhereAllIsWell)
 {
     const ExperimentBench bench;
-    const ProposalBasis basis = basisOf(bench);
+    const ProposalBasis basis = advisedBasis(bench);
     const auto all = adviseOnSet(basis, proposalFor(basis, {}).value(), slotWith({}));
     ASSERT_EQ(all.size(), 5U);
     const Cause order[]{Cause::FeedForward, Cause::Deadband, Cause::DerivativeNoise, Cause::Resolution, Cause::Ramp};
@@ -66,7 +66,7 @@ TEST(SetAdviser, HasItsPlacesInOneOrderAlsoWhereAllIsWell)
 TEST(SetAdviser, AFeedForwardInForceThatTheSetTakesAwayIsFixedInTheSet)
 {
     const ExperimentBench bench;
-    const ProposalBasis basis = basisOf(bench);
+    const ProposalBasis basis = advisedBasis(bench);
     const Proposal proposal = proposalFor(basis, {}).value();
     const double half = 0.5 / livelyMotor.gain * 32767.0 / basis.family.loop->velocityTime; // F·K of a half
     const SetAdvice advice = adviceOn(
@@ -80,7 +80,7 @@ TEST(SetAdviser, AFeedForwardInForceThatTheSetTakesAwayIsFixedInTheSet)
 TEST(SetAdviser, FrictionThatPCannotOvercomeHasTheLeastOutputAsItsRemedy)
 {
     const ExperimentBench bench;
-    ProposalBasis basis = basisOf(bench);
+    ProposalBasis basis = advisedBasis(bench);
     basis.plant.friction = 0.05;
     const Proposal proposal = proposalFor(basis, {}).value();
     const SetAdvice advice = adviceOn(Cause::Deadband, basis, proposal, slotWith({}));
@@ -91,14 +91,14 @@ TEST(SetAdviser, FrictionThatPCannotOvercomeHasTheLeastOutputAsItsRemedy)
     EXPECT_EQ(advice.changes[1], (std::pair<std::string, double>("slot0.nominal_reverse", -2048.0)));
     const SetAdvice helped = adviceOn(Cause::Deadband, basis, proposal, slotWith({{"slot0.nominal_forward", 2048.0}}));
     EXPECT_EQ(helped.state, State::Fine);
-    for (const SetAdvice &one : adviseOnSet(basisOf(bench, Mode::Current), proposal, slotWith({})))
+    for (const SetAdvice &one : adviseOnSet(advisedBasis(bench, Mode::Current), proposal, slotWith({})))
         EXPECT_NE(one.cause, Cause::Deadband);
 }
 
 TEST(SetAdviser, AGainOfFewStepsIsNamed)
 {
     const ExperimentBench bench;
-    const ProposalBasis basis = basisOf(bench);
+    const ProposalBasis basis = advisedBasis(bench);
     Proposal proposal = proposalFor(basis, {}).value();
     proposal.gains.rows = {{"slot0.p", 40000, 0.6}, {"slot0.i", 41, 0.0006}, {"slot0.i_zone", 3, 3.0}};
     const SetAdvice advice = adviceOn(Cause::Resolution, basis, proposal, slotWith({}));
@@ -110,22 +110,22 @@ TEST(SetAdviser, AGainOfFewStepsIsNamed)
 TEST(SetAdviser, ARampSlowerThanHalfTheResponseIsToBeSwitchedOffAndAnUnreadOneIsSaid)
 {
     const ExperimentBench bench;
-    const ProposalBasis basis = basisOf(bench);
+    const ProposalBasis basis = advisedBasis(bench);
     const Proposal proposal = proposalFor(basis, {}).value();
-    const double slow = basis.family.loop->period * 32767.0 / proposal.design.response; // takes the whole response
-    const SetAdvice advice = adviceOn(Cause::Ramp, basis, proposal, slotWith({{"slot0.ramp", slow}}));
+    const double quickest = basis.family.loop->period * 32767.0 / proposal.design.response; // takes the whole response
+    const SetAdvice advice = adviceOn(Cause::Ramp, basis, proposal, slotWith({{"slot0.ramp", quickest}}));
     EXPECT_EQ(advice.state, State::Notable);
     EXPECT_NEAR(advice.number, 2.0 * advice.limit, 0.01);
     ASSERT_EQ(advice.changes.size(), 1U);
     EXPECT_EQ(advice.changes[0].second, 0.0);
-    EXPECT_EQ(adviceOn(Cause::Ramp, basis, proposal, slotWith({{"slot0.ramp", 4.0 * slow}})).state, State::Fine);
+    EXPECT_EQ(adviceOn(Cause::Ramp, basis, proposal, slotWith({{"slot0.ramp", 4.0 * quickest}})).state, State::Fine);
     EXPECT_EQ(adviceOn(Cause::Ramp, basis, proposal, {}).state, State::Unread);
 }
 
 TEST(SetAdviser, NoiseOfDIsJudgedWhereDIs)
 {
     const ExperimentBench bench;
-    const ProposalBasis basis = basisOf(bench, Mode::Position);
+    const ProposalBasis basis = advisedBasis(bench, Mode::Position);
     Proposal proposal = proposalFor(basis, {}).value();
     proposal.gains.made.d = 0.2 * basis.family.loop->period;
     const SetAdvice advice = adviceOn(Cause::DerivativeNoise, basis, proposal, slotWith({}));
@@ -136,7 +136,7 @@ TEST(SetAdviser, NoiseOfDIsJudgedWhereDIs)
 TEST(ProofCourse, SaysWhereHowLongAndWithinWhat)
 {
     const ExperimentBench bench;
-    const ProposalBasis basis = basisOf(bench);
+    const ProposalBasis basis = advisedBasis(bench);
     const Proposal proposal = proposalFor(basis, {}).value();
     const ProofCourse course = courseOf(basis, proposal);
     EXPECT_EQ(course.slot, 1) << "the slot that the result is not for";
