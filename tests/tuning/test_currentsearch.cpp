@@ -208,6 +208,24 @@ TEST(CurrentSearch, LeavesLessErrorThanTheRuleWithinTheSensitivities)
     }
 }
 
+TEST(CurrentSearch, KeepsTheBoundsOfItsTaskAndTheFewestStepsOfAGain)
+{
+    PlantModel plant = windingPlant(*motorByName("25d"));
+    plant.tau = lagOfWinding(*motorByName("25d"));
+    plant.lagDoubt = 0.12;
+    const SearchTask task = currentTask(plant);
+    const auto found = [&plant](const SearchTask &asked) {
+        return searched(Mode::Current, plant, design(Mode::Current, plant, 2e-3, asked.bounds), asked).gains;
+    };
+    const ContinuousGains unbound = found(task);
+    SearchTask weaker = task;
+    weaker.bounds.strongestError = 0.9 * unbound.p * task.bounds.largestError;
+    EXPECT_LE(found(weaker).p, 0.9 * unbound.p);
+    SearchTask finer = task;
+    finer.least.p = 1.05 * unbound.p;
+    EXPECT_GE(found(finer).p, 1.05 * unbound.p);
+}
+
 TEST(CurrentSearch, AWindingThatNobodyHasSeenMayHaveAnyLagOfAMotor)
 {
     const PlantModel plant = windingPlant(*motorByName("25d"));
