@@ -3,7 +3,7 @@
 
 #include "tuning/currentsearch.h"
 #include "tuning/margins.h"
-#include "tuning/pushfit.h"
+#include "tuning/windingheat.h"
 
 #include <algorithm>
 #include <array>
@@ -66,7 +66,7 @@ constexpr std::array<Doubt, 8> countedDoubts{{
     {0.992, 0.98, 1.05, 0.01, 0.12},
     {1.002, 1.03, 0.95, 0.01, 0.12},
 }};
-constexpr double heatOfATuning = 0.8; ///< as PushRecord::heat
+constexpr double heatOfATuning = 0.8; ///< squares of duty
 constexpr double mostOvershootWhenWarm = 0.02;
 constexpr double overshootPrice = 40.0; ///< of the integral, for each unit beyond
 constexpr double never = std::numeric_limits<double>::infinity();
@@ -281,11 +281,8 @@ private:
     /// After about a minute of steps: what a tuning leaves, and what its user sees next.
     [[nodiscard]] double overshootWhenWarm(const ContinuousGains &gains) const
     {
-        PlantModel plant = m_plant;
-        plant.tau *= 1.0 + heatOfATuning * m_plant.warming;
-        plant.gain *= 1.0 + speedOfWarming * heatOfATuning * m_plant.warming;
         double overshoot = 0.0;
-        (void)steps(plant, gains, never, overshoot, 0.0);
+        (void)steps(warmed(m_plant, heatOfATuning), gains, never, overshoot, 0.0);
         return overshoot;
     }
 

@@ -5,6 +5,7 @@
 #include "tuning/crosscheck.h"
 #include "tuning/pushedge.h"
 #include "tuning/rollout.h"
+#include "tuning/windingheat.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +30,6 @@ constexpr double leastPause = 0.04;  ///< s
 constexpr double sameSize = 0.15;
 constexpr double heatOfItself
     = 0.25; ///< of what a push and the brake after it leave in the winding, while it speeds up
-constexpr double heatThatStays = 0.95; ///< until the next one
 
 /// While the duty still grows, nothing is fitted.
 Trace without(const Trace &trace, double from, double to)
@@ -203,7 +203,8 @@ Result<MotorFound> identify(const std::vector<Trial> &pushes)
             const auto more = rollOutsOf(trial, *fit, line->friction);
             rolls.insert(rolls.end(), more.begin(), more.end());
         }
-        const double warm = 1.0 + fit->warming * heat / heatThatStays;
+        found.heat = heat / heatThatStays;
+        const double warm = 1.0 + fit->warming * found.heat;
         found.braking
             = brakingOf(rolls, fit->tau * sagged(fit->sag, 0.0) * warm, line->gain * line->friction).value_or(1.0);
         if (!growsSlowly(pushes))

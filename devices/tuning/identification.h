@@ -18,6 +18,7 @@ struct MotorFound {
     double braking = 1.0;                   ///< as PlantModel::braking
     std::optional<double> restNoise;        ///< counts, σ of a quarter of a second at rest, before the first push
     std::optional<double> latency;          ///< s from the order of a push until it is seen to move; of all the median
+    double heat = 0.0;                      ///< that the pushes have left in its winding (windingheat.h)
     double supply = 0.0;                    ///< V at rest, which `line` is per full duty of; 0: not told
     std::string unit = "counts/s per duty"; ///< of the gain
 };

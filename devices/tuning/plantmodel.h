@@ -19,7 +19,7 @@ struct PlantModel {
     double pickUp = 0.0;       ///< counts/s² per A, that the motor of a current loop speeds up with
     double idle = 0.0;         ///< A of it, that friction takes
     double sag = 0.0;     ///< share by which tau grows with the square of the duty (pushfit.h); it is that of dutyOfLag
-    double warming = 0.0; ///< as PushFit::warming
+    double warming = 0.0; ///< as PushFit::warming; gain and tau are of the cold motor (windingheat.h)
 
     friend bool operator==(const PlantModel &, const PlantModel &) = default;
 };

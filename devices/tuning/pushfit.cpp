@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/pushfit.h"
 
+#include "tuning/marquardt.h"
+#include "tuning/windingheat.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,6 +26,7 @@ constexpr double lateOrder = 0.008;
 constexpr double halfCount = 0.5;
 constexpr double stampError = 0.001; ///< s, of a busy computer's time stamps
 constexpr double wholePush = 3.0;    ///< lags that a push lasts that tells its lag by itself
+constexpr double unitOfDelay = 0.01; ///< s
 constexpr double mostSag = 0.8;
 constexpr double mostWarming = 0.4;
 constexpr double clearlyLess = 0.75; ///< of the squares that are left over: the pushes tell sag and warming
@@ -68,8 +72,8 @@ double wayOf(const std::vector<DutyStep> &steps, double t, double tau)
     return way;
 }
 
-/// For a given τ and delay, speed and place of one record are a linear fit.
-Projected project(const FittedPush &push, double tau, double delay)
+/// For a given τ and delay, speed and place of one record are a linear fit. `left`: gets what is left over of each sample.
+Projected project(const FittedPush &push, double tau, double delay, std::vector<double> *left = nullptr)
 {
     const Trace &trace = push.trace;
     double s = 0.0, sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0, syy = 0.0;
@@ -89,6 +93,8 @@ Projected project(const FittedPush &push, double tau, double delay)
         return {0.0, syy};
     const double speed = (s * sxy - sx * sy) / determinant;
     const double place = (sy - speed * sx) / s;
+    for (std::size_t i = 0; left && i < trace.size(); ++i)
+        left->push_back(trace.y[i] - y0 - place - speed * wayOf(push.steps, trace.t[i] - delay, tau));
     return {speed, std::max(syy - speed * sxy - place * sy, 0.0)};
 }
 
@@ -152,7 +158,12 @@ Point refined(std::span<const FittedPush> pushes, Point best, bool changes)
     return best;
 }
 
-/// When this record alone begins, for a given τ.
+bool isWhole(const FittedPush &push, double tau)
+{
+    return push.trace.t.back() >= wholePush * tau;
+}
+
+/// When this record alone begins, for a given τ; where it tells its own, with that: who is warm is not late.
 double ownDelay(const FittedPush &push, double tau)
 {
     double best = 0.0;
@@ -164,7 +175,15 @@ double ownDelay(const FittedPush &push, double tau)
             best = delay;
         }
     }
-    return best;
+    if (!isWhole(push, tau))
+        return best;
+    using Fit = Marquardt<2>;
+    const Fit::Minimum own = Fit::from({0.0, best / unitOfDelay}, [&](const auto &at, std::vector<double> &left) {
+        left.clear();
+        (void)project(push, tau * std::exp(at[0]), at[1] * unitOfDelay, &left);
+        left.resize(push.trace.size());
+    });
+    return own.values[1] * unitOfDelay;
 }
 
 /// Takes back what single records are later than the others: the frame of their order was lost, and the next one moved the motor.
@@ -193,9 +212,9 @@ Point fitted(std::vector<FittedPush> &pushes)
     Point best = refined(pushes, coarse(pushes), false);
     if (align(pushes, best.tau))
         best = refined(pushes, coarse(pushes), false);
-    const bool isWhole = std::all_of(pushes.begin(), pushes.end(),
-        [&](const FittedPush &push) { return push.trace.t.back() >= wholePush * best.tau; });
-    if (!isWhole)
+    const bool areWhole
+        = std::all_of(pushes.begin(), pushes.end(), [&](const FittedPush &push) { return isWhole(push, best.tau); });
+    if (!areWhole)
         return best;
     const Point changing = refined(pushes, best, true);
     return changing.cost < clearlyLess * best.cost ? changing : best;

@@ -33,10 +33,6 @@ constexpr double dutyOfLag = 0.3;
     return 1.0 + sag * (duty * duty - dutyOfLag * dutyOfLag);
 }
 
-/// Of a winding that warms, R grows by 0.39 % a kelvin and the magnets lose 0.2 %: the lag goes with R/k², the speed with 1/k. The share
-/// of the one that the other grows by.
-constexpr double speedOfWarming = 0.25;
-
 /// What pushes have in common: position = A·(t' − τ(1 − e^(−t'/τ))) with t' = t − delay.
 struct PushFit {
     double tau = 0.0;   ///< s; of the motor as cold as it was, at dutyOfLag

@@ -2,11 +2,13 @@
 #include "tuning/refinement.h"
 
 #include "experiment/envelope.h"
+#include "tuning/windingheat.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace mb::tuning {
@@ -29,18 +31,26 @@ constexpr double sagOfFactor = 3.0; ///< for each share that the other numbers m
 double PlantModel::*const correctedNumbers[]
     = {&PlantModel::gain, &PlantModel::tau, &PlantModel::friction, &PlantModel::delay};
 
-/// What the loop of a trial measures in each of its passes, from `begin` to `end`.
-std::vector<double> passesOf(
-    const SteppedLoop &stepped, const Trial &trial, const PlantModel &plant, double step, double begin, double end)
+/// What the loop of a trial measures in each of its passes, from `begin` to `end`; it warms its winding meanwhile.
+std::vector<double> passesOf(const SteppedLoop &stepped, const Trial &trial, const PlantModel &plant, double step,
+    double begin, double end, double &heat)
 {
-    SimulatedLoop simulated(trial.mode, plant, stepped.gains, withoutClock(stepped.shape), 0.0);
+    PlantModel motor = warmed(plant, heat);
+    SimulatedLoop simulated(trial.mode, motor, stepped.gains, withoutClock(stepped.shape), 0.0);
     std::vector<double> passes;
     std::size_t hold = 0;
+    bool wasUp = false;
     for (double t = begin; t < end; t += stepped.shape.period) {
         while (hold + 1 < trial.holds.size() && t >= trial.holds[hold + 1].from)
             ++hold;
         const bool up = t >= trial.holds[hold].from && t < trial.holds[hold].to;
-        (void)simulated.pass(up ? step : 0.0);
+        if (std::exchange(wasUp, up) != up) {
+            heat *= up ? heatThatStays : 1.0;
+            motor = warmed(plant, heat);
+            simulated.turnInto(motor);
+        }
+        const double duty = simulated.pass(up ? step : 0.0);
+        heat += heatOf(motor, duty, simulated.speed(), stepped.shape.period);
         passes.push_back(simulated.measured());
     }
     return passes;
@@ -96,7 +106,7 @@ std::vector<std::size_t> edgesOf(const Trial &trial, const Trace &measured)
 
 /// Mean square of what is left over of a trial, in squares of its step; of a loop that was tried by its gains alone at the time the link takes
 /// with which it is least; else each order waits for its pass, up to one: nobody knows when that comes.
-double leftOfSteps(const SteppedLoop &stepped, const Trial &trial, const PlantModel &plant)
+double leftOfSteps(const SteppedLoop &stepped, const Trial &trial, const PlantModel &plant, double &heat)
 {
     const Signal *const signal = trial.signal(measuredOf(trial.mode));
     if (!signal || trial.holds.empty() || trial.returns.empty())
@@ -109,7 +119,7 @@ double leftOfSteps(const SteppedLoop &stepped, const Trial &trial, const PlantMo
     const double step = trial.stimulus.to - from;
     const double period = stepped.shape.period;
     const Seen seen{
-        measured, passesOf(stepped, trial, plant, step, begin, measured.t.back()), begin, period, from, step};
+        measured, passesOf(stepped, trial, plant, step, begin, measured.t.back(), heat), begin, period, from, step};
     double sum = 0.0;
     if (stepped.isTried) {
         sum = seen.least(0, measured.size(), stepped.mostLater, 0.5);
@@ -160,8 +170,9 @@ private:
     [[nodiscard]] double leftOverOf(const PlantModel &plant) const
     {
         double sum = 0.0;
+        double heat = m_stepped.heat;
         for (const Trial &trial : m_stepped.trials)
-            sum += leftOfSteps(m_stepped, trial, plant);
+            sum += leftOfSteps(m_stepped, trial, plant, heat);
         return sum / static_cast<double>(m_stepped.trials.size());
     }
     [[nodiscard]] double costOf(const PlantModel &plant) const
@@ -215,6 +226,16 @@ private:
 };
 
 } // namespace
+
+double heatAfter(const SteppedLoop &stepped, const PlantModel &plant)
+{
+    double heat = stepped.heat;
+    for (const Trial &trial : stepped.trials) {
+        if (plant.warming > 0.0)
+            (void)leftOfSteps(stepped, trial, plant, heat);
+    }
+    return heat;
+}
 
 std::optional<PlantModel> refinedBy(const SteppedLoop &stepped, const PlantModel &plant)
 {

@@ -86,6 +86,14 @@ SimulatedLoop::SimulatedLoop(
     }
 }
 
+void SimulatedLoop::turnInto(const PlantModel &plant)
+{
+    m_plant = plant;
+    m_kept = std::exp(-m_shape.period / plant.tau);
+    m_braked = std::exp(-m_shape.period * plant.braking / plant.tau);
+    m_held = heldBelow(plant, m_shape);
+}
+
 /// A clock of whole milliseconds takes a pass of 20.04 ms for 20, and each 25th for 21.
 void SimulatedLoop::lookAtClock()
 {

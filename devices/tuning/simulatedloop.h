@@ -65,10 +65,14 @@ public:
 
     /// Its set-point was left there by what was before.
     void beginAt(double setPoint) { m_setPoint = setPoint; }
+    /// Its motor has become this one.
+    void turnInto(const PlantModel &plant);
     /// One pass of the loop, and the motor until the next one. Yields the duty.
     double pass(double target);
     /// Of the shaft: counts/s, counts, or A.
     [[nodiscard]] double value() const { return m_integrates ? m_place : m_speed; }
+    /// Of the shaft, counts/s.
+    [[nodiscard]] double speed() const { return m_speed; }
     /// As the loop measured it in the last pass.
     [[nodiscard]] double measured() const { return m_measured; }
     /// A, at the duty of the last pass; 0 where the model knows none.

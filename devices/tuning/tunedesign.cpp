@@ -297,7 +297,7 @@ Task<std::optional<PlantModel>> TuneDesign::corrected()
         co_return std::nullopt; // so short steps tell less of its lag than it did when it swung
     const bool isSteps = report.scale && report.scale->rate == 0.0; // what is led tells too little of its link
     const SteppedLoop stepped{report.proposed.made, report.predicted->shape, report.proof, isSteps ? mostOfLink : 0.0,
-        report.scale.has_value()};
+        report.scale.has_value(), report.heat};
     if (m_plan.loop == Mode::Current)
         co_return withWindingOf(stepped, report.plant);
     auto working = aside<std::optional<PlantModel>>(m_run.device(),

@@ -11,6 +11,7 @@
 #include "tuning/proof.h"
 #include "tuning/proofcourse.h"
 #include "tuning/rawstep.h"
+#include "tuning/refinement.h"
 #include "tuning/tunedesign.h"
 
 #include <algorithm>
@@ -188,11 +189,15 @@ Task<void> TuneProof::prove()
         const bool unknown = std::any_of(
             report.before.begin(), report.before.end(), [](const auto &gain) { return !gain.second.has_value(); });
         m_mayStay = plan.keep && unknown && m_slot == plan.slot; // else they are put back
+        m_heat = report.motor ? report.motor->heat : 0.0;
     }
+    report.heat = m_heat;
     sumOver(*report.predicted, m_run.plan().loop, m_design.step(), hold());
     for (const double sign : {1.0, -1.0}) {
         auto running = m_run.run(planOf(sign));
         report.proof.push_back(co_await std::move(running));
+        m_heat = heatAfter(
+            {report.proposed.made, report.predicted->shape, {report.proof.back()}, 0.0, false, m_heat}, report.plant);
         if (report.stopReason == toString(Guard::Oscillation))
             report.evidence = withDerivative(report.evidence);
         if (m_run.isOver())

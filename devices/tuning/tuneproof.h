@@ -39,6 +39,7 @@ private:
     const TuneDesign &m_design;
     int m_slot;             ///< that it is proven in
     bool m_isRead = false;  ///< the gains that it replaces are known
+    double m_heat = 0.0;    ///< in the winding (windingheat.h)
     bool m_mayStay = false; ///< nobody knows them, and nobody minds
 };
 

@@ -64,6 +64,7 @@ struct TuneReport {
     std::optional<Prediction> predicted;
     std::optional<ProfileLimits> profile; ///< as Proposal
     std::vector<Trial> proof;             ///< one a direction
+    double heat = 0.0;                    ///< in the winding before the first of them (windingheat.h)
     Metrics measured;                     ///< the worse of both
     std::string stopReason; ///< of the trial that ended it: a guard's name, "link", "interrupted"; empty else
     bool stopped = true;    ///< the motor was seen stopped

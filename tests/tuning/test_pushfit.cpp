@@ -2,7 +2,9 @@
 // A motor on a battery with a resistance of its own, whose winding warms from push to push.
 #include "simulation/motormodel.h"
 #include "tuning/plantfit.h"
+#include "tuning/refinement.h"
 #include "tuning/simulatedloop.h"
+#include "tuning/windingheat.h"
 
 #include <gtest/gtest.h>
 
@@ -16,17 +18,18 @@ constexpr double fineFit = 0.0005;
 constexpr double loadFactor = 7.0;
 
 /// Of this motor at 25 °C, at a duty.
-double lagOf(const MotorParameters &motor, double duty, double supply)
+double lagOf(const MotorParameters &motor, double duty, double supply, double load = loadFactor)
 {
     const double kept = motor.constant * (1.0 - motor.torqueLoss);
     const double resistance = motor.resistance + 0.005 + duty * duty * supply;
-    return resistance * motor.inertia * loadFactor / kept / (motor.constant + resistance * motor.viscosity / kept);
+    return resistance * motor.inertia * load / kept / (motor.constant + resistance * motor.viscosity / kept);
 }
 
 /// Pushes of two sizes both ways, twice each, each braked to a stop before the next; one motor makes them all.
-std::vector<PushRecord> pushesOf(const MotorParameters &parameters, double supply, double seconds)
+std::vector<PushRecord> pushesOf(
+    const MotorParameters &parameters, double supply, double seconds, double load = loadFactor)
 {
-    MotorModel motor(parameters, loadFactor, MotorSupply{12.0, supply, 0.005});
+    MotorModel motor(parameters, load, MotorSupply{12.0, supply, 0.005});
     std::vector<PushRecord> records;
     double heat = 0.0;
     for (int i = 0; i < 8; ++i) {
@@ -40,7 +43,7 @@ std::vector<PushRecord> pushesOf(const MotorParameters &parameters, double suppl
                 record.position.add(t, static_cast<double>(motor.counts()));
             motor.step(record.duty, Bridge::Drive, fineFit);
         }
-        motor.step(0.0, Bridge::Brake, 1.2);
+        motor.step(0.0, Bridge::Brake, 1.2 * load / loadFactor);
         records.push_back(std::move(record));
     }
     return records;
@@ -85,6 +88,76 @@ TEST(PushFit, AMotorWithoutAnyOfItHasOneLag)
     ASSERT_TRUE(fit) << fit.error().text();
     EXPECT_LT(fit->sag, 0.01);
     EXPECT_LT(fit->warming, 0.01);
+}
+
+TEST(PushFit, AMotorThatWarmsIsNotTakenForOneWhoseOrderWasLost)
+{
+    const MotorParameters &motor = *motorByName("775pro");
+    const double load = 12.0; // whose lag grows by more than an order may be late
+    const double tau = lagOf(motor, dutyOfLag, 0.05, load);
+    std::vector<PushRecord> records = pushesOf(motor, 0.05, 5.0 * tau, load);
+    for (const double late : {0.0, 0.02}) { // and one whose order was
+        for (double &t : records[2].position.t)
+            t += late;
+        const auto fit = fitPushes(records);
+        ASSERT_TRUE(fit) << fit.error().text();
+        std::printf("lag %.4f s of %.4f s, delay %.2f ms, cost %.3f\n", fit->tau, tau, 1e3 * fit->delay, fit->cost);
+        EXPECT_NEAR(fit->tau, tau, 0.01 * tau) << late; // 2.7 % more with records taken for late
+        EXPECT_LT(fit->delay, 0.001) << late;
+        EXPECT_LT(fit->cost, 0.1) << late;
+    }
+}
+
+/// Two steps of a velocity from rest and the ways back, as the proof of a tuning records them, by a motor with so much heat.
+Trial warmSteps(const PlantModel &plant, const SteppedLoop &loop, double step, double heat)
+{
+    constexpr double hold = 0.8;
+    Trial trial;
+    trial.mode = Mode::Velocity;
+    trial.stimulus.to = step;
+    trial.holds = {{0.0, hold}, {2.0 * hold, 3.0 * hold}};
+    trial.returns = {{hold, 2.0 * hold}, {3.0 * hold, 4.0 * hold}};
+    SimulatedLoop simulated(Mode::Velocity, warmed(plant, heat), loop.gains, loop.shape, 0.0);
+    Signal velocity{"velocity", "counts/s", {}};
+    double t = -0.05;
+    for (double at = t; at < 4.0 * hold; at += 0.01) {
+        for (; t < at; t += loop.shape.period)
+            (void)simulated.pass(t >= 0.0 && std::fmod(t, 2.0 * hold) < hold ? step : 0.0);
+        velocity.trace.add(at, simulated.measured());
+    }
+    trial.signals.push_back(velocity);
+    return trial;
+}
+
+TEST(Refinement, StepsOfAWarmMotorMakeNoSlowerMotorOfTheColdOne)
+{
+    PlantModel plant{1.29e6, 0.287, 0.051, 0.007};
+    plant.warming = 0.13;
+    SteppedLoop loop;
+    loop.gains = {1.8e-6, 5.6e-6, 0.0, 0.0};
+    loop.heat = 1.5;
+    loop.trials = {warmSteps(plant, loop, 385'000.0, 1.6)};
+    const PlantModel corrected = refinedBy(loop, plant).value_or(plant);
+    std::printf("lag %.4f s of %.4f s, gain %.0f of %.0f\n", corrected.tau, plant.tau, corrected.gain, plant.gain);
+    EXPECT_NEAR(corrected.tau, plant.tau, 0.02 * plant.tau);
+    EXPECT_NEAR(corrected.gain, plant.gain, 0.012 * plant.gain);
+    loop.heat = 0.0;
+    ASSERT_TRUE(refinedBy(loop, plant)) << "a cold one is not so slow";
+    EXPECT_GT(refinedBy(loop, plant)->tau, 1.1 * plant.tau);
+}
+
+TEST(WindingHeat, HalfOfWhatAPushOfFullDutyLeavesIsThereWhenItHasSpedUp)
+{
+    const PlantModel plant{10'000.0, 0.1, 0.001, 0.0};
+    const LoopShape shape;
+    SimulatedLoop loop(Mode::Velocity, plant, {1.0, 0.0, 0.0, 0.0}, shape, 0.0); // at its limit
+    double heat = 0.0;
+    for (double t = 0.0; t < 1.0; t += shape.period) {
+        const double before = loop.speed();
+        const double duty = loop.pass(1e9);
+        heat += heatOf(plant, duty, 0.5 * (before + loop.speed()), shape.period);
+    }
+    EXPECT_NEAR(heat, 0.5, 0.01);
 }
 
 /// Duties that are led up in steps of 0.08 every 20 ms.
