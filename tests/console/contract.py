@@ -10,7 +10,7 @@ import unittest
 
 sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
 import ownhome  # noqa: E402 pylint: disable=wrong-import-position
-from steady import ATTEMPTS, HELD_UP, Lateness  # noqa: E402 pylint: disable=wrong-import-position
+from steady import ATTEMPTS, Lateness, counts  # noqa: E402 pylint: disable=wrong-import-position
 
 PROGRAM = ""
 SOURCE = ""
@@ -111,9 +111,8 @@ def run_alone(test):
         result = unittest.TestResult()
         with ownhome.move_in(), Lateness() as machine:
             unittest.TestSuite([test]).run(result)
-        if left == 0 or machine.worst < HELD_UP or (result.wasSuccessful() and not result.unexpectedSuccesses):
+        if (result.wasSuccessful() and not result.unexpectedSuccesses) or counts(machine.worst, left):
             break
-        print(f"(held up for {1000 * machine.worst:.0f} ms, once more: {test.id()})", flush=True)
     told = [text for _, text in result.failures + result.errors] + [f"{each}: passes now" for each in result.unexpectedSuccesses]
     word = "ERROR" if result.errors else "FAIL" if told else "skipped" if result.skipped else "ok"
     return test.id(), word, "\n".join(told), time.monotonic() - begin

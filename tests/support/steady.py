@@ -32,6 +32,14 @@ class Lateness:
         self.watcher.join()
 
 
+def counts(worst, left):
+    """Whether a failure says something of the program: nobody was held up so long, or `left` is no more attempts. Else the delay is told."""
+    if left == 0 or worst < HELD_UP:
+        return True
+    print(f"(this machine was held up for {1000 * worst:.0f} ms: once more)", file=sys.stderr, end=" ", flush=True)
+    return False
+
+
 def steadily(case):
     @functools.wraps(case)
     def attempts(self):
@@ -41,9 +49,8 @@ def steadily(case):
                     return case(self)
                 except AssertionError:
                     failure = sys.exc_info()[1]
-            if left == 0 or machine.worst < HELD_UP:
+            if counts(machine.worst, left):
                 raise failure
-            print(f"(this machine was held up for {1000 * machine.worst:.0f} ms: once more)", file=sys.stderr, end=" ", flush=True)
             self.tearDown()
             self.doCleanups()
             self.setUp()
