@@ -173,6 +173,7 @@ void PlotsPage::connectParts()
         m_analysedAt = -1.0;
         m_panel->showRows();
     });
+    connect(m_stack, &PlotStack::wordsUpdated, m_panel, &TracePanel::showRows);
     connect(m_bar, &PlotsBar::viewChosen, this, [this](int view) { showView(static_cast<View>(view)); });
     connect(m_bar, &PlotsBar::referencesWanted, m_board, &PlotBoard::keepReferences);
     connect(m_bar, &PlotsBar::triggerToggled, m_trigger, &TriggerControl::setOn);
@@ -245,7 +246,8 @@ void PlotsPage::follow()
         return;
     m_board->followRates();
     m_rates.wish(wishesOf(m_workbench, *m_board, *m_stack));
-    m_panel->showRows();
+    if (m_plots->currentWidget() != m_stack || !m_stack->view().isLive()) // else when the tags are written
+        m_panel->showRows();
     m_bar->recording().follow();
 }
 

@@ -78,6 +78,7 @@ void PlotStack::refresh(double now)
     if (words) {
         m_wordsSince.start();
         m_feed.updateWords(m_readings);
+        Q_EMIT wordsUpdated();
     }
     m_dirty = false;
     const int width = m_strips->width();

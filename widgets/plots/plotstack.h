@@ -52,6 +52,8 @@ public:
 
 Q_SIGNALS:
     void cursorsChanged();
+    /// The tags say the newest values now: what repeats them elsewhere follows, so that both agree.
+    void wordsUpdated();
     /// A context menu is about to open over a strip (−1: none) at a time; a page adds its entries.
     void menuRequested(QMenu *menu, int strip, double key);
 

@@ -15,11 +15,6 @@ namespace {
 
 constexpr int sideWidth = 300;
 
-int decimalsOf(const TraceStyle &style)
-{
-    return style.role == TraceRole::Position || style.role == TraceRole::Velocity ? 0 : 2;
-}
-
 } // namespace
 
 TracePanel::TracePanel(
@@ -92,15 +87,22 @@ void TracePanel::followBoard()
     m_signals->setChosen(chosen);
 }
 
-QString TracePanel::statisticsOf(const PlotBoard::Trace &trace, int decimals) const
+QString TracePanel::bareText(const PlotBoard::Trace &trace, double value) const
+{
+    TraceStyle bare = trace.style;
+    bare.unit.clear();
+    return m_stack.readings().valueText(bare, value);
+}
+
+QString TracePanel::statisticsOf(const PlotBoard::Trace &trace) const
 {
     const auto found = m_stack.readings().selection(trace.id);
     if (!found)
         return {};
+    const auto bare = [&](double value) { return bareText(trace, value); };
     QString text = tr("mean %1 · σ %2 · %3 … %4 · %5 samples")
-                       .arg(formatValue(found->mean, decimals, {}), formatSignificant(found->deviation, 3),
-                           formatValue(found->low, decimals, {}), formatValue(found->high, decimals, {}),
-                           formatCount(static_cast<qint64>(found->count)));
+                       .arg(bare(found->mean), formatSignificant(found->deviation, 3), bare(found->low),
+                           bare(found->high), formatCount(static_cast<qint64>(found->count)));
     if (found->lost > 0)
         text += tr(" · %1 lost").arg(formatCount(static_cast<qint64>(found->lost)));
     return text;
@@ -120,15 +122,15 @@ void TracePanel::showRows()
         row.rate = tr("%1 Hz").arg(formatNumber(trace.source->rate()));
         row.lost = tr("%1 lost").arg(formatCount(static_cast<qint64>(trace.source->lost())));
         row.lossy = trace.source->lossy();
-        const int decimals = decimalsOf(trace.style);
+        const PlotReadings &readings = m_stack.readings();
         const auto latest = trace.source->latest();
-        row.value = latest ? formatValue(*latest, decimals, trace.style.unit) : QString(UnknownMark);
+        row.value = latest ? readings.valueText(trace.style, *latest) : QString(UnknownMark);
         if (m_stack.cursorsShown()) {
             const auto [a, b] = m_stack.cursorKeys();
-            const auto at = [&](double key) { return m_stack.readings().valueAt(trace.id, key); };
             row.cursors = tr("A %1   B %2")
-                              .arg(formatValue(at(a), decimals, {}), formatValue(at(b), decimals, trace.style.unit));
-            row.statistics = statisticsOf(trace, decimals);
+                              .arg(bareText(trace, readings.valueAt(trace.id, a)),
+                                  readings.valueText(trace.style, readings.valueAt(trace.id, b)));
+            row.statistics = statisticsOf(trace);
         }
         rows.push_back(row);
     }

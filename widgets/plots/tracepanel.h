@@ -29,7 +29,9 @@ Q_SIGNALS:
 
 private:
     void buildLists();
-    [[nodiscard]] QString statisticsOf(const PlotBoard::Trace &trace, int decimals) const;
+    [[nodiscard]] QString statisticsOf(const PlotBoard::Trace &trace) const;
+    /// In the digits of its axis, without a unit.
+    [[nodiscard]] QString bareText(const PlotBoard::Trace &trace, double value) const;
     void showMenu(int id, const QPoint &at);
 
     Workbench &m_workbench;
