@@ -16,6 +16,9 @@ import sys
 import tempfile
 import time
 
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import ownhome  # noqa: E402 pylint: disable=wrong-import-position
+
 INNER = "MOTORBENCH_DESKTOP"
 SCREEN = "1600x1000"
 PATIENCE = 60.0  # seconds, for what takes a moment on an idle computer
@@ -40,9 +43,10 @@ def enter():
         environment = {name: value for name, value in os.environ.items() if not name.startswith(("XDG_", "QT_", "DBUS_"))}
         environment.update({INNER: "1", "DISPLAY": ":" + display, "LC_ALL": "C.UTF-8", "HOME": home,
                             "QT_QPA_PLATFORM": "xcb", "QT_LINUX_ACCESSIBILITY_ALWAYS_ON": "1", "NO_AT_BRIDGE": "0"})
-        for name, folder in {"RUNTIME_DIR": "run", "CONFIG_HOME": "config", "DATA_HOME": "data"}.items():
-            environment["XDG_" + name] = os.path.join(home, folder)
-            os.mkdir(environment["XDG_" + name], 0o700)
+        own = {**ownhome.folders(home), "XDG_RUNTIME_DIR": os.path.join(home, "run")}
+        environment.update(own)
+        for folder in own.values():
+            os.mkdir(folder, 0o700)
         try:
             with open(os.path.join(home, "said"), "w+", encoding="utf-8", errors="replace") as said:
                 status = subprocess.call(["dbus-run-session", "--", sys.executable, "-B", *sys.argv], env=environment, stderr=said)

@@ -15,6 +15,9 @@ import sys
 import tempfile
 import unittest
 
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import ownhome  # noqa: E402 pylint: disable=wrong-import-position
+
 PROGRAMS = pathlib.Path()
 SOURCE = pathlib.Path()
 OURS = re.compile(r"(?:^|[|;&]\s*|\s)(?:\S*/)?(?:motorbenchctl|motorbench)\b")
@@ -75,9 +78,7 @@ class Docs(unittest.TestCase):
         cls.home = tempfile.TemporaryDirectory()
         folder = pathlib.Path(cls.home.name)
         (folder / "resources").symlink_to(SOURCE / "resources")
-        cls.environment = {**os.environ, "PATH": f"{PROGRAMS}:{os.environ['PATH']}", "QT_QPA_PLATFORM": "offscreen", "LC_ALL": "C.UTF-8"}
-        for name in ("DATA", "CONFIG", "CACHE"):
-            cls.environment[f"XDG_{name}_HOME"] = str(folder / name.lower())
+        cls.environment = {**os.environ, **ownhome.folders(cls.home.name), "PATH": f"{PROGRAMS}:{os.environ['PATH']}", "QT_QPA_PLATFORM": "offscreen", "LC_ALL": "C.UTF-8"}
         (folder / "bus.log").write_text(RECORDING, encoding="ascii")  # for what is done with a recording
 
     @classmethod

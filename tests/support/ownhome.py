@@ -6,8 +6,13 @@ import tempfile
 FOLDERS = ("XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME")
 
 
+def folders(home):
+    """Where programs with this home keep what they keep: environment variables and their folders, which need not exist."""
+    return {name: os.path.join(home, name) for name in FOLDERS}
+
+
 def move_in():
     """From now on, for this process and its children. The folder to be kept as long as the home is wanted."""
     home = tempfile.TemporaryDirectory(prefix="motorbench-home-")
-    os.environ.update({name: os.path.join(home.name, name) for name in FOLDERS})
+    os.environ.update(folders(home.name))
     return home
