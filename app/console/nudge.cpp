@@ -34,7 +34,7 @@ std::optional<double> positionOf(const Device &device, int axis)
     return latest ? std::optional<double>(latest->value) : std::nullopt;
 }
 
-/// One push; yields how far the shaft has gone once it stands again.
+/// One push; yields how far the shaft has gone once it stands again. After a signal it is the last one, whenever that came.
 Task<double> push(Console &console, Device &device, SetPoint setPoint, Duration time)
 {
     SetPointStream &stream = console.session().stream(device);
@@ -43,7 +43,7 @@ Task<double> push(Console &console, Device &device, SetPoint setPoint, Duration 
         co_return fail(started.error());
     Sleep pushing(console.clock(), time);
     co_await pushing;
-    if (!stream.isRunning())
+    if (!stream.isRunning() && !console.isInterrupted())
         co_return fail(Fault::Unsafe, say("stopped for safety: %1", stream.reason()));
     stream.stop();
     const Instant limit = console.clock().now() + standLimit;
@@ -56,6 +56,8 @@ Task<double> push(Console &console, Device &device, SetPoint setPoint, Duration 
     }
     Sleep resting(console.clock(), restTime);
     co_await resting;
+    if (console.isInterrupted())
+        co_return fail(Fault::Cancelled, say("interrupted before it was done; %1 has stopped", device.selector()));
     co_return positionOf(device, setPoint.axis).value_or(0.0) - before;
 }
 

@@ -4,6 +4,7 @@
 #include "app/console/verb.h"
 #include "settings/unit.h"
 
+#include <algorithm>
 #include <memory>
 
 namespace mb::console {
@@ -53,9 +54,13 @@ Task<int> rename(Console &console, RenameArguments arguments)
     const auto target = parseTarget(console, arguments.device);
     if (!target)
         co_return fail(target.error());
-    const int length = qt(arguments.name).size();
+    const QString name = qt(arguments.name);
+    const int length = name.size();
     if (length < 1 || length > longest)
         co_return fail(Fault::OutOfRange, say("a name has 1 to %1 characters, this one has %2", longest, length),
+            say("choose another"));
+    if (std::any_of(name.begin(), name.end(), [](QChar c) { return c.category() == QChar::Other_Control; }))
+        co_return fail(Fault::OutOfRange, say("a name has no line break, tabulator or other control character"),
             say("choose another"));
     auto connecting = connect(console, *target);
     Device *const device = co_await std::move(connecting);

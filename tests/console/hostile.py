@@ -271,6 +271,16 @@ class Hostile(ContractTest):
             self.assertIn("Turn the shaft", err)
             self.assertIn(says, out + err)
 
+    def test_a_signal_ends_a_nudge_between_its_pushes_too(self):
+        for seconds in (0.8, 1.0, 1.2, 1.5, 2.0):  # it pushes four times, and rests three times as long; all of it takes 3 s
+            process = subprocess.Popen([contract.PROGRAM, "identify", "sim:can/abstractdc:3", "--yes"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            with self.assertRaises(subprocess.TimeoutExpired):
+                process.wait(timeout=seconds)
+            process.send_signal(signal.SIGINT)
+            out, err = process.communicate(timeout=contract.LIMIT)
+            self.assertEqual((process.returncode, out), (1, ""), err)
+            self.assertIn("interrupted before it was done", err)
+
     def test_nothing_is_called_written_on_a_disk_that_is_full(self):
         trace = self.path("trace.csv", self.run_text("watch", CIM, "--for", "0.3"))
         step = ["step", CIM, "--mode", "velocity", "--to", "2000", "--time", "0.3"]

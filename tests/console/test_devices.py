@@ -221,6 +221,11 @@ class DeviceVerbs(ContractTest):
         run = Run(["--json", "rename", CIM, "a name of more than 28 characters"])
         self.assertEqual((run.status, run.err.count("\n")), (0, 1))
 
+    def test_a_name_with_a_line_break_would_break_every_list(self):
+        for device in (CIM, "sim:can/abstractdc:3"):  # the one stores its name, the other's is kept on this computer
+            for name in ("two\nlines", "a\ttab", "\x1b[31mred"):
+                self.assert_error(2, "rename", device, name, says="control character")
+
     def test_restart_tells_that_the_unit_answers_again(self):
         self.assertEqual(self.run_one("restart", CIM), {"device": CIM, "result": "restarted"})
         self.assertEqual(self.run_one("restart", "sim:spi/quadquad2drv:0")["result"], "restarted")
