@@ -17851,5 +17851,13 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>make room on its disk</source>
         <translation>Platz auf ihrem Datenträger schaffen</translation>
     </message>
+    <message>
+        <source>%1: its value is in &apos;%2&apos;, its unit is &apos;%3&apos;</source>
+        <translation>%1: Der Wert steht in „%2“, die Einheit ist „%3“</translation>
+    </message>
+    <message>
+        <source>write it in that unit</source>
+        <translation>In dieser Einheit schreiben</translation>
+    </message>
 </context>
 </TS>

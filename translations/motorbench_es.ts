@@ -17851,5 +17851,13 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>make room on its disk</source>
         <translation>libere espacio en su disco</translation>
     </message>
+    <message>
+        <source>%1: its value is in &apos;%2&apos;, its unit is &apos;%3&apos;</source>
+        <translation>%1: su valor está en «%2», su unidad es «%3»</translation>
+    </message>
+    <message>
+        <source>write it in that unit</source>
+        <translation>escríbalo en esa unidad</translation>
+    </message>
 </context>
 </TS>

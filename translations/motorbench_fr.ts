@@ -17851,5 +17851,13 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>make room on its disk</source>
         <translation>faites de la place sur son disque</translation>
     </message>
+    <message>
+        <source>%1: its value is in &apos;%2&apos;, its unit is &apos;%3&apos;</source>
+        <translation>%1 : sa valeur est en « %2 », son unité est « %3 »</translation>
+    </message>
+    <message>
+        <source>write it in that unit</source>
+        <translation>écrivez-la dans cette unité</translation>
+    </message>
 </context>
 </TS>

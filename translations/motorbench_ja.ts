@@ -17837,5 +17837,13 @@ double click plots it, drag it to a pane or below them</source>
         <source>make room on its disk</source>
         <translation>ディスクの空きを増やしてください</translation>
     </message>
+    <message>
+        <source>%1: its value is in &apos;%2&apos;, its unit is &apos;%3&apos;</source>
+        <translation>%1: 値は「%2」で書かれていますが、単位は「%3」です</translation>
+    </message>
+    <message>
+        <source>write it in that unit</source>
+        <translation>その単位で書いてください</translation>
+    </message>
 </context>
 </TS>

@@ -17837,5 +17837,13 @@ double click plots it, drag it to a pane or below them</source>
         <source>make room on its disk</source>
         <translation>在其磁盘上腾出空间</translation>
     </message>
+    <message>
+        <source>%1: its value is in &apos;%2&apos;, its unit is &apos;%3&apos;</source>
+        <translation>%1：其值以“%2”为单位，而它的单位是“%3”</translation>
+    </message>
+    <message>
+        <source>write it in that unit</source>
+        <translation>请用该单位书写</translation>
+    </message>
 </context>
 </TS>

@@ -34,9 +34,14 @@ std::optional<double> positionOf(const Device &device, int axis)
     return latest ? std::optional<double>(latest->value) : std::nullopt;
 }
 
-/// One push; yields how far the shaft has gone once it stands again. After a signal it is the last one, whenever that came.
+/// One push; yields how far the shaft has gone once it stands again. After a signal, whenever it came, none begins.
 Task<double> push(Console &console, Device &device, SetPoint setPoint, Duration time)
 {
+    const auto cancelled = [&device] {
+        return fail(Fault::Cancelled, say("interrupted before it was done; %1 has stopped", device.selector()));
+    };
+    if (console.isInterrupted())
+        co_return cancelled();
     SetPointStream &stream = console.session().stream(device);
     const double before = positionOf(device, setPoint.axis).value_or(0.0);
     if (auto started = stream.start(setPoint, LeaseRenewal::term); !started)
@@ -57,7 +62,7 @@ Task<double> push(Console &console, Device &device, SetPoint setPoint, Duration 
     Sleep resting(console.clock(), restTime);
     co_await resting;
     if (console.isInterrupted())
-        co_return fail(Fault::Cancelled, say("interrupted before it was done; %1 has stopped", device.selector()));
+        co_return cancelled();
     co_return positionOf(device, setPoint.axis).value_or(0.0) - before;
 }
 

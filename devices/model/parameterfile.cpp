@@ -64,6 +64,11 @@ Result<OptionalRaw> rawFrom(const Parameter &parameter, const QJsonObject &row)
             say("%1: its value says %2, its raw value %3", parameter.key, toText(parameter, **value),
                 toText(parameter, **raw)),
             say("delete the one of the two that is old"));
+    const QString unit = row.value(QLatin1String("unit")).toString(qt(parameter.unit));
+    if (!*raw && *value && unit != qt(parameter.unit))
+        return fail(Fault::OutOfRange,
+            say("%1: its value is in '%2', its unit is '%3'", parameter.key, unit.toStdString(), parameter.unit),
+            say("write it in that unit"));
     return *raw ? *raw : *value;
 }
 

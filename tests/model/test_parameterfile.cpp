@@ -61,6 +61,19 @@ TEST(ParameterFile, RefusesAValueThatWasEditedBesideItsRawValue)
     EXPECT_EQ(taken(*agreeing, "slot0.p"), 98304);
 }
 
+TEST(ParameterFile, RefusesAValueInAnotherUnitThanItsParameters)
+{
+    const auto parsed
+        = parseParameterFile(file("\"current_limit.p\":{\"value\":100,\"unit\":\"throttle/mA\"}"), family());
+    ASSERT_FALSE(parsed);
+    EXPECT_EQ(parsed.error().fault, Fault::OutOfRange);
+    EXPECT_EQ(parsed.error().text(),
+        "current_limit.p: its value is in 'throttle/mA', its unit is 'throttle/A'; write it in that unit");
+    EXPECT_TRUE(parseParameterFile(file("\"current_limit.p\":{\"value\":100,\"unit\":\"throttle/A\"}"), family()));
+    EXPECT_TRUE(parseParameterFile(file("\"current_limit.p\":{\"value\":100,\"unit\":null}"), family()))
+        << "names none";
+}
+
 TEST(ParameterFile, NotesWhatItLeavesOut)
 {
     const auto parsed = parseParameterFile(file("\"slot0.p\":{\"raw\":null,\"value\":null}"), family());
