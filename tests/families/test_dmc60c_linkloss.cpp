@@ -5,6 +5,7 @@
 #include "transport/backends/virtualcan.h"
 
 #include <algorithm>
+#include <map>
 
 namespace mb {
 namespace {
@@ -50,13 +51,16 @@ private:
 
 struct Watch final : Progress {
     void step(const Message &what, int, int) override { now = what.english(); }
-    void part(int, PartState) override { }
+    void part(int number, PartState state) override { parts[number] = state; }
+    void replaces(const std::string &version) override { before = version; }
     void log(Severity, const Message &text) override { lines += text.english() + '\n'; }
     void mayInterrupt(bool may) override { interruptible = may; }
     [[nodiscard]] bool told(const std::string &text) const { return lines.find(text) != std::string::npos; }
 
     std::string now;
     std::string lines;
+    std::string before;
+    std::map<int, PartState> parts;
     bool interruptible = true;
 };
 
@@ -159,6 +163,48 @@ TEST(Dmc60cLinkLoss, AUnitThatLostItsPowerMeanwhileIsUpdatedAllTheSame)
     bench.clock.advance(1s);
     bench.host.plugIn();
     expectDoneAgain(bench.end(), "another session");
+}
+
+TEST(Dmc60cLinkLoss, PagesThatAreSentAgainAreShownAsWaitingAgain)
+{
+    LossBench bench;
+    bench.begin();
+    ASSERT_TRUE(bench.reaches("Page 1"));
+    EXPECT_EQ(bench.watch.before, "1.23");
+    EXPECT_EQ(bench.watch.parts[30], PartState::Done);
+    bench.host.pullOut();
+    bench.clock.advance(1s);
+    bench.simulator->setPowered(false);
+    bench.simulator->setPowered(true);
+    bench.host.plugIn();
+    ASSERT_TRUE(bench.reaches("Enter bootloader"));
+    EXPECT_EQ(bench.watch.parts[30], PartState::Waiting);
+    EXPECT_EQ(bench.watch.parts[1], PartState::Waiting);
+    expectDoneAgain(bench.end(), "again");
+}
+
+TEST(Dmc60cLinkLoss, AUnitThatRestartsInEveryRoundIsGivenUpAfterTheFourth)
+{
+    LossBench bench;
+    bench.begin();
+    int rounds = 0;
+    while (bench.reaches("Enter bootloader") && bench.reaches("Page 1")) {
+        ++rounds;
+        bench.simulator->setPowered(false);
+        bench.simulator->setPowered(true);
+    }
+    EXPECT_EQ(rounds, 4);
+    const UpdateReport report = bench.end();
+    EXPECT_EQ(report.fault, Fault::Refused);
+    EXPECT_TRUE(report.evidence.english().starts_with("the device restarted 4 times")) << report.evidence;
+}
+
+TEST(Dmc60cLinkLoss, AUnitWithoutANumberHasNoneAfterItsUpdateEither)
+{
+    LossBench bench("dmc60c:0");
+    bench.begin();
+    expectDoneAgain(bench.end(), "number 0");
+    EXPECT_EQ(bench.device->identity().state, DeviceState::Unassigned);
 }
 
 TEST(Dmc60cLinkLoss, WhatIsWrittenIsNotWrittenAgain)

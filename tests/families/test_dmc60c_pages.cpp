@@ -103,6 +103,27 @@ TEST(Dmc60cPages, NoteWhatIsNotSent)
     EXPECT_TRUE(pagesOf(imageOfPages(smallApplication().text())).notes.empty());
 }
 
+TEST(Dmc60cPages, CountTheLastByteOfARegionWithIt)
+{
+    HexText hex = smallApplication();
+    hex.add(0x22FFF, {1}).add(0x2AFFF, {2});
+    EXPECT_EQ(notesOf(imageOfPages(hex.text())),
+        (std::vector<std::string>{"not sent: 1 byte for pages 31-34 (configuration and descriptors)",
+            "not sent: 1 byte for pages 35-42 (bootloader and flash configuration)"}));
+}
+
+TEST(Dmc60cPreflight, RefusesAVersionOfWhichOneByteIsMissing)
+{
+    HexText hex;
+    hex.add(0x0, {0x00, 0x02, 0x04, 0x00})
+        .add(0x400, {0x00, 0x00, 0xFA, 0x00})
+        .add(0x1EFFC, {0x17})
+        .add(0x1EFFE, {0x00});
+    const auto application = applicationFrom(imageOfPages(hex.text()));
+    ASSERT_FALSE(application);
+    EXPECT_EQ(application.error().text(), "no version at 0x1EFFC");
+}
+
 TEST(Dmc60cPages, CrcHasThreeVariants)
 {
     const Page blank = unwrittenPage(0);

@@ -31,6 +31,20 @@ TEST_F(Dmc60cStream, AnEarlyFrameMovesTheRhythmByAQuarterOfItsEarliness)
     EXPECT_EQ(lost(), 1U);
 }
 
+TEST_F(Dmc60cStream, AFrameThatComesLateIsNotCountedAsLostWhereverItFallsInThePeriod)
+{
+    for (const auto gap : {10ms, 10ms, 19ms, 5ms, 10ms}) // half a period after one that was early
+        after(gap);
+    EXPECT_EQ(lost(), 0U);
+    stream.interrupt();
+    for (const auto gap : {10ms, 10ms, 21ms})
+        after(gap);
+    after(4900us); // shortly before that, after one that was late
+    after(10ms);
+    EXPECT_EQ(lost(), 0U);
+    EXPECT_EQ(recorded(), sent);
+}
+
 TEST_F(Dmc60cStream, AFrameIsHeldBackBehindMoreThanAPeriodAndAQuarter)
 {
     for (const auto gap : {10ms, 10ms})

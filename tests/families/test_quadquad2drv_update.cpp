@@ -105,6 +105,63 @@ TEST(QuadQuad2DrvUpdate, ALineThatIsLostWhileItSendsIsToldAsThat)
     EXPECT_EQ(report.evidence.english().find("was not confirmed"), std::string::npos) << report.evidence;
 }
 
+TEST(QuadQuad2DrvUpdate, ASecondAnswerToOneLineDoesNotConfirmTheNext)
+{
+    for (const std::string late : {"ok\r", "o"}) {
+        QuadQuad2DrvUpdateBench bench;
+        bench.boot->setJumper(true);
+        bool gone = false;
+        bench.hand = [&] {
+            if (gone || !bench.said("< ok"))
+                return;
+            gone = true;
+            bench.boot.reset(); // from here on the test is the bootloader
+            (void)bench.boardEnd.send(std::vector<std::uint8_t>(late.begin(), late.end()));
+        };
+        const UpdateReport report = bench.update();
+        EXPECT_TRUE(gone);
+        EXPECT_EQ(report.outcome, UpdateOutcome::Failed);
+        EXPECT_TRUE(report.evidence.english().starts_with("line 2 was not confirmed")) << report.evidence;
+        EXPECT_EQ(report.pages, 1);
+    }
+}
+
+/// The steps for hands as they begin, and what was told of the lines.
+struct StepLog final : Progress {
+    void step(const Message &, int, int) override { }
+    void part(int number, PartState state) override
+    {
+        if (state == PartState::Active)
+            begun.push_back(number);
+    }
+    void log(Severity, const Message &text) override { lines += text.english() + '\n'; }
+    void replaces(const std::string &version) override { before = version; }
+    void accepted(int sent, int again) override { confirmed.emplace_back(sent, again); }
+    std::vector<int> begun;
+    std::string lines;
+    std::string before;
+    std::vector<std::pair<int, int>> confirmed;
+};
+
+TEST(QuadQuad2DrvUpdate, TellsEveryStepAsItBeginsAndEveryLineAsItIsConfirmed)
+{
+    QuadQuad2DrvUpdateBench bench;
+    bench.boot->setJumper(true);
+    BootSettings settings;
+    settings.farewell = {};
+    StepLog told;
+    Updater updater(*bench.device, bench.hostEnd, bench.image, told, settings);
+    Task<UpdateReport> task = updater.run(false);
+    task.start();
+    ASSERT_TRUE(bench.clock.runUntil([&] { return told.confirmed.size() == 3; }, 1min));
+    bench.clock.advance(5s);
+    bench.boot->setJumper(false);
+    ASSERT_TRUE(bench.clock.runUntil([&] { return task.isFinished(); }, 2min));
+    EXPECT_EQ(told.begun, (std::vector<int>{0, 1, 2, 3, 4, 5}));
+    EXPECT_EQ(told.before, "1.3");
+    EXPECT_EQ(told.confirmed, (std::vector<std::pair<int, int>>{{1, 0}, {2, 0}, {3, 0}}));
+}
+
 TEST(QuadQuad2DrvUpdate, CancelledWhileItWaitsForHandsItLeavesNothingBehind)
 {
     QuadQuad2DrvUpdateBench bench;

@@ -91,8 +91,13 @@ TEST(SupermodifiedAvrdude, ReadsProgressAndProof)
     reading.take("Writing | ##########", false);
     EXPECT_EQ(reading.stage(), Stage::Writing);
     EXPECT_EQ(reading.percent(), 20);
+    reading.take("Writing | " + std::string(50, '#'), false);
+    EXPECT_EQ(reading.percent(), 100);
+    reading.take("Writing | " + std::string(51, '#'), false);
+    EXPECT_EQ(reading.percent(), 100);
     reading.take("avrdude: 768 bytes of flash written", true);
     EXPECT_EQ(reading.stage(), Stage::Verifying);
+    EXPECT_EQ(reading.percent(), 0);
     reading.take("Reading | #########################", false);
     EXPECT_EQ(reading.percent(), 50);
     EXPECT_FALSE(reading.isVerified());

@@ -58,6 +58,8 @@ TEST(FirmwareImage, KnowsItsBytesAndItsGaps)
     const FirmwareImage image = read(data(0x100, {1, 2, 3, 4}) + data(0x106, {7, 8}) + end);
     EXPECT_EQ(image.byteCount(), 6U);
     EXPECT_EQ(image.at(0x100), 1);
+    EXPECT_TRUE(image.hasAny(0x103, 0x103)) << "one byte alone";
+    EXPECT_FALSE(image.hasAny(0x104, 0x104));
     EXPECT_EQ(image.at(0x103), 4);
     EXPECT_EQ(image.at(0x107), 8);
     for (const std::uint32_t absent : {0U, 0xFFU, 0x104U, 0x105U, 0x108U, 0xFFFFFFFFU})
