@@ -258,7 +258,9 @@ Task<void> ExperimentRun::conclude(std::optional<Error> error)
         m_stream.stop();
     m_recorder.unguard();
     classifyEnding(error);
-    if (m_moved) {
+    if (!m_moved && m_motion.isInterrupted())
+        m_device.stop(); // whoever calls for a stop is told whether the motor stands, whatever moved it
+    if (m_moved || m_motion.isInterrupted()) {
         auto confirming = confirmStop(m_device);
         m_trial.stopped = co_await std::move(confirming);
         auto resting = untilAtRest(m_device, m_recorder);

@@ -3,6 +3,8 @@
 
 #include "transport/programoutput.h"
 
+#include <QtGlobal>
+
 #include <algorithm>
 #include <array>
 

@@ -3,6 +3,8 @@
 
 #include "wire/bytes.h"
 
+#include <QtGlobal>
+
 #include <algorithm>
 #include <cstdio>
 #include <limits>

@@ -71,7 +71,7 @@ Line::Ticket Line::submit(Request request, Done done)
     const Rank rank = request.rank;
     const auto place = std::find_if(
         m_waiting.begin(), m_waiting.end(), [rank](const Entry &other) { return other.request.rank > rank; });
-    m_waiting.insert(place, Entry{id, std::move(request), std::move(done), 0});
+    m_waiting.insert(place, Entry{id, request, std::move(done), 0});
     if (rank == Rank::Stop)
         shortenTimeout();
     if (m_link.state() == LinkState::Open)
@@ -160,7 +160,7 @@ void Line::keepEarly(const Request &stop)
 void Line::repeatStops()
 {
     for (Request &request : std::exchange(m_early, {}))
-        m_waiting.push_front(Entry{++m_lastId, std::move(request), {}, 0});
+        m_waiting.push_front(Entry{++m_lastId, request, {}, 0});
 }
 
 void Line::onBytes(std::span<const std::uint8_t> bytes)
@@ -186,7 +186,7 @@ std::optional<Line::Entry> Line::next()
 {
     if (m_waiting.empty() || m_waiting.front().request.rank == Rank::Task) {
         if (auto poll = m_polls.next(!m_waiting.empty()))
-            return Entry{++m_lastId, std::move(poll->request), std::move(poll->done), poll->key};
+            return Entry{++m_lastId, poll->request, std::move(poll->done), poll->key};
     }
     if (m_waiting.empty())
         return std::nullopt;
@@ -322,7 +322,7 @@ namespace {
 
 struct Answer {
     Answer(Line &line, Line::Request request)
-        : ticket(line.submit(std::move(request), [this](Result<Frame> reply) {
+        : ticket(line.submit(request, [this](Result<Frame> reply) {
             result = std::move(reply);
             arrived.set();
         }))
@@ -337,7 +337,7 @@ struct Answer {
 
 Task<Frame> ask(Line &line, Line::Request request)
 {
-    Answer answer(line, std::move(request));
+    Answer answer(line, request);
     co_await answer.arrived.wait();
     co_return std::move(answer.result);
 }

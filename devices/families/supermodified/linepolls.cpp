@@ -16,7 +16,7 @@ LinePolls::Key LinePolls::add(LineRequest request, Duration period, LineReply do
 {
     request.rank = LineRequest::Rank::Poll;
     const Key key = m_schedule.add(period, m_clock.now());
-    m_polls[key] = Poll{std::move(request), std::move(done), key};
+    m_polls[key] = Poll{request, std::move(done), key};
     m_timer.startIn(Duration::zero(), m_due);
     return key;
 }
@@ -30,7 +30,7 @@ void LinePolls::setPeriod(Key key, Duration period)
 void LinePolls::setRequest(Key key, LineRequest request)
 {
     request.rank = LineRequest::Rank::Poll;
-    m_polls.at(key).request = std::move(request);
+    m_polls.at(key).request = request;
 }
 
 void LinePolls::remove(Key key)

@@ -120,7 +120,7 @@ void Motion::send(Step step)
     request->rank = Line::Rank::Move;
     m_step = step;
     ++m_tries;
-    m_ticket = m_line.submit(std::move(*request), [this, step](const Result<Frame> &reply) { answered(step, reply); });
+    m_ticket = m_line.submit(*request, [this, step](const Result<Frame> &reply) { answered(step, reply); });
     if (step == Step::Start) {
         ++m_starts;
         doubt();
@@ -244,7 +244,7 @@ Result<void> Motion::release()
         return mb::fail(Fault::Unsafe, say("a buffered move is not acknowledged yet"), say("try again"));
     Line::Request tell = telling(m_node, Command::DoMove);
     tell.rank = Line::Rank::Move;
-    m_releaseTicket = m_line.submit(std::move(tell), [](const Result<Frame> &) {});
+    m_releaseTicket = m_line.submit(tell, [](const Result<Frame> &) {});
     return {};
 }
 

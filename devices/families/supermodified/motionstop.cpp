@@ -41,7 +41,7 @@ void MotionStop::send(Duration delay)
     Line::Request request = asking(m_node, Command::Stop);
     request.rank = Line::Rank::Stop;
     request.patience = stopPatience;
-    m_ticket = m_line.submit(std::move(request), [this](const Result<Frame> &reply) { answered(reply); });
+    m_ticket = m_line.submit(request, [this](const Result<Frame> &reply) { answered(reply); });
 }
 
 void MotionStop::answered(const Result<Frame> &reply)

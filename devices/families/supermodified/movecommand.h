@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/result.h"
 #include "families/supermodified/protocol.h"
 #include "model/setpoint.h"
 

@@ -20,7 +20,7 @@ bool NodeSettings::offers(ParameterIndex index) const
 
 Task<Frame> NodeSettings::talk(Line::Request request)
 {
-    return converse(m_line, std::move(request), m_codes);
+    return converse(m_line, request, m_codes);
 }
 
 Task<std::int64_t> NodeSettings::readNumber(Command command)
@@ -62,7 +62,7 @@ Task<void> NodeSettings::writeNumber(Command command, std::int64_t raw)
     auto request = setting(node, command, raw);
     if (!request)
         co_return fail(request.error());
-    auto task = talk(std::move(*request));
+    auto task = talk(*request);
     (void)co_await std::move(task);
     co_return {};
 }

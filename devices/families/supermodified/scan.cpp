@@ -136,7 +136,7 @@ Task<bool> Search::look(Place place, Duration patience)
     request.patience = patience;
     if (node.id == m_line->roster().hostId()) // a node with the host's own id can be asked under another one only
         request.frame.from = static_cast<std::uint8_t>(node.id == highestNode ? lowestNode : node.id + 1);
-    auto question = ask(*m_line, std::move(request));
+    auto question = ask(*m_line, request);
     const Result<Frame> reply = co_await std::move(question).attempt();
     if (!reply && reply.error().fault != Fault::Timeout)
         co_return fail(reply.error());
@@ -322,7 +322,7 @@ Task<void> Search::learnMask(Node node)
     auto question = ask(*m_line, request);
     Result<Frame> reply = co_await std::move(question).attempt();
     if (reply && codesOf(*reply)) { // it is there, and had something to tell first
-        auto again = ask(*m_line, std::move(request));
+        auto again = ask(*m_line, request);
         reply = co_await std::move(again).attempt();
     }
     if (!reply && reply.error().fault == Fault::LinkLost)
