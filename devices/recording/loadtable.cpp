@@ -95,6 +95,8 @@ public:
         std::string line;
         while (next(line) && line.rfind('#', 0) == 0)
             takeComment(line);
+        if (m_line == 0)
+            return fail(Fault::OutOfRange, say("%1: %2", m_path, say("the file is empty")));
         if (line == "t,channel,value,unit")
             return readLong();
         m_separator = separatorOf(line);

@@ -235,9 +235,10 @@ TEST(Table, WhatWatchPrintsCanBeRead)
 TEST(Table, SaysInWhichLineWhatIsWrong)
 {
     const Folder folder;
-    const std::pair<const char *, const char *> rows[] = {{"time_s,a\n0,1\n1,x\n", "line 3"},
-        {"time_s,a\n0,1,2\n", "line 2"}, {"time_s,a\nx,1\n", "line 2"}, {"", "no table"}, {"1,2\n3,4\n", "no table"},
-        {"time_s,a\n", "no samples"}, {"t,channel,value,unit\n1,a,2\n", "line 2"}, {"time_s,a\n1e300,1\n", "line 2"}};
+    const std::pair<const char *, const char *> rows[]
+        = {{"time_s,a\n0,1\n1,x\n", "line 3"}, {"time_s,a\n0,1,2\n", "line 2"}, {"time_s,a\nx,1\n", "line 2"},
+            {"", "x.csv: the file is empty"}, {"1,2\n3,4\n", "no table"}, {"time_s,a\n", "no samples"},
+            {"t,channel,value,unit\n1,a,2\n", "line 2"}, {"time_s,a\n1e300,1\n", "line 2"}};
     for (const auto &[text, says] : rows) {
         std::ofstream(folder.file("x.csv")) << text;
         const auto loaded = loadRecording(folder.file("x.csv"));
