@@ -55,6 +55,12 @@ bool hasRole(const Family &family, Role role)
     return parameterOf(family, Mode::Position, 1, 0, role).has_value();
 }
 
+/// With room for its overshoot; a limit that nobody knows bounds nothing.
+double withinLimit(double step, const std::optional<double> &limit)
+{
+    return std::round(limit ? std::min(step, stepOfLimit * *limit) : step);
+}
+
 /// Enough for friction and some load, not enough to fly past the target.
 double windupOf(const PlantModel &plant)
 {
@@ -69,11 +75,11 @@ double proofStep(Mode loop, const PlantModel &plant, const ContinuousGains &gain
     if (loop == Mode::Position) {
         const double step = std::max({gains.p > 0.0 ? stepDuty * duty / gains.p : 0.0,
             deadbands * deadband(plant, gains), goodSteps * goodEnough});
-        return std::round(std::min(step, stepOfLimit * envelope.travel.value_or(step)));
+        return withinLimit(step, envelope.travel);
     }
     const double free = plant.gain * std::max(duty - plant.friction, 0.0);
     const double step = stepOfFreeSpeed * free;
-    return std::round(std::min(step, stepOfLimit * envelope.speed.value_or(step)));
+    return withinLimit(step, envelope.speed);
 }
 
 int currentRepeats(double noise, double step)

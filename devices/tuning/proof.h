@@ -11,7 +11,8 @@
 
 namespace mb::tuning {
 
-/// How large a step proves a loop: clear of noise and friction, and within duty and envelope. In the unit of the loop.
+/// How large a step proves a loop: clear of noise and friction, and within duty and envelope; a travel or speed that nobody knows (the
+/// pages, before it is entered: resolve() lets no tuning begin without it) bounds nothing. In the unit of the loop.
 [[nodiscard]] double proofStep(
     Mode loop, const PlantModel &plant, const ContinuousGains &gains, const Envelope &envelope);
 

@@ -96,5 +96,12 @@ TEST(Proof, AStepStaysWithinTheLimits)
     EXPECT_LE(proofStep(Mode::Position, plant, gains, envelope), 210.0);
 }
 
+TEST(Proof, ALimitThatNobodyKnowsTakesNothingOfAStep)
+{
+    const PlantModel plant{50'000.0, 0.1, 0.0, 0.05};
+    EXPECT_NEAR(proofStep(Mode::Velocity, plant, {}, {}), 0.3 * 47'500.0, 1.0);
+    EXPECT_DOUBLE_EQ(proofStep(Mode::Position, plant, {0.0002}, {}), 0.5 / 0.0002);
+}
+
 } // namespace
 } // namespace mb::tuning
