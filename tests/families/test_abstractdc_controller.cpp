@@ -347,6 +347,22 @@ TEST_F(AbstractDcController, GlitchesOfOneWrapAreFilteredAndCounted)
     EXPECT_GE(device->telemetry()->lost(channel("position")), 3U);
 }
 
+TEST_F(AbstractDcController, AJumpOfOneWrapThatStaysCountsOneLostPositionAndBreaksTheLine)
+{
+    test::FakeUnit unit(bus, clock);
+    std::vector<test::FakeUnit::Frames> positions(10, {"483#00000000"});
+    positions.push_back({"483#FFFF0000"}); // 65 535, from here on
+    unit.answer("387#00", positions);
+    open(3, &dialectF);
+    clock.advance(2s);
+    device->telemetry()->commit();
+    EXPECT_EQ(latest("position"), 65535.0);
+    EXPECT_EQ(device->telemetry()->lost(channel("position")), 1U);
+    const auto gaps = device->telemetry()->gaps(channel("position"), Instant{}, clock.now());
+    ASSERT_EQ(gaps.size(), 1U) << "no line leads from one to the other";
+    EXPECT_EQ(gaps.front().lost, 1U);
+}
+
 TEST_F(AbstractDcController, TwoDrivesShareTheVoltageLogWithoutMixing)
 {
     add("abstractdc:3");

@@ -160,6 +160,15 @@ TEST(AbstractDcFirmware, AnImageIsAProgramForAnStm32)
     EXPECT_EQ(inspect(imageOf(settings))->notes.size(), 2U) << "it writes the stored gains";
 }
 
+TEST(AbstractDcFirmware, ItsResetVectorPointsAtAnInstructionOfTheImage)
+{
+    for (const auto &[reset, isThere] : {std::pair{std::uint8_t{0x09}, true}, {0x0B, false}, {0x0D, false}}) {
+        test::HexText hex;
+        hex.add(0x08000000, {0x00, 0x50, 0x00, 0x20, reset, 0x00, 0x00, 0x08, 0xFE, 0xE7});
+        EXPECT_EQ(inspect(imageOf(hex)).has_value(), isThere) << int{reset};
+    }
+}
+
 TEST(AbstractDcFirmware, TheHexFileForOpenOcdHasTheBytesOfTheImage)
 {
     auto hex = program();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/dmc60c/firmware.h"
 #include "families/dmc60c/pages.h"
 #include "files/textfile.h"
 #include "support/hextext.h"
@@ -219,6 +220,15 @@ TEST(Dmc60cDemoFirmware, HasAllPagesAndVersion1p25)
         descending.push_back(number);
     EXPECT_EQ(numbers(*application), descending);
     EXPECT_EQ(application->notes.size(), 2U); // configuration and user-ID words
+}
+
+TEST(Dmc60cFirmware, AnImageIsShownWithItsPagesInTheOrderTheyAreWrittenAndPage0AsTheCriticalOne)
+{
+    const auto summary = inspect(imageOfPages(smallApplication().add(0x2000, {1, 2, 3, 0}).text()));
+    ASSERT_TRUE(summary) << summary.error().text();
+    EXPECT_EQ(summary->version, "1.23");
+    EXPECT_EQ(summary->parts, (std::vector<int>{30, 2, 0}));
+    EXPECT_EQ(summary->criticalPart, 0);
 }
 
 } // namespace

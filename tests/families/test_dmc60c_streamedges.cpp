@@ -167,6 +167,20 @@ TEST_F(Dmc60cStream, EightHeldGapsAreAPeriodWhenTheyDifferByLessThanAThirdOfTheO
     }
 }
 
+TEST_F(Dmc60cStream, TheRhythmOfALongerPeriodBeginsWithTheFrameThatTaughtIt)
+{
+    for (const Duration early : {0ns, 1ns}) {
+        const std::uint64_t before = lost();
+        stream.restart();
+        for (int i = 0; i < 9; ++i)
+            after(i == 0 ? 10ms : 39ms);
+        ASSERT_EQ(stream.period(), 39ms);
+        after(58500us - early); // one and a half
+        after(39ms);
+        EXPECT_EQ(lost() - before, early == 0ns ? 1U : 0U);
+    }
+}
+
 TEST_F(Dmc60cStream, TheFirstOfEightGapsMayBeAnythingAndTheSecondNot)
 {
     after(10ms);

@@ -162,6 +162,48 @@ TEST(QuadQuad2DrvUpdate, TellsEveryStepAsItBeginsAndEveryLineAsItIsConfirmed)
     EXPECT_EQ(told.confirmed, (std::vector<std::pair<int, int>>{{1, 0}, {2, 0}, {3, 0}}));
 }
 
+TEST(QuadQuad2DrvUpdate, WhileTheJumperStaysInTheBoardIsResetWithEveryFourthQuestionAndItsGreetingsAreTold)
+{
+    QuadQuad2DrvUpdateBench bench;
+    bench.boot->setJumper(true);
+    BootSettings settings;
+    settings.farewell = {};
+    const UpdateReport report = bench.update(settings);
+    EXPECT_EQ(report.outcome, UpdateOutcome::Failed);
+    EXPECT_TRUE(report.evidence.english().ends_with("does not answer over SPI")) << report.evidence;
+    std::vector<Duration> pulses; // the first before the greeting, the others since the last line was confirmed
+    Instant confirmed{};
+    int greetings = 0;
+    for (const LogLine &row : bench.operation.status().log) {
+        const std::string &text = row.text.english();
+        if (text == "< ok")
+            confirmed = row.time;
+        else if (text == "the reset line was pulsed")
+            pulses.push_back(row.time - confirmed);
+        greetings += confirmed != Instant{} && text == "< QuadQuad2Drv bootloader 1.0" ? 1 : 0;
+    }
+    constexpr Duration question = 1040ms; // half a second, and no answer
+    ASSERT_GT(pulses.size(), 3U);
+    EXPECT_GT(pulses[1], 4 * question - 100ms) << "not before there was time to take the jumper out";
+    for (std::size_t i = 3; i < pulses.size(); ++i)
+        EXPECT_EQ(pulses[i] - pulses[i - 1], 4 * question);
+    EXPECT_GT(greetings, 30) << "more than one a pulse";
+}
+
+TEST(QuadQuad2DrvUpdate, GoesOverASerialPortAndNoOtherKindOfLink)
+{
+    QuadQuad2DrvUpdateBench bench;
+    for (const auto &[via, outcome] : {std::pair{"socketcan:can0", UpdateOutcome::Refused},
+             {"spidev:/dev/spidev0.0", UpdateOutcome::Refused}, {"serial:/dev/ttyNOSUCH9", UpdateOutcome::Failed}}) {
+        UpdateOptions options;
+        options.via = via;
+        const auto report
+            = test::run(bench.clock, quadquad2drv::update(*bench.device, bench.image, options, bench.operation));
+        ASSERT_TRUE(report) << via;
+        EXPECT_EQ(report->outcome, outcome) << via << ": " << report->summary().english();
+    }
+}
+
 TEST(QuadQuad2DrvUpdate, CancelledWhileItWaitsForHandsItLeavesNothingBehind)
 {
     QuadQuad2DrvUpdateBench bench;

@@ -1,43 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Firmware through avrdude: a stand-in that prints what version 7.1 of Debian 12 prints, and the real one for what it says
 // without a programmer.
-#include "families/supermodified/avrdude.h"
-#include "families/supermodified/firmware.h"
+#include "supermodifiedupdatebench.h"
+
 #include "families/supermodified/line.h"
-#include "families/supermodified/scan.h"
-#include "families/supermodified/simulator.h"
 #include "firmware/intelhex.h"
-#include "model/device.h"
-#include "model/operation.h"
-#include "model/registry.h"
-#include "support/eventloop.h"
-#include "transport/backends/virtualserial.h"
-
-#include <QFile>
-#include <QTemporaryDir>
-
-#include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <numeric>
 
 namespace mb::supermodified {
 namespace {
 
-using namespace std::chrono_literals;
 using avrdude::Reading;
 using avrdude::Stage;
-
-// jmp 0x0040; rjmp .-2
-constexpr std::string_view imageText = ":060000000C942000FFCF6C\n:00000001FF\n";
-
-FirmwareImage image(std::string_view text = imageText)
-{
-    auto parsed = FirmwareImage::fromIntelHex(text);
-    EXPECT_TRUE(parsed) << (parsed ? "" : parsed.error().text());
-    return parsed.value_or(FirmwareImage{});
-}
 
 /// A program of these bytes from an address below 64 KiB on.
 FirmwareImage programOf(std::uint16_t address, const std::vector<std::uint8_t> &bytes)
@@ -58,8 +34,9 @@ TEST(SupermodifiedAvrdude, TakesAProgrammerAndAPort)
     EXPECT_EQ(job->programmer, "arduino");
     EXPECT_EQ(job->port, "/dev/serial/by-id/usb-FTDI:0");
     EXPECT_TRUE(job->isBootloader());
+    EXPECT_TRUE(avrdude::jobOf("avrdude:x:usb")) << "a name of one letter";
     for (const std::string_view bad : {"", "avrdude", "avrdude:", "avrdude:usbasp", "avrdude:usbasp:", "openocd:stlink",
-             "avrdude:-x:usb", "avrdude:a b:usb", "avrdude:usbasp:-U"}) {
+             "avrdude:-x:usb", "avrdude:a b:usb", "avrdude:usbasp:-U", "avrdude::usb", "avrdude:usbasp;:usb"}) {
         EXPECT_EQ(avrdude::jobOf(bad).error().fault, Fault::OutOfRange) << bad;
     }
 }
@@ -76,6 +53,7 @@ TEST(SupermodifiedAvrdude, OnlyEverWritesFlash)
         EXPECT_EQ(command.arguments.back(), "flash:w:/some/a.hex:i");
         EXPECT_EQ(std::count(command.arguments.begin(), command.arguments.end(), "-V"), 0) << "it verifies";
         EXPECT_EQ(std::count(command.arguments.begin(), command.arguments.end(), "-D"), job.isBootloader() ? 1 : 0);
+        EXPECT_EQ(std::count(command.arguments.begin(), command.arguments.end(), "-b"), job.isBootloader() ? 1 : 0);
         for (const std::string &argument : command.arguments)
             EXPECT_EQ(argument.find("fuse"), std::string::npos);
     }
@@ -128,6 +106,15 @@ TEST(SupermodifiedAvrdude, NamesCauseAndRemedyOfWhatItSays)
     }
 }
 
+TEST(SupermodifiedAvrdude, FindsTheCauseBehindAPageOfOtherWords)
+{
+    Reading reading;
+    for (int i = 0; i < 40; ++i)
+        reading.take("avrdude: reading configuration file /etc/avrdude.conf", true);
+    reading.take("avrdude error: verification mismatch", true);
+    EXPECT_EQ(reading.failure(*avrdude::jobOf("avrdude:usbasp:usb")).fault, Fault::BadCheck);
+}
+
 TEST(SupermodifiedFirmware, TakesProgramsOfAnAvrOnly)
 {
     const auto summary = inspect(image());
@@ -158,89 +145,10 @@ TEST(SupermodifiedFirmware, EndsWithTheFlash)
 {
     EXPECT_EQ(inspect(programOf(0x7FFF, {0}))->parts, (std::vector<int>{0, 255}));
     EXPECT_FALSE(inspect(programOf(0x8000, {0})));
+    for (const auto &[address, isBootloader] : {std::pair{0x77FF, false}, {0x7800, true}, {0x7FFF, true}})
+        EXPECT_EQ(inspect(programOf(static_cast<std::uint16_t>(address), {0}))->notes.size(), isBootloader ? 4U : 3U)
+            << address << ": whether it says that it needs a programmer on the pins";
 }
-
-/// A node on a line in memory, in real time, and an `avrdude` of our own in PATH.
-struct SupermodifiedUpdateBench {
-    SupermodifiedUpdateBench()
-        : line(loop.clock(), VirtualSerialLine::Wiring::HalfDuplex, 1)
-        , address(*LinkAddress::parse("sim:serial?bitrate=115200"))
-        , host(address, line)
-        , unit(address, line)
-    {
-        EXPECT_TRUE(host.open());
-        EXPECT_TRUE(unit.open());
-        simulator = std::move(*simulate(unit, loop.clock(), *SimulatedUnit::parse("supermodified:4")));
-        Identity identity;
-        identity.family = "supermodified";
-        identity.address = 4;
-        identity.dialect = "D1";
-        for (const Family *family : families()) {
-            if (family->key == "supermodified")
-                device = family->open(host, loop.clock(), identity);
-        }
-        const char *const path = std::getenv("PATH");
-        before = path ? path : "";
-    }
-    ~SupermodifiedUpdateBench() { ::setenv("PATH", before.c_str(), 1); }
-
-    void standIn(const QByteArray &script)
-    {
-        QFile file(folder.filePath(QStringLiteral("avrdude")));
-        EXPECT_TRUE(file.open(QIODevice::WriteOnly));
-        file.write("#!/bin/sh\necho \"$@\" >> " + folder.filePath(QStringLiteral("calls")).toUtf8() + "\n" + script);
-        file.close();
-        file.setPermissions(QFile::ReadOwner | QFile::ExeOwner);
-        ::setenv("PATH", (folder.path().toStdString() + ':' + before).c_str(), 1);
-    }
-    [[nodiscard]] QByteArray calls() const
-    {
-        QFile file(folder.filePath(QStringLiteral("calls")));
-        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-    }
-    Result<UpdateReport> update(const std::string &via, const std::function<void(Operation &)> &meanwhile = {})
-    {
-        Operation operation(loop.clock(), say("firmware update"));
-        std::optional<Result<UpdateReport>> report;
-        options.via = via;
-        operation.run<UpdateReport>(supermodified::update(*device, written, options, operation),
-            [&report](Result<UpdateReport> result) { report = std::move(result); });
-        EXPECT_TRUE(loop.runUntil([&] {
-            if (meanwhile)
-                meanwhile(operation);
-            return report.has_value();
-        }));
-        log = operation.status().log;
-        interruptible = operation.status().mayInterrupt;
-        return report.value_or(Result<UpdateReport>(fail(Fault::Timeout, say("still running"))));
-    }
-
-    mb::test::EventLoop loop;
-    VirtualSerialLine line;
-    LinkAddress address;
-    VirtualSerialLink host;
-    VirtualSerialLink unit;
-    std::unique_ptr<Simulator> simulator;
-    std::unique_ptr<Device> device;
-    FirmwareImage written = image();
-    UpdateOptions options;
-    QTemporaryDir folder;
-    std::string before;
-    std::vector<LogLine> log;
-    bool interruptible = false; ///< at the end
-};
-
-constexpr const char *supermodifiedSuccess = R"(
-bar() { printf "$1 | " >&2; i=0; while [ $i -lt 50 ]; do printf '#' >&2; i=$((i+1)); done; printf ' | 100%% 0.01s\n' >&2; }
-echo "avrdude: AVR device initialized and ready to accept instructions" >&2
-bar Reading
-echo "avrdude: writing 6 bytes flash ..." >&2
-bar Writing
-echo "avrdude: 6 bytes of flash written" >&2
-bar Reading
-echo "avrdude: 6 bytes of flash verified" >&2
-echo "avrdude done.  Thank you." >&2
-)";
 
 TEST(SupermodifiedUpdate, IsDoneWhenAvrdudeVerifiedAndTheNodeAnswersAgain)
 {

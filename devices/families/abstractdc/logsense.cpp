@@ -151,13 +151,10 @@ void LogSense::take(Log log, std::int32_t value, Instant time)
 void LogSense::takePosition(std::int32_t value, Instant time)
 {
     m_owner.located(value);
-    const MotionSense::Verdict verdict = m_motion.add(value, time);
-    if (verdict.glitch) {
+    if (m_motion.add(value, time)) { // a glitch
         m_telemetry->lost(channel::position, 1);
         return;
     }
-    if (verdict.mended)
-        m_telemetry->breakLine(channel::position);
     m_telemetry->append({channel::position, time, static_cast<double>(value)});
     if (isFresh(Log::Velocity))
         return; // the drive measures it itself

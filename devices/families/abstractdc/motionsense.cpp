@@ -22,9 +22,8 @@ double seconds(Duration duration)
 
 } // namespace
 
-MotionSense::Verdict MotionSense::add(std::int32_t position, Instant time)
+bool MotionSense::add(std::int32_t position, Instant time)
 {
-    Verdict verdict;
     if (!m_seen.empty()) {
         const Seen &last = m_seen.back();
         const double speed = velocity(last.time).value_or(0.0);
@@ -35,9 +34,8 @@ MotionSense::Verdict MotionSense::add(std::int32_t position, Instant time)
         if (jumped && !m_doubtful) { // one may be a glitch; a second one at the same place is not
             m_doubtful = Seen{position, time};
             ++m_glitches;
-            return {true, false};
+            return true;
         }
-        verdict.mended = jumped;
         if (jumped)
             m_seen.clear();
     }
@@ -45,7 +43,7 @@ MotionSense::Verdict MotionSense::add(std::int32_t position, Instant time)
     m_seen.push_back({position, time});
     while (m_seen.size() > 2 && time - m_seen[1].time >= kept)
         m_seen.pop_front();
-    return verdict;
+    return false;
 }
 
 void MotionSense::forget()

@@ -14,11 +14,8 @@ namespace mb::abstractdc {
 /// What position logs tell: whether one is a glitch (README.md#position: off by 65 535), how fast the shaft turns, and whether it stands.
 class MotionSense {
 public:
-    struct Verdict {
-        bool glitch = false; ///< this one is not recorded
-        bool mended = false; ///< the jump stayed: it is where the shaft is now, and the line is broken
-    };
-    [[nodiscard]] Verdict add(std::int32_t position, Instant time);
+    /// True for a glitch, which is not to be recorded: one jump. A second one to the same place is where the shaft is now.
+    [[nodiscard]] bool add(std::int32_t position, Instant time);
     /// Nothing is known any more, as after silence.
     void forget();
 

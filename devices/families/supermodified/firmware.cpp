@@ -30,7 +30,8 @@ bool hasVectors(const FirmwareImage &image)
     return jmp || rjmp;
 }
 
-/// Lets the port go while avrdude has it. What opens lost links opens it again where the update is given up.
+/// Lets the port go while avrdude has it. What opens lost links opens it again where the update is given up, or the port cannot be
+/// opened yet: an adapter may be away for a moment.
 class PortLease {
 public:
     PortLease(Controller &device, const std::string &port)
@@ -55,13 +56,16 @@ public:
 
     Task<void> end()
     {
-        m_ended = true;
-        m_device.setAsleep(false);
+        Result<void> opened;
         if (m_shared) {
             auto opening = m_link.openSoon();
-            co_await std::move(opening);
+            opened = co_await std::move(opening).attempt();
         }
-        co_return {};
+        m_ended = true;
+        m_device.setAsleep(false);
+        if (!opened && opened.error().fault != Fault::Cancelled)
+            m_link.closedFor(opened.error().detail);
+        co_return opened;
     }
 
 private:

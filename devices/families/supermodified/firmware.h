@@ -10,7 +10,8 @@ namespace mb::supermodified {
 
 /// The update of README.md#firmware through avrdude, over the programming pins or the serial bootloader: written, read back and compared
 /// by avrdude, and done only when the controller answered again. The wire carries no version. The link of the device is
-/// closed meanwhile where it is the same port. Device, image and progress outlive the task.
+/// closed meanwhile where it is the same port, and lost where that cannot be opened again at once. Device, image and progress
+/// outlive the task.
 [[nodiscard]] Task<UpdateReport> update(
     Device &device, const FirmwareImage &image, UpdateOptions options, Progress &progress);
 
