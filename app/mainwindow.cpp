@@ -16,6 +16,7 @@
 #include "model/registry.h"
 #include "widgets/common/banner.h"
 #include "widgets/common/headerbar.h"
+#include "widgets/common/holdbutton.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/layoutin.h"
 #include "widgets/common/noticestrip.h"
@@ -93,6 +94,12 @@ void MainWindow::buildHeader()
     setMenuWidget(top);
     m_station = new StationLamp(m_workbench, *m_arming, m_selection, *m_header);
     connect(&m_header->stopButton(), &StopButton::stopPressed, this, [this] { m_arming->stopAll(tr("button")); });
+    // what is held to arm or to begin must not act after it
+    connect(m_arming, &Arming::stopSent, this, [this] {
+        m_header->lamp().giveUp();
+        for (HoldButton *button : findChildren<HoldButton *>())
+            button->giveUp();
+    });
     connect(m_header, &HeaderBar::linkActivated, this, [this] { showPage(PageId::Bus); });
     connect(m_header, &HeaderBar::linksActivated, this, [this] { showPage(PageId::Bus); });
     connect(m_header, &HeaderBar::recordingActivated, this, [this] { showPage(PageId::Bus); });

@@ -10,6 +10,9 @@ namespace mb {
 
 bool StopKeys::eventFilter(QObject *, QEvent *event)
 {
+    // What is dragged takes every key, by a filter of its own that begins after this.
+    if (event->type() == QEvent::ChildAdded && !m_queued)
+        m_queued = QMetaObject::invokeMethod(this, &StopKeys::comeFirst, Qt::QueuedConnection);
     // A key that a shortcut or an editor would take is announced as ShortcutOverride first.
     if (event->type() != QEvent::KeyPress && event->type() != QEvent::ShortcutOverride)
         return false;
@@ -25,6 +28,12 @@ bool StopKeys::eventFilter(QObject *, QEvent *event)
         return false;
     announce(key, QStringLiteral("Space"));
     return event->type() == QEvent::KeyPress; // Space never activates a button
+}
+
+void StopKeys::comeFirst()
+{
+    m_queued = false;
+    qApp->installEventFilter(this);
 }
 
 void StopKeys::announce(const QKeyEvent &key, const QString &name)

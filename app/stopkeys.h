@@ -9,7 +9,7 @@ namespace mb {
 
 /// Stops on the press of Esc or Pause, anywhere in the program, and of Space unless words can be typed
 /// where the focus is (acceptsLetters()). Install on the
-/// application: it sees keys before dialogs, editors and shortcuts do.
+/// application: it sees keys before dialogs, editors, shortcuts and a drag of the pointer do.
 class StopKeys : public QObject {
     Q_OBJECT
 public:
@@ -23,7 +23,9 @@ protected:
 
 private:
     void announce(const QKeyEvent &key, const QString &name);
+    void comeFirst();
 
+    bool m_queued = false;         ///< comeFirst() is to come
     unsigned long m_announced = 0; ///< time stamp of the last press told
 };
 

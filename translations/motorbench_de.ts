@@ -280,6 +280,10 @@
         <source>%1 kbit/s</source>
         <translation>%1 kbit/s</translation>
     </message>
+    <message>
+        <source>no faults</source>
+        <translation>keine Fehler</translation>
+    </message>
 </context>
 <context>
     <name>DialogText</name>
@@ -3103,10 +3107,6 @@
         <source>%1 Hz   lost %2</source>
         <translation>%1 Hz   verloren %2</translation>
     </message>
-    <message>
-        <source>no faults</source>
-        <translation>keine Fehler</translation>
-    </message>
 </context>
 <context>
     <name>mb::DeviceLine</name>
@@ -3141,10 +3141,6 @@
     <message>
         <source>SN %1 · fw %2</source>
         <translation>SN %1 · FW %2</translation>
-    </message>
-    <message>
-        <source>no faults</source>
-        <translation>keine Fehler</translation>
     </message>
     <message>
         <source>position</source>
@@ -17858,6 +17854,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>write it in that unit</source>
         <translation>In dieser Einheit schreiben</translation>
+    </message>
+    <message>
+        <source>a line has more than %1 bytes</source>
+        <translation>eine Zeile hat mehr als %1 Bytes</translation>
     </message>
 </context>
 </TS>

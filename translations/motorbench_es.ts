@@ -280,6 +280,10 @@
         <source>%1 kbit/s</source>
         <translation>%1 kbit/s</translation>
     </message>
+    <message>
+        <source>no faults</source>
+        <translation>sin fallos</translation>
+    </message>
 </context>
 <context>
     <name>DialogText</name>
@@ -3103,10 +3107,6 @@
         <source>%1 Hz   lost %2</source>
         <translation>%1 Hz   perdidas %2</translation>
     </message>
-    <message>
-        <source>no faults</source>
-        <translation>sin fallos</translation>
-    </message>
 </context>
 <context>
     <name>mb::DeviceLine</name>
@@ -3153,10 +3153,6 @@
     <message>
         <source>SN %1 · fw %2</source>
         <translation>N.º %1 · fw %2</translation>
-    </message>
-    <message>
-        <source>no faults</source>
-        <translation>sin fallos</translation>
     </message>
 </context>
 <context>
@@ -17858,6 +17854,10 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>write it in that unit</source>
         <translation>escríbalo en esa unidad</translation>
+    </message>
+    <message>
+        <source>a line has more than %1 bytes</source>
+        <translation>una línea tiene más de %1 bytes</translation>
     </message>
 </context>
 </TS>

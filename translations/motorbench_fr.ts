@@ -280,6 +280,10 @@
         <source>%1 kbit/s</source>
         <translation>%1 kbit/s</translation>
     </message>
+    <message>
+        <source>no faults</source>
+        <translation>aucun défaut</translation>
+    </message>
 </context>
 <context>
     <name>DialogText</name>
@@ -3103,10 +3107,6 @@
         <source>%1 Hz   lost %2</source>
         <translation>%1 Hz   perdus %2</translation>
     </message>
-    <message>
-        <source>no faults</source>
-        <translation>aucun défaut</translation>
-    </message>
 </context>
 <context>
     <name>mb::DeviceLine</name>
@@ -3153,10 +3153,6 @@
     <message>
         <source>SN %1 · fw %2</source>
         <translation>N/S %1 · fw %2</translation>
-    </message>
-    <message>
-        <source>no faults</source>
-        <translation>aucun défaut</translation>
     </message>
 </context>
 <context>
@@ -17858,6 +17854,10 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>write it in that unit</source>
         <translation>écrivez-la dans cette unité</translation>
+    </message>
+    <message>
+        <source>a line has more than %1 bytes</source>
+        <translation>une ligne a plus de %1 octets</translation>
     </message>
 </context>
 </TS>

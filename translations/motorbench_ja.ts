@@ -280,6 +280,10 @@
         <source>%1 kbit/s</source>
         <translation>%1 kbit/s</translation>
     </message>
+    <message>
+        <source>no faults</source>
+        <translation>フォルトなし</translation>
+    </message>
 </context>
 <context>
     <name>DialogText</name>
@@ -3101,10 +3105,6 @@
         <source>%1 Hz   lost %2</source>
         <translation>%1 Hz   欠落 %2</translation>
     </message>
-    <message>
-        <source>no faults</source>
-        <translation>フォルトなし</translation>
-    </message>
 </context>
 <context>
     <name>mb::DeviceLine</name>
@@ -3151,10 +3151,6 @@
     <message>
         <source>SN %1 · fw %2</source>
         <translation>SN %1 · FW %2</translation>
-    </message>
-    <message>
-        <source>no faults</source>
-        <translation>フォルトなし</translation>
     </message>
 </context>
 <context>
@@ -17844,6 +17840,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>write it in that unit</source>
         <translation>その単位で書いてください</translation>
+    </message>
+    <message>
+        <source>a line has more than %1 bytes</source>
+        <translation>%1 バイトを超える行があります</translation>
     </message>
 </context>
 </TS>

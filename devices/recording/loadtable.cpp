@@ -99,6 +99,8 @@ public:
             return fail(Fault::OutOfRange, say("%1: %2", m_path, say("the file is empty")));
         if (line == "t,channel,value,unit")
             return readLong();
+        if (m_tooLong)
+            return wrong(tooLong());
         m_separator = separatorOf(line);
         const std::vector<std::string> heads = fieldsOf(line, m_separator);
         if (heads.size() < 2 || heads.size() > mostColumns || numberOf(heads[1])
@@ -114,6 +116,8 @@ public:
             if (auto taken = takeRow(fieldsOf(line, m_separator)); !taken)
                 return fail(taken.error());
         }
+        if (m_tooLong)
+            return wrong(tooLong());
         return m_loaded;
     }
 
@@ -122,9 +126,9 @@ private:
     {
         line.clear();
         do {
-            if (!std::getline(m_file, line) || line.size() > longestLine)
-                return false;
             ++m_line;
+            if (!take(line))
+                return false;
             if (m_line == 1)
                 line = std::string(withoutByteOrderMark(line));
             if (!line.empty() && line.back() == '\r')
@@ -132,6 +136,20 @@ private:
         } while (line.empty());
         return true;
     }
+
+    /// Never more of it than a line may have: a file may be one line of gigabytes.
+    bool take(std::string &line)
+    {
+        m_file.getline(m_buffer.data(), static_cast<std::streamsize>(m_buffer.size()));
+        const auto got = static_cast<std::size_t>(m_file.gcount());
+        m_tooLong = m_file.fail() && got + 1 == m_buffer.size();
+        if (m_file.fail())
+            return false;
+        line.assign(m_buffer.data(), got - (m_file.eof() ? 0 : 1)); // the sign of its end is counted
+        return true;
+    }
+
+    [[nodiscard]] static Message tooLong() { return say("a line has more than %1 bytes", longestLine); }
 
     void takeComment(const std::string &line)
     {
@@ -197,6 +215,8 @@ private:
                 addLoadedChannel(*m_loaded, fields[1], fields[3]);
             rows.push_back({*time, place->second, *value});
         }
+        if (m_tooLong)
+            return wrong(tooLong());
         constexpr auto longAgo = Instant(std::chrono::hours(24 * 365 * 20)); // `watch` on sim: counts from its start
         m_loaded->hasClock = !rows.empty() && rows.front().time > longAgo;
         m_loaded->telemetry = std::make_shared<Telemetry>(m_loaded->table);
@@ -215,6 +235,8 @@ private:
 
     const std::string &m_path;
     std::ifstream m_file;
+    std::vector<char> m_buffer = std::vector<char>(longestLine + 1);
+    bool m_tooLong = false; ///< the line that was to be read last
     std::size_t m_line = 0;
     char m_separator = ',';
     bool m_millis = false; ///< its times are milliseconds

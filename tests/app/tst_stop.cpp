@@ -3,6 +3,7 @@
 #include "windowbench.h"
 
 #include "support/windowtests.h"
+#include "widgets/common/holdbutton.h"
 #include "widgets/common/searchfield.h"
 #include "widgets/control/tunepage.h"
 #include "widgets/parameters/parameterspage.h"
@@ -15,6 +16,18 @@
 using namespace mb;
 using namespace mb::test;
 
+/// As a drag of the pointer: a child of where it began, whose own filter takes every key.
+class KeyEater : public QObject {
+public:
+    using QObject::QObject;
+
+protected:
+    bool eventFilter(QObject *, QEvent *event) override
+    {
+        return event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+    }
+};
+
 class StopTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
@@ -22,6 +35,8 @@ private Q_SLOTS:
     void cleanup() { m_bench.reset(); }
     void everyStopKeyStopsTheMotor_data();
     void everyStopKeyStopsTheMotor();
+    void aDragDoesNotTakeTheStopKeys_data() { everyStopKeyStopsTheMotor_data(); }
+    void aDragDoesNotTakeTheStopKeys();
     void spaceIsTextWhereTextIsEditedAndEscStillStops();
     void spaceStopsInAFieldForNumbers();
     void theButtonStopsOnPress();
@@ -30,6 +45,7 @@ private Q_SLOTS:
     void nothingMovesUnarmed();
     void holdingTheLampArms();
     void lettingTheLampGoEarlyDoesNotArm();
+    void aStopEndsWhatIsHeldToArmOrToBegin();
     void holdingTheArmKeysArms();
     void lettingAnyOfTheArmKeysGoEarlyDoesNothing_data();
     void lettingAnyOfTheArmKeysGoEarlyDoesNothing();
@@ -85,6 +101,18 @@ void StopTest::everyStopKeyStopsTheMotor()
     QFETCH(int, key);
     QFETCH(QString, name);
     drive();
+    QTest::keyPress(m_bench->window().windowHandle(), static_cast<Qt::Key>(key));
+    verifyStopped(name);
+}
+
+void StopTest::aDragDoesNotTakeTheStopKeys()
+{
+    QFETCH(int, key);
+    QFETCH(QString, name);
+    drive();
+    KeyEater drag(&m_bench->window());
+    qApp->installEventFilter(&drag);
+    QCoreApplication::processEvents(); // of the drag
     QTest::keyPress(m_bench->window().windowHandle(), static_cast<Qt::Key>(key));
     verifyStopped(name);
 }
@@ -188,6 +216,29 @@ void StopTest::lettingTheLampGoEarlyDoesNotArm()
     QTest::mouseRelease(&lamp, Qt::LeftButton);
     QCOMPARE(lamp.holdProgress(), 0.0);
     QCOMPARE(m_bench->arming().state(), LampState::Safe);
+}
+
+void StopTest::aStopEndsWhatIsHeldToArmOrToBegin()
+{
+    auto &lamp = m_bench->part<Lamp>();
+    lamp.setHoldMilliseconds(600'000);
+    QTRY_VERIFY_WITH_TIMEOUT(lamp.status().armable, patience);
+    QTest::mousePress(&lamp, Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(lamp.holdProgress() > 0.0, patience);
+    QTest::keyPress(m_bench->window().windowHandle(), Qt::Key_Pause);
+    QCOMPARE(lamp.holdProgress(), 0.0);
+    QTest::mouseRelease(&lamp, Qt::LeftButton);
+
+    const ThemeSource theme(darkTheme());
+    QDialog dialog(&m_bench->window());
+    HoldButton begin(theme, Symbol::Play, QStringLiteral("Turn"), &dialog);
+    begin.setHoldNeeded(true);
+    begin.setHoldMilliseconds(600'000);
+    dialog.show();
+    QTest::mousePress(&begin, Qt::LeftButton);
+    QVERIFY(begin.isDown());
+    QTest::mousePress(&m_bench->part<StopButton>(), Qt::LeftButton);
+    QVERIFY(!begin.isDown());
 }
 
 void StopTest::holdingTheArmKeysArms()

@@ -353,6 +353,28 @@ TEST_F(QuadQuad2Drv, IsHeardUntilItHasBeenSilentForThreeTenthsOfASecond)
     EXPECT_TRUE(device->liveness().heard);
 }
 
+TEST_F(QuadQuad2Drv, NoLineLeadsAcrossASilence)
+{
+    const ChannelIndex position = channelOf(0, AxisChannel::Position);
+    const auto gaps = [&] {
+        device->telemetry()->commit();
+        return device->telemetry()->gaps(position, Instant{}, bench.clock.now()).size();
+    };
+    bench.clock.advance(1s);
+    const auto before = gaps();
+    board->setPowered(false);
+    bench.clock.advance(2s);
+    board->setPowered(true);
+    bench.clock.advance(500ms);
+    ASSERT_TRUE(device->liveness().heard);
+    EXPECT_EQ(gaps(), before + 1);
+    bench.link->close();
+    bench.clock.advance(2s);
+    ASSERT_TRUE(bench.link->open());
+    bench.clock.advance(500ms);
+    EXPECT_EQ(gaps(), before + 2);
+}
+
 TEST_F(QuadQuad2Drv, AResetIsNoticedWhereNothingWasToldBesideAStream)
 {
     const ChannelIndex position = channelOf(0, AxisChannel::Position);

@@ -248,5 +248,21 @@ TEST(Table, SaysInWhichLineWhatIsWrong)
     EXPECT_FALSE(loadRecording(folder.path.string()));
 }
 
+TEST(Table, ALineThatIsTooLongIsRefusedNotTakenForTheEnd)
+{
+    const Folder folder;
+    const std::string tooLong((1U << 20U) + 1, '1');
+    for (const std::string &head :
+        {std::string("time_s,a\n0,1\n1,2\n"), std::string("t,channel,value,unit\n0,a,1,A\n"), std::string()}) {
+        std::ofstream(folder.file("x.csv")) << head << tooLong << "\n3,4\n";
+        const auto loaded = loadRecording(folder.file("x.csv"));
+        ASSERT_FALSE(loaded) << head;
+        EXPECT_NE(loaded.error().text().find("more than 1048576 bytes"), std::string::npos) << loaded.error().text();
+    }
+    std::ofstream(folder.file("y.csv")) << "time_s,a\n0,1\n1,2"; // no end of its last line
+    ASSERT_TRUE(loadRecording(folder.file("y.csv")));
+    EXPECT_EQ((*loadRecording(folder.file("y.csv")))->telemetry->size({0}), 2U);
+}
+
 } // namespace
 } // namespace mb

@@ -9,6 +9,8 @@
 #include "widgets/control/tuneframe.h"
 
 #include <QAction>
+#include <QLineEdit>
+#include <QMenu>
 
 using namespace mb;
 using namespace mb::test;
@@ -30,6 +32,7 @@ private Q_SLOTS:
     void haltEndsATrialAndStaysArmed();
     void aModeWithoutALoopSendsOneToLive();
     void theJogKeyMovesForAsLongAsItIsHeld();
+    void theJogKeyEndsWhateverElseIsHeldOrOpen();
     void tenThousandTrialsAreListedAtOnce();
     void everyControlHasAName();
     void thePlotKeepsAThirdOfThePageAtTwiceTheFont();
@@ -287,6 +290,32 @@ void TestExperiments::theJogKeyMovesForAsLongAsItIsHeld()
     QTest::keyPress(bench.page.get(), Qt::Key_J);
     bench.page->hide(); // nobody sees it any more
     QCOMPARE(bench.workbench.given<orders::StopMotion>().size(), 2U);
+}
+
+void TestExperiments::theJogKeyEndsWhateverElseIsHeldOrOpen()
+{
+    TrialBench bench;
+    bench.arm();
+    const auto stops = [&] { return bench.workbench.given<orders::StopMotion>().size(); };
+    const auto hold = [&](Qt::Key key) {
+        bench.page->setFocus();
+        QTest::keyPress(bench.page.get(), key);
+        return bench.arming.isMoving();
+    };
+    QVERIFY(hold(Qt::Key_J));
+    QTest::keyRelease(bench.page.get(), Qt::Key_J, Qt::ControlModifier);
+    QCOMPARE(stops(), 1U);
+    QMenu menu;
+    menu.addAction(QStringLiteral("Copy"));
+    QVERIFY(hold(Qt::Key_K));
+    menu.popup({});
+    QTest::keyRelease(&menu, Qt::Key_K);
+    QCOMPARE(stops(), 2U);
+    menu.hide();
+    QLineEdit elsewhere;
+    QVERIFY(hold(Qt::Key_J));
+    Q_EMIT qApp->focusChanged(bench.page.get(), &elsewhere);
+    QCOMPARE(stops(), 3U);
 }
 
 void TestExperiments::tenThousandTrialsAreListedAtOnce()

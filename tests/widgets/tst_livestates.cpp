@@ -71,6 +71,12 @@ void LiveStatesTest::aLimitThatHoldsIsSaidEverywhere()
     workbench.device(0).liveness.faults = {"over_temperature"};
     workbench.publish();
     QVERIFY(shows(line, QStringLiteral("over-temperature"))); // a fault matters more
+    workbench.device(0).liveness.faults.clear();
+    workbench.device(0).liveness.heard = false;
+    workbench.publish();
+    card.show(workbench.device(0), {}, false);
+    for (const QWidget *part : {static_cast<QWidget *>(&line), static_cast<QWidget *>(&card)})
+        QVERIFY2(shows(*part, QStringLiteral("no answer")), "what it said last is not true for ever");
 }
 
 void LiveStatesTest::aHaltIsNoAlert()

@@ -227,6 +227,17 @@ QStringList alertsOf(const DeviceView &device)
     return clauses;
 }
 
+HealthText healthOf(const DeviceView &device)
+{
+    if (glyphOf(device) == GlyphState::Gone)
+        return {GlyphState::Gone, Tone::Dim, DeviceText::tr("no answer")};
+    if (const auto &faults = device.liveness.faults; !faults.empty())
+        return {GlyphState::Fault, Tone::Danger, faultText(*device.family, faults.front())};
+    if (const QStringList alerts = alertsOf(device); !alerts.isEmpty())
+        return {GlyphState::Warning, Tone::Caution, alerts.first()};
+    return {GlyphState::Done, Tone::Text, DeviceText::tr("no faults")};
+}
+
 bool isOfAxis(const StateRow &row, int axis)
 {
     return axis == 0 || axisOf(row.key) == 0 || axisOf(row.key) == axis;

@@ -47,6 +47,13 @@ namespace mb {
 [[nodiscard]] QStringList conditionsText(const DeviceView &device);
 /// Those of them that keep a motor from what it is told. A halt is none: at rest every one is halted.
 [[nodiscard]] QStringList alertsOf(const DeviceView &device);
+/// The first of its faults or alerts, that it has none, or that it does not answer: what it said last is not true for ever.
+struct HealthText {
+    GlyphState glyph;
+    Tone tone;
+    QString words;
+};
+[[nodiscard]] HealthText healthOf(const DeviceView &device);
 /// "Encoder pin A"; of an axis "axis 2: Input".
 [[nodiscard]] QString stateLabel(const StateRow &row);
 /// Of the whole board, or of this axis; every row with axis 0.

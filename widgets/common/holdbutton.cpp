@@ -34,6 +34,12 @@ void HoldButton::endHold()
     update();
 }
 
+void HoldButton::giveUp()
+{
+    if (m_needed)
+        endHold();
+}
+
 void HoldButton::mousePressEvent(QMouseEvent *event)
 {
     CommandButton::mousePressEvent(event);

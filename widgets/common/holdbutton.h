@@ -22,6 +22,9 @@ public:
     [[nodiscard]] int holdMilliseconds() const { return m_hold; }
     void setHoldMilliseconds(int milliseconds) { m_hold = milliseconds; }
 
+    /// Ends a hold for nothing; the pointer has to come again.
+    void giveUp();
+
 Q_SIGNALS:
     /// Clicked, or held long enough: what is to be connected, not clicked().
     void activated();

@@ -28,6 +28,8 @@ public:
     void hold();
     /// Ends a hold; before its time nothing happens.
     void letGo() { endHold(holdProgress() >= 1.0); }
+    /// Ends a hold for nothing.
+    void giveUp() { endHold(false); }
     QSize sizeHint() const override;
     /// Word above, detail below: what a narrow window leaves of it.
     QSize minimumSizeHint() const override;

@@ -185,14 +185,10 @@ void DeviceCard::showFoot(const DeviceView &device)
         rate = std::max(rate, one);
     const std::uint64_t lost = samplesOf(device).lost;
     m_rate->setText(tr("%1 Hz   lost %2").arg(formatNumber(rate), formatCount(static_cast<qint64>(lost))));
-    const auto &faults = device.liveness.faults;
+    const HealthText health = healthOf(device);
     m_faultGlyph->show();
-    const QStringList alerts = alertsOf(device);
-    const bool alert = faults.empty() && !alerts.isEmpty();
-    m_faultGlyph->setState(alert ? GlyphState::Warning : faults.empty() ? GlyphState::Done : GlyphState::Fault);
-    m_faults->setText(alert  ? alerts.first()
-            : faults.empty() ? tr("no faults")
-                             : faultText(*device.family, faults.front()));
+    m_faultGlyph->setState(health.glyph);
+    m_faults->setText(health.words);
 }
 
 } // namespace mb

@@ -152,15 +152,10 @@ void DeviceLine::follow()
         = [](const std::string &text) { return text.empty() ? QString(UnknownMark) : QString::fromStdString(text); };
     m_identity->setText(tr("SN %1 · fw %2").arg(known(device->identity->serial), known(device->identity->firmware)));
     showValues(*device);
-    const auto &faults = device->liveness.faults;
-    const QStringList alerts = alertsOf(*device);
-    const bool alert = faults.empty() && !alerts.isEmpty();
-    m_faultGlyph->setState(alert ? GlyphState::Warning : faults.empty() ? GlyphState::Done : GlyphState::Fault);
-    showWhole(*m_faults,
-        alert                ? alerts.first()
-            : faults.empty() ? tr("no faults")
-                             : faultText(*device->family, faults.front()));
-    setTone(*m_faults, alert ? Tone::Caution : faults.empty() ? Tone::Text : Tone::Danger);
+    const HealthText health = healthOf(*device);
+    m_faultGlyph->setState(health.glyph);
+    showWhole(*m_faults, health.words);
+    setTone(*m_faults, health.tone);
     m_faults->setToolTip(statesText(*device));
     fitValues();
 }

@@ -182,12 +182,15 @@ void Inspector::showLive(const DeviceView &device)
 void Inspector::showParameters(const DeviceView &device)
 {
     const auto &faults = device.liveness.faults;
-    m_faults->setValue(faults.empty() ? tr("none") : faultText(*device.family, faults.front()));
-    m_faults->setTone(faults.empty() ? Tone::Ok : Tone::Danger);
+    const bool gone = glyphOf(device) == GlyphState::Gone;
+    m_faults->setValue(gone  ? QString(UnknownMark)
+            : faults.empty() ? tr("none")
+                             : faultText(*device.family, faults.front()));
+    m_faults->setTone(gone ? Tone::Dim : faults.empty() ? Tone::Ok : Tone::Danger);
     const QStringList alerts = alertsOf(device);
     m_limits->setVisible(!device.family->states.empty());
-    m_limits->setValue(alerts.isEmpty() ? tr("none") : alerts.first());
-    m_limits->setTone(alerts.isEmpty() ? Tone::Ok : Tone::Caution);
+    m_limits->setValue(gone ? QString(UnknownMark) : alerts.isEmpty() ? tr("none") : alerts.first());
+    m_limits->setTone(gone ? Tone::Dim : alerts.isEmpty() ? Tone::Ok : Tone::Caution);
     m_limits->setToolTip(statesText(device));
     int known = 0;
     int changed = 0;

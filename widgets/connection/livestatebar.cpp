@@ -78,8 +78,11 @@ void LiveStateBar::paintEvent(QPaintEvent *)
         left += wide + theme.u(16);
     };
     const bool alert = !alertsOf(*device).isEmpty();
-    put(alert ? GlyphState::Warning : GlyphState::Done, alert ? theme.caution : theme.ok,
-        m_conditions.isEmpty() ? tr("no limit holds") : m_conditions, alert ? theme.text : theme.dim);
+    if (glyphOf(*device) == GlyphState::Gone)
+        put(GlyphState::Gone, theme.outline, healthOf(*device).words, theme.faint);
+    else
+        put(alert ? GlyphState::Warning : GlyphState::Done, alert ? theme.caution : theme.ok,
+            m_conditions.isEmpty() ? tr("no limit holds") : m_conditions, alert ? theme.text : theme.dim);
     for (std::size_t i = 0; i < device->family->states.size(); ++i) {
         const StateRow &row = device->family->states[i];
         const auto level = device->states[StateIndex{static_cast<std::uint16_t>(i)}];

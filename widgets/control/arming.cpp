@@ -19,6 +19,15 @@ namespace {
 
 constexpr Duration startTime = std::chrono::seconds(1);
 
+/// A lease that ran out is a word of the program's; what people saw is a window that hung.
+QString endOf(const MotionView &motion, Duration silence)
+{
+    if (motion.end != SetPointStream::End::LeaseExpired)
+        return messageText(motion.reason);
+    return Arming::tr("this window did not respond for %1 s")
+        .arg(formatNumber(std::chrono::duration<double>(std::max<Duration>(silence, LeaseRenewal::term)).count(), 1));
+}
+
 } // namespace
 
 Arming::Arming(Workbench &workbench, QObject *parent)
@@ -280,21 +289,12 @@ void Arming::stop(StopCause cause, const QString &reason)
     m_leftOut = cause == StopCause::User ? namesLeftOut(m_workbench.snapshot()) : QString();
     m_workbench.report(Severity::Caution, {},
         m_leftOut.isEmpty() ? tr("STOP: %1").arg(reason) : tr("STOP: %1; not sent to %2").arg(reason, m_leftOut));
+    Q_EMIT stopSent();
     if (!live)
         return;
     enter(LampState::Stopped, reason);
     m_byHand = cause == StopCause::User;
     Q_EMIT changed();
-}
-
-/// A lease that ran out is a word of the program's; what people saw is a window that hung.
-QString Arming::endOf(const MotionView &motion) const
-{
-    if (motion.end != SetPointStream::End::LeaseExpired)
-        return messageText(motion.reason);
-    const Duration silence = std::max<Duration>(m_renewal.silence(), LeaseRenewal::term);
-    return tr("this window did not respond for %1 s")
-        .arg(formatNumber(std::chrono::duration<double>(silence).count(), 1));
 }
 
 void Arming::follow()
@@ -322,7 +322,7 @@ void Arming::follow()
     m_started = m_started || view->motion.running;
     const bool ended = !view->motion.running && (m_started || m_workbench.now() - m_runAt > startTime);
     if (ended)
-        enter(LampState::Stopped, endOf(view->motion));
+        enter(LampState::Stopped, endOf(view->motion, m_renewal.silence()));
 }
 
 } // namespace mb

@@ -63,6 +63,8 @@ public:
 
 Q_SIGNALS:
     void changed();
+    /// stopAll() or stopMoved() has gone out, whatever the state: what somebody holds to arm or to begin ends for nothing.
+    void stopSent();
 
 private:
     void follow();
@@ -73,7 +75,6 @@ private:
     void trialEnded(const Result<void> &ran, const std::string &reason, const Message &detail);
     void stop(StopCause cause, const QString &reason);
     [[nodiscard]] LampStatus statusOf(const DeviceView *candidate) const;
-    [[nodiscard]] QString endOf(const MotionView &motion) const;
 
     Workbench &m_workbench;
     LampState m_state = LampState::Safe;

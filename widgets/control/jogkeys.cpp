@@ -3,8 +3,8 @@
 
 #include "widgets/control/arming.h"
 
+#include <QApplication>
 #include <QKeyEvent>
-#include <QWidget>
 
 namespace mb {
 namespace {
@@ -16,9 +16,11 @@ constexpr std::chrono::milliseconds nudgeTime{100};
 JogKeys::JogKeys(Arming &arming, QWidget &page, SetPointOf setPointOf)
     : QObject(&page)
     , m_arming(arming)
+    , m_page(page)
     , m_setPointOf(std::move(setPointOf))
 {
     page.installEventFilter(this);
+    connect(qApp, &QApplication::focusChanged, this, [this](QWidget *, QWidget *now) { followFocus(now); });
     m_nudge.setSingleShot(true);
     m_nudge.setTimerType(Qt::PreciseTimer);
     connect(&m_nudge, &QTimer::timeout, this, &JogKeys::release);
@@ -33,6 +35,7 @@ bool JogKeys::press(int key)
         return false;
     m_held = key;
     m_since.start();
+    qApp->installEventFilter(this); // a menu that opens meanwhile gets the release, not the page
     m_arming.run(*setPoint);
     return true;
 }
@@ -42,6 +45,7 @@ void JogKeys::release()
     if (m_held == 0)
         return;
     m_held = 0;
+    qApp->removeEventFilter(this);
     m_nudge.stop();
     m_arming.halt();
 }
@@ -60,21 +64,32 @@ void JogKeys::letGo()
         release();
 }
 
+void JogKeys::followFocus(const QWidget *now)
+{
+    if (now && now != &m_page && !m_page.isAncestorOf(now))
+        release();
+}
+
+bool JogKeys::pageKey(const QKeyEvent &key)
+{
+    const bool ours = (key.key() == Qt::Key_J || key.key() == Qt::Key_K) && key.modifiers() == Qt::NoModifier;
+    if (!ours || key.isAutoRepeat())
+        return ours && m_held != 0;
+    return key.type() == QEvent::KeyRelease || press(key.key());
+}
+
 bool JogKeys::eventFilter(QObject *watched, QEvent *event)
 {
+    if (event->type() == QEvent::KeyRelease) {
+        const auto &key = static_cast<const QKeyEvent &>(*event);
+        if (key.key() == m_held && !key.isAutoRepeat())
+            release();
+    }
+    if (watched != &m_page)
+        return QObject::eventFilter(watched, event);
     switch (event->type()) {
     case QEvent::KeyPress:
-    case QEvent::KeyRelease: {
-        const auto &key = static_cast<const QKeyEvent &>(*event);
-        const bool ours = (key.key() == Qt::Key_J || key.key() == Qt::Key_K) && key.modifiers() == Qt::NoModifier;
-        if (!ours || key.isAutoRepeat())
-            return ours && m_held != 0;
-        if (event->type() == QEvent::KeyPress)
-            return press(key.key());
-        if (key.key() == m_held)
-            release();
-        return true;
-    }
+    case QEvent::KeyRelease: return pageKey(static_cast<const QKeyEvent &>(*event));
     case QEvent::Hide:
     case QEvent::WindowDeactivate:
     case QEvent::FocusOut: release(); break;

@@ -10,14 +10,15 @@
 #include <functional>
 #include <optional>
 
+class QKeyEvent;
 class QWidget;
 
 namespace mb {
 
 class Arming;
 
-/// J and K move the armed motor forwards and backwards for as long as they are held, never longer: a release, a lost focus or
-/// a page that is hidden stops it. Nothing happens while something moves already, or when letters belong to a field.
+/// J and K move the armed motor forwards and backwards for as long as they are held, never longer: a release, whatever
+/// else is held and whatever is open, a focus that leaves the page, or a page that is hidden stops it. Nothing happens while something moves already, or when letters belong to a field.
 class JogKeys : public QObject {
     Q_OBJECT
 public:
@@ -37,9 +38,12 @@ protected:
 
 private:
     bool press(int key);
+    bool pageKey(const QKeyEvent &key);
     void release();
+    void followFocus(const QWidget *now);
 
     Arming &m_arming;
+    QWidget &m_page;
     SetPointOf m_setPointOf;
     int m_held = 0;
     QElapsedTimer m_since;

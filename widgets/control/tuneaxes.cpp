@@ -31,9 +31,10 @@ void TuneAxes::follow(const DeviceView &view)
         AxesPanel::State state;
         state.glyph = glyphOfAxis(view, axis);
         const ShownUnit unit = shownUnit(wished.mode, m_choices.of(view, axis).units);
-        state.command = runs ? commandOfAxis(view, axis)
-                             : tr("%1 %2, at rest", "mode and target")
-                                   .arg(modeText(wished.mode), formatValue(wished.target * unit.scale, 0, unit.text));
+        const QString target = formatValue(wished.target * unit.scale, 0, unit.text);
+        state.command = runs      ? commandOfAxis(view, axis)
+            : view.liveness.heard ? tr("%1 %2, at rest", "mode and target").arg(modeText(wished.mode), target)
+                                  : modeText(wished.mode) + QLatin1Char(' ') + target;
         state.value = valueOfAxis(view, axis, m_workbench.presentOf(view.link));
         panel.setState(axis, state);
     }

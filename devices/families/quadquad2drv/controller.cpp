@@ -106,6 +106,7 @@ void Controller::schedulePoll()
 
 void Controller::look()
 {
+    const bool wasHeard = m_heard;
     if (m_spi.state() != LinkState::Open)
         m_heard = false;
     const Instant now = clock().now();
@@ -113,6 +114,8 @@ void Controller::look()
         m_heard = false;
     if (!m_heard)
         setLiveness(liveness(), {}, now);
+    if (wasHeard && !m_heard)
+        breakLines();
     const bool streamGone = m_layout.streamPeriod() > 0 && (!m_streamAt || now - *m_streamAt > silence);
     if ((streamGone || m_layout.isInDoubt(m_heard)) && !m_checking && gate().busy().empty()
         && m_spi.state() == LinkState::Open) {
@@ -297,11 +300,17 @@ Task<void> Controller::setRate(ChannelIndex channel, double hertz)
     auto setting = m_layout.setRate(channel, hertz);
     if (const bool another = co_await std::move(setting); !another)
         co_return {};
+    breakLines();
+    co_return {};
+}
+
+/// Of what is measured: nobody knows what was between.
+void Controller::breakLines()
+{
     for (int axis = 0; axis < axes; ++axis) {
         for (std::uint16_t i = 0; i < measuredPerAxis; ++i)
             telemetry()->breakLine(channelOf(axis, static_cast<AxisChannel>(i)));
     }
-    co_return {};
 }
 
 /// Inputs that were written with the other reading are written again, so that they are what the parameters say.

@@ -56,6 +56,7 @@ private:
     void onMotion(const Motion &motion, Instant time);
     void schedulePoll();
     void look();
+    void breakLines();
     void onReset();
     void resetAsLastResort();
     void updateLiveness();
