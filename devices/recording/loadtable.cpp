@@ -93,9 +93,10 @@ public:
         if (!m_file)
             return fail(Fault::OutOfRange, say("%1 cannot be read: %2", m_path, std::strerror(errno)));
         std::string line;
-        while (next(line) && line.rfind('#', 0) == 0)
+        bool read = false;
+        while ((read = next(line)) && line.rfind('#', 0) == 0)
             takeComment(line);
-        if (m_line == 0)
+        if (m_line == 1 && !read && !m_tooLong)
             return fail(Fault::OutOfRange, say("%1: %2", m_path, say("the file is empty")));
         if (line == "t,channel,value,unit")
             return readLong();
