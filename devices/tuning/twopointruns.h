@@ -21,7 +21,7 @@ struct TwoPointRuns {
     [[nodiscard]] double holding() const;
     /// Friction makes a smaller step later on its way; only an output that is at its end makes it earlier.
     [[nodiscard]] bool isLinear() const;
-    /// docs/tuning.md, "Without a duty command".
+    /// Fit, damping, friction, load and output: docs/tuning.md#what-it-does.
     [[nodiscard]] std::vector<Gate> gates(const LoopFit &fit) const;
 };
 
