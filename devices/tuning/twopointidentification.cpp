@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace mb::tuning {
@@ -126,7 +125,7 @@ Task<void> TwoPointIdentification::look(AutotuneRun &run)
         co_return fail(Fault::Refused, say("the unit stores no P, so nothing moves it"),
             say("write a small gain.p once, with which it moves"));
     const RawLoop &raw = run.device().family().trials->raw;
-    m_ground.isKnown = m_seen.isKnown = raw.dialects.find(run.device().identity().dialect) != std::string_view::npos;
+    m_ground.isKnown = raw.dialects.find(run.device().identity().dialect) != std::string_view::npos;
     m_ground.full = raw.fullDuty;
     m_ground.cycle = raw.cycle;
     if (!m_ground.isKnown) {
@@ -264,7 +263,6 @@ Task<void> TwoPointIdentification::tryAll(AutotuneRun &run)
                 say("it swung itself up with P %1 and D %2", inWhole(next.point.p), inWhole(next.point.d)),
                 say("see that nothing is loose; a stronger load than it was built for cannot be tuned"));
     }
-    m_seen.drive = m_steps.drive;
     m_seen.creeping.assign(m_seen.steps.begin() + static_cast<std::ptrdiff_t>(before), m_seen.steps.end());
     m_seen.steps.resize(before);
     co_return {};
@@ -315,7 +313,8 @@ Task<bool> TwoPointIdentification::conclude(AutotuneRun &run)
         plant.stallCurrent = m_ground.moves.current / law.scale.p;
         plant.backDuty = 1.0 / plant.gain;
     }
-    const auto taken = run.take({motorOf(fit, law), plant, m_seen.gates(fit), law.scale});
+    const auto taken
+        = run.take({motorOf(fit, law), plant, m_seen.gates(fit, m_steps.drive, m_ground.isKnown), law.scale});
     if (!taken)
         co_return fail(taken.error());
     co_return false;

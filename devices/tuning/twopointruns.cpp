@@ -45,7 +45,7 @@ double TwoPointRuns::holding() const
     return friction;
 }
 
-bool TwoPointRuns::isLinear() const
+bool TwoPointRuns::isLinear(double drive, bool isKnown) const
 {
     std::vector<double> small;
     std::vector<double> large;
@@ -56,14 +56,14 @@ bool TwoPointRuns::isLinear() const
     return isKnown || small.empty() || large.empty() || median(small) >= earlierWhenSmall * median(large);
 }
 
-std::vector<Gate> TwoPointRuns::gates(const LoopFit &fit) const
+std::vector<Gate> TwoPointRuns::gates(const LoopFit &fit, double drive, bool isKnown) const
 {
     const double friction = holding() / drive;
     double load = 0.0;
     for (const LoopRun &one : steps)
         load += leftOf(one) / static_cast<double>(steps.size());
     load = std::abs(load) / drive;
-    const bool linear = isLinear();
+    const bool linear = isLinear(drive, isKnown);
     const double doubt = doubtOf(fit);
     return {{"fit", say("what is left over is %1 of the steps, at most 8 %", percentText(fit.residual)),
                 fit.residual <= mostResidual, say("see that nothing is loose and that steps look alike")},

@@ -9,10 +9,9 @@
 
 namespace mb::tuning {
 
-/// The steps that a two-point identification has made, and what they tell beside a model.
+/// The steps that a two-point identification has made, and what they tell beside a model. `drive`: raw P times counts of each step;
+/// `isKnown`: so is what a raw gain makes, and the steps were chosen by it.
 struct TwoPointRuns {
-    double drive = 0.0;   ///< raw P times counts of each step
-    bool isKnown = false; ///< so is what a raw gain makes
     std::vector<LoopRun> steps;
     std::vector<LoopRun> creeping; ///< slower than the model needs: they tell what friction holds
 
@@ -20,9 +19,9 @@ struct TwoPointRuns {
     /// What holds the motor, P times counts: it rests anywhere up to that, and within a count.
     [[nodiscard]] double holding() const;
     /// Friction makes a smaller step later on its way; only an output that is at its end makes it earlier.
-    [[nodiscard]] bool isLinear() const;
+    [[nodiscard]] bool isLinear(double drive, bool isKnown) const;
     /// Fit, damping, friction, load and output: docs/tuning.md#what-it-does.
-    [[nodiscard]] std::vector<Gate> gates(const LoopFit &fit) const;
+    [[nodiscard]] std::vector<Gate> gates(const LoopFit &fit, double drive, bool isKnown) const;
 };
 
 /// Share, of what a D makes the motor do, that is not known.

@@ -188,7 +188,6 @@ LoopRun wayTo(double step, double p, double left, int halfway = 20)
 TEST(TwoPointRuns, FrictionHoldsWhatTheWorstStepLeftAndACount)
 {
     TwoPointRuns runs;
-    runs.drive = 10'000.0;
     runs.steps = {wayTo(100.0, 100.0, 2.0), wayTo(-100.0, 100.0, -5.0)};
     EXPECT_NEAR(runs.holding(), 1.15 * (5.0 * 100.0 + 100.0), 30.0);
     runs.creeping = {wayTo(100.0, 100.0, 20.0)};
@@ -198,26 +197,23 @@ TEST(TwoPointRuns, FrictionHoldsWhatTheWorstStepLeftAndACount)
 TEST(TwoPointRuns, ASmallerStepThatIsQuickerTellsOfAnOutputAtItsEnd)
 {
     TwoPointRuns runs;
-    runs.drive = 10'000.0;
     runs.steps = {wayTo(50.0, 100.0, 0.0, 14), wayTo(100.0, 100.0, 0.0, 20)};
-    EXPECT_FALSE(runs.isLinear());
+    EXPECT_FALSE(runs.isLinear(10'000.0, false));
     runs.steps.front() = wayTo(50.0, 100.0, 0.0, 18);
-    EXPECT_TRUE(runs.isLinear()) << "a tenth is no proof";
+    EXPECT_TRUE(runs.isLinear(10'000.0, false)) << "a tenth is no proof";
     runs.steps.front() = wayTo(50.0, 100.0, 0.0, 14);
-    runs.isKnown = true;
-    EXPECT_TRUE(runs.isLinear()) << "where the output is known they were chosen by it";
+    EXPECT_TRUE(runs.isLinear(10'000.0, true)) << "where the output is known they were chosen by it";
 }
 
 TEST(TwoPointRuns, EachGateFailsByItself)
 {
     TwoPointRuns runs;
-    runs.drive = 10'000.0;
     runs.steps = {wayTo(100.0, 100.0, 1.0), wayTo(-100.0, 100.0, -1.0)};
     LoopFit fit;
     fit.d = 1.0;
     const auto failed = [&] {
         std::string keys;
-        for (const Gate &gate : runs.gates(fit))
+        for (const Gate &gate : runs.gates(fit, 10'000.0, false))
             keys += gate.passed ? "" : gate.name + ';';
         return keys;
     };

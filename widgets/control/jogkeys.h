@@ -18,7 +18,8 @@ namespace mb {
 class Arming;
 
 /// J and K move the armed motor forwards and backwards for as long as they are held, never longer: a release, whatever
-/// else is held and whatever is open, a focus that leaves the page, or a page that is hidden stops it. Nothing happens while something moves already, or when letters belong to a field.
+/// else is held and whatever is open, a focus that leaves the page, or a page that is hidden stops it. Nothing happens while
+/// something moves already, or when letters belong to a field.
 class JogKeys : public QObject {
     Q_OBJECT
 public:
