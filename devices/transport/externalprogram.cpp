@@ -9,6 +9,8 @@
 
 #include <utility>
 
+#include <unistd.h>
+
 namespace mb {
 namespace {
 
@@ -18,10 +20,16 @@ std::string clean(const std::string &bytes)
     return QString::fromUtf8(bytes.data(), static_cast<int>(bytes.size())).toStdString();
 }
 
+/// Ctrl+C in a terminal goes to every process of a group: it must not cut what only this program may end.
+class ProcessOfItsOwnGroup final : public QProcess {
+private:
+    void setupChildProcess() override { ::setpgid(0, 0); }
+};
+
 } // namespace
 
 ExternalProgram::ExternalProgram(Clock &clock)
-    : m_process(std::make_unique<QProcess>())
+    : m_process(std::make_unique<ProcessOfItsOwnGroup>())
     , m_timeout(clock)
     , m_wake(clock)
 {

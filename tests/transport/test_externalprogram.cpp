@@ -10,6 +10,8 @@
 #include <csignal>
 #include <cstdlib>
 
+#include <unistd.h>
+
 namespace mb {
 namespace {
 
@@ -55,6 +57,15 @@ TEST(ExternalProgram, YieldsLinesOfBothStreamsInOrderAndTheExitStatus)
     EXPECT_EQ(heard->lines, (std::vector<std::string>{"one", "two", "three", "four", "five"}));
     EXPECT_EQ(heard->exit.status, 3);
     EXPECT_FALSE(heard->exit.isSuccess());
+}
+
+TEST(ExternalProgram, IsNotReachedByCtrlCInTheTerminalOfThisProgram)
+{
+    test::EventLoop loop;
+    const auto heard = run(loop, "cut -d' ' -f5 /proc/$$/stat");
+    ASSERT_TRUE(heard);
+    ASSERT_EQ(heard->lines.size(), 1U);
+    EXPECT_NE(heard->lines.front(), std::to_string(::getpgrp()));
 }
 
 TEST(ExternalProgram, TellsALineThatGrows)
