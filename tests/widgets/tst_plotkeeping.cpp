@@ -18,6 +18,7 @@ private Q_SLOTS:
     void resetBringsTheUsualBack();
     void theScrubberScrollsBackWhileRecording();
     void recordingBeginsBeforeItWasAskedFor();
+    void whatIsKeptAndNotSavedIsWrittenWhenTheProgramEnds();
     void aFullDiskIsToldOnceAndNothingIsCalledWritten();
 };
 
@@ -185,6 +186,26 @@ void TestPlotKeeping::recordingBeginsBeforeItWasAskedFor()
     QVERIFY(loaded);
     QVERIFY(std::chrono::duration<double>((*loaded)->last - (*loaded)->first).count() > 6.0);
     bench.page->setRecorder(nullptr, {});
+}
+
+void TestPlotKeeping::whatIsKeptAndNotSavedIsWrittenWhenTheProgramEnds()
+{
+    PlotBench bench;
+    const QTemporaryDir folder;
+    auto recorder = std::make_unique<Recorder>(bench.workbench, folder.path() + s("/rolling"));
+    bench.page->setRecorder(recorder.get(), folder.path() + s("/kept"));
+    bench.pass(5.0, 60000.0);
+    QTRY_VERIFY(recorder->state().samples > 100);
+    QTest::keyClick(bench.page.get(), Qt::Key_R);
+    QTRY_VERIFY(recorder->state().keeping);
+    bench.pass(2.0, 60000.0);
+    bench.page->setRecorder(nullptr, {});
+    recorder.reset(); // before it has looked again
+    const QFileInfoList files = QDir(folder.path() + s("/kept")).entryInfoList(QDir::Files);
+    QCOMPARE(files.size(), 1);
+    const auto loaded = loadRecording(files.first().filePath().toStdString());
+    QVERIFY(loaded);
+    QVERIFY(std::chrono::duration<double>((*loaded)->last - (*loaded)->first).count() > 6.5);
 }
 
 void TestPlotKeeping::aFullDiskIsToldOnceAndNothingIsCalledWritten()

@@ -16,6 +16,12 @@ constexpr std::chrono::milliseconds period{500};
 
 } // namespace
 
+QString recordingIn(const QString &folder)
+{
+    return QDir(folder).filePath(
+        QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss")) + QStringLiteral(".mcap"));
+}
+
 Recorder::Recorder(Workbench &workbench, const QString &folder, QObject *parent)
     : QObject(parent)
     , m_workbench(workbench)
@@ -35,6 +41,8 @@ Recorder::~Recorder()
 {
     {
         const std::lock_guard lock(m_mutex);
+        m_now = m_workbench.now();
+        m_unixOffset = m_workbench.unixOffset();
         m_end = true;
     }
     m_wake.notify_one();
@@ -103,6 +111,14 @@ void Recorder::work()
         if (due)
             tell(written ? QString() : errorText(written.error()));
     }
+    if (recorder.isKeeping())
+        saveKept(recorder);
+}
+
+void Recorder::saveKept(RollingRecorder &recorder) const
+{
+    QDir().mkpath(m_keepFolder);
+    (void)recorder.save(recordingIn(m_keepFolder).toStdString(), {}); // where it cannot, the last session has it
 }
 
 /// Once when it begins, once when it is over.
@@ -127,8 +143,12 @@ Recorder::State Recorder::state() const
     return m_state;
 }
 
-void Recorder::startKeeping()
+void Recorder::startKeeping(const QString &folder)
 {
+    {
+        const std::lock_guard lock(m_mutex);
+        m_keepFolder = folder;
+    }
     post([](RollingRecorder &recorder) { recorder.startKeeping(); });
 }
 

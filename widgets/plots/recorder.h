@@ -12,6 +12,9 @@
 
 namespace mb {
 
+/// The file of a recording that is saved now, in a folder.
+[[nodiscard]] QString recordingIn(const QString &folder);
+
 /// The recording that always runs: writes to disk in a thread of its own what devices send, twice a second. GUI thread.
 class Recorder : public QObject {
     Q_OBJECT
@@ -26,11 +29,13 @@ public:
     };
     /// `folder`: where all runs keep theirs. Reports recordings of runs that were killed to the workbench.
     Recorder(Workbench &workbench, const QString &folder, QObject *parent = nullptr);
+    /// Writes what is recorded up to now; what was kept and not saved goes where startKeeping() said.
     ~Recorder() override;
 
     [[nodiscard]] State state() const;
     [[nodiscard]] Duration kept() const { return m_options.keep; }
-    void startKeeping();
+    /// `folder`: for a file of its own, where nobody saves it before this ends.
+    void startKeeping(const QString &folder);
     /// Joins the last minutes before startKeeping() and everything since into a file; saved() follows.
     void save(const QString &path);
     void note(Instant time, const QString &text);
@@ -42,6 +47,7 @@ Q_SIGNALS:
 private:
     void work();
     void follow();
+    void saveKept(RollingRecorder &recorder) const;
     void post(std::function<void(RollingRecorder &)> order);
     void tell(const QString &failure);
 
@@ -56,6 +62,7 @@ private:
     Duration m_unixOffset{};
     bool m_due = false;
     bool m_end = false;
+    QString m_keepFolder;
     std::thread m_thread;
 };
 

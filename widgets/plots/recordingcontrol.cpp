@@ -9,7 +9,6 @@
 #include "widgets/plots/recorder.h"
 #include "widgets/plots/telemetrysource.h"
 
-#include <QDateTime>
 #include <QDir>
 #include <cmath>
 
@@ -65,12 +64,11 @@ void RecordingControl::toggle()
     if (!m_recorder)
         return;
     if (!m_recorder->state().keeping)
-        return m_recorder->startKeeping();
+        return m_recorder->startKeeping(m_folder);
     if (m_recorder->state().saving)
         return;
     QDir().mkpath(m_folder);
-    const QString name = QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss"));
-    m_recorder->save(QDir(m_folder).filePath(name + QStringLiteral(".mcap")));
+    m_recorder->save(recordingIn(m_folder));
 }
 
 void RecordingControl::follow()
