@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/application.h"
 
+#include "app/closing.h"
 #include "app/folders/userfolders.h"
 #include "app/helpdesk.h"
 #include "app/languages.h"
+#include "app/productionface.h"
 #include "app/projectdesk.h"
 #include "app/sessiondesk.h"
 #include "app/tour.h"
 #include "app/welcome.h"
+#include "app/windowhold.h"
 #include "model/registry.h"
 #include "widgets/common/applytheme.h"
 #include "widgets/common/devicetext.h"
@@ -31,6 +34,8 @@
 #include <QStandardPaths>
 #include <QStyle>
 
+#include <cerrno>
+#include <cstdio>
 #include <utility>
 
 namespace mb {
@@ -150,6 +155,7 @@ QString Options::help()
 
 Application::Application(QApplication &qt, const Options &options)
     : m_qt(qt)
+    , m_endSignals([this] { m_window->closing().end(); })
     , m_options(options)
     , m_settings(!options.demo)
     , m_accessibility(qt)
@@ -173,6 +179,13 @@ Application::Application(QApplication &qt, const Options &options)
             core.session().memory().keepScans(scanFolder());
         });
     keepJournal();
+    QObject::connect(
+        m_engine.get(), &Engine::changed, m_engine.get(),
+        [this] {
+            if (m_lookWaits)
+                followLook();
+        },
+        Qt::QueuedConnection); // the window that hears of it is made anew
     makeWindow();
     if (const QStringList sides = options.size.split(QLatin1Char('x')); sides.size() == 2)
         m_window->resize(sides[0].toInt(), sides[1].toInt());
@@ -221,17 +234,21 @@ void Application::keepJournal()
     });
 }
 
-/// Language and sizes are in every widget: the window is made anew, on the same page with the same device. The engine and what it
-/// records go on. Nothing may move meanwhile, because arming belongs to the window.
+/// Language and sizes are in every widget: the window is made anew, on the same page with the same device, as soon as nothing holds it.
+/// The engine and what it records go on.
 void Application::followLook()
 {
-    if (m_window->arming().state() != LampState::Safe && m_window->arming().state() != LampState::Stopped) {
-        m_engine->report(Severity::Caution, {},
-            MainWindow::tr("The preferences hold once nothing is armed any more: choose them again then."));
+    if (isHeld(*m_window, *m_engine)) {
+        if (!std::exchange(m_lookWaits, true))
+            m_engine->report(Severity::Caution, {},
+                MainWindow::tr(
+                    "The preferences hold as soon as nothing is armed, no job runs and no other window is open."));
         return;
     }
+    m_lookWaits = false;
     const PageId page = m_window->shownPage();
     const DeviceId device = m_window->selection().device();
+    const bool produces = m_window->production().isShown();
     const QByteArray geometry = m_window->saveGeometry();
     const QString help = m_window->help().shown();
     translate(m_settings.look().language);
@@ -242,6 +259,7 @@ void Application::followLook()
     m_window->restoreGeometry(geometry);
     m_window->selection().select(device);
     m_window->showPage(page);
+    m_window->production().show(produces);
     m_window->show();
     if (!help.isEmpty())
         (void)m_window->help().open(help);
@@ -313,18 +331,19 @@ void Application::setUpLimits()
 
 void Application::translate(const QString &language)
 {
-    for (QTranslator *translator : {&m_translator, &m_qtTranslator})
-        QCoreApplication::removeTranslator(translator);
+    auto &[ours, ofQt] = m_translators;
+    for (QTranslator &translator : m_translators)
+        QCoreApplication::removeTranslator(&translator);
     const QLocale locale = language.isEmpty() ? QLocale::system() : QLocale(language);
     QLocale::setDefault(locale); // of dates and glyphs
     const QString folder = QStringLiteral(":/translations");
-    if (m_translator.load(locale, QStringLiteral("motorbench"), QStringLiteral("_"), folder)) {
-        if (m_qtTranslator.load(locale, QStringLiteral("qtbase"), QStringLiteral("_"),
+    if (ours.load(locale, QStringLiteral("motorbench"), QStringLiteral("_"), folder)) {
+        if (ofQt.load(locale, QStringLiteral("qtbase"), QStringLiteral("_"),
                 QLibraryInfo::location(QLibraryInfo::TranslationsPath)))
-            m_qt.installTranslator(&m_qtTranslator);
-        m_qt.installTranslator(&m_translator);
-    } else if (m_translator.load(QStringLiteral("motorbench_en"), folder)) { // English has plural forms too
-        m_qt.installTranslator(&m_translator);
+            m_qt.installTranslator(&ofQt);
+        m_qt.installTranslator(&ours);
+    } else if (ours.load(QStringLiteral("motorbench_en"), folder)) { // English has plural forms too
+        m_qt.installTranslator(&ours);
     }
 }
 
@@ -392,6 +411,16 @@ void Application::start()
         m_tour = std::make_unique<Tour>(*m_engine, *m_window, *m_theme, m_options.tour, !m_options.theme.isEmpty());
         m_tour->start();
     }
+}
+
+int Application::exitStatus(int status) const
+{
+    const QString turning = m_window->closing().unstopped().join(QStringLiteral(", "));
+    if (turning.isEmpty())
+        return m_tour && m_window->closing().isEnding() ? 1 : status; // a tour that was cut off
+    std::fprintf(stderr, "%s: %s has not been seen to stop: cut its power\n", program_invocation_short_name,
+        qPrintable(turning));
+    return 4;
 }
 
 } // namespace mb

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/accessibility.h"
+#include "app/endsignals.h"
 #include "app/engine.h"
 #include "app/mainwindow.h"
 #include "app/stopkeys.h"
@@ -12,6 +13,7 @@
 #include <QTemporaryDir>
 #include <QTranslator>
 
+#include <array>
 #include <optional>
 
 namespace mb {
@@ -49,6 +51,9 @@ public:
     ~Application();
 
     void start();
+    /// What the process ends with after its loop ended with `status`: 4, and a line on standard error, where a signal ended it and a motor
+    /// was not seen to stop; 1 of a tour that did not come to its end.
+    [[nodiscard]] int exitStatus(int status) const;
     [[nodiscard]] Engine &engine() { return *m_engine; }
     [[nodiscard]] MainWindow &window() { return *m_window; }
 
@@ -67,12 +72,12 @@ private:
     void followLook();
 
     QApplication &m_qt;
+    EndSignals m_endSignals; ///< until everything else has ended
     Options m_options;
     QFont m_systemFont;
     QString m_themeName; ///< as it was chosen; empty: not yet
     SystemPalette m_palette;
-    QTranslator m_translator;
-    QTranslator m_qtTranslator;
+    std::array<QTranslator, 2> m_translators; ///< of the program, and of Qt's own words
     Settings m_settings;
     std::unique_ptr<ThemeSource> m_theme;
     std::unique_ptr<Engine> m_engine;
@@ -80,6 +85,7 @@ private:
     QString m_machineFolder;                 ///< chosen by its user; empty: none
     std::unique_ptr<SessionDesk> m_sessions; ///< none in a demo
     std::unique_ptr<MainWindow> m_window;
+    bool m_lookWaits = false;                    ///< preferences were chosen, and are not in force
     std::unique_ptr<QTemporaryDir> m_demoFolder; ///< a demo leaves nothing behind
     std::unique_ptr<Recorder> m_recorder;
     std::unique_ptr<Tour> m_tour;

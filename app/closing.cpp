@@ -12,6 +12,14 @@
 #include <algorithm>
 
 namespace mb {
+namespace {
+
+bool isRunningTrial(const OperationView &job)
+{
+    return job.status.state == OperationStatus::State::Running && job.status.kind == OperationKind::Trial;
+}
+
+} // namespace
 
 Closing::Closing(Workbench &workbench, Arming &arming, QWidget &window)
     : QObject(&window)
@@ -43,6 +51,19 @@ bool Closing::mayClose()
     }
     m_within = false;
     return m_state == State::Free;
+}
+
+void Closing::end()
+{
+    m_asks = false;
+    if (m_question)
+        m_question->close();
+    if (isServing())
+        m_workbench.send(orders::CancelService{});
+    if (m_state == State::Open || (m_state == State::Asking && m_moved.empty()))
+        begin();
+    else if (m_state == State::Asking)
+        leave();
 }
 
 QAbstractButton &Closing::ask(const QString &question, const QString &what, const QString &go)
@@ -112,11 +133,25 @@ void Closing::begin()
         if (device.motion.running)
             m_moved.push_back(device.id);
     }
+    for (const OperationView &job : m_workbench.snapshot().operations) { // also between their motions
+        if (isRunningTrial(job))
+            m_moved.push_back(job.device);
+    }
+    m_since = m_workbench.now();
+    if (m_asks && isPuttingBack())
+        m_workbench.report(
+            Severity::Info, {}, tr("The window closes once the experiment has put back what it changed."));
     m_arming.disarm();
     for (const DeviceId device : m_moved)
         m_workbench.send(orders::StopMotion{device});
-    m_since = m_workbench.now();
     follow();
+}
+
+bool Closing::isPuttingBack() const
+{
+    const auto &jobs = m_workbench.snapshot().operations;
+    return (m_arming.isOnTrial() || std::any_of(jobs.begin(), jobs.end(), isRunningTrial))
+        && m_workbench.now() - m_since <= longestPuttingBack;
 }
 
 void Closing::follow()
@@ -134,10 +169,12 @@ void Closing::follow()
     }
     if (m_state != State::Ending || !endUpdates())
         return;
-    if (turning().isEmpty())
-        leave();
-    else if (m_workbench.now() - m_since > patience)
-        askAboutMotors();
+    if (turning().isEmpty()) {
+        if (!isPuttingBack())
+            leave();
+    } else if (m_workbench.now() - m_since > patience) {
+        m_asks ? askAboutMotors() : leave();
+    }
 }
 
 /// Whether none runs any more.
@@ -174,6 +211,7 @@ void Closing::keepOpen()
 void Closing::leave()
 {
     m_state = State::Free;
+    m_unstopped = turning();
     if (!m_within)
         m_window.close();
 }

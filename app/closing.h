@@ -16,17 +16,25 @@ namespace mb {
 class Arming;
 
 /// Lets the window go only when nothing is cut by it. Asks while firmware is written, cancels what may be cancelled, waits
-/// out what must not be cut, and waits until what this program moved was seen to stop.
+/// out what must not be cut, until what this program moved was seen to stop, and until experiments have put back what they changed.
 class Closing : public QObject {
     Q_OBJECT
 public:
     /// How long a motor has to be seen still before the user is asked.
     static constexpr Duration patience = std::chrono::seconds(3);
+    /// How long an experiment has for what it puts back. What is left then is owed to the unit, and asked about at the next start.
+    static constexpr Duration longestPuttingBack = std::chrono::seconds(10);
 
     Closing(Workbench &workbench, Arming &arming, QWidget &window);
 
     /// Of a close event: whether the window may go now. If not, it is closed from here later, or not at all.
     [[nodiscard]] bool mayClose();
+    /// The window has to go, and nobody is there to ask: every question counts as answered with what goes on.
+    void end();
+    /// It is about to go.
+    [[nodiscard]] bool isEnding() const { return m_state != State::Open; }
+    /// Of a window that end() took away: devices that this program moved and that were not seen to stop; empty for none.
+    [[nodiscard]] const QStringList &unstopped() const { return m_unstopped; }
 
 private:
     enum class State { Open, Asking, Ending, Free };
@@ -41,6 +49,7 @@ private:
     void keepOpen();
     void leave();
     [[nodiscard]] bool endUpdates();
+    [[nodiscard]] bool isPuttingBack() const;
     [[nodiscard]] bool isServing() const;
     [[nodiscard]] QStringList turning() const;
 
@@ -51,6 +60,8 @@ private:
     std::vector<DeviceId> m_moved; ///< to be seen stopped
     Instant m_since{};
     bool m_within = false; ///< the close event is being answered
+    bool m_asks = true;
+    QStringList m_unstopped;
     QPointer<QMessageBox> m_question;
 };
 

@@ -72,5 +72,5 @@ int main(int argc, char **argv)
         mb::installCrashReport(QString::fromStdString(mb::programFolder() + "/crashes"), mb::versions());
     mb::Application application(qt, *options);
     application.start();
-    return QApplication::exec();
+    return application.exitStatus(QApplication::exec());
 }

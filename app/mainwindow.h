@@ -39,6 +39,7 @@ public:
     [[nodiscard]] Selection &selection() { return m_selection; }
     [[nodiscard]] HelpDesk &help() { return *m_help; }
     [[nodiscard]] BannerStack &banners() { return *m_banners; }
+    [[nodiscard]] Closing &closing() { return *m_closing; }
     /// Pages are made when they are asked for first, the others once the window has been painted.
     [[nodiscard]] QWidget *page(PageId id);
     void showPage(PageId id);

@@ -2644,6 +2644,10 @@
         <source>Cancel the queue and close</source>
         <translation>Warteschlange abbrechen und schließen</translation>
     </message>
+    <message>
+        <source>The window closes once the experiment has put back what it changed.</source>
+        <translation>Das Fenster schließt sich, sobald der Versuch zurückgeschrieben hat, was er geändert hat.</translation>
+    </message>
 </context>
 <context>
     <name>mb::CommandPalette</name>
@@ -5032,12 +5036,12 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>Entwurf</translation>
     </message>
     <message>
-        <source>The preferences hold once nothing is armed any more: choose them again then.</source>
-        <translation>Die Einstellungen gelten, wenn nichts mehr scharf ist: dann noch einmal wählen.</translation>
-    </message>
-    <message>
         <source>Reports</source>
         <translation>Berichte</translation>
+    </message>
+    <message>
+        <source>The preferences hold as soon as nothing is armed, no job runs and no other window is open.</source>
+        <translation>Die Einstellungen gelten, sobald nichts scharf ist, kein Vorgang läuft und kein anderes Fenster offen ist.</translation>
     </message>
 </context>
 <context>

@@ -2644,6 +2644,10 @@
         <source>Cancel the queue and close</source>
         <translation>Cancelar la cola y cerrar</translation>
     </message>
+    <message>
+        <source>The window closes once the experiment has put back what it changed.</source>
+        <translation>La ventana se cierra en cuanto el experimento haya restituido lo que cambió.</translation>
+    </message>
 </context>
 <context>
     <name>mb::CommandPalette</name>
@@ -4964,10 +4968,6 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
 <context>
     <name>mb::MainWindow</name>
     <message>
-        <source>The preferences hold once nothing is armed any more: choose them again then.</source>
-        <translation>Las preferencias se aplican cuando ya no haya nada armado: elíjalas de nuevo entonces.</translation>
-    </message>
-    <message>
         <source>lost</source>
         <translation>perdido</translation>
     </message>
@@ -5038,6 +5038,10 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     <message>
         <source>the window lost the focus</source>
         <translation>la ventana perdió el foco</translation>
+    </message>
+    <message>
+        <source>The preferences hold as soon as nothing is armed, no job runs and no other window is open.</source>
+        <translation>Las preferencias se aplican en cuanto nada esté armado, no haya ningún proceso en marcha ni otra ventana abierta.</translation>
     </message>
 </context>
 <context>

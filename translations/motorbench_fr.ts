@@ -2644,6 +2644,10 @@
         <source>Cancel the queue and close</source>
         <translation>Annuler la file et fermer</translation>
     </message>
+    <message>
+        <source>The window closes once the experiment has put back what it changed.</source>
+        <translation>La fenêtre se ferme dès que l’expérience a remis en place ce qu’elle a modifié.</translation>
+    </message>
 </context>
 <context>
     <name>mb::CommandPalette</name>
@@ -4964,10 +4968,6 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
 <context>
     <name>mb::MainWindow</name>
     <message>
-        <source>The preferences hold once nothing is armed any more: choose them again then.</source>
-        <translation>Les préférences s’appliqueront quand plus rien ne sera armé&#xa0;: choisissez-les à nouveau alors.</translation>
-    </message>
-    <message>
         <source>lost</source>
         <translation>perdu</translation>
     </message>
@@ -5038,6 +5038,10 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     <message>
         <source>the window lost the focus</source>
         <translation>la fenêtre a perdu le focus</translation>
+    </message>
+    <message>
+        <source>The preferences hold as soon as nothing is armed, no job runs and no other window is open.</source>
+        <translation>Les préférences s’appliquent dès que rien n’est armé, qu’aucune opération ne tourne et qu’aucune autre fenêtre n’est ouverte.</translation>
     </message>
 </context>
 <context>

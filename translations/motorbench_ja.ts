@@ -2642,6 +2642,10 @@
         <source>Cancel the queue and close</source>
         <translation>キューを中止して閉じる</translation>
     </message>
+    <message>
+        <source>The window closes once the experiment has put back what it changed.</source>
+        <translation>実験が変更した値を元に戻し終えると、ウィンドウを閉じます。</translation>
+    </message>
 </context>
 <context>
     <name>mb::CommandPalette</name>
@@ -4957,10 +4961,6 @@ Double click or Enter plots it; drag it to a plot.</source>
 <context>
     <name>mb::MainWindow</name>
     <message>
-        <source>The preferences hold once nothing is armed any more: choose them again then.</source>
-        <translation>環境設定は駆動許可がすべて解除されると有効になります: その後でもう一度選択してください。</translation>
-    </message>
-    <message>
         <source>lost</source>
         <translation>切断</translation>
     </message>
@@ -5031,6 +5031,10 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>the window lost the focus</source>
         <translation>ウィンドウがフォーカスを失いました</translation>
+    </message>
+    <message>
+        <source>The preferences hold as soon as nothing is armed, no job runs and no other window is open.</source>
+        <translation>環境設定は、駆動許可中の機器、実行中の処理、ほかに開いているウィンドウがなくなり次第、有効になります。</translation>
     </message>
 </context>
 <context>

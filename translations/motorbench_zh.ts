@@ -2642,6 +2642,10 @@
         <source>Cancel the queue and close</source>
         <translation>取消队列并关闭</translation>
     </message>
+    <message>
+        <source>The window closes once the experiment has put back what it changed.</source>
+        <translation>实验把更改过的值恢复之后，窗口就会关闭。</translation>
+    </message>
 </context>
 <context>
     <name>mb::CommandPalette</name>
@@ -4957,10 +4961,6 @@ Double click or Enter plots it; drag it to a plot.</source>
 <context>
     <name>mb::MainWindow</name>
     <message>
-        <source>The preferences hold once nothing is armed any more: choose them again then.</source>
-        <translation>没有任何设备处于解锁状态后，首选项才会生效：届时请重新选择。</translation>
-    </message>
-    <message>
         <source>lost</source>
         <translation>丢失</translation>
     </message>
@@ -5031,6 +5031,10 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>the window lost the focus</source>
         <translation>窗口失去焦点</translation>
+    </message>
+    <message>
+        <source>The preferences hold as soon as nothing is armed, no job runs and no other window is open.</source>
+        <translation>一旦没有设备处于已解锁状态、没有作业在运行、也没有打开其他窗口，首选项就会生效。</translation>
     </message>
 </context>
 <context>

@@ -92,7 +92,7 @@ template <class T> void Trials::run(DeviceId id, const Story<T> &story, const st
         return refused(fail(Fault::Unsafe, say("stop the motor before an experiment begins")));
     const auto interruption = std::make_shared<tuning::Interruption>();
     Operations::Job *const job = m_context.operations.begin<T>(
-        id, story.title,
+        id, {story.title, OperationKind::Trial},
         [this, id, run = story.run, interruption](Device &device, Progress &progress) {
             return keeping(
                 interruption, run(device, m_context.session.stream(device), surroundings(id, progress, *interruption)));

@@ -19,8 +19,9 @@ struct LogLine {
     Message text;
 };
 
-/// What a long job does, for who has to know: its title is for people. Other: nobody asks.
-enum class OperationKind { Other, ReadParameters, RewriteSettings, UpdateFirmware, FamilyExperiment };
+/// What a long job does, for who has to know: its title is for people. Other: nobody asks. Trial: puts back what it changed when it is
+/// told to stop.
+enum class OperationKind { Other, ReadParameters, RewriteSettings, UpdateFirmware, FamilyExperiment, Trial };
 
 /// How far an update is.
 struct UpdateStanding {

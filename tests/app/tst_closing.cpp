@@ -11,6 +11,9 @@
 #include <QMessageBox>
 #include <QPushButton>
 
+#include <csignal>
+#include <optional>
+
 using namespace mb;
 using namespace mb::test;
 
@@ -25,7 +28,15 @@ private Q_SLOTS:
     void aQueueIsNotAbandonedWithoutAQuestion();
     void aMotorIsSeenStoppedBeforeTheWindowGoes();
     void aMotorThatDoesNotStopIsAskedAbout();
+    void anExperimentPutsBackWhatItChangedBeforeTheWindowGoes();
+    void anExperimentThatDoesNotEndLeavesItsGainsOwed();
+    void whoeverEndsTheProgramIsNotAskedAboutAnUpdate();
+    void whoeverEndsTheProgramIsNotAskedAboutAQueue();
+    void aQuestionThatStandsIsAnsweredByTheEndOfTheProgram();
+    void theEndOfTheProgramNamesTheMotorThatWasNotSeenToStop();
     void theWindowStaysWhileTheBenchIsUpdated();
+    void aSignalEndsATuningAsClosingDoes_data();
+    void aSignalEndsATuningAsClosingDoes();
 };
 
 namespace {
@@ -52,6 +63,15 @@ public:
         operation.status.title = say("Update firmware");
         operation.status.kind = OperationKind::UpdateFirmware;
         operation.status.mayInterrupt = mayInterrupt;
+        workbench.shot.operations = {operation};
+        workbench.publish();
+    }
+    void trying()
+    {
+        OperationView operation;
+        operation.id = {4};
+        operation.device = {1};
+        operation.status.kind = OperationKind::Trial;
         workbench.shot.operations = {operation};
         workbench.publish();
     }
@@ -200,6 +220,88 @@ void ClosingTest::aMotorThatDoesNotStopIsAskedAbout()
     QVERIFY(!window.isVisible());
 }
 
+void ClosingTest::anExperimentPutsBackWhatItChangedBeforeTheWindowGoes()
+{
+    ClosingWindow window;
+    window.trying(); // between two motions
+    QVERIFY(!window.close());
+    QVERIFY(!window.question());
+    QCOMPARE(window.workbench.given<orders::StopMotion>().size(), 1U);
+    window.workbench.time += Closing::patience + std::chrono::milliseconds(100);
+    window.workbench.publish();
+    QVERIFY(window.isVisible());
+    window.update().state = OperationStatus::State::Done;
+    window.workbench.publish();
+    QVERIFY(!window.isVisible());
+}
+
+void ClosingTest::anExperimentThatDoesNotEndLeavesItsGainsOwed()
+{
+    ClosingWindow window;
+    window.trying();
+    QVERIFY(!window.close());
+    window.workbench.time += Closing::longestPuttingBack + std::chrono::milliseconds(100);
+    window.workbench.publish();
+    QVERIFY(!window.isVisible());
+}
+
+void ClosingTest::whoeverEndsTheProgramIsNotAskedAboutAnUpdate()
+{
+    ClosingWindow window;
+    window.writing(false);
+    window.closing.end();
+    QVERIFY(!window.question());
+    QVERIFY(window.isVisible());
+    QVERIFY(window.workbench.given<orders::CancelOperation>().empty()); // it must not be cut
+    window.update().mayInterrupt = true;
+    window.workbench.publish();
+    QCOMPARE(window.workbench.given<orders::CancelOperation>().size(), 1U);
+    window.update().state = OperationStatus::State::Cancelled;
+    window.workbench.publish();
+    QVERIFY(!window.isVisible());
+    QVERIFY(window.closing.unstopped().isEmpty());
+}
+
+void ClosingTest::whoeverEndsTheProgramIsNotAskedAboutAQueue()
+{
+    ClosingWindow window;
+    window.workbench.serve({service::QueueRow()});
+    window.closing.end();
+    QVERIFY(!window.question());
+    QCOMPARE(window.workbench.given<orders::CancelService>().size(), 1U);
+    QVERIFY(window.isVisible());
+    window.workbench.serve({}, false);
+    QVERIFY(!window.isVisible());
+}
+
+void ClosingTest::aQuestionThatStandsIsAnsweredByTheEndOfTheProgram()
+{
+    ClosingWindow window;
+    window.writing();
+    QVERIFY(!window.close());
+    QVERIFY(window.question());
+    window.closing.end();
+    QVERIFY(!window.question());
+    QCOMPARE(window.workbench.given<orders::CancelOperation>().size(), 1U);
+    window.update().state = OperationStatus::State::Cancelled;
+    window.workbench.publish();
+    QVERIFY(!window.isVisible());
+}
+
+void ClosingTest::theEndOfTheProgramNamesTheMotorThatWasNotSeenToStop()
+{
+    ClosingWindow window;
+    window.moving();
+    window.closing.end();
+    QCOMPARE(window.workbench.given<orders::StopMotion>().size(), 1U);
+    window.unit().motion.running = false;
+    window.workbench.time += Closing::patience + std::chrono::milliseconds(100);
+    window.workbench.publish();
+    QVERIFY(!window.question());
+    QVERIFY(!window.isVisible());
+    QCOMPARE(window.closing.unstopped(), QStringList{QStringLiteral("DMC60C #5")});
+}
+
 void ClosingTest::theWindowStaysWhileTheBenchIsUpdated()
 {
     WindowBench bench;
@@ -223,6 +325,38 @@ void ClosingTest::theWindowStaysWhileTheBenchIsUpdated()
     }
     QTRY_VERIFY_WITH_TIMEOUT(!bench.window().isVisible(), patience);
     QVERIFY(update()->status.state == OperationStatus::State::Cancelled);
+}
+
+void ClosingTest::aSignalEndsATuningAsClosingDoes_data()
+{
+    QTest::addColumn<int>("number");
+    QTest::newRow("closed by hand") << 0;
+    QTest::newRow("SIGINT") << SIGINT;
+    QTest::newRow("SIGTERM") << SIGTERM;
+    QTest::newRow("SIGHUP") << SIGHUP;
+}
+
+void ClosingTest::aSignalEndsATuningAsClosingDoes()
+{
+    QFETCH(int, number);
+    if (number != 0)
+        std::signal(number, SIG_DFL); // as in a program that is no test
+    WindowBench bench;
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound() && bench.isRead(WindowBench::tuned), patience);
+    bench.select(WindowBench::tuned);
+    const auto gain = [&bench] { return *bench.parameter(WindowBench::tuned, "slot1.p").raw; };
+    const std::int64_t before = gain();
+    bench.arming().arm(bench.device(WindowBench::tuned)->id);
+    std::optional<Result<tuning::TuneReport>> ended;
+    bench.arming().runTuning({}, [&ended](const Result<tuning::TuneReport> &report) { ended = report; });
+    QTRY_VERIFY_WITH_TIMEOUT(gain() != before || ended, 2 * patience); // it proves what it has found
+    QVERIFY(!ended);
+    number != 0 ? static_cast<void>(std::raise(number)) : static_cast<void>(bench.window().close());
+    QTRY_VERIFY_WITH_TIMEOUT(!bench.window().isVisible(), patience);
+    QVERIFY(!bench.isOutputOn());
+    QVERIFY(ended);
+    QCOMPARE(gain(), before);
+    QVERIFY(bench.window().closing().unstopped().isEmpty());
 }
 
 MB_WINDOW_TEST(ClosingTest);

@@ -11,6 +11,7 @@
 #include "widgets/common/segmented.h"
 #include "widgets/control/tunepage.h"
 #include "widgets/control/tuneplot.h"
+#include "widgets/firmware/firmwarepage.h"
 #include "widgets/plots/sampleswindow.h"
 #include "widgets/service/productionpage.h"
 
@@ -24,6 +25,8 @@
 #include <QProcess>
 #include <QPushButton>
 #include <QTemporaryDir>
+
+#include <csignal>
 
 using namespace mb;
 using namespace mb::test;
@@ -66,11 +69,15 @@ private Q_SLOTS:
     void theGuardianIsChecked();
     void theThemeMayBeTheDesktops();
     void nothingChangesWhileAMotorIsArmed();
+    void preferencesWaitUntilAnUpdateIsOver();
+    void preferencesWaitUntilAnExperimentHasPutBackItsGains();
     void aCommandIsFoundByItsNameAndRun();
     void recordedSamplesOpenInAWindowOfTheirOwn();
     void aFileThatIsNoRecordingSaysWhy();
     void aFileThatIsNotThereIsRefusedBeforeThereIsAWindow();
     void picturesOfATourAreAsLargeAsTheWindowThatWasAskedFor();
+    void aSignalEndsTheProgramInOrder_data();
+    void aSignalEndsTheProgramInOrder();
     void aboutTellsTheVersionsOfEverything();
 };
 
@@ -192,6 +199,54 @@ void ProgramTest::nothingChangesWhileAMotorIsArmed()
     QCOMPARE(static_cast<const QWidget *>(&bench.window()), before);
     QCOMPARE(firstTab(bench), QStringLiteral("Overview"));
     QCOMPARE(bench.arming().state(), LampState::Armed);
+    bench.arming().disarm();
+    QTRY_COMPARE_WITH_TIMEOUT(firstTab(bench), QStringLiteral("Übersicht"), patience);
+    QVERIFY(bench.window().isVisible());
+}
+
+void ProgramTest::preferencesWaitUntilAnUpdateIsOver()
+{
+    WindowBench bench;
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
+    bench.select(WindowBench::inBootloader);
+    auto &page = bench.page<FirmwarePage>(PageId::Firmware);
+    page.loadImage(QStringLiteral(":/firmware/dmc60c-demo.hex"));
+    QTRY_VERIFY_WITH_TIMEOUT(page.canStart(), patience);
+    page.startUpdate();
+    const DeviceId id = bench.device(WindowBench::inBootloader)->id;
+    const auto update = [&bench, id] { return bench.engine().snapshot().operation(id); };
+    QTRY_VERIFY_WITH_TIMEOUT(update() && update()->status.done > 1, patience);
+    choosePreference(bench, 1, QStringLiteral("de"));
+    QTest::qWait(100);
+    QVERIFY(update()->status.state == OperationStatus::State::Running);
+    QCOMPARE(firstTab(bench), QStringLiteral("Overview"));
+    bench.engine().send(orders::CancelOperation{update()->id});
+    QTRY_COMPARE_WITH_TIMEOUT(firstTab(bench), QStringLiteral("Übersicht"), patience);
+    QCOMPARE(bench.window().shownPage(), PageId::Firmware);
+}
+
+void ProgramTest::preferencesWaitUntilAnExperimentHasPutBackItsGains()
+{
+    WindowBench bench;
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
+    bench.select(WindowBench::tuned);
+    bench.arming().arm(bench.window().selection().device());
+    tuning::ExperimentPlan plan;
+    plan.to = 20000.0;
+    plan.gains = {{*findParameter(bench.device(WindowBench::tuned)->family->parameters, "slot0.p"), 1}};
+    bool wasGerman = false;
+    std::optional<Result<tuning::Trial>> ended;
+    bench.arming().runTrial(plan, {}, [&](const Result<tuning::Trial> &trial) {
+        wasGerman = firstTab(bench) == QStringLiteral("Übersicht");
+        ended = trial;
+    });
+    QTRY_VERIFY_WITH_TIMEOUT(bench.device(WindowBench::tuned)->motion.running || ended, patience);
+    choosePreference(bench, 1, QStringLiteral("de"));
+    QTest::keyClick(&bench.window(), Qt::Key_Escape); // not armed any more, and it still runs
+    QTRY_VERIFY_WITH_TIMEOUT(ended, patience);
+    QVERIFY2(ended->has_value(), ended->has_value() ? "" : ended->error().text().c_str());
+    QVERIFY(!wasGerman);
+    QTRY_COMPARE_WITH_TIMEOUT(firstTab(bench), QStringLiteral("Übersicht"), patience);
 }
 
 void ProgramTest::aCommandIsFoundByItsNameAndRun()
@@ -284,8 +339,44 @@ void ProgramTest::picturesOfATourAreAsLargeAsTheWindowThatWasAskedFor()
     };
     QTRY_VERIFY_WITH_TIMEOUT(isSaved(), patience);
     QCOMPARE(first.size(), QSize(1100, 700));
-    program.kill();
-    program.waitForFinished();
+    program.terminate();
+    QVERIFY(program.waitForFinished(patience));
+    QCOMPARE(program.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(program.exitCode(), 1); // it is not all there
+}
+
+void ProgramTest::aSignalEndsTheProgramInOrder_data()
+{
+    QTest::addColumn<int>("number");
+    QTest::newRow("SIGINT") << SIGINT;
+    QTest::newRow("SIGTERM") << SIGTERM;
+    QTest::newRow("SIGHUP") << SIGHUP;
+}
+
+void ProgramTest::aSignalEndsTheProgramInOrder()
+{
+    QFETCH(int, number);
+    const QTemporaryDir home;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    for (const char *name : {"XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_RUNTIME_DIR"})
+        environment.insert(QLatin1String(name), home.path());
+    QProcess program;
+    program.setProcessEnvironment(environment);
+    program.start(QCoreApplication::applicationDirPath() + QStringLiteral("/motorbench"),
+        {QStringLiteral("--link"), QStringLiteral("sim:can")});
+    const QDir sessions(home.filePath(QStringLiteral("motorbench/sessions")));
+    const auto kept = [&sessions] {
+        const QStringList names = sessions.entryList({QStringLiteral("*.json")});
+        QFile file(sessions.filePath(names.value(0)));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(kept().contains("dmc60c:5"), patience);
+    QVERIFY(!kept().contains("\"ended\": true"));
+    QCOMPARE(::kill(static_cast<pid_t>(program.processId()), number), 0);
+    QVERIFY(program.waitForFinished(patience));
+    QCOMPARE(program.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(program.exitCode(), 0);
+    QVERIFY(kept().contains("\"ended\": true")); // the next start does not speak of a crash
 }
 
 void ProgramTest::aboutTellsTheVersionsOfEverything()
