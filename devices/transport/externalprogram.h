@@ -29,7 +29,8 @@ namespace mb {
 ///     const ExternalProgram::Exit exit = program.exit();
 ///
 /// Destroying it ends the program at once (SIGKILL): cancelling the task that owns it cancels the work, so forbid that while
-/// a cut is fatal (Progress::mayInterrupt). Keys of a terminal do not reach it. Needs an event loop in the thread that made it; times are those of the clock.
+/// a cut is fatal (Progress::mayInterrupt). Keys of a terminal do not reach it. Needs an event loop in the thread that made
+/// it; times are those of the clock.
 /// Coroutines are resumed from the clock, never from inside a signal of the process.
 class ExternalProgram {
 public:
