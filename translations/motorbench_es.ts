@@ -16792,10 +16792,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>no existe una disposición con este nombre</translation>
     </message>
     <message>
-        <source>there is no push to fit</source>
-        <translation>no hay ningún empuje al que ajustarse</translation>
-    </message>
-    <message>
         <source>there is no simulated link &apos;sim:%1&apos;: can, serial and spi are known</source>
         <translation>no existe el enlace simulado «sim:%1»: se conocen can, serial y spi</translation>
     </message>
@@ -17858,6 +17854,18 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>a line has more than %1 bytes</source>
         <translation>una línea tiene más de %1 bytes</translation>
+    </message>
+    <message>
+        <source>allow more duty, speed or travel</source>
+        <translation>permita más ciclo, velocidad o recorrido</translation>
+    </message>
+    <message>
+        <source>it came to %1 of its step while that was held</source>
+        <translation>solo llegó a %1 de su escalón mientras este se mantuvo</translation>
+    </message>
+    <message>
+        <source>the pushes that its limits leave hardly moved the motor</source>
+        <translation>los empujes que dejan sus límites apenas movieron el motor</translation>
     </message>
 </context>
 </TS>
