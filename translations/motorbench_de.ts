@@ -17867,5 +17867,9 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>the pushes that its limits leave hardly moved the motor</source>
         <translation>die Stöße, die seine Grenzen übrig lassen, haben den Motor kaum bewegt</translation>
     </message>
+    <message>
+        <source>it may rest %1 short of its target until its integral has overcome friction</source>
+        <translation>er kann %1 vor seinem Ziel stehen bleiben, bis sein Integral die Reibung überwunden hat</translation>
+    </message>
 </context>
 </TS>

@@ -17867,5 +17867,9 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>the pushes that its limits leave hardly moved the motor</source>
         <translation>los empujes que dejan sus límites apenas movieron el motor</translation>
     </message>
+    <message>
+        <source>it may rest %1 short of its target until its integral has overcome friction</source>
+        <translation>puede quedar %1 antes de su destino hasta que su integral haya vencido el rozamiento</translation>
+    </message>
 </context>
 </TS>

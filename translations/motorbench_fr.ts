@@ -17867,5 +17867,9 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>the pushes that its limits leave hardly moved the motor</source>
         <translation>les poussées que laissent ses limites ont à peine bougé le moteur</translation>
     </message>
+    <message>
+        <source>it may rest %1 short of its target until its integral has overcome friction</source>
+        <translation>il peut s’arrêter à %1 de sa cible jusqu’à ce que son intégrale ait vaincu le frottement</translation>
+    </message>
 </context>
 </TS>

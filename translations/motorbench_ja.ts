@@ -17853,5 +17853,9 @@ double click plots it, drag it to a pane or below them</source>
         <source>the pushes that its limits leave hardly moved the motor</source>
         <translation>制限内のパルスではモーターがほとんど動きませんでした</translation>
     </message>
+    <message>
+        <source>it may rest %1 short of its target until its integral has overcome friction</source>
+        <translation>積分が摩擦に打ち勝つまで、目標の %1 手前で静止することがあります</translation>
+    </message>
 </context>
 </TS>

@@ -17853,5 +17853,9 @@ double click plots it, drag it to a pane or below them</source>
         <source>the pushes that its limits leave hardly moved the motor</source>
         <translation>其限值所允许的推动几乎没有使电机移动</translation>
     </message>
+    <message>
+        <source>it may rest %1 short of its target until its integral has overcome friction</source>
+        <translation>在其积分克服摩擦之前，它可能停在目标前 %1 处</translation>
+    </message>
 </context>
 </TS>

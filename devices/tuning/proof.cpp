@@ -101,16 +101,21 @@ bool hasFrictionHelp(const Family &family)
     return hasRole(family, Role::LeastForward);
 }
 
-double restingError(
+RestingError restingError(
     const Family &family, Mode loop, const PlantModel &plant, const ContinuousGains &gains, double seconds)
 {
+    using Below = RestingError::Below;
     const LoopScale &scale = *family.loop;
+    const double held = deadband(plant, gains);
     if (gains.i <= 0.0)
-        return deadband(plant, gains);
+        return {held, Below::Motor};
     const double unmoved = scale.integralStep / scale.fullDuty / (gains.i * scale.cycle);
     if (loop != Mode::Position)
-        return unmoved;
-    return std::max(unmoved, plant.friction / (gains.p + gains.i * stillSeconds * seconds));
+        return {unmoved, Below::Integral};
+    const double late = plant.friction / (gains.p + gains.i * stillSeconds * seconds);
+    if (late >= unmoved)
+        return {late, Below::Time};
+    return unmoved < held ? RestingError{unmoved, Below::Integral} : RestingError{held, Below::Motor};
 }
 
 void addFrictionHelp(const Family &family, int axis, int slot, const PlantModel &plant, ScaledGains &into)
