@@ -16384,10 +16384,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>es gibt kein Layout dieses Namens</translation>
     </message>
     <message>
-        <source>there is no push to fit</source>
-        <translation>es gibt keinen Stoß zum Anpassen</translation>
-    </message>
-    <message>
         <source>there is no simulated link &apos;sim:%1&apos;: can, serial and spi are known</source>
         <translation>es gibt keinen simulierten Link &apos;sim:%1&apos;: bekannt sind can, serial und spi</translation>
     </message>
@@ -17862,6 +17858,22 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>a line has more than %1 bytes</source>
         <translation>eine Zeile hat mehr als %1 Bytes</translation>
+    </message>
+    <message>
+        <source>allow more duty, speed or travel</source>
+        <translation>mehr Tastgrad, Geschwindigkeit oder Weg erlauben</translation>
+    </message>
+    <message>
+        <source>it came to %1 of its step while that was held</source>
+        <translation>er kam nur auf %1 seines Sprungs, solange dieser gehalten wurde</translation>
+    </message>
+    <message>
+        <source>the pushes that its limits leave hardly moved the motor</source>
+        <translation>die Stöße, die seine Grenzen übrig lassen, haben den Motor kaum bewegt</translation>
+    </message>
+    <message>
+        <source>it may rest %1 short of its target until its integral has overcome friction</source>
+        <translation>er kann %1 vor seinem Ziel stehen bleiben, bis sein Integral die Reibung überwunden hat</translation>
     </message>
 </context>
 </TS>

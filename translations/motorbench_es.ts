@@ -16796,10 +16796,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>no existe una disposición con este nombre</translation>
     </message>
     <message>
-        <source>there is no push to fit</source>
-        <translation>no hay ningún empuje al que ajustarse</translation>
-    </message>
-    <message>
         <source>there is no simulated link &apos;sim:%1&apos;: can, serial and spi are known</source>
         <translation>no existe el enlace simulado «sim:%1»: se conocen can, serial y spi</translation>
     </message>
@@ -17862,6 +17858,22 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>a line has more than %1 bytes</source>
         <translation>una línea tiene más de %1 bytes</translation>
+    </message>
+    <message>
+        <source>allow more duty, speed or travel</source>
+        <translation>permita más ciclo, velocidad o recorrido</translation>
+    </message>
+    <message>
+        <source>it came to %1 of its step while that was held</source>
+        <translation>solo llegó a %1 de su escalón mientras este se mantuvo</translation>
+    </message>
+    <message>
+        <source>the pushes that its limits leave hardly moved the motor</source>
+        <translation>los empujes que dejan sus límites apenas movieron el motor</translation>
+    </message>
+    <message>
+        <source>it may rest %1 short of its target until its integral has overcome friction</source>
+        <translation>puede quedar %1 antes de su destino hasta que su integral haya vencido el rozamiento</translation>
     </message>
 </context>
 </TS>

@@ -16796,10 +16796,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>il n’y a pas de disposition de ce nom</translation>
     </message>
     <message>
-        <source>there is no push to fit</source>
-        <translation>il n’y a pas de poussée à ajuster</translation>
-    </message>
-    <message>
         <source>there is no simulated link &apos;sim:%1&apos;: can, serial and spi are known</source>
         <translation>il n’y a pas de liaison simulée «&#xa0;sim:%1&#xa0;»&#x202f;; connues&#xa0;: can, serial et spi</translation>
     </message>
@@ -17862,6 +17858,22 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>a line has more than %1 bytes</source>
         <translation>une ligne a plus de %1 octets</translation>
+    </message>
+    <message>
+        <source>allow more duty, speed or travel</source>
+        <translation>autorisez plus de rapport cyclique, de vitesse ou de course</translation>
+    </message>
+    <message>
+        <source>it came to %1 of its step while that was held</source>
+        <translation>il n’a atteint que %1 de son échelon pendant que celui-ci était tenu</translation>
+    </message>
+    <message>
+        <source>the pushes that its limits leave hardly moved the motor</source>
+        <translation>les poussées que laissent ses limites ont à peine bougé le moteur</translation>
+    </message>
+    <message>
+        <source>it may rest %1 short of its target until its integral has overcome friction</source>
+        <translation>il peut s’arrêter à %1 de sa cible jusqu’à ce que son intégrale ait vaincu le frottement</translation>
     </message>
 </context>
 </TS>

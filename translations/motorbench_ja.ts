@@ -16782,10 +16782,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>この名前のレイアウトはありません</translation>
     </message>
     <message>
-        <source>there is no push to fit</source>
-        <translation>フィッティングするパルスがありません</translation>
-    </message>
-    <message>
         <source>there is no simulated link &apos;sim:%1&apos;: can, serial and spi are known</source>
         <translation>シミュレーションリンク「sim:%1」はありません: 使えるのは can、serial、spi です</translation>
     </message>
@@ -17848,6 +17844,22 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>a line has more than %1 bytes</source>
         <translation>%1 バイトを超える行があります</translation>
+    </message>
+    <message>
+        <source>allow more duty, speed or travel</source>
+        <translation>デューティ、速度または移動量の許容値を上げてください</translation>
+    </message>
+    <message>
+        <source>it came to %1 of its step while that was held</source>
+        <translation>ステップを保持している間に、その %1 までしか達しませんでした</translation>
+    </message>
+    <message>
+        <source>the pushes that its limits leave hardly moved the motor</source>
+        <translation>制限内のパルスではモーターがほとんど動きませんでした</translation>
+    </message>
+    <message>
+        <source>it may rest %1 short of its target until its integral has overcome friction</source>
+        <translation>積分が摩擦に打ち勝つまで、目標の %1 手前で静止することがあります</translation>
     </message>
 </context>
 </TS>

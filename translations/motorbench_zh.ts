@@ -16782,10 +16782,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>没有此名称的布局</translation>
     </message>
     <message>
-        <source>there is no push to fit</source>
-        <translation>没有可供拟合的推动</translation>
-    </message>
-    <message>
         <source>there is no simulated link &apos;sim:%1&apos;: can, serial and spi are known</source>
         <translation>没有仿真链路“sim:%1”：已知的有 can、serial 和 spi</translation>
     </message>
@@ -17848,6 +17844,22 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>a line has more than %1 bytes</source>
         <translation>有一行超过 %1 字节</translation>
+    </message>
+    <message>
+        <source>allow more duty, speed or travel</source>
+        <translation>允许更大占空比、速度或行程</translation>
+    </message>
+    <message>
+        <source>it came to %1 of its step while that was held</source>
+        <translation>在阶跃保持期间只到达其 %1</translation>
+    </message>
+    <message>
+        <source>the pushes that its limits leave hardly moved the motor</source>
+        <translation>其限值所允许的推动几乎没有使电机移动</translation>
+    </message>
+    <message>
+        <source>it may rest %1 short of its target until its integral has overcome friction</source>
+        <translation>在其积分克服摩擦之前，它可能停在目标前 %1 处</translation>
     </message>
 </context>
 </TS>

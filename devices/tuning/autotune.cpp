@@ -136,6 +136,15 @@ Task<void> perform(AutotuneRun &run, const TunePlan &plan)
     co_return {};
 }
 
+/// Those that it has, as a remedy.
+Message loopsOf(const Family &family)
+{
+    std::string list;
+    for (const LoopGains &loop : family.trials->loops)
+        list += (list.empty() ? "" : ", ") + std::string(toString(loop.mode));
+    return say("it has %1", list);
+}
+
 /// A loop of P alone that is much slower than the current meets its own last output each time it looks: the first pass makes P times
 /// the gain of what was asked for, and it comes to rest at that over one more than that.
 Error holdsTooLittle(const Family &family)
@@ -164,7 +173,8 @@ bool isLost(const Device &device, const Error &error)
 Result<void> checkTuning(const Family &family, const TunePlan &plan)
 {
     if (!loopOf(family, plan.loop))
-        return fail(Fault::OutOfRange, say("%1 has no loop '%2' that can be tuned", family.key, toString(plan.loop)));
+        return fail(Fault::OutOfRange, say("%1 has no loop '%2' that can be tuned", family.key, toString(plan.loop)),
+            loopsOf(family));
     if (plan.loop == Mode::Current && loopOf(family, plan.loop)->proportional)
         return fail(holdsTooLittle(family));
     if (!identificationOf(family, plan.loop))

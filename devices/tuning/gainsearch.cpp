@@ -315,6 +315,8 @@ private:
                 if (rests)
                     break;
             }
+            if (simulated.value() == 0.0 && up)
+                return never; // what does not move does not overshoot either
         }
         return itae;
     }

@@ -14,6 +14,7 @@ namespace {
 constexpr std::size_t fewestOfPlateau = 10; ///< samples
 constexpr double mostSwing = 0.04;          ///< of the step, beyond what counts alone make
 constexpr double mostSwingOfEdges = 0.015;  ///< of a velocity that is counted over edges: it shows a part of it
+constexpr double latestRest = 0.75;         ///< of a hold
 constexpr double shareOfPredicted = 1.25;   ///< that may be more in one run than in another
 
 double deviationOf(const Trace &trace)
@@ -27,6 +28,14 @@ double deviationOf(const Trace &trace)
         sum += off * off;
     }
     return std::sqrt(sum / static_cast<double>(trace.size()));
+}
+
+/// Of what comes `seconds` after the edge: the second half, or where it settles later what is left then, a quarter at least.
+double swingAtRest(const Trace &response, double target, double seconds)
+{
+    const double settled = settledWidely(response, target).value_or(0.0);
+    const double from = std::clamp(settled, 0.5 * seconds, latestRest * seconds);
+    return deviationOf(response.part(from, seconds)) / std::abs(target);
 }
 
 } // namespace
@@ -54,16 +63,17 @@ double swingOf(const Trial &trial)
     double worst = 0.0;
     for (const Span &hold : trial.holds) {
         if (measured)
-            worst = std::max(worst, deviationOf(measured->trace.part(0.5 * (hold.from + hold.to), hold.to)));
+            worst = std::max(worst,
+                swingAtRest(
+                    measured->trace.part(hold.from, hold.to, hold.from), trial.stimulus.to, hold.to - hold.from));
     }
-    return worst / std::abs(trial.stimulus.to);
+    return worst;
 }
 
 double swingOf(const Prediction &predicted, double step)
 {
     const Trace &measured = predicted.measured;
-    return measured.isEmpty() ? 0.0
-                              : deviationOf(measured.part(0.5 * measured.t.back(), measured.t.back())) / std::abs(step);
+    return measured.isEmpty() ? 0.0 : swingAtRest(measured, step, measured.t.back());
 }
 
 Message judgePlace(const Trial &trial, double counts)

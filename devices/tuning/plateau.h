@@ -12,7 +12,8 @@ namespace mb::tuning {
 /// As metrics.h has it, of the holds of velocity trials, the worst of them.
 [[nodiscard]] std::optional<double> settledWidely(const std::vector<Trial> &trials);
 
-/// σ of what is measured about its own line while it should rest, of the step: the second half of each hold, the worst of them.
+/// σ of what is measured about its own line while it should rest, of the step: the second half of each hold, or where a motor that friction
+/// has kept waiting settles later what is left then, a quarter at least; the worst of them.
 [[nodiscard]] double swingOf(const Trial &trial);
 [[nodiscard]] double swingOf(const Prediction &predicted, double step);
 

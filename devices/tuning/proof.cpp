@@ -16,8 +16,10 @@ namespace {
 
 constexpr double stepOfFreeSpeed = 0.3;
 constexpr double stepOfLimit = 0.6;
-constexpr double stepDuty = 0.5;   ///< that P alone makes of a position step, at its start
-constexpr double deadbands = 10.0; ///< that a position step is clear of friction by
+constexpr double stepOfFriction = 0.6; ///< duty of a velocity step over friction: its integral overcomes it in two lags
+constexpr double mostOfFreeSpeed = 0.5; ///< or there is nothing to speed up with
+constexpr double stepDuty = 0.5;        ///< that P alone makes of a position step, at its start
+constexpr double deadbands = 10.0;      ///< that a position step is clear of friction by
 constexpr int fewCurrents = 6;
 constexpr int manyCurrents = 30;
 constexpr double noiseOfOne = 0.06;  ///< of a step of a current, σ with which one would be enough
@@ -37,6 +39,7 @@ constexpr double laterSettle = 0.15;     ///< s
 constexpr double quietNoise = 0.005;     ///< of the step, with which settling can still be measured
 constexpr double endOfHold = 0.25;
 constexpr double leastError = 0.02; ///< of the step
+constexpr double onlyPart = 0.1;    ///< of the step, by which a response that cannot be measured is not there yet
 
 void addNumber(const Family &family, std::optional<ParameterIndex> index, double number, ScaledGains &into)
 {
@@ -78,8 +81,8 @@ double proofStep(Mode loop, const PlantModel &plant, const ContinuousGains &gain
         return withinLimit(step, envelope.travel);
     }
     const double free = plant.gain * std::max(duty - plant.friction, 0.0);
-    const double step = stepOfFreeSpeed * free;
-    return withinLimit(step, envelope.speed);
+    const double clear = stepOfFriction * plant.gain * plant.friction;
+    return withinLimit(std::clamp(clear, stepOfFreeSpeed * free, mostOfFreeSpeed * free), envelope.speed);
 }
 
 int currentRepeats(double noise, double step)
@@ -98,16 +101,21 @@ bool hasFrictionHelp(const Family &family)
     return hasRole(family, Role::LeastForward);
 }
 
-double restingError(
+RestingError restingError(
     const Family &family, Mode loop, const PlantModel &plant, const ContinuousGains &gains, double seconds)
 {
+    using Below = RestingError::Below;
     const LoopScale &scale = *family.loop;
+    const double held = deadband(plant, gains);
     if (gains.i <= 0.0)
-        return deadband(plant, gains);
+        return {held, Below::Motor};
     const double unmoved = scale.integralStep / scale.fullDuty / (gains.i * scale.cycle);
     if (loop != Mode::Position)
-        return unmoved;
-    return std::max(unmoved, plant.friction / (gains.p + gains.i * stillSeconds * seconds));
+        return {unmoved, Below::Integral};
+    const double late = plant.friction / (gains.p + gains.i * stillSeconds * seconds);
+    if (late >= unmoved)
+        return {late, Below::Time};
+    return unmoved < held ? RestingError{unmoved, Below::Integral} : RestingError{held, Below::Motor};
 }
 
 void addFrictionHelp(const Family &family, int axis, int slot, const PlantModel &plant, ScaledGains &into)
@@ -243,8 +251,12 @@ ProofLimits proofLimits(const Metrics &predicted, double step, double resting)
 
 Message judgeProof(const Metrics &measured, const Metrics &predicted, double step, double resting)
 {
-    if (!measured.rise || !measured.overshoot)
-        return say("the response could not be measured");
+    if (!measured.rise || !measured.overshoot) {
+        const double missing = measured.sse.value_or(0.0);
+        return missing > onlyPart
+            ? say("it came to %1 of its step while that was held", percentText(std::max(1.0 - missing, 0.0)))
+            : say("the response could not be measured");
+    }
     const double blur = std::min(blurOfNoise * measured.noise.value_or(0.0), mostBlur);
     const ProofLimits limits = proofLimits(predicted, step, resting);
     const double overshoot = limits.overshoot + blur;

@@ -42,9 +42,18 @@ void freeIntegral(const Family &family, Mode loop, int axis, int slot, ScaledGai
 /// Of each metric the worse of the trials; nothing where one of them has none.
 [[nodiscard]] Metrics worseOf(const std::vector<Trial> &trials);
 
-/// The error that this loop leaves after so many seconds, in the unit of the loop: where friction holds P and what the integral
-/// of a position loop has become, and below what moves the integral at all.
-[[nodiscard]] double restingError(
+/// The error that a loop may leave, and why nothing mends it.
+struct RestingError {
+    enum class Below {
+        Motor,    ///< what P makes of it does not move the motor
+        Integral, ///< it adds nothing to the integral
+        Time,     ///< the integral takes longer than a hold to overcome friction
+    };
+    double error = 0.0; ///< in the unit of the loop
+    Below below = Below::Motor;
+};
+/// After so many seconds. A position whose integral does not move is left where friction holds P; a velocity is left to P alone.
+[[nodiscard]] RestingError restingError(
     const Family &family, Mode loop, const PlantModel &plant, const ContinuousGains &gains, double seconds);
 
 /// Share of its step that a current is from its target at the end, of the mean of all steps of a trial, the worst of the trials: one sample

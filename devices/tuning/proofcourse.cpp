@@ -62,7 +62,7 @@ ProofCourse courseOf(const ProposalBasis &basis, const Proposal &proposal)
     const int repeats = isCurrent ? currentRepeats(basis.plant.noise, proposal.step) : usualProofs;
     const double resting = isCurrent ? 0.0
         : basis.scale                ? deadband(basis.plant, gains)
-                                     : restingError(basis.family, basis.loop, basis.plant, gains, hold);
+                                     : restingError(basis.family, basis.loop, basis.plant, gains, hold).error;
     ProofCourse course;
     course.slot = basis.family.capabilities.gainSlots > 1 ? 1 - basis.slot : basis.slot;
     course.steps = 2 * repeats;

@@ -257,7 +257,8 @@ Result<PushFit> fitPushes(std::span<const PushRecord> records)
         samples += pushes.back().trace.size();
     }
     if (pushes.empty())
-        return fail(Fault::OutOfRange, say("there is no push to fit"));
+        return fail(Fault::OutOfRange, say("the pushes that its limits leave hardly moved the motor"),
+            say("allow more duty, speed or travel"));
     const Point best = fitted(pushes);
     const auto [tauError, delayError] = uncertainty(pushes, best, samples);
     PushFit fit{best.tau, best.delay, tauError, delayError, {}, 0.0, best.sag, best.warming};

@@ -26,6 +26,21 @@ constexpr double notableRest = 0.02;    ///< of the step
 constexpr double quietCounts = 2.0;     ///< σ, of a position at rest
 constexpr double clearOvershoot = 0.15; ///< more than predicted, that a wrong D may be the cause of
 
+Message tellRest(Mode loop, const RestingError &rests)
+{
+    if (loop == Mode::Current)
+        return say("its current stays %1 A behind while the motor speeds up", std::round(rests.error * 100.0) / 100.0);
+    const double error = std::round(rests.error);
+    switch (rests.below) {
+    case RestingError::Below::Integral:
+        return say("it may rest %1 short of its target, less does not move its integral", error);
+    case RestingError::Below::Time:
+        return say("it may rest %1 short of its target until its integral has overcome friction", error);
+    case RestingError::Below::Motor: break;
+    }
+    return say("it may rest %1 short of its target, less does not move its motor", error);
+}
+
 } // namespace
 
 TuneProof::TuneProof(AutotuneRun &run, const TuneDesign &design)
@@ -35,15 +50,14 @@ TuneProof::TuneProof(AutotuneRun &run, const TuneDesign &design)
 {
 }
 
-/// The error that it may end with, in the unit of the loop.
-double TuneProof::resting() const
+RestingError TuneProof::resting() const
 {
     const TuneReport &report = m_run.report();
     const Mode loop = m_run.plan().loop;
     if (loop == Mode::Current)
-        return droopOf(report.proof, report.plant, report.proposed.made);
+        return {droopOf(report.proof, report.plant, report.proposed.made)};
     if (report.scale)
-        return deadband(report.plant, report.proposed.made);
+        return {deadband(report.plant, report.proposed.made)};
     return restingError(m_run.device().family(), loop, report.plant, report.proposed.made, hold());
 }
 
@@ -145,7 +159,7 @@ Message TuneProof::shortcoming()
         report.measured.settle = settledWidely(report.proof);
     if (m_run.plan().loop == Mode::Current && report.measured.sse)
         report.measured.sse = restOfCurrent(report.proof);
-    Message wrong = judgeProof(report.measured, report.predicted->metrics, m_design.step(), resting());
+    Message wrong = judgeProof(report.measured, report.predicted->metrics, m_design.step(), resting().error);
     if (wrong.empty() && m_run.plan().loop == Mode::Velocity)
         wrong = judgeRest(swingOf(report.proof.back()), *report.predicted, m_design.step());
     if (wrong.empty() && report.scale && report.scale->rate == 0.0)
@@ -242,12 +256,8 @@ Task<void> TuneProof::keep()
     if (m_mayStay)
         report.evidence
             = joined(report.evidence, say("what was there is not known, and these were not compared with it"));
-    if (const double rests = resting(); rests > notableRest * m_design.step())
-        report.evidence = joined(report.evidence,
-            report.scale ? say("it may rest %1 short of its target, less does not move its motor", std::round(rests))
-                : m_run.plan().loop == Mode::Current
-                ? say("its current stays %1 A behind while the motor speeds up", std::round(rests * 100.0) / 100.0)
-                : say("it may rest %1 short of its target, less does not move its integral", std::round(rests)));
+    if (const RestingError rests = resting(); rests.error > notableRest * m_design.step())
+        report.evidence = joined(report.evidence, tellRest(m_run.plan().loop, rests));
     if (std::any_of(report.proof.begin(), report.proof.end(),
             [](const Trial &trial) { return trial.has(flag::restartNeeded); }))
         report.evidence = joined(report.evidence, say("a part of them is in force after a restart only"));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "experiment/experiment.h"
+#include "tuning/proof.h"
 
 #include <vector>
 
@@ -28,7 +29,7 @@ private:
     [[nodiscard]] double hold() const;
     [[nodiscard]] int repeats() const;
     [[nodiscard]] double target(double sign) const;
-    [[nodiscard]] double resting() const;
+    [[nodiscard]] RestingError resting() const;
     [[nodiscard]] Result<void> checkPass();
     [[nodiscard]] Message withDerivative(Message why) const;
     [[nodiscard]] Message shortcoming();

@@ -195,6 +195,14 @@ HeldCurrent held(double loopGain)
     return seen;
 }
 
+TEST(CurrentLoop, AFamilyWithoutTheLoopNamesThoseThatItHas)
+{
+    ExperimentBench board("sim:spi", "quadquad2drv", 0);
+    const auto report = tune(board, planOf(Mode::Current));
+    ASSERT_FALSE(report);
+    EXPECT_NE(report.error().text().find("it has velocity, position"), std::string::npos) << report.error().text();
+}
+
 TEST(CurrentLoop, WhatPAloneOfAnAbstractDcHoldsIsSaidBeforeAnythingMoves)
 {
     ExperimentBench bench("sim:can", "abstractdc", 3);

@@ -32,12 +32,13 @@ Result<TuneReport> tuneAxis(ExperimentBench &bench, int axis)
 
 TEST(DemoBoard, ItsAxesAreTunedWithTheQuarterOfItsPowerThatItBeginsWith)
 {
-    for (const int axis : {1, 3, 4}) {
+    for (const int axis : {1, 2, 3, 4}) {
         ExperimentBench bench("sim:spi", "quadquad2drv", 0);
         const auto report = tuneAxis(bench, axis);
         ASSERT_TRUE(report) << report.error().text();
         print(*report);
         EXPECT_EQ(report->result, TuneResult::Kept) << axis << ": " << report->evidence;
+        EXPECT_EQ(report->evidence.english().find("calm"), std::string::npos) << axis << ": " << report->evidence;
         EXPECT_LE(report->seconds, 60.0);
     }
 }
@@ -50,6 +51,21 @@ TEST(DemoBoard, FrictionThatTakesHalfOfTheDutyLeavesTwoSizesOfPushesThatOvercome
     print(*report);
     EXPECT_NEAR(report->plant.friction, 0.133, 0.002);
     EXPECT_FALSE(report->proof.empty()) << report->evidence;
+}
+
+TEST(DemoBoard, PushesThatItsSpeedLeavesTooWeakForFrictionAreNamed)
+{
+    ExperimentBench bench("sim:spi", "quadquad2drv", 0);
+    calibrateDemo(bench);
+    TunePlan plan = planOf(Mode::Velocity);
+    plan.axis = 2;
+    plan.keep = true;
+    plan.limits.speed = 200.0;
+    const auto report = tune(bench, plan);
+    ASSERT_TRUE(report) << report.error().text();
+    EXPECT_EQ(report->result, TuneResult::Refused);
+    EXPECT_NE(report->evidence.english().find("hardly moved"), std::string::npos) << report->evidence;
+    EXPECT_NE(report->evidence.english().find("allow more"), std::string::npos) << report->evidence;
 }
 
 Trial weakStep(double i)

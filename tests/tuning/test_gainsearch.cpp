@@ -62,6 +62,28 @@ TEST(GainSearch, IsQuickerThanTheRuleAndWithinTheSameBounds)
     }
 }
 
+/// Four of its lags pass until the integral of the rule has overcome friction.
+TEST(GainSearch, GainsThatDoNotMoveTheMotorAreNotTakenForGainsThatDoNotOvershoot)
+{
+    const PlantModel stiff{7370.0, 0.186, 0.243, 0.133};
+    SearchTask task;
+    task.step = 259.0;
+    task.overshoot = 0.005;
+    task.isHeldToRule = true;
+    task.shape.period = 2e-3;
+    task.shape.mostDuty = 0.25;
+    task.shape.isCounted = true;
+    task.shape.window = 0.48;
+    task.shape.windowCounts = 124.0;
+    const Design rule
+        = design(Mode::Velocity, stiff, responseOf(Mode::Velocity, Aim::Calm, stiff), task.bounds, 1.6, 1.88);
+    const Design found = searched(Mode::Velocity, stiff, rule, task);
+    SimulatedLoop simulated(Mode::Velocity, stiff, found.gains, task.shape, 0.0);
+    for (double t = 0.0; t < 4.0; t += task.shape.period)
+        (void)simulated.pass(task.step);
+    EXPECT_GT(simulated.value(), 0.5 * task.step);
+}
+
 TEST(GainSearch, MarginsHoldForAMotorThatPushesSaidIsQuicker)
 {
     SearchTask task = taskOf(Mode::Velocity);

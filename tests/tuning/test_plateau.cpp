@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -59,6 +60,21 @@ TEST(Plateau, ASwingBesideTheCountsIsNamed)
     const Prediction averaged = predictedBy(response(0.0), 0.0); // 100 ms of it hide no edges, but noise is more there
     EXPECT_TRUE(judgeRest(swingOf(trialOf(response(0.03))), averaged, step).empty());
     EXPECT_FALSE(judgeRest(swingOf(trialOf(response(0.08))), averaged, step).empty());
+}
+
+/// Friction has kept it waiting for its integral.
+TEST(Plateau, AMotorThatSetsOutLateSwingsNoMoreThanOneThatDoesNot)
+{
+    Trace late;
+    for (int i = 0; i < 200; ++i) {
+        const double t = i * 0.01;
+        late.add(t, step * std::clamp((t - 0.9) / 0.4, 0.0, 1.0));
+    }
+    EXPECT_LT(swingOf(predictedBy(late, 124.0), step), 0.015);
+    EXPECT_LT(swingOf(trialOf(late)), 0.015);
+    for (std::size_t i = 0; i < late.size(); ++i)
+        late.y[i] += late.t[i] < 1.3 ? 0.0 : 0.2 * step * std::sin(60.0 * late.t[i]);
+    EXPECT_GT(swingOf(trialOf(late)), 0.1) << "what goes on swinging does not settle";
 }
 
 TEST(Plateau, SettlesInABandThatIsWiderThanACount)

@@ -96,6 +96,30 @@ TEST(Proof, AStepStaysWithinTheLimits)
     EXPECT_LE(proofStep(Mode::Position, plant, gains, envelope), 210.0);
 }
 
+TEST(Proof, AVelocityStepIsClearOfFrictionAsFarAsItsDutyLeavesRoom)
+{
+    Envelope envelope;
+    envelope.duty = 0.25;
+    const auto stepOf = [&envelope](double friction) {
+        return proofStep(Mode::Velocity, PlantModel{10'000.0, 0.1, 0.0, friction}, {}, envelope);
+    };
+    EXPECT_NEAR(stepOf(0.05), 0.3 * 2000.0, 1.0);
+    EXPECT_NEAR(stepOf(0.1), 0.6 * 1000.0, 1.0) << "its integral would be late";
+    EXPECT_NEAR(stepOf(0.15), 0.5 * 1000.0, 1.0) << "or it could not speed up";
+    EXPECT_EQ(stepOf(0.3), 0.0);
+}
+
+TEST(Proof, AStepThatIsNotThereWhenItsHoldEndsIsNamed)
+{
+    const Metrics predicted = responseOf(0.01, 0.2);
+    Metrics measured;
+    measured.sse = 0.38;
+    const std::string said = judgeProof(measured, predicted, 1000.0, 0.0).english();
+    EXPECT_EQ(said, "it came to 62 % of its step while that was held");
+    measured.sse = 0.02;
+    EXPECT_EQ(judgeProof(measured, predicted, 1000.0, 0.0).english(), "the response could not be measured");
+}
+
 TEST(Proof, ALimitThatNobodyKnowsTakesNothingOfAStep)
 {
     const PlantModel plant{50'000.0, 0.1, 0.0, 0.05};

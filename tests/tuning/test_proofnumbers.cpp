@@ -45,17 +45,33 @@ TEST(ProofNumbers, WithoutAnIntegralFrictionHoldsWhatPDoesNotOvercome)
 {
     const Family &family = provenFamily("dmc60c");
     const PlantModel plant{50'000.0, 0.1, 0.0, 0.05};
-    EXPECT_DOUBLE_EQ(restingError(family, Mode::Position, plant, {0.001}, 2.0), 50.0);
+    using Below = RestingError::Below;
+    const RestingError held = restingError(family, Mode::Position, plant, {0.001}, 2.0);
+    EXPECT_DOUBLE_EQ(held.error, 50.0);
+    EXPECT_EQ(held.below, Below::Motor);
     // with one, half of the time adds to P
-    EXPECT_DOUBLE_EQ(restingError(family, Mode::Position, plant, {0.001, 0.004}, 2.0), 0.05 / (0.001 + 0.004));
-    EXPECT_EQ(restingError(family, Mode::Velocity, plant, {0.001, 0.004}, 2.0), 0.0) << "an exact integral";
+    const RestingError late = restingError(family, Mode::Position, plant, {0.001, 0.004}, 2.0);
+    EXPECT_DOUBLE_EQ(late.error, 0.05 / (0.001 + 0.004));
+    EXPECT_EQ(late.below, Below::Time);
+    EXPECT_EQ(restingError(family, Mode::Velocity, plant, {0.001, 0.004}, 2.0).error, 0.0) << "an exact integral";
+}
+
+TEST(ProofNumbers, AnIntegralOfWholeStepsThatDoesNotMoveLeavesAPositionWhereFrictionHoldsP)
+{
+    using Below = RestingError::Below;
+    const PlantModel plant{50'000.0, 0.1, 0.0, 0.05};
     const auto coarse = std::find_if(
         families().begin(), families().end(), [](const Family *f) { return f->loop && f->loop->integralStep > 0.0; });
     ASSERT_NE(coarse, families().end());
     const LoopScale &scale = *(*coarse)->loop;
     const double unmoved = scale.integralStep / scale.fullDuty / (0.004 * scale.cycle);
-    EXPECT_DOUBLE_EQ(restingError(**coarse, Mode::Velocity, plant, {0.001, 0.004}, 2.0), unmoved);
-    EXPECT_DOUBLE_EQ(restingError(**coarse, Mode::Position, plant, {1.0, 0.004}, 2.0), unmoved);
+    const auto rest = [&](Mode loop, double p) { return restingError(**coarse, loop, plant, {p, 0.004}, 2.0); };
+    EXPECT_DOUBLE_EQ(rest(Mode::Velocity, 0.001).error, unmoved);
+    EXPECT_EQ(rest(Mode::Velocity, 0.001).below, Below::Integral);
+    EXPECT_DOUBLE_EQ(rest(Mode::Position, 0.01).error, 5.0) << unmoved << ": P has moved it before";
+    EXPECT_EQ(rest(Mode::Position, 0.01).below, Below::Motor);
+    const double between = rest(Mode::Position, 0.5 * 0.05 / unmoved).error;
+    EXPECT_DOUBLE_EQ(between, std::max(unmoved, 0.05 / (0.5 * 0.05 / unmoved + 0.004)));
 }
 
 TEST(ProofNumbers, FrictionHelpIsAQuarterMoreThanFrictionAndFourCounts)
