@@ -183,6 +183,17 @@ class WindowScenarios(FreezeScenarios):
         link, _, unit = self.rig.device.rpartition("/")
         return Program(self.window, link, unit.split(":")[0], environment={**os.environ, "QT_QPA_PLATFORM": "offscreen"})
 
+    def test_a_window_that_is_told_to_end_stops_the_motor_and_goes_once_that_is_seen(self):
+        taken = []
+        for _ in self.rounds():
+            program = self.drive()
+            at = time.time()
+            program.send(signal.SIGTERM)
+            taken.append(self.off_after(at, 0.25, "SIGTERM"))
+            self.assertEqual(program.process.wait(PATIENCE), 0, f"it was seen: {program.lines[-3:]}")
+            self.assertTrue(self.rig.motor.stays_off(RESUMES))
+        ROWS.add(self.rig.family, "the window is told to end (SIGTERM)", "the window", taken, 0.25)
+
 
 class CableScenarios(Rounds):
     """A cable that is pulled in the middle of a motion, and is back."""

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window's own engine, window and arming, without a screen, driving device 5 of a link, or all axes of a board, until it is killed:
-//     windowdriver LINK          prints "driving" once a snapshot shows the motor moving, on a board every motor
+//     windowdriver LINK          prints "driving" once a snapshot shows the motor moving, on a board every motor; ends by SIGTERM as the
+//                                window does
 //     windowdriver LINK FAMILY   drives device 5 of this family, where there are several
 //     windowdriver LINK listen   only watches; prints "listening", and at the end of its input "RX LOST"
 //     windowdriver LINK record FILE   records; prints "recording", and at the end of its input, once the file is closed,
 //                                     "FRAMES LOST"
 //     windowdriver LINK serve RECIPE UNITS   production with this recipe until so many units have ended; a line of JSON for each
 // For tests/console/fifty_units.py, tests/safety, and tests/socketcan/kill-window, full-load and recording. The lease is renewed where the program renews it, on the GUI thread.
+#include "app/closing.h"
+#include "app/endsignals.h"
 #include "app/engine.h"
 #include "app/mainwindow.h"
 #include "app/productionface.h"
@@ -40,6 +43,8 @@ public:
     }
     void follow()
     {
+        if (m_window.closing().isEnding())
+            return;
         for (const mb::DeviceView &device : m_engine.snapshot().devices) {
             const bool board = device.family->capabilities.axes > 1;
             if ((board || device.identity->address == 5) && (m_family.empty() || device.family->key == m_family))
@@ -264,6 +269,7 @@ int main(int argc, char **argv)
     mb::Settings settings(false);
     mb::Engine engine(mb::families(), false);
     mb::MainWindow window(engine, theme, settings);
+    const mb::EndSignals endSignals([&window] { window.closing().end(); });
     Driver driver(engine, window, argc == 3 ? argv[2] : "");
     std::optional<Listener> listener;
     if (listens)
@@ -298,5 +304,6 @@ int main(int argc, char **argv)
     if (!serves) // whoever serves units looks for them
         again.start(std::chrono::seconds(3));
     window.show();
-    return QApplication::exec();
+    const int status = QApplication::exec();
+    return window.closing().unstopped().isEmpty() ? status : 4;
 }
