@@ -38,8 +38,10 @@ void BusRows::take(const std::vector<Device *> &found, const Row *serving)
         if (device->family().key == m_wanted.family->key)
             notice(*device);
     }
-    if (m_isFirstLook)
+    if (m_isFirstLook) {
+        recall(found);
         addMissing();
+    }
     markAbsent(serving);
     m_isFirstLook = false;
 }
@@ -47,11 +49,7 @@ void BusRows::take(const std::vector<Device *> &found, const Row *serving)
 void BusRows::notice(const Device &device)
 {
     const std::string unit = settings::unitOf(device).key;
-    Row *known = nullptr;
-    for (Row &row : m_rows) {
-        if (row.shown.visit.unit == unit && !row.gone)
-            known = &row;
-    }
+    Row *known = rowOf(device, unit);
     if (!known)
         known = missingOf(device);
     if (!known) {
@@ -61,9 +59,24 @@ void BusRows::notice(const Device &device)
     }
     if (std::exchange(known->missing, false))
         known->shown.what = {};
+    known->moved = known->moved || isMoved(known->shown.visit, device);
     known->seen = true;
     known->absentAt.reset();
+    known->gone = false;
     known->shown.device = m_session.idOf(device);
+}
+
+/// By the number that was given here first, however long it was gone; else by its name, while it was not gone.
+BusRows::Row *BusRows::rowOf(const Device &device, const std::string &unit)
+{
+    Row *known = nullptr;
+    for (Row &row : m_rows) {
+        if (isMoved(row.shown.visit, device))
+            return &row;
+        if (row.shown.visit.unit == unit && !row.gone && !row.moved)
+            known = &row;
+    }
+    return known;
 }
 
 void BusRows::addRow(const Device &device, const std::string &unit)
@@ -79,28 +92,35 @@ void BusRows::addRow(const Device &device, const std::string &unit)
     row.shown.visit.family = device.identity().family;
     row.shown.visit.from = device.identity().firmware;
     row.shown.state = m_wanted.onlyChosen ? RowState::Skipped : RowState::Waiting;
-    if (m_isFirstLook)
-        recallInto(row, device);
 }
 
-/// What the run that is resumed knows of this unit: done, or cut off. One that was given its number may be told by that only.
-void BusRows::recallInto(Row &row, const Device &device)
+/// What the run that is resumed knows of those that are here: done, or cut off. Who stands in a place may be another than the one
+/// that has ended there; one that was cut off there goes on.
+void BusRows::recall(const std::vector<Device *> &found)
 {
-    const std::string unit = row.shown.visit.unit;
     for (const Visit &visit : m_wanted.earlier) {
-        if (!isThis(visit, unit, device))
-            continue;
-        row.shown.visit = visit;
-        row.shown.state = stateOf(visit.outcome);
+        const bool isPlace = settings::byOf(visit.unit) == settings::Unit::By::Place;
+        const auto moved
+            = std::find_if(found.begin(), found.end(), [&](const Device *device) { return isMoved(visit, *device); });
+        const DeviceId id = moved == found.end() ? DeviceId{} : m_session.idOf(**moved);
+        for (Row &row : m_rows) {
+            const bool here = row.shown.visit.unit == visit.unit && (!isPlace || visit.outcome == Outcome::Open);
+            if (moved == found.end() ? !here : row.shown.device != id)
+                continue;
+            row.moved = moved != found.end();
+            row.shown.visit = visit;
+            row.shown.state = stateOf(visit.outcome);
+        }
     }
 }
 
-bool BusRows::isThis(const Visit &visit, const std::string &unit, const Device &device) const
+/// It answers under the number that this visit has given to a unit without a serial number.
+bool BusRows::isMoved(const Visit &visit, const Device &device) const
 {
-    const bool atItsNumber = settings::byOf(unit) != settings::Unit::By::Serial
-        && visit.number == device.identity().address && settings::byOf(visit.unit) != settings::Unit::By::Serial
+    const std::string unit = settings::unitOf(device).key;
+    return visit.unit != unit && visit.number == device.identity().address
+        && settings::byOf(unit) == settings::Unit::By::Place && settings::byOf(visit.unit) == settings::Unit::By::Place
         && linkOf(visit) == m_link.address().text();
-    return visit.unit == unit || atItsNumber;
 }
 
 /// Units that were being served here when the program ended, and do not answer now: they stay in sight.
@@ -123,8 +143,9 @@ void BusRows::addMissing()
 BusRows::Row *BusRows::missingOf(const Device &device)
 {
     const std::string unit = settings::unitOf(device).key;
-    const auto found = std::find_if(m_rows.begin(), m_rows.end(),
-        [&](const Row &row) { return row.missing && isThis(row.shown.visit, unit, device); });
+    const auto found = std::find_if(m_rows.begin(), m_rows.end(), [&](const Row &row) {
+        return row.missing && (row.shown.visit.unit == unit || isMoved(row.shown.visit, device));
+    });
     return found == m_rows.end() ? nullptr : &*found;
 }
 

@@ -19,6 +19,7 @@ public:
         std::optional<Instant> absentAt; ///< since when nobody saw it
         bool gone = false;               ///< long enough to begin again
         bool missing = false;            ///< cut off in the run that is resumed, and not seen since
+        bool moved = false;              ///< seen under the number that it was given: its first place is another's now
         [[nodiscard]] bool isMissed() const { return missing && shown.state == RowState::Waiting; }
     };
     /// All of it outlives the rows.
@@ -45,9 +46,10 @@ public:
 
 private:
     void notice(const Device &device);
+    [[nodiscard]] Row *rowOf(const Device &device, const std::string &unit);
     void addRow(const Device &device, const std::string &unit);
-    void recallInto(Row &row, const Device &device);
-    [[nodiscard]] bool isThis(const Visit &visit, const std::string &unit, const Device &device) const;
+    void recall(const std::vector<Device *> &found);
+    [[nodiscard]] bool isMoved(const Visit &visit, const Device &device) const;
     void addMissing();
     [[nodiscard]] Row *missingOf(const Device &device);
     void markAbsent(const Row *serving);

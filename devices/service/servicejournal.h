@@ -11,7 +11,8 @@ namespace mb::service {
 /// A number that a unit is to get.
 struct NumberWish {
     std::string scope; ///< numbers are given once in it: "dmc60c drive-base rev C"
-    std::string unit;  ///< Visit::unit: it gets the same number whenever it asks again
+    std::string
+        unit; ///< it gets the same number whenever it asks again: Visit::unit; of one known by its place only, the visit
     std::string visit;
     int first = 1;
     int last = 63;       ///< of the family

@@ -5,6 +5,7 @@
 #include "service/goldenband.h"
 #include "service/preflight.h"
 #include "settings/snapshots.h"
+#include "settings/unit.h"
 #include "settings/writing.h"
 
 #include <algorithm>
@@ -16,6 +17,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration numberAgain = 2s;
+constexpr Duration takenOff = 2s;
+constexpr Duration lookForUnit = 100ms;
 constexpr int mostTests = 3;
 
 /// Nothing else talks to a unit while its firmware is written.
@@ -34,6 +37,12 @@ private:
     Device &m_device;
 };
 
+/// Nobody can tell its unit from another in the same place.
+bool isPlace(const Visit &visit)
+{
+    return settings::byOf(visit.unit) == settings::Unit::By::Place;
+}
+
 Message settingsText(int count)
 {
     return count == 1 ? say("1 setting") : say("%1 settings", count);
@@ -50,7 +59,15 @@ UnitRun::UnitRun(
     , m_progress(progress)
     , m_begun(device.clock().now())
     , m_earlier(m_visit.seconds)
+    , m_trusted(isPlace(m_visit) ? m_visit.steps.size() : 0)
 {
+    if (m_trusted > 0) { // it may be another unit than the one that was cut off here
+        m_visit.from.clear();
+        m_visit.to.clear();
+        m_visit.snapshot.reset();
+        m_visit.trial.reset();
+        m_visit.test.clear();
+    }
     m_visit.imageHash = m_around.matter.imageHash;
     if (m_visit.from.empty() && !isEnded(Step::Firmware))
         m_visit.from = device.identity().firmware;
@@ -116,7 +133,7 @@ Task<void> UnitRun::write()
 
 bool UnitRun::isEnded(Step step) const
 {
-    return std::any_of(m_visit.steps.begin(), m_visit.steps.end(),
+    return std::any_of(m_visit.steps.begin() + static_cast<std::ptrdiff_t>(m_trusted), m_visit.steps.end(),
         [step](const StepEntry &entry) { return entry.step == step && entry.ended; });
 }
 
@@ -149,16 +166,22 @@ Task<void> UnitRun::meet()
     co_return {};
 }
 
+Result<void> UnitRun::isSame() const
+{
+    const std::string &serial = m_device.identity().serial;
+    if (!serial.empty() && !m_visit.serial.empty() && serial != m_visit.serial)
+        return fail(Fault::Refused, say("this is another unit by now, number %1", serial), say("look for units again"));
+    return {};
+}
+
 Task<Message> UnitRun::look()
 {
     auto meeting = meet();
     co_await std::move(meeting);
     auto looking = preflight(m_device, m_around.matter, m_progress);
     co_await std::move(looking);
-    const std::string &serial = m_device.identity().serial;
-    if (!serial.empty() && !m_visit.serial.empty() && serial != m_visit.serial)
-        co_return fail(
-            Fault::Refused, say("this is another unit by now, number %1", serial), say("look for units again"));
+    if (auto same = isSame(); !same)
+        co_return fail(same.error());
     const std::string &firmware = m_device.identity().firmware;
     co_return firmware.empty() ? say("no version is told") : say("firmware %1", firmware);
 }
@@ -336,13 +359,19 @@ Task<Message> UnitRun::test()
 Task<int> UnitRun::reserve()
 {
     const Family &family = m_device.family();
-    NumberWish wish{std::string(family.key) + ' ' + m_visit.recipe, m_visit.unit, m_visit.id,
-        m_around.matter.recipe.number->first, family.capabilities.lastAddress, m_around.taken};
+    NumberWish wish{std::string(family.key) + ' ' + m_visit.recipe, isPlace(m_visit) ? m_visit.id : m_visit.unit,
+        m_visit.id, m_around.matter.recipe.number->first, family.capabilities.lastAddress, m_around.taken};
+    bool hasWaited = false;
     for (;;) {
         auto asking = m_around.journal.number(wish);
         const Result<std::optional<int>> number = co_await std::move(asking).attempt();
-        if (number && *number)
+        if (number && *number) {
+            if (hasWaited) { // another may have taken its place
+                auto refreshing = m_device.refresh();
+                co_await std::move(refreshing);
+            }
             co_return **number;
+        }
         if (number) {
             m_visit.ending = Ending::NumbersUsedUp;
             co_return fail(Fault::OutOfRange, say("all numbers are used up, the highest is %1", wish.last),
@@ -353,19 +382,43 @@ Task<int> UnitRun::reserve()
         if (m_around.experiments.interruption && m_around.experiments.interruption->isRequested())
             co_return fail(Fault::Cancelled, say("stopped while it waited for a number"));
         m_progress.step(say("no number: server silent"), 0, 0);
-        Sleep waiting(m_device.clock(), numberAgain);
-        co_await waiting;
+        hasWaited = true;
+        auto waiting = waitForNumber();
+        co_await std::move(waiting);
     }
+}
+
+/// Whoever takes it off meanwhile may put another one on: then it is not this unit that waits.
+Task<void> UnitRun::waitForNumber()
+{
+    const bool isFollowed = m_device.liveness().heard;
+    const Instant again = m_device.clock().now() + numberAgain;
+    Instant heardAt = m_device.clock().now();
+    while (m_device.clock().now() < again || (isFollowed && !m_device.liveness().heard)) {
+        if (m_device.liveness().heard)
+            heardAt = m_device.clock().now();
+        if (isFollowed && m_device.clock().now() - heardAt >= takenOff)
+            co_return fail(Fault::Timeout, say("the unit was taken off while it waited for a number"),
+                say("put it on again, and do it again"));
+        Sleep looking(m_device.clock(), lookForUnit);
+        co_await looking;
+    }
+    co_return {};
 }
 
 Task<Message> UnitRun::giveNumber()
 {
     if (!m_visit.number) {
         auto reserving = reserve();
-        m_visit.number = co_await std::move(reserving);
+        const int number = co_await std::move(reserving);
+        if (auto same = isSame(); !same)
+            co_return fail(same.error());
+        m_visit.number = number;
         auto noting = write(); // it is this unit's, whatever happens next
         co_await std::move(noting);
     }
+    if (auto same = isSame(); !same)
+        co_return fail(same.error());
     const int old = m_device.identity().address;
     m_progress.step(say("Giving it number %1", *m_visit.number), 0, 0);
     if (old != *m_visit.number) {
@@ -397,6 +450,8 @@ Task<Message> UnitRun::prove()
     }
     auto refreshing = m_device.refresh();
     co_await std::move(refreshing);
+    if (auto same = isSame(); !same)
+        co_return fail(same.error());
     m_visit.to = m_device.identity().firmware;
     auto reading = readAll();
     co_await std::move(reading);
@@ -420,7 +475,8 @@ Task<Message> UnitRun::prove()
 Task<Visit> UnitRun::conclude(Outcome outcome, Error error)
 {
     Message evidence;
-    for (const StepEntry &entry : m_visit.steps) {
+    for (std::size_t i = m_trusted; i < m_visit.steps.size(); ++i) {
+        const StepEntry &entry = m_visit.steps[i];
         if (entry.ended && !entry.detail.empty())
             evidence = joined(evidence, say("%1: %2", Message::label(toString(entry.step)), entry.detail));
     }

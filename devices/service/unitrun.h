@@ -43,6 +43,8 @@ private:
     [[nodiscard]] Task<UpdateReport> runUpdate();
     [[nodiscard]] Task<TestFinding> testOnce();
     [[nodiscard]] Task<int> reserve();
+    [[nodiscard]] Task<void> waitForNumber();
+    [[nodiscard]] Result<void> isSame() const;
     [[nodiscard]] Task<void> readAll();
     [[nodiscard]] std::vector<ParameterChange> missing() const;
     [[nodiscard]] std::vector<ParameterChange> unreadable() const;
@@ -57,6 +59,7 @@ private:
     const Instant m_begun;
     const double m_earlier;                      ///< s, of what was cut off
     std::vector<ParameterStore::Entry> m_before; ///< in table order, of the backup
+    const std::size_t m_trusted;                 ///< the first of the visit's steps that are known to be of this unit
     bool m_wrote = false;
     std::optional<Error> m_journalError;
 };

@@ -93,10 +93,12 @@ Result<std::optional<int>> giveNumber(SqlConnection &sql, const NumberWish &wish
             = sql.run("SELECT number, unit FROM service_number WHERE scope = ? AND unit IN ('', ?) ORDER BY number",
                 {qt(wish.scope), qt(wish.unit)}, [&](const QSqlQuery &row) {
                     const int number = row.value(0).toInt();
-                    if (!row.value(1).toString().isEmpty())
-                        given = number;
-                    else if (number >= wish.first && number <= wish.last && !wish.taken.contains(number))
+                    if (number < wish.first || number > wish.last || wish.taken.contains(number))
+                        return;
+                    if (row.value(1).toString().isEmpty())
                         free.push_back(number);
+                    else if (!given)
+                        given = number;
                 });
         if (!read || given || free.empty())
             return read;

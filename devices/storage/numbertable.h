@@ -21,6 +21,7 @@ struct NumberBlock {
     const service::NumberWish &wish, int size, const std::string &station, double time);
 /// They lie here from now on, for nobody yet; those that were given before are left out.
 [[nodiscard]] Result<void> keepBlock(SqlConnection &sql, const std::string &scope, const NumberBlock &block);
-/// The number that this unit has already, or the lowest that lies here and that nobody connected has; nothing where there is none.
+/// The number that this unit has already, or the lowest that lies here; within what is wished for, and nobody's who is connected.
+/// Nothing where there is none.
 [[nodiscard]] Result<std::optional<int>> giveNumber(SqlConnection &sql, const service::NumberWish &wish);
 } // namespace mb

@@ -32,7 +32,7 @@ protected:
     static void exchangeFor(UnitRack &rack, std::optional<std::size_t> place)
     {
         rack.putOn(std::nullopt);
-        rack.clock.advance(4s);
+        rack.clock.advance(1min); // a look at an empty bus takes long
         rack.putOn(place);
     }
     static bool waitFor(UnitRack &rack, QueueRun &run, int ended)
@@ -74,6 +74,181 @@ TEST_F(UnitsByPlace, GainsThatCannotBeReadAreWrittenToTheNextUnitInThePlaceToo)
         EXPECT_EQ(visit.parameters, 0) << "none was read back";
     }
     EXPECT_EQ(saved, (std::vector<std::size_t>{0, 1})) << "each has them in its flash";
+}
+
+const QByteArray nodeRecipe = R"({"recipe":1,"name":"nodes","family":"supermodified","number":{"first":10}})";
+
+TEST_F(UnitsByPlace, EachUnitOfAPlaceGetsANumberOfItsOwn)
+{
+    UnitRack rack({"supermodified:4", "supermodified:4"}, "sim:serial");
+    rack.putOn(0);
+    QueueRun run(rack, *books, load(rack, nodeRecipe), units(2));
+    run.queue.start();
+    ASSERT_TRUE(waitFor(rack, run, 1));
+    exchangeFor(rack, 1);
+    ASSERT_TRUE(waitFor(rack, run, 2));
+    const auto visits = books->visits();
+    ASSERT_EQ(visits.size(), 2U);
+    EXPECT_EQ(visits[0].number, 10);
+    EXPECT_EQ(visits[1].number, 11);
+}
+
+TEST_F(UnitsByPlace, AUnitThatComesBackUnderItsNewNumberIsNotServedAgain)
+{
+    UnitRack rack({"supermodified:4", "supermodified:4"}, "sim:serial");
+    rack.putOn(0);
+    QueueRun run(rack, *books, load(rack, nodeRecipe), units(2));
+    run.queue.start();
+    ASSERT_TRUE(waitFor(rack, run, 1));
+    exchangeFor(rack, 0);
+    rack.clock.advance(1min);
+    EXPECT_EQ(run.queue.counts().ended(), 1) << "it is known by its number";
+    rack.unit(1).setPowered(true);
+    ASSERT_TRUE(waitFor(rack, run, 2)) << "another one in the place where it was";
+    const auto visits = books->visits();
+    ASSERT_EQ(visits.size(), 2U);
+    EXPECT_EQ(visits[1].device, "sim:serial/supermodified:4");
+    EXPECT_EQ(visits[1].number, 11);
+}
+
+TEST_F(UnitsByPlace, AQueueThatGoesOnServesWhoeverStandsWhereOneHasEnded)
+{
+    UnitRack rack({"abstractdc:3", "abstractdc:3"});
+    rack.putOn(0);
+    const RecipeMatter matter = load(rack, driveRecipe, driveGains);
+    std::string name;
+    {
+        QueueRun run(rack, *books, matter);
+        ASSERT_TRUE(run.run());
+        name = run.queue.run();
+    }
+    exchangeFor(rack, 1);
+    QueueOptions options;
+    options.run = name;
+    QueueRun again(rack, *books, matter, options);
+    ASSERT_TRUE(again.run());
+    const auto visits = books->visits();
+    ASSERT_EQ(visits.size(), 2U) << "this place, not this unit";
+    EXPECT_NE(visits[1].evidence.english().find("2 of 2 settings written"), std::string::npos);
+}
+
+class CutPlaces : public UnitsByPlace {
+protected:
+    /// Served until its number is reserved; the name of the run.
+    std::string cut(UnitRack &rack, const RecipeMatter &matter)
+    {
+        QueueRun run(rack, *books, matter, units(1));
+        run.queue.start();
+        EXPECT_TRUE(rack.clock.runUntil(
+            [&] {
+                const auto rows = run.queue.rows();
+                return !rows.empty() && rows[0].visit.number;
+            },
+            1min));
+        return run.queue.run();
+    }
+    static int timesEnded(const Visit &visit, Step step)
+    {
+        return static_cast<int>(std::count_if(visit.steps.begin(), visit.steps.end(),
+            [step](const StepEntry &entry) { return entry.step == step && entry.ended; }));
+    }
+};
+
+TEST_F(CutPlaces, GoOnWithTheirNumberAndAllElseIsDoneAgain)
+{
+    UnitRack rack({"supermodified:4", "supermodified:4"}, "sim:serial");
+    rack.putOn(0);
+    const RecipeMatter matter = load(rack, nodeRecipe);
+    const std::string name = cut(rack, matter);
+    exchangeFor(rack, 1);
+    QueueRun again(rack, *books, matter, units(1, name));
+    ASSERT_TRUE(again.run());
+    const auto visits = books->visits();
+    ASSERT_EQ(visits.size(), 1U);
+    EXPECT_EQ(visits[0].outcome, Outcome::Passed) << visits[0].cause.english();
+    EXPECT_EQ(visits[0].number, 10);
+    EXPECT_EQ(timesEnded(visits[0], Step::Backup), 2) << "the backup of the unit that is there now";
+}
+
+/// A server of numbers that is silent until it is told to answer.
+class SilentNumbers final : public ServiceJournal {
+public:
+    explicit SilentNumbers(ServiceJournal &journal)
+        : m_journal(journal)
+    {
+    }
+    [[nodiscard]] Task<Visit> open(Visit visit) override { return m_journal.open(std::move(visit)); }
+    [[nodiscard]] Task<Visit> write(Visit visit) override { return m_journal.write(std::move(visit)); }
+    [[nodiscard]] Task<std::vector<Visit>> visits(VisitFilter filter) override
+    {
+        return m_journal.visits(std::move(filter));
+    }
+    [[nodiscard]] Task<std::optional<int>> number(NumberWish wish) override
+    {
+        ++asked;
+        if (!answers)
+            co_return fail(Fault::Timeout, say("the server does not answer"));
+        auto asking = m_journal.number(std::move(wish));
+        co_return co_await std::move(asking);
+    }
+    int asked = 0;
+    bool answers = false;
+
+private:
+    ServiceJournal &m_journal;
+};
+
+class WaitingForANumber : public UnitsByPlace {
+protected:
+    WaitingForANumber()
+        : rack({"dmc60c:5,serial=210334000001,session=0x1111", "dmc60c:5,serial=210334000002,session=0x2222"})
+        , matter(load(rack, R"({"recipe":1,"name":"numbers","family":"dmc60c","number":{"first":10}})"))
+        , silent(*books->journal)
+        , run(rack, *books, matter, units(1), &silent)
+    {
+        rack.putOn(0);
+        run.queue.start();
+        EXPECT_TRUE(rack.clock.runUntil([this] { return silent.asked > 0; }, 1min));
+    }
+    Visit end()
+    {
+        EXPECT_TRUE(rack.clock.runUntil([this] { return run.isEnded; }, 2min));
+        const auto visits = books->visits();
+        EXPECT_EQ(visits.size(), 1U);
+        return visits.empty() ? Visit() : visits.front();
+    }
+    UnitRack rack;
+    RecipeMatter matter;
+    SilentNumbers silent;
+    QueueRun run;
+};
+
+TEST_F(WaitingForANumber, AUnitThatIsTakenOffHasFailedAfterTwoSeconds)
+{
+    rack.clock.advance(1min);
+    EXPECT_EQ(run.queue.counts().ended(), 0) << "while it is there it waits";
+    rack.putOn(std::nullopt);
+    rack.clock.advance(6s);
+    EXPECT_EQ(run.queue.counts().failed, 1);
+    const Visit visit = end();
+    EXPECT_EQ(visit.outcome, Outcome::Failed);
+    EXPECT_EQ(visit.cause.english(), "the unit was taken off while it waited for a number");
+}
+
+TEST_F(WaitingForANumber, TheUnitThatTookItsPlaceMeanwhileIsGivenNone)
+{
+    rack.clock.advance(10s);
+    rack.putOn(1);
+    rack.clock.advance(1500ms);
+    silent.answers = true;
+    const Visit visit = end();
+    EXPECT_EQ(visit.outcome, Outcome::Failed);
+    EXPECT_EQ(visit.cause.english(), "this is another unit by now, number 210334000002") << visit.cause.english();
+    const auto found = test::run(rack.clock, rack.session->scan(*rack.link));
+    ASSERT_TRUE(found);
+    ASSERT_EQ(found->size(), 1U);
+    EXPECT_EQ(found->front()->identity().serial, "210334000002");
+    EXPECT_EQ(found->front()->identity().address, 5) << "it keeps its own";
 }
 
 } // namespace
