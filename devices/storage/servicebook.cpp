@@ -102,9 +102,9 @@ Result<void> ServiceBook::setNote(const std::string &visit, const std::string &n
 Result<std::string> ServiceBook::lastRun(const std::string &recipe)
 {
     std::string run;
-    auto read = m_database.run(
-        "SELECT run FROM service_visit WHERE recipe = ? AND station = ? ORDER BY time DESC, id LIMIT 1",
-        {qt(recipe), qt(m_station)}, [&run](const QSqlQuery &row) { run = textAt(row, 0); });
+    auto read
+        = m_database.run("SELECT run FROM service_visit WHERE recipe = ? AND station = ? ORDER BY rowid DESC LIMIT 1",
+            {qt(recipe), qt(m_station)}, [&run](const QSqlQuery &row) { run = textAt(row, 0); });
     if (!read)
         return fail(read.error());
     return run;

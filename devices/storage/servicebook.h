@@ -25,7 +25,8 @@ public:
     [[nodiscard]] Result<std::vector<service::Visit>> list(const service::VisitFilter &filter);
     /// A note of the operator on an entry.
     [[nodiscard]] Result<void> setNote(const std::string &visit, const std::string &note);
-    /// Name of the last run of this recipe on this station, to be resumed; empty: there is none.
+    /// Name of the last run of this recipe on this station, to be resumed; empty: there is none. The last that was written down,
+    /// whatever the clock of the computer said.
     [[nodiscard]] Result<std::string> lastRun(const std::string &recipe);
 
     [[nodiscard]] Database &database() const { return m_database; }

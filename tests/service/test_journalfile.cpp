@@ -38,6 +38,33 @@ protected:
     test::ServiceBooks books{clock};
 };
 
+TEST_F(JournalFiles, TheLastRunIsTheOneThatWasWrittenDownLastWhateverTheClockSaid)
+{
+    for (const auto &[run, time] :
+        {std::pair("first", 2000.0), std::pair("second", 1000.0)}) { // the clock was set back between
+        Visit visit;
+        visit.id = run;
+        visit.run = run;
+        visit.recipe = "rev C";
+        visit.station = "bench 1";
+        visit.time = time;
+        ASSERT_TRUE(putVisits(*books.database, {{visit, 1}}));
+    }
+    EXPECT_EQ(books.journal->lastRun("rev C").value_or("none"), "second");
+}
+
+TEST_F(JournalFiles, AUnitKeepsItsNumberOnlyWhileItIsFreeAndWithinWhatIsWished)
+{
+    service::NumberWish wish{"nodes", "a", "visit", 10, 20, {}};
+    const auto number = [&] { return test::run(clock, books.journal->number(wish)).value_or(std::nullopt); };
+    EXPECT_EQ(number(), 10);
+    EXPECT_EQ(number(), 10) << "the same again";
+    wish.taken = {10};
+    EXPECT_EQ(number(), 11) << "somebody else answers under it";
+    wish = {"nodes", "a", "visit", 15, 20, {}};
+    EXPECT_EQ(number(), 15) << "the recipe begins later now";
+}
+
 TEST_F(JournalFiles, WhatWaitedForTheServerIsOfferedToItAsSoonAsTheProgramStarts)
 {
     const JournalServer nobody = *JournalServer::parse("postgresql://anna@127.0.0.1:1/journal");
