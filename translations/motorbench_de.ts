@@ -17863,5 +17863,17 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>a line has more than %1 bytes</source>
         <translation>eine Zeile hat mehr als %1 Bytes</translation>
     </message>
+    <message>
+        <source>%1 has restarted and did not say yet whether it is the same unit</source>
+        <translation>%1 wurde neu gestartet und hat noch nicht gesagt, ob es dasselbe Gerät ist</translation>
+    </message>
+    <message>
+        <source>another unit stands in its place by now</source>
+        <translation>an seiner Stelle steht inzwischen ein anderes Gerät</translation>
+    </message>
+    <message>
+        <source>look at what it says, then order it again</source>
+        <translation>ansehen, was es meldet, dann erneut anordnen</translation>
+    </message>
 </context>
 </TS>

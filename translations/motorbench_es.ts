@@ -17863,5 +17863,17 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>a line has more than %1 bytes</source>
         <translation>una línea tiene más de %1 bytes</translation>
     </message>
+    <message>
+        <source>%1 has restarted and did not say yet whether it is the same unit</source>
+        <translation>%1 se ha reiniciado y aún no ha indicado si es la misma unidad</translation>
+    </message>
+    <message>
+        <source>another unit stands in its place by now</source>
+        <translation>en su lugar hay ahora otra unidad</translation>
+    </message>
+    <message>
+        <source>look at what it says, then order it again</source>
+        <translation>mire lo que indica y vuelva a dar la orden</translation>
+    </message>
 </context>
 </TS>

@@ -17863,5 +17863,17 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>a line has more than %1 bytes</source>
         <translation>une ligne a plus de %1 octets</translation>
     </message>
+    <message>
+        <source>%1 has restarted and did not say yet whether it is the same unit</source>
+        <translation>%1 a redémarré et n’a pas encore indiqué s’il s’agit de la même unité</translation>
+    </message>
+    <message>
+        <source>another unit stands in its place by now</source>
+        <translation>une autre unité se trouve maintenant à sa place</translation>
+    </message>
+    <message>
+        <source>look at what it says, then order it again</source>
+        <translation>regardez ce qu’elle indique, puis redonnez l’ordre</translation>
+    </message>
 </context>
 </TS>

@@ -17849,5 +17849,17 @@ double click plots it, drag it to a pane or below them</source>
         <source>a line has more than %1 bytes</source>
         <translation>%1 バイトを超える行があります</translation>
     </message>
+    <message>
+        <source>%1 has restarted and did not say yet whether it is the same unit</source>
+        <translation>%1 は再起動し、同じユニットかどうかをまだ通知していません</translation>
+    </message>
+    <message>
+        <source>another unit stands in its place by now</source>
+        <translation>その場所には現在、別のユニットがあります</translation>
+    </message>
+    <message>
+        <source>look at what it says, then order it again</source>
+        <translation>通知された内容を確認してから、もう一度実行してください</translation>
+    </message>
 </context>
 </TS>

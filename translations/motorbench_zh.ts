@@ -17849,5 +17849,17 @@ double click plots it, drag it to a pane or below them</source>
         <source>a line has more than %1 bytes</source>
         <translation>有一行超过 %1 字节</translation>
     </message>
+    <message>
+        <source>%1 has restarted and did not say yet whether it is the same unit</source>
+        <translation>%1 已重新启动，尚未说明是否为同一单元</translation>
+    </message>
+    <message>
+        <source>another unit stands in its place by now</source>
+        <translation>其位置上现在是另一个单元</translation>
+    </message>
+    <message>
+        <source>look at what it says, then order it again</source>
+        <translation>查看其报告的内容，然后再次下达命令</translation>
+    </message>
 </context>
 </TS>

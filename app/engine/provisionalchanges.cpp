@@ -128,6 +128,8 @@ void ProvisionalChanges::carryOut(const orders::PutBackChange &order, const Fini
     const Entry *entry = find(order.device, order.change);
     if (!entry || !m_log)
         return finished(fail(Fault::OutOfRange, say("this change waits for nobody")));
+    if (auto same = m_context.operations.checkRecognised(order.device); !same)
+        return finished(same);
     m_context.operations.begin(
         order.device, say("Put values back"),
         [log = m_log, wanted = entry->change](
