@@ -17874,6 +17874,16 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>it may rest %1 short of its target until its integral has overcome friction</source>
         <translation>er kann %1 vor seinem Ziel stehen bleiben, bis sein Integral die Reibung überwunden hat</translation>
+        <source>%1 has restarted and did not say yet whether it is the same unit</source>
+        <translation>%1 wurde neu gestartet und hat noch nicht gesagt, ob es dasselbe Gerät ist</translation>
+    </message>
+    <message>
+        <source>another unit stands in its place by now</source>
+        <translation>an seiner Stelle steht inzwischen ein anderes Gerät</translation>
+    </message>
+    <message>
+        <source>look at what it says, then order it again</source>
+        <translation>ansehen, was es meldet, dann erneut anordnen</translation>
     </message>
 </context>
 </TS>

@@ -17874,6 +17874,16 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>it may rest %1 short of its target until its integral has overcome friction</source>
         <translation>puede quedar %1 antes de su destino hasta que su integral haya vencido el rozamiento</translation>
+        <source>%1 has restarted and did not say yet whether it is the same unit</source>
+        <translation>%1 se ha reiniciado y aún no ha indicado si es la misma unidad</translation>
+    </message>
+    <message>
+        <source>another unit stands in its place by now</source>
+        <translation>en su lugar hay ahora otra unidad</translation>
+    </message>
+    <message>
+        <source>look at what it says, then order it again</source>
+        <translation>mire lo que indica y vuelva a dar la orden</translation>
     </message>
 </context>
 </TS>

@@ -17874,6 +17874,16 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>it may rest %1 short of its target until its integral has overcome friction</source>
         <translation>il peut s’arrêter à %1 de sa cible jusqu’à ce que son intégrale ait vaincu le frottement</translation>
+        <source>%1 has restarted and did not say yet whether it is the same unit</source>
+        <translation>%1 a redémarré et n’a pas encore indiqué s’il s’agit de la même unité</translation>
+    </message>
+    <message>
+        <source>another unit stands in its place by now</source>
+        <translation>une autre unité se trouve maintenant à sa place</translation>
+    </message>
+    <message>
+        <source>look at what it says, then order it again</source>
+        <translation>regardez ce qu’elle indique, puis redonnez l’ordre</translation>
     </message>
 </context>
 </TS>

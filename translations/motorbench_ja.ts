@@ -17860,6 +17860,16 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>it may rest %1 short of its target until its integral has overcome friction</source>
         <translation>積分が摩擦に打ち勝つまで、目標の %1 手前で静止することがあります</translation>
+        <source>%1 has restarted and did not say yet whether it is the same unit</source>
+        <translation>%1 は再起動し、同じユニットかどうかをまだ通知していません</translation>
+    </message>
+    <message>
+        <source>another unit stands in its place by now</source>
+        <translation>その場所には現在、別のユニットがあります</translation>
+    </message>
+    <message>
+        <source>look at what it says, then order it again</source>
+        <translation>通知された内容を確認してから、もう一度実行してください</translation>
     </message>
 </context>
 </TS>

@@ -17860,6 +17860,16 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>it may rest %1 short of its target until its integral has overcome friction</source>
         <translation>在其积分克服摩擦之前，它可能停在目标前 %1 处</translation>
+        <source>%1 has restarted and did not say yet whether it is the same unit</source>
+        <translation>%1 已重新启动，尚未说明是否为同一单元</translation>
+    </message>
+    <message>
+        <source>another unit stands in its place by now</source>
+        <translation>其位置上现在是另一个单元</translation>
+    </message>
+    <message>
+        <source>look at what it says, then order it again</source>
+        <translation>查看其报告的内容，然后再次下达命令</translation>
     </message>
 </context>
 </TS>
