@@ -172,6 +172,29 @@ TEST_F(AbstractDcController, AnotherMasterIsSeenAndItsSettingsAreBelieved)
     EXPECT_FALSE(device->liveness().foreignMaster);
 }
 
+TEST_F(AbstractDcController, WhatAnotherMasterStopsStaysOff)
+{
+    Simulator &drive = add("abstractdc:3");
+    VirtualCanLink master(*LinkAddress::parse("sim:can"), bus);
+    ASSERT_TRUE(master.open());
+    for (const char *stop : {"067#0000000000", "064#0000000000"}) {
+        open(3, &dialectF);
+        SetPointStream stream(*device, clock);
+        ASSERT_TRUE(stream.start(setPoint(Mode::Duty, 0.4), 60s));
+        clock.advance(1s);
+        ASSERT_TRUE(drive.isOutputOn());
+        for (int i = 0; i < 3; ++i) // as this program stops
+            ASSERT_TRUE(master.send(*canFrameFromText(stop)));
+        clock.advance(1ms);
+        EXPECT_FALSE(drive.isOutputOn()) << stop;
+        EXPECT_FALSE(clock.runUntil([&] { return drive.isOutputOn(); }, 3s)) << stop;
+        EXPECT_EQ(stream.end(), SetPointStream::End::ForeignMaster) << stop;
+        EXPECT_FALSE(device->liveness().foreignMaster) << "it stands and nobody drives it";
+        EXPECT_TRUE(device->mayMove()) << stop;
+        device.reset();
+    }
+}
+
 TEST_F(AbstractDcController, WhatAnotherMasterAsksForIsRecordedToo)
 {
     add("abstractdc:3");

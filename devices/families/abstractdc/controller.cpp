@@ -241,8 +241,9 @@ void Controller::onFrame(const CanFrame &frame, bool ours)
         return;
     if (const auto loop = decodeSetPoint(*m_logs.dialect(), identity().address, frame)) {
         const bool driven = *loop != Loop::None;
+        const bool isTaken = !ours && (driven || m_ours); // also by a stop, which our next set-point would undo
         m_ours = ours && driven;
-        m_foreignAt = driven && !ours ? std::optional<Instant>(frame.time) : std::nullopt;
+        m_foreignAt = isTaken ? std::optional<Instant>(frame.time) : std::nullopt;
         if (ours && !driven)
             m_logs.output().release();
         enter(*loop);

@@ -62,7 +62,7 @@ private:
     bool m_ours = false; ///< the loop was commanded by us
     std::int32_t m_sentTarget = 0;
     Instant m_sentAt{};
-    std::optional<Instant> m_foreignAt; ///< somebody else's set-point
+    std::optional<Instant> m_foreignAt; ///< somebody else's set-point, or the stop of ours
     Subscription m_received;
     Subscription m_sent; ///< of a recording: what its recorder had sent
     Subscription m_identityChanged;
