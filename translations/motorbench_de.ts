@@ -17875,5 +17875,13 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>it may rest %1 short of its target until its integral has overcome friction</source>
         <translation>er kann %1 vor seinem Ziel stehen bleiben, bis sein Integral die Reibung überwunden hat</translation>
     </message>
+    <message>
+        <source>compile an offset of its own, 1 … 99, into its firmware, or leave it alone on the bus</source>
+        <translation>in seine Firmware einen eigenen Offset von 1 … 99 kompilieren oder ihn allein am Bus lassen</translation>
+    </message>
+    <message>
+        <source>what is sent to offset 0 is done by every drive of the bus, and others answer on this one</source>
+        <translation>was an Offset 0 gesendet wird, tut jeder Antrieb am Bus, und an diesem antworten weitere</translation>
+    </message>
 </context>
 </TS>

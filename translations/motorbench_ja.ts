@@ -17861,5 +17861,13 @@ double click plots it, drag it to a pane or below them</source>
         <source>it may rest %1 short of its target until its integral has overcome friction</source>
         <translation>積分が摩擦に打ち勝つまで、目標の %1 手前で静止することがあります</translation>
     </message>
+    <message>
+        <source>compile an offset of its own, 1 … 99, into its firmware, or leave it alone on the bus</source>
+        <translation>ファームウェアに固有のオフセット (1 … 99) をコンパイルするか、バスにこのドライブだけを残してください</translation>
+    </message>
+    <message>
+        <source>what is sent to offset 0 is done by every drive of the bus, and others answer on this one</source>
+        <translation>オフセット 0 に送ったものはバス上のすべてのドライブが実行し、このバスではほかのドライブも応答しています</translation>
+    </message>
 </context>
 </TS>

@@ -50,6 +50,7 @@ private:
     void enter(std::optional<Loop> loop);
     void sendStop();
     void onFrame(const CanFrame &frame, bool ours);
+    void onSent(const CanFrame &frame);
     void onSilence();
     void updateLiveness();
 
@@ -64,7 +65,7 @@ private:
     Instant m_sentAt{};
     std::optional<Instant> m_foreignAt; ///< somebody else's set-point, or the stop of ours
     Subscription m_received;
-    Subscription m_sent; ///< of a recording: what its recorder had sent
+    Subscription m_sent; ///< to all drives; of a recording: whatever its recorder had sent
     Subscription m_identityChanged;
 };
 
