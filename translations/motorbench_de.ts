@@ -17885,5 +17885,13 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>look at what it says, then order it again</source>
         <translation>ansehen, was es meldet, dann erneut anordnen</translation>
     </message>
+    <message>
+        <source>compile an offset of its own, 1 … 99, into its firmware, or leave it alone on the bus</source>
+        <translation>in seine Firmware einen eigenen Offset von 1 … 99 kompilieren oder ihn allein am Bus lassen</translation>
+    </message>
+    <message>
+        <source>what is sent to offset 0 is done by every drive of the bus, and others answer on this one</source>
+        <translation>was an Offset 0 gesendet wird, tut jeder Antrieb am Bus, und an diesem antworten weitere</translation>
+    </message>
 </context>
 </TS>

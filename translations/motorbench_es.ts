@@ -17885,5 +17885,13 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>look at what it says, then order it again</source>
         <translation>mire lo que indica y vuelva a dar la orden</translation>
     </message>
+    <message>
+        <source>compile an offset of its own, 1 … 99, into its firmware, or leave it alone on the bus</source>
+        <translation>compile en su firmware un offset propio, 1 … 99, o déjelo solo en el bus</translation>
+    </message>
+    <message>
+        <source>what is sent to offset 0 is done by every drive of the bus, and others answer on this one</source>
+        <translation>lo que se envía al offset 0 lo ejecutan todos los accionamientos del bus, y en este responden otros</translation>
+    </message>
 </context>
 </TS>

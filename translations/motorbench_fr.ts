@@ -17885,5 +17885,13 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>look at what it says, then order it again</source>
         <translation>regardez ce qu’elle indique, puis redonnez l’ordre</translation>
     </message>
+    <message>
+        <source>compile an offset of its own, 1 … 99, into its firmware, or leave it alone on the bus</source>
+        <translation>compilez dans son firmware un offset propre, 1 … 99, ou laissez-le seul sur le bus</translation>
+    </message>
+    <message>
+        <source>what is sent to offset 0 is done by every drive of the bus, and others answer on this one</source>
+        <translation>ce qui est envoyé à l’offset 0 est exécuté par tous les variateurs du bus, et d’autres répondent sur celui-ci</translation>
+    </message>
 </context>
 </TS>

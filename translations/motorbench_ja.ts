@@ -17871,5 +17871,13 @@ double click plots it, drag it to a pane or below them</source>
         <source>look at what it says, then order it again</source>
         <translation>通知された内容を確認してから、もう一度実行してください</translation>
     </message>
+    <message>
+        <source>compile an offset of its own, 1 … 99, into its firmware, or leave it alone on the bus</source>
+        <translation>ファームウェアに固有のオフセット (1 … 99) をコンパイルするか、バスにこのドライブだけを残してください</translation>
+    </message>
+    <message>
+        <source>what is sent to offset 0 is done by every drive of the bus, and others answer on this one</source>
+        <translation>オフセット 0 に送ったものはバス上のすべてのドライブが実行し、このバスではほかのドライブも応答しています</translation>
+    </message>
 </context>
 </TS>

@@ -17871,5 +17871,13 @@ double click plots it, drag it to a pane or below them</source>
         <source>look at what it says, then order it again</source>
         <translation>查看其报告的内容，然后再次下达命令</translation>
     </message>
+    <message>
+        <source>compile an offset of its own, 1 … 99, into its firmware, or leave it alone on the bus</source>
+        <translation>在其固件中编译一个专用偏移量（1 … 99），或让它单独留在总线上</translation>
+    </message>
+    <message>
+        <source>what is sent to offset 0 is done by every drive of the bus, and others answer on this one</source>
+        <translation>发送到偏移量 0 的内容会被总线上的所有驱动器执行，而此总线上还有其他驱动器应答</translation>
+    </message>
 </context>
 </TS>
