@@ -17874,6 +17874,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>it may rest %1 short of its target until its integral has overcome friction</source>
         <translation>er kann %1 vor seinem Ziel stehen bleiben, bis sein Integral die Reibung überwunden hat</translation>
+    </message>
+    <message>
         <source>%1 has restarted and did not say yet whether it is the same unit</source>
         <translation>%1 wurde neu gestartet und hat noch nicht gesagt, ob es dasselbe Gerät ist</translation>
     </message>
@@ -17892,6 +17894,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>what is sent to offset 0 is done by every drive of the bus, and others answer on this one</source>
         <translation>was an Offset 0 gesendet wird, tut jeder Antrieb am Bus, und an diesem antworten weitere</translation>
+    </message>
+    <message>
+        <source>the board is told to tell its whole counters; look at the position, and run it again</source>
+        <translation>Das Board soll jetzt seine ganzen Zähler nennen; die Position ansehen, dann erneut starten</translation>
     </message>
 </context>
 </TS>

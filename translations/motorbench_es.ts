@@ -17874,6 +17874,8 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>it may rest %1 short of its target until its integral has overcome friction</source>
         <translation>puede quedar %1 antes de su destino hasta que su integral haya vencido el rozamiento</translation>
+    </message>
+    <message>
         <source>%1 has restarted and did not say yet whether it is the same unit</source>
         <translation>%1 se ha reiniciado y aún no ha indicado si es la misma unidad</translation>
     </message>
@@ -17892,6 +17894,10 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>what is sent to offset 0 is done by every drive of the bus, and others answer on this one</source>
         <translation>lo que se envía al offset 0 lo ejecutan todos los accionamientos del bus, y en este responden otros</translation>
+    </message>
+    <message>
+        <source>the board is told to tell its whole counters; look at the position, and run it again</source>
+        <translation>se ha pedido a la placa que dé sus contadores completos; mire la posición y vuelva a ejecutarlo</translation>
     </message>
 </context>
 </TS>

@@ -17874,6 +17874,8 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>it may rest %1 short of its target until its integral has overcome friction</source>
         <translation>il peut s’arrêter à %1 de sa cible jusqu’à ce que son intégrale ait vaincu le frottement</translation>
+    </message>
+    <message>
         <source>%1 has restarted and did not say yet whether it is the same unit</source>
         <translation>%1 a redémarré et n’a pas encore indiqué s’il s’agit de la même unité</translation>
     </message>
@@ -17892,6 +17894,10 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>what is sent to offset 0 is done by every drive of the bus, and others answer on this one</source>
         <translation>ce qui est envoyé à l’offset 0 est exécuté par tous les variateurs du bus, et d’autres répondent sur celui-ci</translation>
+    </message>
+    <message>
+        <source>the board is told to tell its whole counters; look at the position, and run it again</source>
+        <translation>la carte doit maintenant donner ses compteurs entiers ; regardez la position, puis relancez</translation>
     </message>
 </context>
 </TS>

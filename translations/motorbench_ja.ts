@@ -17860,6 +17860,8 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>it may rest %1 short of its target until its integral has overcome friction</source>
         <translation>積分が摩擦に打ち勝つまで、目標の %1 手前で静止することがあります</translation>
+    </message>
+    <message>
         <source>%1 has restarted and did not say yet whether it is the same unit</source>
         <translation>%1 は再起動し、同じユニットかどうかをまだ通知していません</translation>
     </message>
@@ -17878,6 +17880,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>what is sent to offset 0 is done by every drive of the bus, and others answer on this one</source>
         <translation>オフセット 0 に送ったものはバス上のすべてのドライブが実行し、このバスではほかのドライブも応答しています</translation>
+    </message>
+    <message>
+        <source>the board is told to tell its whole counters; look at the position, and run it again</source>
+        <translation>基板にカウンタ全体を知らせるよう指示しました。位置を確かめてから、もう一度実行してください</translation>
     </message>
 </context>
 </TS>

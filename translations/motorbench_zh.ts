@@ -17860,6 +17860,8 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>it may rest %1 short of its target until its integral has overcome friction</source>
         <translation>在其积分克服摩擦之前，它可能停在目标前 %1 处</translation>
+    </message>
+    <message>
         <source>%1 has restarted and did not say yet whether it is the same unit</source>
         <translation>%1 已重新启动，尚未说明是否为同一单元</translation>
     </message>
@@ -17878,6 +17880,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>what is sent to offset 0 is done by every drive of the bus, and others answer on this one</source>
         <translation>发送到偏移量 0 的内容会被总线上的所有驱动器执行，而此总线上还有其他驱动器应答</translation>
+    </message>
+    <message>
+        <source>the board is told to tell its whole counters; look at the position, and run it again</source>
+        <translation>已要求板卡报告其完整计数器；请查看位置，然后再运行一次</translation>
     </message>
 </context>
 </TS>
