@@ -174,7 +174,7 @@ Task<std::vector<Change>> changesOf(Console &console, Device &device, ParameterF
         console.note(arguments.file + " was saved from unit " + file.serial + ", this one is "
             + (device.identity().serial.empty() ? "without a serial number" : device.identity().serial));
     std::vector<Change> changes;
-    for (const ParameterDifference &difference : differences(device, file)) {
+    for (const ParameterDifference &difference : toRestore(device, file)) {
         const std::string key(device.parameters().parameter(difference.index).key);
         if (!difference.ofAnotherUnit
             || std::find(arguments.unitValues.begin(), arguments.unitValues.end(), key) != arguments.unitValues.end())

@@ -191,7 +191,7 @@ bool isOfSameUnit(const ParameterSource &source, const ParameterFile &file)
     return !file.serial.empty() && file.serial == source.identity.serial;
 }
 
-std::vector<ParameterDifference> differences(const ParameterSource &source, const ParameterFile &file)
+std::vector<ParameterDifference> toRestore(const ParameterSource &source, const ParameterFile &file)
 {
     const bool same = isOfSameUnit(source, file);
     std::vector<ParameterDifference> out;
@@ -203,9 +203,21 @@ std::vector<ParameterDifference> differences(const ParameterSource &source, cons
             continue;
         const auto &entry = source.entries[change.index.value];
         const auto known = entry.state == ParameterState::Failed ? std::nullopt : entry.raw;
-        if (known != change.raw)
+        if (known != change.raw || parameter.access == Access::WriteOnly)
             out.push_back({change.index, known, change.raw, parameter.belongsToUnit && !same});
     }
+    return out;
+}
+
+std::vector<ParameterDifference> toRestore(const Device &device, const ParameterFile &file)
+{
+    return toRestore(sourceOf(device), file);
+}
+
+std::vector<ParameterDifference> differences(const ParameterSource &source, const ParameterFile &file)
+{
+    std::vector<ParameterDifference> out = toRestore(source, file);
+    std::erase_if(out, [](const ParameterDifference &each) { return each.from == each.to; });
     return out;
 }
 

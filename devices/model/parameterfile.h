@@ -51,9 +51,13 @@ struct ParameterDifference {
 /// The file was saved from the very unit, as the serial numbers of both say.
 [[nodiscard]] bool isOfSameUnit(const ParameterSource &source, const ParameterFile &file);
 
-/// What `restore` would write: keys that can be written, are persistent and are settings, and differ from what is known.
+/// What `restore` writes: keys that can be written, are persistent and are settings, and differ from what is known, and
+/// those that cannot be read (Access::WriteOnly), whatever is assumed of them: another unit may answer by now.
 /// Of a device that keeps nothing without power (Capabilities::keepsSettings) every setting. What is `ofAnotherUnit` is in
 /// it, to be told; it is written only when somebody asked for exactly that.
+[[nodiscard]] std::vector<ParameterDifference> toRestore(const ParameterSource &source, const ParameterFile &file);
+[[nodiscard]] std::vector<ParameterDifference> toRestore(const Device &device, const ParameterFile &file);
+/// For showing: those of toRestore() that differ from what is known or assumed.
 [[nodiscard]] std::vector<ParameterDifference> differences(const ParameterSource &source, const ParameterFile &file);
 [[nodiscard]] std::vector<ParameterDifference> differences(const Device &device, const ParameterFile &file);
 

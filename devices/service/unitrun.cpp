@@ -220,7 +220,7 @@ Task<void> UnitRun::readAll()
     co_return {};
 }
 
-/// What the recipe says and the unit is not known to have.
+/// What the recipe says and the unit is not known to have; of what cannot be read, what nobody has written since it was lost.
 std::vector<ParameterChange> UnitRun::missing() const
 {
     std::vector<ParameterChange> changes;
@@ -228,6 +228,17 @@ std::vector<ParameterChange> UnitRun::missing() const
         const ParameterStore::Entry &entry = m_device.parameters().entry(change.index);
         const bool known = entry.raw && entry.state != ParameterState::Failed;
         if (m_device.offers(change.index) && (!known || *entry.raw != change.raw))
+            changes.push_back(change);
+    }
+    return changes;
+}
+
+/// Settings of the recipe that cannot be read: what is assumed of them may be the unit's before, so that they are written each time.
+std::vector<ParameterChange> UnitRun::unreadable() const
+{
+    std::vector<ParameterChange> changes;
+    for (const ParameterChange &change : m_around.matter.parameters) {
+        if (m_device.parameters().parameter(change.index).access == Access::WriteOnly && m_device.offers(change.index))
             changes.push_back(change);
     }
     return changes;
@@ -254,7 +265,12 @@ Task<Message> UnitRun::setParameters()
 {
     auto reading = readAll();
     co_await std::move(reading);
-    const std::vector<ParameterChange> changes = missing();
+    const std::vector<ParameterChange> blind = unreadable();
+    std::vector<ParameterChange> changes = missing();
+    std::erase_if(changes, [this](const ParameterChange &change) {
+        return m_device.parameters().parameter(change.index).access == Access::WriteOnly;
+    });
+    changes.insert(changes.end(), blind.begin(), blind.end());
     auto writing = settings::writeKept(
         m_device, changes, {settings::Origin::Recipe, settings::Purpose::Write}, m_around.settings, m_progress);
     const std::vector<TransferOutcome> outcomes = co_await std::move(writing);
@@ -267,8 +283,9 @@ Task<Message> UnitRun::setParameters()
         auto storing = m_device.store(m_progress);
         co_await std::move(storing);
     }
-    m_visit.parameters = static_cast<int>(m_around.matter.parameters.size());
-    co_return say("%1 of %2 written", changes.size(), settingsText(*m_visit.parameters));
+    const int count = static_cast<int>(m_around.matter.parameters.size());
+    m_visit.parameters = count - static_cast<int>(blind.size());
+    co_return say("%1 of %2 written", changes.size(), settingsText(count));
 }
 
 /// Announced each time, before the motor turns.
@@ -358,6 +375,18 @@ Task<Message> UnitRun::giveNumber()
     co_return old == *m_visit.number ? say("number %1, as before", *m_visit.number) : say("number %1", *m_visit.number);
 }
 
+/// What proves it, and what nothing can prove.
+Message UnitRun::proofOf(bool stores, bool stored) const
+{
+    const std::size_t blind = unreadable().size();
+    Message told = stored ? say("its flash has it") : stores ? say("nothing had to be stored") : say("read back");
+    if (blind == 0)
+        return told;
+    const Message untold = blind == 1 ? say("1 setting was written and cannot be read back")
+                                      : say("%1 settings were written and cannot be read back", blind);
+    return blind == m_around.matter.parameters.size() && !stores ? untold : joined(told, untold);
+}
+
 Task<Message> UnitRun::prove()
 {
     const bool stores = storesByItself();
@@ -381,7 +410,7 @@ Task<Message> UnitRun::prove()
         co_return fail(Fault::BadCheck,
             say("the unit answers with firmware %1, the image is %2", m_visit.to, m_around.matter.imageVersion),
             say("do it again"));
-    const Message told = stored ? say("its flash has it") : stores ? say("nothing had to be stored") : say("read back");
+    const Message told = proofOf(stores, stored);
     const int changed = others();
     co_return changed == 0
         ? told

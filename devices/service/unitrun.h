@@ -45,6 +45,8 @@ private:
     [[nodiscard]] Task<int> reserve();
     [[nodiscard]] Task<void> readAll();
     [[nodiscard]] std::vector<ParameterChange> missing() const;
+    [[nodiscard]] std::vector<ParameterChange> unreadable() const;
+    [[nodiscard]] Message proofOf(bool stores, bool stored) const;
     [[nodiscard]] int others() const;
 
     Device &m_device;

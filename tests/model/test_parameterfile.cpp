@@ -181,6 +181,23 @@ TEST(ParameterFile, TellsWhatBelongsToTheUnitThatItWasSavedFrom)
     EXPECT_TRUE(differences(device, saved).front().ofAnotherUnit) << "nobody knows from where";
 }
 
+TEST(ParameterFile, RestoresWhatCannotBeReadWhateverIsAssumedOfIt)
+{
+    test::SimulatedSession bench;
+    bench.scan();
+    const std::vector<Device *> drives = bench.devices("abstractdc");
+    ASSERT_FALSE(drives.empty());
+    Device &device = *drives.front();
+    const auto index = *findParameter(device.family().parameters, "velocity.p");
+    device.parameters().setWritten(index, 77);
+    ParameterFile saved;
+    saved.values.push_back({index, 77});
+    EXPECT_TRUE(differences(device, saved).empty()) << "for showing it has the value";
+    const auto writes = toRestore(device, saved);
+    ASSERT_EQ(writes.size(), 1U) << "another unit may stand there by now";
+    EXPECT_EQ(writes.front().from, 77);
+}
+
 TEST(ParameterFile, SavesAllOrNothing)
 {
     const QTemporaryDir folder;
