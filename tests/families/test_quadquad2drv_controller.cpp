@@ -152,7 +152,7 @@ TEST_F(QuadQuad2Drv, AnAxisOfWhichAnotherProgramLeftLessThanThePositionIsNotMove
 {
     PacketPort other(static_cast<SpiLink &>(*bench.link), bench.clock);
     SetPointStream &stream = bench.session.stream(*device);
-    for (const std::uint8_t mask : {0x02, 0x06}) {
+    for (const std::uint8_t mask : std::initializer_list<std::uint8_t>{0x02, 0x06}) {
         ASSERT_TRUE(run(bench.clock, other.request(setPosition(0x02, 3, 150'000))));
         ASSERT_TRUE(run(bench.clock, other.request(setDataMask(0x0D, 0x2B))));
         ASSERT_TRUE(run(bench.clock, other.request(setDataMask(0x02, mask))));

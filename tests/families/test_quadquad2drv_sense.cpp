@@ -76,7 +76,7 @@ TEST_F(QuadQuad2DrvSense, RelativePositionsAddUpInWhateverWidth)
 
 TEST_F(QuadQuad2DrvSense, APlaceForATargetIsKnownOnlyWhileTheWholeCounterIsTold)
 {
-    for (const std::uint8_t less : {1, 2, 4 | 1, 4 | 2, 4 | 3}) {
+    for (const std::uint8_t less : std::initializer_list<std::uint8_t>{1, 2, 4 | 1, 4 | 2, 4 | 3}) {
         positionAfter(100, less);
         EXPECT_FALSE(sense.place(1)) << int{less};
         positionAfter(-20'000, 3);
