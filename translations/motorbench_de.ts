@@ -17899,5 +17899,13 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>the board is told to tell its whole counters; look at the position, and run it again</source>
         <translation>Das Board soll jetzt seine ganzen Zähler nennen; die Position ansehen, dann erneut starten</translation>
     </message>
+    <message>
+        <source>%1 settings were written and cannot be read back</source>
+        <translation>%1 Einstellungen wurden geschrieben und lassen sich nicht zurücklesen</translation>
+    </message>
+    <message>
+        <source>1 setting was written and cannot be read back</source>
+        <translation>1 Einstellung wurde geschrieben und lässt sich nicht zurücklesen</translation>
+    </message>
 </context>
 </TS>

@@ -17899,5 +17899,13 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>the board is told to tell its whole counters; look at the position, and run it again</source>
         <translation>se ha pedido a la placa que dé sus contadores completos; mire la posición y vuelva a ejecutarlo</translation>
     </message>
+    <message>
+        <source>%1 settings were written and cannot be read back</source>
+        <translation>se escribieron %1 ajustes que no pueden volver a leerse</translation>
+    </message>
+    <message>
+        <source>1 setting was written and cannot be read back</source>
+        <translation>se escribió 1 ajuste que no puede volver a leerse</translation>
+    </message>
 </context>
 </TS>

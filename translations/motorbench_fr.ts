@@ -17899,5 +17899,13 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>the board is told to tell its whole counters; look at the position, and run it again</source>
         <translation>la carte doit maintenant donner ses compteurs entiers ; regardez la position, puis relancez</translation>
     </message>
+    <message>
+        <source>%1 settings were written and cannot be read back</source>
+        <translation>%1 réglages ont été écrits et ne peuvent pas être relus</translation>
+    </message>
+    <message>
+        <source>1 setting was written and cannot be read back</source>
+        <translation>1 réglage a été écrit et ne peut pas être relu</translation>
+    </message>
 </context>
 </TS>

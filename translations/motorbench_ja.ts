@@ -17885,5 +17885,13 @@ double click plots it, drag it to a pane or below them</source>
         <source>the board is told to tell its whole counters; look at the position, and run it again</source>
         <translation>基板にカウンタ全体を知らせるよう指示しました。位置を確かめてから、もう一度実行してください</translation>
     </message>
+    <message>
+        <source>%1 settings were written and cannot be read back</source>
+        <translation>%1 件の設定を書き込みました。読み戻すことはできません</translation>
+    </message>
+    <message>
+        <source>1 setting was written and cannot be read back</source>
+        <translation>1 件の設定を書き込みました。読み戻すことはできません</translation>
+    </message>
 </context>
 </TS>

@@ -17885,5 +17885,13 @@ double click plots it, drag it to a pane or below them</source>
         <source>the board is told to tell its whole counters; look at the position, and run it again</source>
         <translation>已要求板卡报告其完整计数器；请查看位置，然后再运行一次</translation>
     </message>
+    <message>
+        <source>%1 settings were written and cannot be read back</source>
+        <translation>已写入 %1 项设置，无法回读</translation>
+    </message>
+    <message>
+        <source>1 setting was written and cannot be read back</source>
+        <translation>已写入 1 项设置，无法回读</translation>
+    </message>
 </context>
 </TS>
