@@ -17875,5 +17875,37 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>it may rest %1 short of its target until its integral has overcome friction</source>
         <translation>er kann %1 vor seinem Ziel stehen bleiben, bis sein Integral die Reibung überwunden hat</translation>
     </message>
+    <message>
+        <source>%1 has restarted and did not say yet whether it is the same unit</source>
+        <translation>%1 wurde neu gestartet und hat noch nicht gesagt, ob es dasselbe Gerät ist</translation>
+    </message>
+    <message>
+        <source>another unit stands in its place by now</source>
+        <translation>an seiner Stelle steht inzwischen ein anderes Gerät</translation>
+    </message>
+    <message>
+        <source>look at what it says, then order it again</source>
+        <translation>ansehen, was es meldet, dann erneut anordnen</translation>
+    </message>
+    <message>
+        <source>compile an offset of its own, 1 … 99, into its firmware, or leave it alone on the bus</source>
+        <translation>in seine Firmware einen eigenen Offset von 1 … 99 kompilieren oder ihn allein am Bus lassen</translation>
+    </message>
+    <message>
+        <source>what is sent to offset 0 is done by every drive of the bus, and others answer on this one</source>
+        <translation>was an Offset 0 gesendet wird, tut jeder Antrieb am Bus, und an diesem antworten weitere</translation>
+    </message>
+    <message>
+        <source>the board is told to tell its whole counters; look at the position, and run it again</source>
+        <translation>Das Board soll jetzt seine ganzen Zähler nennen; die Position ansehen, dann erneut starten</translation>
+    </message>
+    <message>
+        <source>%1 settings were written and cannot be read back</source>
+        <translation>%1 Einstellungen wurden geschrieben und lassen sich nicht zurücklesen</translation>
+    </message>
+    <message>
+        <source>1 setting was written and cannot be read back</source>
+        <translation>1 Einstellung wurde geschrieben und lässt sich nicht zurücklesen</translation>
+    </message>
 </context>
 </TS>

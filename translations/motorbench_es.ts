@@ -17875,5 +17875,37 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>it may rest %1 short of its target until its integral has overcome friction</source>
         <translation>puede quedar %1 antes de su destino hasta que su integral haya vencido el rozamiento</translation>
     </message>
+    <message>
+        <source>%1 has restarted and did not say yet whether it is the same unit</source>
+        <translation>%1 se ha reiniciado y aún no ha indicado si es la misma unidad</translation>
+    </message>
+    <message>
+        <source>another unit stands in its place by now</source>
+        <translation>en su lugar hay ahora otra unidad</translation>
+    </message>
+    <message>
+        <source>look at what it says, then order it again</source>
+        <translation>mire lo que indica y vuelva a dar la orden</translation>
+    </message>
+    <message>
+        <source>compile an offset of its own, 1 … 99, into its firmware, or leave it alone on the bus</source>
+        <translation>compile en su firmware un offset propio, 1 … 99, o déjelo solo en el bus</translation>
+    </message>
+    <message>
+        <source>what is sent to offset 0 is done by every drive of the bus, and others answer on this one</source>
+        <translation>lo que se envía al offset 0 lo ejecutan todos los accionamientos del bus, y en este responden otros</translation>
+    </message>
+    <message>
+        <source>the board is told to tell its whole counters; look at the position, and run it again</source>
+        <translation>se ha pedido a la placa que dé sus contadores completos; mire la posición y vuelva a ejecutarlo</translation>
+    </message>
+    <message>
+        <source>%1 settings were written and cannot be read back</source>
+        <translation>se escribieron %1 ajustes que no pueden volver a leerse</translation>
+    </message>
+    <message>
+        <source>1 setting was written and cannot be read back</source>
+        <translation>se escribió 1 ajuste que no puede volver a leerse</translation>
+    </message>
 </context>
 </TS>

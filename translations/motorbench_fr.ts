@@ -17875,5 +17875,37 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>it may rest %1 short of its target until its integral has overcome friction</source>
         <translation>il peut s’arrêter à %1 de sa cible jusqu’à ce que son intégrale ait vaincu le frottement</translation>
     </message>
+    <message>
+        <source>%1 has restarted and did not say yet whether it is the same unit</source>
+        <translation>%1 a redémarré et n’a pas encore indiqué s’il s’agit de la même unité</translation>
+    </message>
+    <message>
+        <source>another unit stands in its place by now</source>
+        <translation>une autre unité se trouve maintenant à sa place</translation>
+    </message>
+    <message>
+        <source>look at what it says, then order it again</source>
+        <translation>regardez ce qu’elle indique, puis redonnez l’ordre</translation>
+    </message>
+    <message>
+        <source>compile an offset of its own, 1 … 99, into its firmware, or leave it alone on the bus</source>
+        <translation>compilez dans son firmware un offset propre, 1 … 99, ou laissez-le seul sur le bus</translation>
+    </message>
+    <message>
+        <source>what is sent to offset 0 is done by every drive of the bus, and others answer on this one</source>
+        <translation>ce qui est envoyé à l’offset 0 est exécuté par tous les variateurs du bus, et d’autres répondent sur celui-ci</translation>
+    </message>
+    <message>
+        <source>the board is told to tell its whole counters; look at the position, and run it again</source>
+        <translation>la carte doit maintenant donner ses compteurs entiers ; regardez la position, puis relancez</translation>
+    </message>
+    <message>
+        <source>%1 settings were written and cannot be read back</source>
+        <translation>%1 réglages ont été écrits et ne peuvent pas être relus</translation>
+    </message>
+    <message>
+        <source>1 setting was written and cannot be read back</source>
+        <translation>1 réglage a été écrit et ne peut pas être relu</translation>
+    </message>
 </context>
 </TS>

@@ -17861,5 +17861,37 @@ double click plots it, drag it to a pane or below them</source>
         <source>it may rest %1 short of its target until its integral has overcome friction</source>
         <translation>積分が摩擦に打ち勝つまで、目標の %1 手前で静止することがあります</translation>
     </message>
+    <message>
+        <source>%1 has restarted and did not say yet whether it is the same unit</source>
+        <translation>%1 は再起動し、同じユニットかどうかをまだ通知していません</translation>
+    </message>
+    <message>
+        <source>another unit stands in its place by now</source>
+        <translation>その場所には現在、別のユニットがあります</translation>
+    </message>
+    <message>
+        <source>look at what it says, then order it again</source>
+        <translation>通知された内容を確認してから、もう一度実行してください</translation>
+    </message>
+    <message>
+        <source>compile an offset of its own, 1 … 99, into its firmware, or leave it alone on the bus</source>
+        <translation>ファームウェアに固有のオフセット (1 … 99) をコンパイルするか、バスにこのドライブだけを残してください</translation>
+    </message>
+    <message>
+        <source>what is sent to offset 0 is done by every drive of the bus, and others answer on this one</source>
+        <translation>オフセット 0 に送ったものはバス上のすべてのドライブが実行し、このバスではほかのドライブも応答しています</translation>
+    </message>
+    <message>
+        <source>the board is told to tell its whole counters; look at the position, and run it again</source>
+        <translation>基板にカウンタ全体を知らせるよう指示しました。位置を確かめてから、もう一度実行してください</translation>
+    </message>
+    <message>
+        <source>%1 settings were written and cannot be read back</source>
+        <translation>%1 件の設定を書き込みました。読み戻すことはできません</translation>
+    </message>
+    <message>
+        <source>1 setting was written and cannot be read back</source>
+        <translation>1 件の設定を書き込みました。読み戻すことはできません</translation>
+    </message>
 </context>
 </TS>

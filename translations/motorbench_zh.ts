@@ -17861,5 +17861,37 @@ double click plots it, drag it to a pane or below them</source>
         <source>it may rest %1 short of its target until its integral has overcome friction</source>
         <translation>在其积分克服摩擦之前，它可能停在目标前 %1 处</translation>
     </message>
+    <message>
+        <source>%1 has restarted and did not say yet whether it is the same unit</source>
+        <translation>%1 已重新启动，尚未说明是否为同一单元</translation>
+    </message>
+    <message>
+        <source>another unit stands in its place by now</source>
+        <translation>其位置上现在是另一个单元</translation>
+    </message>
+    <message>
+        <source>look at what it says, then order it again</source>
+        <translation>查看其报告的内容，然后再次下达命令</translation>
+    </message>
+    <message>
+        <source>compile an offset of its own, 1 … 99, into its firmware, or leave it alone on the bus</source>
+        <translation>在其固件中编译一个专用偏移量（1 … 99），或让它单独留在总线上</translation>
+    </message>
+    <message>
+        <source>what is sent to offset 0 is done by every drive of the bus, and others answer on this one</source>
+        <translation>发送到偏移量 0 的内容会被总线上的所有驱动器执行，而此总线上还有其他驱动器应答</translation>
+    </message>
+    <message>
+        <source>the board is told to tell its whole counters; look at the position, and run it again</source>
+        <translation>已要求板卡报告其完整计数器；请查看位置，然后再运行一次</translation>
+    </message>
+    <message>
+        <source>%1 settings were written and cannot be read back</source>
+        <translation>已写入 %1 项设置，无法回读</translation>
+    </message>
+    <message>
+        <source>1 setting was written and cannot be read back</source>
+        <translation>已写入 1 项设置，无法回读</translation>
+    </message>
 </context>
 </TS>

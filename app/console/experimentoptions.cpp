@@ -60,4 +60,14 @@ Error notSaved(Error why)
     return why;
 }
 
+Result<int> afterSaving(const Console &console, Result<int> verdict, const Result<void> &saved)
+{
+    if (saved)
+        return verdict;
+    if (verdict)
+        return fail(notSaved(saved.error()));
+    console.note(notSaved(saved.error()).text());
+    return verdict;
+}
+
 } // namespace mb::console

@@ -156,7 +156,7 @@ Result<int> verdictOf(const Trial &trial)
     if (trial.reason == toString(Guard::Link))
         return fail(Fault::LinkLost, say("the experiment ended because the link was lost: %1", trial.detail),
             trial.stopped ? say("the motor was seen stopped") : say("see that the motor stands before anything else"));
-    if (!trial.stopped && trial.reason != "interrupted")
+    if (!trial.stopped)
         return fail(Fault::Unsafe, say("the stop was not confirmed by %1", trial.device),
             say("cut its power if the motor still turns"));
     if (trial.reason == "done" || trial.reason == "interrupted")
@@ -212,11 +212,10 @@ Task<int> perform(Console &console, Session &session, Device &device, StepPlan p
     auto noting = notebook.keepReplaced(device, before, settings::Origin::Console);
     co_await std::move(noting);
     printTrial(console, *trial, trial->number);
-    if (!plan.save.empty()) {
-        if (auto saved = saveTrial(plan.save, *trial, trial->number); !saved)
-            co_return fail(notSaved(saved.error()));
-    }
-    co_return verdictOf(*trial);
+    Result<void> saved;
+    if (!plan.save.empty())
+        saved = saveTrial(plan.save, *trial, trial->number);
+    co_return afterSaving(console, verdictOf(*trial), saved);
 }
 
 Task<int> step(Console &console, StepArguments arguments)

@@ -140,15 +140,20 @@ Result<int> verdictOf(const TuneReport &report)
     return exitDone;
 }
 
-/// Waits until the unit has it for good; what it says about that is added to the evidence.
-Task<void> storeGains(Console &console, Device &device, TuneReport &report)
+/// Waits until the unit has it for good; what it says about that is added to the evidence. Why that is not proved, else.
+Task<std::optional<Error>> storeGains(Console &console, Device &device, TuneReport &report)
 {
     ProgressLine progress(console);
     auto storing = device.store(progress);
-    const bool proven = co_await std::move(storing);
+    const Result<bool> proven = co_await std::move(storing).attempt();
+    if (!proven) {
+        const Error why = proven.error().about(say("the values are in force but not proved to be stored"));
+        report.evidence = joined(report.evidence, why.detail);
+        co_return why;
+    }
     report.evidence = joined(report.evidence,
-        proven ? say("the unit has stored them") : say("the unit cannot tell whether it has stored them"));
-    co_return {};
+        *proven ? say("the unit has stored them") : say("the unit cannot tell whether it has stored them"));
+    co_return std::nullopt;
 }
 
 Task<int> perform(Console &console, Session &session, Device &device, TuneOrder plan, Notebook &notebook)
@@ -163,16 +168,17 @@ Task<int> perform(Console &console, Session &session, Device &device, TuneOrder 
         auto noting = notebook.keepReplaced(device, report->before, settings::Origin::Tuning);
         co_await std::move(noting);
     }
+    Result<int> verdict = verdictOf(*report);
     if (plan.store && report->result == TuneResult::Kept) {
         auto storing = storeGains(console, device, *report);
-        co_await std::move(storing);
+        if (const std::optional<Error> unproved = co_await std::move(storing); unproved && verdict)
+            verdict = fail(*unproved);
     }
     printTuning(console, *report);
-    if (!plan.save.empty()) {
-        if (auto saved = saveTuning(plan.save, *report); !saved)
-            co_return fail(notSaved(saved.error()));
-    }
-    co_return verdictOf(*report);
+    Result<void> saved;
+    if (!plan.save.empty())
+        saved = saveTuning(plan.save, *report);
+    co_return afterSaving(console, std::move(verdict), saved);
 }
 
 Task<int> tune(Console &console, TuneArguments arguments)

@@ -35,10 +35,20 @@ Result<Device *> Operations::freeDevice(DeviceId id)
     return device;
 }
 
-Operations::Job &Operations::add(DeviceId device, const Name &name)
+Result<void> Operations::checkRecognised(DeviceId id) const
+{
+    const Device *const device = m_session.find(id);
+    if (!device || m_session.isRecognised(*device))
+        return {};
+    return fail(Fault::Unsafe,
+        say("%1 has restarted and did not say yet whether it is the same unit", device->selector()),
+        say("look at what it says, then order it again"));
+}
+
+Operations::Job &Operations::add(const Device &device, const Name &name)
 {
     prune();
-    return m_jobs.emplace_back(Job{OperationId{++m_last}, device,
+    return m_jobs.emplace_back(Job{OperationId{++m_last}, m_session.idOf(device), &device,
         std::make_unique<Operation>(m_clock, name.title, name.kind), std::nullopt, {}, false});
 }
 
@@ -77,13 +87,20 @@ bool Operations::lend(const Link &link)
     return isFree;
 }
 
+/// Also when it began for the unit that stood there before.
+bool Operations::isOf(const Job &job, DeviceId device) const
+{
+    const Device *const found = m_session.find(device);
+    return job.device == device || (found && job.unit == found);
+}
+
 bool Operations::has(DeviceId device) const
 {
     const Device *found = m_lent.empty() ? nullptr : m_session.find(device);
     if (found && isLent(found->link()))
         return true;
     return std::any_of(
-        m_jobs.begin(), m_jobs.end(), [device](const Job &job) { return job.device == device && isRunning(job); });
+        m_jobs.begin(), m_jobs.end(), [this, device](const Job &job) { return isRunning(job) && isOf(job, device); });
 }
 
 bool Operations::hasOn(const Link &link) const
@@ -113,7 +130,7 @@ void Operations::stopExperiments()
 void Operations::interruptTrials(std::optional<DeviceId> device)
 {
     for (Job &job : m_jobs) {
-        if (job.interruption && (!device || job.device == *device))
+        if (job.interruption && (!device || isOf(job, *device)))
             job.interruption->interrupt();
     }
 }
@@ -122,14 +139,14 @@ void Operations::interruptTrials(std::optional<DeviceId> device)
 void Operations::makeWay(DeviceId device)
 {
     for (Job &job : m_jobs) {
-        if (job.device == device && job.yields && isRunning(job))
+        if (job.yields && isRunning(job) && isOf(job, device))
             job.operation->dismiss({Fault::Cancelled, say("made way for an order")});
     }
 }
 
-void Operations::dismiss(DeviceId device, const Error &error)
+void Operations::dismiss(const Device &device, const Error &error)
 {
-    const auto runs = [device](const Job &job) { return job.device == device && isRunning(job); };
+    const auto runs = [&device](const Job &job) { return job.unit == &device && isRunning(job); };
     for (auto found = std::find_if(m_jobs.begin(), m_jobs.end(), runs); found != m_jobs.end();
          found = std::find_if(m_jobs.begin(), m_jobs.end(), runs))
         found->operation->dismiss(error);
@@ -141,9 +158,8 @@ void Operations::forget(const Link &link)
     for (const Device *device : m_session.devices()) {
         if (&device->link() != &link)
             continue;
-        const DeviceId id = m_session.idOf(*device);
-        dismiss(id, {Fault::LinkLost, say("the device is gone")});
-        std::erase_if(m_jobs, [id](const Job &job) { return job.device == id; });
+        dismiss(*device, {Fault::LinkLost, say("the device is gone")});
+        std::erase_if(m_jobs, [device](const Job &job) { return job.unit == device; });
     }
 }
 

@@ -19,7 +19,8 @@ class Operations {
 public:
     struct Job {
         OperationId id;
-        DeviceId device;
+        DeviceId device;    ///< as it was called when the job began
+        const Device *unit; ///< the same; only to compare with, it may be gone
         std::unique_ptr<Operation> operation;
         std::optional<UpdateReport> update;
         std::shared_ptr<tuning::Interruption> interruption{}; ///< of a trial, which puts back what it changed
@@ -54,6 +55,9 @@ public:
     void takeBack(const Link &link) { m_lent.erase(&link); }
     [[nodiscard]] bool isLent(const Link &link) const { return m_lent.count(&link) > 0; }
     [[nodiscard]] bool has(DeviceId device) const;
+    /// Before something is written that was meant for one unit. Unsafe while it has restarted and not told again who it is: another one
+    /// may stand there now.
+    [[nodiscard]] Result<void> checkRecognised(DeviceId device) const;
     [[nodiscard]] bool hasOn(const Link &link) const;
     [[nodiscard]] bool isAnyRunning() const;
     /// Newest last; a part of those that have ended is kept.
@@ -71,9 +75,10 @@ public:
 
 private:
     [[nodiscard]] Result<Device *> freeDevice(DeviceId device);
-    Job &add(DeviceId device, const Name &name);
+    Job &add(const Device &device, const Name &name);
+    [[nodiscard]] bool isOf(const Job &job, DeviceId device) const;
     void makeWay(DeviceId device);
-    void dismiss(DeviceId device, const Error &error);
+    void dismiss(const Device &device, const Error &error);
     void prune();
 
     Clock &m_clock;
@@ -93,7 +98,7 @@ Operations::Job *Operations::begin(DeviceId id, const Name &name, const Make<T> 
         refused(fail(device.error()));
         return nullptr;
     }
-    Job &job = add(id, name);
+    Job &job = add(**device, name);
     job.operation->run<T>(make(**device, *job.operation),
         [&job, finished = std::move(finished)](Result<T> result) { finished(job, std::move(result)); });
     return &job;

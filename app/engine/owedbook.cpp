@@ -26,6 +26,12 @@ void OwedBook::lookAgain(DeviceId id)
         m_lookAgain[id] = m_context.clock.now() + tuning::storingTime(*device);
 }
 
+void OwedBook::ended(DeviceId id)
+{
+    m_lookedFor.erase(id);
+    lookAgain(id);
+}
+
 void OwedBook::look()
 {
     const Instant now = m_context.clock.now();
@@ -91,6 +97,8 @@ void OwedBook::carryOut(const orders::PayGains &order, const Finished &finished)
         all.begin(), all.end(), [&order](const tuning::OwedGains &owed) { return owed.trial == order.trial; });
     if (found == all.end())
         return finished(fail(Fault::OutOfRange, say("this trial owes nothing to the unit")));
+    if (auto same = m_context.operations.checkRecognised(order.device); !same)
+        return finished(same);
     m_context.operations.begin(
         order.device, say("Put gains back"),
         [this, owed = *found](Device &device, Progress &) { return tuning::payOwed(device, *m_journal, owed); },

@@ -24,8 +24,9 @@ public:
     void setJournal(tuning::ExperimentJournal *journal) { m_journal = journal; }
     /// Once a second: each unit is looked up once, when it has told who it is.
     void look();
-    /// What was put back into a unit that stores later is proved then.
-    void lookAgain(DeviceId device);
+    /// An experiment on it has ended: what it could not put back is offered, and what it put back into a unit that stores later is proved
+    /// then.
+    void ended(DeviceId device);
     [[nodiscard]] const std::map<DeviceId, std::vector<tuning::OwedGains>> &owed() const { return m_owed; }
 
     void carryOut(const orders::PayGains &order, const Finished &finished);
@@ -33,6 +34,7 @@ public:
 
 private:
     void lookUp(const Device &device);
+    void lookAgain(DeviceId device);
     void compare(DeviceId device, const std::string &unit);
     void end(DeviceId device, std::int64_t trial);
 

@@ -144,6 +144,8 @@ void ParameterJobs::carryOut(const orders::RestoreParameters &order, const Finis
 void ParameterJobs::write(
     DeviceId id, std::vector<ParameterChange> changes, settings::Purpose purpose, const Finished &finished)
 {
+    if (auto same = m_context.operations.checkRecognised(id); !same)
+        return finished(same);
     std::vector<ParameterStore::Entry> before;
     if (const Device *device = m_context.session.find(id))
         before.assign(device->parameters().entries().begin(), device->parameters().entries().end());
@@ -180,6 +182,8 @@ void ParameterJobs::carryOut(const orders::UndoWrite &order, const Finished &fin
 {
     if (!m_settings)
         return finished(fail(Fault::Unsupported, say("no history is kept here")));
+    if (auto same = m_context.operations.checkRecognised(order.device); !same)
+        return finished(same);
     m_context.operations.begin<settings::SettingsChange>(
         order.device, order.again ? say("Do a write again") : say("Undo a write"),
         [this, again = order.again](Device &device, Progress &progress) {

@@ -27,6 +27,12 @@ UnconfirmedView::State stateOf(const std::optional<Confirmation> &confirmation)
     return UnconfirmedView::State::Offered;
 }
 
+/// What was counted while the link was there is offered when it is back: people may have been at the unit meanwhile.
+bool isCutOff(const Device &device, const Confirmation &confirmation)
+{
+    return confirmation.state() != Confirmation::State::AwaitsRestart && device.link().state() != LinkState::Open;
+}
+
 /// In force only when it has restarted: then nobody could offer it before.
 bool actsLater(const Family &family, const SettingsChange &change)
 {
@@ -92,6 +98,8 @@ void ProvisionalChanges::tick()
     bool counts = false;
     for (Entry &entry : m_entries) {
         const Device *device = m_context.session.find(entry.device);
+        if (device && entry.confirmation && isCutOff(*device, *entry.confirmation))
+            entry.confirmation.reset();
         if (!device || !entry.confirmation)
             continue;
         counts = true;
@@ -128,6 +136,8 @@ void ProvisionalChanges::carryOut(const orders::PutBackChange &order, const Fini
     const Entry *entry = find(order.device, order.change);
     if (!entry || !m_log)
         return finished(fail(Fault::OutOfRange, say("this change waits for nobody")));
+    if (auto same = m_context.operations.checkRecognised(order.device); !same)
+        return finished(same);
     m_context.operations.begin(
         order.device, say("Put values back"),
         [log = m_log, wanted = entry->change](

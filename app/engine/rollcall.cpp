@@ -12,6 +12,8 @@ void RollCall::look()
         Presence &presence = entry->second;
         presence.name = m_context.log.labelOf(*device);
         if (isNew)
+            m_trials.forgetDirection(*device); // of the unit that stood there before
+        if (isNew)
             m_context.log.tell(Severity::Info, presence.name, say("found on %1", device->link().address().shortName()));
         hear(*device, presence);
     }

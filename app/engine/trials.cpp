@@ -90,6 +90,8 @@ template <class T> void Trials::run(DeviceId id, const Story<T> &story, const st
     const Finished refused = [finished](const Result<void> &result) { finished(fail(result.error())); };
     if (Device *device = m_context.session.find(id); device && m_context.session.stream(*device).isRunning())
         return refused(fail(Fault::Unsafe, say("stop the motor before an experiment begins")));
+    if (auto same = m_context.operations.checkRecognised(id); !same)
+        return refused(same);
     const auto interruption = std::make_shared<tuning::Interruption>();
     Operations::Job *const job = m_context.operations.begin<T>(
         id, {story.title, OperationKind::Trial},
@@ -182,7 +184,7 @@ void Trials::ended(Operations::Job &job)
 {
     job.interruption.reset();
     m_rates.restore(job.device);
-    m_owed.lookAgain(job.device);
+    m_owed.ended(job.device);
 }
 
 } // namespace mb

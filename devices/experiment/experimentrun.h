@@ -29,7 +29,8 @@ private:
     [[nodiscard]] Task<void> hearPosition();
     [[nodiscard]] Task<void> writeDown();
     [[nodiscard]] Task<void> findDirection();
-    [[nodiscard]] Task<void> putBack();
+    /// `stands`: the motor was seen to.
+    [[nodiscard]] Task<void> putBack(bool stands);
     [[nodiscard]] GuardPlan guardPlan() const;
     [[nodiscard]] double rate() const;
     void note(const Message &text) const;

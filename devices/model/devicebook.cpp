@@ -76,6 +76,7 @@ Device &DeviceBook::add(Link &link, const Family &family, const Identity &identi
     Entry &entry = m_entries.emplace_back();
     entry.id = DeviceId{++m_lastId};
     open(entry, link, family, identity);
+    recognise(entry);
     m_added.notify(*entry.device);
     m_changed.notify();
     return *entry.device;
@@ -90,7 +91,10 @@ void DeviceBook::open(Entry &entry, Link &link, const Family &family, const Iden
     if (m_store)
         device.telemetry()->keepIn(m_store);
     m_memory.recall(device);
-    entry.changed = device.changed().add([this] { m_changed.notify(); });
+    entry.changed = device.changed().add([this, &entry] {
+        recognise(entry);
+        m_changed.notify();
+    });
     entry.profileChanged = device.knowledge().changed().add([this, &device] {
         m_changed.notify();
         m_memory.keep(device);
@@ -99,6 +103,26 @@ void DeviceBook::open(Entry &entry, Link &link, const Family &family, const Iden
         m_stopChanged.notify(device);
         m_changed.notify();
     });
+}
+
+/// Nothing that was meant for the unit before, or is known of it, is taken for that of this one. Who sends in a recording is not asked.
+void DeviceBook::recognise(Entry &entry)
+{
+    Device &device = *entry.device;
+    const std::string &serial = device.identity().serial;
+    if (serial.empty() || device.link().address().isRecording())
+        return;
+    if (entry.units.empty())
+        entry.units.emplace(serial, entry.id);
+    const auto [unit, isNew] = entry.units.try_emplace(serial);
+    if (isNew)
+        unit->second = DeviceId{++m_lastId};
+    if (unit->second == entry.id)
+        return;
+    entry.id = unit->second;
+    if (entry.isStreaming())
+        entry.stream->stop();
+    device.parameters().forgetAll();
 }
 
 void DeviceBook::renew(Link &link)
@@ -155,6 +179,13 @@ DeviceId DeviceBook::idOf(const Device &device) const
 {
     const auto entry = entryOf(m_entries, device);
     return entry == m_entries.end() ? DeviceId{} : entry->id;
+}
+
+bool DeviceBook::isRecognised(const Device &device) const
+{
+    const auto entry = entryOf(m_entries, device);
+    const bool canTell = entry != m_entries.end() && !entry->units.empty();
+    return !canTell || (!device.liveness().restarted && !device.identity().serial.empty());
 }
 
 SetPointStream &DeviceBook::stream(const Device &device)

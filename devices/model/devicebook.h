@@ -10,12 +10,15 @@
 #include <atomic>
 #include <compare>
 #include <list>
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace mb {
 
-/// Names a device of a session for its whole life, across rescans, renumbering and restarts; never used twice.
+/// Names a device of a session for its whole life, across rescans, renumbering and restarts; never used for another one. A unit whose
+/// serial number is another than that of the unit before it has an id of its own, and the former one its own again when it is back.
 struct DeviceId {
     std::uint32_t value = 0;
     friend auto operator<=>(const DeviceId &, const DeviceId &) = default;
@@ -28,6 +31,7 @@ public:
         DeviceId id;
         std::unique_ptr<Device> device;
         std::unique_ptr<SetPointStream> stream; ///< nullptr: nobody has asked for it
+        std::map<std::string, DeviceId> units;  ///< who stood here, by serial number
         Subscription changed;
         Subscription profileChanged;
         Subscription stopChanged;
@@ -58,6 +62,8 @@ public:
     [[nodiscard]] std::vector<Identity> known(const Link &link, const Family &family) const;
     [[nodiscard]] Device *find(DeviceId id) const;
     [[nodiscard]] DeviceId idOf(const Device &device) const;
+    /// It has told who it is since it restarted, or never could: what is meant for one unit may be written to it.
+    [[nodiscard]] bool isRecognised(const Device &device) const;
     /// One per device, made when first asked for.
     [[nodiscard]] SetPointStream &stream(const Device &device);
 
@@ -71,6 +77,7 @@ public:
 private:
     Device &add(Link &link, const Family &family, const Identity &identity);
     void open(Entry &entry, Link &link, const Family &family, const Identity &identity);
+    void recognise(Entry &entry);
     void scheduleCommit();
 
     LinkBook &m_links;

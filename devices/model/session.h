@@ -64,6 +64,7 @@ public:
     [[nodiscard]] std::vector<Device *> devices() const { return m_devices.all(); }
     [[nodiscard]] Device *find(DeviceId id) const { return m_devices.find(id); }
     [[nodiscard]] DeviceId idOf(const Device &device) const { return m_devices.idOf(device); }
+    [[nodiscard]] bool isRecognised(const Device &device) const { return m_devices.isRecognised(device); }
     /// One per device, made when first asked for.
     [[nodiscard]] SetPointStream &stream(Device &device) { return m_devices.stream(device); }
 

@@ -91,6 +91,12 @@ void conclude(const std::vector<Trial> &trials, MotorFigures &figures)
         figures.resistance = ohm->supply / ohm->gain;
 }
 
+/// The next push may begin.
+bool isEndedWell(const Trial &trial)
+{
+    return trial.reason == "done" && trial.stopped;
+}
+
 } // namespace
 
 Task<MotorFigures> measureMotor(Device &device, SetPointStream &stream, int axis, int slot, Envelope limits,
@@ -100,7 +106,7 @@ Task<MotorFigures> measureMotor(Device &device, SetPointStream &stream, int axis
     MotorFigures figures;
     auto probing = push(pushing, std::min(firstDuty, limits.duty.value_or(1.0)), firstSeconds);
     const Trial probe = co_await std::move(probing);
-    if (probe.reason != "done") {
+    if (!isEndedWell(probe)) {
         figures.ended = probe;
         co_return figures;
     }
@@ -109,7 +115,7 @@ Task<MotorFigures> measureMotor(Device &device, SetPointStream &stream, int axis
     for (const double each : duties) {
         auto next = push(pushing, each, seconds);
         pushing.trials.push_back(co_await std::move(next));
-        if (pushing.trials.back().reason != "done") {
+        if (!isEndedWell(pushing.trials.back())) {
             figures.ended = pushing.trials.back();
             co_return figures;
         }

@@ -174,15 +174,14 @@ Task<void> QueueBus::check(Row &row)
     const Result<void> looked = co_await std::move(looking).attempt();
     if (looked || looked.error().fault == Fault::LinkLost || looked.error().fault == Fault::Timeout)
         co_return {}; // its turn will tell
-    auto refusing = refuse(row, looked.error());
+    auto refusing = refuse(row, *device, looked.error());
     co_await std::move(refusing);
     co_return {};
 }
 
-Task<void> QueueBus::refuse(Row &row, Error error)
+Task<void> QueueBus::refuse(Row &row, const Device &device, Error error)
 {
-    const Device *const device = m_session.find(row.shown.device);
-    auto opening = openVisit(row, *device);
+    auto opening = openVisit(row, device);
     Visit visit = co_await std::move(opening);
     visit.outcome = Outcome::Refused;
     visit.cause = error.detail;
@@ -241,6 +240,8 @@ Task<void> QueueBus::serve(Row &row)
     Device *const device = m_session.find(row.shown.device);
     if (!device) {
         row.shown.state = RowState::Skipped;
+        row.shown.visit.cause = say("another unit stands in its place by now");
+        m_run.changed().notify();
         co_return {};
     }
     const Serving serving(*this, row);

@@ -43,7 +43,7 @@ private:
     [[nodiscard]] Task<void> serve(Row &row);
     [[nodiscard]] Task<Visit> openVisit(Row &row, const Device &device);
     [[nodiscard]] Task<Visit> perform(Row &row, Device &device, Visit visit);
-    [[nodiscard]] Task<void> refuse(Row &row, Error error);
+    [[nodiscard]] Task<void> refuse(Row &row, const Device &device, Error error);
     [[nodiscard]] Task<void> giveUpMissing();
     void ended(Row &row, const Visit &visit);
     [[nodiscard]] ServiceSurroundings surroundings(Row &row, Telling &telling);

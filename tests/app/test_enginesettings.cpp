@@ -201,6 +201,25 @@ TEST_F(SettingsCore, WhatAProgramThatIsGoneHasLeftIsOfferedAndNothingGoesByItsel
     EXPECT_TRUE(core.snapshot().unconfirmed.empty());
 }
 
+TEST_F(SettingsCore, AWiderLimitIsOfferedAfterALostLinkAndDoesNotGoByItself)
+{
+    core.send(orders::CloseLink{"sim:can"});
+    core.send(orders::OpenLink{*LinkAddress::parse("sim:can?fault=busoff@15")});
+    ASSERT_TRUE(clock.runUntil([this] { return device(7) && device(7)->liveness().heard; }, 10s));
+    clock.advance(3s);
+    const std::int64_t old = known("current_limit.peak").value_or(0);
+    ASSERT_TRUE(write({change("current_limit.peak", old * 2)}));
+    clock.advance(1s);
+    ASSERT_EQ(core.snapshot().unconfirmed.size(), 1U);
+    const auto state = [this] { return core.session().links().front()->state(); };
+    ASSERT_TRUE(clock.runUntil([&] { return state() == LinkState::Lost; }, 20s));
+    ASSERT_TRUE(clock.runUntil([&] { return state() == LinkState::Open; }, 20s));
+    clock.advance(60s);
+    EXPECT_EQ(known("current_limit.peak"), old * 2);
+    ASSERT_EQ(core.snapshot().unconfirmed.size(), 1U);
+    EXPECT_EQ(core.snapshot().unconfirmed.front().state, UnconfirmedView::State::Offered);
+}
+
 TEST_F(SettingsCore, ASnapshotIsTakenUnderItsName)
 {
     clock.advance(3s);

@@ -192,6 +192,16 @@ TEST(AbstractDcTargetLead, ALoopIsNeverFurtherAheadOfItsFeedbackThanIsSafe)
     EXPECT_EQ(lead.next({Loop::Velocity, 1000}, 0.0, {}, 30.0, begin + 10s), 30);
 }
 
+TEST(AbstractDcTargetLead, ACurrentIsLedFromNothingBecauseItsConverterReadsNoLess)
+{
+    TargetLead lead;
+    const Instant begin = Instant{} + 1s;
+    const Command far{Loop::Current, 1000};
+    EXPECT_EQ(lead.next(far, 0.0, {}, 640.0, begin), 640);
+    EXPECT_EQ(lead.next(far, 0.0, {}, 640.0, begin + 20ms), 640) << "and not from the last target";
+    EXPECT_EQ(lead.next({Loop::Current, 600}, 0.0, {}, 640.0, begin + 40ms), 600);
+}
+
 TEST_F(AbstractDcController, APositionThatWasNotAnsweredCountsAsLostAndNothingElseDoes)
 {
     add("abstractdc:3");

@@ -130,6 +130,26 @@ TEST_F(AbstractDcController, APositionTargetNeverLeadsFurtherThanTheOutputCarrie
     device->stop();
 }
 
+TEST_F(AbstractDcController, ACurrentTargetNeverLeadsFurtherThanTheOutputCarries)
+{
+    Simulator &drive = add("abstractdc:3");
+    open(3, &dialectF);
+    for (const auto &[key, raw] :
+        {std::pair{"current.divisor", 1}, {"current.i", 0}, {"current.d", 0}, {"current.p", 50}})
+        ASSERT_TRUE(write(key, raw));
+    SetPointStream stream(*device, clock);
+    ASSERT_TRUE(stream.start(setPoint(Mode::Current, 1000.0), 10s));
+    for (int i = 0; i < 100; ++i) {
+        clock.advance(20ms);
+        ASSERT_GE(drive.speed(), 0.0) << "full reverse: 50 * 1000 does not fit into 16 bits";
+    }
+    EXPECT_TRUE(stream.isRunning()) << stream.reason().english();
+    EXPECT_GT(drive.speed(), 0.0);
+    for (const std::string &order : sentOf("067#02"))
+        EXPECT_EQ(order, "067#0280020000") << "640, 32000 / 50";
+    stream.stop();
+}
+
 TEST_F(AbstractDcController, AnOutputThatWrapsStopsTheMotor)
 {
     Simulator &drive = add("abstractdc:3,gains=default");
@@ -170,6 +190,29 @@ TEST_F(AbstractDcController, AnotherMasterIsSeenAndItsSettingsAreBelieved)
     ASSERT_TRUE(master.send(*canFrameFromText("067#0000000000")));
     clock.advance(5ms);
     EXPECT_FALSE(device->liveness().foreignMaster);
+}
+
+TEST_F(AbstractDcController, WhatAnotherMasterStopsStaysOff)
+{
+    Simulator &drive = add("abstractdc:3");
+    VirtualCanLink master(*LinkAddress::parse("sim:can"), bus);
+    ASSERT_TRUE(master.open());
+    for (const char *stop : {"067#0000000000", "064#0000000000"}) {
+        open(3, &dialectF);
+        SetPointStream stream(*device, clock);
+        ASSERT_TRUE(stream.start(setPoint(Mode::Duty, 0.4), 60s));
+        clock.advance(1s);
+        ASSERT_TRUE(drive.isOutputOn());
+        for (int i = 0; i < 3; ++i) // as this program stops
+            ASSERT_TRUE(master.send(*canFrameFromText(stop)));
+        clock.advance(1ms);
+        EXPECT_FALSE(drive.isOutputOn()) << stop;
+        EXPECT_FALSE(clock.runUntil([&] { return drive.isOutputOn(); }, 3s)) << stop;
+        EXPECT_EQ(stream.end(), SetPointStream::End::ForeignMaster) << stop;
+        EXPECT_FALSE(device->liveness().foreignMaster) << "it stands and nobody drives it";
+        EXPECT_TRUE(device->mayMove()) << stop;
+        device.reset();
+    }
 }
 
 TEST_F(AbstractDcController, WhatAnotherMasterAsksForIsRecordedToo)

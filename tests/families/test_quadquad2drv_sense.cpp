@@ -74,6 +74,22 @@ TEST_F(QuadQuad2DrvSense, RelativePositionsAddUpInWhateverWidth)
     EXPECT_EQ(positionAfter(30000, datamask::relative | 3), 60122);
 }
 
+TEST_F(QuadQuad2DrvSense, APlaceForATargetIsKnownOnlyWhileTheWholeCounterIsTold)
+{
+    for (const std::uint8_t less : std::initializer_list<std::uint8_t>{1, 2, 4 | 1, 4 | 2, 4 | 3}) {
+        positionAfter(100, less);
+        EXPECT_FALSE(sense.place(1)) << int{less};
+        positionAfter(-20'000, 3);
+        EXPECT_EQ(sense.place(1), -20'000);
+        positionAfter(100, less);
+        EXPECT_FALSE(sense.place(1)) << "another program made it tell less";
+    }
+    positionAfter(7, 3);
+    EXPECT_FALSE(sense.place(0)) << "another axis";
+    sense.forget();
+    EXPECT_FALSE(sense.place(1));
+}
+
 TEST_F(QuadQuad2DrvSense, EachAxisAndEachChannelGetsItsOwnValue)
 {
     Motion motion;

@@ -14,6 +14,7 @@ private Q_SLOTS:
     void exportAndImportAreARoundTrip();
     void exportIsTheFileOfTheConsole();
     void importNeverWrites();
+    void anImportIsTakenBackByItsNoticeOnlyWhileItIsTheLastEdit();
     void aFileWithAnUnknownKeyIsRefusedAsAWhole();
     void aFileOfAnotherFamilyIsRefused();
     void aDamagedFileIsRefused();
@@ -64,6 +65,31 @@ void TestParameterFiles::importNeverWrites()
         write(folder, QStringLiteral("a.json"), R"({"family":"dmc60c","parameters":{"slot1.p":{"value":2}}})"));
     QCOMPARE(bench.edits().count(), 1);
     QVERIFY(bench.workbench.given<orders::WriteParameters>().empty());
+}
+
+void TestParameterFiles::anImportIsTakenBackByItsNoticeOnlyWhileItIsTheLastEdit()
+{
+    QTemporaryDir folder;
+    ParameterBench bench;
+    const QString undo = QStringLiteral("Undo the import");
+    const QString path
+        = write(folder, QStringLiteral("a.json"), R"({"family":"dmc60c","parameters":{"slot1.p":{"value":2}}})");
+    bench.stage("slot0.p", "3");
+    bench.page->importFrom(path);
+    bench.stage("slot0.i", "4");
+    QVERIFY(says(bench, QStringLiteral("Staged from a.json")));
+    QVERIFY2(!button(bench, undo), "it would take back the edit after it");
+    QTest::keyClick(bench.page.get(), Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(button(bench, undo));
+    button(bench, undo)->click();
+    QVERIFY(!bench.edits().find(named("slot1.p")));
+    QCOMPARE(bench.edits().count(), 1);
+
+    bench.page->importFrom(path);
+    QVERIFY(button(bench, undo));
+    QTest::keyClick(bench.page.get(), Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY2(!button(bench, undo), "it is taken back, and the edit before it is not its business");
+    QCOMPARE(bench.edits().count(), 1);
 }
 
 void TestParameterFiles::aFileWithAnUnknownKeyIsRefusedAsAWhole()

@@ -28,22 +28,24 @@ FileExchange::FileExchange(Workbench &workbench, BannerStack &banners, Parameter
 /// The only button of these notices: "Undo the import".
 void FileExchange::act(const QString &key)
 {
-    if (key != QLatin1String(importNotice))
+    StagedEdits *edits = EditDesk::of(m_workbench).find(m_importedInto);
+    if (key != QLatin1String(importNotice) || !edits)
         return;
-    m_banners.clear(key);
-    m_view.commitField();
-    if (StagedEdits *edits = EditDesk::of(m_workbench).find(m_importedInto))
+    const int last = edits->undoStack().index();
+    m_view.commitField(); // which may be an edit after it
+    if (edits->undoStack().index() == last)
         edits->undoStack().undo();
 }
 
 void FileExchange::endImport()
 {
+    disconnect(m_later);
     m_banners.clear(QLatin1String(importNotice));
 }
 
 bool FileExchange::importInto(const DeviceView &device, const QString &path)
 {
-    m_banners.clear(QLatin1String(importNotice));
+    endImport();
     auto file = loadParameterFile(path, *device.family, titleOf(device));
     if (!file) {
         m_banners.post(QLatin1String(importNotice), BannerKind::Danger, file.error().cause, file.error().remedy);
@@ -73,13 +75,22 @@ void FileExchange::stage(const DeviceView &device, const QString &name, const st
 {
     m_view.commitField();
     m_importedInto = device.id;
-    EditDesk::of(m_workbench).editsOf(device).stageAll(changes, tr("Import of %1").arg(name));
+    StagedEdits &edits = EditDesk::of(m_workbench).editsOf(device);
+    edits.stageAll(changes, tr("Import of %1").arg(name));
     QString remedy = tr("Nothing is written yet: look through the list, then write.");
     if (!leftOut.empty())
         remedy += QLatin1Char(' ')
             + tr("Left out: %1, for one: %2.").arg(leftOut.size()).arg(messageText(leftOut.front()));
-    m_banners.post(QLatin1String(importNotice), BannerKind::Info,
-        tr("Staged from %1: %2 of its values differ.").arg(name).arg(changes.size()), remedy, tr("Undo the import"));
+    const QString cause = tr("Staged from %1: %2 of its values differ.").arg(name).arg(changes.size());
+    const auto post = [this, cause, remedy, last = edits.undoStack().index()](int index) {
+        if (index < last)
+            endImport();
+        else
+            m_banners.post(QLatin1String(importNotice), BannerKind::Info, cause, remedy,
+                index == last ? tr("Undo the import") : QString());
+    };
+    post(edits.undoStack().index());
+    m_later = connect(&edits.undoStack(), &QUndoStack::indexChanged, this, post);
 }
 
 void FileExchange::exportOf(const DeviceView &device, const QString &path)

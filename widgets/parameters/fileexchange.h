@@ -17,7 +17,7 @@ struct OpenedFile {
     std::unique_ptr<StagedEdits> edits;
 };
 
-/// Parameter files, in and out. A notice says what came of each; that of an import takes it back.
+/// Parameter files, in and out. A notice says what came of each; that of an import takes it back, as long as it is the last edit.
 class FileExchange : public QObject {
     Q_OBJECT
 public:
@@ -44,6 +44,7 @@ private:
     BannerStack &m_banners;
     ParameterView &m_view;
     DeviceId m_importedInto;
+    QMetaObject::Connection m_later; ///< edits after the import
 };
 
 } // namespace mb

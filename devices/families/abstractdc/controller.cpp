@@ -53,11 +53,10 @@ Controller::Controller(const Family &family, CanLink &link, Clock &clock, Identi
     , m_received(link.received().add([this](const CanFrame &frame) { onFrame(frame, false); }))
     , m_identityChanged(changed().add([this] { speak(); }))
 {
-    if (link.address().isRecording())
-        m_sent = link.traffic().add([this](const Traffic &traffic) {
-            if (traffic.can && traffic.direction == Direction::Sent)
-                onFrame(*traffic.can, true);
-        });
+    m_sent = link.traffic().add([this](const Traffic &traffic) {
+        if (traffic.can && traffic.direction == Direction::Sent)
+            onSent(*traffic.can);
+    });
     speak();
 }
 
@@ -102,6 +101,8 @@ Result<void> Controller::doMayMove() const
             say("scan again, or choose its dialect by hand"));
     if (!m_logs.dialect()->canStop())
         return fail(Fault::Unsafe, say("a drive of dialect LL has no code for stop"), say("only its power stops it"));
+    if (auto alone = m_logs.isAddressedAlone(); !alone)
+        return alone;
     if (m_debt.isOwed())
         return fail(Fault::Unsafe,
             say("its averaging was lowered, as far as can be known, and until it has lost its power once it may "
@@ -241,8 +242,9 @@ void Controller::onFrame(const CanFrame &frame, bool ours)
         return;
     if (const auto loop = decodeSetPoint(*m_logs.dialect(), identity().address, frame)) {
         const bool driven = *loop != Loop::None;
+        const bool isTaken = !ours && (driven || m_ours); // also by a stop, which our next set-point would undo
         m_ours = ours && driven;
-        m_foreignAt = driven && !ours ? std::optional<Instant>(frame.time) : std::nullopt;
+        m_foreignAt = isTaken ? std::optional<Instant>(frame.time) : std::nullopt;
         if (ours && !driven)
             m_logs.output().release();
         enter(*loop);
@@ -251,6 +253,16 @@ void Controller::onFrame(const CanFrame &frame, bool ours)
         if (const auto index = parameterOf(settings->loop, settings->field))
             knowledge().assume(*index, settings->value);
     }
+}
+
+/// On a live link what this program sends to this drive is known; what it sends to the one with offset 0 reaches it, too.
+void Controller::onSent(const CanFrame &frame)
+{
+    const bool isToAll = frame.id == id::setPoint || frame.id == id::settings;
+    if (m_can.address().isRecording())
+        onFrame(frame, true);
+    else if (isToAll && identity().address != 0)
+        onFrame(frame, false);
 }
 
 void Controller::onSilence()

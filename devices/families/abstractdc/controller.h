@@ -50,6 +50,7 @@ private:
     void enter(std::optional<Loop> loop);
     void sendStop();
     void onFrame(const CanFrame &frame, bool ours);
+    void onSent(const CanFrame &frame);
     void onSilence();
     void updateLiveness();
 
@@ -62,9 +63,9 @@ private:
     bool m_ours = false; ///< the loop was commanded by us
     std::int32_t m_sentTarget = 0;
     Instant m_sentAt{};
-    std::optional<Instant> m_foreignAt; ///< somebody else's set-point
+    std::optional<Instant> m_foreignAt; ///< somebody else's set-point, or the stop of ours
     Subscription m_received;
-    Subscription m_sent; ///< of a recording: what its recorder had sent
+    Subscription m_sent; ///< to all drives; of a recording: whatever its recorder had sent
     Subscription m_identityChanged;
 };
 

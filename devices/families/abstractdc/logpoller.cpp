@@ -30,6 +30,7 @@ LogPoller::LogPoller(CanLink &link, Clock &clock, Events events)
     , m_events(std::move(events))
     , m_isRecording(link.address().isRecording())
     , m_questions(link, clock)
+    , m_neighbours(link, clock)
     , m_timer(clock)
     , m_traffic(link.traffic().add([this](const Traffic &traffic) {
         if (!traffic.can)
@@ -105,9 +106,11 @@ Log LogPoller::mostUrgent() const
 {
     std::size_t best = at(Log::Velocity);
     Instant soonest = Instant::max();
+    const bool isShared = reachesOthers();
     for (std::size_t i = 0; i < logCount; ++i) {
         const Wish &wish = m_wishes.at(i);
-        const bool possible = wish.period > Duration::zero() && m_dialect && m_dialect->has(static_cast<Log>(i));
+        const bool possible = wish.period > Duration::zero() && m_dialect && m_dialect->has(static_cast<Log>(i))
+            && !(isShared && static_cast<Log>(i) == Log::Voltage);
         if (!possible || wish.due >= soonest)
             continue;
         best = i;

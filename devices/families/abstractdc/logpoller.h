@@ -2,6 +2,7 @@
 #pragma once
 
 #include "families/abstractdc/codec.h"
+#include "families/abstractdc/neighbours.h"
 #include "families/abstractdc/questionwatch.h"
 #include "transport/canlink.h"
 
@@ -30,6 +31,8 @@ public:
     void wish(Log log, double hertz);
     [[nodiscard]] bool isHeard() const { return m_heard; }
     [[nodiscard]] const QuestionWatch &questions() const { return m_questions; }
+    /// What this drive is sent, others do, too: it has offset 0, and others answer. Then nobody is asked for the voltage log.
+    [[nodiscard]] bool reachesOthers() const { return m_offset == 0 && m_neighbours.areHeard(); }
 
 private:
     void receive(const CanFrame &frame);
@@ -55,6 +58,7 @@ private:
     Events m_events;
     bool m_isRecording;
     QuestionWatch m_questions;
+    Neighbours m_neighbours;
     const Dialect *m_dialect = nullptr;
     int m_offset = 0;
     std::array<Wish, logCount> m_wishes{};

@@ -75,6 +75,15 @@ bool LogSense::enter(std::optional<Loop> loop)
     return isOther;
 }
 
+Result<void> LogSense::isAddressedAlone() const
+{
+    if (!m_poller.reachesOthers())
+        return {};
+    return fail(Fault::Unsafe,
+        say("what is sent to offset 0 is done by every drive of the bus, and others answer on this one"),
+        say("compile an offset of its own, 1 … 99, into its firmware, or leave it alone on the bus"));
+}
+
 // How often
 
 Result<void> LogSense::wish(ChannelIndex channel, double hertz)

@@ -36,6 +36,8 @@ public:
     [[nodiscard]] bool isDriven() const { return m_loop && *m_loop != Loop::None; }
     /// Device::setRate().
     [[nodiscard]] Result<void> wish(ChannelIndex channel, double hertz);
+    /// Unsafe: what this drive is sent, others do, too (LogPoller::reachesOthers()).
+    [[nodiscard]] Result<void> isAddressedAlone() const;
     /// After a silence: nothing that was known holds.
     void forget();
 

@@ -37,6 +37,8 @@ bool mayAnswer(const Question &question, std::uint32_t identifier)
     });
 }
 
+} // namespace
+
 std::optional<Question> questionIn(const CanFrame &frame)
 {
     for (const std::uint32_t base : {id::logRequest, id::logRequestOld}) {
@@ -45,8 +47,6 @@ std::optional<Question> questionIn(const CanFrame &frame)
     }
     return std::nullopt;
 }
-
-} // namespace
 
 QuestionWatch::QuestionWatch(CanLink &link, Clock &clock)
     : m_link(link)

@@ -5,6 +5,7 @@
 #include "transport/canlink.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace mb::abstractdc {
@@ -17,6 +18,8 @@ struct Question {
 
     friend bool operator==(const Question &, const Question &) = default;
 };
+/// The question that a data frame with a short identifier is.
+[[nodiscard]] std::optional<Question> questionIn(const CanFrame &frame);
 
 /// Hears every question on a link, this program's and others', and says which of them the log that is passing may answer: one
 /// identifier is the answer of drives with other offsets in other dialects, and one of all drives (README.md#dialects). A

@@ -112,7 +112,9 @@ std::int32_t TargetLead::next(
         const double before = fresh ? 0.0 : *m_value;
         value = std::clamp(value, before - step, before + step);
     } else {
-        const double from = feedback.value_or(fresh ? 0.0 : *m_value);
+        const bool isFromNothing = fresh || command.loop == Loop::Current; // its converter reads no less
+        const double unknown = isFromNothing ? 0.0 : *m_value;
+        const double from = feedback.value_or(unknown);
         value = std::clamp(value, from - greatestError, from + greatestError);
     }
     m_value = value;

@@ -37,7 +37,8 @@ struct Command {
 class TargetLead {
 public:
     void reset() { m_value.reset(); }
-    /// `feedback` in the unit of the target; nothing when it is not known.
+    /// `feedback` in the unit of the target; nothing when it is not known: then the lead is from the last target, of a current from 0,
+    /// where its error is greatest.
     [[nodiscard]] std::int32_t next(
         const Command &command, double ramp, std::optional<double> feedback, double greatestError, Instant now);
 

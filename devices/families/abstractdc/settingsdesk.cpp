@@ -63,6 +63,8 @@ Result<void> SettingsDesk::mayWrite(const Parameter &parameter, std::int64_t raw
 {
     if (!m_logs.dialect())
         return fail(Fault::Unsafe, say("it is not proven which codes this drive speaks"), say("nothing was written"));
+    if (auto alone = m_logs.isAddressedAlone(); !alone)
+        return alone;
     const Field field = fieldOf(parameter);
     if (field == Field::Divisor && raw == 0)
         return fail(Fault::OutOfRange, say("0 is no divisor"), say("the loop would be undefined"));
@@ -138,6 +140,8 @@ Task<bool> SettingsDesk::store(Progress &progress)
 {
     if (!m_logs.dialect())
         co_return fail(Fault::Unsafe, say("it is not proven which codes this drive speaks"), say("nothing was saved"));
+    if (auto alone = m_logs.isAddressedAlone(); !alone)
+        co_return fail(alone.error());
     if (m_logs.isDriven())
         co_return fail(Fault::Unsafe, say("stop the motor first: the drive stands still while it writes its flash"));
     const std::set<Loop> all = m_unsaved;

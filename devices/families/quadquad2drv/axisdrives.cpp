@@ -72,10 +72,15 @@ Result<void> AxisDrives::command(const SetPoint &setPoint)
     if (const auto failure = m_orders.takeFailure())
         return fail(*failure);
     const ControlMode mode = modeFor(setPoint.mode);
-    if (mode == ControlMode::Position && !m_sense.position(axis))
-        return fail(Fault::Unsafe, say("the position is not known yet, so nothing would keep the motor from jumping"));
-    if (controlMode(axis) != mode)
+    if (controlMode(axis) != mode) {
+        if (mode == ControlMode::Position && !m_sense.place(axis)) {
+            m_orders.learn();
+            return fail(Fault::Unsafe,
+                say("the position is not known yet, so nothing would keep the motor from jumping"),
+                say("the board is told to tell its whole counters; look at the position, and run it again"));
+        }
         enter(axis, mode);
+    }
     sendTarget(axis, setPoint);
     record(axis, setPoint.target);
     return {};
@@ -100,7 +105,7 @@ void AxisDrives::enter(int axis, ControlMode mode)
     if (mode == ControlMode::Velocity)
         rest = setVelocityTarget(maskOf(axis), 0.0, m_settings.readings());
     else if (mode == ControlMode::Position)
-        rest = setPositionTarget(maskOf(axis), static_cast<std::int32_t>(*m_sense.position(axis)));
+        rest = setPositionTarget(maskOf(axis), *m_sense.place(axis));
     m_orders.post(rest);
     m_orders.post(setControlMode(maskOf(axis), mode));
     m_orders.post(rest);

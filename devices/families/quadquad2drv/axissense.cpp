@@ -24,6 +24,11 @@ std::string keyOf(std::size_t axis, const FaultBit &fault)
     return "ch" + std::to_string(axis + 1) + '.' + fault.key;
 }
 
+bool isWhole(std::uint8_t mask)
+{
+    return (mask & datamask::relative) == 0 && positionBits[mask & datamask::positionSize] == 32;
+}
+
 std::int64_t unwrapped(std::optional<std::int64_t> before, std::int32_t position, std::uint8_t mask)
 {
     if ((mask & datamask::relative) != 0)
@@ -60,6 +65,7 @@ void AxisSense::takeAxis(int axis, const AxisMotion &motion, std::uint8_t mask, 
     Tracked &tracked = m_tracked[static_cast<std::size_t>(axis)];
     if (motion.position) {
         tracked.position = unwrapped(tracked.position, *motion.position, mask);
+        tracked.place = isWhole(mask) ? motion.position : std::nullopt;
         m_telemetry->append({channelOf(axis, AxisChannel::Position), time, static_cast<double>(*tracked.position)});
     }
     if (motion.velocity)
@@ -75,6 +81,11 @@ std::optional<std::int64_t> AxisSense::position(int axis) const
     return m_tracked[static_cast<std::size_t>(axis)].position;
 }
 
+std::optional<std::int32_t> AxisSense::place(int axis) const
+{
+    return m_tracked[static_cast<std::size_t>(axis)].place;
+}
+
 bool AxisSense::isTurning(int axis) const
 {
     const auto velocity = m_telemetry->latest(channelOf(axis, AxisChannel::Velocity));
@@ -83,8 +94,10 @@ bool AxisSense::isTurning(int axis) const
 
 void AxisSense::forget()
 {
-    for (Tracked &tracked : m_tracked)
+    for (Tracked &tracked : m_tracked) {
         tracked.position.reset();
+        tracked.place.reset();
+    }
 }
 
 std::vector<std::string> AxisSense::faults() const

@@ -20,8 +20,10 @@ public:
 
     /// `masks` are those that the data were sent with. Changes what is told of the axes in `states`.
     void take(const Motion &motion, const DataMasks &masks, Instant time, LiveStates &states);
-    /// Counts, unwrapped; nothing before the board told it.
+    /// Counts, unwrapped; nothing before the board told it. Of changes, or of the low bits alone, it begins anywhere.
     [[nodiscard]] std::optional<std::int64_t> position(int axis) const;
+    /// Counts, as a target of the board has them; nothing while it tells less than its whole counter.
+    [[nodiscard]] std::optional<std::int32_t> place(int axis) const;
     /// Faster than the resolution of the velocity.
     [[nodiscard]] bool isTurning(int axis) const;
     /// The board was reset: its counters began anew.
@@ -33,6 +35,7 @@ public:
 private:
     struct Tracked {
         std::optional<std::int64_t> position; ///< unwrapped
+        std::optional<std::int32_t> place;
         std::uint8_t status = 0;
     };
     void takeAxis(int axis, const AxisMotion &motion, std::uint8_t mask, Instant time);

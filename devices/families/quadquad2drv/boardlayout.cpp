@@ -50,6 +50,12 @@ Task<void> BoardLayout::tellEverything()
     co_return {};
 }
 
+bool BoardLayout::tellsEverything() const
+{
+    const DataMasks &masks = m_port.masks();
+    return std::all_of(masks.begin(), masks.end(), [](std::uint8_t mask) { return mask == datamask::everything; });
+}
+
 /// A board that was reset has its start-up data masks again. At the first look that tells of a reset since the settings in its
 /// profile were written, by this run of the program or another one: all that write set other masks first.
 Task<void> BoardLayout::check(int tries)

@@ -31,7 +31,8 @@ public:
     /// whether the stream is another. Unsupported without a ready line.
     [[nodiscard]] Task<bool> setRate(ChannelIndex channel, double hertz);
 
-    [[nodiscard]] bool tellsEverything() const { return m_port.masks()[0] == datamask::everything; }
+    /// Of every axis.
+    [[nodiscard]] bool tellsEverything() const;
     /// Units of 40.96 µs; 0: it does not stream.
     [[nodiscard]] std::uint16_t streamPeriod() const { return m_streamPeriod; }
     /// The board is told something that a reset undoes.

@@ -31,6 +31,13 @@ void OrderQueue::post(Bytes request)
         begin();
 }
 
+void OrderQueue::learn()
+{
+    if (m_layout.tellsEverything() || std::exchange(m_learning, true))
+        return;
+    m_scope.spawn<void>(m_layout.tellEverything(), [this](const Result<void> &) { m_learning = false; });
+}
+
 void OrderQueue::stop()
 {
     m_orders.clear();

@@ -16,6 +16,8 @@ public:
 
     /// A newer target of the same kind for the same axis takes the place of one that has not left yet.
     void post(Bytes request);
+    /// The board will tell everything, where it does not.
+    void learn();
     /// Nothing that was ordered before is sent any more, not even again.
     void stop();
     /// The board was reset.
@@ -33,6 +35,7 @@ private:
     std::function<void()> m_failed;
     std::deque<Bytes> m_orders;
     bool m_working = false;
+    bool m_learning = false;
     std::uint64_t m_stops = 0;
     std::optional<Error> m_failure;
     Scope m_scope; ///< last: its tasks use everything above
