@@ -17907,5 +17907,13 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>1 setting was written and cannot be read back</source>
         <translation>1 Einstellung wurde geschrieben und lässt sich nicht zurücklesen</translation>
     </message>
+    <message>
+        <source>put it on again, and do it again</source>
+        <translation>Wieder anstecken und noch einmal ausführen</translation>
+    </message>
+    <message>
+        <source>the unit was taken off while it waited for a number</source>
+        <translation>Das Gerät wurde abgenommen, während es auf eine Nummer wartete</translation>
+    </message>
 </context>
 </TS>

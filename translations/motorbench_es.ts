@@ -17907,5 +17907,13 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>1 setting was written and cannot be read back</source>
         <translation>se escribió 1 ajuste que no puede volver a leerse</translation>
     </message>
+    <message>
+        <source>put it on again, and do it again</source>
+        <translation>vuelva a conectarlo y hágalo otra vez</translation>
+    </message>
+    <message>
+        <source>the unit was taken off while it waited for a number</source>
+        <translation>la unidad se retiró mientras esperaba un número</translation>
+    </message>
 </context>
 </TS>

@@ -17907,5 +17907,13 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>1 setting was written and cannot be read back</source>
         <translation>1 réglage a été écrit et ne peut pas être relu</translation>
     </message>
+    <message>
+        <source>put it on again, and do it again</source>
+        <translation>remettez-le en place, puis recommencez</translation>
+    </message>
+    <message>
+        <source>the unit was taken off while it waited for a number</source>
+        <translation>l’unité a été retirée pendant qu’elle attendait un numéro</translation>
+    </message>
 </context>
 </TS>

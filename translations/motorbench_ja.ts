@@ -17893,5 +17893,13 @@ double click plots it, drag it to a pane or below them</source>
         <source>1 setting was written and cannot be read back</source>
         <translation>1 件の設定を書き込みました。読み戻すことはできません</translation>
     </message>
+    <message>
+        <source>put it on again, and do it again</source>
+        <translation>もう一度取り付けて、やり直してください</translation>
+    </message>
+    <message>
+        <source>the unit was taken off while it waited for a number</source>
+        <translation>番号を待っている間にユニットが取り外されました</translation>
+    </message>
 </context>
 </TS>

@@ -17893,5 +17893,13 @@ double click plots it, drag it to a pane or below them</source>
         <source>1 setting was written and cannot be read back</source>
         <translation>已写入 1 项设置，无法回读</translation>
     </message>
+    <message>
+        <source>put it on again, and do it again</source>
+        <translation>请重新接上，然后再做一次</translation>
+    </message>
+    <message>
+        <source>the unit was taken off while it waited for a number</source>
+        <translation>设备在等待编号时被取下</translation>
+    </message>
 </context>
 </TS>

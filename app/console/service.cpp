@@ -199,6 +199,26 @@ private:
     std::vector<Subscription> m_subscriptions;
 };
 
+/// Empty: there is none. Usage where the recipe is not that of the last run any more: what has ended there ended under the other one.
+Result<std::string> runToResume(ServiceBook &book, const service::RecipeMatter &matter)
+{
+    const auto last = book.lastRun(matter.recipe.name);
+    if (!last || last->empty())
+        return last;
+    service::VisitFilter filter;
+    filter.run = *last;
+    const auto visits = book.list(filter);
+    if (!visits)
+        return fail(visits.error());
+    const bool isOther = std::any_of(visits->begin(), visits->end(), [&matter](const service::Visit &visit) {
+        return visit.recipeHash != matter.hash || visit.imageHash != matter.imageHash;
+    });
+    if (isOther)
+        return fail(Fault::Usage, say("the recipe has changed since the run that would be resumed"),
+            say("run it without --resume"));
+    return last;
+}
+
 Task<int> serve(Console &console, ServiceArguments a)
 {
     const auto plan = check(console, a);
@@ -211,9 +231,12 @@ Task<int> serve(Console &console, ServiceArguments a)
     service::QueueOptions options;
     options.station = station;
     options.units = plan->units;
-    const auto last = (*desk)->book().lastRun(plan->matter.recipe.name);
-    if (a.resume)
-        options.run = last.value_or(std::string());
+    if (a.resume) {
+        const auto last = runToResume((*desk)->book(), plan->matter);
+        if (!last)
+            co_return fail(last.error());
+        options.run = *last;
+    }
     if (a.resume && options.run.empty())
         console.note("there is nothing to resume: this station has not run this recipe yet");
     Result<int> ran;

@@ -222,7 +222,7 @@ Task<void> ExperimentRun::findDirection()
     co_return {};
 }
 
-Task<void> ExperimentRun::putBack(bool stands)
+Task<void> ExperimentRun::putBack()
 {
     if (!m_wrote || m_plan.keep == Keep::Always)
         co_return {};
@@ -231,18 +231,11 @@ Task<void> ExperimentRun::putBack(bool stands)
         (void)co_await std::move(settling).attempt();
         co_return {};
     }
-    const auto owe = [this](const Message &why) {
-        note(say(
-            "the gains were not put back: %1; the notebook has them, 'motorbenchctl trials' lists what is owed", why));
-    };
-    if (!stands) {
-        owe(say("the motor was not seen to stand"));
-        co_return {};
-    }
     auto writing = writeGains(m_device, changesOf(m_device.family(), m_owed));
     const Result<void> written = co_await std::move(writing).attempt();
     if (!written) {
-        owe(written.error().detail);
+        note(say("the gains were not put back: %1; the notebook has them, 'motorbenchctl trials' lists what is owed",
+            written.error().detail));
         co_return {};
     }
     auto marking = markPutBack(m_device, *m_around.journal, {*m_number, 0.0, m_owed});
@@ -267,8 +260,7 @@ Task<void> ExperimentRun::conclude(std::optional<Error> error)
     classifyEnding(error);
     if (!m_moved && m_motion.isInterrupted())
         m_device.stop(); // whoever calls for a stop is told whether the motor stands, whatever moved it
-    const bool mayTurn = m_moved || m_motion.isInterrupted();
-    if (mayTurn) {
+    if (m_moved || m_motion.isInterrupted()) {
         auto confirming = confirmStop(m_device);
         m_trial.stopped = co_await std::move(confirming);
         auto resting = untilAtRest(m_device, m_recorder);
@@ -278,7 +270,7 @@ Task<void> ExperimentRun::conclude(std::optional<Error> error)
     m_trial.lost = m_recorder.lost();
     measure(m_trial, m_device.family(), m_recorder, m_motion.holds(), m_motion.returns());
     if (m_device.link().state() == LinkState::Open) {
-        auto putting = putBack(m_trial.stopped || !mayTurn);
+        auto putting = putBack();
         co_await std::move(putting);
         auto lowering = m_rates.lower(m_around);
         co_await std::move(lowering);

@@ -29,8 +29,7 @@ private:
     [[nodiscard]] Task<void> hearPosition();
     [[nodiscard]] Task<void> writeDown();
     [[nodiscard]] Task<void> findDirection();
-    /// `stands`: the motor was seen to.
-    [[nodiscard]] Task<void> putBack(bool stands);
+    [[nodiscard]] Task<void> putBack();
     [[nodiscard]] GuardPlan guardPlan() const;
     [[nodiscard]] double rate() const;
     void note(const Message &text) const;

@@ -12,7 +12,7 @@ namespace mb::service {
 struct NumberWish {
     std::string scope; ///< numbers are given once in it: "dmc60c drive-base rev C"
     std::string
-        unit; ///< it gets the same number whenever it asks again: Visit::unit; of one known by its place only, the visit
+        unit; ///< it gets the same number whenever it asks again: Visit::unit, or Visit::id of one known by its place
     std::string visit;
     int first = 1;
     int last = 63;       ///< of the family

@@ -383,13 +383,13 @@ Task<int> UnitRun::reserve()
             co_return fail(Fault::Cancelled, say("stopped while it waited for a number"));
         m_progress.step(say("no number: server silent"), 0, 0);
         hasWaited = true;
-        auto waiting = waitForNumber();
+        auto waiting = standBy();
         co_await std::move(waiting);
     }
 }
 
 /// Whoever takes it off meanwhile may put another one on: then it is not this unit that waits.
-Task<void> UnitRun::waitForNumber()
+Task<void> UnitRun::standBy()
 {
     const bool isFollowed = m_device.liveness().heard;
     const Instant again = m_device.clock().now() + numberAgain;

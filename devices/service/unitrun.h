@@ -43,7 +43,7 @@ private:
     [[nodiscard]] Task<UpdateReport> runUpdate();
     [[nodiscard]] Task<TestFinding> testOnce();
     [[nodiscard]] Task<int> reserve();
-    [[nodiscard]] Task<void> waitForNumber();
+    [[nodiscard]] Task<void> standBy();
     [[nodiscard]] Result<void> isSame() const;
     [[nodiscard]] Task<void> readAll();
     [[nodiscard]] std::vector<ParameterChange> missing() const;

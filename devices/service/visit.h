@@ -70,10 +70,9 @@ struct Visit {
     bool simulated = false;
     Step step = Step::Preflight; ///< the last that began
     Outcome outcome = Outcome::Open;
-    std::string from; ///< firmware before
-    std::string to;   ///< firmware afterwards
-    std::optional<int>
-        parameters; ///< values that the unit has as the recipe says, read back; those that cannot be read do not count
+    std::string from;              ///< firmware before
+    std::string to;                ///< firmware afterwards
+    std::optional<int> parameters; ///< values of the recipe that were read back
     std::vector<TestValue> test;
     std::optional<int> number;            ///< that it was given
     std::optional<std::int64_t> snapshot; ///< the backup, in the notebook of this computer

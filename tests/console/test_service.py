@@ -152,6 +152,12 @@ class Service(Recipes):
         self.assertEqual(len(entries), 3)
         self.assertEqual(len({entry["device"] for entry in entries}), 3)
 
+    def test_resume_of_a_recipe_that_was_edited_is_refused_and_writes_nothing(self):
+        self.run_json("service", self.recipe(parameters={"file": "base.json"}), "sim:can", status=1) # one is in its bootloader
+        edited = self.recipe(parameters={"file": "base.json", "store": True})
+        self.assert_error(2, "service", edited, "sim:can", "--resume", says="without --resume")
+        self.assertEqual(len(self.run_one("journal")["entries"]), 3)
+
     def test_an_interrupt_ends_it_and_says_how_to_go_on(self):
         recipe = self.recipe(firmware={"file": "dmc60c-demo.hex"})
         running = subprocess.Popen([contract.PROGRAM, "--json", "service", recipe, "sim:can"], stdout=subprocess.PIPE,
