@@ -54,19 +54,15 @@ Result<void> checkSave(const std::string &path)
     return path.empty() ? Result<void>() : checkWritable(path);
 }
 
-Error notSaved(Error why)
-{
-    why.fault = Fault::Refused;
-    return why;
-}
-
 Result<int> afterSaving(const Console &console, Result<int> verdict, const Result<void> &saved)
 {
     if (saved)
         return verdict;
+    Error why = saved.error();
+    why.fault = Fault::Refused; // the motor has turned: it is no wrong usage
     if (verdict)
-        return fail(notSaved(saved.error()));
-    console.note(notSaved(saved.error()).text());
+        return fail(why);
+    console.note(why.text());
     return verdict;
 }
 

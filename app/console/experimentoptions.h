@@ -37,8 +37,6 @@ struct ExperimentOptions {
 
 /// Whether `--save PATH` could be written, asked before anything moves. Empty: it was not given.
 [[nodiscard]] Result<void> checkSave(const std::string &path);
-/// Why it was not written after the motor has turned: what fails then is no wrong usage.
-[[nodiscard]] Error notSaved(Error why);
 /// What a verb ends with that was to save its result: what became of the motor comes first, and then a file that was not written.
 [[nodiscard]] Result<int> afterSaving(const Console &console, Result<int> verdict, const Result<void> &saved);
 

@@ -236,9 +236,9 @@ Task<int> serve(Console &console, ServiceArguments a)
         if (!last)
             co_return fail(last.error());
         options.run = *last;
+        if (options.run.empty())
+            console.note("there is nothing to resume: this station has not run this recipe yet");
     }
-    if (a.resume && options.run.empty())
-        console.note("there is nothing to resume: this station has not run this recipe yet");
     Result<int> ran;
     {
         Service running(console, **desk, *plan, std::move(options));

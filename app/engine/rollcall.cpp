@@ -11,10 +11,10 @@ void RollCall::look()
         const auto [entry, isNew] = m_present.try_emplace(m_context.session.idOf(*device));
         Presence &presence = entry->second;
         presence.name = m_context.log.labelOf(*device);
-        if (isNew)
+        if (isNew) {
             m_trials.forgetDirection(*device); // of the unit that stood there before
-        if (isNew)
             m_context.log.tell(Severity::Info, presence.name, say("found on %1", device->link().address().shortName()));
+        }
         hear(*device, presence);
     }
     for (auto entry = m_present.begin(); entry != m_present.end();) {

@@ -256,14 +256,16 @@ std::vector<ParameterChange> UnitRun::missing() const
     return changes;
 }
 
+bool UnitRun::isUnreadable(const ParameterChange &change) const
+{
+    return m_device.parameters().parameter(change.index).access == Access::WriteOnly && m_device.offers(change.index);
+}
+
 /// Settings of the recipe that cannot be read: what is assumed of them may be the unit's before, so that they are written each time.
 std::vector<ParameterChange> UnitRun::unreadable() const
 {
-    std::vector<ParameterChange> changes;
-    for (const ParameterChange &change : m_around.matter.parameters) {
-        if (m_device.parameters().parameter(change.index).access == Access::WriteOnly && m_device.offers(change.index))
-            changes.push_back(change);
-    }
+    std::vector<ParameterChange> changes = m_around.matter.parameters;
+    std::erase_if(changes, [this](const ParameterChange &change) { return !isUnreadable(change); });
     return changes;
 }
 
@@ -290,9 +292,7 @@ Task<Message> UnitRun::setParameters()
     co_await std::move(reading);
     const std::vector<ParameterChange> blind = unreadable();
     std::vector<ParameterChange> changes = missing();
-    std::erase_if(changes, [this](const ParameterChange &change) {
-        return m_device.parameters().parameter(change.index).access == Access::WriteOnly;
-    });
+    std::erase_if(changes, [this](const ParameterChange &change) { return isUnreadable(change); });
     changes.insert(changes.end(), blind.begin(), blind.end());
     auto writing = settings::writeKept(
         m_device, changes, {settings::Origin::Recipe, settings::Purpose::Write}, m_around.settings, m_progress);

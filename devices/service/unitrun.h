@@ -47,6 +47,7 @@ private:
     [[nodiscard]] Result<void> isSame() const;
     [[nodiscard]] Task<void> readAll();
     [[nodiscard]] std::vector<ParameterChange> missing() const;
+    [[nodiscard]] bool isUnreadable(const ParameterChange &change) const;
     [[nodiscard]] std::vector<ParameterChange> unreadable() const;
     [[nodiscard]] Message proofOf(bool stores, bool stored) const;
     [[nodiscard]] int others() const;

@@ -5,7 +5,6 @@
 #include "windowbench.h"
 
 #include "app/closing.h"
-#include "widgets/firmware/firmwarepage.h"
 
 #include <QCloseEvent>
 #include <QMessageBox>
@@ -305,12 +304,7 @@ void ClosingTest::theEndOfTheProgramNamesTheMotorThatWasNotSeenToStop()
 void ClosingTest::theWindowStaysWhileTheBenchIsUpdated()
 {
     WindowBench bench;
-    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
-    bench.select(WindowBench::inBootloader);
-    auto &page = bench.page<FirmwarePage>(PageId::Firmware);
-    page.loadImage(QStringLiteral(":/firmware/dmc60c-demo.hex"));
-    QTRY_VERIFY_WITH_TIMEOUT(page.canStart(), patience);
-    page.startUpdate();
+    bench.beginUpdate();
     const DeviceId id = bench.device(WindowBench::inBootloader)->id;
     const auto update = [&bench, id] { return bench.engine().snapshot().operation(id); };
     QTRY_VERIFY_WITH_TIMEOUT(update() && update()->status.done > 1, patience);

@@ -11,7 +11,6 @@
 #include "widgets/common/segmented.h"
 #include "widgets/control/tunepage.h"
 #include "widgets/control/tuneplot.h"
-#include "widgets/firmware/firmwarepage.h"
 #include "widgets/plots/sampleswindow.h"
 #include "widgets/service/productionpage.h"
 
@@ -207,12 +206,7 @@ void ProgramTest::nothingChangesWhileAMotorIsArmed()
 void ProgramTest::preferencesWaitUntilAnUpdateIsOver()
 {
     WindowBench bench;
-    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
-    bench.select(WindowBench::inBootloader);
-    auto &page = bench.page<FirmwarePage>(PageId::Firmware);
-    page.loadImage(QStringLiteral(":/firmware/dmc60c-demo.hex"));
-    QTRY_VERIFY_WITH_TIMEOUT(page.canStart(), patience);
-    page.startUpdate();
+    bench.beginUpdate();
     const DeviceId id = bench.device(WindowBench::inBootloader)->id;
     const auto update = [&bench, id] { return bench.engine().snapshot().operation(id); };
     QTRY_VERIFY_WITH_TIMEOUT(update() && update()->status.done > 1, patience);

@@ -133,12 +133,8 @@ void WindowTest::thePlotShowsSamplesOfTheDevice()
 void WindowTest::anUpdateEndsVerified()
 {
     WindowBench bench;
-    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
-    bench.select(WindowBench::inBootloader);
+    bench.beginUpdate();
     auto &page = bench.page<FirmwarePage>(PageId::Firmware);
-    page.loadImage(QStringLiteral(":/firmware/dmc60c-demo.hex"));
-    QTRY_VERIFY_WITH_TIMEOUT(page.canStart(), patience);
-    page.startUpdate();
     const auto report = [&bench]() -> const UpdateReport * {
         const OperationView *update = bench.engine().snapshot().operation(bench.device(WindowBench::inBootloader)->id);
         return update && update->update ? &*update->update : nullptr;

@@ -5,6 +5,7 @@
 #include "askengine.h"
 #include "model/registry.h"
 #include "widgets/common/headerbar.h"
+#include "widgets/firmware/firmwarepage.h"
 
 #include <QTest>
 
@@ -79,6 +80,16 @@ public:
             }
             return false;
         });
+    }
+    /// The unit in its bootloader gets its firmware, once it is found.
+    void beginUpdate()
+    {
+        QTRY_VERIFY_WITH_TIMEOUT(isFound(), patience);
+        select(inBootloader);
+        auto &firmware = page<FirmwarePage>(PageId::Firmware);
+        firmware.loadImage(QStringLiteral(":/firmware/dmc60c-demo.hex"));
+        QTRY_VERIFY_WITH_TIMEOUT(firmware.canStart(), patience);
+        firmware.startUpdate();
     }
     void run(double duty = 0.3)
     {

@@ -71,6 +71,18 @@ class Rounds:
     def by(self):
         return f"its watchdog, {1000 * self.rig.watchdog:.0f} ms" if self.rig.watchdog else "the guardian"
 
+    def ends_with(self, number, what):
+        """A signal that may be heard: the motor is off, stays so, and that was seen."""
+        taken = []
+        for _ in self.rounds():
+            program = self.drive()
+            at = time.time()
+            program.send(number)
+            taken.append(self.off_after(at, 0.25, what))
+            self.assertEqual(program.process.wait(PATIENCE), 0, f"it was seen: {program.lines[-3:]}")
+            self.assertTrue(self.rig.motor.stays_off(RESUMES))
+        ROWS.add(self.rig.family, what, self.who, taken, 0.25)
+
     def silence(self):
         """A motor that nobody commands any more is off by then."""
         return self.rig.watchdog + 0.02 + CERTAIN if self.rig.watchdog else GUARDIAN
@@ -148,14 +160,7 @@ class MotionScenarios(FreezeScenarios):
     """What happens to the console while it drives a motor."""
 
     def test_ctrl_c_stops_the_motor(self):
-        taken = []
-        for _ in self.rounds():
-            program = self.drive()
-            at = time.time()
-            program.send(signal.SIGINT)
-            taken.append(self.off_after(at, 0.25, "Ctrl+C"))
-            self.assertEqual(program.process.wait(PATIENCE), 0)
-        ROWS.add(self.rig.family, "Ctrl+C", "the program", taken, 0.25)
+        self.ends_with(signal.SIGINT, "Ctrl+C")
 
     def test_output_that_nobody_reads_keeps_neither_the_motion_nor_a_signal_waiting(self):
         taken = []
@@ -184,15 +189,7 @@ class WindowScenarios(FreezeScenarios):
         return Program(self.window, link, unit.split(":")[0], environment={**os.environ, "QT_QPA_PLATFORM": "offscreen"})
 
     def test_a_window_that_is_told_to_end_stops_the_motor_and_goes_once_that_is_seen(self):
-        taken = []
-        for _ in self.rounds():
-            program = self.drive()
-            at = time.time()
-            program.send(signal.SIGTERM)
-            taken.append(self.off_after(at, 0.25, "SIGTERM"))
-            self.assertEqual(program.process.wait(PATIENCE), 0, f"it was seen: {program.lines[-3:]}")
-            self.assertTrue(self.rig.motor.stays_off(RESUMES))
-        ROWS.add(self.rig.family, "the window is told to end (SIGTERM)", "the window", taken, 0.25)
+        self.ends_with(signal.SIGTERM, "the window is told to end (SIGTERM)")
 
 
 class CableScenarios(Rounds):
