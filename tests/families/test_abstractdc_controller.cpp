@@ -198,6 +198,7 @@ TEST_F(AbstractDcController, WhatAnotherMasterStopsStaysOff)
     VirtualCanLink master(*LinkAddress::parse("sim:can"), bus);
     ASSERT_TRUE(master.open());
     for (const char *stop : {"067#0000000000", "064#0000000000"}) {
+        device.reset(); // after its stream
         open(3, &dialectF);
         SetPointStream stream(*device, clock);
         ASSERT_TRUE(stream.start(setPoint(Mode::Duty, 0.4), 60s));
@@ -211,7 +212,6 @@ TEST_F(AbstractDcController, WhatAnotherMasterStopsStaysOff)
         EXPECT_EQ(stream.end(), SetPointStream::End::ForeignMaster) << stop;
         EXPECT_FALSE(device->liveness().foreignMaster) << "it stands and nobody drives it";
         EXPECT_TRUE(device->mayMove()) << stop;
-        device.reset();
     }
 }
 
