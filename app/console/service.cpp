@@ -210,9 +210,8 @@ Result<std::string> runToResume(ServiceBook &book, const service::RecipeMatter &
     const auto visits = book.list(filter);
     if (!visits)
         return fail(visits.error());
-    const bool isOther = std::any_of(visits->begin(), visits->end(), [&matter](const service::Visit &visit) {
-        return visit.recipeHash != matter.hash || visit.imageHash != matter.imageHash;
-    });
+    const bool isOther = std::any_of(visits->begin(), visits->end(),
+        [&matter](const service::Visit &visit) { return visit.recipeHash != matter.hash; });
     if (isOther)
         return fail(Fault::Usage, say("the recipe has changed since the run that would be resumed"),
             say("run it without --resume"));

@@ -30,7 +30,7 @@ Result<QByteArray> besideOf(const std::string &recipe, const std::string &file, 
     return bytes;
 }
 
-Result<void> readImage(const std::string &path, RecipeMatter &matter)
+Result<void> readImage(const std::string &path, RecipeMatter &matter, QCryptographicHash &all)
 {
     const FirmwareRule &rule = *matter.recipe.firmware;
     const auto bytes = besideOf(path, rule.file, static_cast<std::int64_t>(FirmwareImage::maxTextSize));
@@ -48,11 +48,12 @@ Result<void> readImage(const std::string &path, RecipeMatter &matter)
     }
     matter.image = std::move(*image);
     matter.imageHash = hashOf(*bytes);
+    all.addData(*bytes);
     return {};
 }
 
 /// What makes one unit this very one is never copied to all of them.
-Result<void> readParameters(const std::string &path, RecipeMatter &matter)
+Result<void> readParameters(const std::string &path, RecipeMatter &matter, QCryptographicHash &all)
 {
     const std::string &file = matter.recipe.parameters->file;
     const auto bytes = besideOf(path, file, mostRecipeBytes);
@@ -71,19 +72,26 @@ Result<void> readParameters(const std::string &path, RecipeMatter &matter)
     }
     if (matter.parameters.empty())
         return fail(Fault::OutOfRange, say("%1 has no setting that could be written to every unit", file));
+    all.addData(*bytes);
     return {};
 }
 
-Result<RecipeMatter> readFiles(RecipeMatter matter, const std::string &path)
+/// `text` is the recipe's own; with what its files hold it makes the hash.
+Result<RecipeMatter> readFiles(Recipe recipe, const QByteArray &text, const std::string &path)
 {
+    QCryptographicHash all(QCryptographicHash::Sha256);
+    all.addData(text);
+    RecipeMatter matter;
+    matter.recipe = std::move(recipe);
     if (matter.recipe.firmware) {
-        if (auto read = readImage(path, matter); !read)
+        if (auto read = readImage(path, matter, all); !read)
             return fail(read.error());
     }
     if (matter.recipe.parameters) {
-        if (auto read = readParameters(path, matter); !read)
+        if (auto read = readParameters(path, matter, all); !read)
             return fail(read.error());
     }
+    matter.hash = all.result().toHex().toStdString();
     return matter;
 }
 
@@ -91,10 +99,8 @@ Result<RecipeMatter> readFiles(RecipeMatter matter, const std::string &path)
 
 Result<RecipeMatter> gatherMatter(Recipe recipe, const std::string &folder)
 {
-    RecipeMatter matter;
-    matter.hash = hashOf(toText(recipe));
-    matter.recipe = std::move(recipe);
-    return readFiles(std::move(matter), folder + "/recipe");
+    const QByteArray text = toText(recipe);
+    return readFiles(std::move(recipe), text, folder + "/recipe");
 }
 
 Result<RecipeMatter> loadRecipe(const std::string &path, std::span<const Family *const> families)
@@ -105,10 +111,7 @@ Result<RecipeMatter> loadRecipe(const std::string &path, std::span<const Family 
     auto recipe = parseRecipe(*bytes, families);
     if (!recipe)
         return fail(recipe.error().about(path));
-    RecipeMatter matter;
-    matter.recipe = std::move(*recipe);
-    matter.hash = hashOf(*bytes);
-    return readFiles(std::move(matter), path);
+    return readFiles(std::move(*recipe), *bytes, path);
 }
 
 } // namespace mb::service

@@ -60,13 +60,23 @@ std::vector<KeptTrial> newestSweep(const std::vector<KeptTrial> &history, const 
     return sines;
 }
 
+std::string withoutMark(const std::string &unit)
+{
+    return unit.starts_with(simulatedMark) ? unit.substr(simulatedMark.size()) : unit;
+}
+
+/// The journal knows a unit without a serial number by its place, and last by the one that its new number has given it.
 void addVisits(Database &database, ReportUnit &unit)
 {
+    const std::string name = withoutMark(unit.unit);
+    const bool isPlace = DeviceSelector::parse(name).has_value();
     service::VisitFilter served;
-    served.unit = unit.unit;
+    (isPlace ? served.device : served.unit) = isPlace ? name : unit.unit;
     if (auto visits = getVisits(database, served)) { // a file that is read only may be older than they are
-        for (KeptVisit &kept : *visits)
-            unit.visits.push_back(std::move(kept.visit));
+        for (KeptVisit &kept : *visits) {
+            if (!isPlace || kept.visit.serial.empty())
+                unit.visits.push_back(std::move(kept.visit));
+        }
     }
 }
 
@@ -148,7 +158,7 @@ ReportUnit unitFrom(const std::string &unit, const std::string &selector, std::s
     const auto family = std::find_if(
         families.begin(), families.end(), [&](const Family *each) { return each->key == parsed->family; });
     made.family = family == families.end() ? nullptr : *family;
-    const std::string name = made.simulated ? unit.substr(simulatedMark.size()) : unit;
+    const std::string name = withoutMark(unit);
     if (name.starts_with(parsed->family + ' '))
         made.identity.serial = name.substr(parsed->family.size() + 1);
     return made;

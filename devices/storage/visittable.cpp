@@ -167,7 +167,8 @@ Result<std::vector<KeptVisit>> getVisits(SqlConnection &sql, const service::Visi
     };
     const std::pair<const char *, const std::string *> texts[]
         = {{"recipe = ?", &filter.recipe}, {"recipe_hash = ?", &filter.recipeHash}, {"run = ?", &filter.run},
-            {"station = ?", &filter.station}, {"unit = ?", &filter.unit}, {"serial = ?", &filter.serial}};
+            {"station = ?", &filter.station}, {"unit = ?", &filter.unit}, {"serial = ?", &filter.serial},
+            {"device = ?", &filter.device}};
     for (const auto &[condition, text] : texts) {
         if (!text->empty())
             add(condition, qt(*text));

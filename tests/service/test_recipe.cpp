@@ -10,6 +10,9 @@
 
 #include <gtest/gtest.h>
 
+#include <QFile>
+#include <QTemporaryDir>
+
 namespace mb::service {
 namespace {
 
@@ -83,6 +86,29 @@ TEST(Recipes, AreWrittenAsTheyWereRead)
     ASSERT_TRUE(again) << again.error().text();
     EXPECT_EQ(toText(*again), toText(*recipe));
     EXPECT_EQ(again->test->accept.size(), 4U);
+}
+
+TEST(Recipes, AreOthersOnceAFileThatTheyNameHasChanged)
+{
+    const QTemporaryDir folder;
+    const auto write = [&folder](const char *name, const QByteArray &text) {
+        QFile file(folder.filePath(QString::fromLatin1(name)));
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly) && file.write(text) == text.size());
+    };
+    const auto hash = [&folder] {
+        const auto matter = loadRecipe(folder.filePath(QStringLiteral("r.json")).toStdString(), families());
+        EXPECT_TRUE(matter) << (matter ? "" : matter.error().text());
+        return matter ? matter->hash : std::string();
+    };
+    write("r.json", R"({"recipe":1,"name":"r","family":"dmc60c","parameters":{"file":"p.json"}})");
+    const QByteArray settings = R"({"family":"dmc60c","parameters":{"slot1.d":{"raw":77}}})";
+    write("p.json", settings);
+    const std::string before = hash();
+    EXPECT_EQ(hash(), before);
+    write("p.json", QByteArray(settings).replace("77", "78"));
+    EXPECT_NE(hash(), before);
+    write("p.json", settings);
+    EXPECT_EQ(hash(), before);
 }
 
 TEST(Recipes, NeedNothingButNameAndFamily)

@@ -3,6 +3,7 @@
 #include "model/family.h"
 #include "model/registry.h"
 #include "storage/reportmatter.h"
+#include "storage/visittable.h"
 #include "support/coreapplication.h"
 #include "support/simulatedsession.h"
 
@@ -126,6 +127,25 @@ TEST_F(Reports, OfAUnitTheNewestTrialOfEachLoopStandsBesideItsTunings)
     EXPECT_EQ(numbersOf(units[0].trials), (std::vector<std::int64_t>{4}));
     EXPECT_EQ(units[0].history.size(), 4U);
     EXPECT_TRUE(of({{}, "nobody", false}).front().history.empty());
+}
+
+TEST_F(Reports, AUnitWithoutASerialNumberHasTheServicesOfItsPlaceAndOfNoOtherUnitThere)
+{
+    const auto serve = [this](const std::string &id, const std::string &device, const std::string &serial) {
+        service::Visit visit;
+        visit.id = id;
+        visit.unit = "simulated place sim:serial supermodified:4"; // where it stood when it came
+        visit.device = device;
+        visit.serial = serial;
+        EXPECT_TRUE(putVisits(*database, {{visit, 1}}));
+    };
+    serve("moved to 10", "sim:serial/supermodified:10", {});
+    serve("the next one there", "sim:serial/supermodified:11", {});
+    serve("one that has a number of its own", "sim:serial/supermodified:10", "SN10");
+    const auto units = of({{}, "simulated sim:serial/supermodified:10", false});
+    ASSERT_EQ(units.size(), 1U);
+    ASSERT_EQ(units[0].visits.size(), 1U);
+    EXPECT_EQ(units[0].visits[0].id, "moved to 10");
 }
 
 TEST_F(Reports, ANumberThatIsNotThereIsSaidSo)
