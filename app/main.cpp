@@ -36,6 +36,7 @@ void choosePlatform(const mb::Options &options)
 int main(int argc, char **argv)
 {
     mb::ignoreRelativeFolders();
+    std::signal(SIGPIPE, SIG_IGN); // a terminal or pager that went away
     std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error of the file
     QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
     QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);

@@ -46,7 +46,7 @@ struct Outcome {
     {
         return end != SetPointStream::End::Stopped && end != SetPointStream::End::None;
     }
-    [[nodiscard]] bool isSafety() const { return isGuarded() || !stopped; }
+    [[nodiscard]] bool isSafety() const { return isGuarded() || !stopped || (!released && !interrupted); }
 };
 
 Task<bool> confirmStop(Console &console, Device &device)
@@ -109,7 +109,6 @@ bool stands(const Device &device, Instant since)
 Task<Outcome> move(Console &console, Device &device, DrivePlan plan)
 {
     SetPointStream &stream = console.session().stream(device);
-    const Subscription signal = console.interrupted().add([&console] { console.session().stopAll(StopCause::User); });
     if (!console.isInterrupted()) {
         if (auto started = stream.start(plan.setPoint, LeaseRenewal::term, glideOf(device, plan)); !started) {
             if (!plan.zero)
@@ -176,12 +175,23 @@ Result<int> verdictOf(const Device &device, const Outcome &outcome)
     return exitDone;
 }
 
+/// Now that the device itself is known. It is switched off whoever drives it.
+Result<void> mayDrive(const Device &device, const SetPoint &setPoint)
+{
+    if (setPoint.mode == Mode::Off)
+        return {};
+    if (auto allowed = device.mayMove(); !allowed)
+        return allowed;
+    return device.check(setPoint);
+}
+
 Task<int> drive(Console &console, DriveArguments arguments)
 {
     const auto plan = planOf(console, arguments);
     if (!plan)
         co_return fail(plan.error());
-    const Subscription patient = console.interrupted().add([] {}); // a signal ends this verb through its own stop
+    const auto stopAll = [&console] { console.session().stopAll(StopCause::User); };
+    const Subscription signal = console.interrupted().add(stopAll); // it ends this verb through its own stop, too
     auto connecting = connect(console, plan->target);
     Device *const device = co_await std::move(connecting);
     Sleep listening(console.clock(), masterListen);
@@ -189,14 +199,14 @@ Task<int> drive(Console &console, DriveArguments arguments)
     console.onlyAsk();
     if (auto ready = needsApplication(*device); !ready)
         co_return fail(ready.error());
-    if (auto allowed = device->mayMove(); !allowed)
+    if (auto allowed = mayDrive(*device, plan->setPoint); !allowed)
         co_return fail(allowed.error());
-    if (auto legal = plan->setPoint.mode == Mode::Off ? Result<void>() : device->check(plan->setPoint); !legal)
-        co_return fail(legal.error()); // now that the device itself is known
     if (const Message caution = device->caution(plan->setPoint); !caution.empty())
         console.note(device->selector() + ": " + caution.english());
     console.begin();
-    if (plan->zero) {
+    if (console.isInterrupted())
+        stopAll(); // those that were not known at the signal
+    else if (plan->zero) {
         auto zeroing = device->zeroPosition();
         co_await std::move(zeroing);
     }

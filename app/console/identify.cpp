@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/nudge.h"
 #include "app/console/pace.h"
+#include "app/console/question.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
 #include "async/sleep.h"
 
 #include <cmath>
-#include <iostream>
 #include <memory>
 #include <unistd.h>
 
@@ -26,23 +26,22 @@ std::string positionOption(const Family &family)
 }
 
 /// Whoever types it stands before the motor; a script has said --yes.
-Result<void> mayNudge(const Target &target, const IdentifyArguments &arguments)
+Task<void> mayNudge(Console &console, const Target &target, const IdentifyArguments &arguments)
 {
     if (arguments.yes)
-        return {};
+        co_return {};
     const std::string family(target.family->key);
     if (isatty(STDIN_FILENO) == 0)
-        return fail(Fault::Usage, say("%1 cannot blink, so its shaft would be turned a little to and fro", family),
+        co_return fail(Fault::Usage, say("%1 cannot blink, so its shaft would be turned a little to and fro", family),
             say("give --yes once nothing is in its way, or turn its shaft by hand and see which position moves: "
                 "motorbenchctl watch %1%2",
                 arguments.device, positionOption(*target.family)));
-    std::cerr << family << " cannot blink. Turn the shaft of " << arguments.device
-              << " a little to and fro? Nothing may be in its way. [y/N] " << std::flush;
-    std::string answer;
-    std::getline(std::cin, answer);
-    if (answer == "y" || answer == "yes")
-        return {};
-    return fail(Fault::Cancelled, say("its shaft was not turned"),
+    auto asking = ask(console,
+        family + " cannot blink. Turn the shaft of " + arguments.device
+            + " a little to and fro? Nothing may be in its way.");
+    if (co_await std::move(asking))
+        co_return {};
+    co_return fail(Fault::Cancelled, say("its shaft was not turned"),
         say("turn it by hand and see which position moves: motorbenchctl watch %1%2", arguments.device,
             positionOption(*target.family)));
 }
@@ -57,8 +56,8 @@ Task<int> identify(Console &console, IdentifyArguments arguments)
     if (!axis)
         co_return fail(axis.error());
     if (!can.identify) {
-        if (auto allowed = mayNudge(*target, arguments); !allowed)
-            co_return fail(allowed.error());
+        auto asking = mayNudge(console, *target, arguments);
+        co_await std::move(asking);
     }
     auto connecting = connect(console, *target);
     Device *const device = co_await std::move(connecting);

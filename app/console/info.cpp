@@ -227,8 +227,12 @@ Result<std::vector<Kept>> parseAll(const Family &family, const std::vector<std::
     return all;
 }
 
+/// Refused where it is in force for this program only.
 Result<void> keep(Console &console, Device &device, const std::vector<Kept> &all)
 {
+    bool isOnDisk = true;
+    const Subscription watching
+        = console.session().memory().profileTrouble().add([&isOnDisk](const Message &) { isOnDisk = false; });
     for (const Kept &kept : all) {
         const auto done = kept.key == "dialect" ? device.knowledge().setDialect(kept.text)
                                                 : device.knowledge().calibrate(kept.key, kept.number);
@@ -237,6 +241,8 @@ Result<void> keep(Console &console, Device &device, const std::vector<Kept> &all
         if (kept.key == "dialect" && !kept.text.empty())
             console.note(device.identity().detail.english());
     }
+    if (!isOnDisk)
+        return fail(Fault::Refused, say("nothing was kept"), say("see to the folder's rights and room"));
     return {};
 }
 

@@ -68,7 +68,12 @@ Task<void> Notebook::settleOwed(Device &device, bool agreed)
     for (const tuning::OwedGains &debt : *owed) {
         const std::string what = "trial " + std::to_string(debt.trial) + " did not put back what it changed";
         const std::string values = tuning::assignmentsOf(device.family(), debt.values);
-        if (!agreed && !isAgreedTo(what + "; put " + values + " back now?")) {
+        bool puts = agreed;
+        if (!puts) {
+            auto asking = isAgreedTo(m_console, what + "; put " + values + " back now?");
+            puts = co_await std::move(asking);
+        }
+        if (!puts) {
             m_console.note(what + "; --yes does, or 'motorbenchctl set " + device.selector() + ' ' + values + '\'');
             continue;
         }

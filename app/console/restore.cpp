@@ -121,18 +121,19 @@ Result<std::optional<NamedSettings>> nameSource(
 }
 
 /// A snapshot of a place may be of another unit, which nobody can know but the user.
-Result<void> mayPutBack(
-    const Device &device, SettingsBook &book, const NamedSettings &named, const RestoreArguments &arguments)
+Task<void> mayPutBack(Console &console, const Device &device, SettingsBook &book, const NamedSettings &named,
+    const RestoreArguments &arguments)
 {
     const settings::Unit::By by = settings::byOf(book.resolved(settings::unitOf(device).key));
     if (named.kind != NamedSettings::Kind::Snapshot || by != settings::Unit::By::Place || arguments.dryRun
         || arguments.yes)
-        return {};
+        co_return {};
     const Message cause
         = say("%1 has no serial number: the snapshot is of %2", device.selector(), settings::caveatOf(by));
-    if (isAgreedTo(cause.english() + "; write it?"))
-        return {};
-    return fail(Fault::Usage, cause,
+    auto asking = isAgreedTo(console, cause.english() + "; write it?");
+    if (co_await std::move(asking))
+        co_return {};
+    co_return fail(Fault::Usage, cause,
         say("look at --dry-run first; --yes writes it, and 'motorbenchctl rename' gives the unit a name of its own"));
 }
 
@@ -213,8 +214,8 @@ Task<int> restore(Console &console, RestoreArguments arguments)
         if (!loaded)
             co_return fail(loaded.error());
         file = std::move(*loaded);
-        if (auto agreed = mayPutBack(*device, *notebook.settings(), **source, arguments); !agreed)
-            co_return fail(agreed.error());
+        auto agreeing = mayPutBack(console, *device, *notebook.settings(), **source, arguments);
+        co_await std::move(agreeing);
     }
     console.begin();
     std::vector<Change> changes = file ? std::vector<Change>() : lostChanges(*device);

@@ -9,20 +9,31 @@
 namespace mb::console {
 namespace {
 
-sigset_t ending()
+/// A hang-up that `nohup` has made to be ignored stays so. An interrupt does not: a script's `drive … &` is stopped by it.
+bool isIgnored(int number)
 {
-    sigset_t set;
-    sigemptyset(&set);
-    for (const int number : {SIGINT, SIGTERM, SIGHUP})
-        sigaddset(&set, number);
+    struct sigaction action { };
+    return ::sigaction(number, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
+const sigset_t &ending()
+{
+    static const sigset_t set = [] {
+        sigset_t made;
+        sigemptyset(&made);
+        for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+            if (number != SIGHUP || !isIgnored(number))
+                sigaddset(&made, number);
+        }
+        return made;
+    }();
     return set;
 }
 
 int makeDescriptor()
 {
-    const sigset_t set = ending();
-    ::sigprocmask(SIG_BLOCK, &set, nullptr);
-    return ::signalfd(-1, &set, SFD_NONBLOCK | SFD_CLOEXEC);
+    ::sigprocmask(SIG_BLOCK, &ending(), nullptr);
+    return ::signalfd(-1, &ending(), SFD_NONBLOCK | SFD_CLOEXEC);
 }
 
 } // namespace
@@ -47,8 +58,7 @@ Signals::~Signals()
 
 void Signals::release()
 {
-    const sigset_t set = ending();
-    ::sigprocmask(SIG_UNBLOCK, &set, nullptr);
+    ::sigprocmask(SIG_UNBLOCK, &ending(), nullptr);
 }
 
 } // namespace mb::console

@@ -122,6 +122,8 @@ Task<Device *> connectIn(Console &console, Session &session, Target target)
         device = co_await std::move(finding).attempt();
         if (device || device.error().fault != Fault::Timeout)
             break;
+        if (console.isInterrupted()) // a verb that listens is not cut, but need not go on looking
+            co_return fail(Fault::Cancelled, say("interrupted before it was done"));
     }
     if (!device && device.error().fault == Fault::Refused)
         co_return fail(Fault::Usage, device.error().detail, device.error().remedy); // the words fit several

@@ -271,6 +271,17 @@ class Hostile(ContractTest):
             self.assertIn("Turn the shaft", err)
             self.assertIn(says, out + err)
 
+    def test_a_signal_ends_a_question_that_nobody_answers(self):
+        person, terminal = os.openpty()
+        process = subprocess.Popen([contract.PROGRAM, "identify", "sim:can/abstractdc:3"], stdin=terminal, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.assertIn("Turn the shaft", process.stderr.read(len("abstractdc cannot blink. Turn the shaft")))
+        process.send_signal(signal.SIGTERM)
+        out, err = process.communicate(timeout=contract.LIMIT)
+        os.close(person)
+        os.close(terminal)
+        self.assertEqual((process.returncode, out), (1, ""), err)
+        self.assertIn("interrupted before it was done", err)
+
     def test_a_signal_ends_a_nudge_between_its_pushes_too(self):
         for seconds in (0.8, 1.0, 1.2, 1.5, 2.0):  # it pushes four times, and rests three times as long; all of it takes 3 s
             process = subprocess.Popen([contract.PROGRAM, "identify", "sim:can/abstractdc:3", "--yes"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)

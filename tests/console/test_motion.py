@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Verbs that watch and move motors."""
+import json
 import signal
 import subprocess
 
@@ -109,3 +110,28 @@ class Motion(ContractTest):
         rows = self.run_one("scan", "sim:can?fault=duplicate")["devices"]
         twin = next(row["device"] for row in rows if row["address"] == 5)
         self.assert_error(4, "drive", twin, "--mode", "duty", "--target", "0.1", "--for", "1")
+        _, last = self.drive(twin, "--mode", "off", "--target", "0", "--for", "0.2")
+        self.assertEqual((last["stopped"], last["reason"]), (True, "done"), "a stop is never refused")
+
+    def test_a_signal_ends_the_search_for_a_device(self):
+        for verb in (["drive", "--mode", "duty", "--target", "0.1", "--for", "1"], ["watch"], ["step", "--mode", "duty", "--to", "0.1"]):
+            words = ["--retries", "1000", verb[0], "sim:can/dmc60c:40", *verb[1:]]
+            with subprocess.Popen([contract.PROGRAM, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+                with self.assertRaises(subprocess.TimeoutExpired):
+                    process.wait(timeout=1.5)
+                process.send_signal(signal.SIGINT)
+                out, err = process.communicate(timeout=contract.LIMIT)
+            self.assertEqual((process.returncode, out), (1, ""), err)
+            self.assertIn("interrupted before it was done", err)
+
+    def test_a_hang_up_that_nohup_ignores_ends_nothing(self):
+        def as_by_nohup():
+            signal.signal(signal.SIGHUP, signal.SIG_IGN)
+
+        words = [contract.PROGRAM, "--json", "watch", CIM, "--for", "1.5"]
+        with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, preexec_fn=as_by_nohup) as process:
+            process.stdout.readline()
+            process.send_signal(signal.SIGHUP)
+            out, err = process.communicate(timeout=contract.LIMIT)
+        self.assertEqual(process.returncode, 0, err)
+        self.assertGreater(json.loads(out.splitlines()[-1])["summary"]["seconds"], 1.4)
