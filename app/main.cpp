@@ -8,6 +8,7 @@
 #include "app/reportfile.h"
 
 #include <cerrno>
+#include <clocale>
 #include <csignal>
 #include <cstdio>
 
@@ -63,6 +64,7 @@ int main(int argc, char **argv)
     choosePlatform(*options);
     QApplication::setStyle(QStringLiteral("Fusion"));
     QApplication qt(argc, argv);
+    std::setlocale(LC_NUMERIC, "C"); // files have a dot whatever the locale; Qt asks nobody but itself
     QApplication::setApplicationName(QStringLiteral("MotorBench"));
     QApplication::setApplicationVersion(QStringLiteral(MOTORBENCH_VERSION));
     if (!options->plot.isEmpty())

@@ -32,30 +32,61 @@ bool StopOutlet::serves(const Link &link, const Outlet &way) const
     return m_link == &link && m_descriptor == way.descriptor;
 }
 
-void StopOutlet::send(const guardian::Bytes &message)
+bool StopOutlet::send(const guardian::Bytes &message)
 {
-    if (m_aside)
-        (void)m_aside(message);
-    else
-        (void)m_port->send(message);
+    return m_aside ? m_aside(message) : m_port->send(message) != guardian::Port::Sent::Later;
 }
 
 void StopLane::press()
 {
-    m_due.startIn(patience, [this] { send(); });
+    m_courses.clear();
+    for (const StopOrders &orders : m_orders)
+        m_courses.push_back({orders});
+    m_due.startIn(patience, [this] { proceed(); });
 }
 
 void StopLane::served()
 {
     m_due.stop();
+    m_courses.clear();
 }
 
-void StopLane::send()
+void StopLane::proceed()
 {
-    for (const StopOrders &orders : m_orders) {
-        for (const guardian::Bytes &message : orders.messages)
-            orders.outlet->send(message);
+    for (Course &course : m_courses) {
+        if (course.notBefore <= m_clock.now())
+            proceed(course);
     }
+    std::erase_if(m_courses, [](const Course &course) { return course.next == course.orders.steps.size(); });
+    const auto next = std::min_element(
+        m_courses.begin(), m_courses.end(), [](const Course &a, const Course &b) { return a.notBefore < b.notBefore; });
+    if (next != m_courses.end())
+        m_due.start(next->notBefore, [this] { proceed(); });
+}
+
+/// As far as the line takes it. Its end is where no step wants another round.
+void StopLane::proceed(Course &course)
+{
+    const guardian::Script &steps = course.orders.steps;
+    std::chrono::milliseconds rest{0};
+    for (; course.next < steps.size(); ++course.next) {
+        const guardian::Step &step = steps[course.next];
+        if (step.attempts <= course.round || step.bytes.empty())
+            continue;
+        if (!course.orders.outlet->send(step.bytes)) {
+            course.notBefore = m_clock.now() + std::chrono::milliseconds(1);
+            return;
+        }
+    }
+    ++course.round;
+    for (const guardian::Step &step : steps) {
+        if (step.attempts > course.round && !step.bytes.empty())
+            rest = std::max(rest, step.wait);
+    }
+    if (rest.count() == 0)
+        return;
+    course.next = 0;
+    course.notBefore = m_clock.now() + rest;
 }
 
 std::vector<StopOrders> stopOrdersOf(const Session &session, const std::vector<StopOrders> &known)
@@ -70,7 +101,7 @@ std::vector<StopOrders> stopOrdersOf(const Session &session, const std::vector<S
             if (&device->link() != link || !device->mayStop())
                 continue;
             for (guardian::Step &step : wireScript(device->stopScript(), way.form))
-                orders.messages.push_back(std::move(step.bytes));
+                orders.steps.push_back(std::move(step));
         }
         const auto served = std::find_if(
             known.begin(), known.end(), [&](const StopOrders &other) { return other.outlet->serves(*link, way); });

@@ -19,8 +19,8 @@ public:
     ~StopOutlet();
 
     [[nodiscard]] bool serves(const Link &link, const Outlet &way) const;
-    /// Waits for nothing: what the line does not take now is not sent.
-    void send(const guardian::Bytes &message);
+    /// Waits for nothing. False: the line does not take it now; the same again then.
+    [[nodiscard]] bool send(const guardian::Bytes &message);
 
 private:
     const Link *m_link;
@@ -30,10 +30,10 @@ private:
     std::function<bool(std::span<const std::uint8_t>)> m_aside;
 };
 
-/// What is to be sent on one link.
+/// What is to be sent on one link. Nobody reads answers: a step that may need several attempts is sent that often.
 struct StopOrders {
     std::shared_ptr<StopOutlet> outlet;
-    std::vector<guardian::Bytes> messages;
+    guardian::Script steps;
 };
 
 /// STOP past an engine thread that is blocked: when the engine has not come to a STOP within `patience`, all orders are sent from
@@ -46,7 +46,8 @@ public:
     static constexpr std::chrono::milliseconds patience{5};
 
     explicit StopLane(Clock &clock)
-        : m_due(clock)
+        : m_clock(clock)
+        , m_due(clock)
     {
     }
     void press();
@@ -55,9 +56,20 @@ public:
     void setOrders(std::vector<StopOrders> orders) { m_orders = std::move(orders); }
 
 private:
-    void send();
+    /// One link on its way through all steps, as often as the one with the most attempts wants.
+    struct Course {
+        StopOrders orders;
+        int round = 0;
+        std::size_t next = 0;
+        Instant notBefore{};
+    };
 
+    void proceed();
+    void proceed(Course &course);
+
+    Clock &m_clock;
     std::vector<StopOrders> m_orders;
+    std::vector<Course> m_courses;
     Timer m_due;
 };
 

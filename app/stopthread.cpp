@@ -49,7 +49,7 @@ void StopThread::follow(const Session &session)
     std::vector<StopOrders> now = stopOrdersOf(session, m_known);
     const bool same = now.size() == m_known.size()
         && std::equal(now.begin(), now.end(), m_known.begin(),
-            [](const StopOrders &a, const StopOrders &b) { return a.outlet == b.outlet && a.messages == b.messages; });
+            [](const StopOrders &a, const StopOrders &b) { return a.outlet == b.outlet && a.steps == b.steps; });
     if (same)
         return;
     m_known = std::move(now);

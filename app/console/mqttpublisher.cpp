@@ -105,6 +105,8 @@ void MqttPublisher::finish()
 {
     std::unique_lock lock(m_lock);
     m_told.wait_for(lock, finishTime, [this] { return m_waiting <= 0; });
+    drop(static_cast<std::uint64_t>(std::max(m_waiting, 0))); // handed over, and never on the line
+    m_waiting = 0;
 }
 
 } // namespace mb::console

@@ -35,6 +35,8 @@ public:
     virtual void finish() { }
 
 protected:
+    /// What was taken by send() and did not go after all.
+    void drop(std::uint64_t count) { m_dropped += count; }
     /// False when it was not sent.
     [[nodiscard]] virtual bool send(
         const std::string &device, std::string_view channel, double seconds, double value, std::string_view unit)

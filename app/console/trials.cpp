@@ -3,9 +3,11 @@
 #include "app/console/trialtext.h"
 #include "app/console/verb.h"
 #include "app/folders/userfolders.h"
+#include "async/outputfile.h"
 #include "storage/trialfile.h"
 
 #include <memory>
+#include <tuple>
 
 namespace mb::console {
 namespace {
@@ -20,32 +22,44 @@ struct TrialsArguments {
 
 constexpr int mostTrials = 2'000'000'000;
 
-Result<void> change(TrialBook &book, const TrialsArguments &a)
+/// What is to be changed; all of it is understood before any is.
+struct Changes {
+    std::optional<std::int64_t> star;
+    std::optional<std::int64_t> note;
+    std::optional<std::int64_t> remove;
+};
+
+Result<Changes> parse(const TrialsArguments &a)
 {
-    if (!a.star.empty()) {
-        const auto number = parseInteger("--star", a.star, 1, mostTrials);
-        if (!number)
-            return fail(number.error());
-        const auto kept = book.find(*number);
+    Changes changes;
+    const std::tuple<const char *, std::string, std::optional<std::int64_t> *> numbers[]
+        = {{"--star", a.star, &changes.star}, {"--note", a.note.empty() ? "" : a.note.front(), &changes.note},
+            {"--delete", a.remove, &changes.remove}};
+    for (const auto &[option, text, number] : numbers) {
+        if (text.empty())
+            continue;
+        const auto parsed = parseInteger(option, text, 1, mostTrials);
+        if (!parsed)
+            return fail(parsed.error());
+        *number = *parsed;
+    }
+    return changes;
+}
+
+Result<void> change(TrialBook &book, const Changes &changes, const TrialsArguments &a)
+{
+    if (changes.star) {
+        const auto kept = book.find(*changes.star);
         if (!kept)
             return fail(kept.error());
-        if (auto starred = book.setStar(*number, !kept->star); !starred)
+        if (auto starred = book.setStar(*changes.star, !kept->star); !starred)
             return starred;
     }
-    if (!a.note.empty()) {
-        const auto number = parseInteger("--note", a.note.front(), 1, mostTrials);
-        if (!number)
-            return fail(number.error());
-        if (auto noted = book.setNote(*number, a.note.back()); !noted)
+    if (changes.note) {
+        if (auto noted = book.setNote(*changes.note, a.note.back()); !noted)
             return noted;
     }
-    if (!a.remove.empty()) {
-        const auto number = parseInteger("--delete", a.remove, 1, mostTrials);
-        if (!number)
-            return fail(number.error());
-        return book.remove(*number);
-    }
-    return {};
+    return changes.remove ? book.remove(*changes.remove) : Result<void>();
 }
 
 Task<int> trials(Console &console, TrialsArguments a)
@@ -57,13 +71,20 @@ Task<int> trials(Console &console, TrialsArguments a)
             co_return fail(target.error());
         device = target->selector.text();
     }
+    const auto wanted = parse(a);
+    if (!wanted)
+        co_return fail(wanted.error());
+    if (auto writable = a.file.empty() ? Result<void>() : checkWritable(a.file); !writable)
+        co_return fail(writable.error());
     auto database = Database::open(databaseFile());
     if (!database)
         co_return fail(database.error());
     if (!(*database)->remark().empty())
         complain((*database)->remark());
     TrialBook book(**database, console.clock());
-    if (auto changed = change(book, a); !changed)
+    const bool changes = wanted->star || wanted->note || wanted->remove;
+    auto changed = changes ? (*database)->transact([&] { return change(book, *wanted, a); }) : Result<void>();
+    if (!changed)
         co_return fail(changed.error());
     const auto kept = book.list(device);
     if (!kept)

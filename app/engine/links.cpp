@@ -160,6 +160,7 @@ void Links::welcomeReturned()
         if (open == m_open.end() || !open->second.wasLost || link->state() != LinkState::Open)
             continue;
         open->second.wasLost = false;
+        m_failed.erase(link->address().text()); // an attempt by hand, while it was away
         m_context.log.tell(Severity::Good, link->address().shortName(), say("is back"));
         if (!m_context.operations.hasOn(*link)) // an update that waited for it must be alone with its unit
             m_scans.scan(*link);

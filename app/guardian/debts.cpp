@@ -51,6 +51,27 @@ bool isOurs(const std::string &folder)
         && (state.st_mode & (S_IWGRP | S_IWOTH)) == 0;
 }
 
+/// Of one process at a time, for as long as it lives; a process that was stopped while it has it is not waited for.
+class Turn {
+public:
+    explicit Turn(const std::string &path)
+        : m_file(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600))
+    {
+        for (int tries = 0; m_file >= 0 && ::flock(m_file, LOCK_EX | LOCK_NB) != 0 && tries < 50; ++tries)
+            ::usleep(1000);
+    }
+    Turn(const Turn &) = delete;
+    Turn &operator=(const Turn &) = delete;
+    ~Turn()
+    {
+        if (m_file >= 0)
+            ::close(m_file);
+    }
+
+private:
+    int m_file;
+};
+
 } // namespace
 
 std::string debtFolder()
@@ -147,22 +168,32 @@ bool DebtBook::write(const std::vector<Debt> &debts) const
     return false;
 }
 
+bool DebtBook::change(const std::function<void(std::vector<Debt> &)> &with) const
+{
+    const Turn turn(m_path + ".turn");
+    const std::vector<Debt> before = read();
+    std::vector<Debt> debts = before;
+    with(debts);
+    return debts.empty() && before.empty() ? true : write(debts);
+}
+
 bool DebtBook::add(const Debt &debt)
 {
     ::mkdir(m_folder.c_str(), 0700);
     if (!isOurs(m_folder))
         return false;
-    std::vector<Debt> debts = read();
-    std::erase_if(debts, [&debt](const Debt &known) { return known.name == debt.name; });
-    debts.push_back(debt);
-    return write(debts);
+    return change([&debt](std::vector<Debt> &debts) {
+        std::erase_if(debts, [&debt](const Debt &known) { return known.name == debt.name; });
+        debts.push_back(debt);
+    });
 }
 
 void DebtBook::remove(std::string_view name)
 {
-    std::vector<Debt> debts = read();
-    if (std::erase_if(debts, [name](const Debt &known) { return known.name == name; }) > 0)
-        (void)write(debts);
+    if (exists())
+        (void)change([name](std::vector<Debt> &debts) {
+            std::erase_if(debts, [name](const Debt &known) { return known.name == name; });
+        });
 }
 
 } // namespace mb::guardian

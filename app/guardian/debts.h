@@ -4,6 +4,7 @@
 #include "app/guardian/message.h"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,7 +40,9 @@ public:
     void remove(std::string_view name);
 
 private:
-    bool write(const std::vector<Debt> &debts) const;
+    /// Reads, changes and writes, no other process in between.
+    bool change(const std::function<void(std::vector<Debt> &)> &with) const;
+    [[nodiscard]] bool write(const std::vector<Debt> &debts) const;
 
     std::string m_folder;
     std::string m_path;

@@ -150,6 +150,8 @@ Result<void> Device::command(const SetPoint &setPoint)
         return sent;
     if (setPoint.buffered)
         m_gate.keepMove();
+    if (m_link.state() != LinkState::Open)
+        return fail(m_link.notOpen()); // it went with this order, and a stop is owed
     m_stop.driven();
     return {};
 }

@@ -120,6 +120,7 @@ void LinkBook::remark(const Link &link)
 
 void LinkBook::close(Link &link)
 {
+    link.close(); // whoever knows it by its place in memory hears that it has gone
     std::erase_if(m_links, [&link](const Entry &entry) { return entry.link.get() == &link; });
     m_changed.notify();
 }

@@ -110,8 +110,9 @@ public:
         if (m_empty)
             return;
         std::array<char, 40> time{};
-        std::snprintf(time.data(), time.size(), "%.6f", seconds(m_time - start));
-        out += time.data();
+        const double since = seconds(m_time - start);
+        out.append(time.data(), // with a dot in every locale
+            std::to_chars(time.data(), time.data() + time.size(), since, std::chars_format::fixed, 6).ptr);
         for (std::string &field : m_fields) {
             out += ',';
             out += field;

@@ -9,6 +9,8 @@
 namespace mb {
 namespace {
 
+constexpr std::int64_t farthest = 4'500'000'000'000'000'000; // ns: between any two of these there are 63 bits
+
 bool endsWith(std::string_view text, std::string_view end)
 {
     return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
@@ -38,7 +40,11 @@ Result<std::shared_ptr<LoadedRecording>> loadMcap(const std::string &path)
     loaded->complete = *complete;
     loaded->telemetry = std::make_shared<Telemetry>(loaded->table);
     McapReader samples;
+    bool isTooFar = false;
     samples.sample = [&](std::uint16_t id, std::int64_t time, double value, std::uint64_t lost, bool gap) {
+        isTooFar = isTooFar || time > farthest || time < -farthest;
+        if (isTooFar)
+            return;
         const ChannelIndex channel{places[id]};
         if (gap || lost > 0)
             loaded->telemetry->lost(channel, lost);
@@ -46,6 +52,9 @@ Result<std::shared_ptr<LoadedRecording>> loadMcap(const std::string &path)
     };
     if (const auto again = samples.read(path); !again)
         return fail(again.error());
+    if (isTooFar)
+        return fail(Fault::OutOfRange, say("%1 has a time that is more than 140 years from 1970", path),
+            say("record with the clock set"));
     return loaded;
 }
 

@@ -61,7 +61,7 @@ std::optional<Instant> timeOf(const std::string &text, double offset, double uni
     auto seconds = numberOf(text);
     if (seconds)
         *seconds *= unit;
-    constexpr double farthest = 9e9; // nanoseconds in 63 bits
+    constexpr double farthest = 4.5e9; // nanoseconds in 62 bits: between any two of them there are 63
     if (!seconds || !(std::abs(*seconds + offset) < farthest))
         return std::nullopt;
     // In two parts: a double of Unix time has no digits left for it. Histories keep whole microseconds.

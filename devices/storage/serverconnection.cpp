@@ -108,7 +108,7 @@ Result<void> ServerConnection::run(const char *statement, const QVariantList &va
         if (row)
             row(query);
     }
-    if (!good) {
+    if (!good || query.lastError().isValid()) { // the server may end a query between two rows
         const std::string code = query.lastError().nativeErrorCode().toStdString();
         const bool silent = code.empty() || code.starts_with("08") || code.starts_with("57");
         return fail(silent ? Fault::Timeout : Fault::OutOfRange,

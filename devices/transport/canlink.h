@@ -77,6 +77,12 @@ protected:
     void startHealth(BusState state, std::optional<int> transmitErrors, std::optional<int> receiveErrors);
     /// For backends: what the controller says of itself meanwhile.
     void updateHealth(BusState state, std::optional<int> transmitErrors, std::optional<int> receiveErrors);
+    /// For backends: what was heard belongs to another time.
+    void forgetHealth()
+    {
+        m_health = {};
+        m_load = {};
+    }
     /// For backends: frames wait since then, or none does.
     void setStuckSince(std::optional<Instant> since) { m_health.stuckSince = since; }
 

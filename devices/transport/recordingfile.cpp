@@ -108,9 +108,9 @@ Result<std::optional<std::string_view>> RecordingFile::line(Cursor &cursor, bool
     return std::optional(text);
 }
 
-Result<std::optional<LoggedFrame>> RecordingFile::read(Cursor &cursor) const
+Result<std::optional<LoggedFrame>> RecordingFile::read(Cursor &cursor, std::uint64_t until) const
 {
-    while (true) {
+    while (cursor.place.offset < until) {
         bool cut = false;
         const auto text = line(cursor, cut);
         if (!text)
@@ -128,6 +128,7 @@ Result<std::optional<LoggedFrame>> RecordingFile::read(Cursor &cursor) const
         (*frame)->time = cursor.place.time;
         return frame;
     }
+    return std::optional<LoggedFrame>();
 }
 
 Result<std::optional<LoggedFrame>> RecordingFile::next()
@@ -157,8 +158,9 @@ Result<bool> RecordingFile::survey(const std::function<void(const LoggedFrame &)
 {
     const std::uint64_t until = m_surveyor.place.offset + pieceSize;
     while (!m_surveyed && m_surveyor.place.offset < until) {
-        const auto frame = read(m_surveyor);
-        m_surveyed = !frame || !*frame;
+        const auto frame = read(m_surveyor, until);
+        if (!frame || !*frame)
+            m_surveyed = !frame || m_surveyor.place.offset < until;
         if (!frame)
             return fail(frame.error());
         if (!*frame)

@@ -4,6 +4,7 @@
 #include "wire/framelog.h"
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -53,7 +54,9 @@ private:
 
     RecordingFile(std::string path, std::string interface, int descriptor);
     [[nodiscard]] Result<std::optional<std::string_view>> line(Cursor &cursor, bool &cut) const;
-    [[nodiscard]] Result<std::optional<LoggedFrame>> read(Cursor &cursor) const;
+    /// The next frame that is wanted; nothing at the end, or where the line at `until` is reached without one.
+    [[nodiscard]] Result<std::optional<LoggedFrame>> read(
+        Cursor &cursor, std::uint64_t until = std::numeric_limits<std::uint64_t>::max()) const;
     [[nodiscard]] Error located(const Error &error) const;
 
     std::string m_path;

@@ -26,14 +26,20 @@ protected:
         EXPECT_TRUE(bus.openLink(*LinkAddress::parse("sim:can")));
         Outlet way{Outlet::Form::SpiSocket, 0};
         way.aside = [this](std::span<const std::uint8_t> bytes) {
+            if (room == 0)
+                return false;
+            --room;
             sent.emplace_back(bytes.begin(), bytes.end());
             return true;
         };
-        lane.setOrders({{std::make_shared<StopOutlet>(*bus.links().front(), way), {{1, 2}, {3}}}});
+        outlet = std::make_shared<StopOutlet>(*bus.links().front(), way);
+        lane.setOrders({{outlet, {{{1, 2}, {}, {}, 20ms, 1}, {{3}, {}, {}, 20ms, 1}}}});
     }
     VirtualClock clock;
     Session bus{clock, families()};
     StopLane lane{clock};
+    std::shared_ptr<StopOutlet> outlet;
+    int room = 1000; ///< messages that the line takes
     std::vector<guardian::Bytes> sent;
     const std::vector<guardian::Bytes> all{{1, 2}, {3}};
 };
@@ -65,6 +71,37 @@ TEST_F(Lane, SendsAgainWhenItIsPressedAgain)
     lane.press();
     clock.advance(1s);
     EXPECT_EQ(sent.size(), 2 * all.size());
+}
+
+TEST_F(Lane, GoesOnWhereALineThatWasFullHasRoomAgain)
+{
+    room = 1;
+    lane.press();
+    clock.advance(50ms);
+    EXPECT_EQ(sent, (std::vector<guardian::Bytes>{{1, 2}}));
+    room = 1000;
+    clock.advance(2ms);
+    EXPECT_EQ(sent, all);
+}
+
+TEST_F(Lane, SendsAStopThatMayBeRefusedAsOftenAsItsScriptSays)
+{
+    lane.setOrders({{outlet, {{{1, 2}, {9}, {}, 20ms, 3}, {{3}, {}, {}, 20ms, 1}}}});
+    lane.press();
+    clock.advance(24ms);
+    EXPECT_EQ(sent, all);
+    clock.advance(10s);
+    EXPECT_EQ(sent, (std::vector<guardian::Bytes>{{1, 2}, {3}, {1, 2}, {1, 2}}));
+}
+
+TEST_F(Lane, EndsOnceTheEngineHasComeToIt)
+{
+    lane.setOrders({{outlet, {{{1, 2}, {9}, {}, 20ms, 100}}}});
+    lane.press();
+    clock.advance(30ms);
+    lane.served();
+    clock.advance(10s);
+    EXPECT_EQ(sent.size(), 2U);
 }
 
 TEST_F(Lane, LeavesOutLinksWhoseMotorsStandWithTheEngine)

@@ -92,6 +92,15 @@ class Trials(ContractTest):
         self.run_text("trials", "--delete", str(self.number))
         self.assertNotIn(self.number, self.rows())
 
+    def test_what_is_wrong_in_a_call_of_trials_changes_nothing(self):
+        before = self.run_text("trials")
+        number = str(self.number)
+        self.assert_error(2, "trials", "--star", number, "--note", "abc", "text", says="--note")
+        self.assert_error(2, "trials", "--star", number, "--delete", "0", says="--delete")
+        self.assert_error(2, "trials", "--delete", number, "--export", "/nowhere/trials.csv", says="/nowhere")
+        self.assertNotEqual(Run(["trials", "--star", number, "--note", "999999", "text"]).status, 0)
+        self.assertEqual(self.run_text("trials"), before)
+
     def test_trials_leave_as_csv_and_json(self):
         with tempfile.TemporaryDirectory() as folder:
             for name in ("all.csv", "all.json"):

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -69,6 +70,24 @@ TEST(DebtBook, KeepsWhatIsOwedForEveryProcessOfTheUser)
     book.remove("a");
     book.remove("b");
     EXPECT_FALSE(other.exists());
+}
+
+TEST(DebtBook, LosesNothingWhenSeveralWriteAtOnce)
+{
+    const Folder folder;
+    constexpr int writers = 4;
+    constexpr int each = 25;
+    {
+        std::vector<std::jthread> threads;
+        for (int writer = 0; writer < writers; ++writer)
+            threads.emplace_back([&folder, writer] {
+                for (int i = 0; i < each; ++i) {
+                    DebtBook book(folder.path("run"), "line"); // as another process has it: a description of its own
+                    EXPECT_TRUE(book.add(debt(std::to_string(writer) + ' ' + std::to_string(i))));
+                }
+            });
+    }
+    EXPECT_EQ(DebtBook(folder.path("run"), "line").read().size(), std::size_t{writers * each});
 }
 
 TEST(DebtBook, HasOneOwnerWhoseLockEndsWithIt)

@@ -76,7 +76,10 @@ TEST(Session, TellsWhenALinkComesAndWhenItGoes)
     test::SimulatedSession bench;
     int told = 0;
     const auto listening = bench.session.changed().add([&told] { ++told; });
+    LinkState last = LinkState::Open;
+    const auto hearing = bench.link->stateChanged().add([&last](LinkState state) { last = state; });
     bench.session.closeLink(*bench.link);
+    EXPECT_EQ(last, LinkState::Closed) << "whoever knows it by its place in memory must hear that it goes";
     EXPECT_GE(told, 1);
     told = 0;
     ASSERT_TRUE(bench.session.openLink(*LinkAddress::parse("sim:can")));

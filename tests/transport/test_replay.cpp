@@ -134,6 +134,39 @@ TEST(Replay, SeeksToTheFirstFrameAtOrAfterAPosition)
     EXPECT_EQ(replay.link->replay().position, 0s);
 }
 
+TEST(Replay, IsReadInPiecesWhereTheWantedInterfaceIsSilentToo)
+{
+    std::string text = "(1436509052.000000) can1 123#01\n";
+    while (text.size() < 2'000'000)
+        text += "(1436509053.000000) can0 02061405#0040110000000000\n";
+    Replay replay(text + "(1436509054.000000) can1 123#02\n", "?interface=can1");
+    ASSERT_TRUE(replay.opened);
+    const auto first = replay.link->survey([](const LoggedFrame &) {});
+    ASSERT_TRUE(first);
+    EXPECT_FALSE(*first);
+    EXPECT_LT(replay.link->replay().surveyed, 0.3);
+    ASSERT_TRUE(replay.survey());
+    EXPECT_EQ(replay.link->replay().length, 2s);
+}
+
+TEST(Replay, KnowsNothingOfTheBusOfALaterPartOnceItHasJumpedBack)
+{
+    std::string busy;
+    for (int i = 0; i < 2000; ++i)
+        busy += "(1436509052.00" + std::to_string(1000 + i) + ") can0 02061405#0040110000000000\n";
+    Replay replay(busy + "(1436509062.000000) can0 20000004#0004000000000000\n(1436509063.500000) can0 123#01\n");
+    ASSERT_TRUE(replay.opened);
+    replay.link->play();
+    replay.clock.advance(11s);
+    ASSERT_TRUE(replay.link->health().lastReceived);
+    ASSERT_TRUE(replay.link->seek(0s));
+    EXPECT_FALSE(replay.link->health().lastReceived);
+    EXPECT_FALSE(replay.link->health().lastError);
+    replay.link->play();
+    replay.clock.advance(1500ms);
+    EXPECT_GT(replay.link->load(replay.link->timeLine().now()), 0.1);
+}
+
 TEST(Replay, PlaysOneInterfaceWhenAsked)
 {
     Replay replay(log, "?interface=can1&speed=max");

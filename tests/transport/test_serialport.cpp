@@ -174,6 +174,20 @@ TEST_F(SerialPort, APortThatGoesAwayInMidFrameIsLostWithItsRemedyAndWhatCameBefo
     EXPECT_NE(again.error().text().find("there is no"), std::string::npos) << again.error().text();
 }
 
+TEST_F(SerialPort, APortWhoseLossIsNoticedByAWriteTellsItFromTheClock)
+{
+    const auto link = open();
+    bool isSending = false;
+    bool wasToldWithin = false;
+    const auto telling = link->stateChanged().add([&](LinkState) { wasToldWithin = isSending; });
+    terminal.pull();
+    isSending = true;
+    (void)link->send(Bytes{1});
+    isSending = false;
+    ASSERT_TRUE(loop.runUntil([&] { return link->state() == LinkState::Lost; }));
+    EXPECT_FALSE(wasToldWithin) << "whoever sends does not expect to be called back";
+}
+
 TEST_F(SerialPort, MayBeClosedAndOpenedAgainWhileItReceives)
 {
     const auto link = open();

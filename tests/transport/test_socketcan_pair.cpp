@@ -334,6 +334,29 @@ TEST_F(SocketCanPair, FramesThatDoNotFitTheKernelWaitInOrderAndUrgentOnesGoFirst
     EXPECT_EQ(ids, expected);
 }
 
+TEST_F(SocketCanPair, WhatNobodyTookForHalfASecondIsNotCarriedOutLaterAndAStopIs)
+{
+    while (link->backlog() == 0)
+        ASSERT_TRUE(link->send(extendedFrame(1, {})));
+    ASSERT_TRUE(link->send(extendedFrame(2, {7}))); // an order that its task gives up meanwhile
+    ASSERT_TRUE(link->send(extendedFrame(3, {}), Priority::Urgent));
+    ASSERT_TRUE(link->send(extendedFrame(3, {}), Priority::Urgent));
+    ASSERT_TRUE(loop.runUntil([this] { return link->backlog() == 1; })) << "the stop, once";
+    EXPECT_GE(link->counters().lost, 2U);
+    EXPECT_TRUE(link->health().stuckSince);
+    std::vector<std::uint32_t> ids;
+    ASSERT_TRUE(loop.runUntil([&] {
+        for (const can_frame &raw : taken())
+            ids.push_back(raw.can_id & CAN_EFF_MASK);
+        return link->backlog() == 0;
+    }));
+    for (const can_frame &raw : taken())
+        ids.push_back(raw.can_id & CAN_EFF_MASK);
+    EXPECT_EQ(std::count(ids.begin(), ids.end(), 2U), 0);
+    EXPECT_EQ(std::count(ids.begin(), ids.end(), 3U), 1);
+    EXPECT_FALSE(link->health().stuckSince);
+}
+
 TEST_F(SocketCanPair, APeerThatClosesLosesTheLink)
 {
     put(1);

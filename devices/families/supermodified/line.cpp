@@ -300,6 +300,7 @@ void Line::failUpTo(std::uint64_t id)
                                                           : m_link.notOpen();
     if (m_inFlight && m_inFlight->entry.id <= id) {
         const Entry entry = std::move(m_inFlight->entry);
+        m_timeout.stop();
         m_inFlight.reset();
         m_rateChange.clear();
         tell(entry, fail(error));

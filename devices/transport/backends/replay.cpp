@@ -153,6 +153,7 @@ Result<void> ReplayLink::seek(Duration position)
     time.pause();
     if (auto sought = m_file->seek(m_file->start() + position); !sought)
         return sought;
+    forgetHealth();
     time.jump(instantOf(m_file->start() + position));
     armNext();
     if (running)

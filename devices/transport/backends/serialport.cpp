@@ -112,6 +112,7 @@ SerialPortLink::SerialPortLink(LinkAddress address, Clock &clock, Options option
     : SerialLink(std::move(address), clock)
     , m_options(options)
     , m_timer(clock)
+    , m_failed(clock)
 {
 }
 
@@ -228,15 +229,21 @@ void SerialPortLink::watch()
             (void)m_port->peek(1); // listens again
             return;
         }
-        if (isPseudoTerminal(m_path))
-            end({Fault::LinkLost, say("the other end of %1 hung up", name()), say("start it again"), {},
-                Ailment::Gone});
-        else if (::access(m_path.c_str(), F_OK) != 0)
-            end({Fault::LinkLost, say("%1 was unplugged", name()), say("plug it in again"), {}, Ailment::Gone});
+        if (m_isWriting)
+            m_failed.startIn(Duration::zero(), [this, loss = lossOfPort()] { end(loss); });
         else
-            end({Fault::LinkLost, say("%1 failed (%2)", name(), m_port->errorString().toStdString()),
-                say("unplug it and plug it in again")});
+            end(lossOfPort());
     });
+}
+
+Error SerialPortLink::lossOfPort() const
+{
+    if (isPseudoTerminal(m_path))
+        return {Fault::LinkLost, say("the other end of %1 hung up", name()), say("start it again"), {}, Ailment::Gone};
+    if (::access(m_path.c_str(), F_OK) != 0)
+        return {Fault::LinkLost, say("%1 was unplugged", name()), say("plug it in again"), {}, Ailment::Gone};
+    return {Fault::LinkLost, say("%1 failed (%2)", name(), m_port->errorString().toStdString()),
+        say("unplug it and plug it in again")};
 }
 
 void SerialPortLink::doClose()
@@ -247,6 +254,7 @@ void SerialPortLink::doClose()
         port.release()->deleteLater(); // this may be one of its own signals
     }
     m_timer.stop();
+    m_failed.stop();
     m_queue.clear();
     m_echo.clear();
 }
@@ -297,8 +305,10 @@ void SerialPortLink::pump()
     if (!m_queue.isEmpty())
         m_timer.start(m_sentAt, [this] { pump(); });
     QSerialPort &port = *m_port;
+    m_isWriting = true;
     port.write(reinterpret_cast<const char *>(piece.data()), static_cast<qint64>(piece.size()));
     port.flush(); // now, not when the event loop comes round
+    m_isWriting = false;
 }
 
 std::size_t SerialPortLink::doBacklog() const

@@ -54,6 +54,7 @@ private:
     void pump();
     void lookAtDriver();
     void end(Error loss);
+    [[nodiscard]] Error lossOfPort() const; ///< of a port that has gone
     [[nodiscard]] std::string name() const { return address().shortName(); }
     [[nodiscard]] bool isHalfDuplex() const { return m_options.rs485 || m_options.echo; }
 
@@ -68,6 +69,8 @@ private:
     int m_emptyReads = 0;
     std::optional<DriverErrors> m_driverErrors;
     Timer m_timer;
+    bool m_isWriting = false;
+    Timer m_failed; ///< in a write: whoever sends does not expect to be called back
 };
 
 /// OutOfRange for an option that serial links do not have.

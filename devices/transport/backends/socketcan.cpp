@@ -24,7 +24,8 @@ constexpr int batchesAtOnce = 16; // then other descriptors get their turn
 // A full transmit queue does not tell when it has room again. Ten frames wait in it (txqueuelen), one takes 131 µs.
 constexpr Duration retryDelay = std::chrono::microseconds(500);
 constexpr Duration lookPeriod = std::chrono::milliseconds(500);
-constexpr std::size_t mostWaiting = 8192; // seconds of a full bus: what waits longer is not wanted any more
+constexpr std::size_t mostWaiting = 8192;                         // seconds of a full bus
+constexpr Duration mostPatience = std::chrono::milliseconds(500); // of a frame on a bus where nobody acknowledges
 
 template <class T> T contentOf(const cmsghdr &control)
 {
@@ -153,6 +154,8 @@ void SocketCanLink::adopt(const CanInterface &interface)
 void SocketCanLink::look()
 {
     m_look.startIn(lookPeriod, [this] { look(); });
+    if (doBacklog() > 0)
+        flush();
     recount();
 }
 
@@ -289,13 +292,17 @@ Result<void> SocketCanLink::doSend(const CanFrame &frame, Priority priority)
     if (queue.size() >= mostWaiting)
         return fail(Fault::LinkLost, say("%1 takes no frames: %2 wait to be sent", address().path, queue.size()),
             say("check that somebody else is on the bus"));
-    if (priority == Priority::Urgent)
+    if (priority == Priority::Urgent) {
         std::erase_if(m_normal, [&frame](const CanFrame &waiting) { return sameIdentifier(waiting, frame); });
+        std::erase_if(m_urgent, [&frame](const CanFrame &waiting) { return sameContent(waiting, frame); });
+    }
     const bool first = m_urgent.empty() && (priority == Priority::Urgent || m_normal.empty());
     if (first) {
         const int cause = writeFrame(m_descriptor, frame, priority);
-        if (cause == 0)
+        if (cause == 0) {
+            setStuckSince(std::nullopt);
             return {};
+        }
         if (!health().stuckSince)
             setStuckSince(clock().now());
         if (!tryLater(cause)) {
@@ -316,13 +323,24 @@ void SocketCanLink::flush()
         auto &queue = urgent ? m_urgent : m_normal;
         const int cause = writeFrame(m_descriptor, queue.front(), urgent ? Priority::Urgent : Priority::Normal);
         if (cause != 0) {
-            if (!tryLater(cause))
+            if (tryLater(cause))
+                dropStale();
+            else
                 failLater(cause);
             return;
         }
         queue.pop_front();
         setStuckSince(doBacklog() > 0 ? std::optional(clock().now()) : std::nullopt);
     }
+}
+
+/// Whoever has given an order up must not see it carried out once the cable is back. A stop waits on.
+void SocketCanLink::dropStale()
+{
+    if (!health().stuckSince || clock().now() - *health().stuckSince < mostPatience)
+        return;
+    countLost(m_normal.size());
+    m_normal.clear();
 }
 
 bool SocketCanLink::tryLater(int cause)

@@ -63,6 +63,7 @@ private:
     void flush();
     [[nodiscard]] bool tryLater(int cause);
     void failLater(int cause);
+    void dropStale();
     void end(Error loss);
 
     int m_given = -1;
