@@ -14,6 +14,8 @@
 namespace mb {
 namespace {
 
+constexpr int lookEvery = 100; // ms
+
 bool isRunningTrial(const OperationView &job)
 {
     return job.status.state == OperationStatus::State::Running && job.status.kind == OperationKind::Trial;
@@ -29,6 +31,8 @@ Closing::Closing(Workbench &workbench, Arming &arming, QWidget &window)
 {
     connect(&workbench, &Workbench::changed, this, &Closing::follow);
     connect(&workbench, &Workbench::serviceChanged, this, &Closing::follow);
+    m_look.setInterval(lookEvery);
+    connect(&m_look, &QTimer::timeout, this, &Closing::follow);
 }
 
 bool Closing::isServing() const
@@ -144,6 +148,7 @@ void Closing::begin()
     m_arming.disarm();
     for (const DeviceId device : m_moved)
         m_workbench.send(orders::StopMotion{device});
+    m_look.start();
     follow();
 }
 
@@ -205,12 +210,14 @@ QStringList Closing::turning() const
 void Closing::keepOpen()
 {
     m_state = State::Open;
+    m_look.stop();
     m_moved.clear();
 }
 
 void Closing::leave()
 {
     m_state = State::Free;
+    m_look.stop();
     m_unstopped = turning();
     if (!m_within)
         m_window.close();

@@ -27,6 +27,7 @@ private Q_SLOTS:
     void aQueueIsNotAbandonedWithoutAQuestion();
     void aMotorIsSeenStoppedBeforeTheWindowGoes();
     void aMotorThatDoesNotStopIsAskedAbout();
+    void anEngineThatTellsNothingMoreDoesNotKeepTheWindowOpen();
     void anExperimentPutsBackWhatItChangedBeforeTheWindowGoes();
     void anExperimentThatDoesNotEndLeavesItsGainsOwed();
     void whoeverEndsTheProgramIsNotAskedAboutAnUpdate();
@@ -215,6 +216,17 @@ void ClosingTest::aMotorThatDoesNotStopIsAskedAbout()
     window.workbench.time += std::chrono::milliseconds(100);
     window.workbench.publish();
     QVERIFY(window.question()->text().contains(QStringLiteral("DMC60C #5 has not been seen to stop")));
+    window.answer(QStringLiteral("Close anyway"));
+    QVERIFY(!window.isVisible());
+}
+
+void ClosingTest::anEngineThatTellsNothingMoreDoesNotKeepTheWindowOpen()
+{
+    ClosingWindow window;
+    window.moving();
+    QVERIFY(!window.close());
+    window.workbench.time += Closing::patience + std::chrono::milliseconds(100);
+    QTRY_VERIFY(window.question());
     window.answer(QStringLiteral("Close anyway"));
     QVERIFY(!window.isVisible());
 }
