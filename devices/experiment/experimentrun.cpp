@@ -247,8 +247,20 @@ void ExperimentRun::classifyEnding(const std::optional<Error> &error)
 {
     if (m_recorder.trip() && !m_trip)
         m_trip = m_recorder.trip();
-    const Ending ending{m_trip, m_stream.end(), m_stream.reason(), m_motion.isInterrupted(),
-        m_device.link().state() == LinkState::Open, error};
+    Ending ending;
+    ending.completed = m_motion.isCompleted();
+    ending.trip = m_trip;
+    if (m_moved) { // else it is of an experiment before
+        ending.stream = m_stream.end();
+        ending.streamReason = m_stream.reason();
+        if (error && ending.stream == SetPointStream::End::None && m_device.liveness().foreignMaster) {
+            ending.stream = SetPointStream::End::ForeignMaster; // it came between two pushes
+            ending.streamReason = error->detail;
+        }
+    }
+    ending.interrupted = m_motion.isInterrupted() || m_device.gate().isStopPressed();
+    ending.linkOpen = m_device.link().state() == LinkState::Open;
+    ending.error = error;
     nameEnding(m_trial, ending);
 }
 
