@@ -209,6 +209,17 @@ Task<void> StoredJournal::owe(std::int64_t trial, std::string unit, std::vector<
     });
 }
 
+Task<void> StoredJournal::markPutBack(std::int64_t trial)
+{
+    return ask<void>(m_store, m_home, [trial](Books &books) { return books.trials.markPutBack(trial); });
+}
+
+Task<void> StoredJournal::release(std::string unit, std::vector<std::string> keys)
+{
+    return ask<void>(m_store, m_home,
+        [unit = std::move(unit), keys = std::move(keys)](Books &books) { return books.trials.release(unit, keys); });
+}
+
 Task<void> StoredJournal::settle(std::int64_t trial)
 {
     return ask<void>(m_store, m_home, [trial](Books &books) { return books.trials.settle(trial); });

@@ -60,6 +60,8 @@ void OwedBook::lookUp(const Device &device)
     m_asking.spawn<Owed>(m_journal->owedTo(unit), [this, id, unit](const Result<Owed> &owed) {
         if (owed && !owed->empty())
             compare(id, unit);
+        else if (owed)
+            m_owed.erase(id);
     });
 }
 
@@ -72,7 +74,9 @@ void OwedBook::compare(DeviceId id, const std::string &unit)
         [this, id](Operations::Job &, const Result<Owed> &owed) {
             if (owed && !owed->empty())
                 m_owed[id] = *owed;
-            else if (!owed)
+            else if (owed)
+                m_owed.erase(id);
+            else
                 m_lookedFor.erase(id);
             lookAgain(id); // until nothing is owed
         },

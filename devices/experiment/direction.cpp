@@ -44,12 +44,15 @@ Task<double> push(Device &device, SetPointStream &stream, const TrialRecorder &r
         if (device.clock().now() - (end - limit) >= patience && std::abs(moved) < leastNudge)
             break;
     }
+    const bool others = !stream.isRunning() && stream.end() == SetPointStream::End::Stopped && !recorder.trip();
     if (stream.isRunning())
         stream.stop();
     auto stopping = confirmStop(device);
     (void)co_await std::move(stopping);
     auto resting = untilAtRest(device, recorder);
     (void)co_await std::move(resting);
+    if (others)
+        co_return fail(Fault::Cancelled, stream.reason());
     co_return std::abs(moved) >= enough ? moved : recorder.latest("position").value_or(before) - before;
 }
 

@@ -12,6 +12,7 @@ struct TuneReport;
 struct OwedValue {
     std::string key;
     std::int64_t raw = 0;
+    std::optional<std::int64_t> tried{}; ///< what it has written instead; nothing: not known
 
     friend bool operator==(const OwedValue &, const OwedValue &) = default;
 };
@@ -21,6 +22,7 @@ struct OwedGains {
     std::int64_t trial = 0;
     double time = 0.0; ///< Unix, s, when it was owed, or put back without a proof that the unit has it for good
     std::vector<OwedValue> values;
+    bool isPutBack = false; ///< but the unit may not have it for good
 
     friend bool operator==(const OwedGains &, const OwedGains &) = default;
 };
@@ -33,10 +35,15 @@ public:
 
     /// A row for a trial that is about to begin; its number.
     [[nodiscard]] virtual Task<std::int64_t> begin(Trial trial) = 0;
-    /// What must be put back whatever happens: on the disk when this ends. Again: the same, from now on.
+    /// What must be put back whatever happens: on the disk when this ends. A unit is owed one value of each key, that of before the
+    /// first trial that has not put it back: what a later trial found there was tried.
     [[nodiscard]] virtual Task<void> owe(std::int64_t trial, std::string unit, std::vector<OwedValue> values) = 0;
+    /// All that this trial owes was put back now, and nothing proves yet that the unit has it for good.
+    [[nodiscard]] virtual Task<void> markPutBack(std::int64_t trial) = 0;
     /// It was put back, and the unit has it for good.
     [[nodiscard]] virtual Task<void> settle(std::int64_t trial) = 0;
+    /// The unit has others of these on purpose: nothing is owed of them any more, by whichever trial.
+    [[nodiscard]] virtual Task<void> release(std::string unit, std::vector<std::string> keys) = 0;
     /// What came of it.
     [[nodiscard]] virtual Task<void> complete(std::int64_t number, Trial trial) = 0;
     /// What came of a whole tuning: its trials are kept by then.

@@ -92,6 +92,7 @@ Task<void> ExperimentMotion::run(GuardPlan guards, double period)
         auto following = followOnce(ditherOf(i, m_plan.repeat, period));
         co_await std::move(following);
     }
+    m_completed = !isOver();
     m_recorder.unguard();
     if (m_stream.isRunning())
         m_stream.stop();

@@ -22,6 +22,8 @@ public:
     /// Under `guards`, of samples `period` s apart; stops the motor afterwards. Takes the stimulus from the trial, and leaves there
     /// the one that was followed. Fails where the motor may not be driven so.
     [[nodiscard]] Task<void> run(GuardPlan guards, double period);
+    /// All repeats were done, and nobody had ended them by then.
+    [[nodiscard]] bool isCompleted() const { return m_completed; }
     /// X was not reached in time, so the motor was stopped and nothing followed.
     [[nodiscard]] const std::optional<Trip> &unreached() const { return m_unreached; }
     /// At most, from its beginning.
@@ -56,6 +58,7 @@ private:
     Trial &m_trial;
     const double m_beat;   ///< s
     double m_origin = 0.0; ///< counts
+    bool m_completed = false;
     std::optional<Trip> m_unreached;
     std::vector<Hold> m_holds;
     std::vector<Hold> m_returns;

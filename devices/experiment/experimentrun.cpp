@@ -165,6 +165,7 @@ Task<void> ExperimentRun::writeDown()
         m_wrote = true;
         auto writing = writeGains(m_device, m_plan.gains);
         co_await std::move(writing);
+        m_inForce = true;
     }
     auto reading = readGains(m_device, m_plan.mode, m_plan.axis, m_plan.slot);
     m_trial.gains = co_await std::move(reading);
@@ -222,13 +223,28 @@ Task<void> ExperimentRun::findDirection()
     co_return {};
 }
 
+/// What it leaves in force is there on purpose: nothing else is owed.
+Task<void> ExperimentRun::releaseKept()
+{
+    if (!m_around.journal)
+        co_return {};
+    std::vector<std::string> keys;
+    for (const ParameterChange &change : m_plan.gains)
+        keys.emplace_back(m_device.parameters().parameter(change.index).key);
+    auto releasing = m_around.journal->release(m_trial.unit, std::move(keys));
+    (void)co_await std::move(releasing).attempt();
+    co_return {};
+}
+
 Task<void> ExperimentRun::putBack()
 {
-    if (!m_wrote || m_plan.keep == Keep::Always)
+    if (!m_wrote)
         co_return {};
-    if (m_plan.keep == Keep::WhenDone && m_trial.reason == "done") {
-        auto settling = m_around.journal->settle(*m_number);
-        (void)co_await std::move(settling).attempt();
+    if (m_plan.keep == Keep::Always && !m_inForce)
+        co_return {};
+    if (m_plan.keep == Keep::Always || (m_plan.keep == Keep::WhenDone && m_trial.reason == "done")) {
+        auto releasing = releaseKept();
+        co_await std::move(releasing);
         co_return {};
     }
     auto writing = writeGains(m_device, changesOf(m_device.family(), m_owed));
@@ -238,7 +254,7 @@ Task<void> ExperimentRun::putBack()
             written.error().detail));
         co_return {};
     }
-    auto marking = markPutBack(m_device, *m_around.journal, {*m_number, 0.0, m_owed});
+    auto marking = markPutBack(m_device, *m_around.journal, *m_number);
     (void)co_await std::move(marking).attempt();
     co_return {};
 }
@@ -247,8 +263,20 @@ void ExperimentRun::classifyEnding(const std::optional<Error> &error)
 {
     if (m_recorder.trip() && !m_trip)
         m_trip = m_recorder.trip();
-    const Ending ending{m_trip, m_stream.end(), m_stream.reason(), m_motion.isInterrupted(),
-        m_device.link().state() == LinkState::Open, error};
+    Ending ending;
+    ending.completed = m_motion.isCompleted();
+    ending.trip = m_trip;
+    if (m_moved) { // else it is of an experiment before
+        ending.stream = m_stream.end();
+        ending.streamReason = m_stream.reason();
+        if (error && ending.stream == SetPointStream::End::None && m_device.liveness().foreignMaster) {
+            ending.stream = SetPointStream::End::ForeignMaster; // it came between two pushes
+            ending.streamReason = error->detail;
+        }
+    }
+    ending.interrupted = m_motion.isInterrupted() || m_device.gate().isStopPressed();
+    ending.linkOpen = m_device.link().state() == LinkState::Open;
+    ending.error = error;
     nameEnding(m_trial, ending);
 }
 

@@ -29,6 +29,7 @@ private:
     [[nodiscard]] Task<void> hearPosition();
     [[nodiscard]] Task<void> writeDown();
     [[nodiscard]] Task<void> findDirection();
+    [[nodiscard]] Task<void> releaseKept();
     [[nodiscard]] Task<void> putBack();
     [[nodiscard]] GuardPlan guardPlan() const;
     [[nodiscard]] double rate() const;
@@ -47,7 +48,8 @@ private:
     std::optional<Trip> m_trip;
     std::optional<std::int64_t> m_number;
     std::vector<OwedValue> m_owed;
-    bool m_wrote = false;
+    bool m_wrote = false;   ///< some of its gains at least
+    bool m_inForce = false; ///< all of them
     bool m_moved = false;
     RaisedRates m_rates;
 };

@@ -93,7 +93,7 @@ Task<std::vector<OwedValue>> readReplaced(Device &device, std::vector<ParameterC
         } else if (auto written = checkWritten(device, change.index); !written) {
             co_return fail(written.error());
         }
-        values.push_back({key, *device.parameters().entry(change.index).raw});
+        values.push_back({key, *device.parameters().entry(change.index).raw, change.raw});
     }
     co_return values;
 }

@@ -8,6 +8,9 @@
 #include "experiment/verdict.h"
 #include "model/family.h"
 
+#include <algorithm>
+#include <map>
+
 namespace mb::tuning {
 namespace {
 
@@ -25,12 +28,46 @@ Task<bool> hasStored(Device &device, double since)
     co_return stored.has_value();
 }
 
-/// The unit has every value that is owed to it.
-Task<bool> has(Device &device, std::vector<OwedValue> values)
+using Present = std::map<std::string, std::int64_t>;
+
+/// What the unit has of these now; empty where that is not known.
+Task<Present> presentOf(Device &device, std::vector<OwedValue> values)
 {
     auto reading = readReplaced(device, changesOf(device.family(), values));
-    const auto present = co_await std::move(reading).attempt();
-    co_return present &&*present == values;
+    const auto read = co_await std::move(reading).attempt();
+    Present present;
+    for (const OwedValue &value : read.value_or(std::vector<OwedValue>()))
+        present[value.key] = value.raw;
+    co_return present;
+}
+
+bool has(const Present &present, const OwedValue &value)
+{
+    const auto now = present.find(value.key);
+    return now != present.end() && now->second == value.raw;
+}
+
+/// It was put back, and somebody has written another since.
+bool isOver(const Present &present, const OwedValue &value)
+{
+    const auto now = present.find(value.key);
+    return now != present.end() && value.tried && now->second != value.raw && now->second != *value.tried;
+}
+
+/// Takes what was written since out of the debt.
+Task<void> releaseWritten(const Device &device, ExperimentJournal &journal, const Present &present, OwedGains &debt)
+{
+    std::vector<std::string> written;
+    for (const OwedValue &value : debt.values) {
+        if (debt.isPutBack && isOver(present, value))
+            written.push_back(value.key);
+    }
+    if (written.empty())
+        co_return {};
+    std::erase_if(debt.values, [&present](const OwedValue &value) { return isOver(present, value); });
+    auto releasing = journal.release(unitOf(device), std::move(written));
+    (void)co_await std::move(releasing).attempt();
+    co_return {};
 }
 
 } // namespace
@@ -45,10 +82,9 @@ bool storesLater(const Device &device)
     return device.family().capabilities.storesAfter > Duration::zero() && !device.link().address().isSimulated();
 }
 
-Task<void> markPutBack(Device &device, ExperimentJournal &journal, OwedGains owed)
+Task<void> markPutBack(Device &device, ExperimentJournal &journal, std::int64_t trial)
 {
-    auto marking = storesLater(device) ? journal.owe(owed.trial, unitOf(device), std::move(owed.values))
-                                       : journal.settle(owed.trial);
+    auto marking = storesLater(device) ? journal.markPutBack(trial) : journal.settle(trial);
     co_await std::move(marking);
     co_return {};
 }
@@ -59,8 +95,14 @@ Task<std::vector<OwedGains>> lookForOwed(Device &device, ExperimentJournal &jour
     std::vector<OwedGains> owed = co_await std::move(asking);
     std::vector<OwedGains> rest;
     for (OwedGains &debt : owed) {
-        auto looking = has(device, debt.values);
-        if (!co_await std::move(looking)) {
+        auto looking = presentOf(device, debt.values);
+        const Present present = co_await std::move(looking);
+        auto releasing = releaseWritten(device, journal, present, debt);
+        co_await std::move(releasing);
+        if (debt.values.empty())
+            continue;
+        const auto isThere = [&present](const OwedValue &value) { return has(present, value); };
+        if (!std::all_of(debt.values.begin(), debt.values.end(), isThere)) {
             rest.push_back(std::move(debt));
             continue;
         }
@@ -83,7 +125,7 @@ Task<void> payOwed(Device &device, ExperimentJournal &journal, OwedGains owed)
             Fault::Unsafe, say("the motor was not seen to stand"), say("stop it before its gains are put back"));
     auto writing = writeGains(device, changesOf(device.family(), owed.values));
     co_await std::move(writing);
-    auto marking = markPutBack(device, journal, std::move(owed));
+    auto marking = markPutBack(device, journal, owed.trial);
     co_await std::move(marking);
     co_return {};
 }

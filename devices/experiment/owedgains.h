@@ -12,12 +12,12 @@ namespace mb::tuning {
 [[nodiscard]] bool storesLater(const Device &device);
 
 /// What earlier experiments still owe to this unit and it has not, oldest first. What it has is settled on the way; where it
-/// stores later, only once it must have stored it and its flash says so, until when nobody is asked. Reads, and writes
-/// nothing to the unit.
+/// stores later, only once it must have stored it and its flash says so, until when nobody is asked. What was put back and is
+/// neither as before nor as tried was written since, and is owed no more. Reads, and writes nothing to the unit.
 [[nodiscard]] Task<std::vector<OwedGains>> lookForOwed(Device &device, ExperimentJournal &journal);
 
 /// What a trial has changed is as before again: settled, or, where the unit stores later, owed from now on until that is proved.
-[[nodiscard]] Task<void> markPutBack(Device &device, ExperimentJournal &journal, OwedGains owed);
+[[nodiscard]] Task<void> markPutBack(Device &device, ExperimentJournal &journal, std::int64_t trial);
 
 /// Puts back what a trial owes, as above. Fails, and owes on, when the motor is not seen to stand
 /// (Unsafe), when a value reads back different (BadCheck), or with the link.

@@ -138,7 +138,9 @@ void nameEnding(Trial &trial, const Ending &ending)
     using End = SetPointStream::End;
     const bool lost = !ending.linkOpen || ending.stream == End::LinkLost || ending.stream == End::DeviceSilent
         || (ending.error && ending.error->fault == Fault::LinkLost);
-    if (ending.trip) {
+    if (ending.completed) {
+        trial.reason = "done";
+    } else if (ending.trip) {
         trial.reason = toString(ending.trip->guard);
         trial.detail = ending.trip->detail;
     } else if (lost) {
@@ -147,16 +149,17 @@ void nameEnding(Trial &trial, const Ending &ending)
     } else if (ending.interrupted) {
         trial.reason = "interrupted";
         trial.detail = say("the user stopped it");
-    } else if (ending.error) {
-        trial.detail = ending.error->detail;
     } else if (ending.stream == End::LeaseExpired) {
         trial.reason = toString(Guard::User);
         trial.detail = ending.streamReason;
     } else if (ending.stream != End::Stopped && ending.stream != End::None) {
         trial.reason = toString(ending.stream);
         trial.detail = ending.streamReason;
-    } else {
-        trial.reason = "done";
+    } else if (ending.error && ending.error->fault != Fault::Cancelled) {
+        trial.detail = ending.error->detail;
+    } else { // somebody has stopped the motor, and not by the interruption
+        trial.reason = "interrupted";
+        trial.detail = ending.streamReason;
     }
     addFlag(trial, flag::aborted, trial.reason != "done");
 }

@@ -9,8 +9,9 @@ namespace mb::tuning {
 
 /// What is known when an experiment is over.
 struct Ending {
+    bool completed = false; ///< all that was planned was done, and nobody had ended it by then
     std::optional<Trip> trip;
-    SetPointStream::End stream = SetPointStream::End::None;
+    SetPointStream::End stream = SetPointStream::End::None; ///< None: it never ran
     Message streamReason;
     bool interrupted = false;
     bool linkOpen = true;

@@ -35,6 +35,8 @@ Result<void> SetPointStream::start(const SetPoint &setPoint, Duration lease, con
 {
     if (m_running)
         return update(setPoint, glide);
+    m_end = End::None;
+    m_reason = {};
     if (setPoint.mode != Mode::Off) {
         if (auto allowed = m_device.mayMove(); !allowed)
             return allowed;
@@ -47,8 +49,6 @@ Result<void> SetPointStream::start(const SetPoint &setPoint, Duration lease, con
     if (auto sent = sendOrWait(); !sent)
         return sent;
     m_running = true;
-    m_end = End::None;
-    m_reason = {};
     watch(lease);
     begin();
     m_changed.notify();

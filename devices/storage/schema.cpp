@@ -178,7 +178,24 @@ constexpr const char *sixthSchema = R"(
 ALTER TABLE service_visit ADD COLUMN ending TEXT NOT NULL DEFAULT '';
 )";
 
-constexpr std::array versions{firstSchema, secondSchema, thirdSchema, fourthSchema, fifthSchema, sixthSchema};
+/// A unit is owed one value of each key, that of before the first trial.
+constexpr const char *seventhSchema = R"(
+CREATE TABLE owed_value (
+    unit TEXT NOT NULL,
+    key TEXT NOT NULL,
+    trial INTEGER NOT NULL,
+    raw INTEGER NOT NULL,
+    tried INTEGER,
+    put_back INTEGER NOT NULL,
+    time REAL NOT NULL,
+    PRIMARY KEY (unit, key)) WITHOUT ROWID;
+INSERT INTO owed_value SELECT unit, key, min(trial), raw, NULL, 0, time FROM owed GROUP BY unit, key;
+DROP TABLE owed;
+ALTER TABLE owed_value RENAME TO owed;
+)";
+
+constexpr std::array versions{
+    firstSchema, secondSchema, thirdSchema, fourthSchema, fifthSchema, sixthSchema, seventhSchema};
 constexpr std::array journalVersions{fifthSchema, sixthSchema};
 
 } // namespace

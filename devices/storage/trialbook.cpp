@@ -21,6 +21,16 @@ const std::string columns
     = "SELECT id, time, device, unit, firmware, simulated, mode, axis, slot, stimulus, envelope, gains, "
       "metrics, flags, reason, detail, stopped, samples, lost, star, note FROM trial";
 
+/// The first value of a key stays until it is put back, and then too where the unit has lost it again: what is found there now is
+/// what was tried.
+constexpr const char *oweOne
+    = "INSERT INTO owed (unit, key, trial, raw, tried, put_back, time) VALUES (?, ?, ?, ?, ?, 0, ?) "
+      "ON CONFLICT (unit, key) DO UPDATE SET "
+      "trial = CASE WHEN put_back AND tried IS NOT excluded.raw THEN excluded.trial ELSE trial END, "
+      "time = CASE WHEN put_back AND tried IS NOT excluded.raw THEN excluded.time ELSE time END, "
+      "raw = CASE WHEN put_back AND tried IS NOT excluded.raw THEN excluded.raw ELSE raw END, "
+      "tried = excluded.tried, put_back = 0";
+
 QString textOf(const QJsonObject &object)
 {
     return QString::fromUtf8(QJsonDocument(object).toJson(QJsonDocument::Compact));
@@ -146,11 +156,30 @@ Task<void> TrialBook::owe(std::int64_t trial, std::string unit, std::vector<tuni
     const double time = now();
     co_return m_database.transact([&]() -> Result<void> {
         for (const tuning::OwedValue &value : values) {
-            auto added
-                = m_database.run("INSERT OR REPLACE INTO owed (trial, unit, key, raw, time) VALUES (?, ?, ?, ?, ?)",
-                    {static_cast<qint64>(trial), qt(unit), qt(value.key), static_cast<qint64>(value.raw), time});
+            const QVariant tried
+                = value.tried ? QVariant(static_cast<qint64>(*value.tried)) : QVariant(QVariant::LongLong);
+            auto added = m_database.run(oweOne,
+                {qt(unit), qt(value.key), static_cast<qint64>(trial), static_cast<qint64>(value.raw), tried, time});
             if (!added)
                 return added;
+        }
+        return {};
+    });
+}
+
+Task<void> TrialBook::markPutBack(std::int64_t trial)
+{
+    co_return m_database.run(
+        "UPDATE owed SET put_back = 1, time = ? WHERE trial = ?", {now(), static_cast<qint64>(trial)});
+}
+
+Task<void> TrialBook::release(std::string unit, std::vector<std::string> keys)
+{
+    co_return m_database.transact([&]() -> Result<void> {
+        for (const std::string &key : keys) {
+            auto deleted = m_database.run("DELETE FROM owed WHERE unit = ? AND key = ?", {qt(unit), qt(key)});
+            if (!deleted)
+                return deleted;
         }
         return {};
     });
@@ -297,13 +326,17 @@ Result<void> TrialBook::remove(std::int64_t number)
 Task<std::vector<tuning::OwedGains>> TrialBook::owedTo(std::string unit)
 {
     std::vector<tuning::OwedGains> owed;
-    const auto done = m_database.run("SELECT trial, key, raw, time FROM owed WHERE unit = ? ORDER BY trial, key",
-        {qt(unit)}, [&owed](const QSqlQuery &row) {
-            const std::int64_t trial = row.value(0).toLongLong();
-            if (owed.empty() || owed.back().trial != trial)
-                owed.push_back({trial, row.value(3).toDouble(), {}});
-            owed.back().values.push_back({textAt(row, 1), row.value(2).toLongLong()});
-        });
+    const auto done
+        = m_database.run("SELECT trial, key, raw, time, tried, put_back FROM owed WHERE unit = ? ORDER BY trial, key",
+            {qt(unit)}, [&owed](const QSqlQuery &row) {
+                const std::int64_t trial = row.value(0).toLongLong();
+                if (owed.empty() || owed.back().trial != trial)
+                    owed.push_back({trial, row.value(3).toDouble(), {}, true});
+                owed.back().isPutBack = owed.back().isPutBack && row.value(5).toBool();
+                const std::optional<std::int64_t> tried
+                    = row.isNull(4) ? std::nullopt : std::optional<std::int64_t>(row.value(4).toLongLong());
+                owed.back().values.push_back({textAt(row, 1), row.value(2).toLongLong(), tried});
+            });
     if (!done)
         co_return fail(done.error());
     co_return owed;

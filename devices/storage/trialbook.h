@@ -21,7 +21,9 @@ public:
 
     [[nodiscard]] Task<std::int64_t> begin(tuning::Trial trial) override;
     [[nodiscard]] Task<void> owe(std::int64_t trial, std::string unit, std::vector<tuning::OwedValue> values) override;
+    [[nodiscard]] Task<void> markPutBack(std::int64_t trial) override;
     [[nodiscard]] Task<void> settle(std::int64_t trial) override;
+    [[nodiscard]] Task<void> release(std::string unit, std::vector<std::string> keys) override;
     [[nodiscard]] Task<void> complete(std::int64_t number, tuning::Trial trial) override;
     [[nodiscard]] Task<void> keepTuning(tuning::TuneReport report) override;
     [[nodiscard]] Task<std::vector<tuning::OwedGains>> owedTo(std::string unit) override;

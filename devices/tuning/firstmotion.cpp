@@ -42,10 +42,12 @@ Task<void> tryForce(AutotuneRun &run, ExperimentPlan plan)
     for (int again = 0;; ++again) {
         auto running = run.run(plan);
         const Result<Trial> ran = co_await std::move(running).attempt();
-        if (ran)
-            co_return {};
-        if (again == mostAgain || !isLossy(run))
+        if (!ran)
             co_return fail(ran.error());
+        const bool hasBegun = ran->reason == "done" || !ran->holds.empty();
+        if (hasBegun || again == mostAgain || !isLossy(run))
+            co_return {};
+        run.forgive();
         run.note(say("an answer was lost; the same again"));
         auto reading = run.device().refresh(); // what a restart would have taken
         co_await std::move(reading);

@@ -322,5 +322,20 @@ TEST_F(TrialCore, GainsThatAProgramCouldNotPutBackAreOfferedAndPaidAfterAsking)
     EXPECT_TRUE(journal.owed.empty());
 }
 
+TEST_F(TrialCore, GainsAreOfferedNoMoreOnceATrialHasKeptOthers)
+{
+    journal.debtor = tuning::unitOf(*device());
+    journal.owed = {{"slot0.p", stored() + 1000}};
+    core.send(orders::CloseLink{"sim:can"});
+    core.send(orders::OpenLink{*LinkAddress::parse("sim:can")});
+    ASSERT_TRUE(clock.runUntil([this] { return device() && core.owedGains().count(id()) == 1; }, 20s));
+    start(Keep::WhenDone);
+    ASSERT_TRUE(ends());
+    ASSERT_TRUE(*ended);
+    ASSERT_EQ((**ended).reason, "done") << (**ended).detail;
+    EXPECT_TRUE(journal.owed.empty());
+    EXPECT_TRUE(clock.runUntil([this] { return core.owedGains().empty(); }, 5s));
+}
+
 } // namespace
 } // namespace mb

@@ -153,6 +153,53 @@ TEST_F(Notebooks, WhatIsOwedOutlivesTheProgramUntilItIsSettled)
     EXPECT_TRUE(owedTo("dmc60c A")->empty());
 }
 
+/// P was 5; trial 1 tries 10 and is killed; trial 2 finds 10, tries 20.
+TEST_F(Notebooks, OfOneKeyTheFirstValueIsOwedAndALaterTrialThatPutsBackWhatItFoundDoesNotSettleIt)
+{
+    const auto database = open();
+    TrialBook book(*database, clock);
+    ASSERT_TRUE(test::run(clock, book.owe(1, "unit", {{"slot0.p", 5, 10}})));
+    ASSERT_TRUE(test::run(clock, book.owe(2, "unit", {{"slot0.p", 10, 20}, {"slot0.i", 1, 2}})));
+    const auto both = test::run(clock, book.owedTo("unit"));
+    ASSERT_EQ(both->size(), 2U);
+    EXPECT_EQ(both->front().trial, 1);
+    EXPECT_EQ(both->front().values.front().raw, 5);
+    EXPECT_EQ(both->back().values.size(), 1U) << "only what nobody owed before";
+    ASSERT_TRUE(test::run(clock, book.settle(2)));
+    EXPECT_EQ(test::run(clock, book.owedTo("unit"))->front().values.front().raw, 5);
+}
+
+TEST_F(Notebooks, WhatWasPutBackIsOwedAsALaterTrialFindsItUnlessTheUnitHasLostItAgain)
+{
+    const auto database = open();
+    TrialBook book(*database, clock);
+    const auto owed = [&] { return test::run(clock, book.owedTo("unit")).value_or(std::vector<tuning::OwedGains>()); };
+    ASSERT_TRUE(test::run(clock, book.owe(1, "unit", {{"slot0.p", 5, 10}})));
+    ASSERT_TRUE(test::run(clock, book.markPutBack(1)));
+    ASSERT_EQ(owed().size(), 1U);
+    EXPECT_TRUE(owed().front().isPutBack);
+    ASSERT_TRUE(test::run(clock, book.owe(2, "unit", {{"slot0.p", 10, 20}}))) << "its flash had what was tried";
+    EXPECT_EQ(owed().front().values.front().raw, 5);
+    EXPECT_FALSE(owed().front().isPutBack);
+    ASSERT_TRUE(test::run(clock, book.markPutBack(1)));
+    ASSERT_TRUE(test::run(clock, book.owe(3, "unit", {{"slot0.p", 7, 30}}))) << "somebody has written 7";
+    EXPECT_EQ(owed().front().trial, 3);
+    EXPECT_EQ(owed().front().values.front().raw, 7);
+}
+
+TEST_F(Notebooks, KeysThatHaveOtherValuesOnPurposeAreOwedByNoTrial)
+{
+    const auto database = open();
+    TrialBook book(*database, clock);
+    ASSERT_TRUE(test::run(clock, book.owe(1, "unit", {{"slot0.p", 5, 10}, {"slot1.p", 6, 10}})));
+    ASSERT_TRUE(test::run(clock, book.owe(2, "other unit", {{"slot0.p", 5, 10}})));
+    ASSERT_TRUE(test::run(clock, book.release("unit", {"slot0.p"})));
+    const auto left = test::run(clock, book.owedTo("unit"));
+    ASSERT_EQ(left->size(), 1U);
+    EXPECT_EQ(left->front().values, (std::vector<tuning::OwedValue>{{"slot1.p", 6, 10}}));
+    EXPECT_EQ(test::run(clock, book.owedTo("other unit"))->size(), 1U);
+}
+
 TEST_F(Notebooks, StarsNotesAndRemovalsConcernOneTrialAndANumberIsNeverUsedAgain)
 {
     const auto database = open();

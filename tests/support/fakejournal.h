@@ -3,7 +3,9 @@
 
 #include "tuning/autotune.h"
 
+#include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace mb::test {
@@ -22,10 +24,29 @@ public:
     Task<void> owe(std::int64_t, std::string unit, std::vector<tuning::OwedValue> values) override
     {
         log.emplace_back("owe");
-        if (clock)
-            owedAt = std::chrono::duration<double>(clock->now().time_since_epoch() + clock->unixOffset()).count();
+        noteTime();
         debtor = std::move(unit);
-        owed = std::move(values);
+        if (std::exchange(isPutBack, false))
+            owed.clear();
+        for (tuning::OwedValue &value : values) {
+            if (std::none_of(owed.begin(), owed.end(), [&](const auto &known) { return known.key == value.key; }))
+                owed.push_back(std::move(value));
+        }
+        co_return {};
+    }
+    Task<void> markPutBack(std::int64_t) override
+    {
+        log.emplace_back("put back");
+        noteTime();
+        isPutBack = true;
+        co_return {};
+    }
+    Task<void> release(std::string, std::vector<std::string> keys) override
+    {
+        log.emplace_back("release");
+        std::erase_if(owed, [&keys](const tuning::OwedValue &value) {
+            return std::find(keys.begin(), keys.end(), value.key) != keys.end();
+        });
         co_return {};
     }
     Task<void> settle(std::int64_t) override
@@ -50,14 +71,21 @@ public:
     {
         std::vector<tuning::OwedGains> all;
         if (!owed.empty() && unit == debtor)
-            all.push_back({static_cast<std::int64_t>(begun.size()), owedAt, owed});
+            all.push_back({static_cast<std::int64_t>(begun.size()), owedAt, owed, isPutBack});
         co_return all;
+    }
+
+    void noteTime()
+    {
+        if (clock)
+            owedAt = std::chrono::duration<double>(clock->now().time_since_epoch() + clock->unixOffset()).count();
     }
 
     std::vector<std::string> log;
     std::vector<tuning::OwedValue> owed;
     const Clock *clock = nullptr; ///< of `owedAt`; nullptr: 0
     double owedAt = 0.0;          ///< Unix, s
+    bool isPutBack = false;       ///< and the unit may not have it for good
     std::string debtor;           ///< the unit that `owed` is for
     std::vector<tuning::Trial> begun;
     std::vector<tuning::Trial> completed;

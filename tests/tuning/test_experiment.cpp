@@ -288,7 +288,7 @@ TEST(Experiment, KeptGainsAreOwedToNobody)
     plan.gains = {bench.change("slot0.p", 0.5)};
     plan.keep = Keep::Always;
     expectDone(bench.run(plan));
-    EXPECT_EQ(bench.journal.log, (std::vector<std::string>{"begin", "complete"}));
+    EXPECT_EQ(bench.journal.log, (std::vector<std::string>{"begin", "release", "complete"}));
     const auto now = test::run(bench.bench.clock, bench.device->read(plan.gains.front().index));
     EXPECT_EQ(*now, plan.gains.front().raw);
 }

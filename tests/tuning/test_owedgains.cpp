@@ -44,7 +44,7 @@ struct RealUnit {
     /// A trial has tried half of the gain, and puts it back `later`.
     void tryAndPutBack(Duration later)
     {
-        const std::vector<OwedValue> owed{{"slot0.p", before}};
+        const std::vector<OwedValue> owed{{"slot0.p", before, before / 2}};
         ASSERT_TRUE(run(clock, journal.begin({})));
         ASSERT_TRUE(run(clock, journal.owe(1, unitOf(*device), owed)));
         ASSERT_TRUE(run(clock, writeGains(*device, {{gain, before / 2}})));
@@ -110,6 +110,26 @@ TEST(OwedGains, AreAskedForWhenThePowerWentBeforeTheyWereStored)
     EXPECT_TRUE(unit.journal.owed.empty());
     unit.losePower();
     EXPECT_EQ(*run(unit.clock, unit.device->read(unit.gain)), unit.before);
+}
+
+TEST(OwedGains, OfWhatSomebodyHasWrittenSinceTheyWerePutBackAreOwedNoMore)
+{
+    RealUnit unit;
+    unit.tryAndPutBack(3s);
+    ASSERT_TRUE(run(unit.clock, writeGains(*unit.device, {{unit.gain, unit.before + 1000}})));
+    EXPECT_EQ(unit.askedAbout(), 0U);
+    EXPECT_TRUE(unit.journal.owed.empty());
+    EXPECT_EQ(*run(unit.clock, unit.device->read(unit.gain)), unit.before + 1000);
+}
+
+TEST(OwedGains, ThatWereNeverPutBackAreAskedForWhateverTheUnitHas)
+{
+    RealUnit unit;
+    ASSERT_TRUE(run(unit.clock, unit.journal.begin({})));
+    ASSERT_TRUE(
+        run(unit.clock, unit.journal.owe(1, unitOf(*unit.device), {{"slot0.p", unit.before, unit.before / 2}})));
+    ASSERT_TRUE(run(unit.clock, writeGains(*unit.device, {{unit.gain, unit.before + 1000}})));
+    EXPECT_EQ(unit.askedAbout(), 1U);
 }
 
 } // namespace
