@@ -34,6 +34,11 @@ const SetPoint *MotionView::on(int axis) const
     return !running || found == setPoints.end() ? nullptr : &*found;
 }
 
+std::span<const Channel> DeviceView::channels() const
+{
+    return telemetry ? telemetry->channels() : family->channels;
+}
+
 DeviceView viewOf(Session &session, Device &device)
 {
     DeviceView view;

@@ -37,11 +37,8 @@ const Channel *SignalBook::rowOf(const Signal &signal) const
         return there ? m_derived[signal.channel.value].signal->telemetry()->channels().data() : nullptr;
     }
     const DeviceView *device = m_workbench.snapshot().device(signal.device);
-    const bool there = device && signal.channel.value < device->family->channels.size();
-    if (!there)
-        return nullptr;
-    const auto rows = device->telemetry ? device->telemetry->channels() : device->family->channels;
-    return &rows[signal.channel.value];
+    const bool there = device && signal.channel.value < device->channels().size();
+    return there ? &device->channels()[signal.channel.value] : nullptr;
 }
 
 std::shared_ptr<const Telemetry> SignalBook::telemetryOf(const Signal &signal) const
