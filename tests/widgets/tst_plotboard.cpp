@@ -23,6 +23,7 @@ private Q_SLOTS:
     void referencesStayWhereTheyWereSeen();
     void theSpectrumFindsAWave();
     void oneSignalAgainstAnother();
+    void anotherUnitOfAChannelIsFollowed();
 };
 
 void TestPlotBoard::twoDevicesInOnePlotLookDifferent()
@@ -264,6 +265,29 @@ void TestPlotBoard::oneSignalAgainstAnother()
     QVERIFY(curves.front().x.size() > 150);
     QCOMPARE(curves.front().x.size(), curves.front().y.size());
     bench.page->showView(PlotsPage::View::Time);
+}
+
+void TestPlotBoard::anotherUnitOfAChannelIsFollowed()
+{
+    static std::vector<Channel> calibrated(dmc60c().channels.begin(), dmc60c().channels.end());
+    calibrated[channel("current").value].unit = "mA";
+    PlotBench bench;
+    bench.pass(0.5, 1000.0);
+    QCOMPARE(bench.trace("#5 current").style.unit, s("A"));
+    const auto unitInList = [&bench] {
+        QListWidget &list = bench.page->panel().signalList().list();
+        return list.findItems(s("#5 current"), Qt::MatchExactly).front()->data(Qt::UserRole + 2).toString();
+    };
+    QCOMPARE(unitInList(), s("A"));
+    const int before = bench.trace("#5 current").style.strip;
+    bench.board().choose({{2}, channel("current")}, true); // stays in its pane
+    bench.recording.telemetry()->useTable(calibrated);
+    bench.pass(0.5, 1000.0);
+    QCOMPARE(bench.trace("#5 current").style.unit, s("mA"));
+    QCOMPARE(bench.trace("#7 current").style.unit, s("A"));
+    QVERIFY(bench.trace("#5 current").style.strip != bench.trace("#7 current").style.strip);
+    QCOMPARE(unitInList(), s("mA"));
+    QVERIFY(before >= 0);
 }
 
 MB_WINDOW_TEST(TestPlotBoard);

@@ -129,6 +129,7 @@ void PlotBoard::dress(Trace &trace)
     if (!trace.source || &trace.source->telemetry() != telemetry.get())
         trace.source = std::make_shared<TelemetrySource>(telemetry, trace.signal.channel);
     trace.source->setScale(unit.scale);
+    trace.row = &row;
     trace.style = {};
     trace.style.name = m_book.nameOf(trace.signal);
     trace.style.unit = unit.text;
@@ -175,25 +176,22 @@ std::string PlotBoard::link() const
     return {};
 }
 
-/// A device begins anew where a recording is taken to another place.
-bool PlotBoard::hasOtherTelemetry() const
+/// A device begins anew where a recording is taken to another place; its units are others once a scale is given.
+bool PlotBoard::isOutdated(const Trace &trace) const
 {
-    return std::any_of(m_traces.begin(), m_traces.end(), [this](const Trace &trace) {
-        const DeviceView *device = m_workbench.snapshot().device(trace.signal.device);
-        return device && trace.source && &trace.source->telemetry() != device->telemetry.get();
-    });
+    return trace.row != m_book.rowOf(trace.signal)
+        || &trace.source->telemetry() != m_book.telemetryOf(trace.signal).get();
 }
 
 void PlotBoard::follow()
 {
     bool other = m_book.complete();
-    other = hasOtherTelemetry() || other;
     const auto gone = [this](const Trace &trace) { return !m_book.rowOf(trace.signal); };
     if (const auto end = std::remove_if(m_traces.begin(), m_traces.end(), gone); end != m_traces.end()) {
         m_traces.erase(end, m_traces.end());
         other = true;
     }
-    if (other)
+    if (other || std::any_of(m_traces.begin(), m_traces.end(), [this](const Trace &t) { return isOutdated(t); }))
         rebuild();
 }
 

@@ -23,6 +23,7 @@ public:
         QString pane; ///< empty: one pane for each unit
         bool second = false;
         std::shared_ptr<TelemetrySource> source{};
+        const Channel *row = nullptr; ///< what it was dressed by
         TraceStyle style{};
         int id = 0; ///< in the stack
     };
@@ -84,7 +85,7 @@ Q_SIGNALS:
 private:
     void rebuild();
     void dress(Trace &trace);
-    [[nodiscard]] bool hasOtherTelemetry() const;
+    [[nodiscard]] bool isOutdated(const Trace &trace) const;
     void dressAxis(Trace &trace, int axis) const;
     [[nodiscard]] int stripOf(const QString &pane, const QString &unit);
 
