@@ -48,7 +48,7 @@ bool ArmKey::press(const QKeyEvent &key)
 void ArmKey::release(const QKeyEvent &key)
 {
     if (isOfIt(key.key()) && !key.isAutoRepeat())
-        m_lamp.letGo();
+        m_lamp.giveUp();
 }
 
 } // namespace mb

@@ -8,6 +8,7 @@
 #include "transport/linkdoctor.h"
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -72,6 +73,9 @@ struct DeviceView {
     bool mayTurn = false;     ///< nobody has seen it stand, and nothing of its own stops it
     Message mayNotBeStopped;  ///< why STOP leaves it out; empty: it does not
     bool keepsMove = false;   ///< a buffered move that has not begun
+
+    /// In the units that the device sends in; those of its family where nothing is recorded.
+    [[nodiscard]] std::span<const Channel> channels() const;
 };
 
 struct OperationId {

@@ -48,8 +48,8 @@ std::string ExportChannel::topic() const
 std::vector<ExportChannel> channelsOf(const DeviceView &device, bool simulated)
 {
     std::vector<ExportChannel> channels;
-    for (std::uint16_t i = 0; i < device.family->channels.size(); ++i) {
-        const Channel &row = device.family->channels[i];
+    for (std::uint16_t i = 0; i < device.channels().size(); ++i) {
+        const Channel &row = device.channels()[i];
         channels.push_back({device.telemetry, {i}, device.selector, std::string(device.family->key),
             std::string(row.key), std::string(row.unit), {}, simulated});
     }

@@ -27,7 +27,7 @@ bool isAlive(const fs::path &folder)
     return !free;
 }
 
-/// Files that follow each other, in one writer: a topic of several is one channel, of their facts the last counts.
+/// Files that follow each other, in one writer: a topic of several in one unit is one channel, of their facts the last counts.
 class Joint {
 public:
     explicit Joint(McapWriter &writer)
@@ -41,9 +41,11 @@ public:
         std::map<std::uint16_t, std::uint16_t> ids;
         McapReader reader;
         reader.channel = [&](std::uint16_t id, const std::string &topic, const mcap::Map &about) {
-            const auto known = m_topics.find(topic);
-            ids[id] = known != m_topics.end() ? known->second : m_writer.addChannel({topic, about});
-            m_topics[topic] = ids[id];
+            const auto unit = about.find("unit");
+            const std::pair key(topic, unit == about.end() ? std::string() : unit->second);
+            const auto known = m_channels.find(key);
+            ids[id] = known != m_channels.end() ? known->second : m_writer.addChannel({topic, about});
+            m_channels[key] = ids[id];
         };
         reader.metadata = [&](const std::string &name, const mcap::Map &map) {
             if (name == "note")
@@ -68,7 +70,7 @@ public:
 private:
     McapWriter &m_writer;
     ExportReport m_report;
-    std::map<std::string, std::uint16_t> m_topics;
+    std::map<std::pair<std::string, std::string>, std::uint16_t> m_channels; ///< by topic and unit
     std::map<std::string, mcap::Map> m_facts;
 };
 

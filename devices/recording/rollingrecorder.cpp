@@ -78,18 +78,24 @@ void RollingRecorder::follow(
     const std::vector<ExportChannel> &channels, std::vector<std::pair<std::string, mcap::Map>> about)
 {
     for (const ExportChannel &channel : channels) {
-        const bool known = std::any_of(m_tracked.begin(), m_tracked.end(), [&](const Tracked &tracked) {
+        const auto known = std::find_if(m_tracked.begin(), m_tracked.end(), [&](const Tracked &tracked) {
             return tracked.channel.telemetry == channel.telemetry && tracked.channel.channel == channel.channel;
         });
-        if (known)
+        if (known != m_tracked.end() && known->channel.unit == channel.unit)
             continue;
-        const auto id = static_cast<std::uint16_t>(m_tracked.size());
-        m_tracked.push_back({channel, SampleCursor(channel.telemetry, channel.channel), id});
+        if (known != m_tracked.end())
+            m_tracked.erase(known); // what it had in its unit is forgotten there, too
+        m_tracked.push_back({channel, SampleCursor(channel.telemetry, channel.channel)});
         if (m_writer)
-            (void)m_writer->addChannel({channel.topic(), aboutChannel(channel)});
+            addToFile(m_tracked.back());
     }
     m_aboutChanged = m_aboutChanged || about != m_about;
     m_about = std::move(about);
+}
+
+void RollingRecorder::addToFile(Tracked &tracked)
+{
+    tracked.id = m_writer->addChannel({tracked.channel.topic(), aboutChannel(tracked.channel)});
 }
 
 void RollingRecorder::note(Instant time, const std::string &text)
@@ -108,8 +114,8 @@ Result<void> RollingRecorder::beginSegment(Instant now)
     if (!writer)
         return fail(writer.error());
     m_writer = std::move(*writer);
-    for (const Tracked &tracked : m_tracked)
-        (void)m_writer->addChannel({tracked.channel.topic(), aboutChannel(tracked.channel)});
+    for (Tracked &tracked : m_tracked)
+        addToFile(tracked);
     m_aboutChanged = true;
     m_safe = segment;
     m_segments.push_back(std::move(segment));

@@ -28,7 +28,7 @@ public:
     /// Ends the last file; the folder becomes `last-session`, in place of the one before.
     ~RollingRecorder();
 
-    /// What there is now. Channels that went away stay in the files that have them.
+    /// What there is now. Channels that went away stay in the files that have them; one in another unit is another channel.
     void follow(const std::vector<ExportChannel> &channels, std::vector<std::pair<std::string, mcap::Map>> about);
     /// Writes what has been recorded since and hands it to the kernel. LinkLost with path and cause; nothing is lost as
     /// long as the histories have it: files end with their last whole sample, and the next call goes on behind it, in a new one.
@@ -52,7 +52,7 @@ private:
     struct Tracked {
         ExportChannel channel;
         SampleCursor cursor;
-        std::uint16_t id = 0;
+        std::uint16_t id = 0;       ///< in the file that is being written
         SampleCursor::Place safe{}; ///< everything before it is in a file
     };
     struct Segment {
@@ -65,6 +65,7 @@ private:
     [[nodiscard]] Result<void> beginSegment(Instant now);
     [[nodiscard]] Result<void> endSegment();
     [[nodiscard]] Result<void> writeSegment(Instant now, Duration unixOffset);
+    void addToFile(Tracked &tracked);
     void settle();
     void salvage();
     void writeSamples(Duration unixOffset, Instant horizon);
@@ -74,7 +75,7 @@ private:
     Options m_options;
     std::string m_path;
     int m_lock = -1;
-    std::list<Tracked> m_tracked; ///< in order of id
+    std::list<Tracked> m_tracked;
     std::vector<std::pair<std::string, mcap::Map>> m_about;
     std::vector<std::pair<std::string, mcap::Map>> m_notes;
     std::vector<TimedNote> m_newNotes;

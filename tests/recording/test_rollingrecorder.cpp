@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/family.h"
 #include "recording/joinrecordings.h"
 #include "recording/loadrecording.h"
 #include "recording/rollingrecorder.h"
@@ -233,6 +234,49 @@ TEST(RollingRecorder, AFolderThatCannotBeWrittenIsTold)
     const auto written = recorder.write(ms(0), unixOffset);
     ASSERT_FALSE(written);
     EXPECT_NE(written.error().text().find("/proc/nonexistent"), std::string::npos);
+}
+
+TEST(RollingRecorder, AnotherUnitIsAnotherChannel)
+{
+    static constexpr std::array<Channel, 3> inCounts{
+        {channels[0], channels[1], {"current", "counts", "Current", Quantity::Current}}};
+    const Folder folder;
+    const auto recording = telemetry();
+    RollingRecorder recorder(rolling(folder, "run"));
+    recording->useTable(inCounts);
+    recorder.follow({{recording, current, "sim:serial/x:5", "x", "current", "counts", {}, true}}, {});
+    put(*recording, current, 10, 1000.0);
+    put(*recording, current, 20, 1000.0);
+    ASSERT_TRUE(recorder.write(ms(500), unixOffset));
+    recording->useTable(channels);
+    put(*recording, current, 600, 1.5);
+    recorder.follow({{recording, current, "sim:serial/x:5", "x", "current", "A", {}, true}}, {});
+    ASSERT_TRUE(recorder.write(ms(2600), unixOffset)); // in the next file
+    ASSERT_TRUE(recorder.save(folder.file("kept.mcap"), {}));
+    const auto loaded = loadRecording(folder.file("kept.mcap"));
+    ASSERT_TRUE(loaded);
+    const LoadedRecording &file = **loaded;
+    ASSERT_EQ(file.table.size(), 2U);
+    EXPECT_EQ(file.table[0].unit, "counts");
+    EXPECT_EQ(file.telemetry->size({0}), 2U);
+    EXPECT_EQ(file.table[1].unit, "A");
+    ASSERT_EQ(file.telemetry->size({1}), 1U);
+    EXPECT_EQ(file.telemetry->last({1})->value, 1.5);
+}
+
+TEST(Export, ChannelsHaveTheUnitsOfTheirDeviceNotOfItsFamily)
+{
+    static constexpr std::array<Channel, 3> inCounts{
+        {channels[0], channels[1], {"current", "counts", "Current", Quantity::Current}}};
+    Family family{};
+    family.key = "x";
+    family.channels = inCounts;
+    DeviceView device;
+    device.family = &family;
+    device.telemetry = telemetry(); // calibrated: in A
+    const auto found = channelsOf(device, true);
+    ASSERT_EQ(found.size(), 3U);
+    EXPECT_EQ(found[current.value].unit, "A");
 }
 
 } // namespace

@@ -6,9 +6,12 @@
 #include "widgets/monitor/framemodel.h"
 #include "widgets/monitor/logpage.h"
 #include "widgets/monitor/noticemodel.h"
+#include "widgets/monitor/recordstrip.h"
 
 #include <QHeaderView>
 
+#include <QFileDialog>
+#include <QTemporaryDir>
 #include <set>
 #include <utility>
 
@@ -33,6 +36,9 @@ private Q_SLOTS:
     void withoutALinkItSaysHowToGetOne();
     void whatALinkLeftStaysWhenItIsClosed();
     void everyControlSpeaks();
+    void closingALinkMovesTheViewToNoOther();
+    void aLinkThatIsClosedIsSaidAndNothingIsSentOnAnother();
+    void aRecordingIsOfTheLinkThatItWasAskedFor();
 };
 
 void BusPageTest::scrollingBackPausesAndKeepsCounting()
@@ -306,6 +312,81 @@ void BusPageTest::everyControlSpeaks()
         const QString name = widget->accessibleName().isEmpty() && button ? button->text() : widget->accessibleName();
         QVERIFY2(!name.isEmpty() || widget->inherits("QTableCornerButton"), widget->metaObject()->className());
     }
+}
+
+void BusPageTest::closingALinkMovesTheViewToNoOther()
+{
+    BusBench bench;
+    const auto named = [&bench](const char *address) {
+        LinkView link = bench.workbench.shot.links.front();
+        link.address = address;
+        link.name = address;
+        return link;
+    };
+    bench.workbench.shot.links = {named("sim:a"), bench.workbench.shot.links.front(), named("sim:c")};
+    bench.publish();
+    bench.page->showLink("sim:can");
+    bench.publish();
+    bench.workbench.shot.links.erase(bench.workbench.shot.links.begin());
+    bench.publish();
+    bench.type("7FF", "01");
+    QTest::mouseClick(&bench.sendButton(), Qt::LeftButton);
+    QCOMPARE(bench.sent(), std::size_t{1});
+    QCOMPARE(bench.workbench.given<orders::SendFrame>().front().link, std::string("sim:can"));
+}
+
+void BusPageTest::aLinkThatIsClosedIsSaidAndNothingIsSentOnAnother()
+{
+    BusBench bench;
+    bench.traffic.add(generalOf5);
+    LinkView other = bench.workbench.shot.links.front();
+    other.address = other.name = "sim:c";
+    other.traffic = std::make_shared<TrafficLog>();
+    bench.workbench.shot.links.push_back(other);
+    bench.publish();
+    QCOMPARE(bench.page->model().rowCount(), 1);
+    bench.page->bar().setSendShown(true);
+    bench.type("7FF", "01");
+    bench.workbench.shot.links.erase(bench.workbench.shot.links.begin());
+    bench.publish();
+    QCOMPARE(bench.page->model().rowCount(), 1); // what it left stays
+    QVERIFY(!bench.panel().isVisible());
+    bench.sendButton().click();
+    QCOMPARE(bench.sent(), std::size_t{0});
+    QString words;
+    for (const QLabel *label : bench.page->bar().findChildren<QLabel *>())
+        words += label->text();
+    QVERIFY2(words.contains(QStringLiteral("sim:can is not open")), qPrintable(words));
+    const QTemporaryDir folder;
+    bench.page->exportTo(folder.filePath(QStringLiteral("left.log")), true);
+    QFile file(folder.filePath(QStringLiteral("left.log")));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QVERIFY(file.readAll().contains("sim:can"));
+    bench.named<Segmented>("Link")->setCurrent(0); // the other is chosen by hand
+    bench.publish();
+    QCOMPARE(bench.page->model().rowCount(), 0);
+    bench.workbench.shot.links.push_back(canLink(bench.traffic.log));
+    bench.page->showLink("sim:can");
+    bench.publish();
+    QCOMPARE(bench.page->model().rowCount(), 1);
+}
+
+void BusPageTest::aRecordingIsOfTheLinkThatItWasAskedFor()
+{
+    BusBench bench;
+    LinkView other = bench.workbench.shot.links.front();
+    other.address = other.name = "sim:c";
+    bench.workbench.shot.links.push_back(other);
+    bench.publish();
+    QTest::mouseClick(&bench.page->recordStrip().button(), Qt::LeftButton);
+    auto *dialog = bench.page->findChild<QFileDialog *>();
+    QVERIFY(dialog);
+    bench.page->showLink("sim:c");
+    bench.publish();
+    Q_EMIT dialog->fileSelected(QStringLiteral("/logs/run.log"));
+    QCOMPARE(bench.workbench.given<orders::StartRecording>().size(), std::size_t{1});
+    QCOMPARE(bench.workbench.given<orders::StartRecording>().front().link, std::string("sim:can"));
+    dialog->close();
 }
 
 MB_WINDOW_TEST(BusPageTest);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/windowtests.h"
+#include "widgets/common/holdbutton.h"
 #include "widgets/common/lamp.h"
 #include "widgets/common/stopbutton.h"
 
 #include <QHBoxLayout>
 #include <QSignalSpy>
 #include <QTest>
+#include <QThread>
 
 using namespace mb;
 using namespace std::chrono_literals;
@@ -16,6 +18,8 @@ private Q_SLOTS:
     void init();
     void aFullHoldAsksForArmingOnce();
     void lettingGoEarlyDoesNothing();
+    void lettingGoAfterTheWindowStoodStillDoesNothing();
+    void aWindowThatStoodStillCountsForOneTick();
     void leavingTheLampCancels();
     void hidingTheLampCancels();
     void nothingToArmIgnoresTheHold();
@@ -75,6 +79,34 @@ void LampTest::lettingGoEarlyDoesNothing()
     QTest::mouseRelease(m_lamp, Qt::LeftButton);
     QCOMPARE(armed.count(), 0);
     QCOMPARE(holding.count(), 2);
+}
+
+void LampTest::lettingGoAfterTheWindowStoodStillDoesNothing()
+{
+    QSignalSpy armed(m_lamp, &Lamp::armRequested);
+    QTest::mousePress(m_lamp, Qt::LeftButton);
+    QThread::msleep(50); // the window that stands still
+    QTest::mouseRelease(m_lamp, Qt::LeftButton);
+    QCOMPARE(armed.count(), 0);
+}
+
+void LampTest::aWindowThatStoodStillCountsForOneTick()
+{
+    m_lamp->setHoldMilliseconds(400);
+    HoldButton button(m_theme, Symbol::Add, QStringLiteral("Send"));
+    button.setHoldNeeded(true);
+    button.setHoldMilliseconds(400);
+    QSignalSpy armed(m_lamp, &Lamp::armRequested);
+    QSignalSpy activated(&button, &HoldButton::activated);
+    QTest::mousePress(m_lamp, Qt::LeftButton);
+    QTest::mousePress(&button, Qt::LeftButton);
+    QThread::msleep(500);
+    QCoreApplication::processEvents();
+    QCOMPARE(armed.count(), 0);
+    QCOMPARE(activated.count(), 0);
+    QVERIFY(m_lamp->holdProgress() > 0.0);
+    QVERIFY(armed.wait(5000));
+    QTRY_COMPARE(activated.count(), 1);
 }
 
 void LampTest::leavingTheLampCancels()

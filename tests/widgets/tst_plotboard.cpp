@@ -23,6 +23,8 @@ private Q_SLOTS:
     void referencesStayWhereTheyWereSeen();
     void theSpectrumFindsAWave();
     void oneSignalAgainstAnother();
+    void anotherUnitOfAChannelIsFollowed();
+    void aDerivedSignalGoesOnWhereItsDeviceBeginsAnew();
 };
 
 void TestPlotBoard::twoDevicesInOnePlotLookDifferent()
@@ -264,6 +266,55 @@ void TestPlotBoard::oneSignalAgainstAnother()
     QVERIFY(curves.front().x.size() > 150);
     QCOMPARE(curves.front().x.size(), curves.front().y.size());
     bench.page->showView(PlotsPage::View::Time);
+}
+
+void TestPlotBoard::anotherUnitOfAChannelIsFollowed()
+{
+    static std::vector<Channel> calibrated(dmc60c().channels.begin(), dmc60c().channels.end());
+    calibrated[channel("current").value].unit = "mA";
+    PlotBench bench;
+    bench.pass(0.5, 1000.0);
+    QCOMPARE(bench.trace("#5 current").style.unit, s("A"));
+    const auto unitInList = [&bench] {
+        QListWidget &list = bench.page->panel().signalList().list();
+        return list.findItems(s("#5 current"), Qt::MatchExactly).front()->data(Qt::UserRole + 2).toString();
+    };
+    QCOMPARE(unitInList(), s("A"));
+    const int before = bench.trace("#5 current").style.strip;
+    bench.board().choose({{2}, channel("current")}, true); // stays in its pane
+    bench.recording.telemetry()->useTable(calibrated);
+    bench.pass(0.5, 1000.0);
+    QCOMPARE(bench.trace("#5 current").style.unit, s("mA"));
+    QCOMPARE(bench.trace("#7 current").style.unit, s("A"));
+    QVERIFY(bench.trace("#5 current").style.strip != bench.trace("#7 current").style.strip);
+    QCOMPARE(unitInList(), s("mA"));
+    QVERIFY(before >= 0);
+}
+
+void TestPlotBoard::aDerivedSignalGoesOnWhereItsDeviceBeginsAnew()
+{
+    PlotBench bench;
+    bench.pass(1.0, 60000.0);
+    QVERIFY(bench.board().addDerived(s("twice"), s("counts/s"), s("2 * d5_velocity")));
+    bench.pass(0.5, 60000.0);
+    QTRY_VERIFY(bench.trace("twice").source->telemetry().size({0}) > 100);
+    Recording anew{bench.workbench.time}; // as after a jump in a recording
+    bench.workbench.shot.devices[0].telemetry = anew.telemetry();
+    anew.run(1.0, 60000.0);
+    bench.workbench.publish();
+    bench.pass(0.1, 60000.0);
+    QTRY_COMPARE(bench.trace("twice").source->telemetry().size({0}), std::size_t{100});
+    DeviceView again = bench.workbench.shot.devices[0]; // as after its link was opened again
+    Recording third{bench.workbench.time};
+    again.telemetry = third.telemetry();
+    again.id = {3};
+    bench.workbench.shot.devices.erase(bench.workbench.shot.devices.begin());
+    bench.workbench.publish();
+    third.run(0.5, 60000.0);
+    bench.workbench.shot.devices.push_back(again);
+    bench.workbench.publish();
+    bench.pass(0.1, 60000.0);
+    QTRY_COMPARE(bench.trace("twice").source->telemetry().size({0}), std::size_t{50});
 }
 
 MB_WINDOW_TEST(TestPlotBoard);

@@ -111,6 +111,9 @@ private Q_SLOTS:
     void aNoteHasRoomToBeRead();
     void nothingIsScrolledSideways();
     void aWidePreviewIsAPageStill();
+    void aNoteGoesToTheEntryItWasBegunFor();
+    void aNoteThatWasBegunIsKeptWhenItsEntryIsNotListedAnyMore();
+    void whatIsWrittenIsWhatWasChosenBeforeAnotherUnitEnded();
 };
 
 void TestReportsPage::nothingIsScrolledSideways()
@@ -297,6 +300,66 @@ void TestReportsPage::aNoteHasRoomToBeRead()
     const auto *const note = noteOf(*bench.page);
     QVERIFY2(note->width() > note->fontMetrics().horizontalAdvance(note->placeholderText()) + 40,
         qPrintable(QString::number(note->width())));
+}
+
+void TestReportsPage::aNoteGoesToTheEntryItWasBegunFor()
+{
+    ReportsPageBench bench;
+    bench.serve();
+    bench.page->setFilter(ReportsPage::Journal);
+    bench.page->list().setCurrentRow(1); // the older one, "a"
+    auto *note = noteOf(*bench.page);
+    note->setFocus();
+    note->setText(QStringLiteral("red box"));
+    service::Visit another = bench.workbench.visited.entries.back();
+    another.id = "c";
+    another.time += 600.0;
+    bench.workbench.visited.entries.push_back(another);
+    Q_EMIT bench.workbench.unitEnded(another);
+    QCOMPARE(bench.page->list().count(), 3);
+    QCOMPARE(bench.page->list().currentRow(), 2);
+    QCOMPARE(note->text(), QStringLiteral("red box"));
+    Q_EMIT note->editingFinished();
+    QCOMPARE(bench.workbench.visited.entries.at(0).note, std::string("red box"));
+    QVERIFY(bench.workbench.visited.entries.at(1).note.empty());
+    QVERIFY(bench.workbench.visited.entries.at(2).note.empty());
+}
+
+void TestReportsPage::aNoteThatWasBegunIsKeptWhenItsEntryIsNotListedAnyMore()
+{
+    ReportsPageBench bench;
+    bench.serve();
+    bench.page->setFilter(ReportsPage::Journal);
+    bench.page->list().setCurrentRow(1);
+    noteOf(*bench.page)->setText(QStringLiteral("red box"));
+    bench.page->findChild<SearchField *>()->setText(QStringLiteral("7B2E")); // leaves the other
+    QCOMPARE(bench.page->list().count(), 1);
+    Q_EMIT noteOf(*bench.page)->editingFinished();
+    QCOMPARE(bench.workbench.visited.entries.at(0).note, std::string("red box"));
+    QVERIFY(bench.workbench.visited.entries.at(1).note.empty());
+}
+
+void TestReportsPage::whatIsWrittenIsWhatWasChosenBeforeAnotherUnitEnded()
+{
+    ReportsPageBench bench;
+    bench.serve();
+    bench.page->setFilter(ReportsPage::Journal);
+    bench.page->list().setCurrentRow(1);
+    service::Visit another = bench.workbench.visited.entries.back();
+    another.id = "c";
+    another.time += 600.0;
+    bench.workbench.visited.entries.push_back(another);
+    Q_EMIT bench.workbench.unitEnded(another);
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("card.html"));
+    QSignalSpy written(&bench.page->order(), &ReportOrder::written);
+    bench.page->write(path);
+    QTRY_COMPARE(written.size(), 1);
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray text = file.readAll();
+    QVERIFY(text.contains("2103343A79F2"));
+    QVERIFY(!text.contains("2103343A7B2E"));
 }
 
 MB_WINDOW_TEST(TestReportsPage);

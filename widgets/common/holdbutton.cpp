@@ -5,8 +5,6 @@
 #include <QPainter>
 #include <QTimerEvent>
 
-#include <algorithm>
-
 namespace mb {
 
 HoldButton::HoldButton(const ThemeSource &theme, Symbol symbol, const QString &text, QWidget *parent)
@@ -29,7 +27,7 @@ void HoldButton::setHoldNeeded(bool needed)
 
 void HoldButton::endHold()
 {
-    m_tick.stop();
+    m_hold.end();
     setDown(false);
     update();
 }
@@ -45,8 +43,7 @@ void HoldButton::mousePressEvent(QMouseEvent *event)
     CommandButton::mousePressEvent(event);
     if (!m_needed || event->button() != Qt::LeftButton)
         return;
-    m_held.start();
-    m_tick.start(16, this);
+    m_hold.begin(this);
 }
 
 void HoldButton::mouseReleaseEvent(QMouseEvent *event)
@@ -59,16 +56,16 @@ void HoldButton::mouseReleaseEvent(QMouseEvent *event)
 void HoldButton::mouseMoveEvent(QMouseEvent *event)
 {
     CommandButton::mouseMoveEvent(event);
-    if (m_tick.isActive() && !rect().contains(event->pos()))
+    if (m_hold.isUnderWay() && !rect().contains(event->pos()))
         endHold();
 }
 
 void HoldButton::timerEvent(QTimerEvent *event)
 {
-    if (event->timerId() != m_tick.timerId())
+    if (!m_hold.tick(*event))
         return CommandButton::timerEvent(event);
     update();
-    if (m_held.elapsed() < m_hold)
+    if (m_hold.progress() < 1.0)
         return;
     endHold();
     Q_EMIT activated();
@@ -90,13 +87,12 @@ void HoldButton::changeEvent(QEvent *event)
 void HoldButton::paintEvent(QPaintEvent *event)
 {
     CommandButton::paintEvent(event);
-    if (!m_tick.isActive())
+    if (!m_hold.isUnderWay())
         return;
     QPainter painter(this);
     QColor fill = m_theme.theme().armed;
     fill.setAlphaF(0.45);
-    const double part = std::min(1.0, static_cast<double>(m_held.elapsed()) / std::max(m_hold, 1));
-    painter.fillRect(QRectF(1, 1, (width() - 2) * part, height() - 2), fill);
+    painter.fillRect(QRectF(1, 1, (width() - 2) * m_hold.progress(), height() - 2), fill);
 }
 
 } // namespace mb

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/common/hold.h"
 #include "widgets/common/iconbutton.h"
-
-#include <QBasicTimer>
-#include <QElapsedTimer>
 
 namespace mb {
 
@@ -19,8 +17,8 @@ public:
     /// Ends a hold that is under way.
     void setHoldNeeded(bool needed);
     [[nodiscard]] bool isHoldNeeded() const { return m_needed; }
-    [[nodiscard]] int holdMilliseconds() const { return m_hold; }
-    void setHoldMilliseconds(int milliseconds) { m_hold = milliseconds; }
+    [[nodiscard]] int holdMilliseconds() const { return m_hold.milliseconds(); }
+    void setHoldMilliseconds(int milliseconds) { m_hold.setMilliseconds(milliseconds); }
 
     /// Ends a hold for nothing; the pointer has to come again.
     void giveUp();
@@ -43,9 +41,7 @@ private:
 
     const ThemeSource &m_theme;
     bool m_needed = false;
-    int m_hold = 1000;
-    QElapsedTimer m_held;
-    QBasicTimer m_tick;
+    Hold m_hold;
 };
 
 } // namespace mb

@@ -20,25 +20,18 @@ Lamp::Lamp(const ThemeSource &theme, QWidget *parent)
         updateGeometry();
         update();
     });
-    connect(this, &QAbstractButton::clicked, this, [this] { m_holding ? endHold(false) : press(); });
+    connect(this, &QAbstractButton::clicked, this, [this] { m_hold.isUnderWay() ? endHold(false) : press(); });
 }
 
 void Lamp::setStatus(const LampStatus &status)
 {
     const LampState before = m_status.state;
     m_status = status;
-    if (m_holding && (isLive(m_status) || !status.armable))
+    if (m_hold.isUnderWay() && (isLive(m_status) || !status.armable))
         endHold(false);
     updateAccessibleText(before);
     updateGeometry();
     update();
-}
-
-double Lamp::holdProgress() const
-{
-    if (!m_holding)
-        return 0.0;
-    return m_hold <= 0 ? 1.0 : std::min(1.0, static_cast<double>(m_held.elapsed()) / m_hold);
 }
 
 void Lamp::updateAccessibleText(LampState before)
@@ -68,15 +61,13 @@ void Lamp::press()
 
 void Lamp::hold()
 {
-    if (!m_holding && !isLive(m_status) && m_status.state != LampState::MayTurn && m_status.armable)
+    if (!m_hold.isUnderWay() && !isLive(m_status) && m_status.state != LampState::MayTurn && m_status.armable)
         beginHold();
 }
 
 void Lamp::beginHold()
 {
-    m_holding = true;
-    m_held.start();
-    m_tick.start(std::clamp(m_hold / 10, 1, 16), Qt::PreciseTimer, this);
+    m_hold.begin(this);
     Q_EMIT holdingChanged(true);
     updateGeometry();
     update();
@@ -84,10 +75,9 @@ void Lamp::beginHold()
 
 void Lamp::endHold(bool complete)
 {
-    if (!m_holding)
+    if (!m_hold.isUnderWay())
         return;
-    m_holding = false;
-    m_tick.stop();
+    m_hold.end();
     update();
     Q_EMIT holdingChanged(false);
     if (complete)
@@ -96,14 +86,14 @@ void Lamp::endHold(bool complete)
 
 void Lamp::mousePressEvent(QMouseEvent *event)
 {
-    if (event->button() == Qt::LeftButton && !m_holding)
+    if (event->button() == Qt::LeftButton && !m_hold.isUnderWay())
         press();
 }
 
 void Lamp::mouseReleaseEvent(QMouseEvent *event)
 {
     if (event->button() == Qt::LeftButton)
-        letGo();
+        giveUp();
 }
 
 void Lamp::mouseMoveEvent(QMouseEvent *event)
@@ -114,7 +104,7 @@ void Lamp::mouseMoveEvent(QMouseEvent *event)
 
 void Lamp::timerEvent(QTimerEvent *event)
 {
-    if (event->timerId() != m_tick.timerId())
+    if (!m_hold.tick(*event))
         return QAbstractButton::timerEvent(event);
     if (holdProgress() >= 1.0)
         endHold(true);
@@ -138,7 +128,7 @@ void Lamp::changeEvent(QEvent *event)
 
 LampFace Lamp::face() const
 {
-    return {m_theme.theme(), font(), m_status, m_holding};
+    return {m_theme.theme(), font(), m_status, m_hold.isUnderWay()};
 }
 
 QSize Lamp::sizeHint() const

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/common/hold.h"
 #include "widgets/common/lampface.h"
 
 #include <QAbstractButton>
-#include <QBasicTimer>
-#include <QElapsedTimer>
 #include <QKeyEvent>
 
 namespace mb {
@@ -21,13 +20,11 @@ public:
     const LampStatus &status() const { return m_status; }
     void setStatus(const LampStatus &status);
     /// 0 … 1, how much of the hold has passed.
-    double holdProgress() const;
-    int holdMilliseconds() const { return m_hold; }
-    void setHoldMilliseconds(int milliseconds) { m_hold = milliseconds; }
+    double holdProgress() const { return m_hold.progress(); }
+    int holdMilliseconds() const { return m_hold.milliseconds(); }
+    void setHoldMilliseconds(int milliseconds) { m_hold.setMilliseconds(milliseconds); }
     /// Begins a hold as the mouse does; nothing while it is held, armed or moving, or nothing can be armed.
     void hold();
-    /// Ends a hold; before its time nothing happens.
-    void letGo() { endHold(holdProgress() >= 1.0); }
     /// Ends a hold for nothing.
     void giveUp() { endHold(false); }
     QSize sizeHint() const override;
@@ -63,10 +60,7 @@ private:
 
     const ThemeSource &m_theme;
     LampStatus m_status;
-    int m_hold = 1000;
-    bool m_holding = false;
-    QElapsedTimer m_held;
-    QBasicTimer m_tick;
+    Hold m_hold;
 };
 
 } // namespace mb

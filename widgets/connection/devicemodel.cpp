@@ -382,8 +382,7 @@ QVariant DeviceModel::axisData(const DeviceView &device, int axis, int role) con
 
 QVariant DeviceModel::channelData(const DeviceView &device, ChannelIndex channel, int role) const
 {
-    const Channel &row
-        = device.telemetry ? device.telemetry->channels()[channel.value] : device.family->channels[channel.value];
+    const Channel &row = device.channels()[channel.value];
     switch (role) {
     case Qt::DisplayRole: return channelName(row);
     case Qt::AccessibleTextRole: return signalName(device, channel);

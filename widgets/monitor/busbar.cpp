@@ -72,7 +72,7 @@ void BusBar::buildState(QVBoxLayout &column)
     for (QWidget *button : std::initializer_list<QWidget *>{m_pause, clear, save, m_send})
         row->addWidget(button);
     column.addLayout(row);
-    connect(m_links, &Segmented::currentChanged, this, &BusBar::linkChanged);
+    connect(m_links, &Segmented::currentChanged, this, &BusBar::linkChosen);
     connect(m_pause, &QPushButton::clicked, this, &BusBar::pauseRequested);
     connect(clear, &QToolButton::clicked, this, &BusBar::clearRequested);
     connect(m_send, &QPushButton::toggled, this, &BusBar::sendToggled);
@@ -134,28 +134,24 @@ void BusBar::applyFilter()
     Q_EMIT filterChanged(finds ? side : FrameFilter::both(typed, side), finds ? typed : FrameFilter());
 }
 
-void BusBar::setLinks(const QStringList &names)
+void BusBar::setLinks(const QStringList &names, int current)
 {
+    const QSignalBlocker quiet(m_links);
     while (m_links->count() < names.size())
         m_links->addSegment(names[m_links->count()]);
     while (m_links->count() > names.size())
         m_links->removeLast();
     for (int i = 0; i < names.size(); ++i)
         m_links->setText(i, names[i]);
-    m_names = names;
-    m_links->setVisible(m_names.size() > 1);
-    m_send->setEnabled(!m_names.isEmpty());
-    m_send->setChecked(m_send->isChecked() && !m_names.isEmpty());
+    if (current >= 0)
+        m_links->setCurrent(current);
+    m_links->setVisible(names.size() > 1);
 }
 
-int BusBar::link() const
+void BusBar::setSendable(bool sendable)
 {
-    return std::max(m_links->current(), 0);
-}
-
-void BusBar::setLink(int place)
-{
-    m_links->setCurrent(place);
+    m_send->setEnabled(sendable);
+    m_send->setChecked(m_send->isChecked() && sendable);
 }
 
 void BusBar::addButton(QWidget &button)

@@ -23,10 +23,10 @@ class BusBar : public QWidget {
 public:
     explicit BusBar(const ThemeSource &theme, QWidget *parent = nullptr);
 
-    /// More than before are added; fewer stay as they were, so that places do not move.
-    void setLinks(const QStringList &names);
-    [[nodiscard]] int link() const;
-    void setLink(int place);
+    /// Which there are, and which is looked at (−1: none); linkChosen() is what a person does.
+    void setLinks(const QStringList &names, int current);
+    /// Whether there is something to send on.
+    void setSendable(bool sendable);
     /// Stands before the other buttons. For the page's own.
     void addButton(QWidget &button);
     void setState(const QString &richText);
@@ -38,7 +38,7 @@ public:
     void focusFilter();
 
 Q_SIGNALS:
-    void linkChanged();
+    void linkChosen(int place);
     /// Filter, search or direction. Only well-formed ones; a search that is not used is empty.
     void filterChanged(const mb::FrameFilter &filter, const mb::FrameFilter &search);
     void findRequested(bool forward);
@@ -56,7 +56,6 @@ private:
     void applyFilter();
 
     const ThemeSource &m_theme;
-    QStringList m_names;
     Segmented *m_links = nullptr;
     QHBoxLayout *m_extra = nullptr;
     QLabel *m_state = nullptr;

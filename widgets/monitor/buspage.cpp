@@ -34,6 +34,12 @@ constexpr std::chrono::milliseconds refreshTime{50};
 constexpr int losslessBelow = 560; ///< units
 constexpr Duration idsTime = std::chrono::milliseconds(200);
 
+QString shownName(const std::string &address)
+{
+    const auto parsed = LinkAddress::parse(address);
+    return qt(parsed ? parsed->shortName() : address);
+}
+
 } // namespace
 
 BusPage::BusPage(Workbench &workbench, Arming &arming, const ThemeSource &theme, QWidget *parent)
@@ -118,7 +124,7 @@ void BusPage::buildKeys()
     keys->add({QKeySequence::Find}, tr("goes to the filter"), [this] { m_bar->focusFilter(); });
     keys->add({Qt::Key_F3}, tr("finds the next one"), [this] { find(true); });
     keys->add({QKeySequence(QStringLiteral("Shift+F3"))}, tr("finds the one before"), [this] { find(false); });
-    connect(m_bar, &BusBar::linkChanged, this, &BusPage::followLinks);
+    connect(m_bar, &BusBar::linkChosen, this, &BusPage::chooseLink);
     connect(m_bar, &BusBar::filterChanged, this, &BusPage::applyFilter);
     connect(m_bar, &BusBar::findRequested, this, &BusPage::find);
     connect(m_bar, &BusBar::pauseRequested, this, [this] { setPaused(!m_paused); });
@@ -139,51 +145,61 @@ void BusPage::setPaused(bool paused)
 
 const LinkView *BusPage::link() const
 {
-    const Snapshot &shot = m_workbench.snapshot();
-    const auto current = static_cast<std::size_t>(m_bar->link());
-    return current < shot.links.size() ? &shot.links[current] : nullptr;
+    return m_workbench.snapshot().link(m_address);
 }
 
 void BusPage::followLinks()
 {
-    if (const LinkView *shown = link(); m_side->keepLoads(m_workbench.snapshot()) && shown && isVisible())
-        m_side->showLoads(shown->address);
+    const Snapshot &shot = m_workbench.snapshot();
+    if (m_side->keepLoads(shot) && link() && isVisible())
+        m_side->showLoads(m_address);
     if (!isVisible())
         return;
-    QStringList names;
-    for (const LinkView &link : m_workbench.snapshot().links)
-        names += QString::fromStdString(link.name);
-    m_bar->setLinks(names);
-    followWanted();
+    if (m_address.empty() && !shot.links.empty())
+        m_address = shot.links.front().address;
+    nameLinks();
     const LinkView *shown = link();
-    m_lists->setCurrentIndex(shown || m_model->rowCount() > 0 ? 1 : 0); // what a link that is closed left stays
-    if (!shown)
-        return;
+    m_lists->setCurrentIndex(!shot.links.empty() || m_model->rowCount() > 0 ? 1 : 0);
+    m_bar->setSendable(shown != nullptr);
+    m_send->setLink(shown ? m_address : std::string());
+    m_record->setLink(m_address);
+    m_replay->setLink(m_address);
+    if (!shown) // what a link that is closed left stays
+        return m_bar->setState(m_address.empty() ? QString() : tr("%1 is not open").arg(shownName(m_address)));
+    m_source = {shown->name, shown->simulated};
     const FrameDecoder decoder = decoderFor(m_workbench.snapshot(), shown->address);
     m_model->setDecoder(decoder);
     m_ids->setDecoder(decoder);
     m_model->setSource(shown->traffic);
     m_ids->setSource(shown->traffic);
-    m_send->setLink(shown->address);
-    m_record->setLink(shown->address);
-    m_replay->setLink(shown->address);
+}
+
+/// The one that is looked at is named last where it is not open.
+void BusPage::nameLinks()
+{
+    QStringList names;
+    m_offered.clear();
+    for (const LinkView &link : m_workbench.snapshot().links) {
+        names += qt(link.name);
+        m_offered.push_back(link.address);
+    }
+    if (!m_address.empty() && !link()) {
+        names += shownName(m_address);
+        m_offered.push_back(m_address);
+    }
+    const auto current = std::find(m_offered.begin(), m_offered.end(), m_address);
+    m_bar->setLinks(names, current == m_offered.end() ? -1 : static_cast<int>(current - m_offered.begin()));
+}
+
+void BusPage::chooseLink(int place)
+{
+    showLink(m_offered.at(static_cast<std::size_t>(place)));
 }
 
 void BusPage::showLink(const std::string &address)
 {
-    m_wanted = address;
+    m_address = address;
     followLinks();
-}
-
-void BusPage::followWanted()
-{
-    const std::vector<LinkView> &links = m_workbench.snapshot().links;
-    const auto found
-        = std::find_if(links.begin(), links.end(), [this](const LinkView &l) { return l.address == m_wanted; });
-    if (m_wanted.empty() || found == links.end())
-        return;
-    m_wanted.clear(); // first: this comes here again
-    m_bar->setLink(static_cast<int>(found - links.begin()));
 }
 
 void BusPage::applyFilter(const FrameFilter &filter, const FrameFilter &search)
@@ -255,18 +271,14 @@ void BusPage::showSelected()
 
 Duration BusPage::exportShift() const
 {
-    const LinkView *shown = link();
-    return shown && shown->simulated ? -m_model->origin().time_since_epoch() : m_workbench.unixOffset();
+    return m_source.simulated ? -m_model->origin().time_since_epoch() : m_workbench.unixOffset();
 }
 
 QString BusPage::selectedText() const
 {
-    const LinkView *shown = link();
-    if (!shown)
-        return {};
     std::string text;
     for (const int row : m_tables->selected())
-        text += trafficLine(m_model->row(row).record, shown->name, exportShift()) + '\n';
+        text += trafficLine(m_model->row(row).record, m_source.name, exportShift()) + '\n';
     return QString::fromStdString(text);
 }
 
@@ -283,16 +295,13 @@ void BusPage::askWhereTo(bool all)
 
 void BusPage::exportTo(const QString &path, bool all)
 {
-    const LinkView *shown = link();
-    if (!shown)
-        return;
     const auto &kept = m_model->kept();
     const int count = all ? static_cast<int>(kept.size()) : m_model->rowCount();
     const auto at = [&](int i) -> const TrafficRecord & {
         return all ? kept[static_cast<std::size_t>(i)].record : m_model->row(i).record;
     };
-    const QString name = QString::fromStdString(shown->name);
-    const auto written = exportTraffic(path, count, at, shown->name, exportShift());
+    const QString name = qt(m_source.name);
+    const auto written = exportTraffic(path, count, at, m_source.name, exportShift());
     if (!written)
         m_workbench.report(Severity::Danger, name, errorText(written.error()));
     else

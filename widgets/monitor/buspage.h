@@ -57,7 +57,8 @@ private:
     void buildColumn();
     void buildKeys();
     void followLinks();
-    void followWanted();
+    void nameLinks();
+    void chooseLink(int place);
     void showState(const LinkView &link);
     void showSelected();
     void applyFilter(const FrameFilter &filter, const FrameFilter &search);
@@ -75,7 +76,12 @@ private:
     SendPanel *m_send = nullptr;
     RecordStrip *m_record = nullptr;
     ReplayBar *m_replay = nullptr;
-    std::string m_wanted;              ///< to be shown once it is there
+    std::string m_address;              ///< of the link that is looked at, which may be closed or not open yet
+    std::vector<std::string> m_offered; ///< addresses, as the bar has them
+    struct {
+        std::string name;
+        bool simulated = false;
+    } m_source;                        ///< of what the lists show
     QStackedWidget *m_lists = nullptr; ///< or that there is no link
     QSplitter *m_outer = nullptr;
     BusTables *m_tables = nullptr;

@@ -84,16 +84,18 @@ void RecordStrip::askWhereTo()
     connect(dialog, &QFileDialog::filterSelected, dialog, [dialog, ascii](const QString &filter) {
         dialog->setDefaultSuffix(filter == ascii ? QStringLiteral("asc") : QStringLiteral("log"));
     });
-    connect(dialog, &QFileDialog::fileSelected, this, &RecordStrip::recordTo);
+    connect(dialog, &QFileDialog::fileSelected, this, [this, address = m_link](const QString &path) {
+        record(address, path); // another link may be shown meanwhile
+    });
     dialog->open();
 }
 
-void RecordStrip::recordTo(const QString &path)
+void RecordStrip::record(const std::string &address, const QString &path)
 {
-    const LinkView *link = m_workbench.snapshot().link(m_link);
+    const LinkView *link = m_workbench.snapshot().link(address);
     const QString name = link ? QString::fromStdString(link->name) : QString();
     m_dismissed.clear();
-    m_workbench.send(orders::StartRecording{m_link, QFile::encodeName(path).toStdString()},
+    m_workbench.send(orders::StartRecording{address, QFile::encodeName(path).toStdString()},
         [to = &m_workbench, name](const Result<void> &begun) {
             if (!begun)
                 to->report(

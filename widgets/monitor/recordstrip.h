@@ -26,13 +26,14 @@ public:
     [[nodiscard]] CommandButton &button() { return *m_button; }
     /// Address of the link.
     void setLink(const std::string &link);
-    /// Begins at once. Reports failure to the log.
-    void recordTo(const QString &path);
+    /// Begins at once, with the link that is set. Reports failure to the log.
+    void recordTo(const QString &path) { record(m_link, path); }
 
 private:
     void build();
     void activate();
     void askWhereTo();
+    void record(const std::string &address, const QString &path);
     void follow();
     void show(const RecordingState &recording);
     void dismiss();

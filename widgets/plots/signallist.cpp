@@ -105,7 +105,10 @@ void SignalList::setDevices(const std::vector<DeviceView> &devices)
 {
     QString shown;
     for (const DeviceView &device : devices)
-        shown += QStringLiteral("%1#%2 ").arg(device.id.value).arg(device.identity->address);
+        shown += QStringLiteral("%1#%2@%3 ")
+                     .arg(device.id.value)
+                     .arg(device.identity->address)
+                     .arg(reinterpret_cast<quintptr>(device.channels().data())); // of other units
     if (shown == m_shown)
         return;
     m_shown = shown;
@@ -144,8 +147,8 @@ void SignalList::fill()
     for (const DeviceView &device : m_devices) {
         if (device.identity->state == DeviceState::Bootloader)
             continue;
-        for (std::uint16_t i = 0; i < device.family->channels.size(); ++i) {
-            const Channel &row = device.family->channels[i];
+        for (std::uint16_t i = 0; i < device.channels().size(); ++i) {
+            const Channel &row = device.channels()[i];
             const QString name = signalName(device, {i});
             add({device.id, {i}}, name, shownUnit(row.quantity, row.unit, {}).text,
                 tr("%1\ndouble click plots it, drag it to a pane or below them").arg(name));

@@ -52,6 +52,12 @@ bool ReportEntry::contains(const QString &search) const
     return (text() + QLatin1Char(' ') + words).contains(search, Qt::CaseInsensitive);
 }
 
+bool ReportEntry::isSameAs(const ReportEntry &other) const
+{
+    return kind == other.kind && visit.id == other.visit.id && unit.selector == other.unit.selector
+        && unit.unit == other.unit.unit && wish.trials == other.wish.trials;
+}
+
 ReportEntry entryOf(const service::Visit &visit, const Family *family)
 {
     ReportEntry entry;

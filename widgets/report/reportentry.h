@@ -24,6 +24,8 @@ struct ReportEntry {
     /// Two lines: what it is, and when.
     [[nodiscard]] QString text() const;
     [[nodiscard]] bool contains(const QString &search) const;
+    /// The same thing, though it may be known better since.
+    [[nodiscard]] bool isSameAs(const ReportEntry &other) const;
 };
 
 /// As the journal has it. `family`: of the unit; nullptr: this program does not know it.

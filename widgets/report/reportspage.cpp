@@ -28,6 +28,7 @@
 #include <QTextBrowser>
 
 #include <algorithm>
+#include <utility>
 
 namespace mb {
 namespace {
@@ -153,7 +154,7 @@ void ReportsPage::addNote(QVBoxLayout &column, QWidget *area)
     row->setContentsMargins(theme.u(12), 0, theme.u(12), theme.u(8));
     row->addWidget(m_note);
     column.addLayout(row);
-    connect(m_note, &QLineEdit::editingFinished, this, &ReportsPage::keepNote);
+    connect(m_note, &QLineEdit::editingFinished, this, &ReportsPage::noteEdited);
 }
 
 void ReportsPage::addKeys()
@@ -283,7 +284,7 @@ void ReportsPage::fill()
     std::stable_sort(all.begin(), all.end(), [](const ReportEntry *a, const ReportEntry *b) {
         return (a->time == 0.0) != (b->time == 0.0) ? a->time == 0.0 : a->time > b->time;
     });
-    const int before = m_list->currentRow();
+    int row = m_list->currentRow();
     const QSignalBlocker quiet(m_list);
     m_list->clear();
     int visits = 0;
@@ -293,6 +294,8 @@ void ReportsPage::fill()
         auto *item = new QListWidgetItem(entry->text(), m_list);
         if (entry->glyph)
             item->setIcon(glyphIcon(*entry->glyph, m_theme.theme()));
+        if (m_chosen && entry->isSameAs(*m_chosen))
+            row = m_list->count() - 1;
         const bool visit = entry->kind == ReportEntry::Kind::Visit;
         visits += visit;
         item->setData(Qt::UserRole, static_cast<int>(entry - (visit ? m_journal : m_entries).data()));
@@ -300,7 +303,7 @@ void ReportsPage::fill()
     }
     m_table->setEnabled(visits > 0);
     m_states->setCurrentIndex(all.empty() ? 0 : 1);
-    m_list->setCurrentRow(std::clamp(before, m_list->count() > 0 ? 0 : -1, m_list->count() - 1));
+    m_list->setCurrentRow(std::clamp(row, m_list->count() > 0 ? 0 : -1, m_list->count() - 1));
     preview();
 }
 
@@ -316,15 +319,19 @@ const ReportEntry *ReportsPage::chosen() const
 void ReportsPage::preview()
 {
     const ReportEntry *entry = chosen();
-    m_export->setEnabled(entry != nullptr);
-    const bool visit = entry && entry->kind == ReportEntry::Kind::Visit;
-    m_note->setVisible(visit);
-    if (!m_note->hasFocus())
-        m_note->setText(visit ? qt(entry->visit.note) : QString());
+    m_chosen = entry ? std::optional(*entry) : std::nullopt;
+    m_export->setEnabled(m_chosen.has_value());
     const int asked = ++m_shown;
-    if (!entry)
-        return m_text->clear();
-    m_order->make(entry->unit, entry->wish, [self = QPointer<ReportsPage>(this), asked](const Result<Report> &report) {
+    if (m_chosen)
+        lookAt(*m_chosen, asked);
+    else
+        m_text->clear();
+    bindNote();
+}
+
+void ReportsPage::lookAt(const ReportEntry &entry, int asked)
+{
+    m_order->make(entry.unit, entry.wish, [self = QPointer<ReportsPage>(this), asked](const Result<Report> &report) {
         if (!self || self->m_shown != asked)
             return;
         if (!report)
@@ -334,6 +341,23 @@ void ReportsPage::preview()
         self->m_text->setHtml(drawings->takeFrom(htmlOf(*report, self->m_order->form())));
         delete std::exchange(self->m_drawings, drawings);
     });
+}
+
+/// The note is on what is chosen. What was begun on another entry is kept there; what is being typed on this one stays.
+void ReportsPage::bindNote()
+{
+    const bool visit = m_chosen && m_chosen->kind == ReportEntry::Kind::Visit;
+    const std::string id = visit ? m_chosen->visit.id : std::string();
+    const QString typed = m_note->text();
+    const bool begun = typed != m_noted.kept;
+    m_note->setVisible(visit);
+    if (begun && id == m_noted.of)
+        return;
+    const std::string before = std::exchange(m_noted.of, id);
+    m_noted.kept = visit ? qt(m_chosen->visit.note) : QString();
+    m_note->setText(m_noted.kept);
+    if (begun && !before.empty())
+        keepNote(before, typed, {});
 }
 
 QString ReportsPage::previewText() const
@@ -347,17 +371,25 @@ void ReportsPage::setForm(int form)
     preview();
 }
 
-void ReportsPage::keepNote()
+void ReportsPage::noteEdited()
 {
-    const ReportEntry *entry = chosen();
-    if (!entry || entry->kind != ReportEntry::Kind::Visit || qt(entry->visit.note) == m_note->text())
+    if (m_noted.of.empty() || m_note->text() == m_noted.kept)
         return;
+    const QString before = std::exchange(m_noted.kept, m_note->text());
+    keepNote(m_noted.of, m_noted.kept, before);
+}
+
+/// `before`: what the journal has where it does not take it.
+void ReportsPage::keepNote(const std::string &visit, const QString &note, const QString &before)
+{
     m_workbench.visits().setNote(
-        entry->visit.id, m_note->text(), [self = QPointer<ReportsPage>(this)](const Result<void> &result) {
+        visit, note, [self = QPointer<ReportsPage>(this), visit, before](const Result<void> &result) {
             if (!self)
                 return;
             if (!result)
                 self->m_workbench.report(Severity::Danger, {}, errorText(result.error()));
+            if (!result && self->m_noted.of == visit)
+                self->m_noted.kept = before; // still to be kept
             self->askJournal();
         });
 }

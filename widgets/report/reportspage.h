@@ -6,6 +6,7 @@
 
 #include <QWidget>
 
+#include <optional>
 #include <span>
 
 class QComboBox;
@@ -58,8 +59,11 @@ private:
     void take(const ReportUnit &here, const ReportUnit &unit);
     void fill();
     void preview();
+    void lookAt(const ReportEntry &entry, int asked);
+    void bindNote();
     void setForm(int form);
-    void keepNote();
+    void noteEdited();
+    void keepNote(const std::string &visit, const QString &note, const QString &before);
     void exportChosen();
     void askTable();
     [[nodiscard]] bool isShown(const ReportEntry &entry) const;
@@ -71,12 +75,17 @@ private:
     QString m_asked; ///< of whom it was asked, to ask once
     std::vector<ReportEntry> m_entries;
     std::vector<ReportEntry> m_journal;
+    std::optional<ReportEntry> m_chosen; ///< found again when the list is another
     QStackedWidget *m_states = nullptr;
     SearchField *m_search = nullptr;
     Segmented *m_filter = nullptr;
     QListWidget *m_list = nullptr;
     QTextBrowser *m_text = nullptr;
     QLineEdit *m_note = nullptr;
+    struct {
+        std::string of; ///< id of the visit; empty: there is none
+        QString kept;   ///< as the journal has it, or will have it
+    } m_noted;
     QComboBox *m_form = nullptr;
     ReportDrawings *m_drawings = nullptr;
     CommandButton *m_export = nullptr;
