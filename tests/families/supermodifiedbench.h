@@ -124,6 +124,14 @@ inline SetPoint setPoint(Mode mode, double target)
     return made;
 }
 
+inline SetPoint ramp(double target, double velocity, double acceleration)
+{
+    SetPoint made = setPoint(Mode::RampPosition, target);
+    made.velocity = velocity;
+    made.acceleration = acceleration;
+    return made;
+}
+
 /// One simulated node of dialect D1, found and open.
 class OneNode : public testing::Test {
 protected:

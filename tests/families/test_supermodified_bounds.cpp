@@ -11,6 +11,7 @@ namespace {
 using namespace std::chrono_literals;
 using mb::test::run;
 using test::Bench;
+using test::ramp;
 using test::setPoint;
 using SupermodifiedBoundsNode = test::OneNode;
 
@@ -28,14 +29,6 @@ struct Heard {
     std::vector<SimulatorEvent> log;
     Subscription events;
 };
-
-SetPoint ramp(double target, double velocity, double acceleration)
-{
-    SetPoint made = setPoint(Mode::RampPosition, target);
-    made.velocity = velocity;
-    made.acceleration = acceleration;
-    return made;
-}
 
 // supermodified/README.md#hang
 
@@ -393,7 +386,12 @@ struct SupermodifiedJudgement : testing::Test {
         node.dialect = dialect;
         SetPoint order = setPoint(mode, target);
         order.relative = relative;
-        const auto judged = MoveBounds(node, known).checkReach(order, position);
+        MotionCount count;
+        count.started();
+        if (position)
+            count.told(*position);
+        const auto judged
+            = MoveBounds(node, known).checkReach(order, position ? count.stepOf(order, true) : std::nullopt);
         return judged ? std::nullopt : std::optional(judged.error().fault);
     }
     [[nodiscard]] std::optional<double> overrun(Dialect dialect, const SetPoint &order, double distance)
@@ -460,9 +458,12 @@ TEST_F(SupermodifiedJudgement, AStepStaysBelowWhatOverflowsTheLoop)
         EXPECT_EQ(reach(dialect, Mode::Position, -600000.0, 473740), good);
         EXPECT_EQ(reach(dialect, Mode::Position, -600000.0, 473741), bad);
         EXPECT_EQ(reach(dialect, Mode::Position, 5.0, std::nullopt), unsafe) << "from where";
-        EXPECT_EQ(reach(dialect, Mode::Position, 5.0, std::nullopt, true), good)
-            << "a relative one is its own distance";
-        EXPECT_EQ(reach(dialect, Mode::Position, 1073741.0, 1073741, true), bad);
+        EXPECT_EQ(reach(dialect, Mode::Position, 5.0, std::nullopt, true), unsafe);
+        EXPECT_EQ(reach(dialect, Mode::Position, 0.0, std::nullopt, true), good) << "it is a halt";
+        EXPECT_EQ(reach(dialect, Mode::Position, 1073740.0, 0, true), good);
+        EXPECT_EQ(reach(dialect, Mode::Position, 1073741.0, 0, true), bad);
+        EXPECT_EQ(reach(dialect, Mode::Position, 1073741.0, 1073741, true), good) << "it counts from the set-point";
+        EXPECT_EQ(reach(dialect, Mode::Position, 5.0, -1073740, true), bad);
         EXPECT_EQ(reach(dialect, Mode::RampPosition, 1073741.0, 0), good) << "a profile has no step";
     }
     EXPECT_EQ(reach(Dialect::D3, Mode::Position, 1e12, 0), good);

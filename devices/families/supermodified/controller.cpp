@@ -94,7 +94,7 @@ Result<void> Controller::doMayMove() const
 
 Message Controller::caution(const SetPoint &setPoint) const
 {
-    return m_motion.caution(setPoint);
+    return m_motion.bounds().caution(setPoint);
 }
 
 Result<void> Controller::doCommand(const SetPoint &setPoint)
@@ -243,6 +243,16 @@ void Controller::updateLiveness()
 }
 
 // What asks and waits
+
+Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
+{
+    if (parameters().parameter(index).id == id::gainP && m_motion.isEnergized()) {
+        if (auto bearable = m_motion.bounds().checkGain(raw, m_motion.count().error()); !bearable)
+            co_return fail(bearable.error());
+    }
+    auto writing = m_settings.write(index, raw);
+    co_return co_await std::move(writing);
+}
 
 Task<void> Controller::refresh()
 {

@@ -44,7 +44,7 @@ public:
 private:
     // Device, what asks and waits
     Task<std::int64_t> doRead(ParameterIndex index) override { return m_settings.read(index); }
-    Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) override { return m_settings.write(index, raw); }
+    Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) override;
 
     // Device, at once
     [[nodiscard]] Result<void> doMayMove() const override;

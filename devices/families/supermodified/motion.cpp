@@ -35,9 +35,9 @@ Result<void> Motion::check(const SetPoint &setPoint) const
         return mb::fail(fits.error());
     if (auto good = bounds().checkProfile(setPoint); !good)
         return good;
-    const auto where = m_count.position();
-    return where || setPoint.relative ? bounds().checkReach(setPoint, where)
-                                      : Result<void>(); // a move looks before it goes
+    if (!m_count.ofNode() && !setPoint.relative)
+        return {}; // a move looks before it goes
+    return bounds().checkReach(setPoint, m_count.stepOf(setPoint, m_energized));
 }
 
 // Set-points
@@ -93,7 +93,7 @@ Result<Line::Request> Motion::requestFor(Step step) const
 {
     const SetPoint &order = m_orders.front();
     if (step == Step::Start || step == Step::Move) { // the position is known now
-        if (auto reachable = bounds().checkReach(order, m_count.position()); !reachable)
+        if (auto reachable = bounds().checkReach(order, m_count.stepOf(order, m_energized)); !reachable)
             return mb::fail(reachable.error());
     }
     switch (step) {
@@ -189,6 +189,7 @@ void Motion::done(Step step, const Frame &reply)
     case Step::Move:
         m_applied = order;
         beginRun(order);
+        m_count.took(order);
         m_looked = false;
         m_orders.pop_front();
         m_events.changed();
@@ -242,6 +243,10 @@ Result<void> Motion::release()
         return mb::fail(Fault::Unsafe, *m_failure);
     if (isBusy())
         return mb::fail(Fault::Unsafe, say("a buffered move is not acknowledged yet"), say("try again"));
+    if (m_applied && m_applied->buffered && !m_applied->relative) { // from where the motor is by now
+        if (auto reachable = bounds().checkReach(*m_applied, m_count.stepOf(*m_applied, m_energized)); !reachable)
+            return reachable;
+    }
     Line::Request tell = telling(m_node, Command::DoMove);
     tell.rank = Line::Rank::Move;
     m_releaseTicket = m_line.submit(tell, [](const Result<Frame> &) {});
@@ -276,6 +281,7 @@ void Motion::tripped(Message why)
 
 void Motion::doubt()
 {
+    m_count.doubted();
     if (std::exchange(m_knownOff, false))
         m_events.changed();
 }

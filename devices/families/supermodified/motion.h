@@ -31,8 +31,8 @@ public:
 
     /// Whether the node could do it: Unsupported, OutOfRange. A node of unknown dialect is taken for the widest.
     [[nodiscard]] Result<void> check(const SetPoint &setPoint) const;
-    /// What is worth knowing of one that is legal: settings that it changes for good, targets that it may pass.
-    [[nodiscard]] Message caution(const SetPoint &setPoint) const { return bounds().caution(setPoint); }
+    /// By what is known of the node now.
+    [[nodiscard]] MoveBounds bounds() const { return {m_node, m_line.roster().entry(m_node.id)}; }
     /// Takes a set-point; what it needs is sent one after the other. Fails with why the motion before it ended (stall, no
     /// answer) until stop() was called, and while a stop is not acknowledged.
     [[nodiscard]] Result<void> command(const SetPoint &setPoint);
@@ -66,7 +66,6 @@ public:
 
 private:
     enum class Step { Stop, Look, Start, Velocity, Acceleration, Move };
-    [[nodiscard]] MoveBounds bounds() const { return {m_node, m_line.roster().entry(m_node.id)}; }
     void beginRun(const SetPoint &setPoint);
     void pump();
     [[nodiscard]] Step nextStep() const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/supermodified/movebounds.h"
 
+#include "families/supermodified/movecommand.h"
 #include "model/parameter.h"
 
 #include <algorithm>
@@ -18,16 +19,12 @@ constexpr double leastOverrun = 100.0; ///< ticks that a loop may swing past its
 constexpr double widest = 4294967295.0;
 constexpr double narrowest = 65535.0;
 
-} // namespace
+double farthestWith(std::int64_t p)
+{
+    return std::floor(unreachable / static_cast<double>(p)) - 1.0;
+}
 
-bool isPosition(Mode mode)
-{
-    return mode == Mode::Position || mode == Mode::RampPosition;
-}
-bool isProfiled(Mode mode)
-{
-    return mode == Mode::RampPosition || mode == Mode::RampVelocity;
-}
+} // namespace
 
 Result<void> checkNumber(const MessageArgument &name, double value, double low, double high, std::string_view unit)
 {
@@ -50,23 +47,34 @@ Result<void> MoveBounds::checkProfile(const SetPoint &setPoint) const
         say("read profile.velocity and profile.acceleration"));
 }
 
-Result<void> MoveBounds::checkReach(const SetPoint &setPoint, std::optional<std::int64_t> position) const
+Result<void> MoveBounds::checkReach(const SetPoint &setPoint, std::optional<MotionCount::Step> step) const
 {
-    if (setPoint.mode != Mode::Position || !isNarrow())
+    if (setPoint.mode != Mode::Position || !isNarrow() || isHold(setPoint) || m_known.gainP == 0)
         return {};
-    if (!m_known.gainP || (!position && !setPoint.relative))
+    if (m_known.gainP && !step && setPoint.relative)
+        return fail(Fault::Unsafe,
+            say("after a move with a velocity or a profile it is not known from where this distance counts"),
+            say("halt it first, or give a position"));
+    if (!m_known.gainP || !step)
         return fail(Fault::Unsafe,
             say("its P or its position is not known, so whether this step overflows its loop is not either"),
             say("read gain.p"));
-    if (*m_known.gainP == 0)
-        return {};
-    const double distance
-        = setPoint.relative ? setPoint.target : setPoint.target - static_cast<double>(position.value_or(0));
-    const double farthest = std::floor(unreachable / static_cast<double>(*m_known.gainP)) - 1.0;
+    const double distance = step->farther();
+    const double farthest = farthestWith(*m_known.gainP);
     if (std::abs(distance) <= farthest)
         return {};
     return fail(Fault::OutOfRange, say("a step of %1 counts overflows the loop of this firmware", distance),
         say("at most %1 with its P: use a profiled mode or several moves", farthest));
+}
+
+Result<void> MoveBounds::checkGain(std::int64_t p, std::optional<MotionCount::Step> error) const
+{
+    if (!isNarrow() || !error || p == 0 || std::abs(error->farther()) <= farthestWith(p))
+        return {};
+    return fail(Fault::OutOfRange,
+        say("the motor may be %1 counts from where its loop holds it, and with this P that overflows",
+            error->farther()),
+        say("stop it first"));
 }
 
 std::optional<double> MoveBounds::velocity(const SetPoint &setPoint) const

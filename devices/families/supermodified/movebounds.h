@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "families/supermodified/motioncount.h"
 #include "families/supermodified/node.h"
 #include "model/setpoint.h"
 
@@ -22,9 +23,11 @@ public:
     /// OutOfRange for a velocity or acceleration of the profile that the firmware cannot do; Unsafe for a profiled move whose
     /// profile is not known, because it could not be told whether it passes its target (README.md#passed-target).
     [[nodiscard]] Result<void> checkProfile(const SetPoint &setPoint) const;
-    /// An un-profiled move is one step of the error, which the loop of D1 and D2 multiplies by P in 32 bits (4). `position` is
-    /// where the motor is, as the set-point counts. OutOfRange, or Unsafe when P or the position is not known.
-    [[nodiscard]] Result<void> checkReach(const SetPoint &setPoint, std::optional<std::int64_t> position) const;
+    /// An un-profiled move is one step of the error, which the loop of D1 and D2 multiplies by P in 32 bits (README.md#overflow).
+    /// OutOfRange, or Unsafe when P or the step is not known.
+    [[nodiscard]] Result<void> checkReach(const SetPoint &setPoint, std::optional<MotionCount::Step> step) const;
+    /// The same of a P that is written while the motor is driven.
+    [[nodiscard]] Result<void> checkGain(std::int64_t p, std::optional<MotionCount::Step> error) const;
     /// Settings that it changes for good, targets that it may pass; empty most of the time.
     [[nodiscard]] Message caution(const SetPoint &setPoint) const;
     /// Ticks behind its target from which a profiled move over this distance has gone wrong; nothing where none does.
@@ -40,8 +43,6 @@ private:
     const Roster::Entry &m_known;
 };
 
-[[nodiscard]] bool isPosition(Mode mode);
-[[nodiscard]] bool isProfiled(Mode mode);
 /// OutOfRange with the legal range.
 [[nodiscard]] Result<void> checkNumber(
     const MessageArgument &name, double value, double low, double high, std::string_view unit);

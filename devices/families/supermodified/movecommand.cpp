@@ -1,9 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/supermodified/movecommand.h"
 
-#include "families/supermodified/movebounds.h"
+#include <array>
 
 namespace mb::supermodified {
+
+bool isPosition(Mode mode)
+{
+    return mode == Mode::Position || mode == Mode::RampPosition;
+}
+
+bool isProfiled(Mode mode)
+{
+    return mode == Mode::RampPosition || mode == Mode::RampVelocity;
+}
 
 Result<Command> commandFor(const SetPoint &setPoint)
 {

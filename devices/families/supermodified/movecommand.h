@@ -7,6 +7,8 @@
 
 namespace mb::supermodified {
 
+[[nodiscard]] bool isPosition(Mode mode);
+[[nodiscard]] bool isProfiled(Mode mode);
 /// The command that carries a set-point; Unsupported for a mode that the firmware does not have.
 [[nodiscard]] Result<Command> commandFor(const SetPoint &setPoint);
 /// A relative move by nothing: the motor is held where it is.
