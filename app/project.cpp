@@ -109,7 +109,7 @@ Project Project::of(const Snapshot &shot, const EnvelopeBook &limits)
     for (const DeviceView &device : shot.devices) {
         ProjectUnit unit;
         unit.selector = device.selector;
-        unit.unit = tuning::unitOf(device.identity, device.selector, device.link.starts_with("sim:"));
+        unit.unit = device.unit;
         unit.title = titleOf(device).toStdString();
         unit.name = device.identity->name;
         unit.serial = device.identity->serial;

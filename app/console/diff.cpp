@@ -6,8 +6,8 @@
 #include "app/console/table.h"
 #include "app/console/verb.h"
 #include "model/parameterfile.h"
+#include "model/unit.h"
 #include "settings/comparison.h"
-#include "settings/unit.h"
 
 #include <QJsonArray>
 
@@ -43,7 +43,7 @@ Task<void> readDevice(Console &console, Part &part)
     if (const auto error = firstError(*device, outcomes))
         co_return fail(*error);
     part.family = &device->family();
-    part.unit = settings::unitOf(*device).key;
+    part.unit = unitKeyOf(*device);
     part.side = settings::sideOf(*device);
     co_return {};
 }

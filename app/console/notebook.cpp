@@ -6,6 +6,7 @@
 #include "app/folders/account.h"
 #include "app/folders/userfolders.h"
 #include "experiment/owedgains.h"
+#include "model/unit.h"
 #include "settings/snapshots.h"
 
 namespace mb::console {
@@ -65,8 +66,11 @@ Task<void> Notebook::settleOwed(Device &device, bool agreed)
     const auto owed = co_await std::move(looking).attempt();
     if (!owed)
         co_return {};
+    const UnitBy by = unitByOf(m_settings ? m_settings->resolved(unitKeyOf(device)) : unitKeyOf(device));
+    const std::string caveat(unitCaveatOf(by));
     for (const tuning::OwedGains &debt : *owed) {
-        const std::string what = "trial " + std::to_string(debt.trial) + " did not put back what it changed";
+        const std::string what = "trial " + std::to_string(debt.trial) + " did not put back what it changed"
+            + (caveat.empty() ? "" : " (" + caveat + ")");
         const std::string values = tuning::assignmentsOf(device.family(), debt.values);
         bool puts = agreed;
         if (!puts) {

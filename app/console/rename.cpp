@@ -2,7 +2,7 @@
 #include "app/console/notebook.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
-#include "settings/unit.h"
+#include "model/unit.h"
 
 #include <algorithm>
 #include <memory>
@@ -40,11 +40,11 @@ Result<int> tag(Console &console, const Device &device, const std::string &name)
     Notebook notebook(console);
     if (notebook.trouble())
         return fail(*notebook.trouble());
-    const std::string place = settings::unitOf(device).key;
-    const std::string old(settings::tagIn(notebook.settings()->resolved(place)));
+    const std::string place = unitKeyOf(device);
+    const std::string old(unitTagIn(notebook.settings()->resolved(place)));
     if (auto kept = notebook.settings()->setTag(place, name); !kept)
         return fail(kept.error());
-    const bool verified = settings::tagIn(notebook.settings()->resolved(place)) == name;
+    const bool verified = unitTagIn(notebook.settings()->resolved(place)) == name;
     show(console, device, old, name, verified, "kept on this computer");
     return exitDone;
 }

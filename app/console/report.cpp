@@ -8,6 +8,7 @@
 #include "app/folders/userfolders.h"
 #include "async/outputfile.h"
 #include "experiment/verdict.h"
+#include "model/unit.h"
 #include "storage/reportmatter.h"
 
 #include <algorithm>
@@ -85,7 +86,7 @@ Task<ReportUnit> readUnit(Console &console, Target target)
     ReportUnit unit;
     unit.family = &device->family();
     unit.selector = device->selector();
-    unit.unit = tuning::unitOf(*device);
+    unit.unit = unitKeyOf(*device);
     unit.simulated = device->link().address().isSimulated();
     if (needsApplication(*device)) {
         ProgressLine progress(console);

@@ -7,7 +7,7 @@
 #include "app/console/table.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
-#include "settings/unit.h"
+#include "model/unit.h"
 #include "settings/writing.h"
 
 #include <QJsonArray>
@@ -124,12 +124,10 @@ Result<std::optional<NamedSettings>> nameSource(
 Task<void> mayPutBack(Console &console, const Device &device, SettingsBook &book, const NamedSettings &named,
     const RestoreArguments &arguments)
 {
-    const settings::Unit::By by = settings::byOf(book.resolved(settings::unitOf(device).key));
-    if (named.kind != NamedSettings::Kind::Snapshot || by != settings::Unit::By::Place || arguments.dryRun
-        || arguments.yes)
+    const UnitBy by = unitByOf(book.resolved(unitKeyOf(device)));
+    if (named.kind != NamedSettings::Kind::Snapshot || by != UnitBy::Place || arguments.dryRun || arguments.yes)
         co_return {};
-    const Message cause
-        = say("%1 has no serial number: the snapshot is of %2", device.selector(), settings::caveatOf(by));
+    const Message cause = say("%1 has no serial number: the snapshot is of %2", device.selector(), unitCaveatOf(by));
     auto asking = isAgreedTo(console, cause.english() + "; write it?");
     if (co_await std::move(asking))
         co_return {};
@@ -209,7 +207,7 @@ Task<int> restore(Console &console, RestoreArguments arguments)
     console.onlyAsk();
     Notebook notebook(console);
     if (*source && !file) {
-        const std::string unit = settings::unitOf(*device).key;
+        const std::string unit = unitKeyOf(*device);
         auto loaded = parsed(arguments.file, loadSettings(**source, &notebook, unit), *target->family);
         if (!loaded)
             co_return fail(loaded.error());

@@ -5,7 +5,7 @@
 #include "app/console/table.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
-#include "settings/unit.h"
+#include "model/unit.h"
 
 #include <QDateTime>
 #include <QJsonArray>
@@ -42,8 +42,8 @@ std::string timeOf(const ParameterSnapshot &snapshot)
 /// What there is to say of the unit for people.
 std::string whose(const ParameterSnapshot &snapshot)
 {
-    const std::string_view caveat = settings::caveatOf(settings::byOf(snapshot.unit));
-    const std::string_view tag = settings::tagIn(snapshot.unit);
+    const std::string_view caveat = unitCaveatOf(unitByOf(snapshot.unit));
+    const std::string_view tag = unitTagIn(snapshot.unit);
     if (!tag.empty())
         return std::string(tag);
     return caveat.empty() ? snapshot.serial : std::string(caveat);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/engine/encounters.h"
 
+#include "model/unit.h"
 #include "settings/history.h"
 #include "settings/snapshots.h"
-#include "settings/unit.h"
 
 namespace mb {
 namespace {
@@ -35,7 +35,7 @@ void Encounters::look()
 {
     for (Device *device : m_context.session.devices()) {
         const DeviceId id = m_context.session.idOf(*device);
-        const std::string unit = settings::unitOf(*device).key;
+        const std::string unit = unitKeyOf(*device);
         if (!isReady(*device) || m_met[id] == unit)
             continue;
         m_met[id] = unit;

@@ -3,6 +3,7 @@
 
 #include "experiment/verdict.h"
 #include "model/family.h"
+#include "model/unit.h"
 
 #include <algorithm>
 
@@ -53,7 +54,7 @@ void OwedBook::lookUp(const Device &device)
     const bool ready = m_journal && device.family().trials && device.liveness().heard
         && device.identity().state == DeviceState::Online && !device.link().address().isRecording()
         && !m_context.operations.has(id);
-    const std::string unit = tuning::unitOf(device);
+    const std::string unit = unitKeyOf(device);
     if (!ready || m_lookedFor[id] == unit)
         return;
     m_lookedFor[id] = unit;

@@ -2,9 +2,9 @@
 #include "app/engine/parameterjobs.h"
 
 #include "model/family.h"
+#include "model/unit.h"
 #include "settings/history.h"
 #include "settings/snapshots.h"
-#include "settings/unit.h"
 
 #include <algorithm>
 

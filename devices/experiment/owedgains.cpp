@@ -7,6 +7,7 @@
 #include "experiment/seconds.h"
 #include "experiment/verdict.h"
 #include "model/family.h"
+#include "model/unit.h"
 
 #include <algorithm>
 #include <map>
@@ -65,7 +66,7 @@ Task<void> releaseWritten(const Device &device, ExperimentJournal &journal, cons
     if (written.empty())
         co_return {};
     std::erase_if(debt.values, [&present](const OwedValue &value) { return isOver(present, value); });
-    auto releasing = journal.release(unitOf(device), std::move(written));
+    auto releasing = journal.release(unitKeyOf(device), std::move(written));
     (void)co_await std::move(releasing).attempt();
     co_return {};
 }
@@ -91,7 +92,7 @@ Task<void> markPutBack(Device &device, ExperimentJournal &journal, std::int64_t 
 
 Task<std::vector<OwedGains>> lookForOwed(Device &device, ExperimentJournal &journal)
 {
-    auto asking = journal.owedTo(unitOf(device));
+    auto asking = journal.owedTo(unitKeyOf(device));
     std::vector<OwedGains> owed = co_await std::move(asking);
     std::vector<OwedGains> rest;
     for (OwedGains &debt : owed) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiment/verdict.h"
 
+#include "model/unit.h"
+
 #include "experiment/effort.h"
 #include "experiment/envelope.h"
 #include "experiment/equivalenttime.h"
@@ -103,17 +105,6 @@ std::vector<Span> spansOf(const Spans &spans, Instant zero)
 
 } // namespace
 
-std::string unitOf(const Identity &identity, const std::string &selector, bool simulated)
-{
-    const std::string unit = identity.serial.empty() ? selector : identity.family + ' ' + identity.serial;
-    return simulated ? "simulated " + unit : unit;
-}
-
-std::string unitOf(const Device &device)
-{
-    return unitOf(device.identity(), device.selector(), device.link().address().isSimulated());
-}
-
 double resolutionOf(const Trace &trace)
 {
     double least = 0.0;
@@ -130,7 +121,7 @@ void describe(Trial &trial, const Device &device)
     trial.device = device.selector();
     trial.simulated = device.link().address().isSimulated();
     trial.firmware = device.identity().firmware;
-    trial.unit = unitOf(device);
+    trial.unit = unitKeyOf(device);
 }
 
 void nameEnding(Trial &trial, const Ending &ending)

@@ -18,9 +18,6 @@ struct Ending {
     std::optional<Error> error;
 };
 
-/// Who a device is across links and runs: its serial number, or this place; simulated units apart.
-[[nodiscard]] std::string unitOf(const Device &device);
-[[nodiscard]] std::string unitOf(const Identity &identity, const std::string &selector, bool simulated);
 /// Who the device of a trial is.
 void describe(Trial &trial, const Device &device);
 /// Smallest difference that the samples of a trace have.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/snapshot.h"
 
+#include "model/unit.h"
 #include "transport/seriallink.h"
 
 #include <algorithm>
@@ -47,6 +48,8 @@ DeviceView viewOf(Session &session, Device &device)
     view.identity = device.sharedIdentity();
     view.selector = device.selector();
     view.link = device.link().address().text();
+    view.unit
+        = unitKeyOf(device.identity(), session.linkBook().lineOf(device.link()), device.link().address().isSimulated());
     view.liveness = device.liveness();
     view.states = device.states();
     view.busy = device.gate().busy();

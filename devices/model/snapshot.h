@@ -58,6 +58,7 @@ struct DeviceView {
     Shared<Identity> identity;
     std::string selector;
     std::string link; ///< address of its link
+    std::string unit; ///< unitKeyOf()
     Liveness liveness;
     LiveStates states; ///< by the rows of family->states
     Message busy;      ///< what it does now

@@ -2,7 +2,7 @@
 #include "service/busrows.h"
 
 #include "model/family.h"
-#include "settings/unit.h"
+#include "model/unit.h"
 
 #include <algorithm>
 #include <utility>
@@ -48,7 +48,7 @@ void BusRows::take(const std::vector<Device *> &found, const Row *serving)
 
 void BusRows::notice(const Device &device)
 {
-    const std::string unit = settings::unitOf(device).key;
+    const std::string unit = unitKeyOf(device);
     Row *known = rowOf(device, unit);
     if (!known)
         known = missingOf(device);
@@ -99,7 +99,7 @@ void BusRows::addRow(const Device &device, const std::string &unit)
 void BusRows::recall(const std::vector<Device *> &found)
 {
     for (const Visit &visit : m_wanted.earlier) {
-        const bool isPlace = settings::byOf(visit.unit) == settings::Unit::By::Place;
+        const bool isPlace = unitByOf(visit.unit) == UnitBy::Place;
         const auto moved
             = std::find_if(found.begin(), found.end(), [&](const Device *device) { return isMoved(visit, *device); });
         const DeviceId id = moved == found.end() ? DeviceId{} : m_session.idOf(**moved);
@@ -117,10 +117,9 @@ void BusRows::recall(const std::vector<Device *> &found)
 /// It answers under the number that this visit has given to a unit without a serial number.
 bool BusRows::isMoved(const Visit &visit, const Device &device) const
 {
-    const std::string unit = settings::unitOf(device).key;
-    return visit.unit != unit && visit.number == device.identity().address
-        && settings::byOf(unit) == settings::Unit::By::Place && settings::byOf(visit.unit) == settings::Unit::By::Place
-        && linkOf(visit) == m_link.address().text();
+    const std::string unit = unitKeyOf(device);
+    return visit.unit != unit && visit.number == device.identity().address && unitByOf(unit) == UnitBy::Place
+        && unitByOf(visit.unit) == UnitBy::Place && linkOf(visit) == m_link.address().text();
 }
 
 /// Units that were being served here when the program ended, and do not answer now: they stay in sight.
@@ -142,7 +141,7 @@ void BusRows::addMissing()
 
 BusRows::Row *BusRows::missingOf(const Device &device)
 {
-    const std::string unit = settings::unitOf(device).key;
+    const std::string unit = unitKeyOf(device);
     const auto found = std::find_if(m_rows.begin(), m_rows.end(), [&](const Row &row) {
         return row.missing && (row.shown.visit.unit == unit || isMoved(row.shown.visit, device));
     });

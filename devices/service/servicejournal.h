@@ -27,7 +27,6 @@ struct VisitFilter {
     std::string station;
     std::string unit;
     std::string serial;
-    std::string device;          ///< Visit::device
     std::optional<double> since; ///< Unix, s
     std::optional<Outcome> outcome;
 };

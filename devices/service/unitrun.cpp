@@ -2,10 +2,10 @@
 #include "service/unitrun.h"
 
 #include "async/sleep.h"
+#include "model/unit.h"
 #include "service/goldenband.h"
 #include "service/preflight.h"
 #include "settings/snapshots.h"
-#include "settings/unit.h"
 #include "settings/writing.h"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ private:
 /// Nobody can tell its unit from another in the same place.
 bool isPlace(const Visit &visit)
 {
-    return settings::byOf(visit.unit) == settings::Unit::By::Place;
+    return unitByOf(visit.unit) == UnitBy::Place;
 }
 
 Message settingsText(int count)

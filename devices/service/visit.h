@@ -63,7 +63,7 @@ struct Visit {
     std::string recipe; ///< its name
     std::string recipeHash;
     std::string imageHash;
-    std::string unit; ///< settings::Unit::key
+    std::string unit; ///< unitKeyOf()
     std::string serial;
     std::string device; ///< selector, the last that it had
     std::string family;

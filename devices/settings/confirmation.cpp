@@ -2,8 +2,8 @@
 #include "settings/confirmation.h"
 
 #include "model/family.h"
+#include "model/unit.h"
 #include "model/writeorder.h"
-#include "settings/unit.h"
 #include "settings/writing.h"
 
 #include <algorithm>
@@ -100,7 +100,7 @@ std::vector<SettingsChange> unconfirmed(const Family &family, std::span<const Se
 
 Task<std::vector<SettingsChange>> findUnconfirmed(const Device &device, SettingsLog &log)
 {
-    auto asking = log.changesOf(unitOf(device).key);
+    auto asking = log.changesOf(unitKeyOf(device));
     const std::vector<SettingsChange> changes = co_await std::move(asking);
     std::vector<SettingsChange> open = unconfirmed(device.family(), changes);
     for (SettingsChange &change : open)
@@ -112,7 +112,7 @@ Task<std::vector<SettingsChange>> findUnconfirmed(const Device &device, Settings
 Task<void> keepChange(const Device &device, std::int64_t number, SettingsLog &log)
 {
     SettingsChange kept;
-    kept.unit = unitOf(device).key;
+    kept.unit = unitKeyOf(device);
     kept.device = device.selector();
     kept.purpose = Purpose::Keep;
     kept.of = number;

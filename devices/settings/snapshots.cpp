@@ -3,7 +3,7 @@
 
 #include "model/family.h"
 #include "model/parameterfile.h"
-#include "settings/unit.h"
+#include "model/unit.h"
 
 #include <QJsonDocument>
 
@@ -25,7 +25,7 @@ ParameterSnapshot describe(const Device &device, Occasion occasion, std::string 
 {
     const std::vector<ParameterIndex> indices = offered(device);
     ParameterSnapshot snapshot;
-    snapshot.unit = unitOf(device).key;
+    snapshot.unit = unitKeyOf(device);
     snapshot.device = device.selector();
     snapshot.family = device.family().key;
     snapshot.serial = device.identity().serial;

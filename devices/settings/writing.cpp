@@ -2,9 +2,9 @@
 #include "settings/writing.h"
 
 #include "model/family.h"
+#include "model/unit.h"
 #include "model/writeorder.h"
 #include "settings/history.h"
-#include "settings/unit.h"
 
 #include <algorithm>
 
@@ -17,7 +17,7 @@ constexpr std::string_view numberKey = "number";
 SettingsChange changeOf(const Device &device, const Order &order)
 {
     SettingsChange change;
-    change.unit = unitOf(device).key;
+    change.unit = unitKeyOf(device);
     change.device = device.selector();
     change.origin = order.origin;
     change.purpose = order.purpose;
@@ -142,7 +142,7 @@ Task<void> writeAll(
 
 Task<HistoryView> historyOf(const Device &device, SettingsLog &log)
 {
-    auto asking = log.changesOf(unitOf(device).key);
+    auto asking = log.changesOf(unitKeyOf(device));
     const std::vector<SettingsChange> changes = co_await std::move(asking);
     co_return viewOf(device.family(), changes);
 }

@@ -4,14 +4,13 @@
 #include "storage/visittable.h"
 
 #include "model/family.h"
+#include "model/unit.h"
 
 #include <algorithm>
 #include <tuple>
 
 namespace mb {
 namespace {
-
-constexpr std::string_view simulatedMark = "simulated ";
 
 Result<void> addSignals(TrialBook &book, tuning::Trial &trial)
 {
@@ -60,21 +59,23 @@ std::vector<KeptTrial> newestSweep(const std::vector<KeptTrial> &history, const 
     return sines;
 }
 
-std::string withoutMark(const std::string &unit)
+/// The journal knows a unit without a serial number by the place where it came, and by the number that it has given it there.
+bool isVisitOf(const std::string &unit, const service::Visit &visit)
 {
-    return unit.starts_with(simulatedMark) ? unit.substr(simulatedMark.size()) : unit;
+    if (unitByOf(unit) != UnitBy::Place || unitByOf(visit.unit) != UnitBy::Place)
+        return visit.unit == unit;
+    const std::string line = unit.substr(0, unit.rfind(':') + 1);
+    return visit.unit.starts_with(line) && unit == (visit.number ? line + std::to_string(*visit.number) : visit.unit);
 }
 
-/// The journal knows a unit without a serial number by its place, and last by the one that its new number has given it.
 void addVisits(Database &database, ReportUnit &unit)
 {
-    const std::string name = withoutMark(unit.unit);
-    const bool isPlace = DeviceSelector::parse(name).has_value();
     service::VisitFilter served;
-    (isPlace ? served.device : served.unit) = isPlace ? name : unit.unit;
+    if (unitByOf(unit.unit) == UnitBy::Serial)
+        served.unit = unit.unit;
     if (auto visits = getVisits(database, served)) { // a file that is read only may be older than they are
         for (KeptVisit &kept : *visits) {
-            if (!isPlace || kept.visit.serial.empty())
+            if (isVisitOf(unit.unit, kept.visit))
                 unit.visits.push_back(std::move(kept.visit));
         }
     }
@@ -148,7 +149,7 @@ ReportUnit unitFrom(const std::string &unit, const std::string &selector, std::s
     ReportUnit made;
     made.unit = unit;
     made.selector = selector;
-    made.simulated = unit.starts_with(simulatedMark);
+    made.simulated = isSimulatedUnit(unit);
     const auto parsed = DeviceSelector::parse(selector);
     if (!parsed)
         return made;
@@ -158,9 +159,7 @@ ReportUnit unitFrom(const std::string &unit, const std::string &selector, std::s
     const auto family = std::find_if(
         families.begin(), families.end(), [&](const Family *each) { return each->key == parsed->family; });
     made.family = family == families.end() ? nullptr : *family;
-    const std::string name = withoutMark(unit);
-    if (name.starts_with(parsed->family + ' '))
-        made.identity.serial = name.substr(parsed->family.size() + 1);
+    made.identity.serial = unitSerialIn(unit);
     return made;
 }
 

@@ -2,8 +2,9 @@
 #include "storage/settingsbook.h"
 
 #include "files/qttext.h"
-#include "settings/unit.h"
+#include "model/unit.h"
 #include "storage/sqltext.h"
+#include "storage/unittags.h"
 
 #include <QSqlQuery>
 #include <QVariant>
@@ -85,17 +86,12 @@ double SettingsBook::now() const
 
 std::string SettingsBook::resolved(const std::string &unit)
 {
-    if (settings::byOf(unit) != settings::Unit::By::Place)
-        return unit;
-    std::string tag;
-    (void)m_database.run(
-        "SELECT name FROM tag WHERE place = ?", {qt(unit)}, [&tag](const QSqlQuery &row) { tag = textAt(row, 0); });
-    return tag.empty() ? unit : settings::taggedKey(unit, tag);
+    return resolvedUnit(m_database, unit);
 }
 
 Result<void> SettingsBook::setTag(const std::string &place, const std::string &tag)
 {
-    if (settings::byOf(place) != settings::Unit::By::Place)
+    if (unitByOf(place) != UnitBy::Place)
         return fail(Fault::OutOfRange, say("a unit that has a serial number needs no tag"));
     if (tag.empty())
         return m_database.run("DELETE FROM tag WHERE place = ?", {qt(place)});

@@ -6,6 +6,7 @@
 #include "storage/sqltext.h"
 #include "storage/trialjson.h"
 #include "storage/tuningjson.h"
+#include "storage/unittags.h"
 
 #include <QJsonDocument>
 #include <QSqlQuery>
@@ -143,9 +144,9 @@ Task<std::int64_t> TrialBook::begin(tuning::Trial trial)
                          "envelope, gains, metrics, flags, detail, stopped, samples, lost) "
                          "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, '{}', '[\"aborted\"]', "
                          "'the program ended before the trial did', 0, 0, 0)",
-            {now(), qt(trial.device), qt(trial.unit), qt(trial.firmware), trial.simulated, qt(toString(trial.mode)),
-                trial.axis, trial.slot, textOf(toJson(trial.stimulus, trial.repeat)), textOf(toJson(trial.envelope)),
-                textOf(gainsToJson(trial))});
+            {now(), qt(trial.device), qt(resolvedUnit(m_database, trial.unit)), qt(trial.firmware), trial.simulated,
+                qt(toString(trial.mode)), trial.axis, trial.slot, textOf(toJson(trial.stimulus, trial.repeat)),
+                textOf(toJson(trial.envelope)), textOf(gainsToJson(trial))});
     if (!added)
         co_return fail(added.error());
     co_return m_database.lastRow();
@@ -154,6 +155,7 @@ Task<std::int64_t> TrialBook::begin(tuning::Trial trial)
 Task<void> TrialBook::owe(std::int64_t trial, std::string unit, std::vector<tuning::OwedValue> values)
 {
     const double time = now();
+    unit = resolvedUnit(m_database, unit);
     co_return m_database.transact([&]() -> Result<void> {
         for (const tuning::OwedValue &value : values) {
             const QVariant tried
@@ -175,6 +177,7 @@ Task<void> TrialBook::markPutBack(std::int64_t trial)
 
 Task<void> TrialBook::release(std::string unit, std::vector<std::string> keys)
 {
+    unit = resolvedUnit(m_database, unit);
     co_return m_database.transact([&]() -> Result<void> {
         for (const std::string &key : keys) {
             auto deleted = m_database.run("DELETE FROM owed WHERE unit = ? AND key = ?", {qt(unit), qt(key)});
@@ -246,7 +249,7 @@ Result<std::vector<KeptTrial>> TrialBook::list(const std::string &device)
 
 Result<std::vector<KeptTrial>> TrialBook::listOf(const std::string &unit)
 {
-    return read(" WHERE unit = ?", {qt(unit)});
+    return read(" WHERE unit = ?", {qt(resolvedUnit(m_database, unit))});
 }
 
 Task<void> TrialBook::keepTuning(tuning::TuneReport report)
@@ -254,8 +257,9 @@ Task<void> TrialBook::keepTuning(tuning::TuneReport report)
     co_return m_database.run(
         "INSERT INTO tuning (time, device, unit, firmware, simulated, loop, axis, slot, result, evidence, report) "
         "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
-        {now(), qt(report.device), qt(report.unit), qt(report.firmware), report.simulated, qt(toString(report.loop)),
-            report.axis, report.slot, qt(toString(report.result)), savedText(report.evidence), textOf(toJson(report))});
+        {now(), qt(report.device), qt(resolvedUnit(m_database, report.unit)), qt(report.firmware), report.simulated,
+            qt(toString(report.loop)), report.axis, report.slot, qt(toString(report.result)),
+            savedText(report.evidence), textOf(toJson(report))});
 }
 
 Result<std::vector<KeptTuning>> TrialBook::tuningsOf(const std::string &unit)
@@ -267,7 +271,8 @@ Result<std::vector<KeptTuning>> TrialBook::tuningsOf(const std::string &unit)
     if (read && known)
         read = m_database.run("SELECT id, time, device, unit, firmware, simulated, loop, axis, slot, result, "
                               "evidence, report FROM tuning WHERE unit = ? ORDER BY id",
-            {qt(unit)}, [&tunings](const QSqlQuery &row) { tunings.push_back(tuningOf(row)); });
+            {qt(resolvedUnit(m_database, unit))},
+            [&tunings](const QSqlQuery &row) { tunings.push_back(tuningOf(row)); });
     for (KeptTuning &kept : tunings) {
         std::vector<tuning::Trial> proof;
         for (const tuning::Trial &trial : std::exchange(kept.report.proof, {})) {
@@ -328,7 +333,7 @@ Task<std::vector<tuning::OwedGains>> TrialBook::owedTo(std::string unit)
     std::vector<tuning::OwedGains> owed;
     const auto done
         = m_database.run("SELECT trial, key, raw, time, tried, put_back FROM owed WHERE unit = ? ORDER BY trial, key",
-            {qt(unit)}, [&owed](const QSqlQuery &row) {
+            {qt(resolvedUnit(m_database, unit))}, [&owed](const QSqlQuery &row) {
                 const std::int64_t trial = row.value(0).toLongLong();
                 if (owed.empty() || owed.back().trial != trial)
                     owed.push_back({trial, row.value(3).toDouble(), {}, true});

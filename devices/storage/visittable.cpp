@@ -167,8 +167,7 @@ Result<std::vector<KeptVisit>> getVisits(SqlConnection &sql, const service::Visi
     };
     const std::pair<const char *, const std::string *> texts[]
         = {{"recipe = ?", &filter.recipe}, {"recipe_hash = ?", &filter.recipeHash}, {"run = ?", &filter.run},
-            {"station = ?", &filter.station}, {"unit = ?", &filter.unit}, {"serial = ?", &filter.serial},
-            {"device = ?", &filter.device}};
+            {"station = ?", &filter.station}, {"unit = ?", &filter.unit}, {"serial = ?", &filter.serial}};
     for (const auto &[condition, text] : texts) {
         if (!text->empty())
             add(condition, qt(*text));

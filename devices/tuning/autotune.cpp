@@ -7,6 +7,7 @@
 #include "experiment/verdict.h"
 #include "model/family.h"
 #include "model/loopparameters.h"
+#include "model/unit.h"
 #include "tuning/autotunerun.h"
 #include "tuning/identificationchoice.h"
 #include "tuning/scalecalibration.h"
@@ -213,7 +214,7 @@ Task<TuneReport> autotune(Device &device, SetPointStream &stream, TunePlan plan,
     if (run.isOver())
         report.result = TuneResult::Stopped;
     report.seconds = inSeconds(device.clock().now() - begin);
-    report.unit = unitOf(device);
+    report.unit = unitKeyOf(device);
     report.firmware = device.identity().firmware;
     if (surroundings.journal) {
         auto keeping = surroundings.journal->keepTuning(report);

@@ -4,7 +4,7 @@
 #include "async/virtualclock.h"
 #include "heard.h"
 #include "model/registry.h"
-#include "settings/unit.h"
+#include "model/unit.h"
 #include "storage/settingsbook.h"
 #include "support/coreapplication.h"
 
@@ -48,11 +48,11 @@ protected:
     [[nodiscard]] DeviceId id(int address = 7) { return core.session().idOf(*device(address)); }
     [[nodiscard]] std::vector<ParameterSnapshot> snapshots(int address = 7)
     {
-        return book->snapshots(settings::unitOf(*device(address)).key).value_or(std::vector<ParameterSnapshot>{});
+        return book->snapshots(unitKeyOf(*device(address))).value_or(std::vector<ParameterSnapshot>{});
     }
     [[nodiscard]] std::vector<settings::SettingsChange> changes()
     {
-        return book->changes(settings::unitOf(*device(7)).key).value_or(std::vector<settings::SettingsChange>{});
+        return book->changes(unitKeyOf(*device(7))).value_or(std::vector<settings::SettingsChange>{});
     }
     [[nodiscard]] ParameterChange change(std::string_view key, std::int64_t raw)
     {
@@ -182,7 +182,7 @@ TEST_F(SettingsCore, WhatAProgramThatIsGoneHasLeftIsOfferedAndNothingGoesByItsel
     clock.advance(3s);
     const std::int64_t old = known("current_limit.peak").value_or(0);
     settings::SettingsChange left;
-    left.unit = settings::unitOf(*device(7)).key;
+    left.unit = unitKeyOf(*device(7));
     left.device = device(7)->selector();
     left.purpose = Purpose::Provisional;
     left.values = {{"current_limit.peak", old / 2, old, settings::Proof::Equal}};
@@ -246,11 +246,10 @@ TEST_F(SettingsCore, AnOrderDoesNotWaitForTheSnapshotThatBeganByItself)
 TEST_F(SettingsCore, AUnitIsTheSameWhileItIsScannedAgain)
 {
     clock.advance(3s);
-    const std::string unit = settings::unitOf(*device(7)).key;
-    ASSERT_EQ(settings::byOf(unit), settings::Unit::By::Serial);
+    const std::string unit = unitKeyOf(*device(7));
+    ASSERT_EQ(unitByOf(unit), UnitBy::Serial);
     bool same = true;
-    const Subscription watching
-        = device(7)->changed().add([&] { same = same && settings::unitOf(*device(7)).key == unit; });
+    const Subscription watching = device(7)->changed().add([&] { same = same && unitKeyOf(*device(7)) == unit; });
     clock.advance(30s);
     EXPECT_TRUE(same) << "its serial number was forgotten for a moment";
     EXPECT_EQ(book->snapshots()->size(), 2U);

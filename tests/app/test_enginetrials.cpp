@@ -5,6 +5,7 @@
 #include "experiment/verdict.h"
 #include "heard.h"
 #include "model/registry.h"
+#include "model/unit.h"
 #include "support/fakejournal.h"
 #include "tuning/frequencyresponse.h"
 
@@ -294,7 +295,7 @@ TEST_F(TrialCore, AWindowThatHangsEndsItByItsLease)
 TEST_F(TrialCore, GainsThatAProgramCouldNotPutBackAreOfferedAndPaidAfterAsking)
 {
     const std::int64_t before = stored();
-    journal.debtor = tuning::unitOf(*device());
+    journal.debtor = unitKeyOf(*device());
     test::Heard<> written;
     core.send(orders::WriteParameters{id(), {{p(), 30'000}}}, written.finished());
     ASSERT_TRUE(clock.runUntil([&written] { return written.has_value(); }, 10s));
@@ -324,7 +325,7 @@ TEST_F(TrialCore, GainsThatAProgramCouldNotPutBackAreOfferedAndPaidAfterAsking)
 
 TEST_F(TrialCore, GainsAreOfferedNoMoreOnceATrialHasKeptOthers)
 {
-    journal.debtor = tuning::unitOf(*device());
+    journal.debtor = unitKeyOf(*device());
     journal.owed = {{"slot0.p", stored() + 1000}};
     core.send(orders::CloseLink{"sim:can"});
     core.send(orders::OpenLink{*LinkAddress::parse("sim:can")});

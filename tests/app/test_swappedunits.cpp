@@ -5,7 +5,7 @@
 #include "experiment/verdict.h"
 #include "heard.h"
 #include "model/registry.h"
-#include "settings/unit.h"
+#include "model/unit.h"
 #include "storage/database.h"
 #include "storage/settingsbook.h"
 #include "support/coreapplication.h"
@@ -164,7 +164,7 @@ TEST_F(SwappedUnits, AChangeThatIsToGoBackGoesIntoItsOwnUnitOnly)
 
 TEST_F(SwappedUnits, GainsAreOwedToTheUnitThatAnExperimentChangedAndToNoOther)
 {
-    journal.debtor = tuning::unitOf(*device());
+    journal.debtor = unitKeyOf(*device());
     journal.owed = {{"slot0.p", 70'000}};
     swap(0, 0); // it is looked up again when it is back
     meet(left);

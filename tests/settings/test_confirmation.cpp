@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Values that can cut a unit off, or make a motor livelier, go back by themselves unless somebody keeps them.
 #include "model/setpointstream.h"
+#include "model/unit.h"
 #include "settings/confirmation.h"
 #include "settings/history.h"
-#include "settings/unit.h"
 #include "settingsbench.h"
 
 namespace mb {
@@ -45,7 +45,7 @@ protected:
     }
     [[nodiscard]] std::vector<SettingsChange> all(const Device &device)
     {
-        return book->changes(settings::unitOf(device).key).value_or(std::vector<SettingsChange>{});
+        return book->changes(unitKeyOf(device)).value_or(std::vector<SettingsChange>{});
     }
     [[nodiscard]] std::vector<std::string> keysToConfirm(
         Device &device, std::vector<std::tuple<std::string, std::optional<std::int64_t>, std::int64_t>> values)

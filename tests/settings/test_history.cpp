@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "async/scope.h"
 #include "model/parameterfile.h"
+#include "model/unit.h"
 #include "settings/history.h"
-#include "settings/unit.h"
 #include "settingsbench.h"
 
 #include <map>
@@ -22,7 +22,7 @@ protected:
     Result<SettingsChange> redo(Device &device) { return run(settings::redo(device, Origin::Window, *book, progress)); }
     [[nodiscard]] std::vector<SettingsChange> changes(const Device &device)
     {
-        const auto all = book->changes(settings::unitOf(device).key);
+        const auto all = book->changes(unitKeyOf(device));
         EXPECT_TRUE(all) << (all ? "" : all.error().text());
         return all.value_or(std::vector<SettingsChange>{});
     }
@@ -150,7 +150,7 @@ TEST_F(Histories, AChangeThatNobodySawEndCanBeUndone)
     Device &five = *bench.device(5);
     const auto old = reads(five, "slot0.p");
     SettingsChange begun;
-    begun.unit = settings::unitOf(five).key;
+    begun.unit = unitKeyOf(five);
     begun.values = {{"slot0.p", old, 65536, Proof::Open}};
     ASSERT_TRUE(run(book->begin(begun)));
     ASSERT_TRUE(run(five.write(bench.index(five, "slot0.p"), 65536)));

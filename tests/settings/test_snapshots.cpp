@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/unit.h"
 #include "settings/comparison.h"
-#include "settings/unit.h"
 #include "settingsbench.h"
 
 #include <chrono>
@@ -68,7 +68,7 @@ TEST_F(Snapshots, WhatCannotBeReadStaysMarkedAsAssumed)
     ASSERT_TRUE(write(drive, {change(drive, "velocity.p", 12)}));
     const auto kept = snapshot(drive);
     ASSERT_TRUE(kept) << kept.error().text();
-    EXPECT_EQ(settings::byOf(kept->unit), settings::Unit::By::Place);
+    EXPECT_EQ(unitByOf(kept->unit), UnitBy::Place);
     EXPECT_EQ(kept->unit, "simulated place sim:can abstractdc:3");
     const auto side
         = settings::sideOf(QByteArray::fromStdString(book->find(std::to_string(kept->number))->file), drive.family());
@@ -84,22 +84,22 @@ TEST_F(Snapshots, WhatCannotBeReadStaysMarkedAsAssumed)
 TEST_F(Snapshots, AUnitWithATagIsThatUnitWhereverItStands)
 {
     Device &drive = *bench.device(3, "abstractdc");
-    const std::string place = settings::unitOf(drive).key;
+    const std::string place = unitKeyOf(drive);
     ASSERT_TRUE(snapshot(drive, "nobody's"));
     ASSERT_TRUE(book->setTag(place, "lift: left 3"));
     const auto tagged = snapshot(drive, "mine");
     ASSERT_TRUE(tagged);
     EXPECT_EQ(tagged->unit, "simulated tag abstractdc lift: left 3");
-    EXPECT_EQ(settings::tagIn(tagged->unit), "lift: left 3");
-    EXPECT_EQ(settings::caveatOf(settings::byOf(tagged->unit)), "");
+    EXPECT_EQ(unitTagIn(tagged->unit), "lift: left 3");
+    EXPECT_EQ(unitCaveatOf(unitByOf(tagged->unit)), "");
     EXPECT_EQ(book->snapshots(place)->size(), 1U);
     EXPECT_FALSE(book->find("nobody's", place));
     Device &other = *bench.device(4, "abstractdc");
-    ASSERT_TRUE(book->setTag(settings::unitOf(other).key, "lift: left 3")); // it was plugged in there
-    EXPECT_EQ(book->find("mine", settings::unitOf(other).key)->number, tagged->number);
+    ASSERT_TRUE(book->setTag(unitKeyOf(other), "lift: left 3")); // it was plugged in there
+    EXPECT_EQ(book->find("mine", unitKeyOf(other))->number, tagged->number);
     ASSERT_TRUE(book->setTag(place, {}));
     EXPECT_TRUE(book->find("nobody's", place));
-    EXPECT_FALSE(book->setTag(settings::unitOf(*bench.device(5)).key, "x"));
+    EXPECT_FALSE(book->setTag(unitKeyOf(*bench.device(5)), "x"));
 }
 
 TEST_F(Snapshots, AUnitThatFallsSilentLeavesNone)

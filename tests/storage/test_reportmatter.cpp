@@ -11,6 +11,8 @@
 
 #include <QTemporaryDir>
 
+#include <set>
+
 namespace mb {
 namespace {
 
@@ -131,21 +133,25 @@ TEST_F(Reports, OfAUnitTheNewestTrialOfEachLoopStandsBesideItsTunings)
 
 TEST_F(Reports, AUnitWithoutASerialNumberHasTheServicesOfItsPlaceAndOfNoOtherUnitThere)
 {
-    const auto serve = [this](const std::string &id, const std::string &device, const std::string &serial) {
+    const auto serve = [this](const std::string &id, std::optional<int> number, const std::string &unit) {
         service::Visit visit;
         visit.id = id;
-        visit.unit = "simulated place sim:serial supermodified:4"; // where it stood when it came
-        visit.device = device;
-        visit.serial = serial;
+        visit.unit = unit;
+        visit.number = number;
         EXPECT_TRUE(putVisits(*database, {{visit, 1}}));
     };
-    serve("moved to 10", "sim:serial/supermodified:10", {});
-    serve("the next one there", "sim:serial/supermodified:11", {});
-    serve("one that has a number of its own", "sim:serial/supermodified:10", "SN10");
-    const auto units = of({{}, "simulated sim:serial/supermodified:10", false});
+    const std::string fresh = "simulated place sim:serial supermodified:4"; // where they stand when they come
+    serve("moved to 10", 10, fresh);
+    serve("the next one there", 11, fresh);
+    serve("has its number", std::nullopt, "simulated place sim:serial supermodified:10");
+    serve("on another line", 10, "simulated place sim:serial2 supermodified:4");
+    serve("has a serial number", 10, "simulated supermodified SN10");
+    const auto units = of({{}, "simulated place sim:serial supermodified:10", false});
     ASSERT_EQ(units.size(), 1U);
-    ASSERT_EQ(units[0].visits.size(), 1U);
-    EXPECT_EQ(units[0].visits[0].id, "moved to 10");
+    std::set<std::string> ids;
+    for (const service::Visit &visit : units[0].visits)
+        ids.insert(visit.id);
+    EXPECT_EQ(ids, (std::set<std::string>{"has its number", "moved to 10"}));
 }
 
 TEST_F(Reports, ANumberThatIsNotThereIsSaidSo)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "async/virtualclock.h"
+#include "storage/settingsbook.h"
 #include "storage/trialbook.h"
 #include "support/coreapplication.h"
 #include "support/fulldisk.h"
@@ -151,6 +152,27 @@ TEST_F(Notebooks, WhatIsOwedOutlivesTheProgramUntilItIsSettled)
     EXPECT_TRUE(owedTo("dmc60c B")->empty());
     ASSERT_TRUE(test::run(clock, book.settle(debts->front().trial)));
     EXPECT_TRUE(owedTo("dmc60c A")->empty());
+}
+
+TEST_F(Notebooks, AUnitWithATagHasItsTrialsAndDebtsWhereverItIsConnected)
+{
+    const auto database = open();
+    TrialBook book(*database, clock);
+    SettingsBook settings(*database, clock, "anna");
+    const std::string left = "place usb-1.2 supermodified:4";
+    const std::string right = "place usb-1.3 supermodified:4";
+    ASSERT_TRUE(settings.setTag(left, "left arm"));
+    tuning::Trial done = trial();
+    done.unit = left;
+    const std::int64_t number = keep(book, done);
+    ASSERT_TRUE(test::run(clock, book.owe(number, left, {{"gain.p", 4000}})));
+    EXPECT_TRUE(book.listOf(right)->empty()) << "another unit stands there";
+    EXPECT_TRUE(test::run(clock, book.owedTo(right))->empty());
+    ASSERT_TRUE(settings.setTag(right, "left arm")); // it was plugged in there
+    EXPECT_EQ(book.listOf(right)->size(), 1U);
+    EXPECT_EQ(test::run(clock, book.owedTo(right))->size(), 1U);
+    ASSERT_TRUE(test::run(clock, book.release(right, {"gain.p"})));
+    EXPECT_TRUE(test::run(clock, book.owedTo(left))->empty());
 }
 
 /// P was 5; trial 1 tries 10 and is killed; trial 2 finds 10, tries 20.

@@ -4,6 +4,7 @@
 #include "experiment/owedgains.h"
 #include "experiment/verdict.h"
 #include "model/family.h"
+#include "model/unit.h"
 #include "support/datedclock.h"
 #include "support/fakejournal.h"
 #include "support/simulatedsession.h"
@@ -46,7 +47,7 @@ struct RealUnit {
     {
         const std::vector<OwedValue> owed{{"slot0.p", before, before / 2}};
         ASSERT_TRUE(run(clock, journal.begin({})));
-        ASSERT_TRUE(run(clock, journal.owe(1, unitOf(*device), owed)));
+        ASSERT_TRUE(run(clock, journal.owe(1, unitKeyOf(*device), owed)));
         ASSERT_TRUE(run(clock, writeGains(*device, {{gain, before / 2}})));
         clock.advance(later);
         ASSERT_TRUE(run(clock, payOwed(*device, journal, {1, 0.0, owed})));
@@ -127,7 +128,7 @@ TEST(OwedGains, ThatWereNeverPutBackAreAskedForWhateverTheUnitHas)
     RealUnit unit;
     ASSERT_TRUE(run(unit.clock, unit.journal.begin({})));
     ASSERT_TRUE(
-        run(unit.clock, unit.journal.owe(1, unitOf(*unit.device), {{"slot0.p", unit.before, unit.before / 2}})));
+        run(unit.clock, unit.journal.owe(1, unitKeyOf(*unit.device), {{"slot0.p", unit.before, unit.before / 2}})));
     ASSERT_TRUE(run(unit.clock, writeGains(*unit.device, {{unit.gain, unit.before + 1000}})));
     EXPECT_EQ(unit.askedAbout(), 1U);
 }

@@ -65,7 +65,7 @@ struct TrialBench : TuneBench {
         device().liveness.heard = true;
         workbench.publish();
     }
-    [[nodiscard]] std::string unit() { return tuning::unitOf(device().identity, device().selector, true); }
+    [[nodiscard]] std::string unit() { return device().unit; }
     void choose(double to, int repeat = 1)
     {
         StimulusChoice choice;

@@ -4,7 +4,7 @@
 #include "support/windowtests.h"
 
 #include "model/parameterfile.h"
-#include "settings/unit.h"
+#include "model/unit.h"
 #include "widgets/parameters/historypanel.h"
 
 #include <QComboBox>
@@ -21,7 +21,7 @@ struct HistoryBench : ParameterBench {
         : ParameterBench(linked())
     {
         const DeviceView &drive = workbench.device(0);
-        const std::string unit = settings::unitOf(drive.identity, *LinkAddress::parse(drive.link)).key;
+        const std::string unit = unitKeyOf(drive.identity, *LinkAddress::parse(drive.link));
         SettingsTimeline &kept = workbench.archive.kept[unit];
         kept.snapshots.push_back(snapshot(1, unit, "as found", drive));
         DeviceView other = drive;

@@ -24,7 +24,7 @@ KeptTrial stepped(const DeviceView &view)
     tuning::Trial &trial = kept.trial;
     trial.number = 3;
     trial.device = view.selector;
-    trial.unit = tuning::unitOf(view.identity, view.selector, true);
+    trial.unit = view.unit;
     trial.simulated = true;
     trial.stimulus = *tuning::Stimulus::make(tuning::Profile::Step, 0.0, 1000.0, {}, 0.02);
     trial.holds = {{0.0, 1.0}};
@@ -48,7 +48,7 @@ struct ReportBench {
     {
         workbench.shot.devices.push_back(tunableDrive(recording.telemetry()));
         ReportUnit unit;
-        unit.unit = tuning::unitOf(view().identity, view().selector, view().link.starts_with("sim:"));
+        unit.unit = view().unit;
         unit.trials = {stepped(view())};
         unit.history = unit.trials;
         workbench.book.matter = std::vector<ReportUnit>{unit};

@@ -49,7 +49,8 @@ struct ReportsPageBench {
         unit.identity = workbench.device(0).identity;
         unit.selector = workbench.device(0).selector;
         unit.simulated = true;
-        unit.unit = tuning::unitOf(unit.identity, unit.selector, true);
+        workbench.device(0).unit = "simulated dmc60c 2103343A79F2";
+        unit.unit = workbench.device(0).unit;
         KeptTrial trial;
         trial.number = 17;
         trial.time = 1'718'100'000.0;

@@ -53,7 +53,7 @@ KeptTrial stepOf(const DeviceView &device, std::int64_t number, double overshoot
 {
     KeptTrial row;
     row.number = number;
-    row.trial.unit = tuning::unitOf(device.identity, device.selector, true);
+    row.trial.unit = device.unit;
     row.trial.mode = Mode::Velocity;
     row.trial.reason = "done";
     row.trial.metrics.overshoot = overshoot;

@@ -75,6 +75,7 @@ inline DeviceView tunableDrive(const std::shared_ptr<Telemetry> &telemetry, std:
     DeviceView device = readDrive(id, address);
     device.identity.edit().name = "shooter";
     device.link = "sim:can";
+    device.unit = "simulated place sim:can dmc60c:" + std::to_string(address);
     device.telemetry = telemetry;
     device.rates = {100, 100, 50, 100, 100, 100, 10, 10, 10};
     const auto set = [&device](const char *key, double value) {

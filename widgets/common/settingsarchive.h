@@ -27,7 +27,7 @@ public:
 
     using QObject::QObject;
 
-    /// Of a unit (settings::Unit::key).
+    /// Of a unit (unitKeyOf()).
     virtual void list(const std::string &unit, Listed listed) = 0;
     /// One snapshot with its file.
     virtual void fetch(std::int64_t snapshot, Fetched fetched) = 0;

@@ -62,7 +62,7 @@ void TuneExperiments::follow(const DeviceView &view)
     EnvelopePanel &envelope = m_parts.column->envelope();
     const int axis = m_choices.axis();
     if (chosen.unit.empty() || !view.identity->serial.empty()) // a scan may forget it for a moment
-        chosen.unit = tuning::unitOf(view.identity, view.selector, view.link.starts_with("sim:"));
+        chosen.unit = view.unit;
     envelope.choose(chosen.unit, true);
     m_parts.trials->choose(view.family, chosen.unit, std::max(axis, 1), chosen.mode);
     stimulus.setUnits(chosen.mode, chosen.units);

@@ -257,8 +257,7 @@ void DesignPage::followLimits(const DeviceView &view)
     pushes.axis = m_book.place().axis;
     pushes.stimulus.to = checkedDuty;
     pushes.stimulus.seconds = checkedSeconds;
-    m_envelope->choose(tuning::unitOf(view.identity, view.selector, view.link.starts_with("sim:")),
-        std::exchange(m_limitsOf, view.id) == view.id);
+    m_envelope->choose(view.unit, std::exchange(m_limitsOf, view.id) == view.id);
     pushes.limits = m_envelope->entered();
     const ExperimentCheck check = checkExperiment(view, pushes, {}, m_workbench.presentOf(view.link));
     m_inForce = check.inForce;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameters/historypanel.h"
 
-#include "settings/unit.h"
+#include "model/unit.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
@@ -100,7 +100,7 @@ void HistoryPanel::showDevice(const DeviceView &device)
     const auto link = LinkAddress::parse(device.link);
     if (!link)
         return;
-    const std::string unit = settings::unitOf(device.identity, *link).key;
+    const std::string unit = unitKeyOf(device.identity, *link);
     const bool online = device.liveness.heard && device.busy.empty();
     if (unit == m_unit && device.parameterRevision == m_revision && online == m_online)
         return;

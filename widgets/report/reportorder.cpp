@@ -33,7 +33,7 @@ ReportUnit reportUnitOf(const DeviceView &view)
     unit.identity = view.identity;
     unit.selector = view.selector;
     unit.simulated = view.link.starts_with("sim:");
-    unit.unit = tuning::unitOf(view.identity, view.selector, unit.simulated);
+    unit.unit = view.unit;
     unit.parameters = view.parameters;
     return unit;
 }

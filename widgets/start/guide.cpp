@@ -158,7 +158,7 @@ void Guide::askNotebook(const DeviceView &device)
     const OperationView *operation = m_workbench.snapshot().operation(device.id);
     const std::uint32_t after
         = operation && operation->status.state != OperationStatus::State::Running ? operation->id.value : m_askedAfter;
-    const std::string unit = tuning::unitOf(device.identity, device.selector, true);
+    const std::string unit = device.unit;
     m_workbench.trials().list(unit, [this, run = m_run, after](const Result<std::vector<KeptTrial>> &trials) {
         if (run != m_run)
             return;

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/unit.h"
+
+#include <gtest/gtest.h>
+
+namespace mb {
+namespace {
+
+Identity nodeFour(const std::string &serial = {})
+{
+    Identity identity;
+    identity.family = "supermodified";
+    identity.address = 4;
+    identity.serial = serial;
+    return identity;
+}
+
+std::string keyOn(const char *link, const std::string &serial = {})
+{
+    return unitKeyOf(nodeFour(serial), *LinkAddress::parse(link));
+}
+
+TEST(UnitKeys, ArePlacesWhereNoSerialNumberTellsUnitsApartWhateverTheOptionsOfTheLinkAre)
+{
+    const std::string key = keyOn("serial:/dev/null");
+    EXPECT_EQ(unitByOf(key), UnitBy::Place);
+    EXPECT_EQ(keyOn("serial:/dev/null?baud=57600&rs485=1"), key);
+    EXPECT_NE(keyOn("serial:/dev/zero"), key);
+    EXPECT_TRUE(unitSerialIn(key).empty());
+    EXPECT_EQ(unitCaveatOf(UnitBy::Place), "this place, not this unit");
+}
+
+TEST(UnitKeys, AreTheSerialNumberOnAnyLinkAndSimulatedOnesApart)
+{
+    const std::string key = keyOn("serial:/dev/null", "A7");
+    EXPECT_EQ(key, "supermodified A7");
+    EXPECT_EQ(keyOn("serial:/dev/zero", "A7"), key);
+    EXPECT_EQ(unitByOf(key), UnitBy::Serial);
+    EXPECT_EQ(unitSerialIn(key), "A7");
+    const std::string simulated = keyOn("sim:serial", "A7");
+    EXPECT_EQ(simulated, "simulated " + key);
+    EXPECT_TRUE(isSimulatedUnit(simulated));
+    EXPECT_FALSE(isSimulatedUnit(key));
+    EXPECT_EQ(unitSerialIn(simulated), "A7");
+}
+
+TEST(UnitKeys, WithATagAreThatOfTheUnitAndNotOfItsPlace)
+{
+    const std::string key = taggedUnitKey(keyOn("serial:/dev/null"), "left arm");
+    EXPECT_EQ(key, "tag supermodified left arm");
+    EXPECT_EQ(unitByOf(key), UnitBy::Tag);
+    EXPECT_EQ(unitTagIn(key), "left arm");
+    EXPECT_EQ(taggedUnitKey(keyOn("serial:/dev/zero"), "left arm"), key);
+    EXPECT_TRUE(unitCaveatOf(UnitBy::Tag).empty());
+}
+
+} // namespace
+} // namespace mb
