@@ -30,6 +30,7 @@ private Q_SLOTS:
     void aCaughtEventStaysWhenAReferenceIsKept();
     void theTriggerStaysOnItsSignalWhateverItIsCalled();
     void devicesOfOneNumberAreToldApart();
+    void fittingLeavesReferencesOutOfTheTime();
 };
 
 void TestPlotBoard::twoDevicesInOnePlotLookDifferent()
@@ -387,6 +388,17 @@ void TestPlotBoard::devicesOfOneNumberAreToldApart()
     for (int i = 0; i < list.count(); ++i)
         names << list.item(i)->text();
     QCOMPARE(names.size(), list.count());
+}
+
+void TestPlotBoard::fittingLeavesReferencesOutOfTheTime()
+{
+    PlotBench bench;
+    bench.pass(2.0, 60000.0);
+    const auto range = bench.stack().view().range();
+    bench.board().keepReferences();
+    bench.stack().fit();
+    QCOMPARE(bench.stack().view().range(), range);
+    QVERIFY(bench.stack().view().isLive());
 }
 
 MB_WINDOW_TEST(TestPlotBoard);
