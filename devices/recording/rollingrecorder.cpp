@@ -48,6 +48,10 @@ RollingRecorder::~RollingRecorder()
     (void)endSegment();
     if (m_lock < 0)
         return;
+    if (m_left) {
+        ::close(m_lock);
+        return;
+    }
     std::error_code ignored;
     fs::remove(m_path + '/' + lockName, ignored);
     const std::string last = m_options.folder + '/' + lastName;
@@ -68,7 +72,7 @@ Result<void> RollingRecorder::lockFolder()
     fs::create_directories(m_path, error);
     m_lock = error ? -1 : ::open((m_path + '/' + lockName).c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600);
     if (m_lock < 0)
-        return fail(Fault::LinkLost,
+        return fail(Fault::OutOfRange,
             say("%1 cannot be written: %2", m_path, (error ? error.message() : std::string(std::strerror(errno)))));
     (void)::flock(m_lock, LOCK_EX | LOCK_NB);
     return {};
@@ -77,12 +81,16 @@ Result<void> RollingRecorder::lockFolder()
 void RollingRecorder::follow(
     const std::vector<ExportChannel> &channels, std::vector<std::pair<std::string, mcap::Map>> about)
 {
+    for (Tracked &tracked : m_tracked)
+        tracked.gone = true;
     for (const ExportChannel &channel : channels) {
         const auto known = std::find_if(m_tracked.begin(), m_tracked.end(), [&](const Tracked &tracked) {
             return tracked.channel.telemetry == channel.telemetry && tracked.channel.channel == channel.channel;
         });
-        if (known != m_tracked.end() && known->channel.unit == channel.unit)
+        if (known != m_tracked.end() && known->channel.unit == channel.unit) {
+            known->gone = false;
             continue;
+        }
         if (known != m_tracked.end())
             m_tracked.erase(known); // what it had in its unit is forgotten there, too
         m_tracked.push_back({channel, SampleCursor(channel.telemetry, channel.channel)});
@@ -142,6 +150,7 @@ void RollingRecorder::settle()
     m_safe = m_segments.back();
     for (Tracked &tracked : m_tracked)
         tracked.safe = tracked.cursor.place();
+    m_tracked.remove_if([](Tracked &tracked) { return tracked.gone && !tracked.cursor.peek(); });
 }
 
 /// The disk took less than it was given: the file ends where it was whole, and what it did not get is written again.
@@ -194,7 +203,7 @@ void RollingRecorder::writeSamples(Duration unixOffset, Instant horizon)
 
 Result<void> RollingRecorder::write(Instant now, Duration unixOffset)
 {
-    if (m_tracked.empty())
+    if (m_tracked.empty() && !m_writer)
         return {};
     auto written = writeSegment(now, unixOffset);
     m_failure = written ? std::nullopt : std::optional(written.error());

@@ -25,12 +25,13 @@ public:
     explicit RollingRecorder(Options options);
     RollingRecorder(const RollingRecorder &) = delete;
     RollingRecorder &operator=(const RollingRecorder &) = delete;
-    /// Ends the last file; the folder becomes `last-session`, in place of the one before.
+    /// Ends the last file; the folder becomes `last-session`, in place of the one before, unless it is left.
     ~RollingRecorder();
 
-    /// What there is now. Channels that went away stay in the files that have them; one in another unit is another channel.
+    /// What there is now. Channels that went away stay in the files that have them, and are let go of once all of theirs is there;
+    /// one in another unit is another channel.
     void follow(const std::vector<ExportChannel> &channels, std::vector<std::pair<std::string, mcap::Map>> about);
-    /// Writes what has been recorded since and hands it to the kernel. LinkLost with path and cause; nothing is lost as
+    /// Writes what has been recorded since and hands it to the kernel. OutOfRange with path and cause; nothing is lost as
     /// long as the histories have it: files end with their last whole sample, and the next call goes on behind it, in a new one.
     [[nodiscard]] Result<void> write(Instant now, Duration unixOffset);
     /// A note for the file.
@@ -43,6 +44,9 @@ public:
     /// nothing it fails with that cause, and goes on keeping.
     [[nodiscard]] Result<ExportReport> save(const std::string &path, const ExportProgress &progress);
 
+    /// What is kept could not be saved: the folder stays as that of a run that was killed, for recoverRecordings().
+    void leave() { m_left = true; }
+
     [[nodiscard]] std::uint64_t bytes() const;
     [[nodiscard]] std::uint64_t samples() const;
     /// Source time of the oldest sample on disk.
@@ -54,6 +58,7 @@ private:
         SampleCursor cursor;
         std::uint16_t id = 0;       ///< in the file that is being written
         SampleCursor::Place safe{}; ///< everything before it is in a file
+        bool gone = false;          ///< nothing comes any more
     };
     struct Segment {
         std::string path;
@@ -85,6 +90,7 @@ private:
     std::optional<Error> m_failure; ///< of the last write
     std::size_t m_number = 0;
     bool m_keeping = false;
+    bool m_left = false;
     bool m_aboutChanged = false;
 };
 

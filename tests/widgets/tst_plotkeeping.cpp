@@ -2,6 +2,7 @@
 #include "plotbench.h"
 #include "support/fulldisk.h"
 #include "support/windowtests.h"
+#include <QSet>
 
 using namespace mb;
 using namespace mb::test;
@@ -23,6 +24,9 @@ private Q_SLOTS:
     void aChangeStandsWhileALayoutWaitsForADevice();
     void tracesOfALinkThatIsClosedComeBackWithIt();
     void aDerivedSignalThatWaitsForItsDevicesRebuildsNothing();
+    void whatIsPlayedIsNotRecordedAgain();
+    void whatIsKeptAndCannotBeSavedAtTheEndIsRecoveredAtTheNextStart();
+    void recordingsOfOneSecondHaveNamesOfTheirOwn();
 };
 
 void TestPlotKeeping::notesStandInThePlotAndInTheFile()
@@ -315,6 +319,66 @@ void TestPlotKeeping::aDerivedSignalThatWaitsForItsDevicesRebuildsNothing()
     bench.workbench.publish();
     QCOMPARE(bench.page->traceCount(), std::size_t{6});
     QVERIFY(bench.page->layoutBook().current() == layout);
+}
+
+void TestPlotKeeping::whatIsPlayedIsNotRecordedAgain()
+{
+    PlotBench bench;
+    const QTemporaryDir folder;
+    LinkView live;
+    live.address = "sim:can";
+    LinkView played;
+    played.address = "replay:/logs/run.log";
+    played.replay.emplace();
+    bench.workbench.shot.links = {live, played};
+    bench.workbench.device(0).link = "sim:can";
+    bench.workbench.device(1).link = "replay:/logs/run.log";
+    Recorder recorder(bench.workbench, folder.path() + s("/rolling"));
+    bench.page->setRecorder(&recorder, folder.path() + s("/kept"));
+    bench.pass(5.0, 60000.0);
+    QTRY_VERIFY(recorder.state().samples > 100);
+    recorder.startKeeping(folder.path());
+    QSignalSpy saved(&recorder, &Recorder::saved);
+    recorder.save(folder.filePath(s("a.mcap")));
+    QTRY_COMPARE(saved.count(), 1);
+    const auto loaded = loadRecording(folder.filePath(s("a.mcap")).toStdString());
+    QVERIFY(loaded);
+    QCOMPARE((*loaded)->table.size(), dmc60c().channels.size());
+    bench.page->setRecorder(nullptr, {});
+}
+
+void TestPlotKeeping::whatIsKeptAndCannotBeSavedAtTheEndIsRecoveredAtTheNextStart()
+{
+    PlotBench bench;
+    const QTemporaryDir folder;
+    QFile taken(folder.filePath(s("kept"))); // no folder can be there
+    QVERIFY(taken.open(QIODevice::WriteOnly));
+    for (const bool again : {false, true}) {
+        auto recorder = std::make_unique<Recorder>(bench.workbench, folder.path() + s("/rolling"));
+        bench.page->setRecorder(recorder.get(), folder.filePath(s("kept")));
+        bench.pass(5.0, 60000.0);
+        QTRY_VERIFY(recorder->state().samples > 100);
+        if (!again)
+            recorder->startKeeping(folder.filePath(s("kept")));
+        if (again)
+            QTRY_VERIFY(!bench.workbench.lines.empty());
+        bench.page->setRecorder(nullptr, {});
+        recorder.reset();
+    }
+    QVERIFY2(
+        bench.workbench.lines.front().text.contains(s("recovered-")), qPrintable(bench.workbench.lines.front().text));
+    const QFileInfoList files = QDir(folder.filePath(s("rolling"))).entryInfoList({s("recovered-*.mcap")}, QDir::Files);
+    QCOMPARE(files.size(), 1);
+    QVERIFY(loadRecording(files.first().filePath().toStdString()));
+}
+
+void TestPlotKeeping::recordingsOfOneSecondHaveNamesOfTheirOwn()
+{
+    const QTemporaryDir folder;
+    QSet<QString> names;
+    for (int i = 0; i < 20; ++i)
+        names << recordingIn(folder.filePath(s("kept")));
+    QCOMPARE(names.size(), 20);
 }
 
 MB_WINDOW_TEST(TestPlotKeeping);

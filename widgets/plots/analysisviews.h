@@ -28,6 +28,7 @@ private:
     PlotStack &m_stack;
     PlotBoard &m_board;
     CurvePlot *m_plot;
+    std::vector<Signal> m_listed; ///< what both boxes offer
     QComboBox *m_across;
     QComboBox *m_upwards;
 };
@@ -38,6 +39,8 @@ class SpectrumView : public QWidget {
 public:
     SpectrumView(PlotStack &stack, PlotBoard &board, const ThemeSource &theme, QWidget *parent);
     [[nodiscard]] CurvePlot &plot() { return *m_plot; }
+    /// Other traces are on the board.
+    void follow();
     void refresh();
 
 private:

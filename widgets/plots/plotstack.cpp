@@ -104,12 +104,14 @@ void PlotStack::fit()
     double last = -first;
     for (const auto &[id, trace] : m_strips->traces()) {
         if (const auto *fixed = dynamic_cast<const FixedTrace *>(trace.source.get());
-            fixed && !fixed->points().empty()) {
+            fixed && !fixed->points().empty() && !trace.style.aligned) { // which has no time of its own
             first = std::min(first, fixed->points().front().key);
             last = std::max(last, fixed->points().back().key);
         }
     }
-    if (last > first)
+    if (m_view->whole())
+        m_view->setRange(m_view->whole()->first, m_view->whole()->second);
+    else if (last > first)
         m_view->setRange(first, last);
     touch();
 }
