@@ -97,7 +97,7 @@ void TuneExperiments::checkKinds(const DeviceView &view)
 
 PageStatus TuneExperiments::status(const DeviceView &view, const QString &name) const
 {
-    if (m_arming.isOnTrial()) {
+    if (m_arming.isOnTrial(view.id)) {
         const OperationView *const operation = m_workbench.snapshot().operation(view.id);
         const QString step = operation ? messageText(operation->status.step) : QString();
         return {GlyphState::Moving, tr("Experiment"), step, false};

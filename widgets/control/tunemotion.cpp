@@ -118,7 +118,7 @@ void TuneMotion::halt()
     const bool goesOn = m_choices.axis() > 0 && std::any_of(all.begin(), all.end(), [&](const SetPoint &setPoint) {
         return std::find(stopped.begin(), stopped.end(), setPoint.axis) == stopped.end();
     });
-    if (m_arming.isOnTrial() || !goesOn) {
+    if (m_arming.isOnTrial(view->id) || !goesOn) {
         m_choices.forgetMotion();
         m_arming.halt();
         return;
