@@ -106,6 +106,11 @@ PageStatus TuneExperiments::status(const DeviceView &view, const QString &name) 
         return {GlyphState::Moving, tr("Moving"), tr("Stop the motion before an experiment."), false};
     if (const QString fault = m_parts.stimulus->fault(); !fault.isEmpty())
         return {GlyphState::OutOfRange, tr("The stimulus cannot be sent"), fault, false};
+    for (const int axis : m_parts.column->motorsToRun()) {
+        if (axis != m_choices.axis() && m_choices.current()->mode == Mode::Position
+            && !m_motion.present(view, Mode::Position, axis))
+            return {GlyphState::Busy, tr("The position of axis %1 is not known yet").arg(axis), {}, false};
+    }
     const ExperimentCheck found = check(view, wishOf(view, m_choices.axis()));
     if (!found.good)
         return {GlyphState::Warning, found.possible ? tr("No experiment yet") : tr("No experiment in this mode"),
