@@ -28,11 +28,23 @@ void Motion::forget(const Link &link)
     }
 }
 
+/// The stream of an experiment is its own until what it has changed is put back.
+Result<Device *> Motion::freeDevice(DeviceId id) const
+{
+    Device *const device = m_context.session.find(id);
+    if (!device)
+        return fail(Fault::Timeout, say("the device is gone"));
+    if (m_context.operations.isTried(id))
+        return fail(Fault::Unsafe, say("an experiment on it has not ended"), say("wait until it has, or stop it"));
+    return device;
+}
+
 void Motion::carryOut(const orders::StartMotion &order, const Finished &finished)
 {
-    Device *device = m_context.session.find(order.device);
-    if (!device)
-        return finished(fail(Fault::Timeout, say("the device is gone")));
+    const Result<Device *> found = freeDevice(order.device);
+    if (!found)
+        return finished(fail(found.error()));
+    Device *const device = *found;
     SetPointStream &stream = m_context.session.stream(*device);
     m_streams[order.device] = stream.changed().add([this, id = order.device] { streamChanged(id); });
     if (const Message caution = device->caution(order.setPoint); !caution.empty())
@@ -54,10 +66,8 @@ void Motion::streamChanged(DeviceId id)
 
 void Motion::carryOut(const orders::UpdateMotion &order, const Finished &finished)
 {
-    if (Device *device = m_context.session.find(order.device))
-        finished(m_context.session.stream(*device).update(order.setPoint, order.glide));
-    else
-        finished(fail(Fault::Timeout, say("the device is gone")));
+    const Result<Device *> device = freeDevice(order.device);
+    finished(device ? m_context.session.stream(**device).update(order.setPoint, order.glide) : fail(device.error()));
 }
 
 void Motion::carryOut(const orders::RenewMotion &order, const Finished &finished)

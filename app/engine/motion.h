@@ -29,6 +29,7 @@ public:
     void carryOut(const orders::DismissStops &order, const Finished &finished);
 
 private:
+    [[nodiscard]] Result<Device *> freeDevice(DeviceId device) const;
     void streamChanged(DeviceId device);
     void followStop(Device &device);
     void guardianActed(const std::string &name, MotionGuard::Verdict verdict);

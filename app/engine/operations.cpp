@@ -13,6 +13,12 @@ bool isRunning(const Operations::Job &job)
     return job.operation->isRunning();
 }
 
+bool isExperiment(const Operations::Job &job)
+{
+    const OperationKind kind = job.operation->status().kind;
+    return kind == OperationKind::Trial || kind == OperationKind::FamilyExperiment;
+}
+
 } // namespace
 
 Operations::Operations(Clock &clock, Session &session, EngineLog &log)
@@ -101,6 +107,12 @@ bool Operations::has(DeviceId device) const
         return true;
     return std::any_of(
         m_jobs.begin(), m_jobs.end(), [this, device](const Job &job) { return isRunning(job) && isOf(job, device); });
+}
+
+bool Operations::isTried(DeviceId device) const
+{
+    return std::any_of(m_jobs.begin(), m_jobs.end(),
+        [this, device](const Job &job) { return isRunning(job) && isExperiment(job) && isOf(job, device); });
 }
 
 bool Operations::hasOn(const Link &link) const

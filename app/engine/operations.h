@@ -55,6 +55,8 @@ public:
     void takeBack(const Link &link) { m_lent.erase(&link); }
     [[nodiscard]] bool isLent(const Link &link) const { return m_lent.count(&link) > 0; }
     [[nodiscard]] bool has(DeviceId device) const;
+    /// An experiment moves it, is about to, or still puts back what it has changed.
+    [[nodiscard]] bool isTried(DeviceId device) const;
     /// Before something is written that was meant for one unit. Unsafe while it has restarted and not told again who it is: another one
     /// may stand there now.
     [[nodiscard]] Result<void> checkRecognised(DeviceId device) const;

@@ -281,6 +281,33 @@ TEST_F(TrialCore, HaltEndsItAndASecondOneIsRefusedMeanwhile)
     EXPECT_TRUE((**ended).stopped);
 }
 
+TEST_F(TrialCore, NoSetPointOfAHandReachesAnExperimentNorWhatItPutsBack)
+{
+    SetPoint byHand;
+    byHand.mode = Mode::Duty;
+    byHand.target = 0.3;
+    const auto isRefused = [&] {
+        test::Heard<> started;
+        test::Heard<> updated;
+        core.send(orders::StartMotion{id(), byHand, 500ms}, started.finished());
+        core.send(orders::UpdateMotion{id(), byHand}, updated.finished());
+        return started && updated && !*started && !*updated && started->error().fault == Fault::Unsafe
+            && updated->error().fault == Fault::Unsafe;
+    };
+    start(Keep::Never);
+    ASSERT_TRUE(clock.runUntil([this] { return device()->liveness().moving; }, 10s));
+    EXPECT_TRUE(isRefused());
+    core.send(orders::StopMotion{id()});
+    ASSERT_FALSE(ended) << "it still puts back what it has changed";
+    EXPECT_TRUE(isRefused());
+    ASSERT_TRUE(ends());
+    ASSERT_TRUE(*ended);
+    EXPECT_EQ((**ended).reason, "interrupted");
+    test::Heard<> started;
+    core.send(orders::StartMotion{id(), byHand, 500ms}, started.finished());
+    EXPECT_TRUE(started && *started) << "once it is over";
+}
+
 TEST_F(TrialCore, AWindowThatHangsEndsItByItsLease)
 {
     start(Keep::Never);

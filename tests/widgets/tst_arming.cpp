@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the lamp says of a stop: told, seen, or nobody knows.
+// Who may be armed, and what ends it.
 #include "support/windowtests.h"
-#include "tunebench.h"
+#include "trialbench.h"
+#include "widgets/control/batterydialog.h"
 
+#include <QSlider>
 #include <QTest>
 
 using namespace mb;
@@ -19,6 +22,15 @@ private Q_SLOTS:
     void aMotorThatMayStillTurnKeepsEverythingFromBeingArmed();
     void aStopOwedToADeviceThatIsGoneIsNamedToo();
     void theLampNamesWhomStopLeavesOut();
+    void noHandReachesIntoARunningExperiment();
+    void aUnitIsArmedAgainOnceItsExperimentHasEnded();
+    void anExperimentThatEndsIsNoEndOfWhatAnotherUnitDoes();
+    void whoAsksForAnExperimentThatCannotBeginIsAnswered();
+    void aRunThatWaitsForAWriteDoesNotOutliveAStop();
+    void theBatteryIsWhatThePageSaysWhenItIsRun();
+    void silenceAndARestartEndAnArming_data();
+    void silenceAndARestartEndAnArming();
+    void anUnknownPositionIsNoPlaceToStartFrom();
 
 private:
     [[nodiscard]] LampStatus lamp() { return m_bench->arming.status({1}); }
@@ -97,6 +109,139 @@ void TestArming::theLampNamesWhomStopLeavesOut()
     m_bench->arming.stopAll(QStringLiteral("Esc"));
     QCOMPARE(lamp().detail, QStringLiteral("not sent to #5"));
     QVERIFY(m_bench->workbench.lines.back().text.contains(QStringLiteral("not sent to #5")));
+}
+
+void TestArming::noHandReachesIntoARunningExperiment()
+{
+    TrialBench bench;
+    bench.choose(60'000.0);
+    bench.arm();
+    bench.page->run();
+    QVERIFY(bench.arming.isOnTrial());
+    bench.device().motion.running = true;
+    bench.device().liveness.moving = true;
+    bench.page->showLive(true);
+    bench.workbench.publish();
+    QVERIFY(!bench.page->status().mayRun);
+    bench.page->run();
+    bench.find<QSlider>("Set-point, slider")->setValue(400);
+    SetPoint held;
+    held.mode = Mode::RampPosition;
+    bench.arming.run(held);
+    QVERIFY(bench.workbench.given<orders::UpdateMotion>().empty());
+    QVERIFY(bench.workbench.given<orders::StartMotion>().empty());
+}
+
+void TestArming::aUnitIsArmedAgainOnceItsExperimentHasEnded()
+{
+    TrialBench bench;
+    bench.choose(60'000.0);
+    bench.arm();
+    bench.page->run();
+    bench.arming.disarm();
+    bench.arming.arm({1});
+    QVERIFY(bench.arming.state() == LampState::Safe);
+    QVERIFY2(bench.workbench.lines.back().text.contains(QStringLiteral("experiment")),
+        qPrintable(bench.workbench.lines.back().text));
+    QVERIFY(!bench.arming.status({1}).armable);
+    bench.finish(0.5);
+    bench.arming.arm({1});
+    QVERIFY(bench.arming.isArmed({1}));
+}
+
+void TestArming::anExperimentThatEndsIsNoEndOfWhatAnotherUnitDoes()
+{
+    TrialBench bench;
+    bench.workbench.shot.devices.push_back(tunableDrive(bench.recording.telemetry(), 2, 7));
+    bench.choose(60'000.0);
+    bench.arm();
+    bench.page->run();
+    const auto planned = bench.workbench.given<orders::RunTrial>().back();
+    bench.selection.select({2}); // disarms
+    bench.page->showLive(true);
+    bench.arming.arm({2});
+    bench.page->run();
+    QVERIFY(bench.arming.isMoving());
+    QCOMPARE(bench.workbench.given<orders::StartMotion>().back().device, DeviceId{2});
+    const auto stops = bench.workbench.given<orders::StopMotion>().size();
+    bench.page->halt();
+    QCOMPARE(bench.workbench.given<orders::StopMotion>().size(), stops + 1);
+    QVERIFY2(!bench.arming.isMoving(), "a motion by hand is over at once, whatever another unit still does");
+    bench.page->run();
+    tuning::Trial trial = responseOf(planned.plan, 1, 0.5, bench.unit());
+    trial.reason = "speed";
+    planned.finished(trial);
+    QVERIFY(bench.arming.isMoving());
+    QCOMPARE(bench.arming.device(), DeviceId{2});
+}
+
+void TestArming::whoAsksForAnExperimentThatCannotBeginIsAnswered()
+{
+    m_bench->arming.disarm();
+    std::optional<Result<tuning::Trial>> ended;
+    m_bench->arming.runTrial({}, {}, [&ended](const Result<tuning::Trial> &trial) { ended = trial; });
+    QVERIFY(ended && !*ended);
+    QVERIFY(m_bench->workbench.given<orders::RunTrial>().empty());
+}
+
+void TestArming::aRunThatWaitsForAWriteDoesNotOutliveAStop()
+{
+    TuneBench bench;
+    bench.arm();
+    EditDesk::of(bench.workbench).editsOf(bench.device()).stageAll({{named("slot0.d"), 25}}, QStringLiteral("by hand"));
+    bench.page->run();
+    QCOMPARE(bench.workbench.given<orders::WriteParameters>().size(), 1U);
+    bench.arming.stopAll(QStringLiteral("Esc"));
+    bench.arm();
+    QVERIFY(bench.arming.isArmed({1}));
+    const auto finished = bench.workbench.given<orders::WriteParameters>().back().finished;
+    finished({});
+    QVERIFY(bench.workbench.given<orders::StartMotion>().empty());
+}
+
+void TestArming::theBatteryIsWhatThePageSaysWhenItIsRun()
+{
+    TrialBench bench;
+    bench.choose(60'000.0);
+    bench.arm();
+    QTest::keyClick(bench.page.get(), Qt::Key_F7);
+    auto *const dialog = bench.page->findChild<BatteryDialog *>();
+    QVERIFY(dialog);
+    bench.choose(30'000.0);
+    dialog->run();
+    QCOMPARE(bench.workbench.given<orders::RunTrial>().size(), 1U);
+    QCOMPARE(bench.workbench.given<orders::RunTrial>().back().plan.to, 6'000.0);
+}
+
+void TestArming::silenceAndARestartEndAnArming_data()
+{
+    QTest::addColumn<bool>("restart");
+    QTest::newRow("silence") << false;
+    QTest::newRow("a restart") << true;
+}
+
+void TestArming::silenceAndARestartEndAnArming()
+{
+    QFETCH(bool, restart);
+    (restart ? m_bench->device().liveness.restarted : m_bench->device().liveness.heard) = restart;
+    m_bench->workbench.publish();
+    QVERIFY(m_bench->arming.state() == LampState::Stopped);
+    QVERIFY(!m_bench->arming.reason().isEmpty());
+    m_bench->arming.arm({1});
+    QVERIFY2(m_bench->arming.state() == LampState::Stopped, "as long as that is so");
+}
+
+void TestArming::anUnknownPositionIsNoPlaceToStartFrom()
+{
+    m_bench->page->form().choose(Mode::Position, 1000.0);
+    m_bench->arm();
+    QVERIFY(!m_bench->page->status().mayRun);
+    QVERIFY2(problemOf(*m_bench).contains(QStringLiteral("position")), qPrintable(problemOf(*m_bench)));
+    m_bench->page->run();
+    QVERIFY(m_bench->workbench.given<orders::StartMotion>().empty());
+    m_bench->pass(1.0, 500.0);
+    m_bench->page->run();
+    QCOMPARE(m_bench->workbench.given<orders::StartMotion>().size(), 1U);
 }
 
 MB_WINDOW_TEST(TestArming);

@@ -27,12 +27,13 @@ struct BatteryBench {
     ThemeSource theme{darkTheme()};
     Arming arming{workbench};
     Recording recording{workbench.time};
-    BatteryDialog dialog{arming, theme, nullptr};
+    BatteryOffer offer{{1}, tuning::batteryOf(largest(), 0.0, false), QStringLiteral("counts/s"), {}};
+    BatteryDialog dialog{arming, [this] { return offer; }, theme, nullptr};
 
     BatteryBench()
     {
         workbench.shot.devices.push_back(tunableDrive(recording.telemetry()));
-        dialog.setBattery(tuning::batteryOf(largest(), 0.0, false), {1}, QStringLiteral("counts/s"));
+        dialog.showOffer();
         dialog.show();
     }
     /// The step that runs ends with this overshoot.

@@ -10,9 +10,11 @@
 #include "widgets/control/tuneplot.h"
 
 #include <QAbstractButton>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QStackedWidget>
@@ -47,6 +49,7 @@ private Q_SLOTS:
     void everyStateHasItsWords();
     void aBootloaderHasNothingToTune();
     void theDeviceKeepsItsChoices();
+    void theDeviceKeepsItsDriveOptionsAndTheFoldedPanelSaysThem();
     void physicalGainsMatchTheGoldenValues();
     void theMeterWarnsBelowFifty();
     void theSlewIsTheHandsLimit();
@@ -182,6 +185,29 @@ void TestTunePage::theDeviceKeepsItsChoices()
     bench.selection.select({1});
     QVERIFY(bench.find<QAbstractButton>("Current mode")->isChecked());
     QVERIFY(bench.find<QAbstractButton>("Revert P")->isEnabled());
+}
+
+void TestTunePage::theDeviceKeepsItsDriveOptionsAndTheFoldedPanelSaysThem()
+{
+    TuneBench bench;
+    bench.workbench.shot.devices.push_back(tunableDrive(std::make_shared<Telemetry>(dmc60c().channels), 2, 7));
+    bench.workbench.publish();
+    bench.find<QCheckBox>("Reverse sensor")->setChecked(true);
+    const auto isSaid = [&bench] {
+        const auto all = bench.page->findChildren<QPushButton *>();
+        return std::any_of(all.begin(), all.end(),
+            [](const QPushButton *button) { return button->text().contains(s("sensor reversed")); });
+    };
+    QVERIFY(isSaid());
+    bench.selection.select({2});
+    QVERIFY(!bench.find<QCheckBox>("Reverse sensor")->isChecked());
+    QVERIFY2(!isSaid(), "the other unit has it as it is set");
+    bench.selection.select({1});
+    QVERIFY(bench.find<QCheckBox>("Reverse sensor")->isChecked());
+    QVERIFY(isSaid());
+    bench.arm();
+    bench.page->run();
+    QVERIFY(bench.workbench.given<orders::StartMotion>().at(0).setPoint.reverseSensor);
 }
 
 /// docs/names.md#integer-gains, "Golden, cpr 4096".

@@ -28,6 +28,16 @@ QString endOf(const MotionView &motion, Duration silence)
         .arg(formatNumber(std::chrono::duration<double>(std::max<Duration>(silence, LeaseRenewal::term)).count(), 1));
 }
 
+/// What ends an arming that nothing else has ended; empty: nothing.
+QString lossOf(const DeviceView &view)
+{
+    if (!view.mayNotMove.empty())
+        return messageText(view.mayNotMove);
+    if (!view.liveness.heard)
+        return Arming::tr("it is not heard");
+    return view.liveness.restarted ? Arming::tr("it has restarted") : QString();
+}
+
 } // namespace
 
 Arming::Arming(Workbench &workbench, QObject *parent)
@@ -76,12 +86,12 @@ LampStatus Arming::statusOf(const DeviceView *view) const
     const Snapshot &shot = m_workbench.snapshot();
     LampStatus status;
     status.state = m_state;
-    status.armable = view && view->mayNotMove.empty() && view->liveness.heard;
+    status.armable = view && whyNotArmed(*view).isEmpty();
     switch (m_state) {
     case LampState::Safe:
         if (!view)
             status.detail = tr("nothing to arm");
-        else if (!view->busy.empty())
+        else if (!view->busy.empty() || hasExperiment(view->id))
             status.detail = tr("arming off while busy");
         else if (!status.armable)
             status.detail = tr("%1 cannot be armed").arg(addressIn(shot, view->id));
@@ -99,7 +109,7 @@ LampStatus Arming::statusOf(const DeviceView *view) const
         if (!m_leftOut.isEmpty())
             status.detail = tr("not sent to %1").arg(m_leftOut);
         else if (!status.armable)
-            status.detail = tr("nothing to arm");
+            status.detail = view && hasExperiment(view->id) ? tr("arming off while busy") : tr("nothing to arm");
         break;
     case LampState::Stopping:
     case LampState::MayTurn: break; // what becomes of a stop, never where the arming stands
@@ -107,8 +117,15 @@ LampStatus Arming::statusOf(const DeviceView *view) const
     return status;
 }
 
+bool Arming::hasExperiment(DeviceId device) const
+{
+    return isOnTrial(device) || isTried(m_workbench.snapshot(), device);
+}
+
 void Arming::enter(LampState state, const QString &reason)
 {
+    if (state == LampState::Armed && m_state != LampState::Moving)
+        ++m_armingNumber;
     m_state = state;
     m_reason = reason;
     m_byHand = false;
@@ -119,16 +136,22 @@ void Arming::enter(LampState state, const QString &reason)
     Q_EMIT changed();
 }
 
+QString Arming::whyNotArmed(const DeviceView &view) const
+{
+    if (const QString lost = lossOf(view); !lost.isEmpty())
+        return lost;
+    if (hasExperiment(view.id))
+        return tr("an experiment on it has not ended");
+    const QString turning = mayTurn();
+    return turning.isEmpty() ? QString() : tr("%1 may still turn").arg(turning);
+}
+
 void Arming::arm(DeviceId device)
 {
     const DeviceView *view = m_workbench.snapshot().device(device);
     if (!view)
         return;
-    const QString turning = mayTurn();
-    if (!view->mayNotMove.empty() || !view->liveness.heard || !turning.isEmpty()) {
-        const QString why = !view->mayNotMove.empty() ? messageText(view->mayNotMove)
-            : !view->liveness.heard                   ? tr("it is not heard")
-                                                      : tr("%1 may still turn").arg(turning);
+    if (const QString why = whyNotArmed(*view); !why.isEmpty()) {
         m_workbench.report(Severity::Caution, titleOf(*view), tr("not armed: %1").arg(why));
         return;
     }
@@ -149,7 +172,7 @@ void Arming::disarm()
 
 void Arming::run(const SetPoint &setPoint, const Glide &glide)
 {
-    if (m_state != LampState::Armed && m_state != LampState::Moving)
+    if (!isArmed(m_device) || isOnTrial(m_device))
         return;
     m_setPoint = setPoint;
     const auto finished = [self = QPointer<Arming>(this)](const Result<void> &result) {
@@ -172,79 +195,77 @@ void Arming::refused(const Error &error)
         enter(LampState::Armed);
 }
 
-bool Arming::beginTrial(Mode mode, int axis)
+template <class O, class T>
+void Arming::runExperiment(O order, Mode mode, int axis, std::function<void(const Result<T> &)> finished)
 {
-    if (m_state != LampState::Armed || m_onTrial)
-        return false;
+    if (m_state != LampState::Armed || isOnTrial(m_device)) {
+        if (finished)
+            finished(fail(Fault::Unsafe, say("it is not armed, or moves")));
+        return;
+    }
     m_setPoint = {};
     m_setPoint.mode = mode;
     m_setPoint.axis = axis;
-    m_onTrial = true;
+    m_trialOf = m_device;
     enter(LampState::Moving);
-    return true;
+    m_workbench.send(std::move(order),
+        [self = QPointer<Arming>(this), device = m_device, finished = std::move(finished)](const Result<T> &result) {
+            if (self)
+                self->trialEnded(device, result ? Result<Ending>(endingOf(*result)) : fail(result.error()));
+            if (finished)
+                finished(result);
+        });
 }
 
 void Arming::runTrial(
     const tuning::ExperimentPlan &plan, Workbench::TrialMeasured measured, Workbench::TrialFinished finished)
 {
-    if (!beginTrial(plan.mode, plan.axis))
-        return;
-    m_workbench.send(orders::RunTrial{m_device, plan, std::move(measured)},
-        [self = QPointer<Arming>(this), finished = std::move(finished)](const Result<tuning::Trial> &trial) {
-            if (self && trial)
-                self->trialEnded({}, trial->reason, trial->detail);
-            else if (self)
-                self->trialEnded(fail(trial.error()), {}, {});
-            if (finished)
-                finished(trial);
-        });
+    runExperiment<orders::RunTrial, tuning::Trial>(
+        {m_device, plan, std::move(measured)}, plan.mode, plan.axis, std::move(finished));
 }
 
 void Arming::runTuning(const tuning::TunePlan &plan, Workbench::TuningFinished finished)
 {
-    if (!beginTrial(plan.loop, plan.axis))
-        return;
-    m_workbench.send(orders::RunTuning{m_device, plan},
-        [self = QPointer<Arming>(this), finished = std::move(finished)](const Result<tuning::TuneReport> &report) {
-            if (self && report)
-                self->trialEnded({}, report->stopReason.empty() ? "done" : report->stopReason, report->evidence);
-            else if (self)
-                self->trialEnded(fail(report.error()), {}, {});
-            if (finished)
-                finished(report);
-        });
+    runExperiment<orders::RunTuning, tuning::TuneReport>({m_device, plan}, plan.loop, plan.axis, std::move(finished));
 }
 
 void Arming::runSweep(const tuning::SweepPlan &plan, const tuning::PlantModel &plant, Workbench::SweepFinished finished)
 {
-    if (!beginTrial(Mode::Duty, plan.axis))
-        return;
-    m_workbench.send(orders::RunSweep{m_device, plan, plant},
-        [self = QPointer<Arming>(this), finished = std::move(finished)](
-            const Result<tuning::FrequencyResponse> &response) {
-            if (self && response)
-                self->trialEnded({}, response->stopReason.empty() ? "done" : response->stopReason, response->evidence);
-            else if (self)
-                self->trialEnded(fail(response.error()), {}, {});
-            if (finished)
-                finished(response);
-        });
+    runExperiment<orders::RunSweep, tuning::FrequencyResponse>(
+        {m_device, plan, plant}, Mode::Duty, plan.axis, std::move(finished));
 }
 
-/// A guard's stop is latched, as every stop that nobody asked for.
-void Arming::trialEnded(const Result<void> &ran, const std::string &reason, const Message &detail)
+Arming::Ending Arming::endingOf(const tuning::Trial &trial)
 {
-    m_onTrial = false;
-    if (m_state != LampState::Moving)
+    return {trial.reason, trial.detail};
+}
+
+Arming::Ending Arming::endingOf(const tuning::TuneReport &report)
+{
+    return {report.stopReason.empty() ? "done" : report.stopReason, report.evidence};
+}
+
+Arming::Ending Arming::endingOf(const tuning::FrequencyResponse &response)
+{
+    return {response.stopReason.empty() ? "done" : response.stopReason, response.evidence};
+}
+
+/// A guard's stop is latched, as every stop that nobody asked for. Whatever another device does meanwhile goes on.
+void Arming::trialEnded(DeviceId device, const Result<Ending> &ending)
+{
+    if (!isOnTrial(device))
         return;
-    if (!ran)
-        m_workbench.report(Severity::Danger, titleIn(m_workbench.snapshot(), m_device), errorText(ran.error()));
-    const bool calm = !ran || reason == "done" || reason == "interrupted";
-    if (calm)
+    m_trialOf.reset();
+    if (m_state != LampState::Moving || m_device != device)
+        return;
+    if (!ending)
+        m_workbench.report(Severity::Danger, titleIn(m_workbench.snapshot(), m_device), errorText(ending.error()));
+    if (!ending || ending->reason == "done" || ending->reason == "interrupted")
         enter(LampState::Armed);
     else
         enter(LampState::Stopped,
-            tr("%1 guard, %2", "guard and what tripped it").arg(guardText(reason), messageText(detail)));
+            tr("%1 guard, %2", "guard and what tripped it")
+                .arg(guardText(ending->reason), messageText(ending->detail)));
 }
 
 void Arming::halt()
@@ -252,7 +273,7 @@ void Arming::halt()
     if (m_state != LampState::Moving)
         return;
     m_workbench.send(orders::StopMotion{m_device});
-    if (m_onTrial)
+    if (isOnTrial(m_device))
         return;
     enter(LampState::Armed);
 }
@@ -313,11 +334,11 @@ void Arming::follow()
         return;
     }
     if (m_state == LampState::Armed) {
-        if (!view->mayNotMove.empty())
-            enter(LampState::Stopped, messageText(view->mayNotMove));
+        if (const QString lost = lossOf(*view); !lost.isEmpty())
+            enter(LampState::Stopped, lost);
         return;
     }
-    if (m_onTrial) // between its phases nothing runs
+    if (isOnTrial(m_device)) // between its phases nothing runs
         return;
     m_started = m_started || view->motion.running;
     const bool ended = !view->motion.running && (m_started || m_workbench.now() - m_runAt > startTime);

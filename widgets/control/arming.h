@@ -36,7 +36,7 @@ public:
     void disarm();
     /// Starts the armed device, or changes what it does. Nothing happens when it is not armed.
     void run(const SetPoint &setPoint, const Glide &glide = {});
-    /// Runs an experiment on the armed device, and renews its lease. Nothing happens, and nobody is answered, when it is not
+    /// Runs an experiment on the armed device, and renews its lease. Nothing happens, and `finished` gets Unsafe, when it is not
     /// armed or moves. Once it is over the device is armed again, or stopped by whatever stopped it.
     void runTrial(
         const tuning::ExperimentPlan &plan, Workbench::TrialMeasured measured, Workbench::TrialFinished finished);
@@ -44,7 +44,12 @@ public:
     void runTuning(const tuning::TunePlan &plan, Workbench::TuningFinished finished);
     /// The same with the sines of a frequency response.
     void runSweep(const tuning::SweepPlan &plan, const tuning::PlantModel &plant, Workbench::SweepFinished finished);
-    [[nodiscard]] bool isOnTrial() const { return m_onTrial; }
+    /// An experiment of this device moves it, or still puts back what it has changed.
+    [[nodiscard]] bool isOnTrial(DeviceId device) const { return m_trialOf == device; }
+    /// Any device's.
+    [[nodiscard]] bool isOnTrial() const { return m_trialOf.has_value(); }
+    /// Another number with every arming: what waits for something else is not begun once that arming is over.
+    [[nodiscard]] std::uint64_t armingNumber() const { return m_armingNumber; }
     /// Ends the motion and stays armed; a trial puts back what it changed first.
     void halt();
     /// Takes one axis out while others go on; the last one ends the motion.
@@ -69,10 +74,24 @@ Q_SIGNALS:
 private:
     void follow();
     void enter(LampState state, const QString &reason = {});
-    [[nodiscard]] bool beginTrial(Mode mode, int axis);
-    /// `reason` as in Trial, with its detail; an error: nothing has moved.
+    /// Empty: it can be.
+    [[nodiscard]] QString whyNotArmed(const DeviceView &view) const;
+    /// Also one that was ordered a moment ago, of which no snapshot tells yet.
+    [[nodiscard]] bool hasExperiment(DeviceId device) const;
+    /// What an experiment ended by: `reason` as in Trial, with its detail.
+    struct Ending {
+        std::string reason;
+        Message detail;
+    };
+    [[nodiscard]] static Ending endingOf(const tuning::Trial &trial);
+    [[nodiscard]] static Ending endingOf(const tuning::TuneReport &report);
+    [[nodiscard]] static Ending endingOf(const tuning::FrequencyResponse &response);
+    /// `order` is of the armed device.
+    template <class O, class T>
+    void runExperiment(O order, Mode mode, int axis, std::function<void(const Result<T> &)> finished);
     void refused(const Error &error);
-    void trialEnded(const Result<void> &ran, const std::string &reason, const Message &detail);
+    /// An error: nothing has moved.
+    void trialEnded(DeviceId device, const Result<Ending> &ending);
     void stop(StopCause cause, const QString &reason);
     [[nodiscard]] LampStatus statusOf(const DeviceView *candidate) const;
 
@@ -83,7 +102,8 @@ private:
     QString m_reason;
     QString m_leftOut; ///< of the last STOP
     bool m_byHand = false;
-    bool m_onTrial = false;
+    std::optional<DeviceId> m_trialOf; ///< whose experiment was begun last and has not ended
+    std::uint64_t m_armingNumber = 0;
     bool m_started = false; ///< a snapshot has shown the motion running
     Instant m_runAt{};
     Instant m_armedUntil{};

@@ -40,9 +40,11 @@ double sizeOf(const tuning::Trial &trial)
 
 } // namespace
 
-BatteryDialog::BatteryDialog(Arming &arming, const ThemeSource &theme, QWidget *parent)
+BatteryDialog::BatteryDialog(
+    Arming &arming, std::function<BatteryOffer()> offer, const ThemeSource &theme, QWidget *parent)
     : QDialog(parent)
     , m_arming(arming)
+    , m_offer(std::move(offer))
     , m_theme(theme)
 {
     setWindowTitle(tr("Battery of steps"));
@@ -93,16 +95,26 @@ QWidget *BatteryDialog::namesOfWays(const ThemeSource &theme)
     return names;
 }
 
-void BatteryDialog::setBattery(tuning::Battery battery, DeviceId device, const QString &unit)
+void BatteryDialog::showOffer()
 {
-    if (m_running || battery.steps.empty())
+    if (m_running)
         return;
-    m_battery = std::move(battery);
-    m_device = device;
-    m_unit = unit;
+    (void)take(m_offer());
+    follow();
+}
+
+bool BatteryDialog::take(BatteryOffer offer)
+{
+    if (!offer.whyNot.isEmpty()) {
+        say(tr("Not run: %1").arg(offer.whyNot));
+        return false;
+    }
+    m_battery = std::move(offer.battery);
+    m_device = offer.device;
+    m_unit = offer.unit;
     m_trials.clear();
     m_table->setRowCount(0);
-    QStringList heads{tr("Step, %1").arg(unit)};
+    QStringList heads{tr("Step, %1").arg(m_unit)};
     for (const std::string_view key : columns) {
         const MetricWord word = metricWord(key);
         heads << (word.unit.isEmpty() ? word.name : word.name + QStringLiteral(", ") + word.unit);
@@ -115,16 +127,14 @@ void BatteryDialog::setBattery(tuning::Battery battery, DeviceId device, const Q
            "inside the "
            "limits of the page.")
             .arg(m_battery.steps.size())
-            .arg(formatSignificant(first.to, 4), formatSignificant(last.to, 4), unit));
-    follow();
+            .arg(formatSignificant(first.to, 4), formatSignificant(last.to, 4), m_unit));
+    return true;
 }
 
 void BatteryDialog::run()
 {
-    if (m_running || m_battery.steps.empty() || !m_arming.isArmed(m_device) || m_arming.isMoving())
+    if (m_running || m_arming.isMoving() || !take(m_offer()) || !m_arming.isArmed(m_device))
         return;
-    m_trials.clear();
-    m_table->setRowCount(0);
     m_running = true;
     next();
 }
@@ -137,13 +147,14 @@ void BatteryDialog::next()
             .arg(m_battery.steps.size())
             .arg(formatSignificant(m_battery.steps[done].to, 4), m_unit));
     follow();
-    m_arming.runTrial(m_battery.steps[done], {}, [self = QPointer<BatteryDialog>(this)](const auto &trial) {
-        if (self)
-            self->ended(trial);
-    });
+    m_arming.runTrial(m_battery.steps[done], {},
+        [self = QPointer<BatteryDialog>(this), number = m_arming.armingNumber()](const auto &trial) {
+            if (self)
+                self->ended(trial, number);
+        });
 }
 
-void BatteryDialog::ended(const Result<tuning::Trial> &trial)
+void BatteryDialog::ended(const Result<tuning::Trial> &trial, std::uint64_t armingNumber)
 {
     if (trial) {
         m_trials.push_back(*trial);
@@ -152,7 +163,7 @@ void BatteryDialog::ended(const Result<tuning::Trial> &trial)
     }
     const bool good = trial && trial->reason == "done";
     const bool whole = m_trials.size() == m_battery.steps.size();
-    if (good && !whole && isVisible() && m_arming.isArmed(m_device))
+    if (good && !whole && isVisible() && m_arming.isArmed(m_device) && m_arming.armingNumber() == armingNumber)
         return next();
     m_running = false;
     if (!trial)
@@ -238,9 +249,9 @@ void BatteryDialog::showCurves()
 
 void BatteryDialog::follow()
 {
-    m_start->setEnabled(!m_running && !m_battery.steps.empty() && m_arming.isArmed(m_device) && !m_arming.isMoving());
-    m_start->setToolTip(
-        m_arming.isArmed(m_device) ? QString() : tr("Arm the device first: hold the Arm button for 1 s."));
+    const bool armed = m_arming.isArmed(m_arming.device()); // run() asks which device it is about
+    m_start->setEnabled(!m_running && armed && !m_arming.isMoving());
+    m_start->setToolTip(armed ? QString() : tr("Arm the device first: hold the Arm button for 1 s."));
 }
 
 void BatteryDialog::say(const QString &words)

@@ -6,6 +6,8 @@
 
 #include <QDialog>
 
+#include <functional>
+
 class QLabel;
 class QTableWidget;
 
@@ -14,16 +16,25 @@ namespace mb {
 class CommandButton;
 class CurvePlot;
 
+/// What a battery would be now, for the device that it is about.
+struct BatteryOffer {
+    DeviceId device;
+    tuning::Battery battery;
+    QString unit;   ///< of the target
+    QString whyNot; ///< it cannot be run; empty: it can
+};
+
 /// Steps of several sizes in both directions with the gains in force, one after the other: what will happen before it does, a row for each
 /// as it ends, the worst of every metric, all responses over each other. Every step is a trial of the notebook. Not modal: STOP and its
 /// keys work all the time, and end it. Closing ends it after the step that runs.
 class BatteryDialog : public QDialog {
     Q_OBJECT
 public:
-    BatteryDialog(Arming &arming, const ThemeSource &theme, QWidget *parent);
+    /// `offer` is asked when it is shown, and again when it is run: what stands on the page then is what moves the motor.
+    BatteryDialog(Arming &arming, std::function<BatteryOffer()> offer, const ThemeSource &theme, QWidget *parent);
 
-    /// What it is to run when it is started; refused while it runs. `unit` of the target.
-    void setBattery(tuning::Battery battery, DeviceId device, const QString &unit);
+    /// Says what it would run; not while it runs.
+    void showOffer();
     /// As if its button was pressed: starts, where the device is armed.
     void run();
     [[nodiscard]] bool isRunning() const { return m_running; }
@@ -35,8 +46,10 @@ public:
 private:
     void buildTable();
     QWidget *namesOfWays(const ThemeSource &theme);
+    /// False, with the reason in words, where it cannot be run.
+    bool take(BatteryOffer offer);
     void next();
-    void ended(const Result<tuning::Trial> &trial);
+    void ended(const Result<tuning::Trial> &trial, std::uint64_t armingNumber);
     void addRow(const tuning::Trial &trial);
     void showWorst();
     void markBold(int row, int column);
@@ -45,6 +58,7 @@ private:
     void say(const QString &words);
 
     Arming &m_arming;
+    std::function<BatteryOffer()> m_offer;
     const ThemeSource &m_theme;
     tuning::Battery m_battery;
     DeviceId m_device;

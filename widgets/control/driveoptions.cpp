@@ -40,7 +40,7 @@ DriveOptions::DriveOptions(const ThemeSource &theme, QWidget *parent)
     m_forwardOff = addFlag(tr("Forward limit off"), tr("The motor runs past the forward limit. Changing it disarms."));
     m_reverseOff = addFlag(tr("Reverse limit off"), tr("The motor runs past the reverse limit. Changing it disarms."));
     connect(m_brake, qOverload<int>(&QComboBox::activated), this, &DriveOptions::changed);
-    reset();
+    show({});
 }
 
 /// As tall as the field beside it.
@@ -134,16 +134,21 @@ QString DriveOptions::summary() const
     return parts.join(QStringLiteral(", "));
 }
 
-void DriveOptions::reset()
+void DriveOptions::show(const SetPoint &setPoint)
 {
-    m_ramp->setText(QStringLiteral("0"));
-    m_brake->setCurrentIndex(AsDevice);
-    for (QCheckBox *box : {m_reverseMotor, m_reverseSensor, m_override, m_forwardOff, m_reverseOff}) {
+    m_ramp->setText(editText(setPoint.ramp));
+    m_brake->setCurrentIndex(!setPoint.brake ? AsDevice : *setPoint.brake ? Braked : Coasting);
+    const auto tick = [](QCheckBox *box, bool on) {
         const QSignalBlocker quiet(box);
-        box->setChecked(false);
-    }
-    m_forwardOff->setEnabled(false);
-    m_reverseOff->setEnabled(false);
+        box->setChecked(on);
+    };
+    tick(m_reverseMotor, setPoint.reverseMotor);
+    tick(m_reverseSensor, setPoint.reverseSensor);
+    tick(m_override, setPoint.overrideLimits);
+    tick(m_forwardOff, setPoint.disableForwardLimit);
+    tick(m_reverseOff, setPoint.disableReverseLimit);
+    m_forwardOff->setEnabled(setPoint.overrideLimits);
+    m_reverseOff->setEnabled(setPoint.overrideLimits);
     m_fault->hide();
     setStyleProperty(*m_ramp, "state", QString());
 }

@@ -29,7 +29,8 @@ public:
     [[nodiscard]] QString fault() const;
     /// "brake, ramp 2 duty/s": what differs from the device's own settings.
     [[nodiscard]] QString summary() const;
-    void reset();
+    /// What apply() has filled in; tells nobody.
+    void show(const SetPoint &setPoint);
 
 Q_SIGNALS:
     void changed();

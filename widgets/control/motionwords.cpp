@@ -39,6 +39,13 @@ QString whatMoves(const DeviceView *view, Mode mode)
     return MotionWords::tr("axis %1 %2").arg(only.axis).arg(modeText(only.mode));
 }
 
+bool isTried(const Snapshot &shot, DeviceId device)
+{
+    const OperationView *job = shot.operation(device);
+    return job && job->status.state == OperationStatus::State::Running
+        && (job->status.kind == OperationKind::Trial || job->status.kind == OperationKind::FamilyExperiment);
+}
+
 const DeviceView *experimentedWith(const Snapshot &shot)
 {
     const auto found = std::find_if(shot.devices.begin(), shot.devices.end(), [&shot](const DeviceView &device) {

@@ -15,6 +15,8 @@ namespace mb {
 [[nodiscard]] QString titleIn(const Snapshot &shot, DeviceId device);
 /// The mode; of boards the number of axes.
 [[nodiscard]] QString whatMoves(const DeviceView *view, Mode mode);
+/// An experiment has this device, whether it moves it now or puts back what it has changed.
+[[nodiscard]] bool isTried(const Snapshot &shot, DeviceId device);
 /// A device that an experiment moves, whoever has begun it.
 [[nodiscard]] const DeviceView *experimentedWith(const Snapshot &shot);
 /// Devices that were told to stop, were not seen to, and have nothing that stops them: "#3, #5"; empty for none.

@@ -24,6 +24,7 @@ struct SetPointEntries {
     int slew = -1;                ///< place in the list; -1: the usual
     double velocity = 2000.0;     ///< of a profile, counts/s
     double acceleration = 4000.0; ///< counts/s²
+    SetPoint options;             ///< ramp, brake, directions and limits of it; nothing else
 
     /// Nothing was entered for a mode: an untouched range.
     [[nodiscard]] Range range(Mode mode) const;

@@ -93,18 +93,12 @@ void SetPointPanel::buildOptions()
     m_options->hide();
     m_more = linkButton({}, this);
     m_more->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // the summary may be longer than a line
-    const auto retitle = [this] {
-        const QString summary = m_options->summary();
-        const QString title = m_options->isHidden() ? tr("Ramp, brake, direction, limits") : tr("Hide drive options");
-        m_more->setText(summary.isEmpty() ? title : title + QStringLiteral(": ") + summary);
-        m_more->setToolTip(summary);
-    };
-    retitle();
-    connect(m_more, &QPushButton::clicked, this, [this, retitle] {
+    showSummary();
+    connect(m_more, &QPushButton::clicked, this, [this] {
         m_options->setVisible(m_options->isHidden());
-        retitle();
+        showSummary();
     });
-    connect(m_options, &DriveOptions::changed, this, retitle);
+    connect(m_options, &DriveOptions::changed, this, &SetPointPanel::showSummary);
     connect(m_options, &DriveOptions::changed, this, &SetPointPanel::changed);
     connect(m_options, &DriveOptions::polarityChanged, this, &SetPointPanel::polarityChanged);
     m_zero = linkButton(tr("Stop and count from 0"), this);
@@ -116,39 +110,38 @@ void SetPointPanel::buildOptions()
     connect(m_zero, &QPushButton::clicked, this, &SetPointPanel::zeroRequested);
 }
 
+/// What differs from the device's own settings is said while the options are folded, too.
+void SetPointPanel::showSummary()
+{
+    const QString summary = m_options->summary();
+    const QString title = m_options->isHidden() ? tr("Ramp, brake, direction, limits") : tr("Hide drive options");
+    m_more->setText(summary.isEmpty() ? title : title + QStringLiteral(": ") + summary);
+    m_more->setToolTip(summary);
+}
+
 SetPointEntries SetPointPanel::entered() const
 {
     SetPointEntries all = m_entries;
+    m_options->apply(all.options);
     all.slew = m_range->slew();
     m_profile->read(all);
     return all;
 }
 
-void SetPointPanel::restore(const SetPointEntries &entered)
+void SetPointPanel::show(const Family &family, Mode mode, const SetPointEntries &entered)
 {
+    m_family = &family;
+    m_mode = mode;
+    m_zero->setVisible(family.capabilities.zeroPosition);
     m_present.reset();
     m_entries = entered;
     if (range().limit == 0.0)
         range().limit = usualLimit(m_family, m_mode);
     m_range->setSlew(entered.slew);
     m_profile->show(entered);
+    m_options->show(entered.options);
     setUnits(m_units);
-}
-
-void SetPointPanel::setFamily(const Family &family)
-{
-    m_family = &family;
-    const Capabilities &can = family.capabilities;
-    if (!can.outputOptions && !m_options->isHidden())
-        m_more->click();
-    m_zero->setVisible(can.zeroPosition);
-    m_entries.ranges.clear();
-    m_present.reset();
-    m_options->reset();
-    const Mode mode = m_mode;
-    m_mode = Mode::Off;
-    setMode(mode);
-    showExtras();
+    showSummary();
 }
 
 void SetPointPanel::showExtras()

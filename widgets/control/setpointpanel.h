@@ -28,12 +28,9 @@ public:
 
     /// What was entered, for each mode.
     [[nodiscard]] SetPointEntries entered() const;
-    /// One of several axes is shown instead of another.
-    void restore(const SetPointEntries &entered);
-
-    /// Another device: forgets everything that was entered. What the family's set-points have besides a target, and how far
-    /// they usually go.
-    void setFamily(const Family &family);
+    /// Another motor, with what was entered for it. What the family's set-points have besides a target, and how far they usually
+    /// go.
+    void show(const Family &family, Mode mode, const SetPointEntries &entered);
     void setMode(Mode mode);
     void setUnits(const DisplayUnits &units);
     /// The target in units of docs/names.md#units; nothing while the field is not legal, and then fault() says why.
@@ -64,6 +61,7 @@ private:
     QWidget *buildTarget();
     void buildOptions();
     void connectFields();
+    void showSummary();
     void showExtras();
     void textTyped();
     void limitTyped(double shown);

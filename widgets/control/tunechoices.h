@@ -29,7 +29,7 @@ struct TuneChoice {
     StagedEdits *edits = nullptr; ///< of the device, shared with the other pages
     StimulusChoice stimulus;
     std::string unit;        ///< who it is in the notebook
-    SetPointEntries entered; ///< of an axis that is not shown
+    SetPointEntries entered; ///< while it is not shown
     bool ours = false;       ///< the motion was started here
 };
 

@@ -97,7 +97,7 @@ void TuneExperiments::checkKinds(const DeviceView &view)
 
 PageStatus TuneExperiments::status(const DeviceView &view, const QString &name) const
 {
-    if (m_arming.isOnTrial()) {
+    if (m_arming.isOnTrial(view.id)) {
         const OperationView *const operation = m_workbench.snapshot().operation(view.id);
         const QString step = operation ? messageText(operation->status.step) : QString();
         return {GlyphState::Moving, tr("Experiment"), step, false};
@@ -106,6 +106,11 @@ PageStatus TuneExperiments::status(const DeviceView &view, const QString &name) 
         return {GlyphState::Moving, tr("Moving"), tr("Stop the motion before an experiment."), false};
     if (const QString fault = m_parts.stimulus->fault(); !fault.isEmpty())
         return {GlyphState::OutOfRange, tr("The stimulus cannot be sent"), fault, false};
+    for (const int axis : m_parts.column->motorsToRun()) {
+        if (axis != m_choices.axis() && m_choices.current()->mode == Mode::Position
+            && !m_motion.present(view, Mode::Position, axis))
+            return {GlyphState::Busy, tr("The position of axis %1 is not known yet").arg(axis), {}, false};
+    }
     const ExperimentCheck found = check(view, wishOf(view, m_choices.axis()));
     if (!found.good)
         return {GlyphState::Warning, found.possible ? tr("No experiment yet") : tr("No experiment in this mode"),
@@ -162,19 +167,21 @@ void TuneExperiments::runNext()
         planOf(*view, wishOf(*view, axis)),
         [ifShown](
             const tuning::Trial &trial) { ifShown([&trial](TrialsView &trials) { trials.showMeasured(trial); }); },
-        [self = QPointer<TuneExperiments>(this), ifShown](const Result<tuning::Trial> &trial) {
+        [self = QPointer<TuneExperiments>(this), ifShown, number = m_arming.armingNumber()](
+            const Result<tuning::Trial> &trial) {
             if (trial)
                 ifShown([&trial](TrialsView &trials) { trials.addFinished(*trial); });
             if (self)
-                self->ended(trial);
+                self->ended(trial, number);
         });
     Q_EMIT changed();
 }
 
-void TuneExperiments::ended(const Result<tuning::Trial> &trial)
+void TuneExperiments::ended(const Result<tuning::Trial> &trial, std::uint64_t armingNumber)
 {
     const DeviceView *const view = m_choices.device();
-    const bool goesOn = trial && trial->reason == "done" && view && m_arming.isArmed(view->id) && !m_turns.empty();
+    const bool goesOn = trial && trial->reason == "done" && view && m_arming.isArmed(view->id)
+        && m_arming.armingNumber() == armingNumber && !m_turns.empty();
     if (!goesOn)
         m_turns.clear();
     Q_EMIT changed();
@@ -182,22 +189,38 @@ void TuneExperiments::ended(const Result<tuning::Trial> &trial)
         runNext();
 }
 
-void TuneExperiments::showBattery()
+BatteryOffer TuneExperiments::batteryNow() const
 {
     const DeviceView *const view = m_choices.device();
     const TuneChoice *const chosen = m_choices.current();
-    if (!view || !chosen || !chosen->stimulus.to)
-        return;
+    BatteryOffer offer;
+    offer.whyNot = !view || !chosen ? tr("no device") : m_parts.stimulus->fault();
+    if (!offer.whyNot.isEmpty())
+        return offer;
     ExperimentWish wish = wishOf(*view, m_choices.axis());
     wish.gains.clear(); // what is staged is no part of it
-    if (!check(*view, wish).good)
-        return;
-    if (!m_battery)
-        m_battery = new BatteryDialog(m_arming, m_theme, &m_page);
-    const double here = m_motion.present(*view, wish.mode, m_choices.axis()).value_or(0.0);
+    const std::optional<double> here = m_motion.present(*view, wish.mode, m_choices.axis());
+    if (const ExperimentCheck found = check(*view, wish); !found.good || !wish.stimulus.to)
+        offer.whyNot = found.words;
+    else if (!here && wish.mode == Mode::Position && !view->family->capabilities.zeroPosition)
+        offer.whyNot = tr("its position is not known yet");
+    if (!offer.whyNot.isEmpty())
+        return offer;
+    offer.device = view->id;
+    offer.battery = tuning::batteryOf(planOf(*view, wish), here.value_or(0.0), view->family->capabilities.zeroPosition);
     const std::string_view unit = unitOf(wish.mode);
-    m_battery->setBattery(tuning::batteryOf(planOf(*view, wish), here, view->family->capabilities.zeroPosition),
-        view->id, QString::fromUtf8(unit.data(), static_cast<int>(unit.size())));
+    offer.unit = QString::fromUtf8(unit.data(), static_cast<int>(unit.size()));
+    return offer;
+}
+
+void TuneExperiments::showBattery()
+{
+    if (!batteryNow().whyNot.isEmpty())
+        return; // the page says it
+    if (!m_battery)
+        m_battery = new BatteryDialog(
+            m_arming, [this] { return batteryNow(); }, m_theme, &m_page);
+    m_battery->showOffer();
     m_battery->show();
     m_battery->raise();
     m_battery->activateWindow();

@@ -9,6 +9,7 @@
 namespace mb {
 
 class BatteryDialog;
+struct BatteryOffer;
 class ReportOrder;
 
 /// The experiments of the Tune page: what is asked for, whether it may run, what came of it. Several axes take turns.
@@ -48,7 +49,8 @@ private:
     void checkKinds(const DeviceView &view);
     void handOver(const DeviceView &view, int axis);
     void runNext();
-    void ended(const Result<tuning::Trial> &trial);
+    void ended(const Result<tuning::Trial> &trial, std::uint64_t armingNumber);
+    [[nodiscard]] BatteryOffer batteryNow() const;
 
     Workbench &m_workbench;
     Arming &m_arming;

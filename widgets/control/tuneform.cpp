@@ -59,10 +59,7 @@ void TuneForm::show(const DeviceView &view, int axis)
     modes.setFamily(*view.family);
     modes.show(chosen.mode, chosen.editedSlot, chosen.runningSlot);
     chosen.mode = modes.mode();
-    setPoint.setFamily(*view.family);
-    setPoint.setMode(chosen.mode);
-    if (axis > 0)
-        setPoint.restore(chosen.entered);
+    setPoint.show(*view.family, chosen.mode, chosen.entered);
     m_parts.plot->setUnits(chosen.units);
     showUnits(chosen);
     m_parts.stimulus->setChoice(chosen.stimulus);

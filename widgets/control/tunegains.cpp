@@ -100,14 +100,18 @@ void TuneGains::write(std::function<void()> next)
     const std::vector<ParameterChange> changes = m_column.gainsPanel().toWrite();
     m_writing = true;
     m_workbench.send(orders::WriteParameters{motor.device, changes},
-        [self = QPointer<TuneGains>(this), motor, changes, next = std::move(next)](const Result<void> &result) {
-            if (self)
-                self->written(motor, changes, result, next);
+        [self = QPointer<TuneGains>(this), motor, changes, next = std::move(next), number = m_arming.armingNumber()](
+            const Result<void> &result) {
+            if (!self)
+                return;
+            self->written(motor, changes, result);
+            if (result && next && self->m_choices.shown() == motor && self->m_arming.isArmed(motor.device)
+                && self->m_arming.armingNumber() == number)
+                next();
         });
 }
 
-void TuneGains::written(const TuneMotor &motor, const std::vector<ParameterChange> &changes, const Result<void> &result,
-    const std::function<void()> &next)
+void TuneGains::written(const TuneMotor &motor, const std::vector<ParameterChange> &changes, const Result<void> &result)
 {
     m_writing = false;
     const TuneChoice *const chosen = m_choices.find(motor);
@@ -116,8 +120,6 @@ void TuneGains::written(const TuneMotor &motor, const std::vector<ParameterChang
     Q_EMIT changed();
     if (!result)
         m_workbench.report(Severity::Danger, {}, tr("gains not written: %1").arg(errorText(result.error())));
-    else if (next && m_choices.shown() == motor && m_arming.isArmed(motor.device))
-        next();
 }
 
 void TuneGains::undo(bool again)

@@ -29,7 +29,7 @@ public:
     /// What of the gains keeps the motor from a run; nothing: nothing.
     [[nodiscard]] std::optional<PageStatus> obstacle(const DeviceView &view) const;
     /// Writes what is staged, in an order that is never livelier than before and after; then `next`, where that worked and the
-    /// same motor is still shown and armed.
+    /// same motor is still shown and was armed all the time.
     void write(std::function<void()> next = {});
     /// The last edit is taken back, or made again; without one the last write to the unit.
     void undo(bool again);
@@ -60,8 +60,7 @@ private:
         friend bool operator==(const Shown &, const Shown &) = default;
     };
     [[nodiscard]] const OperationView *operation(const DeviceView &view) const;
-    void written(const TuneMotor &motor, const std::vector<ParameterChange> &changes, const Result<void> &result,
-        const std::function<void()> &next);
+    void written(const TuneMotor &motor, const std::vector<ParameterChange> &changes, const Result<void> &result);
 
     Workbench &m_workbench;
     Arming &m_arming;

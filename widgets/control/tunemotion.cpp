@@ -50,8 +50,8 @@ SetPoint TuneMotion::wanted(const DeviceView &view, int axis) const
     setPoint.mode = chosen.mode;
     const SetPointEntries::Range range = chosen.entered.range(chosen.mode);
     setPoint.target = range.target;
-    if (!range.touched && startsAtPresent(chosen.mode)) // so that nothing jumps
-        setPoint.target = std::round(present(view, chosen.mode, axis).value_or(0.0));
+    if (!range.touched && startsAtPresent(chosen.mode))                                        // so that nothing jumps
+        setPoint.target = std::round(present(view, chosen.mode, axis).value_or(range.target)); // hasNoStart() otherwise
     if (isProfiled(view.family, chosen.mode)) {
         setPoint.velocity = chosen.entered.velocity;
         setPoint.acceleration = chosen.entered.acceleration;
@@ -93,6 +93,13 @@ void TuneMotion::start()
     panel.keepTarget();
 }
 
+/// An unknown position is no 0: the first set-point would be a leap.
+bool TuneMotion::hasNoStart(const DeviceView &view, int axis) const
+{
+    const TuneChoice *const chosen = m_choices.find({view.id, axis});
+    return chosen && startsAtPresent(chosen->mode) && !present(view, chosen->mode, axis);
+}
+
 void TuneMotion::startAxis(const DeviceView &view, int axis, bool several)
 {
     TuneChoice &chosen = m_choices.of(view, axis);
@@ -102,7 +109,7 @@ void TuneMotion::startAxis(const DeviceView &view, int axis, bool several)
     if (wished.mode != Mode::Follow) {
         glide.rate = axis == m_choices.axis() ? panel.slewRate() : chosen.entered.slewRate(view.family, wished.mode);
         if (several || wished.mode == Mode::Position || glide.rate > 0.0)
-            glide.from = present(view, wished.mode, axis).value_or(0.0);
+            glide.from = present(view, wished.mode, axis);
     }
     chosen.ours = true;
     m_arming.run(wished, glide);
@@ -118,7 +125,7 @@ void TuneMotion::halt()
     const bool goesOn = m_choices.axis() > 0 && std::any_of(all.begin(), all.end(), [&](const SetPoint &setPoint) {
         return std::find(stopped.begin(), stopped.end(), setPoint.axis) == stopped.end();
     });
-    if (m_arming.isOnTrial() || !goesOn) {
+    if (m_arming.isOnTrial(view->id) || !goesOn) {
         m_choices.forgetMotion();
         m_arming.halt();
         return;
@@ -200,6 +207,11 @@ PageStatus TuneMotion::status(const DeviceView &view, const QString &name) const
 {
     const int axis = m_choices.axis();
     const SetPoint *told = axis > 0 ? view.motion.on(axis) : view.motion.running ? &view.motion.setPoint : nullptr;
+    for (const int motor : m_column.motorsToRun()) {
+        if (hasNoStart(view, motor))
+            return {GlyphState::Busy, tr("Its position is not known yet"),
+                tr("It starts where it is once it has told where that is."), false};
+    }
     const QString others = othersText(view);
     if (isMoving(view, axis))
         return {GlyphState::Moving, tr("Moving"), describe(told ? *told : entered()) + others, true};

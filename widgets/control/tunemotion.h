@@ -39,6 +39,9 @@ public:
     [[nodiscard]] std::optional<SetPoint> jog(bool forwards) const;
     [[nodiscard]] std::optional<double> present(const DeviceView &view, Mode mode, int axis) const;
 
+    /// It has to begin where it is, and nobody knows where that is.
+    [[nodiscard]] bool hasNoStart(const DeviceView &view, int axis) const;
+
 private:
     [[nodiscard]] SetPoint entered() const;
     void startAxis(const DeviceView &view, int axis, bool several);

@@ -218,7 +218,7 @@ void TunePage::showCommands()
     orders.writes = chosen.editedSlot == chosen.runningSlot && !column().gainsPanel().stagedNames().isEmpty();
     orders.together = static_cast<int>(column().motorsToRun().size());
     orders.moving = m_motion->isMoving(*view, m_choices->axis());
-    orders.mayStop = orders.moving || m_arming.isOnTrial();
+    orders.mayStop = orders.moving || m_arming.isOnTrial(view->id);
     const bool others = view->motion.setPoints.size() > 1 && orders.together < 2;
     orders.stopsAxis = orders.moving && others ? m_choices->axis() : 0;
     m_parts.commands->show(orders);
@@ -255,7 +255,8 @@ PageStatus TunePage::status() const
         return {GlyphState::OutOfRange, tr("The set-point cannot be sent"), fault, false};
     if (const auto obstacle = m_gains->obstacle(*view))
         return *obstacle;
-    return isLive() ? m_motion->status(*view, name) : m_experiments->status(*view, name);
+    const bool byHand = isLive() && !m_arming.isOnTrial(view->id);
+    return byHand ? m_motion->status(*view, name) : m_experiments->status(*view, name);
 }
 
 void TunePage::run()

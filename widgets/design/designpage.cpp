@@ -112,7 +112,7 @@ PageStatus DesignPage::status() const
     if (!view)
         return {};
     const QString name = titleOf(*view);
-    if (m_arming.isOnTrial())
+    if (m_arming.isOnTrial(view->id))
         return {GlyphState::Moving, tr("Tuning"), tr("STOP ends it; what was changed is put back."), false};
     if (m_arming.isMoving())
         return {GlyphState::Moving, tr("Moving"), tr("Stop the motion before the motor is tuned."), false};
@@ -240,7 +240,7 @@ void DesignPage::followDevice(const DeviceView &view, const QString &whyNot)
         = whyNot.isEmpty() ? status() : PageStatus{GlyphState::Warning, tr("Not by itself"), whyNot, false};
     m_status->say(now);
     const OperationView *const job = m_workbench.snapshot().operation(view.id);
-    const bool works = m_arming.isOnTrial() && job && job->status.state == OperationStatus::State::Running;
+    const bool works = m_arming.isOnTrial(view.id) && job && job->status.state == OperationStatus::State::Running;
     if (std::exchange(m_shown, m_book.place()) != m_book.place())
         showReport();
     else if (std::exchange(m_revision, view.parameterRevision) != view.parameterRevision)
