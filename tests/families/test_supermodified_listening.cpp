@@ -6,6 +6,7 @@ namespace mb::supermodified {
 namespace {
 
 using namespace std::chrono_literals;
+using namespace std::string_view_literals;
 using mb::test::run;
 using test::Bench;
 using test::bytesOf;
@@ -231,6 +232,101 @@ TEST(SupermodifiedGuardian, ItsScriptStopsANodeInWhateverMomentOfAnExchangeThePr
             EXPECT_FALSE(node.isOutputOn()) << rate << ' ' << moment;
         }
     }
+}
+
+// A relative move is done once
+
+struct SupermodifiedLateAnswers : SupermodifiedPort {
+    SupermodifiedLateAnswers()
+    {
+        line->roster().noteGain(4, 1000);
+        line->roster().noteProfileVelocity(4, 800);
+        line->roster().noteProfileAcceleration(4, 800);
+        clock.advance(100ms);
+        EXPECT_TRUE(motion.command(setPoint(Mode::Position, 0.0)));
+        for (const std::string_view answer : {stopped, standing, started, "55 AA 77 04 08 00 08"sv})
+            hear(answer);
+        EXPECT_TRUE(motion.isEnergized() && !motion.isBusy());
+    }
+    void hear(std::string_view answer)
+    {
+        clock.advance(3ms);
+        port.say(answer);
+        clock.advance(3ms);
+    }
+    static SetPoint by(double distance, Mode mode = Mode::Position)
+    {
+        SetPoint made = setPoint(mode, distance);
+        made.relative = true;
+        return made;
+    }
+    static constexpr std::string_view standing = "55 AA 77 04 6F 04 00 00 00 00 6B";
+    static constexpr std::string_view started = "55 AA 77 04 19 00 19";
+    static constexpr std::string_view halfPacket = "55 AA 77 04 FA 01 51 AA";
+    static constexpr std::string_view moved = "55 AA 77 04 09 00 09";
+    Node node{4, 57600, Dialect::D1};
+    Motion motion{*line, node, {[] {}, [](auto) {}, [this](auto &) { motion.setPosition(0); }, [](auto, auto) {}}};
+};
+
+TEST_F(SupermodifiedLateAnswers, TheAnswerToAnEarlierQuestionDoesNotPassForTheLookBeforeARelativeMove)
+{
+    const auto ticket = ask(Command::GetPosition);
+    clock.advance(500ms);
+    ASSERT_TRUE(reply && !reply->has_value()) << "it was given up";
+    ASSERT_TRUE(motion.command(by(500.0)));
+    hear(standing);   // late
+    hear(halfPacket); // the answer to the look
+    clock.advance(300ms);
+    EXPECT_EQ(port.count(Command::MoveRelative), 0) << "it looks again";
+    hear(standing);
+    clock.advance(300ms);
+    EXPECT_EQ(port.count(Command::MoveRelative), 1);
+    hear(moved);
+    clock.advance(1s);
+    EXPECT_EQ(port.count(Command::MoveRelative), 1) << "done once";
+    EXPECT_FALSE(motion.isBusy());
+}
+
+TEST_F(SupermodifiedLateAnswers, ALookThatIsAnsweredOnceAfterALostQuestionIsGoodEnough)
+{
+    const auto ticket = ask(Command::GetPosition);
+    clock.advance(500ms);
+    ASSERT_TRUE(motion.command(by(500.0)));
+    hear(standing);
+    EXPECT_EQ(port.count(Command::MoveRelative), 0) << "whether more comes is waited for";
+    clock.advance(250ms);
+    EXPECT_EQ(port.count(Command::MoveRelative), 1);
+}
+
+TEST_F(SupermodifiedLateAnswers, AnotherNodesStopDoesNotEndThatWaitWithAMove)
+{
+    const auto ticket = ask(Command::GetPosition);
+    clock.advance(500ms);
+    ASSERT_TRUE(motion.command(by(500.0)));
+    hear(standing);
+    Line::Request stop = asking(Node{5, 57600, Dialect::D1}, Command::Stop);
+    stop.rank = Line::Rank::Stop;
+    const auto other = line->submit(stop, [](const Result<Frame> &) {});
+    clock.advance(10ms);
+    EXPECT_EQ(port.count(Command::Stop), 2) << "at once";
+    port.say("55 AA 77 05 1B 00 1B");
+    clock.advance(20ms);
+    EXPECT_EQ(port.count(Command::MoveRelative), 0);
+    EXPECT_GT(port.count(Command::GetPosition), 2) << "it looks again";
+}
+
+TEST_F(SupermodifiedLateAnswers, AfterASettingThatWasNotAnsweredItIsLookedOnceMore)
+{
+    SetPoint ramp = by(500.0, Mode::RampPosition);
+    ramp.velocity = 1000.0;
+    ASSERT_TRUE(motion.command(ramp));
+    hear(standing);
+    ASSERT_EQ(port.count(Command::ProfileVelocity), 1);
+    ASSERT_TRUE(clock.runUntil([this] { return port.count(Command::ProfileVelocity) == 2; }, 1s));
+    const int looks = port.count(Command::GetPosition);
+    hear("55 AA 77 04 04 00 04"); // of the first
+    EXPECT_EQ(port.count(Command::MoveProfiledRelative), 0);
+    EXPECT_EQ(port.count(Command::GetPosition), looks + 1);
 }
 
 } // namespace

@@ -128,9 +128,28 @@ void Line::expired(Instant deadline)
 void Line::giveUp()
 {
     const Frame frame = m_inFlight->entry.request.frame;
+    if (m_inFlight->reply && m_clock.now() >= m_inFlight->settledAt) {
+        const Frame reply = *m_inFlight->reply;
+        m_timing.answered(frame, m_inFlight->sentEnd, reply);
+        finish(reply);
+        return;
+    }
     m_timing.gaveUp(frame, m_inFlight->sentEnd, m_roster.nodes().contains(frame.to));
     m_reader.forget();
     finish(fail(Fault::Timeout, say("node %1 does not answer", frame.to)));
+}
+
+/// It may answer an earlier question, and then its own answer would be taken for that of the next: the last one counts.
+bool Line::keeps(const Frame &reply)
+{
+    InFlight &question = *m_inFlight;
+    if (!question.entry.request.settles
+        || (!question.reply && !m_timing.mayBeEarlier(question.entry.request.frame, reply)))
+        return false;
+    question.reply = reply;
+    question.settledAt = m_clock.now() + AnswerTime::ceiling;
+    armTimeoutAt(stopWaits() ? m_clock.now() : question.settledAt); // then it is asked again
+    return true;
 }
 
 // Silence
@@ -248,8 +267,10 @@ void Line::onFrame(const Frame &frame)
     if (m_inFlight && m_inFlight->isSent && m_inFlight->entry.request.answered) {
         const Frame &sent = m_inFlight->entry.request.frame;
         if (answers(frame, sent.to, sent.from, static_cast<Command>(sent.command))) {
-            m_timing.answered(sent, m_inFlight->sentEnd, frame);
-            finish(frame);
+            if (!keeps(frame)) {
+                m_timing.answered(sent, m_inFlight->sentEnd, frame);
+                finish(frame);
+            }
             return;
         }
     }

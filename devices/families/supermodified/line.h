@@ -95,6 +95,8 @@ private:
         Entry entry;
         Instant sentEnd{};
         Duration replyTime{};
+        std::optional<Frame> reply{}; ///< while it is not known whether more comes (LineRequest::settles)
+        Instant settledAt{};
         bool excused = false; ///< it got more time, because this machine was late
         bool isSent = false;  ///< else the line still gets its rate
     };
@@ -108,6 +110,7 @@ private:
     void armTimeoutAt(Instant deadline);
     void expired(Instant deadline);
     void giveUp();
+    [[nodiscard]] bool keeps(const Frame &reply);
     void shortenTimeout();
     [[nodiscard]] bool isSilent();
     [[nodiscard]] bool stopWaits() const;

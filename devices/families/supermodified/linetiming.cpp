@@ -54,6 +54,13 @@ void LineTiming::answered(const Frame &question, Instant sentEnd, const Frame &r
         measure(reply, sentEnd);
 }
 
+/// A node answers in order, and with an error to any question.
+bool LineTiming::mayBeEarlier(const Frame &question, const Frame &reply) const
+{
+    return m_missed && m_missed->frame.to == question.to && m_clock.now() - m_missed->sentEnd <= forgottenAfter
+        && (m_missed->frame.command == question.command || reply.is(Command::Error));
+}
+
 void LineTiming::gaveUp(const Frame &question, Instant sentEnd, bool known)
 {
     m_missed = Missed{question, sentEnd};

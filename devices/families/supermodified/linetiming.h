@@ -26,6 +26,8 @@ public:
     /// The answer to what was sent until `sentEnd` has come. Not measured where it may also answer the same question that was given
     /// up before.
     void answered(const Frame &question, Instant sentEnd, const Frame &reply);
+    /// An answer to what was given up before may look like this one.
+    [[nodiscard]] bool mayBeEarlier(const Frame &question, const Frame &reply) const;
     /// There was no answer; `known`: by a node that was there before.
     void gaveUp(const Frame &question, Instant sentEnd, bool known);
     /// A frame that nobody waits for: the answer to what was given up says how long answers take now.

@@ -118,6 +118,7 @@ void Motion::send(Step step)
         return;
     }
     request->rank = Line::Rank::Move;
+    request->settles = step == Step::Look && m_orders.front().relative;
     m_step = step;
     ++m_tries;
     m_ticket = m_line.submit(*request, [this, step](const Result<Frame> &reply) { answered(step, reply); });
@@ -143,6 +144,7 @@ void Motion::answered(Step step, const Result<Frame> &reply)
         fail(reply.error().message());
         return;
     }
+    m_looked = false; // its answer may still come
     if (step == Step::Move && m_orders.front().relative && !isHold(m_orders.front()))
         fail(say("a relative move was not answered, and is never sent twice: look where the motor stands"));
     else if (m_tries < patientTries && m_starts < patientTries)
