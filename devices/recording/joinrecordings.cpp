@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "recording/joinrecordings.h"
 
+#include "async/descriptor.h"
 #include "async/outputfile.h"
 #include "recording/mcapreader.h"
 #include "recording/mcapwriter.h"
 
 #include <algorithm>
-#include <fcntl.h>
 #include <filesystem>
+#include <memory>
+
+#include <fcntl.h>
 #include <sys/file.h>
 #include <unistd.h>
 
@@ -16,15 +19,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether the program that owns this folder still runs: it holds the lock.
-bool isAlive(const fs::path &folder)
+/// The lock of a folder whose program does not run any more, so that nobody else recovers it meanwhile; none of one that is not
+/// ours to judge.
+std::unique_ptr<Descriptor> claim(const fs::path &folder)
 {
-    const int file = ::open((folder / "lock").c_str(), O_RDWR | O_CLOEXEC);
-    if (file < 0)
-        return true; // not ours to judge
-    const bool free = ::flock(file, LOCK_EX | LOCK_NB) == 0;
-    ::close(file);
-    return !free;
+    const fs::path path = folder / "lock";
+    auto file = std::make_unique<Descriptor>(::open(path.c_str(), O_RDWR | O_CLOEXEC));
+    if (file->get() < 0 || ::flock(file->get(), LOCK_EX | LOCK_NB) != 0 || ::access(path.c_str(), F_OK) != 0)
+        return nullptr;
+    return file;
 }
 
 /// Files that follow each other, in one writer: a topic of several in one unit is one channel, of their facts the last counts.
@@ -35,8 +38,8 @@ public:
     {
     }
 
-    /// False for a file that was cut before its first channel: it has nothing.
-    bool add(const std::string &path)
+    /// False for a file that was cut before its first channel: it has nothing. Refused for one that cannot be read, now at least.
+    Result<bool> add(const std::string &path)
     {
         std::map<std::uint16_t, std::uint16_t> ids;
         McapReader reader;
@@ -58,7 +61,10 @@ public:
             ++m_report.samples;
             m_report.lost += lost;
         };
-        return static_cast<bool>(reader.read(path));
+        const auto read = reader.read(path);
+        if (!read && read.error().fault == Fault::Refused)
+            return fail(read.error());
+        return read.has_value();
     }
     void addFacts()
     {
@@ -90,7 +96,10 @@ Result<ExportReport> joinRecordings(
     for (std::size_t i = 0; i < paths.size(); ++i) {
         if (progress && !progress(static_cast<double>(i) / static_cast<double>(paths.size())))
             return fail(Fault::Cancelled);
-        anything = joint.add(paths[i]) || anything;
+        const auto added = joint.add(paths[i]);
+        if (!added)
+            return fail(added.error());
+        anything = anything || *added;
     }
     if (!anything)
         return fail(Fault::Unsupported, say("nothing has been recorded yet"));
@@ -103,28 +112,35 @@ Result<ExportReport> joinRecordings(
     return joint.report();
 }
 
-Result<std::vector<std::string>> recoverRecordings(const std::string &folder)
+Recovered recoverRecordings(const std::string &folder)
 {
-    std::vector<std::string> recovered;
+    Recovered recovered;
     std::error_code error;
-    for (const fs::directory_entry &run : fs::directory_iterator(folder, error)) {
-        if (!run.is_directory() || !fs::exists(run.path() / "lock") || isAlive(run.path()))
+    std::vector<fs::path> runs;
+    for (fs::directory_iterator run(folder, error); !error && run != fs::directory_iterator(); run.increment(error))
+        runs.push_back(run->path());
+    for (const fs::path &run : runs) {
+        const auto lock = claim(run);
+        if (!lock)
             continue;
         std::vector<std::string> paths;
-        for (const fs::directory_entry &segment : fs::directory_iterator(run.path(), error)) {
-            if (segment.path().extension() == ".mcap")
-                paths.push_back(segment.path().string());
+        for (fs::directory_iterator file(run, error); !error && file != fs::directory_iterator();
+             file.increment(error)) {
+            if (file->path().extension() == ".mcap")
+                paths.push_back(file->path().string());
         }
         std::sort(paths.begin(), paths.end());
-        const std::string path = folder + "/recovered-" + run.path().filename().string() + ".mcap";
+        const std::string path = folder + "/recovered-" + run.filename().string() + ".mcap";
         const auto joined = joinRecordings(paths, path, {});
+        if (!joined && joined.error().fault != Fault::Unsupported) { // no room, perhaps: it stays for the next time
+            recovered.failures.push_back(joined.error());
+            continue;
+        }
         if (joined && joined->samples > 0)
-            recovered.push_back(path);
-        else if (!joined && joined.error().fault != Fault::Unsupported)
-            return fail(joined.error()); // no room, perhaps: it stays for the next time
-        else
+            recovered.paths.push_back(path);
+        else if (joined)
             fs::remove(path, error);
-        fs::remove_all(run.path(), error);
+        fs::remove_all(run, error);
     }
     return recovered;
 }

@@ -37,7 +37,7 @@ public:
     Result<bool> run()
     {
         if (!m_file)
-            return fail(Fault::OutOfRange, say("%1 cannot be read: %2", m_path, std::strerror(errno)));
+            return fail(unreadable());
         std::array<std::uint8_t, mcap::magic.size()> start{};
         if (std::fread(start.data(), 1, start.size(), m_file.get()) != start.size() || start != mcap::magic)
             return fail(Fault::OutOfRange, say("%1 is not an MCAP file", m_path));
@@ -47,6 +47,8 @@ public:
             if (!complete && !take(m_kind, View(m_content)))
                 break;
         }
+        if (std::ferror(m_file.get()) != 0)
+            return fail(unreadable());
         if (!m_wrong.empty())
             return fail(Fault::OutOfRange, m_wrong);
         if (m_signals.empty())
@@ -56,6 +58,10 @@ public:
     }
 
 private:
+    [[nodiscard]] Error unreadable() const
+    {
+        return {Fault::Refused, say("%1 cannot be read: %2", m_path, std::strerror(errno)), {}};
+    }
     /// The next whole record; false at the end, wherever that is.
     bool next()
     {

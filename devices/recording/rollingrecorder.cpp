@@ -169,7 +169,7 @@ void RollingRecorder::salvage()
         m_segments.pop_back();
 }
 
-void RollingRecorder::writeSamples(Duration unixOffset, Instant horizon)
+void RollingRecorder::writeSamples(Instant horizon)
 {
     Segment &segment = m_segments.back();
     const auto timeOf = [horizon](Tracked &tracked) {
@@ -195,7 +195,7 @@ void RollingRecorder::writeSamples(Duration unixOffset, Instant horizon)
             earliest->cursor.pop();
         }
         const std::uint64_t lost = gap ? lostBefore(earliest->channel, point.time) : 0;
-        m_writer->write(earliest->id, unixNanoseconds(point.time, unixOffset), point.value, lost, gap);
+        m_writer->write(earliest->id, unixNanoseconds(point.time, *m_unixOffset), point.value, lost, gap);
         segment.last = std::max(segment.last, point.time);
         ++segment.samples;
     }
@@ -203,15 +203,26 @@ void RollingRecorder::writeSamples(Duration unixOffset, Instant horizon)
 
 Result<void> RollingRecorder::write(Instant now, Duration unixOffset)
 {
+    return writeUntil(now, now - settling, unixOffset);
+}
+
+Result<void> RollingRecorder::writeAll(Instant now, Duration unixOffset)
+{
+    return writeUntil(now, now, unixOffset);
+}
+
+Result<void> RollingRecorder::writeUntil(Instant now, Instant horizon, Duration unixOffset)
+{
     if (m_tracked.empty() && !m_writer)
         return {};
-    auto written = writeSegment(now, unixOffset);
+    m_unixOffset = m_unixOffset.value_or(unixOffset);
+    auto written = writeSegment(now, horizon);
     m_failure = written ? std::nullopt : std::optional(written.error());
     prune(now);
     return written;
 }
 
-Result<void> RollingRecorder::writeSegment(Instant now, Duration unixOffset)
+Result<void> RollingRecorder::writeSegment(Instant now, Instant horizon)
 {
     if (m_writer && now - m_segments.back().begun >= m_options.segment) {
         if (auto ended = endSegment(); !ended)
@@ -228,8 +239,8 @@ Result<void> RollingRecorder::writeSegment(Instant now, Duration unixOffset)
     }
     for (const TimedNote &note : m_newNotes)
         m_writer->metadata(
-            "note", {{"time", std::to_string(unixNanoseconds(note.time, unixOffset))}, {"text", note.text}});
-    writeSamples(unixOffset, now - settling);
+            "note", {{"time", std::to_string(unixNanoseconds(note.time, *m_unixOffset))}, {"text", note.text}});
+    writeSamples(horizon);
     auto flushed = m_writer->flush();
     if (!flushed) {
         salvage();

@@ -33,7 +33,10 @@ public:
     void follow(const std::vector<ExportChannel> &channels, std::vector<std::pair<std::string, mcap::Map>> about);
     /// Writes what has been recorded since and hands it to the kernel. OutOfRange with path and cause; nothing is lost as
     /// long as the histories have it: files end with their last whole sample, and the next call goes on behind it, in a new one.
+    /// Unix time is `unixOffset` of the first call: a clock that is set meanwhile leaves neither gaps nor times that go back.
     [[nodiscard]] Result<void> write(Instant now, Duration unixOffset);
+    /// The same with what is still settling: samples of several channels may be in another order than their times.
+    [[nodiscard]] Result<void> writeAll(Instant now, Duration unixOffset);
     /// A note for the file.
     void note(Instant time, const std::string &text);
 
@@ -69,11 +72,12 @@ private:
     };
     [[nodiscard]] Result<void> beginSegment(Instant now);
     [[nodiscard]] Result<void> endSegment();
-    [[nodiscard]] Result<void> writeSegment(Instant now, Duration unixOffset);
+    [[nodiscard]] Result<void> writeUntil(Instant now, Instant horizon, Duration unixOffset);
+    [[nodiscard]] Result<void> writeSegment(Instant now, Instant horizon);
     void addToFile(Tracked &tracked);
     void settle();
     void salvage();
-    void writeSamples(Duration unixOffset, Instant horizon);
+    void writeSamples(Instant horizon);
     void prune(Instant now);
     [[nodiscard]] Result<void> lockFolder();
 
@@ -88,6 +92,7 @@ private:
     std::list<Segment> m_segments;  ///< oldest first; the last is being written
     Segment m_safe;                 ///< of the last: what a full disk cannot take any more
     std::optional<Error> m_failure; ///< of the last write
+    std::optional<Duration> m_unixOffset;
     std::size_t m_number = 0;
     bool m_keeping = false;
     bool m_left = false;

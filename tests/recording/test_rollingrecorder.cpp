@@ -10,6 +10,9 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -92,6 +95,66 @@ TEST(RollingRecorder, KeepingBeginsBeforeItWasAskedFor)
         ASSERT_EQ(points[i].value, points[i - 1].value + 10.0);
 }
 
+TEST(RollingRecorder, WhatIsSavedHasTheNewestSamplesToo)
+{
+    const Folder folder;
+    Running bench;
+    RollingRecorder recorder(rolling(folder, "run"));
+    bench.run(recorder, 4);
+    ASSERT_TRUE(recorder.writeAll(bench.now, unixOffset));
+    ASSERT_TRUE(recorder.save(folder.file("kept.mcap"), {}));
+    const auto loaded = loadRecording(folder.file("kept.mcap"));
+    ASSERT_TRUE(loaded);
+    EXPECT_EQ((*loaded)->telemetry->size({0}), 200U);
+}
+
+TEST(RollingRecorder, AClockThatIsSetMeanwhileLeavesNoGapAndNoTimeThatGoesBack)
+{
+    const Folder folder;
+    Running bench;
+    RollingRecorder recorder(rolling(folder, "run"));
+    bench.run(recorder, 2);
+    ASSERT_TRUE(recorder.write(bench.now, unixOffset - 30s));
+    bench.run(recorder, 2);
+    ASSERT_TRUE(recorder.writeAll(bench.now, unixOffset + 3600s));
+    ASSERT_TRUE(recorder.save(folder.file("kept.mcap"), {}));
+    const auto loaded = loadRecording(folder.file("kept.mcap"));
+    ASSERT_TRUE(loaded);
+    EXPECT_NEAR(std::chrono::duration<double>((*loaded)->last - (*loaded)->first).count(), 1.99, 0.02);
+}
+
+TEST(RollingRecorder, ASegmentThatCannotBeReadIsNotLeftOutWithoutAWord)
+{
+    const Folder folder;
+    Running bench;
+    RollingRecorder recorder(rolling(folder, "run"));
+    bench.run(recorder, 12);
+    recorder.startKeeping();
+    fs::remove(folder.path / "run" / "segment-000001.mcap");
+    const auto saved = recorder.save(folder.file("kept.mcap"), {});
+    ASSERT_FALSE(saved);
+    EXPECT_NE(saved.error().text().find("segment-000001.mcap cannot be read"), std::string::npos)
+        << saved.error().text();
+    EXPECT_TRUE(recorder.isKeeping());
+    EXPECT_FALSE(fs::exists(folder.file("kept.mcap")));
+}
+
+TEST(RollingRecorder, AFolderThatAnotherProgramRecoversIsLeftToIt)
+{
+    const Folder folder;
+    const fs::path run = folder.path / "killed";
+    fs::create_directory(run);
+    const int other = ::open((run / "lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600);
+    ASSERT_EQ(::flock(other, LOCK_EX | LOCK_NB), 0);
+    const auto recovered = recoverRecordings(folder.path.string());
+    EXPECT_TRUE(recovered.paths.empty());
+    EXPECT_TRUE(recovered.failures.empty());
+    EXPECT_TRUE(fs::exists(run));
+    ::close(other);
+    (void)recoverRecordings(folder.path.string());
+    EXPECT_FALSE(fs::exists(run)) << "there was nothing in it";
+}
+
 TEST(RollingRecorder, AGapWaitsForTheSampleAfterIt)
 {
     const Folder folder;
@@ -129,17 +192,17 @@ TEST(RollingRecorder, SurvivesAKilledProcess)
     Running bench;
     bench.run(other, 4);
     fs::create_directory(folder.path / "recovered-killed.mcap"); // what stands there cannot be written over
-    EXPECT_FALSE(recoverRecordings(folder.path.string()));
+    EXPECT_EQ(recoverRecordings(folder.path.string()).failures.size(), 1U);
     EXPECT_TRUE(fs::exists(folder.path / "killed")) << "what could not be saved stays for the next time";
     fs::remove(folder.path / "recovered-killed.mcap");
     const auto recovered = recoverRecordings(folder.path.string());
-    ASSERT_TRUE(recovered) << recovered.error().text();
-    ASSERT_EQ(recovered->size(), 1U); // the one that runs is left alone
-    const auto loaded = loadRecording(recovered->front());
+    EXPECT_TRUE(recovered.failures.empty());
+    ASSERT_EQ(recovered.paths.size(), 1U); // the one that runs is left alone
+    const auto loaded = loadRecording(recovered.paths.front());
     ASSERT_TRUE(loaded);
     EXPECT_GE((*loaded)->telemetry->size({0}), 735U); // of 750; the last tenth of a second was still settling
     EXPECT_FALSE(fs::exists(folder.path / "killed"));
-    EXPECT_TRUE(recoverRecordings(folder.path.string())->empty());
+    EXPECT_TRUE(recoverRecordings(folder.path.string()).paths.empty());
 }
 
 TEST(RollingRecorder, AnEndInOrderLeavesTheLastSession)
@@ -152,7 +215,7 @@ TEST(RollingRecorder, AnEndInOrderLeavesTheLastSession)
     }
     EXPECT_TRUE(fs::exists(folder.path / "last-session" / "segment-000000.mcap"));
     EXPECT_FALSE(fs::exists(folder.path / "first"));
-    EXPECT_TRUE(recoverRecordings(folder.path.string())->empty());
+    EXPECT_TRUE(recoverRecordings(folder.path.string()).paths.empty());
 }
 
 /// Everything that the bench has sent, each sample once.

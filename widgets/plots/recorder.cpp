@@ -100,12 +100,7 @@ void Recorder::post(std::function<void(RollingRecorder &)> order)
 
 void Recorder::work()
 {
-    const auto recovered = recoverRecordings(m_options.folder);
-    for (const std::string &path : recovered ? *recovered : std::vector<std::string>{})
-        QMetaObject::invokeMethod(this, [this, path] {
-            m_workbench.report(Severity::Caution, {},
-                tr("The last session did not end by itself. What it recorded is in %1.").arg(qt(path)));
-        });
+    recover();
     RollingRecorder recorder(m_options);
     std::unique_lock lock(m_mutex);
     for (bool end = false; !end;) {
@@ -118,7 +113,9 @@ void Recorder::work()
         lock.unlock();
         for (const auto &order : orders)
             order(recorder);
-        const Result<void> written = due ? recorder.write(now, offset) : Result<void>();
+        const Result<void> written = !due ? Result<void>()
+            : end                         ? recorder.writeAll(now, offset)
+                                          : recorder.write(now, offset);
         lock.lock();
         m_state.keeping = recorder.isKeeping();
         m_state.bytes = recorder.bytes();
@@ -129,6 +126,21 @@ void Recorder::work()
     }
     if (recorder.isKeeping())
         saveKept(recorder);
+}
+
+void Recorder::recover()
+{
+    const Recovered recovered = recoverRecordings(m_options.folder);
+    for (const std::string &path : recovered.paths)
+        QMetaObject::invokeMethod(this, [this, path] {
+            m_workbench.report(Severity::Caution, {},
+                tr("The last session did not end by itself. What it recorded is in %1.").arg(qt(path)));
+        });
+    for (const Error &failure : recovered.failures)
+        QMetaObject::invokeMethod(this, [this, failure] {
+            m_workbench.report(Severity::Danger, {},
+                tr("What the last session recorded waits for the next start: %1").arg(errorText(failure)));
+        });
 }
 
 void Recorder::saveKept(RollingRecorder &recorder) const
@@ -179,7 +191,8 @@ void Recorder::save(const QString &path)
         const std::lock_guard lock(m_mutex);
         m_state.saving = true;
     }
-    post([this, path](RollingRecorder &recorder) {
+    post([this, path, now = m_workbench.now(), offset = m_workbench.unixOffset()](RollingRecorder &recorder) {
+        (void)recorder.writeAll(now, offset); // why it fails save() tells
         const auto report = saveTo(recorder, path);
         const QString error = report ? QString() : errorText(report.error());
         {

@@ -47,6 +47,7 @@ Q_SIGNALS:
 
 private:
     void work();
+    void recover();
     void follow();
     void saveKept(RollingRecorder &recorder) const;
     void post(std::function<void(RollingRecorder &)> order);
