@@ -9,7 +9,7 @@
 namespace mb {
 namespace {
 
-constexpr std::int64_t farthest = 4'500'000'000'000'000'000; // ns: between any two of these there are 63 bits
+constexpr std::int64_t farthestTime = 4'500'000'000'000'000'000; // ns: between any two of these there are 63 bits
 
 bool endsWith(std::string_view text, std::string_view end)
 {
@@ -42,7 +42,7 @@ Result<std::shared_ptr<LoadedRecording>> loadMcap(const std::string &path)
     McapReader samples;
     bool isTooFar = false;
     samples.sample = [&](std::uint16_t id, std::int64_t time, double value, std::uint64_t lost, bool gap) {
-        isTooFar = isTooFar || time > farthest || time < -farthest;
+        isTooFar = isTooFar || time > farthestTime || time < -farthestTime;
         if (isTooFar)
             return;
         const ChannelIndex channel{places[id]};
