@@ -16020,10 +16020,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>die von Versuch #%1 geänderten Verstärkungen sind zurückgeschrieben</translation>
     </message>
     <message>
-        <source>the gains were not put back: %1; the notebook has them, &apos;motorbenchctl trials&apos; lists what is owed</source>
-        <translation>die Verstärkungen wurden nicht zurückgeschrieben: %1; das Versuchsbuch hat sie, &apos;motorbenchctl trials&apos; nennt das Geschuldete</translation>
-    </message>
-    <message>
         <source>the history does not have this write: %1</source>
         <translation>die Historie hat dieses Schreiben nicht: %1</translation>
     </message>
@@ -17926,6 +17922,50 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>the unit was taken off while it waited for a number</source>
         <translation>Das Gerät wurde abgenommen, während es auf eine Nummer wartete</translation>
+    </message>
+    <message>
+        <source>%1 is not told as often as was asked for: %2</source>
+        <translation>%1 wird nicht so oft gemeldet wie verlangt: %2</translation>
+    </message>
+    <message>
+        <source>%1: the gains were not put back: %2</source>
+        <translation>%1: die Verstärkungen wurden nicht zurückgeschrieben: %2</translation>
+    </message>
+    <message>
+        <source>let it come to rest first</source>
+        <translation>erst zur Ruhe kommen lassen</translation>
+    </message>
+    <message>
+        <source>no position for %1</source>
+        <translation>seit %1 keine Position</translation>
+    </message>
+    <message>
+        <source>the gains were not put back: %1</source>
+        <translation>die Verstärkungen wurden nicht zurückgeschrieben: %1</translation>
+    </message>
+    <message>
+        <source>the gains were not put back: %1; they are offered at the next connection</source>
+        <translation>die Verstärkungen wurden nicht zurückgeschrieben: %1; bei der nächsten Verbindung werden sie angeboten</translation>
+    </message>
+    <message>
+        <source>the shaft still turns, so nobody can tell which way it is pushed</source>
+        <translation>die Welle dreht sich noch, darum ist nicht zu erkennen, wohin sie geschoben wird</translation>
+    </message>
+    <message>
+        <source>the stop was not confirmed by %1</source>
+        <translation>%1 hat das Anhalten nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>what was proven could not be written: %1</source>
+        <translation>das Erprobte konnte nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>what was proven could not be written: %1; what was there before is in force again</source>
+        <translation>das Erprobte konnte nicht geschrieben werden: %1; was vorher da war, gilt wieder</translation>
+    </message>
+    <message>
+        <source>what was proven could not be written: %1; what was there before was not put back: %2; it is offered at the next connection</source>
+        <translation>das Erprobte konnte nicht geschrieben werden: %1; was vorher da war, wurde nicht zurückgeschrieben: %2; bei der nächsten Verbindung wird es angeboten</translation>
     </message>
 </context>
 </TS>

@@ -16208,10 +16208,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>las ganancias que cambió el ensayo #%1 se han restituido</translation>
     </message>
     <message>
-        <source>the gains were not put back: %1; the notebook has them, &apos;motorbenchctl trials&apos; lists what is owed</source>
-        <translation>las ganancias no se restituyeron: %1; el cuaderno las tiene, «motorbenchctl trials» enumera lo pendiente</translation>
-    </message>
-    <message>
         <source>the guardian does not answer</source>
         <translation>el vigilante no responde</translation>
     </message>
@@ -17926,6 +17922,50 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>the unit was taken off while it waited for a number</source>
         <translation>la unidad se retiró mientras esperaba un número</translation>
+    </message>
+    <message>
+        <source>%1 is not told as often as was asked for: %2</source>
+        <translation>%1 no se comunica con la frecuencia pedida: %2</translation>
+    </message>
+    <message>
+        <source>%1: the gains were not put back: %2</source>
+        <translation>%1: las ganancias no se restablecieron: %2</translation>
+    </message>
+    <message>
+        <source>let it come to rest first</source>
+        <translation>deje que se detenga primero</translation>
+    </message>
+    <message>
+        <source>no position for %1</source>
+        <translation>sin posición desde hace %1</translation>
+    </message>
+    <message>
+        <source>the gains were not put back: %1</source>
+        <translation>las ganancias no se restablecieron: %1</translation>
+    </message>
+    <message>
+        <source>the gains were not put back: %1; they are offered at the next connection</source>
+        <translation>las ganancias no se restablecieron: %1; se ofrecerán en la próxima conexión</translation>
+    </message>
+    <message>
+        <source>the shaft still turns, so nobody can tell which way it is pushed</source>
+        <translation>el eje aún gira, así que no se puede saber hacia dónde se empuja</translation>
+    </message>
+    <message>
+        <source>the stop was not confirmed by %1</source>
+        <translation>%1 no confirmó la parada</translation>
+    </message>
+    <message>
+        <source>what was proven could not be written: %1</source>
+        <translation>lo comprobado no se pudo escribir: %1</translation>
+    </message>
+    <message>
+        <source>what was proven could not be written: %1; what was there before is in force again</source>
+        <translation>lo comprobado no se pudo escribir: %1; vuelve a estar en vigor lo que había antes</translation>
+    </message>
+    <message>
+        <source>what was proven could not be written: %1; what was there before was not put back: %2; it is offered at the next connection</source>
+        <translation>lo comprobado no se pudo escribir: %1; lo que había antes no se restableció: %2; se ofrecerá en la próxima conexión</translation>
     </message>
 </context>
 </TS>

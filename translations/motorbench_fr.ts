@@ -16208,10 +16208,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>les gains modifiés par l’essai n° %1 sont rétablis</translation>
     </message>
     <message>
-        <source>the gains were not put back: %1; the notebook has them, &apos;motorbenchctl trials&apos; lists what is owed</source>
-        <translation>les gains n’ont pas été rétablis&#xa0;: %1&#x202f;; le carnet les a, «&#xa0;motorbenchctl trials&#xa0;» énumère ce qui reste à rétablir</translation>
-    </message>
-    <message>
         <source>the guardian does not answer</source>
         <translation>le gardien ne répond pas</translation>
     </message>
@@ -17926,6 +17922,50 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>the unit was taken off while it waited for a number</source>
         <translation>l’unité a été retirée pendant qu’elle attendait un numéro</translation>
+    </message>
+    <message>
+        <source>%1 is not told as often as was asked for: %2</source>
+        <translation>%1 n’est pas indiqué aussi souvent que demandé : %2</translation>
+    </message>
+    <message>
+        <source>%1: the gains were not put back: %2</source>
+        <translation>%1 : les gains n’ont pas été rétablis : %2</translation>
+    </message>
+    <message>
+        <source>let it come to rest first</source>
+        <translation>laissez-le d’abord s’immobiliser</translation>
+    </message>
+    <message>
+        <source>no position for %1</source>
+        <translation>aucune position depuis %1</translation>
+    </message>
+    <message>
+        <source>the gains were not put back: %1</source>
+        <translation>les gains n’ont pas été rétablis : %1</translation>
+    </message>
+    <message>
+        <source>the gains were not put back: %1; they are offered at the next connection</source>
+        <translation>les gains n’ont pas été rétablis : %1 ; ils seront proposés à la prochaine connexion</translation>
+    </message>
+    <message>
+        <source>the shaft still turns, so nobody can tell which way it is pushed</source>
+        <translation>l’arbre tourne encore, impossible donc de savoir dans quel sens il est poussé</translation>
+    </message>
+    <message>
+        <source>the stop was not confirmed by %1</source>
+        <translation>l’arrêt n’a pas été confirmé par %1</translation>
+    </message>
+    <message>
+        <source>what was proven could not be written: %1</source>
+        <translation>ce qui a été éprouvé n’a pas pu être écrit : %1</translation>
+    </message>
+    <message>
+        <source>what was proven could not be written: %1; what was there before is in force again</source>
+        <translation>ce qui a été éprouvé n’a pas pu être écrit : %1 ; ce qui était là avant est de nouveau en vigueur</translation>
+    </message>
+    <message>
+        <source>what was proven could not be written: %1; what was there before was not put back: %2; it is offered at the next connection</source>
+        <translation>ce qui a été éprouvé n’a pas pu être écrit : %1 ; ce qui était là avant n’a pas été rétabli : %2 ; cela sera proposé à la prochaine connexion</translation>
     </message>
 </context>
 </TS>

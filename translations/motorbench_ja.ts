@@ -16194,10 +16194,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>試行 #%1 で変更したゲインを元に戻しました</translation>
     </message>
     <message>
-        <source>the gains were not put back: %1; the notebook has them, &apos;motorbenchctl trials&apos; lists what is owed</source>
-        <translation>ゲインを元に戻していません: %1。値はノートにあります。&apos;motorbenchctl trials&apos; で未復元の一覧を表示できます</translation>
-    </message>
-    <message>
         <source>the guardian does not answer</source>
         <translation>監視プロセスが応答しません</translation>
     </message>
@@ -17912,6 +17908,50 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the unit was taken off while it waited for a number</source>
         <translation>番号を待っている間にユニットが取り外されました</translation>
+    </message>
+    <message>
+        <source>%1 is not told as often as was asked for: %2</source>
+        <translation>%1 は要求した頻度では通知されません：%2</translation>
+    </message>
+    <message>
+        <source>%1: the gains were not put back: %2</source>
+        <translation>%1：ゲインは元に戻されませんでした：%2</translation>
+    </message>
+    <message>
+        <source>let it come to rest first</source>
+        <translation>先に静止させてください</translation>
+    </message>
+    <message>
+        <source>no position for %1</source>
+        <translation>%1 の間、位置がありません</translation>
+    </message>
+    <message>
+        <source>the gains were not put back: %1</source>
+        <translation>ゲインは元に戻されませんでした：%1</translation>
+    </message>
+    <message>
+        <source>the gains were not put back: %1; they are offered at the next connection</source>
+        <translation>ゲインは元に戻されませんでした：%1。次の接続時に提示されます</translation>
+    </message>
+    <message>
+        <source>the shaft still turns, so nobody can tell which way it is pushed</source>
+        <translation>軸がまだ回っているため、どちらに押されたかわかりません</translation>
+    </message>
+    <message>
+        <source>the stop was not confirmed by %1</source>
+        <translation>%1 は停止を確認していません</translation>
+    </message>
+    <message>
+        <source>what was proven could not be written: %1</source>
+        <translation>実証された値を書き込めませんでした：%1</translation>
+    </message>
+    <message>
+        <source>what was proven could not be written: %1; what was there before is in force again</source>
+        <translation>実証された値を書き込めませんでした：%1。以前の値が再び有効です</translation>
+    </message>
+    <message>
+        <source>what was proven could not be written: %1; what was there before was not put back: %2; it is offered at the next connection</source>
+        <translation>実証された値を書き込めませんでした：%1。以前の値は元に戻されませんでした：%2。次の接続時に提示されます</translation>
     </message>
 </context>
 </TS>

@@ -16194,10 +16194,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>试验 #%1 更改过的增益已恢复</translation>
     </message>
     <message>
-        <source>the gains were not put back: %1; the notebook has them, &apos;motorbenchctl trials&apos; lists what is owed</source>
-        <translation>增益未恢复：%1；试验记录本中有这些增益，“motorbenchctl trials”可列出待恢复项</translation>
-    </message>
-    <message>
         <source>the guardian does not answer</source>
         <translation>守护进程无应答</translation>
     </message>
@@ -17912,6 +17908,50 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the unit was taken off while it waited for a number</source>
         <translation>设备在等待编号时被取下</translation>
+    </message>
+    <message>
+        <source>%1 is not told as often as was asked for: %2</source>
+        <translation>%1 未按要求的频率上报：%2</translation>
+    </message>
+    <message>
+        <source>%1: the gains were not put back: %2</source>
+        <translation>%1：增益未恢复：%2</translation>
+    </message>
+    <message>
+        <source>let it come to rest first</source>
+        <translation>请先让它静止</translation>
+    </message>
+    <message>
+        <source>no position for %1</source>
+        <translation>%1 内没有位置</translation>
+    </message>
+    <message>
+        <source>the gains were not put back: %1</source>
+        <translation>增益未恢复：%1</translation>
+    </message>
+    <message>
+        <source>the gains were not put back: %1; they are offered at the next connection</source>
+        <translation>增益未恢复：%1；下次连接时会再次提供</translation>
+    </message>
+    <message>
+        <source>the shaft still turns, so nobody can tell which way it is pushed</source>
+        <translation>轴仍在转动，无法判断它被推向哪个方向</translation>
+    </message>
+    <message>
+        <source>the stop was not confirmed by %1</source>
+        <translation>%1 未确认停止</translation>
+    </message>
+    <message>
+        <source>what was proven could not be written: %1</source>
+        <translation>已验证的值无法写入：%1</translation>
+    </message>
+    <message>
+        <source>what was proven could not be written: %1; what was there before is in force again</source>
+        <translation>已验证的值无法写入：%1；之前的值已重新生效</translation>
+    </message>
+    <message>
+        <source>what was proven could not be written: %1; what was there before was not put back: %2; it is offered at the next connection</source>
+        <translation>已验证的值无法写入：%1；之前的值未恢复：%2；下次连接时会再次提供</translation>
     </message>
 </context>
 </TS>

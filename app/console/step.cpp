@@ -159,7 +159,11 @@ Result<int> verdictOf(const Trial &trial)
     if (!trial.stopped)
         return fail(Fault::Unsafe, say("the stop was not confirmed by %1", trial.device),
             say("cut its power if the motor still turns"));
-    if (trial.reason == "done" || trial.reason == "interrupted")
+    const bool isEnded = trial.reason == "done" || trial.reason == "interrupted";
+    if (isEnded && !trial.notPutBack.empty())
+        return fail(Fault::Refused, say("the gains were not put back: %1", trial.notPutBack),
+            say("run it again with --yes, which puts them back first"));
+    if (isEnded)
         return exitDone;
     if (trial.reason.empty())
         return fail(Fault::Refused, trial.detail);
@@ -167,37 +171,14 @@ Result<int> verdictOf(const Trial &trial)
         say("remove the cause before it is run again"));
 }
 
-using settings::Numbers;
-
-/// What --set is about to replace, where it is known, by key; asked afresh where it can be.
-Task<Numbers> numbersBefore(Device &device, std::vector<ParameterChange> changes)
-{
-    std::vector<ParameterIndex> readable;
-    for (const ParameterChange &change : changes) {
-        if (device.parameters().parameter(change.index).access != Access::WriteOnly)
-            readable.push_back(change.index);
-    }
-    NoProgress progress;
-    auto reading = readParameters(device, std::move(readable), progress);
-    (void)co_await std::move(reading).attempt();
-    Numbers known;
-    for (const ParameterChange &change : changes) {
-        const Parameter &parameter = device.parameters().parameter(change.index);
-        const auto raw = device.parameters().entry(change.index).raw;
-        known.emplace_back(
-            parameter.key, raw ? std::optional(static_cast<double>(*raw) / parameter.one) : std::nullopt);
-    }
-    co_return known;
-}
-
 Task<int> perform(Console &console, Session &session, Device &device, StepPlan plan, Notebook &notebook)
 {
     auto settling = notebook.settleOwed(device, plan.yes);
     co_await std::move(settling);
     Result<Trial> trial;
-    Numbers before;
-    if (plan.experiment.keep == Keep::Always && notebook.settings()) {
-        auto asking = numbersBefore(device, plan.experiment.gains);
+    settings::Numbers before;
+    if (notebook.settings()) {
+        auto asking = settings::numbersBefore(device, plan.experiment.gains);
         before = co_await std::move(asking);
     }
     {

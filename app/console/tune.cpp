@@ -129,6 +129,9 @@ Result<int> verdictOf(const TuneReport &report)
     if (!report.stopped)
         return fail(Fault::Unsafe, say("the stop was not confirmed by %1", report.device),
             say("cut its power if the motor still turns"));
+    if (report.result == TuneResult::Stopped && !report.notPutBack.empty())
+        return fail(Fault::Unsafe, say("the tuning was interrupted: %1", report.evidence),
+            say("run it again with --yes, which puts them back first"));
     if (report.result == TuneResult::Stopped)
         return fail(Fault::Unsafe, say("the tuning was interrupted; the gains are as before"), say("run it again"));
     if (report.result == TuneResult::RolledBack)
@@ -164,7 +167,7 @@ Task<int> perform(Console &console, Session &session, Device &device, TuneOrder 
     Result<TuneReport> report = co_await std::move(tuning).attempt();
     if (!report)
         co_return fail(report.error());
-    if (report->result == TuneResult::Kept) {
+    if (report->result == TuneResult::Kept || !report->notPutBack.empty()) {
         auto noting = notebook.keepReplaced(device, report->before, settings::Origin::Tuning);
         co_await std::move(noting);
     }

@@ -30,11 +30,27 @@ Task<tuning::TuneReport> tuneKept(
         (void)co_await std::move(taking).attempt();
     }
     tuning::TuneReport report = co_await std::move(story);
-    if (log && report.result == tuning::TuneResult::Kept) {
+    if (log && (report.result == tuning::TuneResult::Kept || !report.notPutBack.empty())) {
         auto noting = settings::keepReplaced(device, report.before, settings::Origin::Tuning, *log);
         (void)co_await std::move(noting).attempt();
     }
     co_return report;
+}
+
+/// What is in force afterwards, and was not before, is in the history.
+Task<Trial> tryKept(Device &device, std::vector<ParameterChange> gains, settings::SettingsLog *log, Task<Trial> story)
+{
+    settings::Numbers before;
+    if (log && !gains.empty()) {
+        auto asking = settings::numbersBefore(device, std::move(gains));
+        before = co_await std::move(asking);
+    }
+    Result<Trial> trial = co_await std::move(story).attempt();
+    if (!before.empty()) {
+        auto noting = settings::keepReplaced(device, std::move(before), settings::Origin::Window, *log);
+        (void)co_await std::move(noting).attempt();
+    }
+    co_return trial;
 }
 
 Task<void> runOf(
@@ -115,12 +131,16 @@ void Trials::carryOut(const orders::RunTrial &order, const std::function<void(Re
 {
     Story<Trial> story;
     story.title = say("Experiment");
-    story.run = [plan = order.plan, measured = order.measured](
+    story.run = [this, plan = order.plan, measured = order.measured](
                     Device &device, SetPointStream &stream, tuning::ExperimentSurroundings around) {
         around.measured = measured;
-        return tuning::runExperiment(device, stream, plan, std::move(around));
+        return tryKept(
+            device, plan.gains, m_parameters.log(), tuning::runExperiment(device, stream, plan, std::move(around)));
     };
     story.notableOf = [](const Trial &trial) {
+        if (trial.reason == "done" && !trial.notPutBack.empty())
+            return Verdict{
+                Severity::Caution, say("%1: the gains were not put back: %2", nameOf(trial), trial.notPutBack)};
         return trial.reason == "done"
             ? Verdict{Severity::Good, say("%1: %2", nameOf(trial), resultOf(trial))}
             : Verdict{Severity::Danger, say("%1 was stopped: %2, %3", nameOf(trial), trial.reason, trial.detail)};

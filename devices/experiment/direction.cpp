@@ -91,6 +91,10 @@ Task<double> checkDirection(Device &device, SetPointStream &stream, TrialRecorde
     }
     guards.breakaway = 1.0; // nothing is known of its friction yet
     guards.dutyKnown = true;
+    auto resting = untilAtRest(device, recorder);
+    if (!co_await std::move(resting) && device.link().state() == LinkState::Open)
+        co_return fail(Fault::Unsafe, say("the shaft still turns, so nobody can tell which way it is pushed"),
+            say("let it come to rest first"));
     recorder.guard(guards);
     const double enough = traits.nudge > 0.0 ? leastNudge : clearMove / 2.0;
     double moved = 0.0;

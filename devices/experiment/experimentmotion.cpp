@@ -7,6 +7,7 @@
 #include "experiment/verdict.h"
 #include "model/family.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mb::tuning {
@@ -249,7 +250,8 @@ void ExperimentMotion::tellMeasured() const
     Trial sofar = m_trial;
     sofar.samples = m_recorder.samples();
     sofar.lost = m_recorder.lost();
-    measure(sofar, m_device.family(), m_recorder, m_holds, m_returns);
+    const auto newest = static_cast<std::ptrdiff_t>(std::max<std::size_t>(m_trial.stimulus.edges().size(), 1));
+    measure(sofar, m_device.family(), m_recorder, {m_holds.end() - newest, m_holds.end()}, {});
     m_around.measured(sofar);
 }
 

@@ -55,7 +55,7 @@ struct ExperimentSurroundings {
     std::function<Task<void>()> before;
     std::function<void(const Message &)> note; ///< a line for people: what happens now
     std::function<void(const Message &)> warn; ///< one that they should not miss; where empty, a note
-    /// When a hold has ended, before the way back: the trial with what is measured so far. The motor still runs.
+    /// When a hold has ended, before the way back: the trial with what this repeat has measured. The motor still runs.
     std::function<void(const Trial &)> measured;
 
     void caution(const Message &text) const

@@ -123,7 +123,7 @@ Task<void> ExperimentRun::perform()
         auto zeroing = m_device.zeroPosition();
         co_await std::move(zeroing);
     }
-    auto raising = m_rates.raise(m_plan.axis, rate());
+    auto raising = m_rates.raise(m_plan.axis, rate(), m_around);
     co_await std::move(raising);
     announce(m_device, m_around, m_plan, m_trial, m_origin);
     auto finding = findDirection();
@@ -247,11 +247,15 @@ Task<void> ExperimentRun::putBack()
         co_await std::move(releasing);
         co_return {};
     }
-    auto writing = writeGains(m_device, changesOf(m_device.family(), m_owed));
-    const Result<void> written = co_await std::move(writing).attempt();
+    Result<void> written = fail(Fault::LinkLost, m_device.link().loss().message());
+    if (m_device.link().state() == LinkState::Open) {
+        auto writing = writeGains(m_device, changesOf(m_device.family(), m_owed));
+        written = co_await std::move(writing).attempt();
+    }
     if (!written) {
-        note(say("the gains were not put back: %1; the notebook has them, 'motorbenchctl trials' lists what is owed",
-            written.error().detail));
+        m_trial.notPutBack = written.error().detail;
+        m_around.caution(
+            say("the gains were not put back: %1; they are offered at the next connection", written.error().detail));
         co_return {};
     }
     auto marking = markPutBack(m_device, *m_around.journal, *m_number);
@@ -297,9 +301,9 @@ Task<void> ExperimentRun::conclude(std::optional<Error> error)
     m_trial.samples = m_recorder.samples();
     m_trial.lost = m_recorder.lost();
     measure(m_trial, m_device.family(), m_recorder, m_motion.holds(), m_motion.returns());
+    auto putting = putBack();
+    co_await std::move(putting);
     if (m_device.link().state() == LinkState::Open) {
-        auto putting = putBack();
-        co_await std::move(putting);
         auto lowering = m_rates.lower(m_around);
         co_await std::move(lowering);
     }

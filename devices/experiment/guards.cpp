@@ -66,6 +66,7 @@ Guards::Guards(const GuardPlan &plan, Instant start)
     : m_plan(plan)
     , m_start(start)
     , m_heardAt(start)
+    , m_positionAt(start)
 {
 }
 
@@ -80,6 +81,7 @@ std::optional<Trip> Guards::trip(Guard guard, Instant at, Message detail)
 void Guards::rested(Instant time)
 {
     heard(time);
+    m_positionAt = std::max(m_positionAt, time);
     m_overload.pause();
 }
 
@@ -100,6 +102,7 @@ double Guards::pushOf(double error) const
 std::optional<Trip> Guards::position(Instant time, double counts)
 {
     heard(time);
+    m_positionAt = std::max(m_positionAt, time);
     m_speed = m_slope.add(time, counts);
     if (!m_plan.dutyKnown && m_plan.isVelocity) // what it calls its velocity comes too late
         m_motion.duty(time, pushOf(m_target), fullPush);
@@ -201,11 +204,20 @@ std::optional<Trip> Guards::error(Instant time, double error)
             m_oscillation.growing()));
 }
 
-std::optional<Trip> Guards::look(Instant now, std::uint64_t samples, std::uint64_t lost)
+std::optional<Trip> Guards::judgeSilence(Instant now)
 {
     const Duration patience = std::max<Duration>(silence, silentPeriods * m_plan.telemetry);
     if (now - m_heardAt > patience)
         return trip(Guard::Link, m_heardAt + patience, say("no sample for %1", milliseconds(now - m_heardAt)));
+    if (now - m_positionAt > patience)
+        return trip(Guard::Link, m_positionAt + patience, say("no position for %1", milliseconds(now - m_positionAt)));
+    return std::nullopt;
+}
+
+std::optional<Trip> Guards::look(Instant now, std::uint64_t samples, std::uint64_t lost)
+{
+    if (auto silent = judgeSilence(now))
+        return silent;
     m_loss.add(now, samples, lost);
     if (m_loss.share() > mostLost)
         return trip(

@@ -75,13 +75,14 @@ public:
         m_target = target;
         m_oscillation.target(target);
     }
-    /// A sample came while the motor was not driven: between two pushes.
+    /// A sample of any channel came while the motor was not driven: between two pushes.
     void rested(Instant time);
     /// `samples` and `lost` since the start, of all channels. Every few milliseconds.
     [[nodiscard]] std::optional<Trip> look(Instant now, std::uint64_t samples, std::uint64_t lost);
 
 private:
     void heard(Instant time) { m_heardAt = std::max(m_heardAt, time); }
+    [[nodiscard]] std::optional<Trip> judgeSilence(Instant now);
     [[nodiscard]] std::optional<Trip> trip(Guard guard, Instant at, Message detail);
     [[nodiscard]] Message underPush(const Message &what) const;
     [[nodiscard]] double pushOf(double error) const;
@@ -89,6 +90,7 @@ private:
     GuardPlan m_plan;
     Instant m_start;
     Instant m_heardAt;
+    Instant m_positionAt; ///< without it most guards are blind, whatever else is heard
     bool m_tripped = false;
     double m_speed = 0.0;
     double m_target = 0.0;

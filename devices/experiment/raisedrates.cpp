@@ -10,7 +10,7 @@ constexpr Duration rateTime = std::chrono::milliseconds(200); ///< until samples
 
 } // namespace
 
-Task<void> RaisedRates::raise(int axis, double rate)
+Task<void> RaisedRates::raise(int axis, double rate, const ExperimentSurroundings &around)
 {
     for (const std::string_view key : {"position", "velocity", "current", "duty"}) {
         const auto channel = axisChannel(m_device, key, axis);
@@ -22,6 +22,8 @@ Task<void> RaisedRates::raise(int axis, double rate)
             m_raised.push_back(*channel);
         else if (set.error().fault == Fault::LinkLost)
             co_return fail(set.error());
+        else if (set.error().fault != Fault::Unsupported && set.error().fault != Fault::OutOfRange)
+            around.caution(say("%1 is not told as often as was asked for: %2", key, set.error().detail));
     }
     Sleep listening(m_device.clock(), rateTime);
     co_await listening;

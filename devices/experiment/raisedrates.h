@@ -15,8 +15,9 @@ public:
         : m_device(device)
     {
     }
-    /// Samples per second of what a loop is judged by. LinkLost fails; a channel that has no such rate stays as it is.
-    [[nodiscard]] Task<void> raise(int axis, double rate);
+    /// Samples per second of what a loop is judged by. LinkLost fails; a channel that has no such rate stays as it is, and one
+    /// whose rate could not be set is said.
+    [[nodiscard]] Task<void> raise(int axis, double rate, const ExperimentSurroundings &around);
     /// Whatever could not be put back is said.
     [[nodiscard]] Task<void> lower(const ExperimentSurroundings &around);
 

@@ -65,6 +65,8 @@ struct Trial {
     std::vector<std::string> flags;
     std::string reason; ///< done, interrupted, link, a guard's name; empty: nobody saw its end
     Message detail;     ///< one clause about it; empty for done
+    Message
+        notPutBack; ///< why what it has written is still in force, and owed; empty: the gains are as planned. Not kept
     bool stopped = false;
     std::uint64_t samples = 0;
     std::uint64_t lost = 0;

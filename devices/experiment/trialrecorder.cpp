@@ -107,7 +107,9 @@ void TrialRecorder::look()
 {
     m_timer.startIn(guardPeriod, [this] { look(); });
     const Instant before = std::exchange(m_lookedAt, m_device.clock().now());
-    if (m_lookedAt - before > heldUp)
+    const bool isLate = m_lookedAt - before > heldUp;
+    const bool wasLate = std::exchange(m_wasLate, isLate);
+    if (isLate && !wasLate)
         return; // who was held up reads first, and then judges silence
     if (m_guards && m_stream.isRunning())
         ended(m_guards->look(m_device.clock().now(), m_samples, lost()));

@@ -68,6 +68,7 @@ private:
     std::optional<Trip> m_trip;
     Instant m_stoppedAt{};
     Instant m_lookedAt{};
+    bool m_wasLate = false; ///< it came late when it looked last
     std::uint64_t m_samples = 0;
     std::uint64_t m_lostBefore = 0;
     Timer m_timer;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "settings/writing.h"
 
+#include "async/progress.h"
 #include "model/family.h"
 #include "model/unit.h"
 #include "model/writeorder.h"
@@ -179,6 +180,28 @@ Task<std::vector<TransferOutcome>> writeKept(
     auto completing = completeKept(log, number, judged(device, change.values, outcomes), progress);
     co_await std::move(completing);
     co_return outcomes;
+}
+
+Task<Numbers> numbersBefore(Device &device, std::vector<ParameterChange> changes)
+{
+    std::vector<ParameterIndex> readable;
+    for (const ParameterChange &change : changes) {
+        if (device.parameters().parameter(change.index).access != Access::WriteOnly)
+            readable.push_back(change.index);
+    }
+    if (!readable.empty()) {
+        NoProgress unseen;
+        auto reading = readParameters(device, std::move(readable), unseen);
+        (void)co_await std::move(reading).attempt();
+    }
+    Numbers known;
+    for (const ParameterChange &change : changes) {
+        const Parameter &parameter = device.parameters().parameter(change.index);
+        const auto raw = device.parameters().entry(change.index).raw;
+        known.emplace_back(
+            parameter.key, raw ? std::optional(static_cast<double>(*raw) / parameter.one) : std::nullopt);
+    }
+    co_return known;
 }
 
 Task<void> keepReplaced(const Device &device, Numbers before, Origin origin, SettingsLog &log)

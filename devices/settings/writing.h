@@ -21,6 +21,9 @@ struct Order {
 /// By key, in the unit of the parameter; nothing for what is not known.
 using Numbers = std::vector<std::pair<std::string, std::optional<double>>>;
 
+/// What `changes` are about to replace, read where it can be.
+[[nodiscard]] Task<Numbers> numbersBefore(Device &device, std::vector<ParameterChange> changes);
+
 /// Keeps what something else has replaced, such as a tuning: what was there before; what is there now is known of the device.
 [[nodiscard]] Task<void> keepReplaced(const Device &device, Numbers before, Origin origin, SettingsLog &log);
 

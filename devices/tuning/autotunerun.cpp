@@ -70,13 +70,27 @@ Task<Trial> AutotuneRun::runOnce(ExperimentPlan plan)
         m_here = position->trace.y.back() + (counted ? m_here : 0.0); // each counts from its own start
     }
     m_report.stopped = trial.stopped || m_device.isSeenStopped();
+    m_report.notPutBack = trial.notPutBack;
+    if (auto ended = judgeEnding(trial); !ended)
+        co_return fail(ended.error());
+    co_return trial;
+}
+
+/// Nothing follows a trial that could not begin, whose motor may still turn, or whose gains are still in force.
+Result<void> AutotuneRun::judgeEnding(const Trial &trial)
+{
     if (trial.reason.empty())
-        co_return fail(Fault::Refused, trial.detail);
+        return fail(Fault::Refused, trial.detail);
     if (trial.reason != "done") {
         m_report.stopReason = trial.reason;
         m_report.evidence = trial.detail;
     }
-    co_return trial;
+    if (!m_report.stopped)
+        return fail(Fault::Unsafe, joined(m_report.evidence, say("the stop was not confirmed by %1", m_report.device)));
+    if (!trial.notPutBack.empty())
+        return fail(
+            Fault::Refused, joined(m_report.evidence, say("the gains were not put back: %1", trial.notPutBack)));
+    return {};
 }
 
 /// A wire that loses a frame now and then ends an experiment by its guard now and then. That has stopped the motor; the same is tried

@@ -69,6 +69,8 @@ public:
     [[nodiscard]] const Envelope &envelope() const { return m_envelope; }
     [[nodiscard]] Device &device() const { return m_device; }
     [[nodiscard]] SetPointStream &stream() const { return m_stream; }
+    /// nullptr: nothing is kept.
+    [[nodiscard]] ExperimentJournal *journal() const { return m_around.journal; }
     /// nullptr: nobody can interrupt.
     [[nodiscard]] Interruption *interruption() const { return m_around.interruption; }
     /// Counts, where the motor is.
@@ -76,6 +78,7 @@ public:
 
 private:
     [[nodiscard]] Task<Trial> runOnce(ExperimentPlan plan);
+    [[nodiscard]] Result<void> judgeEnding(const Trial &trial);
     void expectOf(const PlantModel &plant, const std::optional<TriedScale> &scale);
 
     Device &m_device;

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/tuneproof.h"
 
+#include "async/sleep.h"
 #include "experiment/envelope.h"
 #include "experiment/gains.h"
+#include "experiment/owedgains.h"
+#include "experiment/verdict.h"
 #include "model/family.h"
 #include "model/loopparameters.h"
+#include "model/unit.h"
 #include "tuning/autotunerun.h"
 #include "tuning/looppass.h"
 #include "tuning/plateau.h"
@@ -20,6 +24,8 @@
 namespace mb::tuning {
 namespace {
 
+constexpr int mostAgain = 2; ///< a unit that restarts answers soon
+constexpr std::chrono::seconds againAfter(1);
 constexpr double countedRest
     = 1.5; ///< s, until a velocity that is counted over edges is known to be 0, and the integral is at rest
 constexpr double notableRest = 0.02;    ///< of the step
@@ -234,10 +240,68 @@ Task<void> TuneProof::prove()
     co_return {};
 }
 
+Task<void> TuneProof::write()
+{
+    TuneReport &report = m_run.report();
+    Device &device = m_run.device();
+    const std::vector<ParameterChange> &changes = report.proposed.changes;
+    ExperimentJournal *const journal = m_run.journal();
+    const bool owes = journal && !report.trials.empty() && !m_mayStay;
+    std::vector<OwedValue> before;
+    if (owes) {
+        auto reading = readReplaced(device, changes);
+        before = co_await std::move(reading);
+        auto owing = journal->owe(report.trials.back(), unitKeyOf(device), before);
+        co_await std::move(owing);
+    }
+    auto writing = writeGains(device, changes);
+    const Result<void> written = co_await std::move(writing).attempt();
+    if (!written && owes) {
+        auto back = takeBack(std::move(before), written.error());
+        co_await std::move(back);
+    }
+    if (!written)
+        co_return fail(written.error());
+    std::vector<std::string> keys;
+    for (const ParameterChange &change : changes)
+        keys.emplace_back(device.parameters().parameter(change.index).key);
+    if (journal) {
+        auto releasing = journal->release(unitKeyOf(device), std::move(keys));
+        (void)co_await std::move(releasing).attempt();
+    }
+    co_return {};
+}
+
+/// Half of the gains may be in force. Fails with the cause, and with what has become of those before.
+Task<void> TuneProof::takeBack(std::vector<OwedValue> before, Error cause)
+{
+    TuneReport &report = m_run.report();
+    report.result = TuneResult::RolledBack;
+    m_run.note(say("what was proven could not be written: %1", cause.detail));
+    Result<void> paid;
+    for (int again = 0; again <= mostAgain && (again == 0 || !paid); ++again) {
+        if (again > 0)
+            co_await Sleep(m_run.device().clock(), againAfter);
+        auto paying = payOwed(m_run.device(), *m_run.journal(), {report.trials.back(), 0.0, before});
+        paid = co_await std::move(paying).attempt();
+    }
+    if (paid) {
+        cause.detail
+            = say("what was proven could not be written: %1; what was there before is in force again", cause.detail);
+    } else {
+        report.notPutBack = paid.error().detail;
+        cause.detail
+            = say("what was proven could not be written: %1; what was there before was not put back: %2; it is "
+                  "offered at the next connection",
+                cause.detail, paid.error().detail);
+    }
+    co_return fail(cause);
+}
+
 Task<void> TuneProof::keep()
 {
     TuneReport &report = m_run.report();
-    auto writing = writeGains(m_run.device(), report.proposed.changes);
+    auto writing = write();
     co_await std::move(writing);
     report.result = TuneResult::Kept;
     const Capabilities &can = m_run.device().family().capabilities;

@@ -19,7 +19,8 @@ public:
     /// Steps both ways with the proposal in force: on a device with two slots in the one that does not hold the result. What it
     /// replaces is in force again afterwards. RolledBack in the report where a step did not do what was predicted.
     [[nodiscard]] Task<void> prove();
-    /// Writes what was proven.
+    /// Writes what was proven; what it replaces is owed meanwhile. RolledBack where it could not be written, with what was there in
+    /// force again.
     [[nodiscard]] Task<void> keep();
     /// s that another proof takes, at most.
     [[nodiscard]] double seconds() const;
@@ -35,6 +36,8 @@ private:
     [[nodiscard]] Message shortcoming();
     [[nodiscard]] std::vector<ParameterChange> inProvingSlot() const;
     [[nodiscard]] ExperimentPlan planOf(double sign) const;
+    [[nodiscard]] Task<void> write();
+    [[nodiscard]] Task<void> takeBack(std::vector<OwedValue> before, Error cause);
 
     AutotuneRun &m_run;
     const TuneDesign &m_design;

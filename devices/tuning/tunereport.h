@@ -68,6 +68,7 @@ struct TuneReport {
     Metrics measured;                     ///< the worse of both
     std::string stopReason; ///< of the trial that ended it: a guard's name, "link", "interrupted"; empty else
     bool stopped = true;    ///< the motor was seen stopped
+    Message notPutBack;     ///< as Trial::notPutBack
     double seconds = 0.0;
     std::vector<std::int64_t> trials; ///< numbers in the notebook
 };

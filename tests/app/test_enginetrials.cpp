@@ -6,11 +6,16 @@
 #include "heard.h"
 #include "model/registry.h"
 #include "model/unit.h"
+#include "storage/settingsbook.h"
+#include "support/coreapplication.h"
 #include "support/fakejournal.h"
 #include "tuning/frequencyresponse.h"
 
 #include <gtest/gtest.h>
 
+#include <QTemporaryDir>
+
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -108,7 +113,7 @@ TEST_F(TrialCore, MeasuresBeforeTheMotorIsBackKeepsTheTrialAndTheGains)
     ASSERT_TRUE(measured.front().second.metrics.settle);
     EXPECT_EQ(measured.front().second.metrics.rise, trial.metrics.rise);
     EXPECT_LT(measured.front().first, clock.now() - 200ms) << "not before the way back";
-    EXPECT_EQ(journal.log, (std::vector<std::string>{"begin", "owe", "settle", "complete"}));
+    EXPECT_EQ(journal.log, (std::vector<std::string>{"begin", "owe", "release", "complete"}));
     EXPECT_NE(before, 30'000);
     EXPECT_EQ(stored(), 30'000) << "what a done trial has written stays";
     EXPECT_FALSE(isOutputOn());
@@ -348,6 +353,36 @@ TEST_F(TrialCore, GainsThatAProgramCouldNotPutBackAreOfferedAndPaidAfterAsking)
     EXPECT_EQ(stored(), before + 1000);
     EXPECT_TRUE(core.owedGains().empty());
     EXPECT_TRUE(journal.owed.empty());
+}
+
+/// So Ctrl+Z takes it back, and nobody calls it changed elsewhere.
+TEST_F(TrialCore, WhatADoneTrialLeavesInForceIsInTheHistoryAndWhatItPutsBackIsNot)
+{
+    test::needCoreApplication();
+    const QTemporaryDir folder;
+    const auto database = Database::open(folder.path().toStdString() + "/motorbench.db");
+    ASSERT_TRUE(database);
+    SettingsBook book(**database, clock, "anna");
+    core.setSettingsLog(&book);
+    const std::int64_t before = stored();
+    const auto changes = [&] { return book.changes(unitKeyOf(*device())); };
+    const std::size_t known = changes()->size();
+    for (const Keep keep : {Keep::Never, Keep::WhenDone}) {
+        EXPECT_EQ(changes()->size(), known);
+        start(keep);
+        ASSERT_TRUE(ends());
+        ASSERT_TRUE(*ended) << ended->error().detail;
+    }
+    ASSERT_EQ(changes()->size(), known + 1);
+    const auto all = *changes();
+    const auto ours = std::max_element(
+        all.begin(), all.end(), [](const auto &one, const auto &other) { return one.number < other.number; });
+    EXPECT_EQ(ours->origin, settings::Origin::Window);
+    ASSERT_EQ(ours->values.size(), 1U);
+    EXPECT_EQ(ours->values.front().key, "slot0.p");
+    EXPECT_EQ(ours->values.front().before, before);
+    EXPECT_EQ(ours->values.front().after, 30'000);
+    core.setSettingsLog(nullptr);
 }
 
 TEST_F(TrialCore, GainsAreOfferedNoMoreOnceATrialHasKeptOthers)

@@ -2,10 +2,12 @@
 // What an experiment says of its end, and what it leaves in force, when others than its guards end it.
 #include "model/bench.h"
 #include "tests/tuning/experimentbench.h"
+#include "tests/tuning/realunit.h"
 #include "transport/canlink.h"
 #include "wire/canframe.h"
 
 #include <atomic>
+#include <cmath>
 
 namespace mb::tuning {
 namespace {
@@ -66,6 +68,22 @@ TEST(Endings, WhoeverStopsTheMotorInterruptsTheTrial)
     EXPECT_EQ(step.inForce(), step.before);
 }
 
+TEST(Endings, GainsThatCouldNotBePutBackAreSaidAndOwed)
+{
+    StepWithGains step;
+    step.plan.keep = Keep::Never;
+    std::vector<std::string> warned;
+    step.bench.surroundings.warn = [&](const Message &text) { warned.push_back(text.english()); };
+    const Trial trial = step.endedBy([&] {
+        step.bench.interruption.interrupt();
+        step.bench.simulator()->setPowered(false);
+    });
+    EXPECT_FALSE(trial.notPutBack.empty());
+    ASSERT_FALSE(warned.empty());
+    EXPECT_NE(warned.front().find("the gains were not put back"), std::string::npos) << warned.front();
+    EXPECT_FALSE(step.bench.journal.owed.empty());
+}
+
 /// During the check of the direction, before anything else moves.
 Trial endedAtTheFirstPush(ExperimentBench &bench, const std::function<void()> &strike)
 {
@@ -116,6 +134,68 @@ TEST(Endings, OfTheFirstPushByStopIsAnInterruption)
         pressed = false;
     });
     EXPECT_EQ(trial.reason, "interrupted") << trial.detail;
+}
+
+TEST(Endings, AShaftThatStillTurnsTellsNobodyItsDirection)
+{
+    ExperimentBench bench;
+    bench.simulator()->disturb("load-torque", -0.5);
+    bench.bench.clock.advance(2s);
+    ASSERT_GT(std::abs(bench.simulator()->speed()), 1000.0);
+    const Result<Trial> trial = bench.run(stepTo(Mode::Velocity, 60'000.0));
+    EXPECT_FALSE(bench.directions.find(bench.device->selector(), 1));
+    const std::string why = trial ? trial->detail.english() : trial.error().text();
+    EXPECT_NE(why.find("still turns"), std::string::npos) << why;
+}
+
+/// Everything else is heard: without its position travel, speed and direction are watched by nobody.
+TEST(Endings, APositionThatIsSilentAloneEndsATrial)
+{
+    StepWithGains step;
+    const Trial trial = step.endedBy([&] {
+        const ParameterIndex period = step.bench.bench.index(*step.bench.device, "status.encoder.period");
+        (void)run(step.bench.bench.clock, step.bench.device->write(period, 30'000));
+    });
+    EXPECT_EQ(trial.reason, "link");
+    EXPECT_NE(trial.detail.english().find("no position for"), std::string::npos) << trial.detail.english();
+    EXPECT_EQ(step.inForce(), step.before);
+}
+
+/// A program that is held up again and again looks late each time; what a guard says of the time is true all the same.
+TEST(Endings, ByTheTimeComeWhereEveryLookIsLate)
+{
+    test::RealUnit unit;
+    SetPointStream stream(*unit.device, unit.dated);
+    TrialRecorder recorder(*unit.device, stream, Mode::Duty, 1);
+    GuardPlan plan;
+    plan.envelope.duty = 1.0;
+    plan.longest = 1s;
+    plan.telemetry = 100ms;
+    SetPoint setPoint;
+    setPoint.mode = Mode::Duty;
+    setPoint.target = 0.1;
+    recorder.guard(plan);
+    ASSERT_TRUE(stream.start(setPoint, 10s));
+    for (int i = 0; i < 100 && stream.isRunning(); ++i) {
+        unit.clock.stall(22ms);
+        unit.clock.advance(1ms);
+    }
+    ASSERT_TRUE(recorder.trip()) << stream.reason().english();
+    EXPECT_EQ(recorder.trip()->guard, Guard::Time) << recorder.trip()->detail;
+}
+
+/// What is told while the motor runs takes no longer because of the repeats before it.
+TEST(Endings, OfAHoldTellWhatItsOwnRepeatHasMeasured)
+{
+    ExperimentBench bench;
+    std::vector<std::size_t> holds;
+    bench.surroundings.measured = [&](const Trial &trial) { holds.push_back(trial.holds.size()); };
+    ExperimentPlan plan = stepTo(Mode::Velocity, 60'000.0);
+    plan.repeat = 3;
+    const Result<Trial> trial = bench.run(plan);
+    ASSERT_TRUE(trial);
+    EXPECT_EQ(holds, (std::vector<std::size_t>{1, 1, 1}));
+    EXPECT_EQ(trial->holds.size(), 3U);
 }
 
 } // namespace

@@ -157,6 +157,26 @@ TEST(FrequencyResponse, MeasuresTheSimulatedMotorAsItIs)
     }
 }
 
+TEST(FrequencyResponse, IsNoneWhereItsNextSineCouldNotBegin)
+{
+    ExperimentBench bench("sim:can", "dmc60c", 7);
+    const PlantModel plant{1'285'000.0, 0.26, 0.05, 0.002};
+    auto plan = planSweep(plant, benchLimits(), 0.02);
+    plan->hertz = {2.0, 4.0};
+    int sines = 0;
+    bench.surroundings.note = [&](const Message &text) {
+        sines += text.english().starts_with("sine") ? 1 : 0;
+        bench.simulator()->setPowered(sines < 2);
+    };
+    const auto measured = test::run(bench.bench.clock,
+        measureFrequencyResponse(
+            *bench.device, bench.bench.session.stream(*bench.device), *plan, plant, bench.surroundings));
+    ASSERT_TRUE(measured) << measured.error().text();
+    ASSERT_EQ(sines, 2);
+    EXPECT_FALSE(measured->stopReason.empty());
+    EXPECT_FALSE(measured->evidence.empty());
+}
+
 TEST(FrequencyResponse, StopsWhereSomebodyStopsIt)
 {
     ExperimentBench bench("sim:can", "dmc60c", 7);

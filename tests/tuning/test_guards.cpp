@@ -234,7 +234,7 @@ TEST(Guards, APositionWithoutADutyThatDoesNotComeToRestTripsOscillation)
 TEST(Guards, LinkTripsAfterSilenceAndAfterLoss)
 {
     Guards silent(plan(), start);
-    EXPECT_FALSE(silent.velocity(start + 50ms, 1.0));
+    EXPECT_FALSE(silent.position(start + 50ms, 1.0));
     EXPECT_FALSE(silent.look(start + 150ms, 10, 0));
     expectTrip(silent.look(start + 155ms, 10, 0), Guard::Link, start + 150ms, "105 ms");
     EXPECT_FALSE(silent.look(start + 300ms, 10, 0)) << "one trip is all";
@@ -247,7 +247,7 @@ TEST(Guards, LinkTripsAfterSilenceAndAfterLoss)
 
     const auto lossy = [](std::uint64_t each) {
         return [each](Guards &g, Instant t, int i) {
-            (void)g.velocity(t, 0.0);
+            (void)g.position(t, 200.0);
             const auto n = static_cast<std::uint64_t>(i);
             return g.look(t, 1000 + n * (100 - each), n * each);
         };
@@ -267,16 +267,31 @@ TEST(Guards, ASampleOfAnyKindIsHeard)
         wide.lowestBus = 0.0;
         Guards guards(wide, start);
         EXPECT_FALSE((guards.*feed)(start + 90ms, 0.25));
-        EXPECT_FALSE(guards.look(start + 190ms, 10, 0));
-        EXPECT_TRUE(guards.look(start + 191ms, 10, 0));
+        EXPECT_FALSE(guards.look(start + 100ms, 10, 0));
+        const bool isPosition = feed == &Guards::position;
+        EXPECT_EQ(guards.look(start + 101ms, 10, 0).has_value(), !isPosition) << "its position is missed all the same";
+        EXPECT_EQ(guards.look(start + 191ms, 10, 0).has_value(), isPosition);
     }
+}
+
+TEST(Guards, APositionThatIsSilentAloneIsALostLink)
+{
+    Guards guards(plan(), start);
+    for (int i = 0; i <= 15; ++i) {
+        EXPECT_FALSE(guards.current(start + i * 10ms, 1.0));
+        if (i <= 5) {
+            EXPECT_FALSE(guards.position(start + i * 10ms, 200.0));
+        }
+        EXPECT_FALSE(guards.look(start + i * 10ms, 10, 0));
+    }
+    expectTrip(guards.look(start + 155ms, 10, 0), Guard::Link, start + 150ms, "no position for 105 ms");
 }
 
 TEST(Guards, TimeTripsAtHalfAsLongAgainAsPlanned)
 {
     Guards guards(plan(), start);
     for (int i = 0; i <= 600; ++i) {
-        EXPECT_FALSE(guards.velocity(start + i * 10ms, 0.0));
+        EXPECT_FALSE(guards.position(start + i * 10ms, 200.0));
         EXPECT_FALSE(guards.look(start + i * 10ms, static_cast<std::uint64_t>(i), 0));
     }
     expectTrip(guards.look(start + 6005ms, 600, 0), Guard::Time, start + 6s, "1.5 × 4 s");

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a tuning leaves in a unit where its motor, the unit or this program lets it down.
+#include "tests/tuning/tuningbench.h"
+
+namespace mb::tuning {
+namespace {
+
+using namespace std::chrono_literals;
+using namespace test;
+
+/// A tuning of a velocity loop, and what is in the slot that its result belongs to.
+struct Tuned {
+    Tuned()
+        : p(bench.bench.index(*bench.device, "slot0.p"))
+        , before(rawOf(bench, "slot0.p"))
+        , task(autotune(
+              *bench.device, bench.bench.session.stream(*bench.device), planOf(Mode::Velocity), bench.surroundings))
+    {
+    }
+    /// Until the first of the gains that are kept is in force, and the others are not.
+    void runUntilHalfIsWritten()
+    {
+        task.start();
+        ASSERT_TRUE(bench.bench.clock.runUntil([this] { return valueOfP() != before; }, 2min));
+        ASSERT_FALSE(task.isFinished());
+    }
+    [[nodiscard]] std::int64_t valueOfP() const { return bench.device->parameters().entry(p).raw.value_or(-1); }
+    [[nodiscard]] std::optional<std::int64_t> owed(std::string_view key) const
+    {
+        for (const OwedValue &value : bench.journal.owed) {
+            if (value.key == key)
+                return value.raw;
+        }
+        return std::nullopt;
+    }
+
+    ExperimentBench bench{"sim:can", "dmc60c", 7};
+    ParameterIndex p;
+    std::int64_t before;
+    Task<TuneReport> task;
+};
+
+TEST(KeptGains, OfATuningThatIsKilledWhileItWritesThemOweWhatWasThere)
+{
+    Tuned tuned;
+    tuned.runUntilHalfIsWritten();
+    tuned.task.cancel();
+    EXPECT_EQ(tuned.owed("slot0.p"), tuned.before);
+    EXPECT_TRUE(tuned.owed("slot0.i"));
+}
+
+TEST(KeptGains, ThatCouldNotBeWrittenAreRolledBackAndOwedWhereTheUnitIsGone)
+{
+    Tuned tuned;
+    tuned.runUntilHalfIsWritten();
+    tuned.bench.simulator()->setPowered(false);
+    ASSERT_TRUE(tuned.bench.bench.clock.runUntil([&] { return tuned.task.isFinished(); }, 2min));
+    ASSERT_TRUE(tuned.task.result());
+    const TuneReport report = std::move(*tuned.task.result());
+    EXPECT_NE(report.result, TuneResult::Kept);
+    EXPECT_FALSE(report.notPutBack.empty());
+    EXPECT_EQ(tuned.owed("slot0.p"), tuned.before);
+}
+
+TEST(KeptGains, ThatCouldNotAllBeWrittenAreTakenBack)
+{
+    Tuned tuned;
+    tuned.bench.surroundings.note = [&](const Message &text) {
+        if (text.english().find("could not be written") != std::string::npos)
+            tuned.bench.simulator()->setPowered(true);
+    };
+    tuned.task = autotune(*tuned.bench.device, tuned.bench.bench.session.stream(*tuned.bench.device),
+        planOf(Mode::Velocity), tuned.bench.surroundings);
+    tuned.runUntilHalfIsWritten();
+    tuned.bench.simulator()->setPowered(false);
+    ASSERT_TRUE(tuned.bench.bench.clock.runUntil([&] { return tuned.task.isFinished(); }, 2min));
+    ASSERT_TRUE(tuned.task.result());
+    const TuneReport report = std::move(*tuned.task.result());
+    EXPECT_EQ(report.result, TuneResult::RolledBack) << report.evidence.english();
+    EXPECT_TRUE(report.notPutBack.empty()) << report.notPutBack.english();
+    EXPECT_EQ(rawOf(tuned.bench, "slot0.p"), tuned.before);
+    EXPECT_TRUE(tuned.bench.journal.owed.empty());
+}
+
+TEST(KeptGains, AreOwedByNobodyOnceAllAreWritten)
+{
+    Tuned tuned;
+    tuned.task.start();
+    ASSERT_TRUE(tuned.bench.bench.clock.runUntil([&] { return tuned.task.isFinished(); }, 2min));
+    ASSERT_EQ(tuned.task.result()->result, TuneResult::Kept);
+    EXPECT_TRUE(tuned.bench.journal.owed.empty());
+}
+
+/// Its supply goes when the first push ends.
+TEST(Tuning, EndsWhereTheStopOfATrialIsNotConfirmed)
+{
+    Tuned tuned;
+    SetPointStream &stream = tuned.bench.bench.session.stream(*tuned.bench.device);
+    bool ran = false;
+    const Subscription ending = stream.changed().add([&] {
+        if (std::exchange(ran, stream.isRunning()) && !stream.isRunning())
+            tuned.bench.simulator()->setPowered(false);
+    });
+    tuned.task.start();
+    ASSERT_TRUE(tuned.bench.bench.clock.runUntil([&] { return tuned.task.isFinished(); }, 2min));
+    ASSERT_TRUE(tuned.task.result());
+    const TuneReport &report = *tuned.task.result();
+    EXPECT_FALSE(report.stopped);
+    EXPECT_NE(report.evidence.english().find("was not confirmed"), std::string::npos) << report.evidence.english();
+    const auto isPush = [](const std::string &note) { return note.starts_with("pushing"); };
+    EXPECT_EQ(std::count_if(tuned.bench.notes.begin(), tuned.bench.notes.end(), isPush), 1) << "nothing follows it";
+}
+
+} // namespace
+} // namespace mb::tuning
