@@ -214,8 +214,8 @@ Task<void> PushIdentification::measureOut(AutotuneRun &run, Trial trial)
         m_duty = std::min(m_duty, usableShare * *envelope.speed / gain);
     const double period = std::max(samplePeriod(seen.front().position), 1e-3);
     m_seconds = std::min(std::max({taus * fit->tau, samplesOfPush * period, probeSeconds}), longestPush);
-    if (const auto travel = run.travelLeft()) {
-        const double room = usableShare * *travel / (pushRepeats * 1.25); // it rolls on while it brakes
+    if (envelope.travel) {
+        const double room = usableShare * *envelope.travel / (pushRepeats * 1.25); // it rolls on while it brakes
         const double shortest = std::max(leastTaus * fit->tau, samplesOfPush * period);
         m_seconds = std::max(std::min(room / (gain * m_duty), m_seconds), shortest); // a slow motor takes its time
         m_duty = std::min(m_duty, room / (gain * m_seconds));
@@ -242,12 +242,13 @@ Result<void> PushIdentification::checkRoom(const AutotuneRun &run)
     return {};
 }
 
-/// Of two sizes, both ways.
+/// Of two sizes, both ways; first back from where the probe has gone, where travel is short.
 Task<void> PushIdentification::push(AutotuneRun &run)
 {
+    const double first = run.plan().limits.travel ? -1.0 : 1.0;
     for (const bool strong : {true, false}) {
         const double size = strong ? m_duty : weakerDuty();
-        for (const double sign : {1.0, -1.0}) {
+        for (const double sign : {first, -first}) {
             auto pushing = run.push({sign * size, m_seconds, pushRepeats});
             m_pushes.push_back(co_await std::move(pushing));
             if (run.isOver())

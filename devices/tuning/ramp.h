@@ -15,6 +15,8 @@ struct RampWay {
     double frictionError = 0.0;
     double gain = 0.0;          ///< counts/s per duty beyond friction
     double determination = 0.0; ///< R² of the regression
+
+    friend bool operator==(const RampWay &, const RampWay &) = default;
 };
 
 /// A ramp each way.
@@ -32,6 +34,8 @@ struct RampFound {
     /// Its friction is to be believed: R² of 0.98, and within a tenth the gain (counts/s per duty) that pushes have shown. A motor whose
     /// friction lets go late fails it.
     [[nodiscard]] bool agreesWith(double gain) const;
+
+    friend bool operator==(const RampFound &, const RampFound &) = default;
 };
 
 /// What is known of a motor before its ramp.

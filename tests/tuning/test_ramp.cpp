@@ -296,6 +296,7 @@ TEST(FrictionRamp, AMotorThatStandsNowTellsNoneAndIsNotPushedHarder)
     EXPECT_TRUE(report->stopped);
 }
 
+/// The pushes before it, too: their probe has gone one way already.
 TEST(FrictionRamp, StaysWithinTheTravelOrIsLeftOut)
 {
     for (const double travel : {60'000.0, 120'000.0, 400'000.0}) {
