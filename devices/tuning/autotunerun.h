@@ -29,6 +29,7 @@ public:
         std::optional<double> reach{}; ///< as ExperimentPlan
         std::optional<double> relay{};
         std::optional<double> fastest{};
+        bool grows = false; ///< from nothing to its duty, slowly, and at once back
     };
 
     /// One experiment within the limits of the tuning; what ended it, if it was not its own end, ends the tuning.
@@ -71,6 +72,8 @@ public:
     [[nodiscard]] SetPointStream &stream() const { return m_stream; }
     /// nullptr: nothing is kept.
     [[nodiscard]] ExperimentJournal *journal() const { return m_around.journal; }
+    /// Counts either side of where the motor stands now; nothing: no limit is known.
+    [[nodiscard]] std::optional<double> travelLeft() const;
     /// nullptr: nobody can interrupt.
     [[nodiscard]] Interruption *interruption() const { return m_around.interruption; }
     /// Counts, where the motor is.
@@ -79,6 +82,7 @@ public:
 private:
     [[nodiscard]] Task<Trial> runOnce(ExperimentPlan plan);
     [[nodiscard]] Result<void> judgeEnding(const Trial &trial);
+    [[nodiscard]] std::optional<double> travelOfPlan() const;
     void expectOf(const PlantModel &plant, const std::optional<TriedScale> &scale);
 
     Device &m_device;
