@@ -98,7 +98,7 @@ Task<void> NodeSettings::writeDuration(std::int64_t raw)
 /// Also by a node that nobody has looked for: two of one id cannot be told apart any more. It is asked for its position.
 Task<bool> NodeSettings::isTaken(int id)
 {
-    if (m_line.roster().nodes().contains(id))
+    if (m_line.roster().isClaimed(id, m_node.id))
         co_return true;
     auto looking = converse(m_line, asking({id, m_node.baudrate, {}}, Command::GetPosition), {});
     const Result<Frame> reply = co_await std::move(looking).attempt();

@@ -41,6 +41,8 @@ public:
     {
         m_nodes[node].profileAcceleration = ticks;
     }
+    /// Another node than `node` has this id, or will have it after a restart.
+    [[nodiscard]] bool isClaimed(int id, int node) const;
     /// It is not there.
     void forget(int node);
 
