@@ -65,6 +65,17 @@ TEST_F(Dmc60cContact, AnswersOfAnotherUnitAreNotWaitedFor)
     EXPECT_LT(waited, 510ms);
 }
 
+TEST_F(Dmc60cContact, AUnitIsNotFoundAgainBeforeItsProductIsKnown)
+{
+    const std::string product = "0206F005#341203012060";
+    const std::string versions = "0206F005#3412000017010901";
+    unit.answer(enumeration, {{versions}, {product, versions}}, 5ms);
+    const auto found = test::run(clock, contact.findAgain(1s));
+    ASSERT_TRUE(found) << found.error().text();
+    EXPECT_EQ(found->productId.value_or(0) >> 20U, productDmc60c)
+        << "a lost frame does not skip the check of the image";
+}
+
 TEST_F(Dmc60cContact, WhereEveryOrderWasAnsweredNoneWaits)
 {
     unit.answer(getVersions, {versionsReply});

@@ -91,6 +91,30 @@ TEST(QuadQuad2DrvUpdate, ARefusalIsRecognisedByTheWordsThatWereSet)
     EXPECT_NE(report.summary().english().find("line 1 was refused: ok"), std::string::npos) << report.evidence;
 }
 
+TEST(QuadQuad2DrvUpdate, AnEchoedRecordThatSpellsAWordOfFailureIsNoRefusal)
+{
+    QuadQuad2DrvUpdateBench bench;
+    bench.boot->setJumper(true);
+    const std::string first = bench.image.lines().front();
+    BootSettings settings;
+    settings.failures = {first.substr(1, 6), "bad"};
+    const Subscription echo = bench.hostEnd.traffic().add([&](const Traffic &traffic) {
+        const std::string sent(traffic.bytes.begin(), traffic.bytes.end());
+        if (traffic.direction == Direction::Sent && sent.starts_with(first))
+            (void)bench.boardEnd.send(std::vector<std::uint8_t>(traffic.bytes.begin(), traffic.bytes.end()));
+    });
+    bench.hand = [&bench] {
+        if (bench.operation.status().step.english().starts_with("take the jumper out"))
+            bench.boot->setJumper(false);
+    };
+    const UpdateReport report = bench.update(settings);
+    EXPECT_EQ(report.evidence.english().find("refused"), std::string::npos) << report.evidence;
+    EXPECT_TRUE(bench.said("< " + first)) << "it was echoed";
+    EXPECT_EQ(report.outcome, UpdateOutcome::Done);
+    for (const LogLine &row : bench.operation.status().log)
+        EXPECT_TRUE(row.severity != Severity::Danger) << row.text;
+}
+
 TEST(QuadQuad2DrvUpdate, ALineThatIsLostWhileItSendsIsToldAsThat)
 {
     QuadQuad2DrvUpdateBench bench;

@@ -142,5 +142,38 @@ TEST_F(SupermodifiedDistances, AHigherPIsRefusedWhileTheMotorIsFarFromItsSetPoin
     EXPECT_TRUE(run(bench.clock, device->write(Bench::index("gain.p"), 40000)));
 }
 
+// What was sent and not acknowledged is not known
+
+TEST_F(SupermodifiedDistances, AProfileWhoseWriteAStopBrokeOffIsWrittenAnew)
+{
+    bench.clock.advance(100ms);
+    bench.sent.clear();
+    ASSERT_TRUE(device->command(ramp(3000.0, 5000.0, 800.0)));
+    ASSERT_TRUE(bench.clock.runUntil([&] { return bench.count(Command::ProfileVelocity) == 1; }, 1s));
+    bench.clock.advance(2ms); // the node has it, and its EEPROM is busy
+    device->stop();
+    bench.clock.advance(500ms);
+    EXPECT_EQ(device->check(ramp(3000.0, 0.0, 800.0)).error().fault, Fault::Unsafe) << "how fast is not known";
+    bench.sent.clear();
+    order(ramp(3000.0, 800.0, 800.0), 2s);
+    EXPECT_EQ(bench.count(Command::ProfileVelocity), 1);
+    EXPECT_LT(node.speed(), 1000.0);
+}
+
+TEST_F(SupermodifiedDistances, APWhoseWriteIsCancelledIsNotKnown)
+{
+    bench.clock.advance(100ms);
+    bench.sent.clear();
+    {
+        auto writing = device->write(Bench::index("gain.p"), 65535);
+        writing.start();
+        ASSERT_TRUE(bench.clock.runUntil([&] { return bench.count(Command::P) == 1; }, 1s));
+    }
+    bench.clock.advance(500ms);
+    EXPECT_EQ(device->check(setPoint(Mode::Position, 10.0)).error().fault, Fault::Unsafe);
+    ASSERT_TRUE(run(bench.clock, device->read(Bench::index("gain.p"))));
+    EXPECT_EQ(device->check(setPoint(Mode::Position, 40000.0)).error().fault, Fault::OutOfRange);
+}
+
 } // namespace
 } // namespace mb::supermodified

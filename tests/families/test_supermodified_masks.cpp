@@ -155,5 +155,91 @@ TEST(SupermodifiedMasks, AFollowerThatIsFoundWhileAMotorRunsIsStoppedByItsOwnAdd
     EXPECT_EQ(bench.count(Command::Stop), 0) << "once";
 }
 
+TEST(SupermodifiedIds, AnIdThatAnotherNodeGetsWithItsRestartIsTaken)
+{
+    Bench bench;
+    bench.add("supermodified:4");
+    bench.add("supermodified:6");
+    const auto four = bench.connect(4);
+    const auto six = bench.connect(6);
+    ASSERT_TRUE(run(bench.clock, four->renumber(5)));
+    const auto refused = run(bench.clock, six->renumber(5));
+    ASSERT_FALSE(refused) << "two of one id";
+    EXPECT_EQ(refused.error().fault, Fault::Refused);
+    EXPECT_TRUE(run(bench.clock, four->renumber(5))) << "its own";
+    ASSERT_TRUE(run(bench.clock, four->renumber(7)));
+    EXPECT_TRUE(run(bench.clock, six->renumber(5))) << "nobody wants it any more";
+}
+
+void restart(Bench &bench, Simulator &node)
+{
+    node.setPowered(false);
+    bench.clock.advance(300ms);
+    node.setPowered(true);
+    bench.clock.advance(300ms);
+}
+
+TEST(SupermodifiedIds, ANodeThatWasRenumberedAndRestartedIsDrivenAtItsNewId)
+{
+    for (const bool scans : {true, false}) {
+        Bench bench;
+        Simulator &node = bench.add("supermodified:4");
+        {
+            const auto four = bench.connect(4);
+            ASSERT_TRUE(run(bench.clock, four->renumber(5)));
+            restart(bench, node);
+        }
+        const auto keep = Line::of(bench.host, bench.clock);
+        if (scans) {
+            EXPECT_EQ(bench.scanAll().size(), 1U);
+        }
+        const auto five = bench.connect(5);
+        EXPECT_TRUE(five->mayMove()) << scans << ' ' << five->mayMove().error().text();
+        EXPECT_FALSE(keep->roster().nodes().contains(4)) << "its old id is free";
+    }
+}
+
+TEST(SupermodifiedMasks, ANodeThatWasUnpluggedDoesNotLockTheOthersAfterAScan)
+{
+    Bench bench;
+    Simulator &masked = bench.add("supermodified:4,mask=240");
+    bench.add("supermodified:5");
+    const auto four = bench.connect(4);
+    const auto five = bench.connect(5);
+    ASSERT_FALSE(five->mayMove());
+    masked.setPowered(false);
+    bench.clock.advance(2s);
+    (void)bench.scanAll();
+    EXPECT_TRUE(five->mayMove());
+    masked.setPowered(true);
+    bench.clock.advance(3s);
+    EXPECT_TRUE(four->liveness().heard);
+    EXPECT_FALSE(five->mayMove()) << "it is back, and its mask with it";
+}
+
+TEST(SupermodifiedMasks, ANodeThatMissedOneQuestionOfAScanKeepsItsLock)
+{
+    Bench bench;
+    bench.add("supermodified:4,mask=240");
+    bench.add("supermodified:5");
+    {
+        const auto four = bench.connect(4);
+    }
+    const auto five = bench.connect(5);
+    ASSERT_FALSE(five->mayMove());
+    int asked = 0;
+    Timer back(bench.clock);
+    const Subscription losing = bench.host.traffic().add([&](const Traffic &traffic) {
+        const auto frames = test::framesIn({traffic.bytes.begin(), traffic.bytes.end()});
+        if (traffic.direction != Direction::Sent || frames.empty() || frames.back().to != 4 || ++asked > 1)
+            return;
+        bench.line.setLoss(1.0);
+        back.startIn(20ms, [&] { bench.line.setLoss(0.0); });
+    });
+    EXPECT_EQ(bench.scanAll().size(), 2U);
+    EXPECT_GT(asked, 1);
+    EXPECT_FALSE(five->mayMove());
+}
+
 } // namespace
 } // namespace mb::supermodified

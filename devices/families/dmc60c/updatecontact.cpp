@@ -113,7 +113,7 @@ Task<std::vector<UpdateContact::Unit>> UpdateContact::enumerate(Duration window)
         else if (const auto second = decodeEnumResponse1(*frame))
             unitOf(second->session).versions = FirmwareVersions{second->image, second->application, second->bootloader};
     }
-    std::erase_if(units, [](const Unit &u) { return !u.versions; });
+    std::erase_if(units, [](const Unit &u) { return !u.versions || !u.productId; });
     co_return units;
 }
 

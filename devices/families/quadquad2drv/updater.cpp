@@ -205,12 +205,16 @@ Task<void> Updater::sendLine(std::size_t index)
             co_return fail(Fault::Timeout, say("%1 was not confirmed", line));
         if (!answer)
             co_return fail(answer.error());
+        if (*answer == text) { // an echo, and a record may spell a word of failure
+            m_progress.log(Severity::Info, Message::verbatim("< " + *answer));
+            continue;
+        }
         heard(*answer);
         if (isBanner(*answer))
             co_return fail(Fault::Refused, say("the board restarted at %1", line));
         if (isFailure(*answer))
             co_return fail(Fault::Refused, say("%1 was refused: %2", line, *answer));
-        confirmed = *answer != text; // a terminal may echo what it hears
+        confirmed = true;
     }
     const Instant next = begin + m_settings.lineTime;
     if (next > m_clock.now())

@@ -223,6 +223,10 @@ void Controller::setHeard(bool heard)
 {
     if (m_presence.setHeard(heard) && !heard)
         m_motion.doubt(); // whatever happens to it now is not seen
+    if (Roster &roster = m_line->roster(); heard && !roster.nodes().contains(m_node.id)) { // a scan missed it
+        roster.note(m_node.id, m_node.baudrate);
+        roster.noteMask(m_node.id, maskOf(identity()));
+    }
     m_polls.setHeard(heard);
     if (!heard)
         setLiveness(liveness(), {}, clock().now());

@@ -119,6 +119,10 @@ void Motion::send(Step step)
     }
     request->rank = Line::Rank::Move;
     request->settles = step == Step::Look && m_orders.front().relative;
+    if (step == Step::Velocity) // whether the node has it is not known before it says so
+        m_line.roster().noteProfileVelocity(m_node.id, std::nullopt);
+    else if (step == Step::Acceleration)
+        m_line.roster().noteProfileAcceleration(m_node.id, std::nullopt);
     m_step = step;
     ++m_tries;
     m_ticket = m_line.submit(*request, [this, step](const Result<Frame> &reply) { answered(step, reply); });

@@ -62,6 +62,7 @@ Task<void> NodeSettings::writeNumber(Command command, std::int64_t raw)
     auto request = setting(node, command, raw);
     if (!request)
         co_return fail(request.error());
+    noteSent(command);
     auto task = talk(*request);
     (void)co_await std::move(task);
     co_return {};
@@ -97,7 +98,7 @@ Task<void> NodeSettings::writeDuration(std::int64_t raw)
 /// Also by a node that nobody has looked for: two of one id cannot be told apart any more. It is asked for its position.
 Task<bool> NodeSettings::isTaken(int id)
 {
-    if (m_line.roster().nodes().contains(id))
+    if (m_line.roster().isClaimed(id, m_node.id))
         co_return true;
     auto looking = converse(m_line, asking({id, m_node.baudrate, {}}, Command::GetPosition), {});
     const Result<Frame> reply = co_await std::move(looking).attempt();
@@ -132,6 +133,18 @@ void NodeSettings::noteRead(const Parameter &row, std::int64_t raw)
     case id::profileVelocity: roster.noteProfileVelocity(m_node.id, raw); break;
     case id::profileAcceleration: roster.noteProfileAcceleration(m_node.id, raw); break;
     case id::nodeMask: roster.noteMask(m_node.id, static_cast<std::uint8_t>(raw)); break;
+    default: break;
+    }
+}
+
+/// A write that is broken off may be in the node.
+void NodeSettings::noteSent(Command command)
+{
+    Roster &roster = m_line.roster();
+    switch (command) {
+    case Command::P: roster.noteGain(m_node.id, std::nullopt); break;
+    case Command::ProfileVelocity: roster.noteProfileVelocity(m_node.id, std::nullopt); break;
+    case Command::ProfileAcceleration: roster.noteProfileAcceleration(m_node.id, std::nullopt); break;
     default: break;
     }
 }

@@ -51,6 +51,13 @@ void Roster::noteNextId(int node, int written)
     chooseHost();
 }
 
+bool Roster::isClaimed(int id, int node) const
+{
+    return std::any_of(m_nodes.begin(), m_nodes.end(), [id, node](const auto &known) {
+        return known.first != node && (known.first == id || known.second.nextId == id);
+    });
+}
+
 void Roster::forget(int node)
 {
     m_nodes.erase(node);

@@ -39,12 +39,13 @@ private:
     [[nodiscard]] bool isDone(const Place &place) const;
     [[nodiscard]] Task<bool> look(Place place, Duration patience);
     [[nodiscard]] Task<void> learnOthers(int address);
-    [[nodiscard]] Task<void> learnMask(Node node);
+    [[nodiscard]] Task<bool> learnMask(Node node);
     [[nodiscard]] Task<void> lookAll(std::vector<Place> places, bool patiently = false);
     void heardLate(const Frame &frame);
     [[nodiscard]] Task<void> lookAtLate();
     [[nodiscard]] Task<void> lookAtRest(std::vector<int> rates);
     [[nodiscard]] Task<void> lookEverywhere();
+    [[nodiscard]] Task<void> askSilent(std::vector<Place> known);
     void forgetSilent();
     void keepFoundRates(std::vector<int> &rates) const;
     [[nodiscard]] Duration silence() const;
@@ -97,6 +98,22 @@ void Search::forgetSilent()
             m_line->roster().forget(id);
     }
     m_recalled.clear();
+}
+
+/// A node that is gone leaves neither its id nor its mask to others; one that missed a question is not taken for gone.
+Task<void> Search::askSilent(std::vector<Place> known)
+{
+    for (const Place &place : known) {
+        const bool recalled = std::find(m_recalled.begin(), m_recalled.end(), place.second) != m_recalled.end();
+        const auto isThere = [&] { return std::find(m_found.begin(), m_found.end(), place.second) != m_found.end(); };
+        for (int attempt = 1; attempt < attemptsForOne && !recalled && !isThere(); ++attempt) {
+            auto looking = look(place, std::min<Duration>(answerTime * (1 << attempt), AnswerTime::ceiling));
+            co_await std::move(looking);
+        }
+        if (!isThere() && !m_line->driven().any())
+            m_line->roster().forget(place.second);
+    }
+    co_return {};
 }
 
 std::vector<Search::Place> Search::knownAt(const std::vector<int> &rates) const
@@ -204,6 +221,8 @@ Task<void> Search::run()
     const std::vector<Place> known = knownAt(searched);
     auto again = lookAll(known, true);
     co_await std::move(again);
+    auto silent = askSilent(known);
+    co_await std::move(silent);
     forgetSilent();
     const bool allThere = !known.empty() && m_found.size() == known.size();
     if (allThere)
@@ -310,12 +329,15 @@ Task<void> Search::learnOthers(int address)
         if (id == address)
             continue;
         auto learning = learnMask({id, rate, std::nullopt});
-        co_await std::move(learning);
+        const bool answered = co_await std::move(learning);
+        if (!answered && m_line->roster().entry(id).nextId == address)
+            m_line->roster().forget(id); // it was restarted, and is the one that was found
     }
     co_return {};
 }
 
-Task<void> Search::learnMask(Node node)
+/// True where it answered.
+Task<bool> Search::learnMask(Node node)
 {
     Line::Request request = asking(node, Command::GetNodeMask);
     request.patience = m_line->roster().nodes().contains(node.id) ? answerTime : silence();
@@ -331,7 +353,7 @@ Task<void> Search::learnMask(Node node)
         m_line->roster().note(node.id, node.baudrate);
         m_line->roster().noteMask(node.id, static_cast<std::uint8_t>(*mask));
     }
-    co_return {};
+    co_return reply.has_value();
 }
 
 } // namespace
