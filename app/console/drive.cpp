@@ -133,7 +133,8 @@ Task<Outcome> move(Console &console, Device &device, DrivePlan plan)
     outcome.interrupted = console.isInterrupted();
     if (stream.isRunning() || stream.end() == SetPointStream::End::None)
         stream.stop();
-    outcome.end = stream.end();
+    const bool isOff = plan.setPoint.mode == Mode::Off && stream.end() != SetPointStream::End::LinkLost;
+    outcome.end = isOff ? SetPointStream::End::Stopped : stream.end(); // whatever ended it, it was to end
     outcome.why = stream.reason();
     auto confirming = confirmStop(console, device);
     outcome.stopped = co_await std::move(confirming);

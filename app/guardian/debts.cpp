@@ -156,7 +156,7 @@ bool DebtBook::write(const std::vector<Debt> &debts) const
         put(bytes, static_cast<std::uint32_t>(packet.size()));
         bytes.insert(bytes.end(), packet.begin(), packet.end());
     }
-    const std::string fresh = m_path + ".new" + std::to_string(::getpid());
+    const std::string fresh = m_path + ".new" + std::to_string(::gettid());
     const int file = ::open(fresh.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0600);
     if (file < 0)
         return false;

@@ -93,10 +93,26 @@ Result<void> SettingsBook::setTag(const std::string &place, const std::string &t
 {
     if (unitByOf(place) != UnitBy::Place)
         return fail(Fault::OutOfRange, say("a unit that has a serial number needs no tag"));
-    if (tag.empty())
-        return m_database.run("DELETE FROM tag WHERE place = ?", {qt(place)});
-    return m_database.run(
-        "INSERT OR REPLACE INTO tag (place, name, time) VALUES (?, ?, ?)", {qt(place), qt(tag), now()});
+    return m_database.transact([&]() -> Result<void> {
+        const std::string before = resolved(place);
+        auto changed = tag.empty() ? m_database.run("DELETE FROM tag WHERE place = ?", {qt(place)})
+                                   : m_database.run("INSERT OR REPLACE INTO tag (place, name, time) VALUES (?, ?, ?)",
+                                       {qt(place), qt(tag), now()});
+        return changed ? moveDebts(before, resolved(place)) : changed;
+    });
+}
+
+/// What is owed to a unit goes with it to its new name; not to one that was known elsewhere, nor from one that still is.
+Result<void> SettingsBook::moveDebts(const std::string &before, const std::string &after)
+{
+    const std::string_view name = unitByOf(before) == UnitBy::Tag ? unitTagIn(before) : unitTagIn(after);
+    const int own = unitByOf(before) == UnitBy::Tag ? 0 : 1; // of the places of that name
+    int places = 0;
+    auto counted = m_database.run("SELECT count(*) FROM tag WHERE name = ?", {qt(name)},
+        [&places](const QSqlQuery &row) { places = row.value(0).toInt(); });
+    if (!counted || before == after || places != own)
+        return counted;
+    return m_database.run("UPDATE OR IGNORE owed SET unit = ? WHERE unit = ?", {qt(after), qt(before)});
 }
 
 Task<ParameterSnapshot> SettingsBook::keep(ParameterSnapshot snapshot)

@@ -35,6 +35,7 @@ public:
     [[nodiscard]] Result<std::vector<settings::SettingsChange>> changes(const std::string &unit);
 
 private:
+    [[nodiscard]] Result<void> moveDebts(const std::string &before, const std::string &after);
     [[nodiscard]] double now() const;
     [[nodiscard]] Result<std::vector<settings::ParameterSnapshot>> read(
         const std::string &columns, const std::string &rest, const QVariantList &values);

@@ -135,13 +135,14 @@ void ProjectTest::aFolderIsPutIntoForce()
     device.family = families().front();
     device.identity.edit().family = "dmc60c";
     device.identity.edit().serial = "210334";
+    device.unit = "dmc60c 210334"; // whatever the folder calls it
     workbench.shot.devices = {device};
     workbench.publish();
     workbench.publish(); // once is enough
     const auto calls = workbench.given<orders::Calibrate>();
     QCOMPARE(calls.size(), std::size_t(1));
     QVERIFY(calls[0].value == 2048.0);
-    QVERIFY(limits.entered("210334").speed == 9000.0);
+    QVERIFY(limits.entered("dmc60c 210334").speed == 9000.0);
 }
 
 MB_WINDOW_TEST(ProjectTest);

@@ -76,7 +76,7 @@ TEST(DebtBook, LosesNothingWhenSeveralWriteAtOnce)
 {
     const Folder folder;
     constexpr int writers = 4;
-    constexpr int each = 25;
+    constexpr int each = 5;
     {
         std::vector<std::jthread> threads;
         for (int writer = 0; writer < writers; ++writer)

@@ -175,6 +175,24 @@ TEST_F(Notebooks, AUnitWithATagHasItsTrialsAndDebtsWhereverItIsConnected)
     EXPECT_TRUE(test::run(clock, book.owedTo(left))->empty());
 }
 
+TEST_F(Notebooks, WhatIsOwedToAUnitGoesWithItToItsNewName)
+{
+    const auto database = open();
+    TrialBook book(*database, clock);
+    SettingsBook settings(*database, clock, "anna");
+    const std::string place = "place usb-1.2 supermodified:4";
+    ASSERT_TRUE(test::run(clock, book.owe(keep(book, trial()), place, {{"gain.p", 4000}})));
+    const auto isOwed = [&](const std::string &unit) { return !test::run(clock, book.owedTo(unit))->empty(); };
+    for (const char *const name : {"left arm", "right arm", ""}) {
+        ASSERT_TRUE(settings.setTag(place, name));
+        EXPECT_TRUE(isOwed(place)) << name;
+    }
+    const std::string elsewhere = "place usb-1.3 supermodified:4";
+    ASSERT_TRUE(settings.setTag(elsewhere, "left arm"));
+    ASSERT_TRUE(settings.setTag(place, "left arm")); // another unit stood here when it was owed
+    EXPECT_FALSE(isOwed(elsewhere));
+}
+
 /// P was 5; trial 1 tries 10 and is killed; trial 2 finds 10, tries 20.
 TEST_F(Notebooks, OfOneKeyTheFirstValueIsOwedAndALaterTrialThatPutsBackWhatItFoundDoesNotSettleIt)
 {

@@ -28,6 +28,7 @@ class TestTune : public QObject {
 private Q_SLOTS:
     void runIsRefusedWhenNotArmed();
     void runSendsTheSetPointWithSlotRampAndFlags();
+    void aSetPointWhosePresentValueNobodyTellsBeginsAtNothing();
     void aSetPointOfTheHandStartsWhereTheMotorIsAndMovesSlowly();
     void theWheelSteersNothingItPasses();
     void theSliderSteersAMotorThatMoves();
@@ -79,6 +80,17 @@ void TestTune::runSendsTheSetPointWithSlotRampAndFlags()
     expected.overrideLimits = true;
     expected.disableReverseLimit = true;
     QVERIFY(starts[0].setPoint == expected);
+}
+
+void TestTune::aSetPointWhosePresentValueNobodyTellsBeginsAtNothing()
+{
+    TuneBench bench; // nothing was heard yet
+    type(bench.find<QLineEdit>("Set-point"), "60000");
+    bench.arm();
+    bench.page->run();
+    const orders::StartMotion start = bench.workbench.given<orders::StartMotion>().at(0);
+    QVERIFY(start.glide.rate > 0.0);
+    QCOMPARE(start.glide.from, std::optional(0.0)); // not at 60 000
 }
 
 void TestTune::aSetPointOfTheHandStartsWhereTheMotorIsAndMovesSlowly()

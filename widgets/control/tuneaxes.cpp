@@ -71,9 +71,11 @@ void TuneAxes::spreadTo(const DeviceView &view, int axis, const TuneChoice &show
     const double limit = range.limit;
     range.touched = true;
     if (startsAtPresent(mode)) {
-        const double here = m_motion.present(view, mode, m_choices.axis()).value_or(0.0);
+        const auto here = m_motion.present(view, mode, m_choices.axis());
+        const auto there = m_motion.present(view, mode, axis);
         const double target = m_column.setPointPanel().target().value_or(0.0);
-        range.target = std::round(m_motion.present(view, mode, axis).value_or(0.0) + target - here);
+        range.touched = here && there; // else it stays where it is
+        range.target = range.touched ? std::round(*there + target - *here) : 0.0;
     }
     range.limit = std::max(limit, std::abs(range.target));
     TuneChoice &other = m_choices.of(view, axis);

@@ -110,6 +110,8 @@ void TuneMotion::startAxis(const DeviceView &view, int axis, bool several)
         glide.rate = axis == m_choices.axis() ? panel.slewRate() : chosen.entered.slewRate(view.family, wished.mode);
         if (several || wished.mode == Mode::Position || glide.rate > 0.0)
             glide.from = present(view, wished.mode, axis);
+        if (!glide.from && !startsAtPresent(wished.mode)) // what the motor is told before is nothing
+            glide.from = 0.0;
     }
     chosen.ours = true;
     m_arming.run(wished, glide);

@@ -295,12 +295,15 @@ Result<void> SocketCanLink::doSend(const CanFrame &frame, Priority priority)
     if (priority == Priority::Urgent) {
         std::erase_if(m_normal, [&frame](const CanFrame &waiting) { return sameIdentifier(waiting, frame); });
         std::erase_if(m_urgent, [&frame](const CanFrame &waiting) { return sameContent(waiting, frame); });
+        if (!isStop(frame))
+            m_stops.push_back(frame);
     }
     const bool first = m_urgent.empty() && (priority == Priority::Urgent || m_normal.empty());
     if (first) {
         const int cause = writeFrame(m_descriptor, frame, priority);
         if (cause == 0) {
-            setStuckSince(std::nullopt);
+            if (doBacklog() == 0)
+                setStuckSince(std::nullopt);
             return {};
         }
         if (!health().stuckSince)
@@ -310,6 +313,8 @@ Result<void> SocketCanLink::doSend(const CanFrame &frame, Priority priority)
             return fail(socketFailure(address().path, cause));
         }
     }
+    if (m_normal.empty())
+        m_frontSince = frame.time;
     queue.push_back(frame);
     return {};
 }
@@ -323,6 +328,8 @@ void SocketCanLink::flush()
         auto &queue = urgent ? m_urgent : m_normal;
         const int cause = writeFrame(m_descriptor, queue.front(), urgent ? Priority::Urgent : Priority::Normal);
         if (cause != 0) {
+            if (!health().stuckSince)
+                setStuckSince(clock().now());
             if (tryLater(cause))
                 dropStale();
             else
@@ -330,17 +337,27 @@ void SocketCanLink::flush()
             return;
         }
         queue.pop_front();
+        if (!urgent)
+            m_frontSince = clock().now();
         setStuckSince(doBacklog() > 0 ? std::optional(clock().now()) : std::nullopt);
     }
 }
 
-/// Whoever has given an order up must not see it carried out once the cable is back. A stop waits on.
+bool SocketCanLink::isStop(const CanFrame &frame) const
+{
+    return std::any_of(
+        m_stops.begin(), m_stops.end(), [&frame](const CanFrame &stop) { return sameContent(stop, frame); });
+}
+
+/// Whoever has given an order up must not see it carried out once the cable is back. A stop waits on, also where it comes a second
+/// time behind a set-point that the kernel may still hold.
 void SocketCanLink::dropStale()
 {
-    if (!health().stuckSince || clock().now() - *health().stuckSince < mostPatience)
+    const Instant now = clock().now();
+    if (m_normal.empty() || now - m_frontSince < mostPatience)
         return;
-    countLost(m_normal.size());
-    m_normal.clear();
+    countLost(std::erase_if(
+        m_normal, [&](const CanFrame &waiting) { return now - waiting.time >= mostPatience && !isStop(waiting); }));
 }
 
 bool SocketCanLink::tryLater(int cause)

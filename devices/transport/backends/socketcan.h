@@ -64,6 +64,7 @@ private:
     [[nodiscard]] bool tryLater(int cause);
     void failLater(int cause);
     void dropStale();
+    [[nodiscard]] bool isStop(const CanFrame &frame) const;
     void end(Error loss);
 
     int m_given = -1;
@@ -79,6 +80,8 @@ private:
     std::unique_ptr<Batch> m_batch;
     std::deque<CanFrame> m_urgent;
     std::deque<CanFrame> m_normal;
+    Instant m_frontSince{};        ///< the first of m_normal is the first
+    std::vector<CanFrame> m_stops; ///< what was urgent, each content once
     std::unique_ptr<QSocketNotifier> m_readable;
     std::unique_ptr<QSocketNotifier> m_writable;
     Timer m_retry;
