@@ -8172,6 +8172,14 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
         <source>counts</source>
         <translation>counts</translation>
     </message>
+    <message>
+        <source>Breakaway forwards</source>
+        <translation>Losbrechen vorwärts</translation>
+    </message>
+    <message>
+        <source>Breakaway backwards</source>
+        <translation>Losbrechen rückwärts</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -17914,6 +17922,22 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>the unit was taken off while it waited for a number</source>
         <translation>Das Gerät wurde abgenommen, während es auf eine Nummer wartete</translation>
+    </message>
+    <message>
+        <source>a duty that grew to %1 did not move the motor both ways</source>
+        <translation>ein Tastgrad, der auf %1 wuchs, hat den Motor nicht in beide Richtungen bewegt</translation>
+    </message>
+    <message>
+        <source>it lets go at %1 forwards and %2 backwards, known within %3, and takes %4 and %5 while it turns (R² %6)</source>
+        <translation>er löst sich bei %1 vorwärts und %2 rückwärts, bekannt auf %3, und braucht %4 und %5, während er sich dreht (R² %6)</translation>
+    </message>
+    <message>
+        <source>pushing with a duty that grows to %1 in %2 s</source>
+        <translation>Stoß mit einem Tastgrad, der in %2 s auf %1 wächst</translation>
+    </message>
+    <message>
+        <source>there is no room for a duty that grows slowly</source>
+        <translation>für einen Tastgrad, der langsam wächst, ist kein Platz</translation>
     </message>
 </context>
 </TS>

@@ -8172,6 +8172,14 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
         <source>counts</source>
         <translation>counts</translation>
     </message>
+    <message>
+        <source>Breakaway forwards</source>
+        <translation>Arranque hacia delante</translation>
+    </message>
+    <message>
+        <source>Breakaway backwards</source>
+        <translation>Arranque hacia atrás</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -17914,6 +17922,22 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>the unit was taken off while it waited for a number</source>
         <translation>la unidad se retiró mientras esperaba un número</translation>
+    </message>
+    <message>
+        <source>a duty that grew to %1 did not move the motor both ways</source>
+        <translation>un ciclo que creció hasta %1 no movió el motor en ambos sentidos</translation>
+    </message>
+    <message>
+        <source>it lets go at %1 forwards and %2 backwards, known within %3, and takes %4 and %5 while it turns (R² %6)</source>
+        <translation>se suelta con %1 hacia delante y %2 hacia atrás, conocido con ±%3, y requiere %4 y %5 mientras gira (R² %6)</translation>
+    </message>
+    <message>
+        <source>pushing with a duty that grows to %1 in %2 s</source>
+        <translation>empujando con un ciclo que crece hasta %1 en %2 s</translation>
+    </message>
+    <message>
+        <source>there is no room for a duty that grows slowly</source>
+        <translation>no hay sitio para un ciclo que crezca despacio</translation>
     </message>
 </context>
 </TS>

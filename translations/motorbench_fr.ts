@@ -8172,6 +8172,14 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
         <source>counts</source>
         <translation>counts</translation>
     </message>
+    <message>
+        <source>Breakaway forwards</source>
+        <translation>Décollement en avant</translation>
+    </message>
+    <message>
+        <source>Breakaway backwards</source>
+        <translation>Décollement en arrière</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -17914,6 +17922,22 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>the unit was taken off while it waited for a number</source>
         <translation>l’unité a été retirée pendant qu’elle attendait un numéro</translation>
+    </message>
+    <message>
+        <source>a duty that grew to %1 did not move the motor both ways</source>
+        <translation>un rapport cyclique croissant jusqu’à %1 n’a pas fait tourner le moteur dans les deux sens</translation>
+    </message>
+    <message>
+        <source>it lets go at %1 forwards and %2 backwards, known within %3, and takes %4 and %5 while it turns (R² %6)</source>
+        <translation>il décolle à %1 en avant et à %2 en arrière, connus à %3 près, et demande %4 et %5 tant qu’il tourne (R² %6)</translation>
+    </message>
+    <message>
+        <source>pushing with a duty that grows to %1 in %2 s</source>
+        <translation>poussée à un rapport cyclique qui croît jusqu’à %1 en %2 s</translation>
+    </message>
+    <message>
+        <source>there is no room for a duty that grows slowly</source>
+        <translation>il n’y a pas de place pour un rapport cyclique qui croît lentement</translation>
     </message>
 </context>
 </TS>

@@ -8162,6 +8162,14 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <source>counts</source>
         <translation>counts</translation>
     </message>
+    <message>
+        <source>Breakaway forwards</source>
+        <translation>正方向の始動</translation>
+    </message>
+    <message>
+        <source>Breakaway backwards</source>
+        <translation>逆方向の始動</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -17900,6 +17908,22 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the unit was taken off while it waited for a number</source>
         <translation>番号を待っている間にユニットが取り外されました</translation>
+    </message>
+    <message>
+        <source>a duty that grew to %1 did not move the motor both ways</source>
+        <translation>%1 まで増やしたデューティでも、モーターは両方向には動きませんでした</translation>
+    </message>
+    <message>
+        <source>it lets go at %1 forwards and %2 backwards, known within %3, and takes %4 and %5 while it turns (R² %6)</source>
+        <translation>正方向は %1、逆方向は %2 で動き出し（誤差 %3 以内）、回転中は %4 と %5 を要します（R² %6）</translation>
+    </message>
+    <message>
+        <source>pushing with a duty that grows to %1 in %2 s</source>
+        <translation>%2 s で %1 まで増えるデューティを印加中</translation>
+    </message>
+    <message>
+        <source>there is no room for a duty that grows slowly</source>
+        <translation>ゆっくり増えるデューティを印加する余地がありません</translation>
     </message>
 </context>
 </TS>

@@ -8162,6 +8162,14 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <source>counts</source>
         <translation>counts</translation>
     </message>
+    <message>
+        <source>Breakaway forwards</source>
+        <translation>正向起动</translation>
+    </message>
+    <message>
+        <source>Breakaway backwards</source>
+        <translation>反向起动</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -17900,6 +17908,22 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the unit was taken off while it waited for a number</source>
         <translation>设备在等待编号时被取下</translation>
+    </message>
+    <message>
+        <source>a duty that grew to %1 did not move the motor both ways</source>
+        <translation>逐渐增大到 %1 的占空比未能使电机在两个方向上都转动</translation>
+    </message>
+    <message>
+        <source>it lets go at %1 forwards and %2 backwards, known within %3, and takes %4 and %5 while it turns (R² %6)</source>
+        <translation>正向在 %1、反向在 %2 时开始转动（误差 %3 以内），转动时需要 %4 和 %5（R² %6）</translation>
+    </message>
+    <message>
+        <source>pushing with a duty that grows to %1 in %2 s</source>
+        <translation>正在以 %2 s 内增大到 %1 的占空比推动</translation>
+    </message>
+    <message>
+        <source>there is no room for a duty that grows slowly</source>
+        <translation>没有空间施加缓慢增大的占空比</translation>
     </message>
 </context>
 </TS>

@@ -97,6 +97,18 @@ void printModel(Output &out, const TuneReport &report)
     table.add({"tau", brief(1e3 * motor.pushes.tau), brief(1e3 * motor.pushes.tauError), "ms"});
     table.add({"delay of the loop", brief(1e3 * report.plant.delay), brief(1e3 * motor.pushes.delayError), "ms"});
     table.add({"friction", brief(100.0 * motor.line.friction), brief(100.0 * motor.line.frictionError), "% duty"});
+    if (motor.ramp) {
+        const bool inVolts = motor.supply > 0.0;
+        const double scale = inVolts ? motor.supply : 100.0;
+        const std::string unit = inVolts ? "V" : "% duty";
+        for (const auto &[name, way] :
+            {std::pair("forward", motor.ramp->forward), std::pair("reverse", motor.ramp->reverse)}) {
+            table.add({std::string("breakaway ") + name, brief(scale * way.breakaway),
+                brief(scale * way.breakawayError), unit});
+            table.add(
+                {std::string("friction ") + name, brief(scale * way.friction), brief(scale * way.frictionError), unit});
+        }
+    }
     if (motor.line.forward > 0.0 && motor.line.reverse > 0.0) {
         table.add({"load one way", brief(100.0 * motor.line.offset), brief(100.0 * motor.line.offsetError), "% duty"});
         table.add({"gain forward", brief(motor.line.forward), "", motor.unit});

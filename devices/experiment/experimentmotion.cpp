@@ -166,11 +166,12 @@ Task<void> ExperimentMotion::followProfile(Instant begin, Instant end)
     const Stimulus &stimulus = m_trial.stimulus;
     Clock &clock = m_device.clock();
     const double width = settledWidth * std::abs(stimulus.to - stimulus.from);
+    const bool endsSettled = stimulus.ends && stimulus.profile == Profile::Step;
     const auto aim = isClosedLoop(m_plan.mode) ? std::optional(stimulus.to) : std::nullopt;
     const double place = m_recorder.latest("position").value_or(m_origin);
     for (int beat = 0; !isOver() && clock.now() < end; ++beat) {
         setTarget(stimulus.at(inSeconds(clock.now() - begin)));
-        if (hasGoneFar(place) || (stimulus.ends && m_recorder.hasSettled(begin, leastHold, aim, width)))
+        if (hasGoneFar(place) || (endsSettled && m_recorder.hasSettled(begin, leastHold, aim, width)))
             break;
         Sleep nap(clock, std::min(begin + ofSeconds(m_beat * (beat + 1)), end) - clock.now());
         co_await nap;

@@ -27,6 +27,7 @@ struct ExperimentPlan {
     double to = 0.0;
     Profile profile = Profile::Step;
     std::optional<double> seconds; ///< of the profile; nothing: the usual
+    bool turnsBack = false;        ///< what a ramp has reached is not held
     int repeat = 1;
     std::optional<double> reach;   ///< counts from where it began: a push ends where the motor would stop beyond
     std::optional<double> fastest; ///< counts/s: a push ends where the motor is quicker

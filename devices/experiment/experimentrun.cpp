@@ -88,6 +88,7 @@ Task<void> ExperimentRun::prepare()
     if (auto inside = checkInside(*envelope, m_plan.mode, *stimulus, m_plan.repeat, m_origin); !inside)
         co_return fail(inside.error());
     m_trial.stimulus = *stimulus;
+    m_trial.stimulus.ends = stimulus->ends || m_plan.turnsBack;
     m_trial.envelope = *envelope;
     if (!counted) {
         for (const double target : {stimulus->from, stimulus->to}) {

@@ -151,7 +151,7 @@ double Stimulus::at(double t) const
 
 double Stimulus::length() const
 {
-    return profile == Profile::Ramp ? time + rampTime : time; // what it reached is held
+    return profile == Profile::Ramp && !ends ? time + rampTime : time; // what it reached is held
 }
 
 std::vector<double> Stimulus::edges() const

@@ -21,8 +21,9 @@ struct Stimulus {
     Profile profile = Profile::Step;
     double from = 0.0;
     double to = 0.0;
-    double time = 0.0;   ///< step: the hold; ramp: the rise; others: the whole
-    bool ends = false;   ///< a step's hold ends before `time` once the loop has settled
+    double time = 0.0; ///< step: the hold; ramp: the rise; others: the whole
+    bool ends
+        = false; ///< a step's hold ends before `time` once the loop has settled; a ramp is not held where it has come to
     double period = 0.0; ///< square, sine: of one swing; prbs: of one bit
     double low = 0.0;    ///< chirp: first and last frequency, Hz
     double high = 0.0;

@@ -12,6 +12,18 @@ using namespace tuning;
 constexpr double percent = 100.0;
 constexpr double milli = 1e3;
 
+/// Each way alone, in V where the supply is told.
+void addBreakaway(const MotorFound &motor, std::vector<ModelFigure> &figures)
+{
+    const bool inVolts = motor.supply > 0.0;
+    const double scale = inVolts ? motor.supply : percent;
+    const QString unit = inVolts ? QStringLiteral("V") : ReportText::tr("% duty");
+    figures.push_back({ReportText::tr("Breakaway forwards"), {}, scale * motor.ramp->forward.breakaway,
+        scale * motor.ramp->forward.breakawayError, 3, unit});
+    figures.push_back({ReportText::tr("Breakaway backwards"), {}, scale * motor.ramp->reverse.breakaway,
+        scale * motor.ramp->reverse.breakawayError, 3, unit});
+}
+
 /// What the two directions tell apart, and what was seen before and at the begin of a push.
 void addWays(const MotorFound &motor, const QString &unit, std::vector<ModelFigure> &figures)
 {
@@ -44,6 +56,8 @@ std::vector<ModelFigure> modelFigures(const TuneReport &report, const std::funct
             error(milli * found.pushes.delayError), 4, QStringLiteral("ms")},
         {ReportText::tr("Friction kS"), QStringLiteral("kS"), percent * report.plant.friction,
             error(percent * found.line.frictionError), 4, ReportText::tr("% duty")}};
+    if (motor && motor->ramp)
+        addBreakaway(*motor, figures);
     if (motor)
         addWays(*motor, unit, figures);
     return figures;

@@ -15,8 +15,8 @@ struct ModelFigure {
     QString unit;
 };
 
-/// Gain, lag, dead time and friction of the loop that a tuning stands on; then, as far as it has seen them, the load that pulls one way,
-/// the gain of each direction, the noise at rest and the time from an order to its motion. `phrase` as in Report.
+/// Gain, lag, dead time and friction of the loop that a tuning stands on; then, as far as it has seen them, the breakaway of each direction,
+/// the load that pulls one way, the gain of each direction, the noise at rest and the time from an order to its motion. `phrase` as in Report.
 [[nodiscard]] std::vector<ModelFigure> modelFigures(
     const tuning::TuneReport &report, const std::function<QString(const Message &)> &phrase);
 

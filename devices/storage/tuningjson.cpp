@@ -35,6 +35,9 @@ const Numbers<PushFit> pushNumbers{{"tau", &PushFit::tau}, {"tau_error", &PushFi
 const Numbers<GainFit> lineNumbers{{"gain", &GainFit::gain}, {"gain_error", &GainFit::gainError},
     {"friction", &GainFit::friction}, {"friction_error", &GainFit::frictionError}, {"offset", &GainFit::offset},
     {"offset_error", &GainFit::offsetError}, {"forward", &GainFit::forward}, {"reverse", &GainFit::reverse}};
+const Numbers<RampWay> rampNumbers{{"breakaway", &RampWay::breakaway}, {"breakaway_error", &RampWay::breakawayError},
+    {"friction", &RampWay::friction}, {"friction_error", &RampWay::frictionError}, {"gain", &RampWay::gain},
+    {"determination", &RampWay::determination}};
 const Numbers<VelocityFilter> filterNumbers{
     {"window", &VelocityFilter::window}, {"delay", &VelocityFilter::delay}, {"hold", &VelocityFilter::hold}};
 const Numbers<Margins> marginNumbers{
@@ -212,7 +215,12 @@ QJsonValue toJson(const std::optional<MotorFound> &motor)
         told.insert(QStringLiteral("kind"), qt(toString(motor->filter->kind)));
         filter = told;
     }
-    return QJsonObject{{QStringLiteral("pushes"), numbersToJson(motor->pushes, pushNumbers)},
+    QJsonValue ramp;
+    if (motor->ramp)
+        ramp = QJsonObject{{QStringLiteral("forward"), numbersToJson(motor->ramp->forward, rampNumbers)},
+            {QStringLiteral("reverse"), numbersToJson(motor->ramp->reverse, rampNumbers)}};
+    return QJsonObject{{QStringLiteral("ramp"), ramp},
+        {QStringLiteral("pushes"), numbersToJson(motor->pushes, pushNumbers)},
         {QStringLiteral("line"), numbersToJson(motor->line, lineNumbers)}, {QStringLiteral("filter"), filter},
         {QStringLiteral("supply"), motor->supply}, {QStringLiteral("unit"), qt(motor->unit)},
         {QStringLiteral("rest_noise"), orNull(motor->restNoise)}, {QStringLiteral("latency"), orNull(motor->latency)}};
@@ -230,6 +238,9 @@ std::optional<MotorFound> motorFrom(const QJsonValue &value)
     motor.supply = object.value(QStringLiteral("supply")).toDouble();
     motor.restNoise = numberOrNothing(object.value(QStringLiteral("rest_noise")));
     motor.latency = numberOrNothing(object.value(QStringLiteral("latency")));
+    if (const QJsonObject ramp = object.value(QStringLiteral("ramp")).toObject(); !ramp.isEmpty())
+        motor.ramp = RampFound{numbersFrom(ramp.value(QStringLiteral("forward")).toObject(), rampNumbers),
+            numbersFrom(ramp.value(QStringLiteral("reverse")).toObject(), rampNumbers)};
     if (const QJsonValue filter = object.value(QStringLiteral("filter")); filter.isObject()) {
         motor.filter = numbersFrom(filter.toObject(), filterNumbers);
         using Kind = VelocityFilter::Kind;

@@ -54,8 +54,7 @@ Task<Trial> AutotuneRun::runOnce(ExperimentPlan plan)
     plan.loop = m_plan.loop;
     plan.axis = m_plan.axis;
     plan.limits = m_plan.limits;
-    if (plan.limits.travel)
-        *plan.limits.travel = std::max(*plan.limits.travel - std::abs(m_here - m_start), 0.0);
+    plan.limits.travel = travelOfPlan();
     plan.announced = m_gain;
     auto running = runExperiment(m_device, m_stream, plan, m_around);
     Trial trial = co_await std::move(running);
@@ -111,10 +110,15 @@ Task<Trial> AutotuneRun::push(Push push)
     plan.reach = push.reach;
     plan.relay = push.relay;
     plan.fastest = push.fastest;
+    if (push.grows) {
+        plan.profile = Profile::Ramp;
+        plan.turnsBack = true;
+    }
     if (const double rate = m_device.family().trials->currentRate; m_plan.loop == Mode::Current && rate > 0.0)
         plan.rate = rate;
     const double seconds = std::round(push.seconds * 100.0) / 100.0;
-    note(push.relay ? say("swinging with %1 duty to and fro", percentText(push.duty))
+    note(push.grows      ? say("pushing with a duty that grows to %1 in %2 s", percentText(push.duty), seconds)
+            : push.relay ? say("swinging with %1 duty to and fro", percentText(push.duty))
             : push.repeat > 1
             ? say("pushing with %1 duty for %2 s, %3 times", percentText(push.duty), seconds, push.repeat)
             : say("pushing with %1 duty for %2 s", percentText(push.duty), seconds));
@@ -130,6 +134,19 @@ void AutotuneRun::end(std::string_view reason, Message evidence)
 void AutotuneRun::beginClock()
 {
     m_begin = m_device.clock().now();
+}
+
+/// What the motor has gone since the tuning began is gone.
+std::optional<double> AutotuneRun::travelOfPlan() const
+{
+    const auto &travel = m_plan.limits.travel;
+    return travel ? std::optional(std::max(*travel - std::abs(m_here - m_start), 0.0)) : std::nullopt;
+}
+
+std::optional<double> AutotuneRun::travelLeft() const
+{
+    const auto ofPlan = travelOfPlan();
+    return ofPlan && m_envelope.travel ? std::min(*ofPlan, *m_envelope.travel) : m_envelope.travel;
 }
 
 double AutotuneRun::left() const

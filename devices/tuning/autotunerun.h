@@ -29,6 +29,7 @@ public:
         std::optional<double> reach{}; ///< as ExperimentPlan
         std::optional<double> relay{};
         std::optional<double> fastest{};
+        bool grows = false; ///< from nothing to its duty, slowly, and at once back
     };
 
     /// One experiment within the limits of the tuning; what ended it, if it was not its own end, ends the tuning.
@@ -69,6 +70,8 @@ public:
     [[nodiscard]] const Envelope &envelope() const { return m_envelope; }
     [[nodiscard]] Device &device() const { return m_device; }
     [[nodiscard]] SetPointStream &stream() const { return m_stream; }
+    /// Counts either side of where the motor stands now; nothing: no limit is known.
+    [[nodiscard]] std::optional<double> travelLeft() const;
     /// nullptr: nobody can interrupt.
     [[nodiscard]] Interruption *interruption() const { return m_around.interruption; }
     /// Counts, where the motor is.
@@ -76,6 +79,7 @@ public:
 
 private:
     [[nodiscard]] Task<Trial> runOnce(ExperimentPlan plan);
+    [[nodiscard]] std::optional<double> travelOfPlan() const;
     void expectOf(const PlantModel &plant, const std::optional<TriedScale> &scale);
 
     Device &m_device;

@@ -3,6 +3,7 @@
 
 #include "experiment/trial.h"
 #include "tuning/plantfit.h"
+#include "tuning/ramp.h"
 #include "tuning/velocityfilter.h"
 
 #include <string>
@@ -18,6 +19,7 @@ struct MotorFound {
     double braking = 1.0;                   ///< as PlantModel::braking
     std::optional<double> restNoise;        ///< counts, σ of a quarter of a second at rest, before the first push
     std::optional<double> latency;          ///< s from the order of a push until it is seen to move; of all the median
+    std::optional<RampFound> ramp;          ///< nothing where there was none, or it told nothing
     double heat = 0.0;                      ///< that the pushes have left in its winding (windingheat.h)
     double supply = 0.0;                    ///< V at rest, which `line` is per full duty of; 0: not told
     std::string unit = "counts/s per duty"; ///< of the gain

@@ -6,6 +6,7 @@
 #include "transport/canlink.h"
 #include "tuning/autotunerun.h"
 #include "tuning/currentidentification.h"
+#include "tuning/frictionramp.h"
 #include "tuning/proof.h"
 #include "tuning/relayidentification.h"
 
@@ -111,7 +112,15 @@ Task<void> PushIdentification::identify(AutotuneRun &run)
         co_return {};
     auto asking = askForEdges(run.device());
     co_await std::move(asking);
-    co_return conclude(run);
+    auto found = tuning::identify(m_pushes);
+    if (!found)
+        co_return fail(found.error());
+    FrictionRamp ramp(m_duty, m_held);
+    auto ramping = ramp.run(run, *found);
+    co_await std::move(ramping);
+    if (run.isOver())
+        co_return {};
+    co_return conclude(run, std::move(*found));
 }
 
 /// Pushes that grow until the motor turns.
@@ -139,6 +148,7 @@ Task<void> PushIdentification::probe(AutotuneRun &run)
                 say("the motor did not turn at up to %1 duty: stalled, or the encoder is dead", percentText(most)));
             break;
         }
+        m_held = m_probed;
         run.forgive();
     }
     if (run.isOver())
@@ -232,12 +242,13 @@ Result<void> PushIdentification::checkRoom(const AutotuneRun &run)
     return {};
 }
 
-/// Of two sizes, both ways.
+/// Of two sizes, both ways; first back from where the probe has gone, where travel is short.
 Task<void> PushIdentification::push(AutotuneRun &run)
 {
+    const double first = run.plan().limits.travel ? -1.0 : 1.0;
     for (const bool strong : {true, false}) {
         const double size = strong ? m_duty : weakerDuty();
-        for (const double sign : {1.0, -1.0}) {
+        for (const double sign : {first, -first}) {
             auto pushing = run.push({sign * size, m_seconds, pushRepeats});
             m_pushes.push_back(co_await std::move(pushing));
             if (run.isOver())
@@ -259,30 +270,29 @@ double PushIdentification::weakerDuty() const
     return std::clamp(friction / freeOfFriction, weaker * m_duty, hardlyWeaker * m_duty);
 }
 
-Result<void> PushIdentification::conclude(AutotuneRun &run) const
+Result<void> PushIdentification::conclude(AutotuneRun &run, MotorFound found) const
 {
-    auto found = tuning::identify(m_pushes);
-    if (!found)
-        return fail(found.error());
     const LoopScale &scale = *run.device().family().loop;
     const double loop = scale.cycle;
     const double waited = scale.dutyAtOnce ? 0.0 : orderWaits * loop;
     const double own
         = m_pushes.front().signal("duty") ? electrical : 0.0; // of the motor, that the wait taken off may have been
-    const double delay = std::max(found->pushes.delay - waited - onTheWire(run.device()), own) + loopDelays * loop;
-    PlantModel plant{found->line.gain, found->pushes.tau, delay, found->line.friction, found->braking};
-    plant.sag = found->pushes.sag;
-    plant.warming = found->pushes.warming;
+    const double delay = std::max(found.pushes.delay - waited - onTheWire(run.device()), own) + loopDelays * loop;
+    PlantModel plant{found.line.gain, found.pushes.tau, delay, found.line.friction, found.braking};
+    plant.sag = found.pushes.sag;
+    plant.warming = found.pushes.warming;
     if (const auto ohm = drawnBy(m_pushes)) {
         plant.stallCurrent = ohm->gain;
         plant.backDuty = ohm->back;
     }
     if (run.plan().loop == Mode::Velocity) {
         const double speed = proofStep(Mode::Velocity, plant, {}, run.envelope());
-        plant.delay += velocityTaking(run.device(), speed, found->filter).delay;
+        plant.delay += velocityTaking(run.device(), speed, found.filter).delay;
     }
-    auto gates = gatesOf(*found, m_pushes);
-    return run.take({std::move(*found), plant, std::move(gates), std::nullopt});
+    auto gates = gatesOf(found, m_pushes);
+    if (auto ramped = rampGate(found))
+        gates.push_back(std::move(*ramped));
+    return run.take({std::move(found), plant, std::move(gates), std::nullopt});
 }
 
 } // namespace mb::tuning

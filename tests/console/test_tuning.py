@@ -122,6 +122,9 @@ class Tune(ContractTest):
             self.assertAlmostEqual(row["model"][way], row["model"]["gain"], delta=0.03 * row["model"]["gain"])
         self.assertLess(abs(row["model"]["load"]), 0.01)
         self.assertTrue(0 < row["model"]["latency"] < 0.1, row["model"])
+        told = [gate for gate in row["quality"] if gate["gate"] == "ramp"]
+        self.assertEqual([(gate["passed"], gate["warns"]) for gate in told], [(True, False)], row["quality"])
+        self.assertRegex(told[0]["detail"], r"^it lets go at [\d.]+ V forwards and [\d.]+ V backwards")
         self.assertAlmostEqual(row["profile"]["acceleration"], row["profile"]["speed"] / row["model"]["tau"], delta=0.01 * row["profile"]["acceleration"])
 
     @contract.long
@@ -136,7 +139,8 @@ class Tune(ContractTest):
             self.assertLessEqual(float(travel), 400000)
         self.assertLess(min(float(travel) for _, _, travel in told[1:]), 400000, "what is expected, not only its limit")
         self.assertNotIn("e-", run.out.split("noise at rest")[1].split("counts")[0], "a position that stands has no noise")
-        for row in ("load one way", "gain forward", "gain reverse", "noise at rest", "order to motion", "profile:", "F is 0"):
+        self.assertIn("pushing with a duty that grows to", run.err)
+        for row in ("breakaway forward", "friction reverse", "load one way", "gain forward", "gain reverse", "noise at rest", "order to motion", "profile:", "F is 0"):
             self.assertIn(row, run.out)
 
     @contract.long

@@ -143,6 +143,20 @@ TEST(Report, TellsBothDirectionsApartAndWhatASetPointMayAskFor)
         EXPECT_FALSE(less.contains(QString::fromUtf8(word))) << word;
 }
 
+TEST(Report, TellsTheBreakawayOfEachDirectionInVoltWhereTheSupplyIsTold)
+{
+    Report report = reportOf(true);
+    tuning::MotorFound &motor = *report.units.front().tunings.front().report.motor;
+    EXPECT_FALSE(htmlOf(report).contains(QStringLiteral("Breakaway"))) << "nobody has measured it";
+    motor.ramp
+        = tuning::RampFound{{0.031, 0.001, 0.02, 0.0, 105'000.0, 0.999}, {0.034, 0.001, 0.02, 0.0, 105'000.0, 0.999}};
+    for (const char *word : {"Breakaway forwards", "3.10<", "Breakaway backwards", "3.40<"})
+        EXPECT_TRUE(htmlOf(report).contains(QString::fromUtf8(word))) << word;
+    motor.supply = 12.0;
+    for (const char *word : {"0.372", "0.408", ">V<"})
+        EXPECT_TRUE(htmlOf(report).contains(QString::fromUtf8(word))) << word;
+}
+
 TEST(Report, MarksASimulatedUnitInWordsInEveryPlotAndForPrograms)
 {
     const QString simulated = htmlOf(reportOf(true));

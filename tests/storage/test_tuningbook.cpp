@@ -57,6 +57,8 @@ protected:
         motor.line.offsetError = 0.002;
         motor.restNoise = 0.4;
         motor.latency = 0.013;
+        motor.ramp = RampFound{
+            {0.024, 0.001, 0.02, 0.0005, 104'000.0, 0.999}, {0.026, 0.001, 0.021, 0.0005, 103'000.0, 0.998}};
         motor.filter = VelocityFilter{VelocityFilter::Kind::Block, 0.1, 0.09, 0.1};
         report.motor = motor;
         report.gates = {{"fit", say("the fit leaves 1.4 times"), true, {}, true},
@@ -124,6 +126,7 @@ TEST_F(KeptTunings, ATuningComesBackWithItsModelProposalsAndProof)
     EXPECT_DOUBLE_EQ(back.motor->line.offsetError, 0.002);
     EXPECT_EQ(back.motor->restNoise, kept.motor->restNoise);
     EXPECT_EQ(back.motor->latency, kept.motor->latency);
+    EXPECT_EQ(back.motor->ramp, kept.motor->ramp);
     EXPECT_EQ(back.profile, kept.profile);
     ASSERT_EQ(back.gates.size(), 2U);
     EXPECT_TRUE(back.gates[0].warns);
