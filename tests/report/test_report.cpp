@@ -150,7 +150,7 @@ TEST(Report, TellsTheBreakawayOfEachDirectionInVoltWhereTheSupplyIsTold)
     EXPECT_FALSE(htmlOf(report).contains(QStringLiteral("Breakaway"))) << "nobody has measured it";
     motor.ramp
         = tuning::RampFound{{0.031, 0.001, 0.02, 0.0, 105'000.0, 0.999}, {0.034, 0.001, 0.02, 0.0, 105'000.0, 0.999}};
-    for (const char *word : {"Breakaway forwards", "3.1<", "Breakaway backwards", "3.4<"})
+    for (const char *word : {"Breakaway forwards", "3.10<", "Breakaway backwards", "3.40<"})
         EXPECT_TRUE(htmlOf(report).contains(QString::fromUtf8(word))) << word;
     motor.supply = 12.0;
     for (const char *word : {"0.372", "0.408", ">V<"})
