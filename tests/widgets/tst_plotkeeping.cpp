@@ -20,6 +20,9 @@ private Q_SLOTS:
     void recordingBeginsBeforeItWasAskedFor();
     void whatIsKeptAndNotSavedIsWrittenWhenTheProgramEnds();
     void aFullDiskIsToldOnceAndNothingIsCalledWritten();
+    void aChangeStandsWhileALayoutWaitsForADevice();
+    void tracesOfALinkThatIsClosedComeBackWithIt();
+    void aDerivedSignalThatWaitsForItsDevicesRebuildsNothing();
 };
 
 void TestPlotKeeping::notesStandInThePlotAndInTheFile()
@@ -237,6 +240,82 @@ void TestPlotKeeping::aFullDiskIsToldOnceAndNothingIsCalledWritten()
     QCOMPARE(saved.last().at(1).toString(), QString());
     QVERIFY(loadRecording(saved.last().at(0).toString().toStdString()));
     bench.page->setRecorder(nullptr, {});
+}
+
+void TestPlotKeeping::aChangeStandsWhileALayoutWaitsForADevice()
+{
+    PlotBench bench;
+    const QTemporaryDir folder;
+    bench.page->setLayoutFolder(folder.path());
+    bench.page->addSignal({{2}, channel("velocity")});
+    const DeviceView second = bench.workbench.shot.devices.back();
+    bench.page.reset(); // the end of the program
+    bench.workbench.shot.devices.pop_back();
+    bench.open();
+    bench.page->setLayoutFolder(folder.path());
+    QCOMPARE(bench.page->traceCount(), std::size_t{4});
+    bench.page->removeSignal({{1}, channel("duty")});
+    bench.workbench.publish();
+    QCOMPARE(bench.page->traceCount(), std::size_t{3});
+    bench.page->addSignal({{1}, channel("temperature")});
+    bench.workbench.publish();
+    QCOMPARE(bench.page->traceCount(), std::size_t{4});
+    bench.page.reset();
+    bench.open();
+    bench.page->setLayoutFolder(folder.path());
+    QCOMPARE(bench.page->traceCount(), std::size_t{4});
+    QCOMPARE(bench.trace("#5 temperature").style.unit, s("°C"));
+    bench.workbench.shot.devices.push_back(second);
+    bench.workbench.publish();
+    QCOMPARE(bench.page->traceCount(), std::size_t{5});
+    QCOMPARE(bench.trace("#7 velocity").style.unit, s("counts/s"));
+}
+
+void TestPlotKeeping::tracesOfALinkThatIsClosedComeBackWithIt()
+{
+    PlotBench bench;
+    const QTemporaryDir folder;
+    bench.page->setLayoutFolder(folder.path());
+    bench.page->addSignal({{2}, channel("velocity")});
+    bench.board().setSecondAxis(bench.trace("#5 current").id, true);
+    const PlotLayout layout = bench.page->layoutBook().current();
+    DeviceView first = bench.workbench.shot.devices.front();
+    bench.workbench.shot.devices.erase(bench.workbench.shot.devices.begin());
+    bench.workbench.publish();
+    QCOMPARE(bench.page->traceCount(), std::size_t{1});
+    QVERIFY(bench.page->layoutBook().current() == layout); // which is remembered
+    first.id = {3};
+    bench.workbench.shot.devices.push_back(first);
+    bench.workbench.publish();
+    QCOMPARE(bench.page->traceCount(), std::size_t{5});
+    QVERIFY(bench.page->layoutBook().current() == layout);
+    QVERIFY(bench.trace("#5 current").second);
+    bench.selection.select({3});
+    bench.page->layoutBook().reset(); // and are forgotten
+    bench.workbench.publish();
+    QCOMPARE(bench.page->layoutBook().current().traces.size(), std::size_t{4});
+}
+
+void TestPlotKeeping::aDerivedSignalThatWaitsForItsDevicesRebuildsNothing()
+{
+    PlotBench bench;
+    bench.page->addSignal({{2}, channel("velocity")});
+    QVERIFY(bench.board().addDerived(s("sum"), s("counts/s"), s("d5_velocity + d7_velocity")));
+    const PlotLayout layout = bench.page->layoutBook().current();
+    const DeviceView second = bench.workbench.shot.devices.back();
+    bench.page.reset();
+    bench.workbench.shot.devices.pop_back();
+    bench.open();
+    bench.page->layoutBook().apply(layout);
+    QSignalSpy changed(&bench.board(), &PlotBoard::changed);
+    for (int i = 0; i < 5; ++i)
+        bench.workbench.publish();
+    QCOMPARE(changed.count(), 0);
+    QVERIFY(bench.page->layoutBook().current() == layout);
+    bench.workbench.shot.devices.push_back(second);
+    bench.workbench.publish();
+    QCOMPARE(bench.page->traceCount(), std::size_t{6});
+    QVERIFY(bench.page->layoutBook().current() == layout);
 }
 
 MB_WINDOW_TEST(TestPlotKeeping);

@@ -15,6 +15,22 @@ namespace {
 
 constexpr double referenceSpan = 1.0; ///< windows beside what is seen that are kept, too
 constexpr std::size_t mostNotes = 1000;
+constexpr std::size_t mostAbsent = 200;
+
+/// Everything of an axis has its colour, also in several panes; where that is taken in a pane, as any other trace.
+void dressAxis(PlotBoard::Trace &trace, int axis, const std::vector<PlotBoard::Trace> &all)
+{
+    if (axis == 0 || trace.style.role == TraceRole::Setpoint)
+        return;
+    const TraceRole wished = axisColour(axis);
+    for (const PlotBoard::Trace &other : all) {
+        if (&other == &trace)
+            break; // what follows is not dressed yet
+        if (other.style.strip == trace.style.strip && other.style.look().colourRole() == wished)
+            return;
+    }
+    trace.style.colour = wished;
+}
 
 } // namespace
 
@@ -44,7 +60,7 @@ void PlotBoard::choose(const Signal &signal, bool on, const QString &pane)
         return;
     m_touched = true;
     if (on)
-        m_traces.push_back({signal, pane});
+        m_traces.push_back({signal, pane, false, {}, m_places++});
     else
         m_traces.erase(found);
     rebuild();
@@ -84,9 +100,10 @@ void PlotBoard::setSecondAxis(int id, bool second)
 void PlotBoard::setTraces(std::vector<Trace> traces, bool touched)
 {
     m_traces.clear();
+    m_absent.clear();
     for (Trace &trace : traces) {
-        if (m_book.rowOf(trace.signal))
-            m_traces.push_back(std::move(trace));
+        trace.place = m_places++;
+        (m_book.rowOf(trace.signal) ? m_traces : m_absent).push_back(std::move(trace));
     }
     m_touched = touched;
     rebuild();
@@ -98,27 +115,23 @@ void PlotBoard::reset()
     setTraces({}, false);
 }
 
+std::vector<const PlotBoard::Trace *> PlotBoard::wished() const
+{
+    std::vector<const Trace *> all;
+    for (const auto *traces : {&m_traces, &m_absent}) {
+        for (const Trace &trace : *traces)
+            all.push_back(&trace);
+    }
+    std::sort(all.begin(), all.end(), [](const Trace *a, const Trace *b) { return a->place < b->place; });
+    return all;
+}
+
 int PlotBoard::stripOf(const QString &pane, const QString &unit)
 {
     const QString key = pane.isEmpty() ? unit : pane;
     if (!m_panes.contains(key))
         m_panes << key;
     return m_panes.indexOf(key);
-}
-
-/// Everything of an axis has its colour, also in several panes; where that is taken in a pane, as any other trace.
-void PlotBoard::dressAxis(Trace &trace, int axis) const
-{
-    if (axis == 0 || trace.style.role == TraceRole::Setpoint)
-        return;
-    const TraceRole wished = axisColour(axis);
-    for (const Trace &other : m_traces) {
-        if (&other == &trace)
-            break; // what follows is not dressed yet
-        if (other.style.strip == trace.style.strip && other.style.look().colourRole() == wished)
-            return;
-    }
-    trace.style.colour = wished;
 }
 
 void PlotBoard::dress(Trace &trace)
@@ -130,13 +143,14 @@ void PlotBoard::dress(Trace &trace)
         trace.source = std::make_shared<TelemetrySource>(telemetry, trace.signal.channel);
     trace.source->setScale(unit.scale);
     trace.row = &row;
+    trace.address = m_book.addressOf(trace.signal);
     trace.style = {};
     trace.style.name = m_book.nameOf(trace.signal);
     trace.style.unit = unit.text;
     trace.style.role = roleOf(row.quantity);
     trace.style.secondAxis = trace.second;
     trace.style.strip = stripOf(trace.pane, unit.text);
-    dressAxis(trace, axisOf(row.key));
+    dressAxis(trace, axisOf(row.key), m_traces);
     if (!trace.style.colour)
         chooseColour(trace.style, m_used);
     m_used.push_back(trace.style.look());
@@ -176,22 +190,59 @@ std::string PlotBoard::link() const
     return {};
 }
 
-/// A device begins anew where a recording is taken to another place; its units are others once a scale is given.
-bool PlotBoard::isOutdated(const Trace &trace) const
+/// What a person wants waits for its device; the usual traces of one that was selected do not.
+bool PlotBoard::letGo()
 {
-    return trace.row != m_book.rowOf(trace.signal)
-        || &trace.source->telemetry() != m_book.telemetryOf(trace.signal).get();
+    const auto there = [this](const Trace &trace) { return m_book.rowOf(trace.signal) != nullptr; };
+    const auto gone = std::stable_partition(m_traces.begin(), m_traces.end(), there);
+    const bool any = gone != m_traces.end();
+    for (auto trace = gone; m_touched && trace != m_traces.end(); ++trace) {
+        trace->source.reset();
+        m_absent.push_back(std::move(*trace));
+    }
+    m_traces.erase(gone, m_traces.end());
+    if (m_absent.size() > mostAbsent) // of the longest ago
+        m_absent.erase(m_absent.begin(), m_absent.end() - mostAbsent);
+    for (Trace &trace : m_traces) { // the number of a device may be another
+        if (const DeviceView *device = m_workbench.snapshot().device(trace.signal.device);
+            device && device->selector != trace.address.device)
+            trace.address.device = device->selector;
+    }
+    return any;
+}
+
+bool PlotBoard::takeIn()
+{
+    const std::size_t before = m_absent.size();
+    for (auto trace = m_absent.begin(); trace != m_absent.end();) {
+        const auto signal = m_book.find(trace->address);
+        if (!signal) {
+            ++trace;
+            continue;
+        }
+        trace->signal = *signal;
+        const auto there = std::any_of(
+            m_traces.begin(), m_traces.end(), [&](const Trace &other) { return other.signal == *signal; });
+        const auto after = std::upper_bound(m_traces.begin(), m_traces.end(), trace->place,
+            [](int place, const Trace &other) { return place < other.place; });
+        if (!there)
+            m_traces.insert(after, std::move(*trace));
+        trace = m_absent.erase(trace);
+    }
+    return m_absent.size() != before;
 }
 
 void PlotBoard::follow()
 {
     bool other = m_book.complete();
-    const auto gone = [this](const Trace &trace) { return !m_book.rowOf(trace.signal); };
-    if (const auto end = std::remove_if(m_traces.begin(), m_traces.end(), gone); end != m_traces.end()) {
-        m_traces.erase(end, m_traces.end());
-        other = true;
-    }
-    if (other || std::any_of(m_traces.begin(), m_traces.end(), [this](const Trace &t) { return isOutdated(t); }))
+    other = letGo() || other;
+    other = takeIn() || other;
+    // A device begins anew where a recording is taken to another place; its units are others once a scale is given.
+    const auto isOutdated = [this](const Trace &trace) {
+        return trace.row != m_book.rowOf(trace.signal)
+            || &trace.source->telemetry() != m_book.telemetryOf(trace.signal).get();
+    };
+    if (other || std::any_of(m_traces.begin(), m_traces.end(), isOutdated))
         rebuild();
 }
 
@@ -227,16 +278,6 @@ std::uint64_t PlotBoard::revision() const
     return sum;
 }
 
-std::vector<Signal> PlotBoard::ingredients() const
-{
-    std::vector<Signal> all;
-    for (const Trace &trace : m_traces) {
-        if (const auto *derived = m_book.derivedOf(trace.signal))
-            all.insert(all.end(), derived->inputs.begin(), derived->inputs.end());
-    }
-    return all;
-}
-
 Result<void> PlotBoard::addDerived(const QString &name, const QString &unit, const QString &formula)
 {
     const auto added = m_book.add(name, unit, formula);
@@ -252,6 +293,10 @@ void PlotBoard::removeDerived(int place)
     if (place < 0 || !m_book.derivedOf(signal))
         return;
     choose(signal, false);
+    const SignalAddress address = m_book.addressOf(signal);
+    m_absent.erase(std::remove_if(m_absent.begin(), m_absent.end(),
+                       [&address](const Trace &trace) { return trace.address == address; }),
+        m_absent.end());
     m_book.remove(signal);
     Q_EMIT changed();
 }

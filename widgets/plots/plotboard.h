@@ -22,6 +22,8 @@ public:
         Signal signal;
         QString pane; ///< empty: one pane for each unit
         bool second = false;
+        SignalAddress address{}; ///< by which it is found again
+        int place = 0;           ///< in the order of all that are wished for
         std::shared_ptr<TelemetrySource> source{};
         const Channel *row = nullptr; ///< what it was dressed by
         TraceStyle style{};
@@ -37,7 +39,10 @@ public:
 
     PlotBoard(Workbench &workbench, PlotStack &stack, QObject *parent);
 
+    /// Those that are drawn.
     [[nodiscard]] const std::vector<Trace> &traces() const { return m_traces; }
+    /// These and those that wait for their device, in order.
+    [[nodiscard]] std::vector<const Trace *> wished() const;
     [[nodiscard]] const std::vector<Reference> &references() const { return m_references; }
     /// What can be plotted.
     [[nodiscard]] SignalBook &book() { return m_book; }
@@ -51,12 +56,11 @@ public:
     [[nodiscard]] QString paneOf(int strip);
     void moveToPane(int id, const QString &pane);
     void setSecondAxis(int id, bool second);
-    /// Everything anew, as a layout says; nothing is remembered of a person's choice when `touched` is false.
+    /// Everything anew, as a layout says; what is not there yet follows by its address when it comes. Nothing is remembered of a
+    /// person's choice when `touched` is false.
     void setTraces(std::vector<Trace> traces, bool touched);
     void reset();
 
-    /// What the formulas of derived signals are made of.
-    [[nodiscard]] std::vector<Signal> ingredients() const;
     /// Yields what is wrong with the formula, or adds the signal and plots it.
     [[nodiscard]] Result<void> addDerived(const QString &name, const QString &unit, const QString &formula);
     void removeDerived(int place);
@@ -84,9 +88,9 @@ Q_SIGNALS:
 
 private:
     void rebuild();
+    bool letGo();
+    bool takeIn();
     void dress(Trace &trace);
-    [[nodiscard]] bool isOutdated(const Trace &trace) const;
-    void dressAxis(Trace &trace, int axis) const;
     [[nodiscard]] int stripOf(const QString &pane, const QString &unit);
 
     Workbench &m_workbench;
@@ -94,11 +98,13 @@ private:
     DisplayUnits m_units;
     SignalBook m_book;
     std::vector<Trace> m_traces;
+    std::vector<Trace> m_absent; ///< wished for; their devices are not there
     std::vector<Reference> m_references;
     std::vector<TimedNote> m_notes;
     QStringList m_panes;           ///< key of each strip, while rebuilding and after
     std::vector<TraceLook> m_used; ///< looks of the traces that are there, while rebuilding
     int m_newPanes = 0;
+    int m_places = 0;
     bool m_touched = false; ///< by a person: the defaults do not follow the selection any more
 };
 

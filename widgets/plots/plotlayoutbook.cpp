@@ -44,15 +44,13 @@ void PlotLayoutBook::setFolder(const QString &folder)
 void PlotLayoutBook::save()
 {
     m_remember.stop();
-    if (m_layouts.remembers() && m_board.isTouched() && !m_waiting)
+    if (m_layouts.remembers() && m_board.isTouched())
         (void)m_layouts.save(PlotLayouts::lastName(), current());
 }
 
 void PlotLayoutBook::follow()
 {
-    if (m_waiting)
-        applyWaiting(false);
-    else if (!m_board.isTouched())
+    if (!m_board.isTouched())
         takeDefaults();
 }
 
@@ -84,60 +82,39 @@ PlotLayout PlotLayoutBook::current() const
         if (!derived.name.isEmpty())
             layout.derived.push_back({derived.name, derived.unit, derived.formula});
     }
-    for (const PlotBoard::Trace &trace : m_board.traces()) {
-        const DeviceView *device = m_workbench.snapshot().device(trace.signal.device);
-        const QString key = device ? qt(device->family->channels[trace.signal.channel.value].key) : trace.style.name;
-        layout.traces.push_back({device ? qt(device->selector) : QString(), key, trace.pane, trace.second});
-    }
+    for (const PlotBoard::Trace *trace : m_board.wished())
+        layout.traces.push_back({qt(trace->address.device), qt(trace->address.key), trace->pane, trace->second});
     return layout;
 }
 
+/// `standIn`: the device that "*" means.
 std::vector<PlotBoard::Trace> PlotLayoutBook::tracesOf(const PlotLayout &layout, DeviceId standIn) const
 {
+    const DeviceView *meant = m_workbench.snapshot().device(standIn);
     std::vector<PlotBoard::Trace> traces;
     for (const PlotLayout::Trace &wanted : layout.traces) {
-        if (wanted.device.isEmpty()) {
-            const auto &derived = m_board.book().derived();
-            for (std::uint16_t i = 0; i < derived.size(); ++i) {
-                if (derived[i].name == wanted.key)
-                    traces.push_back({{derivedDevice, {i}}, wanted.pane, wanted.second});
-            }
-            continue;
+        SignalAddress address{wanted.device.toStdString(), wanted.key.toStdString()};
+        if (address.device == "*") {
+            if (!meant)
+                continue;
+            address.device = meant->selector;
         }
-        for (const DeviceView &device : m_workbench.snapshot().devices) {
-            const bool fits
-                = wanted.device == QLatin1String("*") ? device.id == standIn : qt(device.selector) == wanted.device;
-            const auto channel = fits ? device.telemetry->find(wanted.key.toStdString()) : std::nullopt;
-            if (channel)
-                traces.push_back({{device.id, *channel}, wanted.pane, wanted.second});
-        }
+        const auto signal = m_board.book().find(address);
+        traces.push_back({signal.value_or(Signal{}), wanted.pane, wanted.second, address});
     }
     return traces;
 }
 
 void PlotLayoutBook::apply(const PlotLayout &layout)
 {
-    m_waiting = layout;
     m_stack.view().setWindow(layout.window);
     for (const PlotLayout::Derived &derived : layout.derived)
         m_board.book().ensure(derived.name, derived.unit, derived.formula);
-    applyWaiting(true);
-}
-
-/// Devices come one by one: the rest of the layout waits for them.
-void PlotLayoutBook::applyWaiting(bool first)
-{
-    auto traces = tracesOf(*m_waiting, m_selection.device());
-    const bool more = traces.size() != m_board.traces().size();
-    if (traces.size() >= m_waiting->traces.size())
-        m_waiting.reset();
-    if (first || more)
-        m_board.setTraces(std::move(traces), true);
+    m_board.setTraces(tracesOf(layout, m_selection.device()), true);
 }
 
 void PlotLayoutBook::reset()
 {
-    m_waiting.reset();
     m_defaultsOf = {};
     m_layouts.remove(PlotLayouts::lastName());
     m_stack.view().setWindow(firstWindow);

@@ -40,7 +40,6 @@ Q_SIGNALS:
 private:
     void save();
     void takeDefaults();
-    void applyWaiting(bool first);
     void addFamilyEntries(QMenu &menu);
     [[nodiscard]] std::vector<PlotBoard::Trace> tracesOf(const PlotLayout &layout, DeviceId standIn) const;
 
@@ -49,7 +48,6 @@ private:
     PlotStack &m_stack;
     PlotBoard &m_board;
     PlotLayouts m_layouts;
-    std::optional<PlotLayout> m_waiting; ///< traces of devices that have not come yet
     DeviceId m_defaultsOf;
     int m_defaultsOfAxis = 0;
     QTimer m_remember;

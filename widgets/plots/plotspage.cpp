@@ -48,10 +48,12 @@ std::vector<RateWish> wishesOf(const Workbench &workbench, const PlotBoard &boar
         if (device && device->telemetry && PageRates::isFree(*device))
             wishes.push_back({signal.device, signal.channel, hertz});
     };
-    for (const PlotBoard::Trace &trace : board.traces())
+    for (const PlotBoard::Trace &trace : board.traces()) {
         add(trace.signal);
-    for (const Signal &signal : board.ingredients())
-        add(signal);
+        const SignalBook::Derived *derived = board.book().derivedOf(trace.signal);
+        for (const Signal &signal : derived ? derived->inputs : std::vector<Signal>())
+            add(signal);
+    }
     return wishes;
 }
 

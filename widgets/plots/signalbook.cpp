@@ -76,6 +76,27 @@ std::vector<SignalBook::Variable> SignalBook::variables() const
     return all;
 }
 
+SignalAddress SignalBook::addressOf(const Signal &signal) const
+{
+    if (signal.device == derivedDevice)
+        return {{}, m_derived[signal.channel.value].name.toStdString()};
+    return {m_workbench.snapshot().device(signal.device)->selector, std::string(rowOf(signal)->key)};
+}
+
+std::optional<Signal> SignalBook::find(const SignalAddress &address) const
+{
+    for (std::uint16_t i = 0; address.device.empty() && i < m_derived.size(); ++i) {
+        if (m_derived[i].signal && m_derived[i].name == qt(address.key))
+            return Signal{derivedDevice, {i}};
+    }
+    for (const DeviceView &device : m_workbench.snapshot().devices) {
+        const bool fits = !address.device.empty() && device.selector == address.device;
+        if (const auto channel = fits ? findChannel(device.channels(), address.key) : std::nullopt)
+            return Signal{device.id, *channel};
+    }
+    return std::nullopt;
+}
+
 void SignalBook::compile(Derived &derived)
 {
     const auto all = variables();

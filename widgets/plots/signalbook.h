@@ -11,6 +11,13 @@
 
 namespace mb {
 
+/// A signal by names that outlast devices and links.
+struct SignalAddress {
+    std::string device; ///< selector; empty: a derived signal
+    std::string key;    ///< of the channel, or the name of the derived signal
+    friend bool operator==(const SignalAddress &, const SignalAddress &) = default;
+};
+
 /// Every signal that can be plotted: the channels of the devices that are there, and what formulas make of them. GUI thread.
 class SignalBook {
     Q_DECLARE_TR_FUNCTIONS(mb::SignalBook)
@@ -36,6 +43,10 @@ public:
     /// Of one that is there.
     [[nodiscard]] QString nameOf(const Signal &signal) const;
     [[nodiscard]] std::vector<Variable> variables() const;
+    /// As layouts name it: the selector of its device, empty for a derived one, and the key of the channel, or the name. Of one that is there.
+    [[nodiscard]] SignalAddress addressOf(const Signal &signal) const;
+    /// Nothing where it is not there.
+    [[nodiscard]] std::optional<Signal> find(const SignalAddress &address) const;
 
     /// By their place, which stays while others go; one without a name is gone.
     [[nodiscard]] const std::deque<Derived> &derived() const { return m_derived; }
