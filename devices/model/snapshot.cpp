@@ -54,7 +54,7 @@ DeviceView viewOf(Session &session, Device &device)
     view.motion = {stream.isRunning(), stream.setPoint(), stream.setPoints(), stream.end(), stream.reason()};
     view.telemetry = device.telemetry();
     for (std::size_t i = 0; i < view.family->channels.size(); ++i)
-        view.rates.push_back(device.telemetry()->rate({static_cast<std::uint16_t>(i)}));
+        view.rates.push_back(device.telemetry()->rate({static_cast<std::uint16_t>(i)}, device.clock().now()));
     view.parameters = device.parameters().sharedEntries();
     view.parameterRevision = device.parameters().revision();
     view.profile = device.knowledge().sharedProfile();

@@ -51,7 +51,6 @@ void Telemetry::append(const Sample &sample)
     Live &live = m_live[sample.channel.value];
     measure(live, sample.time);
     live.latest = Point{sample.time, sample.value};
-    m_newest = std::max(m_newest, sample.time);
     push({sample.time, sample.value, 0, sample.channel, Kind::Measured});
     m_samples.notify(sample);
 }
@@ -111,7 +110,7 @@ void Telemetry::measure(Live &live, Instant time)
     live.inWindow = 0;
 }
 
-double Telemetry::rate(ChannelIndex channel) const
+double Telemetry::rate(ChannelIndex channel, Instant now) const
 {
     const Live &live = m_live[channel.value];
     if (!live.latest)
@@ -120,7 +119,7 @@ double Telemetry::rate(ChannelIndex channel) const
     const Duration elapsed = live.latest->time - live.windowStart;
     if (rate == 0.0 && elapsed > Duration::zero()) // the first window
         rate = static_cast<double>(live.inWindow) / seconds(elapsed);
-    const double silent = seconds(m_newest - live.latest->time);
+    const double silent = seconds(now - live.latest->time);
     return rate > 0.0 && silent <= std::max(seconds(silence), 3.0 / rate) ? rate : 0.0;
 }
 

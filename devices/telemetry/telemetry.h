@@ -52,9 +52,9 @@ public:
     [[nodiscard]] Listeners<const Sample &> &samples() { return m_samples; }
     /// The newest sample, committed or not.
     [[nodiscard]] std::optional<Point> latest(ChannelIndex channel) const;
-    /// Samples per second over about the last second of source time; 0 once the channel is silent for 2 s (or three
-    /// periods, if that is longer) while others go on.
-    [[nodiscard]] double rate(ChannelIndex channel) const;
+    /// Samples per second over about the last second of source time; 0 once the channel is silent for 2 s before `now` (or three
+    /// periods, if that is longer).
+    [[nodiscard]] double rate(ChannelIndex channel, Instant now) const;
     /// @}
 
     /// @name Any thread: what has been committed (see History)
@@ -111,7 +111,6 @@ private:
     std::atomic<const Channel *> m_table;
     std::vector<Live> m_live;
     std::vector<Pending> m_pending;
-    Instant m_newest{}; ///< of all channels
     Listeners<const Sample &> m_samples;
 
     mutable std::mutex m_mutex; ///< guards m_histories

@@ -105,6 +105,22 @@ TEST(Snapshots, TellARateForEachChannelAndWhatIsKnownOfADevice)
     EXPECT_NE(viewOf(bench.session, *bench.device(9)).mayNotBeStopped, Message()) << "in its bootloader";
 }
 
+TEST(Snapshots, TellNoRateOfADeviceThatFellSilent)
+{
+    test::SimulatedSession bench;
+    bench.scan();
+    bench.clock.advance(3s);
+    Device &device = *bench.device(5);
+    const auto duty = findChannel(device.family().channels, "duty");
+    ASSERT_GT(viewOf(bench.session, device).rates[duty->value], 90.0);
+    for (const auto &unit : bench.session.bench(device.link())->simulators()) {
+        if (unit->name() == "dmc60c:5")
+            unit->setPowered(false);
+    }
+    bench.clock.advance(5s);
+    EXPECT_EQ(viewOf(bench.session, device).rates[duty->value], 0.0);
+}
+
 TEST_F(SerialBench, UnitsOfSerialFamiliesLiveOnALineWithTheTimingOfItsRate)
 {
     SerialLink *link = open("sim:serial");

@@ -136,19 +136,19 @@ TEST(Telemetry, CountsWhatIsNotANumberAsLost)
 TEST(Telemetry, MeasuresTheRateOfEachChannel)
 {
     Telemetry telemetry(channels);
-    EXPECT_EQ(telemetry.rate(position), 0.0);
+    EXPECT_EQ(telemetry.rate(position, at(0)), 0.0);
     for (int i = 0; i <= 300; ++i) {
         telemetry.append({position, at(i * 10), 0.0});
         if (i % 5 == 0)
             telemetry.append({velocity, at(i * 10), 0.0});
         if (i == 20) {
-            EXPECT_NEAR(telemetry.rate(position), 100.0, 1e-6); // before a whole second has passed
-            EXPECT_NEAR(telemetry.rate(velocity), 20.0, 1e-6);
+            EXPECT_NEAR(telemetry.rate(position, at(200)), 100.0, 1e-6); // before a whole second has passed
+            EXPECT_NEAR(telemetry.rate(velocity, at(200)), 20.0, 1e-6);
         }
     }
-    EXPECT_NEAR(telemetry.rate(position), 100.0, 1e-6);
-    EXPECT_NEAR(telemetry.rate(velocity), 20.0, 1e-6);
-    EXPECT_EQ(telemetry.rate(current), 0.0);
+    EXPECT_NEAR(telemetry.rate(position, at(3000)), 100.0, 1e-6);
+    EXPECT_NEAR(telemetry.rate(velocity, at(3000)), 20.0, 1e-6);
+    EXPECT_EQ(telemetry.rate(current, at(3000)), 0.0);
 }
 
 TEST(Telemetry, FollowsAChangeOfRateWithinTwoSeconds)
@@ -158,7 +158,7 @@ TEST(Telemetry, FollowsAChangeOfRateWithinTwoSeconds)
         telemetry.append({position, at(i * 10), 0.0});
     for (int i = 1; i <= 2000; ++i)
         telemetry.append({position, at(2000 + i), 0.0});
-    EXPECT_NEAR(telemetry.rate(position), 1000.0, 1.0);
+    EXPECT_NEAR(telemetry.rate(position, at(4000)), 1000.0, 1.0);
 }
 
 TEST(Telemetry, SaysZeroForAChannelThatFellSilent)
@@ -171,8 +171,10 @@ TEST(Telemetry, SaysZeroForAChannelThatFellSilent)
         if (i % 40 == 0)
             telemetry.append({current, at(i * 100), 0.0});
     }
-    EXPECT_EQ(telemetry.rate(velocity), 0.0);
-    EXPECT_NEAR(telemetry.rate(current), 0.25, 1e-6); // slow is not silent
+    EXPECT_EQ(telemetry.rate(velocity, at(10'000)), 0.0);
+    EXPECT_NEAR(telemetry.rate(current, at(10'000)), 0.25, 1e-6); // slow is not silent
+    EXPECT_NEAR(telemetry.rate(position, at(10'000)), 10.0, 1e-6);
+    EXPECT_EQ(telemetry.rate(position, at(13'000)), 0.0) << "nor do others go on";
 }
 
 TEST(Telemetry, ForgetsRecordingsButNotTheLatestWhenCleared)

@@ -101,7 +101,7 @@ TEST_F(NewFamily, DrivesToAPositionAndRecordsTheWay)
     const auto position = unit->telemetry()->latest(*unit->telemetry()->find("position"));
     ASSERT_TRUE(position);
     EXPECT_NEAR(position->value, simulated().position(), 1.5);
-    EXPECT_NEAR(unit->telemetry()->rate(*unit->telemetry()->find("position")), 100.0, 2.0);
+    EXPECT_NEAR(unit->telemetry()->rate(*unit->telemetry()->find("position"), unit->clock().now()), 100.0, 2.0);
     bench.session.stopAll(StopCause::User);
     bench.clock.advance(50ms);
     EXPECT_FALSE(simulated().isOutputOn());

@@ -258,7 +258,7 @@ void PlotBoard::followRates()
             trace.source->follow(
                 place < device->rates.size() ? device->rates[place] : 0.0, m_workbench.presentOf(device->link));
         else if (const auto *derived = m_book.derivedOf(trace.signal))
-            trace.source->follow(derived->signal->telemetry()->rate({0}), m_workbench.now());
+            trace.source->follow(derived->signal->telemetry()->rate({0}, present()), present());
         rate += trace.source->rate();
         lost += trace.source->lost();
         all += trace.source->lost() + trace.source->telemetry().size(trace.source->channel());
