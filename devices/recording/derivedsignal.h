@@ -25,6 +25,8 @@ public:
     std::size_t advance(std::size_t most);
     /// One channel, index 0.
     [[nodiscard]] const std::shared_ptr<Telemetry> &telemetry() const { return m_telemetry; }
+    /// What it is computed from, by the place of the input.
+    [[nodiscard]] const Telemetry &input(std::size_t place) const { return m_sources.at(place).cursor.telemetry(); }
     [[nodiscard]] const std::string &label() const { return m_label; }
     [[nodiscard]] const std::string &unit() const { return m_unit; }
 

@@ -24,6 +24,7 @@ private Q_SLOTS:
     void theSpectrumFindsAWave();
     void oneSignalAgainstAnother();
     void anotherUnitOfAChannelIsFollowed();
+    void aDerivedSignalGoesOnWhereItsDeviceBeginsAnew();
 };
 
 void TestPlotBoard::twoDevicesInOnePlotLookDifferent()
@@ -288,6 +289,32 @@ void TestPlotBoard::anotherUnitOfAChannelIsFollowed()
     QVERIFY(bench.trace("#5 current").style.strip != bench.trace("#7 current").style.strip);
     QCOMPARE(unitInList(), s("mA"));
     QVERIFY(before >= 0);
+}
+
+void TestPlotBoard::aDerivedSignalGoesOnWhereItsDeviceBeginsAnew()
+{
+    PlotBench bench;
+    bench.pass(1.0, 60000.0);
+    QVERIFY(bench.board().addDerived(s("twice"), s("counts/s"), s("2 * d5_velocity")));
+    bench.pass(0.5, 60000.0);
+    QTRY_VERIFY(bench.trace("twice").source->telemetry().size({0}) > 100);
+    Recording anew{bench.workbench.time}; // as after a jump in a recording
+    bench.workbench.shot.devices[0].telemetry = anew.telemetry();
+    anew.run(1.0, 60000.0);
+    bench.workbench.publish();
+    bench.pass(0.1, 60000.0);
+    QTRY_COMPARE(bench.trace("twice").source->telemetry().size({0}), std::size_t{100});
+    DeviceView again = bench.workbench.shot.devices[0]; // as after its link was opened again
+    Recording third{bench.workbench.time};
+    again.telemetry = third.telemetry();
+    again.id = {3};
+    bench.workbench.shot.devices.erase(bench.workbench.shot.devices.begin());
+    bench.workbench.publish();
+    third.run(0.5, 60000.0);
+    bench.workbench.shot.devices.push_back(again);
+    bench.workbench.publish();
+    bench.pass(0.1, 60000.0);
+    QTRY_COMPARE(bench.trace("twice").source->telemetry().size({0}), std::size_t{50});
 }
 
 MB_WINDOW_TEST(TestPlotBoard);

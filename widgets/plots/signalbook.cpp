@@ -97,7 +97,8 @@ std::optional<Signal> SignalBook::find(const SignalAddress &address) const
     return std::nullopt;
 }
 
-void SignalBook::compile(Derived &derived)
+/// False, and nothing is changed, while a device of the formula is not there.
+bool SignalBook::compile(Derived &derived) const
 {
     const auto all = variables();
     std::vector<std::string> names;
@@ -105,7 +106,7 @@ void SignalBook::compile(Derived &derived)
         names.push_back(variable.name.toStdString());
     auto expression = Expression::parse(derived.formula.toStdString(), names);
     if (!expression)
-        return;
+        return false;
     std::vector<DerivedSignal::Input> inputs;
     derived.inputs.clear();
     for (const std::size_t used : expression->used()) {
@@ -114,6 +115,16 @@ void SignalBook::compile(Derived &derived)
     }
     derived.signal = std::make_shared<DerivedSignal>(
         derived.name.toStdString(), derived.unit.toStdString(), std::move(*expression), inputs);
+    return true;
+}
+
+bool SignalBook::isOfNow(const Derived &derived) const
+{
+    for (std::size_t i = 0; derived.signal && i < derived.inputs.size(); ++i) {
+        if (telemetryOf(derived.inputs[i]).get() != &derived.signal->input(i))
+            return false;
+    }
+    return derived.signal != nullptr;
 }
 
 QString SignalBook::whatIsWrong(const QString &name, const QString &formula) const
@@ -137,7 +148,7 @@ Result<Signal> SignalBook::add(const QString &name, const QString &unit, const Q
     if (const QString wrong = whatIsWrong(name, formula); !wrong.isEmpty())
         return fail(Fault::OutOfRange, Message::verbatim(wrong.toStdString()));
     m_derived.push_back({name.trimmed(), unit.trimmed(), formula.trimmed()});
-    compile(m_derived.back());
+    (void)compile(m_derived.back());
     return Signal{derivedDevice, {static_cast<std::uint16_t>(m_derived.size() - 1)}};
 }
 
@@ -148,7 +159,7 @@ void SignalBook::ensure(const QString &name, const QString &unit, const QString 
     if (known || name.isEmpty())
         return;
     m_derived.push_back({name, unit, formula});
-    compile(m_derived.back());
+    (void)compile(m_derived.back());
 }
 
 void SignalBook::remove(const Signal &signal)
@@ -161,10 +172,8 @@ bool SignalBook::complete()
 {
     bool any = false;
     for (Derived &derived : m_derived) {
-        if (!derived.signal) {
-            compile(derived);
-            any = any || derived.signal;
-        }
+        if (!derived.name.isEmpty() && !isOfNow(derived))
+            any = compile(derived) || any;
     }
     return any;
 }

@@ -27,7 +27,7 @@ public:
         QString unit;
         QString formula;
         std::vector<Signal> inputs{};
-        std::shared_ptr<DerivedSignal> signal{}; ///< nothing while a device of its formula is not there
+        std::shared_ptr<DerivedSignal> signal{}; ///< nothing until every device of its formula was there
     };
     /// A signal as formulas call it: d5_velocity.
     struct Variable {
@@ -59,13 +59,14 @@ public:
     /// As add(), unless there is one of this name.
     void ensure(const QString &name, const QString &unit, const QString &formula);
     void remove(const Signal &signal);
-    /// Devices have come: whether a formula has all of its own now.
+    /// Devices have come, or have begun anew: whether a formula is computed from others now.
     [[nodiscard]] bool complete();
     /// Goes on computing, for a few milliseconds at most.
     void advance();
 
 private:
-    void compile(Derived &derived);
+    bool compile(Derived &derived) const;
+    [[nodiscard]] bool isOfNow(const Derived &derived) const;
 
     Workbench &m_workbench;
     std::deque<Derived> m_derived;
