@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plotbench.h"
 #include "support/windowtests.h"
+#include <QComboBox>
+#include <QSet>
 
 using namespace mb;
 using namespace mb::test;
@@ -25,6 +27,9 @@ private Q_SLOTS:
     void oneSignalAgainstAnother();
     void anotherUnitOfAChannelIsFollowed();
     void aDerivedSignalGoesOnWhereItsDeviceBeginsAnew();
+    void aCaughtEventStaysWhenAReferenceIsKept();
+    void theTriggerStaysOnItsSignalWhateverItIsCalled();
+    void devicesOfOneNumberAreToldApart();
 };
 
 void TestPlotBoard::twoDevicesInOnePlotLookDifferent()
@@ -315,6 +320,73 @@ void TestPlotBoard::aDerivedSignalGoesOnWhereItsDeviceBeginsAnew()
     bench.workbench.publish();
     bench.pass(0.1, 60000.0);
     QTRY_COMPARE(bench.trace("twice").source->telemetry().size({0}), std::size_t{50});
+}
+
+void TestPlotBoard::aCaughtEventStaysWhenAReferenceIsKept()
+{
+    PlotBench bench;
+    bench.pass(1.0, 0.0);
+    bench.stack().view().setWindow(1.0);
+    bench.page->trigger().bar().setLevel(30000.0);
+    bench.page->trigger().armOn(bench.trace("#5 velocity").id);
+    bench.page->trigger().bar().findChild<Segmented *>()->setCurrent(1);
+    for (int i = 0; i < 2; ++i)
+        bench.pass(1.5, i == 0 ? 60000.0 : 0.0);
+    QVERIFY(bench.page->trigger().watch().isDone());
+    const double event = *bench.page->trigger().watch().event();
+    bench.board().keepReferences();
+    QVERIFY(bench.page->trigger().watch().isDone());
+    QCOMPARE(*bench.page->trigger().watch().event(), event);
+    QVERIFY(bench.stack().strips().trigger()); // its line is there, on the trace of now
+    QCOMPARE(bench.stack().strips().trigger()->trace, bench.trace("#5 velocity").id);
+    bench.page->trigger().bar().setLevel(20000.0);
+    Q_EMIT bench.page->trigger().bar().changed(); // what a person sets is armed anew
+    QVERIFY(!bench.page->trigger().watch().isDone());
+}
+
+void TestPlotBoard::theTriggerStaysOnItsSignalWhateverItIsCalled()
+{
+    PlotBench bench;
+    bench.page->addSignal({{2}, channel("velocity")});
+    bench.pass(1.0, 0.0);
+    const auto traceOf = [&bench](const Signal &signal) {
+        const auto &traces = bench.board().traces();
+        return std::find_if(
+            traces.begin(), traces.end(), [&](const PlotBoard::Trace &trace) { return trace.signal == signal; });
+    };
+    bench.page->trigger().armOn(traceOf({{2}, channel("velocity")})->id);
+    auto *upwards = [&bench] {
+        const auto boxes = bench.page->findChildren<QComboBox *>();
+        return *std::find_if(boxes.begin(), boxes.end(),
+            [](const QComboBox *box) { return box->accessibleName() == s("Signal upwards"); });
+    }();
+    upwards->setCurrentIndex(4);
+    bench.workbench.device(1).identity.edit().address = 5; // another #5
+    bench.workbench.publish();
+    bench.board().keepReferences();
+    QCOMPARE(bench.page->trigger().bar().trace(), traceOf({{2}, channel("velocity")})->id);
+    QCOMPARE(upwards->currentIndex(), 4);
+    bench.page->removeSignal({{2}, channel("velocity")}); // it is armed on no other one
+    QVERIFY(!bench.page->trigger().watch().isArmed());
+}
+
+void TestPlotBoard::devicesOfOneNumberAreToldApart()
+{
+    PlotBench bench;
+    bench.workbench.device(0).link = "sim:can";
+    bench.workbench.device(1).link = "sim:serial";
+    bench.workbench.device(1).identity.edit().address = 5;
+    bench.workbench.publish();
+    bench.page->addSignal({{2}, channel("velocity")});
+    QSet<QString> names;
+    for (const auto &trace : bench.board().traces())
+        names << trace.style.name;
+    QCOMPARE(names.size(), static_cast<int>(bench.board().traces().size()));
+    QListWidget &list = bench.page->panel().signalList().list();
+    names.clear();
+    for (int i = 0; i < list.count(); ++i)
+        names << list.item(i)->text();
+    QCOMPARE(names.size(), list.count());
 }
 
 MB_WINDOW_TEST(TestPlotBoard);

@@ -75,6 +75,24 @@ QString signalName(const DeviceView &device, ChannelIndex channel)
         .arg(axis > 0 ? QStringLiteral("ch%1 ").arg(axis) : QString(), channelName(row));
 }
 
+QString signalName(const DeviceView &device, ChannelIndex channel, const std::vector<DeviceView> &devices)
+{
+    bool otherFamily = false;
+    bool otherLink = false;
+    for (const DeviceView &other : devices) {
+        const bool same = other.id != device.id && other.identity->address == device.identity->address;
+        otherFamily = otherFamily || (same && other.family != device.family);
+        otherLink = otherLink || (same && other.family == device.family && other.link != device.link);
+    }
+    QString name = signalName(device, channel);
+    if (otherFamily)
+        name = qt(device.family->title) + QLatin1Char(' ') + name;
+    if (!otherLink)
+        return name;
+    const auto link = LinkAddress::parse(device.link);
+    return name + QStringLiteral(" (%1)").arg(qt(link ? link->shortName() : device.link));
+}
+
 std::vector<Signal> usualSignals(const DeviceView &device, int axis)
 {
     std::vector<Signal> found;

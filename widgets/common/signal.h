@@ -30,6 +30,9 @@ inline constexpr const char *signalMimeType = "application/x-motorbench-signal";
 
 /// "#5 velocity", "#0 ch2 velocity"
 [[nodiscard]] QString signalName(const DeviceView &device, ChannelIndex channel);
+/// The same with family and link, "DMC60C #5 velocity", "#5 velocity (can0)", as far as another one of these has its number.
+[[nodiscard]] QString signalName(
+    const DeviceView &device, ChannelIndex channel, const std::vector<DeviceView> &devices);
 /// "velocity" as it stands in the middle of a line.
 [[nodiscard]] QString channelName(const Channel &channel);
 /// What one looks at first: of an axis, or of the device as a whole (0), which is the position of every axis where it has several.

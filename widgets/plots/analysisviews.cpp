@@ -12,6 +12,9 @@
 #include <QFileDialog>
 #include <QMenu>
 
+#include <algorithm>
+#include <utility>
+
 namespace mb {
 namespace {
 
@@ -87,13 +90,19 @@ AgainstView::AgainstView(PlotStack &stack, PlotBoard &board, const ThemeSource &
 
 void AgainstView::follow()
 {
+    const auto listed = std::exchange(m_listed, {});
+    for (const PlotBoard::Trace &trace : m_board.traces())
+        m_listed.push_back(trace.signal);
     for (QComboBox *box : {m_across, m_upwards}) {
-        const QString before = box->currentText();
+        const int before = box->currentIndex();
         box->clear();
         for (const PlotBoard::Trace &trace : m_board.traces())
             box->addItem(trace.style.name);
         const int other = box == m_upwards || box->count() < 2 ? 0 : 1;
-        box->setCurrentIndex(before.isEmpty() || box->findText(before) < 0 ? other : box->findText(before));
+        const auto kept = before < 0
+            ? m_listed.end()
+            : std::find(m_listed.begin(), m_listed.end(), listed.at(static_cast<std::size_t>(before)));
+        box->setCurrentIndex(kept == m_listed.end() ? other : static_cast<int>(kept - m_listed.begin()));
     }
     if (m_across->count() > 1 && m_across->currentIndex() == m_upwards->currentIndex())
         m_across->setCurrentIndex(m_upwards->currentIndex() == 0 ? 1 : 0); // against itself it is a line

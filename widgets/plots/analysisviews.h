@@ -28,6 +28,7 @@ private:
     PlotStack &m_stack;
     PlotBoard &m_board;
     CurvePlot *m_plot;
+    std::vector<Signal> m_listed; ///< what both boxes offer
     QComboBox *m_across;
     QComboBox *m_upwards;
 };

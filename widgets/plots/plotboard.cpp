@@ -237,9 +237,10 @@ void PlotBoard::follow()
     bool other = m_book.complete();
     other = letGo() || other;
     other = takeIn() || other;
-    // A device begins anew where a recording is taken to another place; its units are others once a scale is given.
+    // A device begins anew where a recording is taken to another place; its units are others once a scale is given,
+    // and its name where another one has its number.
     const auto isOutdated = [this](const Trace &trace) {
-        return trace.row != m_book.rowOf(trace.signal)
+        return trace.row != m_book.rowOf(trace.signal) || trace.style.name != m_book.nameOf(trace.signal)
             || &trace.source->telemetry() != m_book.telemetryOf(trace.signal).get();
     };
     if (other || std::any_of(m_traces.begin(), m_traces.end(), isOutdated))

@@ -54,7 +54,8 @@ QString SignalBook::nameOf(const Signal &signal) const
 {
     if (signal.device == derivedDevice)
         return m_derived[signal.channel.value].name;
-    return signalName(*m_workbench.snapshot().device(signal.device), signal.channel);
+    const Snapshot &shot = m_workbench.snapshot();
+    return signalName(*shot.device(signal.device), signal.channel, shot.devices);
 }
 
 std::vector<SignalBook::Variable> SignalBook::variables() const

@@ -149,7 +149,7 @@ void SignalList::fill()
             continue;
         for (std::uint16_t i = 0; i < device.channels().size(); ++i) {
             const Channel &row = device.channels()[i];
-            const QString name = signalName(device, {i});
+            const QString name = signalName(device, {i}, m_devices);
             add({device.id, {i}}, name, shownUnit(row.quantity, row.unit, {}).text,
                 tr("%1\ndouble click plots it, drag it to a pane or below them").arg(name));
         }

@@ -99,16 +99,21 @@ bool TriggerBar::hasLevel() const
     return parseNumber(m_level->text()).has_value();
 }
 
-void TriggerBar::setTraces(const std::vector<Choice> &traces)
+bool TriggerBar::setTraces(const std::vector<Choice> &traces)
 {
-    const QString before = m_trace->currentText();
+    const int place = m_trace->currentIndex();
+    const Signal before = place < 0 ? Signal{} : m_choices.at(static_cast<std::size_t>(place)).signal;
     m_choices = traces;
+    const auto kept = std::find_if(
+        m_choices.begin(), m_choices.end(), [&before](const Choice &choice) { return choice.signal == before; });
+    const bool there = kept != m_choices.end();
     const QSignalBlocker quiet(m_trace);
     m_trace->clear();
     for (const Choice &choice : traces)
         m_trace->addItem(choice.name);
-    m_trace->setCurrentIndex(std::max(m_trace->findText(before), traces.empty() ? -1 : 0));
+    m_trace->setCurrentIndex(there ? static_cast<int>(kept - m_choices.begin()) : traces.empty() ? -1 : 0);
     m_unit->setText(traces.empty() ? QString() : m_choices[static_cast<std::size_t>(m_trace->currentIndex())].unit);
+    return there;
 }
 
 int TriggerBar::trace() const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/common/signal.h"
 #include "widgets/plots/triggerwatch.h"
 
 #include <QWidget>
@@ -21,10 +22,12 @@ public:
 
     struct Choice {
         int id = 0; ///< of the trace
+        Signal signal;
         QString name;
         QString unit;
     };
-    void setTraces(const std::vector<Choice> &traces);
+    /// False where the one that was chosen is not among them; then it is the first.
+    bool setTraces(const std::vector<Choice> &traces);
     [[nodiscard]] int trace() const;
     void choose(int id);
     [[nodiscard]] TriggerSetup setup() const;

@@ -48,9 +48,15 @@ void TriggerControl::follow()
 {
     std::vector<TriggerBar::Choice> choices;
     for (const PlotBoard::Trace &trace : m_board.traces())
-        choices.push_back({trace.id, trace.style.name, trace.style.unit});
-    m_bar->setTraces(choices);
-    if (m_watch.isArmed())
+        choices.push_back({trace.id, trace.signal, trace.style.name, trace.style.unit});
+    const bool there = m_bar->setTraces(choices);
+    if (!m_watch.isArmed())
+        return;
+    if (!there)
+        disarm();
+    else if (m_watch.isOn(*m_board.traceOf(m_bar->trace())->source))
+        showLine(); // an event that is caught stays
+    else
         arm();
 }
 
@@ -63,6 +69,11 @@ void TriggerControl::arm()
     m_bar->show();
     m_stack.view().setLive(true);
     m_watch.arm(m_bar->setup(), trace->source, plotKey(m_board.present()));
+    showLine();
+}
+
+void TriggerControl::showLine()
+{
     m_stack.strips().setTrigger(
         PlotTrigger{m_bar->trace(), m_bar->setup().level, m_bar->description(m_stack.view().window())});
 }

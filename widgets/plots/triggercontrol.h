@@ -31,6 +31,7 @@ Q_SIGNALS:
 
 private:
     void arm();
+    void showLine();
 
     PlotStack &m_stack;
     PlotBoard &m_board;

@@ -40,6 +40,8 @@ void TriggerWatch::arm(const TriggerSetup &setup, std::shared_ptr<const Telemetr
     const TriggerRule rule{setup.kind, setup.level / source->scale(), hysteresisOf(*source, now)};
     constexpr Duration lead = std::chrono::seconds(1); // an edge needs to know from where it comes
     m_search.emplace(rule, source->sharedTelemetry(), source->channel(), instantAt(now) - lead);
+    m_scale = source->scale();
+    m_source = std::move(source);
     m_stack.view().hold({}, setup.before);
     show(now);
 }
@@ -47,6 +49,7 @@ void TriggerWatch::arm(const TriggerSetup &setup, std::shared_ptr<const Telemetr
 void TriggerWatch::disarm()
 {
     m_search.reset();
+    m_source.reset();
     m_event.reset();
     m_done = false;
     m_stack.view().hold({}, m_setup.before);

@@ -28,6 +28,11 @@ public:
     void arm(const TriggerSetup &setup, std::shared_ptr<const TelemetrySource> source, double now);
     void disarm();
     [[nodiscard]] bool isArmed() const { return m_search.has_value(); }
+    /// Armed on this source, in the unit that it has now.
+    [[nodiscard]] bool isOn(const TelemetrySource &source) const
+    {
+        return isArmed() && m_source.get() == &source && m_scale == source.scale();
+    }
     /// A single event is there and its window is full.
     [[nodiscard]] bool isDone() const { return m_done; }
     [[nodiscard]] std::optional<double> event() const { return m_event; }
@@ -42,6 +47,8 @@ private:
     PlotStack &m_stack;
     TriggerSetup m_setup;
     std::optional<TriggerSearch> m_search;
+    std::shared_ptr<const TelemetrySource> m_source;
+    double m_scale = 1.0;
     std::optional<double> m_event;
     double m_armedAt = 0.0;
     int m_events = 0;
