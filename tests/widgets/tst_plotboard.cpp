@@ -30,6 +30,7 @@ private Q_SLOTS:
     void aCaughtEventStaysWhenAReferenceIsKept();
     void theTriggerStaysOnItsSignalWhateverItIsCalled();
     void devicesOfOneNumberAreToldApart();
+    void fittingLeavesReferencesOutOfTheTime();
 };
 
 void TestPlotBoard::twoDevicesInOnePlotLookDifferent()
@@ -387,6 +388,17 @@ void TestPlotBoard::devicesOfOneNumberAreToldApart()
     for (int i = 0; i < list.count(); ++i)
         names << list.item(i)->text();
     QCOMPARE(names.size(), list.count());
+}
+
+void TestPlotBoard::fittingLeavesReferencesOutOfTheTime()
+{
+    PlotBench bench;
+    bench.pass(2.0, 60000.0);
+    bench.board().keepReferences();
+    bench.stack().fit();
+    QVERIFY(bench.stack().view().isLive());
+    bench.pass(0.1, 60000.0);
+    QVERIFY(std::abs(bench.stack().view().range().second - plotKey(bench.workbench.time)) < 0.1);
 }
 
 MB_WINDOW_TEST(TestPlotBoard);

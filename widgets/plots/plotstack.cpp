@@ -104,7 +104,7 @@ void PlotStack::fit()
     double last = -first;
     for (const auto &[id, trace] : m_strips->traces()) {
         if (const auto *fixed = dynamic_cast<const FixedTrace *>(trace.source.get());
-            fixed && !fixed->points().empty()) {
+            fixed && !fixed->points().empty() && !trace.style.aligned) { // which has no time of its own
             first = std::min(first, fixed->points().front().key);
             last = std::max(last, fixed->points().back().key);
         }
