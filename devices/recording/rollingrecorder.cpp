@@ -77,12 +77,16 @@ Result<void> RollingRecorder::lockFolder()
 void RollingRecorder::follow(
     const std::vector<ExportChannel> &channels, std::vector<std::pair<std::string, mcap::Map>> about)
 {
+    for (Tracked &tracked : m_tracked)
+        tracked.gone = true;
     for (const ExportChannel &channel : channels) {
         const auto known = std::find_if(m_tracked.begin(), m_tracked.end(), [&](const Tracked &tracked) {
             return tracked.channel.telemetry == channel.telemetry && tracked.channel.channel == channel.channel;
         });
-        if (known != m_tracked.end() && known->channel.unit == channel.unit)
+        if (known != m_tracked.end() && known->channel.unit == channel.unit) {
+            known->gone = false;
             continue;
+        }
         if (known != m_tracked.end())
             m_tracked.erase(known); // what it had in its unit is forgotten there, too
         m_tracked.push_back({channel, SampleCursor(channel.telemetry, channel.channel)});
@@ -142,6 +146,7 @@ void RollingRecorder::settle()
     m_safe = m_segments.back();
     for (Tracked &tracked : m_tracked)
         tracked.safe = tracked.cursor.place();
+    m_tracked.remove_if([](Tracked &tracked) { return tracked.gone && !tracked.cursor.peek(); });
 }
 
 /// The disk took less than it was given: the file ends where it was whole, and what it did not get is written again.
@@ -194,7 +199,7 @@ void RollingRecorder::writeSamples(Duration unixOffset, Instant horizon)
 
 Result<void> RollingRecorder::write(Instant now, Duration unixOffset)
 {
-    if (m_tracked.empty())
+    if (m_tracked.empty() && !m_writer)
         return {};
     auto written = writeSegment(now, unixOffset);
     m_failure = written ? std::nullopt : std::optional(written.error());

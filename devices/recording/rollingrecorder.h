@@ -28,7 +28,8 @@ public:
     /// Ends the last file; the folder becomes `last-session`, in place of the one before.
     ~RollingRecorder();
 
-    /// What there is now. Channels that went away stay in the files that have them; one in another unit is another channel.
+    /// What there is now. Channels that went away stay in the files that have them, and are let go of once all of theirs is there;
+    /// one in another unit is another channel.
     void follow(const std::vector<ExportChannel> &channels, std::vector<std::pair<std::string, mcap::Map>> about);
     /// Writes what has been recorded since and hands it to the kernel. LinkLost with path and cause; nothing is lost as
     /// long as the histories have it: files end with their last whole sample, and the next call goes on behind it, in a new one.
@@ -54,6 +55,7 @@ private:
         SampleCursor cursor;
         std::uint16_t id = 0;       ///< in the file that is being written
         SampleCursor::Place safe{}; ///< everything before it is in a file
+        bool gone = false;          ///< nothing comes any more
     };
     struct Segment {
         std::string path;

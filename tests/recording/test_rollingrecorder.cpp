@@ -279,5 +279,30 @@ TEST(Export, ChannelsHaveTheUnitsOfTheirDeviceNotOfItsFamily)
     EXPECT_EQ(found[current.value].unit, "A");
 }
 
+TEST(RollingRecorder, LetsGoOfWhatIsGoneOnceItIsOnTheDisk)
+{
+    const Folder folder;
+    RollingRecorder recorder(rolling(folder, "run"));
+    recorder.startKeeping();
+    std::weak_ptr<Telemetry> first;
+    for (int i = 0; i < 200; ++i) { // as a recording that is played from place to place
+        const auto recording = telemetry();
+        if (i == 0)
+            first = recording;
+        recorder.follow({{recording, velocity, "sim:can/dmc60c:5", "dmc60c", "velocity", "counts/s", {}, true}}, {});
+        put(*recording, velocity, i * 500, 1.0);
+        ASSERT_TRUE(recorder.write(ms(i * 500 + 50), unixOffset)); // this one still settles
+    }
+    EXPECT_TRUE(first.expired());
+    EXPECT_EQ(recorder.samples(), 199U);
+    recorder.follow({}, {});
+    ASSERT_TRUE(recorder.write(ms(200 * 500), unixOffset));
+    EXPECT_EQ(recorder.samples(), 200U);
+    ASSERT_TRUE(recorder.save(folder.file("kept.mcap"), {}));
+    const auto loaded = loadRecording(folder.file("kept.mcap"));
+    ASSERT_TRUE(loaded);
+    EXPECT_EQ((*loaded)->telemetry->size({0}), 200U);
+}
+
 } // namespace
 } // namespace mb

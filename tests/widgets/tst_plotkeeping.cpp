@@ -23,6 +23,7 @@ private Q_SLOTS:
     void aChangeStandsWhileALayoutWaitsForADevice();
     void tracesOfALinkThatIsClosedComeBackWithIt();
     void aDerivedSignalThatWaitsForItsDevicesRebuildsNothing();
+    void whatIsPlayedIsNotRecordedAgain();
 };
 
 void TestPlotKeeping::notesStandInThePlotAndInTheFile()
@@ -316,6 +317,32 @@ void TestPlotKeeping::aDerivedSignalThatWaitsForItsDevicesRebuildsNothing()
     bench.workbench.publish();
     QCOMPARE(bench.page->traceCount(), std::size_t{6});
     QVERIFY(bench.page->layoutBook().current() == layout);
+}
+
+void TestPlotKeeping::whatIsPlayedIsNotRecordedAgain()
+{
+    PlotBench bench;
+    const QTemporaryDir folder;
+    LinkView live;
+    live.address = "sim:can";
+    LinkView played;
+    played.address = "replay:/logs/run.log";
+    played.replay.emplace();
+    bench.workbench.shot.links = {live, played};
+    bench.workbench.device(0).link = "sim:can";
+    bench.workbench.device(1).link = "replay:/logs/run.log";
+    Recorder recorder(bench.workbench, folder.path() + s("/rolling"));
+    bench.page->setRecorder(&recorder, folder.path() + s("/kept"));
+    bench.pass(5.0, 60000.0);
+    QTRY_VERIFY(recorder.state().samples > 100);
+    recorder.startKeeping(folder.path());
+    QSignalSpy saved(&recorder, &Recorder::saved);
+    recorder.save(folder.filePath(s("a.mcap")));
+    QTRY_COMPARE(saved.count(), 1);
+    const auto loaded = loadRecording(folder.filePath(s("a.mcap")).toStdString());
+    QVERIFY(loaded);
+    QCOMPARE((*loaded)->table.size(), dmc60c().channels.size());
+    bench.page->setRecorder(nullptr, {});
 }
 
 MB_WINDOW_TEST(TestPlotKeeping);

@@ -56,6 +56,8 @@ void Recorder::follow()
     std::vector<std::pair<std::string, mcap::Map>> about;
     for (const DeviceView &device : shot.devices) {
         const LinkView *link = shot.link(device.link);
+        if (link && link->replay) // it is a recording already
+            continue;
         const auto all = channelsOf(device, link && link->simulated);
         channels.insert(channels.end(), all.begin(), all.end());
         auto described = describe(device);
