@@ -45,12 +45,10 @@ ExportPlan ExportBar::planFor(const ExportChoice &choice) const
     plan.unixOffset = m_workbench.unixOffset();
     plan.about = aboutDevices(m_workbench.snapshot());
     plan.notes = m_board.notes();
-    const auto instant
-        = [](double key) { return Instant(std::chrono::duration_cast<Duration>(std::chrono::duration<double>(key))); };
     const bool selection = choice.range == ExportChoice::Range::Selection;
     const auto [a, b] = selection ? m_stack.cursorKeys() : m_stack.view().range();
-    plan.from = instant(std::min(a, b));
-    plan.to = instant(std::max(a, b));
+    plan.from = instantOf(std::min(a, b));
+    plan.to = instantOf(std::max(a, b));
     if (choice.range == ExportChoice::Range::Session) {
         plan.from = plan.to = m_workbench.now();
         for (const ExportChannel &channel : plan.channels) {

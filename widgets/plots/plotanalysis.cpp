@@ -18,11 +18,6 @@ struct AnalysisText {
     Q_DECLARE_TR_FUNCTIONS(AnalysisText)
 };
 
-Instant instantOf(double key)
-{
-    return Instant(std::chrono::duration_cast<Duration>(std::chrono::duration<double>(key)));
-}
-
 std::vector<Point> samplesOf(const TelemetrySource &source, double from, double to, std::size_t most)
 {
     const Telemetry &telemetry = source.telemetry();

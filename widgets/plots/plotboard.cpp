@@ -338,7 +338,7 @@ void PlotBoard::addNote(double key, const QString &text)
 {
     if (text.trimmed().isEmpty() || m_notes.size() >= mostNotes)
         return;
-    const Instant time(std::chrono::duration_cast<Duration>(std::chrono::duration<double>(key)));
+    const Instant time = instantOf(key);
     m_notes.push_back({time, text.trimmed().toStdString()});
     std::vector<PlotMark> marks;
     for (const TimedNote &note : m_notes)

@@ -15,11 +15,6 @@ struct SourceText {
     Q_DECLARE_TR_FUNCTIONS(SourceText)
 };
 
-Instant toInstant(double key)
-{
-    return Instant(std::chrono::duration_cast<Duration>(std::chrono::duration<double>(key)));
-}
-
 } // namespace
 
 TelemetrySource::TelemetrySource(std::shared_ptr<const Telemetry> telemetry, ChannelIndex channel, Foot foot)
@@ -37,7 +32,7 @@ void TelemetrySource::follow(double rate, Instant now)
 
 void TelemetrySource::columns(double from, double to, int pixels, std::vector<PlotPoint> &points) const
 {
-    m_telemetry->columns(m_channel, toInstant(from), toInstant(to), pixels, m_window);
+    m_telemetry->columns(m_channel, instantOf(from), instantOf(to), pixels, m_window);
     const std::vector<Point> &found = m_window.points();
     const auto first
         = std::partition_point(found.begin(), found.end(), [this](const Point &point) { return point.time < m_since; });
@@ -60,8 +55,8 @@ std::optional<double> TelemetrySource::latest() const
 
 std::optional<TraceSource::Statistics> TelemetrySource::statistics(double from, double to) const
 {
-    const Instant begin = std::max(toInstant(std::min(from, to)), m_since);
-    const auto found = m_telemetry->statistics(m_channel, begin, toInstant(std::max(from, to)));
+    const Instant begin = std::max(instantOf(std::min(from, to)), m_since);
+    const auto found = m_telemetry->statistics(m_channel, begin, instantOf(std::max(from, to)));
     if (!found)
         return std::nullopt;
     const double size = std::abs(m_scale);

@@ -14,6 +14,12 @@ namespace mb {
     return std::chrono::duration<double>(time.time_since_epoch()).count();
 }
 
+/// The time of a key; of a Unix time it is right to a microsecond.
+[[nodiscard]] inline Instant instantOf(double key)
+{
+    return Instant(std::chrono::duration_cast<Duration>(std::chrono::duration<double>(key)));
+}
+
 /// One channel of a recording as a trace. Keeps the columns of the picture before, so that a window that scrolls costs
 /// only what is new. GUI thread; the recording itself is locked by Telemetry.
 class TelemetrySource final : public TraceSource {

@@ -15,11 +15,6 @@ struct TriggerText {
     Q_DECLARE_TR_FUNCTIONS(TriggerText)
 };
 
-Instant instantAt(double key)
-{
-    return Instant(std::chrono::duration_cast<Duration>(std::chrono::duration<double>(key)));
-}
-
 /// So that noise at the level is one edge: a tenth of the spread of what came lately.
 double hysteresisOf(const TelemetrySource &source, double now)
 {
@@ -39,7 +34,7 @@ void TriggerWatch::arm(const TriggerSetup &setup, std::shared_ptr<const Telemetr
     m_armedAt = now;
     const TriggerRule rule{setup.kind, setup.level / source->scale(), hysteresisOf(*source, now)};
     constexpr Duration lead = std::chrono::seconds(1); // an edge needs to know from where it comes
-    m_search.emplace(rule, source->sharedTelemetry(), source->channel(), instantAt(now) - lead);
+    m_search.emplace(rule, source->sharedTelemetry(), source->channel(), instantOf(now) - lead);
     m_scale = source->scale();
     m_source = std::move(source);
     m_stack.view().hold({}, setup.before);
@@ -72,7 +67,7 @@ void TriggerWatch::poll(double now)
             m_done = true;
             break;
         }
-        const auto found = m_search->poll(instantAt(m_event ? windowEnd() : m_armedAt));
+        const auto found = m_search->poll(instantOf(m_event ? windowEnd() : m_armedAt));
         if (!found)
             break;
         m_event = plotKey(*found);
