@@ -46,13 +46,13 @@ QByteArray PlotExport::pictureAs(const QString &kind)
             [&](QCPPainter &painter) { m_plot.toPainter(&painter, size.width(), size.height()); }});
 }
 
-void PlotExport::choose(const QString &suffix, const QString &filter)
+void PlotExport::choose(const QString &suffix, const QString &filter, std::function<void(const QString &)> write)
 {
     auto *dialog = new QFileDialog(&m_owner, tr("Export plot"), QString(), filter);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(suffix);
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString &path) { exportTo(path); });
+    connect(dialog, &QFileDialog::fileSelected, this, write);
     dialog->open();
 }
 
@@ -64,11 +64,12 @@ void PlotExport::fillMenu(QMenu &menu)
     add(tr("Copy numbers"), [this] { QApplication::clipboard()->setText(m_readings.numbers()); });
     add(tr("Copy summary"), [this] { QApplication::clipboard()->setText(m_readings.summary()); });
     menu.addSeparator();
-    add(tr("Export PNG…"), [this] { choose(QStringLiteral("png"), tr("PNG picture (*.png)")); });
-    add(tr("Export SVG…"), [this] { choose(QStringLiteral("svg"), tr("SVG drawing (*.svg)")); });
-    add(tr("Export PDF…"), [this] { choose(QStringLiteral("pdf"), tr("PDF document (*.pdf)")); });
-    if (m_ownTable)
-        add(tr("Export CSV…"), [this] { choose(QStringLiteral("csv"), tr("Table (*.csv)")); });
+    const auto picture = [this](const QString &path) { exportTo(path); };
+    add(tr("Export PNG…"), [this, picture] { choose(QStringLiteral("png"), tr("PNG picture (*.png)"), picture); });
+    add(tr("Export SVG…"), [this, picture] { choose(QStringLiteral("svg"), tr("SVG drawing (*.svg)"), picture); });
+    add(tr("Export PDF…"), [this, picture] { choose(QStringLiteral("pdf"), tr("PDF document (*.pdf)"), picture); });
+    if (m_table)
+        add(tr("Export CSV…"), [this] { choose(QStringLiteral("csv"), tr("Table (*.csv)"), m_table); });
 }
 
 } // namespace mb

@@ -4,6 +4,8 @@
 #include "async/result.h"
 #include "widgets/plots/plotreadings.h"
 
+#include <functional>
+
 class QMenu;
 
 namespace mb {
@@ -22,8 +24,8 @@ public:
     [[nodiscard]] QByteArray pictureAs(const QString &kind);
     /// Adds what can be copied and exported.
     void fillMenu(QMenu &menu);
-    /// Whether the menu offers a table of what is seen; a page that exports more says no.
-    void setOwnTable(bool own) { m_ownTable = own; }
+    /// What writes the table of what is seen, in place of what is drawn; nothing: the menu offers none, the page exports more.
+    void setTable(std::function<void(const QString &path)> table) { m_table = std::move(table); }
 
 Q_SIGNALS:
     /// Every chosen export ends in one of these.
@@ -32,12 +34,12 @@ Q_SIGNALS:
     void exportFailed(const QString &cause);
 
 private:
-    void choose(const QString &suffix, const QString &filter);
+    void choose(const QString &suffix, const QString &filter, std::function<void(const QString &)> write);
 
     QWidget &m_owner;
     PlotFrame &m_plot;
     const PlotReadings &m_readings;
-    bool m_ownTable = true;
+    std::function<void(const QString &)> m_table{[this](const QString &path) { exportTo(path); }};
 };
 
 } // namespace mb

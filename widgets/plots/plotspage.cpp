@@ -121,7 +121,7 @@ QWidget *PlotsPage::buildPlots()
     m_trigger = new TriggerControl(*m_stack, *m_board, m_theme, area);
     m_plots = new QStackedWidget(area);
     m_stack->setObjectName(QStringLiteral("plotsStack"));
-    m_stack->exporter().setOwnTable(false);
+    m_stack->exporter().setTable(nullptr);
     m_stack->input().acceptDrops(QLatin1String(signalMimeType));
     m_stack->setToolTip(
         tr("Wheel zooms time, Ctrl+wheel values, Shift+wheel moves · drag moves · Shift+drag zooms into a box\n"

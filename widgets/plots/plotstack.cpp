@@ -109,7 +109,9 @@ void PlotStack::fit()
             last = std::max(last, fixed->points().back().key);
         }
     }
-    if (last > first)
+    if (m_view->whole())
+        m_view->setRange(m_view->whole()->first, m_view->whole()->second);
+    else if (last > first)
         m_view->setRange(first, last);
     touch();
 }

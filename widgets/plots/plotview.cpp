@@ -23,8 +23,16 @@ void PlotView::setWindow(double seconds)
     Q_EMIT windowChanged(window);
 }
 
+void PlotView::setWhole(double from, double to)
+{
+    m_whole = {from, to};
+    setRange(from, to);
+}
+
 void PlotView::setLive(bool live)
 {
+    if (live && m_whole)
+        return setRange(m_whole->first, m_whole->second);
     if (m_live == live)
         return;
     m_live = live;

@@ -19,6 +19,9 @@ public:
     [[nodiscard]] double window() const { return m_window; }
     void setLive(bool live);
     [[nodiscard]] bool isLive() const { return m_live; }
+    /// All that there is: a recording has no present, and what would follow it shows all of it.
+    void setWhole(double from, double to);
+    [[nodiscard]] const std::optional<std::pair<double, double>> &whole() const { return m_whole; }
     /// Shows this stretch of time and stops following.
     void setRange(double from, double to);
     [[nodiscard]] std::pair<double, double> range() const { return {m_from, m_to}; }
@@ -51,6 +54,7 @@ private:
     double m_to = 12.0;
     double m_now = 0.0;
     bool m_live = true;
+    std::optional<std::pair<double, double>> m_whole;
     std::optional<double> m_held; ///< key of a trigger
     double m_heldBefore = 0.5;
 };

@@ -37,7 +37,7 @@ std::vector<int> showRecording(PlotStack &stack, const LoadedRecording &recordin
         stack.strips().setClock(0.0);
     if (recording.simulated)
         stack.strips().setWatermark(QStringLiteral("DEMO"));
-    stack.view().setRange(from, to > from ? to : from + 1.0);
+    stack.view().setWhole(from, to > from ? to : from + 1.0);
     return traces;
 }
 

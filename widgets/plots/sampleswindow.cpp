@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/sampleswindow.h"
 
+#include "recording/exportcsv.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/pagekeys.h"
+#include "widgets/plots/exportjob.h"
 #include "widgets/plots/recordedtraces.h"
 #include "widgets/plots/telemetrysource.h"
 
@@ -17,6 +19,7 @@
 #include <QSignalBlocker>
 #include <QThread>
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
 
@@ -86,18 +89,60 @@ void SamplesWindow::build(const QString &path, const ThemeSource &theme)
     resize(theme.theme().u(1100), theme.theme().u(700));
     connect(fit, &QToolButton::clicked, m_stack, &PlotStack::fit);
     connect(cursors, &QToolButton::clicked, this, [this] { m_stack->setCursorsShown(!m_stack->cursorsShown()); });
-    connect(save, &QToolButton::clicked, this, [this, save] {
-        auto *menu = new QMenu(this);
-        menu->setAttribute(Qt::WA_DeleteOnClose);
-        m_stack->fillMenu(*menu);
-        menu->popup(save->mapToGlobal(QPoint(0, save->height())));
-    });
-    connect(&m_stack->exporter(), &PlotExport::exported, this,
-        [this](const QString &to) { m_state->setText(tr("Written: %1").arg(to)); });
-    connect(&m_stack->exporter(), &PlotExport::exportFailed, m_state, &QLabel::setText);
+    connect(
+        save, &QToolButton::clicked, this, [this, save] { showExports(save->mapToGlobal(QPoint(0, save->height()))); });
+    connectExports();
     connect(m_channels, &QListWidget::itemChanged, this, [this](const QListWidgetItem *item) {
         m_stack->strips().setTraceVisible(item->data(Qt::UserRole).toInt(), item->checkState() == Qt::Checked);
     });
+}
+
+void SamplesWindow::connectExports()
+{
+    m_job = new ExportJob(this);
+    m_stack->exporter().setTable([this](const QString &path) { exportTable(path); });
+    connect(&m_stack->exporter(), &PlotExport::exported, this,
+        [this](const QString &to) { m_state->setText(tr("Written: %1").arg(to)); });
+    connect(&m_stack->exporter(), &PlotExport::exportFailed, m_state, &QLabel::setText);
+    connect(m_job, &ExportJob::finished, this, [this](const QString &to, const Result<ExportReport> &report) {
+        m_state->setText(report ? tr("Written: %1").arg(to) : errorText(report.error()));
+    });
+}
+
+void SamplesWindow::showExports(const QPoint &at)
+{
+    auto *menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    m_stack->fillMenu(*menu);
+    menu->popup(at);
+}
+
+/// Every sample of what is seen, of the channels that are.
+void SamplesWindow::exportTable(const QString &path)
+{
+    if (!m_recording)
+        return;
+    ExportPlan plan;
+    for (int i = 0; i < m_channels->count(); ++i) {
+        if (m_channels->item(i)->checkState() != Qt::Checked)
+            continue;
+        const auto place = static_cast<std::uint16_t>(i);
+        const Channel &row = m_recording->table[place];
+        plan.channels.push_back({m_recording->telemetry, {place}, {}, {}, std::string(row.label), std::string(row.unit),
+            {}, m_recording->simulated});
+    }
+    for (const auto &[name, facts] : m_recording->about) {
+        if (!name.starts_with("loss "))
+            plan.about.emplace_back(name, facts);
+    }
+    const auto [from, to] = m_stack->view().range();
+    constexpr Duration rounding = std::chrono::microseconds(1); // of keys
+    plan.from = std::max(instantOf(from) - rounding, m_recording->first);
+    plan.to = std::min(instantOf(to) + rounding, m_recording->last);
+    const auto work = [plan, file = QFile::encodeName(path).toStdString()](
+                          const ExportProgress &progress) { return exportCsv(plan, file, progress); };
+    if (!m_job->start(work, path))
+        m_state->setText(tr("One export at a time: %1 is being written.").arg(m_job->path()));
 }
 
 void SamplesWindow::addKeys()

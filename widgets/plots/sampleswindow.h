@@ -11,8 +11,10 @@ class QListWidget;
 
 namespace mb {
 
+class ExportJob;
+
 /// A recording of samples (.mcap, .csv; of this program or another) in a window of its own: every channel with its switch,
-/// zoom, cursors and export as on the page Plots. It is read in the background; closing the window gives that up. GUI thread.
+/// zoom, cursors and export: pictures, and every sample as a table. It is read in the background; closing the window gives that up. GUI thread.
 class SamplesWindow : public QWidget {
     Q_OBJECT
 public:
@@ -32,13 +34,17 @@ Q_SIGNALS:
 private:
     void build(const QString &path, const ThemeSource &theme);
     void addKeys();
+    void connectExports();
     void read(const QString &path);
     void take(const Result<std::shared_ptr<const LoadedRecording>> &read);
     void listChannels(const std::vector<int> &traces);
+    void showExports(const QPoint &at);
+    void exportTable(const QString &path);
 
     PlotStack *m_stack = nullptr;
     QListWidget *m_channels = nullptr;
     QLabel *m_state = nullptr;
+    ExportJob *m_job = nullptr;
     std::shared_ptr<const LoadedRecording> m_recording;
     QString m_failure;
     QTimer m_tick;
