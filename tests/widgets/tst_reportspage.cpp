@@ -114,6 +114,8 @@ private Q_SLOTS:
     void aNoteGoesToTheEntryItWasBegunFor();
     void aNoteThatWasBegunIsKeptWhenItsEntryIsNotListedAnyMore();
     void whatIsWrittenIsWhatWasChosenBeforeAnotherUnitEnded();
+    void aCardIsThatOfTheUnitAsItIsNow();
+    void aBookThatCannotBeReadIsToldOnce();
 };
 
 void TestReportsPage::nothingIsScrolledSideways()
@@ -360,6 +362,42 @@ void TestReportsPage::whatIsWrittenIsWhatWasChosenBeforeAnotherUnitEnded()
     const QByteArray text = file.readAll();
     QVERIFY(text.contains("2103343A79F2"));
     QVERIFY(!text.contains("2103343A7B2E"));
+}
+
+void TestReportsPage::aCardIsThatOfTheUnitAsItIsNow()
+{
+    ReportsPageBench bench;
+    QTRY_COMPARE(bench.page->list().count(), 2);
+    bench.workbench.device(0).identity.edit().firmware = "9.99";
+    bench.workbench.publish();
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("card.html"));
+    QSignalSpy written(&bench.page->order(), &ReportOrder::written);
+    bench.page->write(path);
+    QTRY_COMPARE(written.size(), 1);
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QVERIFY(file.readAll().contains("9.99"));
+    bench.page->list().setCurrentRow(1);
+    bench.page->list().setCurrentRow(0);
+    QTRY_VERIFY(bench.page->previewText().contains(QStringLiteral("9.99")));
+}
+
+void TestReportsPage::aBookThatCannotBeReadIsToldOnce()
+{
+    ReportsPageBench bench;
+    QTRY_COMPARE(bench.page->list().count(), 2);
+    bench.page->hide();
+    bench.workbench.lines.clear();
+    bench.workbench.shot.devices.push_back(bench.workbench.device(0));
+    bench.workbench.device(1).id = {2};
+    bench.workbench.device(1).selector = "sim:can/dmc60c:6";
+    bench.workbench.book.matter = fail(Fault::LinkLost, say("the database is of a newer version"));
+    bench.page->show();
+    QTRY_VERIFY(!bench.workbench.lines.empty());
+    QVERIFY(bench.workbench.lines.front().text.contains(QStringLiteral("newer version")));
+    QCoreApplication::processEvents();
+    QCOMPARE(bench.workbench.lines.size(), 1U);
 }
 
 MB_WINDOW_TEST(TestReportsPage);

@@ -39,6 +39,18 @@ constexpr int pageWidth = 860;
 constexpr int previewBesideFrom = 760;
 constexpr int newestEntries = 2000; ///< of the journal, in the list
 
+/// Of a unit that is here as it is now, not as it was when the list was made.
+ReportUnit unitOf(const ReportEntry &entry, const Snapshot &shot)
+{
+    for (const DeviceView &view : shot.devices) {
+        if (entry.kind == ReportEntry::Kind::Visit || view.selector != entry.unit.selector)
+            continue;
+        if (ReportUnit now = reportUnitOf(view); now.unit == entry.unit.unit)
+            return now;
+    }
+    return entry.unit;
+}
+
 } // namespace
 
 ReportsPage::ReportsPage(
@@ -191,8 +203,10 @@ void ReportsPage::askJournal()
         return;
     m_workbench.visits().list(
         {}, [self = QPointer<ReportsPage>(this)](const Result<std::vector<service::Visit>> &visits) {
-            if (!self || !visits)
+            if (!self)
                 return;
+            if (!visits)
+                return self->m_workbench.report(Severity::Danger, {}, errorText(visits.error()));
             self->m_journal.clear();
             for (auto visit = visits->rbegin(); visit != visits->rend(); ++visit) {
                 if (static_cast<int>(self->m_journal.size()) == newestEntries)
@@ -216,6 +230,7 @@ void ReportsPage::follow()
         return;
     m_asked = asked;
     m_entries.clear();
+    const auto told = std::make_shared<bool>(false); // one book, asked for each unit
     for (const DeviceView &view : devices) {
         ReportEntry card;
         card.unit = reportUnitOf(view);
@@ -225,10 +240,15 @@ void ReportsPage::follow()
         wish.unit = card.unit.unit;
         m_entries.push_back(card);
         m_workbench.trials().gather(wish,
-            [self = QPointer<ReportsPage>(this), here = card.unit, asked](
+            [self = QPointer<ReportsPage>(this), here = card.unit, asked, told](
                 const Result<std::vector<ReportUnit>> &units) {
-                if (!self || !units || self->m_asked != asked)
+                if (!self || self->m_asked != asked)
                     return;
+                if (!units) {
+                    if (!std::exchange(*told, true))
+                        self->m_workbench.report(Severity::Danger, {}, errorText(units.error()));
+                    return;
+                }
                 for (const ReportUnit &unit : *units)
                     self->take(here, unit);
                 self->fill();
@@ -331,16 +351,17 @@ void ReportsPage::preview()
 
 void ReportsPage::lookAt(const ReportEntry &entry, int asked)
 {
-    m_order->make(entry.unit, entry.wish, [self = QPointer<ReportsPage>(this), asked](const Result<Report> &report) {
-        if (!self || self->m_shown != asked)
-            return;
-        if (!report)
-            return self->m_text->setPlainText(errorText(report.error()));
-        auto *drawings = new ReportDrawings(self->m_text);
-        self->m_text->document()->documentLayout()->registerHandler(QTextFormat::ImageObject, drawings);
-        self->m_text->setHtml(drawings->takeFrom(htmlOf(*report, self->m_order->form())));
-        delete std::exchange(self->m_drawings, drawings);
-    });
+    m_order->make(unitOf(entry, m_workbench.snapshot()), entry.wish,
+        [self = QPointer<ReportsPage>(this), asked](const Result<Report> &report) {
+            if (!self || self->m_shown != asked)
+                return;
+            if (!report)
+                return self->m_text->setPlainText(errorText(report.error()));
+            auto *drawings = new ReportDrawings(self->m_text);
+            self->m_text->document()->documentLayout()->registerHandler(QTextFormat::ImageObject, drawings);
+            self->m_text->setHtml(drawings->takeFrom(htmlOf(*report, self->m_order->form())));
+            delete std::exchange(self->m_drawings, drawings);
+        });
 }
 
 /// The note is on what is chosen. What was begun on another entry is kept there; what is being typed on this one stays.
@@ -397,13 +418,13 @@ void ReportsPage::keepNote(const std::string &visit, const QString &note, const 
 void ReportsPage::exportChosen()
 {
     if (const ReportEntry *entry = chosen())
-        m_order->ask(entry->unit, entry->wish);
+        m_order->ask(unitOf(*entry, m_workbench.snapshot()), entry->wish);
 }
 
 void ReportsPage::write(const QString &path)
 {
     if (const ReportEntry *entry = chosen())
-        m_order->write(entry->unit, entry->wish, path);
+        m_order->write(unitOf(*entry, m_workbench.snapshot()), entry->wish, path);
 }
 
 void ReportsPage::askTable()
