@@ -48,6 +48,10 @@ RollingRecorder::~RollingRecorder()
     (void)endSegment();
     if (m_lock < 0)
         return;
+    if (m_left) {
+        ::close(m_lock);
+        return;
+    }
     std::error_code ignored;
     fs::remove(m_path + '/' + lockName, ignored);
     const std::string last = m_options.folder + '/' + lastName;

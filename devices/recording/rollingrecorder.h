@@ -25,7 +25,7 @@ public:
     explicit RollingRecorder(Options options);
     RollingRecorder(const RollingRecorder &) = delete;
     RollingRecorder &operator=(const RollingRecorder &) = delete;
-    /// Ends the last file; the folder becomes `last-session`, in place of the one before.
+    /// Ends the last file; the folder becomes `last-session`, in place of the one before, unless it is left.
     ~RollingRecorder();
 
     /// What there is now. Channels that went away stay in the files that have them, and are let go of once all of theirs is there;
@@ -43,6 +43,9 @@ public:
     /// Joins everything since `keep` before startKeeping() into one file, and goes back to rolling. While samples wait for a disk that takes
     /// nothing it fails with that cause, and goes on keeping.
     [[nodiscard]] Result<ExportReport> save(const std::string &path, const ExportProgress &progress);
+
+    /// What is kept could not be saved: the folder stays as that of a run that was killed, for recoverRecordings().
+    void leave() { m_left = true; }
 
     [[nodiscard]] std::uint64_t bytes() const;
     [[nodiscard]] std::uint64_t samples() const;
@@ -87,6 +90,7 @@ private:
     std::optional<Error> m_failure; ///< of the last write
     std::size_t m_number = 0;
     bool m_keeping = false;
+    bool m_left = false;
     bool m_aboutChanged = false;
 };
 

@@ -2,6 +2,7 @@
 #include "plotbench.h"
 #include "support/fulldisk.h"
 #include "support/windowtests.h"
+#include <QSet>
 
 using namespace mb;
 using namespace mb::test;
@@ -24,6 +25,8 @@ private Q_SLOTS:
     void tracesOfALinkThatIsClosedComeBackWithIt();
     void aDerivedSignalThatWaitsForItsDevicesRebuildsNothing();
     void whatIsPlayedIsNotRecordedAgain();
+    void whatIsKeptAndCannotBeSavedAtTheEndIsRecoveredAtTheNextStart();
+    void recordingsOfOneSecondHaveNamesOfTheirOwn();
 };
 
 void TestPlotKeeping::notesStandInThePlotAndInTheFile()
@@ -343,6 +346,40 @@ void TestPlotKeeping::whatIsPlayedIsNotRecordedAgain()
     QVERIFY(loaded);
     QCOMPARE((*loaded)->table.size(), dmc60c().channels.size());
     bench.page->setRecorder(nullptr, {});
+}
+
+void TestPlotKeeping::whatIsKeptAndCannotBeSavedAtTheEndIsRecoveredAtTheNextStart()
+{
+    PlotBench bench;
+    const QTemporaryDir folder;
+    QFile taken(folder.filePath(s("kept"))); // no folder can be there
+    QVERIFY(taken.open(QIODevice::WriteOnly));
+    for (const bool again : {false, true}) {
+        auto recorder = std::make_unique<Recorder>(bench.workbench, folder.path() + s("/rolling"));
+        bench.page->setRecorder(recorder.get(), folder.filePath(s("kept")));
+        bench.pass(5.0, 60000.0);
+        QTRY_VERIFY(recorder->state().samples > 100);
+        if (!again)
+            recorder->startKeeping(folder.filePath(s("kept")));
+        if (again)
+            QTRY_VERIFY(!bench.workbench.lines.empty());
+        bench.page->setRecorder(nullptr, {});
+        recorder.reset();
+    }
+    QVERIFY2(
+        bench.workbench.lines.front().text.contains(s("recovered-")), qPrintable(bench.workbench.lines.front().text));
+    const QFileInfoList files = QDir(folder.filePath(s("rolling"))).entryInfoList({s("recovered-*.mcap")}, QDir::Files);
+    QCOMPARE(files.size(), 1);
+    QVERIFY(loadRecording(files.first().filePath().toStdString()));
+}
+
+void TestPlotKeeping::recordingsOfOneSecondHaveNamesOfTheirOwn()
+{
+    const QTemporaryDir folder;
+    QSet<QString> names;
+    for (int i = 0; i < 20; ++i)
+        names << recordingIn(folder.filePath(s("kept")));
+    QCOMPARE(names.size(), 20);
 }
 
 MB_WINDOW_TEST(TestPlotKeeping);

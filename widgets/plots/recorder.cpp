@@ -14,12 +14,26 @@ namespace {
 
 constexpr std::chrono::milliseconds period{500};
 
+/// Nothing is left under the name where it fails.
+Result<ExportReport> saveTo(RollingRecorder &recorder, const QString &path)
+{
+    auto report = recorder.save(path.toStdString(), {});
+    if (!report && QFileInfo(path).size() == 0)
+        QFile::remove(path);
+    return report;
+}
+
 } // namespace
 
 QString recordingIn(const QString &folder)
 {
-    return QDir(folder).filePath(
-        QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss")) + QStringLiteral(".mcap"));
+    QDir().mkpath(folder);
+    const QString name
+        = QDir(folder).filePath(QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss")));
+    QString path = name + QStringLiteral(".mcap");
+    for (int i = 2; !QFile(path).open(QIODevice::NewOnly) && QFile::exists(path); ++i)
+        path = name + QStringLiteral("-%1.mcap").arg(i);
+    return path;
 }
 
 Recorder::Recorder(Workbench &workbench, const QString &folder, QObject *parent)
@@ -119,8 +133,8 @@ void Recorder::work()
 
 void Recorder::saveKept(RollingRecorder &recorder) const
 {
-    QDir().mkpath(m_keepFolder);
-    (void)recorder.save(recordingIn(m_keepFolder).toStdString(), {}); // where it cannot, the last session has it
+    if (!saveTo(recorder, recordingIn(m_keepFolder)))
+        recorder.leave();
 }
 
 /// Once when it begins, once when it is over.
@@ -166,7 +180,7 @@ void Recorder::save(const QString &path)
         m_state.saving = true;
     }
     post([this, path](RollingRecorder &recorder) {
-        const auto report = recorder.save(path.toStdString(), {});
+        const auto report = saveTo(recorder, path);
         const QString error = report ? QString() : errorText(report.error());
         {
             const std::lock_guard lock(m_mutex);

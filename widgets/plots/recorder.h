@@ -12,7 +12,7 @@
 
 namespace mb {
 
-/// The file of a recording that is saved now, in a folder.
+/// The file of a recording that is saved now, in a folder, which is made. It is there and empty, so that nobody else takes its name.
 [[nodiscard]] QString recordingIn(const QString &folder);
 
 /// The recording that always runs: writes to disk in a thread of its own what devices send, twice a second. GUI thread.
@@ -29,7 +29,8 @@ public:
     };
     /// `folder`: where all runs keep theirs. Reports recordings of runs that were killed to the workbench.
     Recorder(Workbench &workbench, const QString &folder, QObject *parent = nullptr);
-    /// Writes what is recorded up to now; what was kept and not saved goes where startKeeping() said.
+    /// Writes what is recorded up to now; what was kept and not saved goes where startKeeping() said. Where it cannot, the next
+    /// start recovers it.
     ~Recorder() override;
 
     [[nodiscard]] State state() const;

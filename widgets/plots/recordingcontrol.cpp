@@ -9,7 +9,6 @@
 #include "widgets/plots/recorder.h"
 #include "widgets/plots/telemetrysource.h"
 
-#include <QDir>
 #include <cmath>
 
 namespace mb {
@@ -67,7 +66,6 @@ void RecordingControl::toggle()
         return m_recorder->startKeeping(m_folder);
     if (m_recorder->state().saving)
         return;
-    QDir().mkpath(m_folder);
     m_recorder->save(recordingIn(m_folder));
 }
 
