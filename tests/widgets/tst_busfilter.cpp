@@ -21,6 +21,7 @@ private Q_SLOTS:
     void helpNamesEveryKey();
     void fieldsKnowTheirBits();
     void valuesAreForPeople();
+    void aFilterOfThousandsOfBracketsIsRefused();
 };
 
 namespace {
@@ -238,6 +239,15 @@ void BusFilterTest::valuesAreForPeople()
     error.id = 0x24;
     error.data[1] = 0x20;
     QCOMPARE(errorFrameText(error), QStringLiteral("nobody acknowledged, error-passive"));
+}
+
+void BusFilterTest::aFilterOfThousandsOfBracketsIsRefused()
+{
+    QVERIFY(!FrameFilter(QStringLiteral("(").repeated(30000)).problem().isEmpty());
+    QVERIFY(!FrameFilter(QStringLiteral("not ").repeated(8000) + QStringLiteral("is:tx")).problem().isEmpty());
+    QVERIFY(FrameFilter(QStringLiteral("(").repeated(20) + QStringLiteral("is:tx") + QStringLiteral(")").repeated(20))
+                .problem()
+                .isEmpty());
 }
 
 MB_WINDOW_TEST(BusFilterTest);

@@ -10,6 +10,8 @@ namespace {
 
 using Join = FilterTree::Join;
 
+constexpr int deepest = 100;
+
 /// Words and brackets; blanks around a comparison do not part it.
 QStringList wordsOf(QString text)
 {
@@ -74,6 +76,18 @@ std::size_t FrameFilterParser::allOf()
 }
 
 std::size_t FrameFilterParser::one()
+{
+    if (m_depth == deepest) {
+        fail(tr("more than %1 brackets and negations inside each other").arg(deepest));
+        return 0;
+    }
+    ++m_depth;
+    const std::size_t node = inner();
+    --m_depth;
+    return node;
+}
+
+std::size_t FrameFilterParser::inner()
 {
     if (atEnd() || isNext("or") || isNext("and") || isNext(")")) {
         const bool first = m_next == 0;

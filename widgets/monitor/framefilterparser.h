@@ -23,6 +23,7 @@ private:
     std::size_t anyOf();
     std::size_t allOf();
     std::size_t one();
+    std::size_t inner();
     std::size_t add(FilterTree::Node node);
     std::size_t addTerm(const QString &word);
     void fail(const QString &problem);
@@ -30,6 +31,7 @@ private:
     FilterTree m_tree;
     QStringList m_words;
     int m_next = 0;
+    int m_depth = 0; ///< brackets and negations around what is read
     QString m_problem;
 };
 
