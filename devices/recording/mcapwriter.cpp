@@ -70,7 +70,7 @@ Result<std::unique_ptr<McapWriter>> McapWriter::create(const OutputFile &place)
 Result<std::unique_ptr<McapWriter>> McapWriter::onto(const std::string &path, std::FILE *file)
 {
     if (!file)
-        return fail(notWritten(Fault::LinkLost, path, errno));
+        return fail(notWritten(Fault::OutOfRange, path, errno));
     std::setvbuf(file, nullptr, _IOFBF, 1U << 18U);
     return std::unique_ptr<McapWriter>(new McapWriter(path, file));
 }
@@ -131,7 +131,7 @@ Result<void> McapWriter::flush()
     if (m_error == 0 && std::fflush(m_file.get()) != 0)
         m_error = errno;
     if (m_error != 0)
-        return fail(notWritten(Fault::LinkLost, m_path, m_error));
+        return fail(notWritten(Fault::OutOfRange, m_path, m_error));
     return {};
 }
 

@@ -24,7 +24,7 @@ struct McapChannel {
 /// One thread.
 class McapWriter {
 public:
-    /// LinkLost with the cause when the file cannot be made.
+    /// OutOfRange with the cause when the file cannot be made.
     [[nodiscard]] static Result<std::unique_ptr<McapWriter>> create(const std::string &path);
     /// Into an open file, which is complete after finish() and the file's own commit().
     [[nodiscard]] static Result<std::unique_ptr<McapWriter>> create(const OutputFile &place);
@@ -37,7 +37,7 @@ public:
     void write(std::uint16_t channel, std::int64_t nanoseconds, double value, std::uint64_t lost, bool gap);
     /// Named facts, such as the parameters of a device. The same name may come again; the last one counts.
     void metadata(const std::string &name, const mcap::Map &facts);
-    /// Hands everything to the kernel: it survives the end of this process. LinkLost when the disk is full.
+    /// Hands everything to the kernel: it survives the end of this process. OutOfRange when the disk is full.
     [[nodiscard]] Result<void> flush();
     /// Summary and end. Nothing may be written afterwards.
     [[nodiscard]] Result<void> finish();

@@ -72,7 +72,7 @@ Result<void> RollingRecorder::lockFolder()
     fs::create_directories(m_path, error);
     m_lock = error ? -1 : ::open((m_path + '/' + lockName).c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600);
     if (m_lock < 0)
-        return fail(Fault::LinkLost,
+        return fail(Fault::OutOfRange,
             say("%1 cannot be written: %2", m_path, (error ? error.message() : std::string(std::strerror(errno)))));
     (void)::flock(m_lock, LOCK_EX | LOCK_NB);
     return {};

@@ -31,7 +31,7 @@ public:
     /// What there is now. Channels that went away stay in the files that have them, and are let go of once all of theirs is there;
     /// one in another unit is another channel.
     void follow(const std::vector<ExportChannel> &channels, std::vector<std::pair<std::string, mcap::Map>> about);
-    /// Writes what has been recorded since and hands it to the kernel. LinkLost with path and cause; nothing is lost as
+    /// Writes what has been recorded since and hands it to the kernel. OutOfRange with path and cause; nothing is lost as
     /// long as the histories have it: files end with their last whole sample, and the next call goes on behind it, in a new one.
     [[nodiscard]] Result<void> write(Instant now, Duration unixOffset);
     /// A note for the file.
