@@ -31,6 +31,8 @@ private Q_SLOTS:
     void theTriggerStaysOnItsSignalWhateverItIsCalled();
     void devicesOfOneNumberAreToldApart();
     void fittingLeavesReferencesOutOfTheTime();
+    void noStretchIsShorterThanALayoutMayBe();
+    void withoutTracesNothingOldIsLeftInTheOtherViews();
 };
 
 void TestPlotBoard::twoDevicesInOnePlotLookDifferent()
@@ -399,6 +401,33 @@ void TestPlotBoard::fittingLeavesReferencesOutOfTheTime()
     QVERIFY(bench.stack().view().isLive());
     bench.pass(0.1, 60000.0);
     QVERIFY(std::abs(bench.stack().view().range().second - plotKey(bench.workbench.time)) < 0.1);
+}
+
+void TestPlotBoard::noStretchIsShorterThanALayoutMayBe()
+{
+    PlotView view;
+    view.setRange(10.0, 10.0 + 1e-5);
+    QVERIFY(view.span() >= 1e-3 * (1.0 - 1e-9));
+    QVERIFY(view.range().first <= 10.0 && view.range().second >= 10.0 + 1e-5); // around what was wished for
+    PlotLayout layout;
+    layout.window = view.window();
+    QVERIFY(PlotLayout::fromJson(layout.toJson()));
+}
+
+void TestPlotBoard::withoutTracesNothingOldIsLeftInTheOtherViews()
+{
+    PlotBench bench;
+    bench.pass(2.0, 60000.0);
+    for (const auto view : {PlotsPage::View::Against, PlotsPage::View::Spectrum}) {
+        bench.page->showView(view);
+        QVERIFY(!bench.page->curves(view).curves().empty());
+    }
+    bench.workbench.shot.devices.clear();
+    bench.selection.select({});
+    bench.workbench.publish();
+    QCOMPARE(bench.page->traceCount(), std::size_t{0});
+    for (const auto view : {PlotsPage::View::Against, PlotsPage::View::Spectrum})
+        QVERIFY(bench.page->curves(view).curves().empty());
 }
 
 MB_WINDOW_TEST(TestPlotBoard);

@@ -104,6 +104,8 @@ void AgainstView::follow()
             : std::find(m_listed.begin(), m_listed.end(), listed.at(static_cast<std::size_t>(before)));
         box->setCurrentIndex(kept == m_listed.end() ? other : static_cast<int>(kept - m_listed.begin()));
     }
+    if (m_listed.empty())
+        m_plot->setCurves({});
     if (m_across->count() > 1 && m_across->currentIndex() == m_upwards->currentIndex())
         m_across->setCurrentIndex(m_upwards->currentIndex() == 0 ? 1 : 0); // against itself it is a line
 }
@@ -135,6 +137,12 @@ SpectrumView::SpectrumView(PlotStack &stack, PlotBoard &board, const ThemeSource
     auto *column = layoutIn<QVBoxLayout>(this);
     column->addWidget(m_plot);
     m_plot->setAxes(tr("frequency, Hz"), tr("amplitude"), true);
+}
+
+void SpectrumView::follow()
+{
+    if (m_board.traces().empty())
+        m_plot->setCurves({});
 }
 
 void SpectrumView::refresh()

@@ -39,6 +39,8 @@ class SpectrumView : public QWidget {
 public:
     SpectrumView(PlotStack &stack, PlotBoard &board, const ThemeSource &theme, QWidget *parent);
     [[nodiscard]] CurvePlot &plot() { return *m_plot; }
+    /// Other traces are on the board.
+    void follow();
     void refresh();
 
 private:

@@ -259,6 +259,7 @@ void PlotsPage::boardChanged()
     m_panel->followBoard();
     m_trigger->follow();
     m_against->follow();
+    m_spectrum->follow();
     if (m_plots->currentIndex() <= 1)
         m_plots->setCurrentIndex(traces.empty() ? 0 : 1);
     if (!traces.empty())

@@ -44,11 +44,13 @@ void PlotView::setRange(double from, double to)
 {
     if (!(to > from))
         return;
-    m_from = from;
-    m_to = to;
+    const double wider = std::max(0.0, ShortestWindow - (to - from)) / 2;
+    m_from = from - wider;
+    m_to = to + wider;
     setLive(false);
-    if (!qFuzzyCompare(m_window, to - from)) {
-        m_window = to - from;
+    // A window that is remembered is never shorter, by rounding neither.
+    if (const double window = std::max(m_to - m_from, ShortestWindow); !qFuzzyCompare(m_window, window)) {
+        m_window = window;
         Q_EMIT windowChanged(m_window);
     }
     Q_EMIT changed();

@@ -22,7 +22,7 @@ public:
     /// All that there is: a recording has no present, and what would follow it shows all of it.
     void setWhole(double from, double to);
     [[nodiscard]] const std::optional<std::pair<double, double>> &whole() const { return m_whole; }
-    /// Shows this stretch of time and stops following.
+    /// Shows this stretch of time, at least a millisecond about its middle, and stops following.
     void setRange(double from, double to);
     [[nodiscard]] std::pair<double, double> range() const { return {m_from, m_to}; }
     [[nodiscard]] double span() const { return m_to - m_from; }
