@@ -465,6 +465,10 @@
         <source>&apos;(&apos; is not closed: a &apos;)&apos; is missing</source>
         <translation>„(“ ist nicht geschlossen: ein „)“ fehlt</translation>
     </message>
+    <message>
+        <source>more than %1 brackets and negations inside each other</source>
+        <translation>mehr als %1 Klammern und Verneinungen ineinander</translation>
+    </message>
 </context>
 <context>
     <name>FrameTermReader</name>
@@ -2417,6 +2421,10 @@
     <message>
         <source>Open a link, or the simulated bench from the menu; what passes on it appears here.</source>
         <translation>Eine Verbindung oder im Menü den simulierten Prüfstand öffnen; hier erscheint, was darüber läuft.</translation>
+    </message>
+    <message>
+        <source>%1 is not open</source>
+        <translation>%1 ist nicht offen</translation>
     </message>
 </context>
 <context>
@@ -8466,6 +8474,10 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     <message>
         <source>%1: no samples</source>
         <translation>%1: keine Messwerte</translation>
+    </message>
+    <message>
+        <source>One export at a time: %1 is being written.</source>
+        <translation>Nur ein Export zur selben Zeit: %1 wird gerade geschrieben.</translation>
     </message>
 </context>
 <context>

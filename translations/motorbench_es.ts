@@ -465,6 +465,10 @@
         <source>&apos;(&apos; is not closed: a &apos;)&apos; is missing</source>
         <translation>«(» sin cerrar: falta «)»</translation>
     </message>
+    <message>
+        <source>more than %1 brackets and negations inside each other</source>
+        <translation>más de %1 paréntesis y negaciones unos dentro de otros</translation>
+    </message>
 </context>
 <context>
     <name>FrameTermReader</name>
@@ -2417,6 +2421,10 @@
     <message>
         <source>Open a link, or the simulated bench from the menu; what passes on it appears here.</source>
         <translation>Abra un enlace, o el banco simulado desde el menú; lo que pase por él aparece aquí.</translation>
+    </message>
+    <message>
+        <source>%1 is not open</source>
+        <translation>%1 no está abierto</translation>
     </message>
 </context>
 <context>
@@ -8466,6 +8474,10 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
     <message>
         <source>%1: no samples</source>
         <translation>%1: sin muestras</translation>
+    </message>
+    <message>
+        <source>One export at a time: %1 is being written.</source>
+        <translation>Solo una exportación a la vez: se está escribiendo %1.</translation>
     </message>
 </context>
 <context>

@@ -465,6 +465,10 @@
         <source>&apos;(&apos; is not closed: a &apos;)&apos; is missing</source>
         <translation>«&#xa0;(&#xa0;» n’est pas fermé&#xa0;: il manque un «&#xa0;)&#xa0;»</translation>
     </message>
+    <message>
+        <source>more than %1 brackets and negations inside each other</source>
+        <translation>plus de %1 parenthèses et négations imbriquées</translation>
+    </message>
 </context>
 <context>
     <name>FrameTermReader</name>
@@ -2417,6 +2421,10 @@
     <message>
         <source>Open a link, or the simulated bench from the menu; what passes on it appears here.</source>
         <translation>Ouvrez une liaison, ou le banc simulé depuis le menu&#x202f;; ce qui y passe apparaît ici.</translation>
+    </message>
+    <message>
+        <source>%1 is not open</source>
+        <translation>%1 n’est pas ouvert</translation>
     </message>
 </context>
 <context>
@@ -8466,6 +8474,10 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     <message>
         <source>%1: no samples</source>
         <translation>%1&#xa0;: aucun échantillon</translation>
+    </message>
+    <message>
+        <source>One export at a time: %1 is being written.</source>
+        <translation>Un seul export à la fois&#xa0;: %1 est en cours d’écriture.</translation>
     </message>
 </context>
 <context>

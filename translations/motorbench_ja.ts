@@ -465,6 +465,10 @@
         <source>&apos;(&apos; is not closed: a &apos;)&apos; is missing</source>
         <translation>「(」が閉じていません: 「)」がありません</translation>
     </message>
+    <message>
+        <source>more than %1 brackets and negations inside each other</source>
+        <translation>括弧と否定の入れ子が %1 段を超えています</translation>
+    </message>
 </context>
 <context>
     <name>FrameTermReader</name>
@@ -2415,6 +2419,10 @@
     <message>
         <source>Open a link, or the simulated bench from the menu; what passes on it appears here.</source>
         <translation>リンク、またはメニューからシミュレーションベンチを開いてください。流れるデータがここに表示されます。</translation>
+    </message>
+    <message>
+        <source>%1 is not open</source>
+        <translation>%1 は開いていません</translation>
     </message>
 </context>
 <context>
@@ -8456,6 +8464,10 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     <message>
         <source>%1: no samples</source>
         <translation>%1: サンプルなし</translation>
+    </message>
+    <message>
+        <source>One export at a time: %1 is being written.</source>
+        <translation>エクスポートは一度に 1 件です: %1 を書出し中です。</translation>
     </message>
 </context>
 <context>

@@ -465,6 +465,10 @@
         <source>&apos;(&apos; is not closed: a &apos;)&apos; is missing</source>
         <translation>“(”未闭合：缺少“)”</translation>
     </message>
+    <message>
+        <source>more than %1 brackets and negations inside each other</source>
+        <translation>括号和否定的嵌套超过 %1 层</translation>
+    </message>
 </context>
 <context>
     <name>FrameTermReader</name>
@@ -2415,6 +2419,10 @@
     <message>
         <source>Open a link, or the simulated bench from the menu; what passes on it appears here.</source>
         <translation>打开链路，或从菜单打开仿真台架；链路上传输的内容会显示在此处。</translation>
+    </message>
+    <message>
+        <source>%1 is not open</source>
+        <translation>%1 未打开</translation>
     </message>
 </context>
 <context>
@@ -8456,6 +8464,10 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     <message>
         <source>%1: no samples</source>
         <translation>%1：无采样</translation>
+    </message>
+    <message>
+        <source>One export at a time: %1 is being written.</source>
+        <translation>一次只能进行一个导出：正在写入 %1。</translation>
     </message>
 </context>
 <context>
