@@ -469,6 +469,10 @@
         <source>more than %1 brackets and negations inside each other</source>
         <translation>plus de %1 parenthèses et négations imbriquées</translation>
     </message>
+    <message>
+        <source>more than %1 brackets and negations inside each other</source>
+        <translation>plus de %1 parenthèses et négations imbriquées</translation>
+    </message>
 </context>
 <context>
     <name>FrameTermReader</name>
@@ -2433,6 +2437,10 @@
     <message>
         <source>Open a link, or the simulated bench from the menu; what passes on it appears here.</source>
         <translation>Ouvrez une liaison, ou le banc simulé depuis le menu ; ce qui y passe apparaît ici.</translation>
+    </message>
+    <message>
+        <source>%1 is not open</source>
+        <translation>%1 n’est pas ouvert</translation>
     </message>
     <message>
         <source>%1 is not open</source>
@@ -8502,6 +8510,10 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     <message>
         <source>One export at a time: %1 is being written.</source>
         <translation>Un seul export à la fois : %1 est en cours d’écriture.</translation>
+    </message>
+    <message>
+        <source>One export at a time: %1 is being written.</source>
+        <translation>Un seul export à la fois&#xa0;: %1 est en cours d’écriture.</translation>
     </message>
 </context>
 <context>

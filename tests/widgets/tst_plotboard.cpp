@@ -396,11 +396,11 @@ void TestPlotBoard::fittingLeavesReferencesOutOfTheTime()
 {
     PlotBench bench;
     bench.pass(2.0, 60000.0);
-    const auto range = bench.stack().view().range();
     bench.board().keepReferences();
     bench.stack().fit();
-    QCOMPARE(bench.stack().view().range(), range);
     QVERIFY(bench.stack().view().isLive());
+    bench.pass(0.1, 60000.0);
+    QVERIFY(std::abs(bench.stack().view().range().second - plotKey(bench.workbench.time)) < 0.1);
 }
 
 void TestPlotBoard::noStretchIsShorterThanALayoutMayBe()

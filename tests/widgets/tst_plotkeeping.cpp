@@ -294,6 +294,7 @@ void TestPlotKeeping::tracesOfALinkThatIsClosedComeBackWithIt()
     QCOMPARE(bench.page->traceCount(), std::size_t{5});
     QVERIFY(bench.page->layoutBook().current() == layout);
     QVERIFY(bench.trace("#5 current").second);
+    bench.selection.select({3});
     bench.page->layoutBook().reset(); // and are forgotten
     bench.workbench.publish();
     QCOMPARE(bench.page->layoutBook().current().traces.size(), std::size_t{4});
