@@ -70,10 +70,29 @@ TEST_F(Dmc60cContact, AUnitIsNotFoundAgainBeforeItsProductIsKnown)
     const std::string product = "0206F005#341203012060";
     const std::string versions = "0206F005#3412000017010901";
     unit.answer(enumeration, {{versions}, {product, versions}}, 5ms);
-    const auto found = test::run(clock, contact.findAgain(1s));
+    Task<UpdateContact::Unit> task = contact.findAgain(1s);
+    task.start();
+    ASSERT_TRUE(clock.runUntil([&task] { return task.isFinished(); }, 2s));
+    const auto found = task.result();
     ASSERT_TRUE(found) << found.error().text();
     EXPECT_EQ(found->productId.value_or(0) >> 20U, productDmc60c)
         << "a lost frame does not skip the check of the image";
+}
+
+TEST_F(Dmc60cContact, WhatOtherHostsAreAnsweredDoesNotKeepAnOrderWaiting)
+{
+    Timer others(clock);
+    std::function<void()> chatter = [&] {
+        unit.send("0206FCC5#00000000"); // no versions follow
+        others.startIn(100ms, chatter);
+    };
+    chatter();
+    const Instant begin = clock.now();
+    Task<VendorReply> task = contact.order(Command::GetFwver);
+    task.start();
+    ASSERT_TRUE(clock.runUntil([&task] { return task.isFinished(); }, 5s)) << "for ever";
+    EXPECT_FALSE(task.result());
+    EXPECT_LT(clock.now() - begin, 1s) << "three times a quarter of a second";
 }
 
 TEST_F(Dmc60cContact, WhereEveryOrderWasAnsweredNoneWaits)

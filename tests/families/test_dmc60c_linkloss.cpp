@@ -274,6 +274,61 @@ TEST(Dmc60cLinkLoss, ALinkThatStaysAwayEndsTheUpdateWithTheCauseAndTheRemedy)
     expectDoneAgain(bench.end(), "run again");
 }
 
+TEST(Dmc60cLinkLoss, AUnitThatRestartedBeforeTheLinkWentIsNotSaidToWaitInItsBootloader)
+{
+    LossBench bench;
+    bench.begin();
+    ASSERT_TRUE(bench.clock.runUntil([&] { return bench.watch.told("restarted, the application answers"); }, 1min));
+    bench.host.pullOut();
+    const UpdateReport report = bench.end();
+    EXPECT_EQ(report.fault, Fault::LinkLost);
+    EXPECT_EQ(report.summary().english().find("bootloader"), std::string::npos) << report.summary();
+}
+
+TEST(Dmc60cLinkLoss, ALinkThatIsLostBehindTheBytesOfPage30LeavesAUnitThatWaitsInItsBootloader)
+{
+    LossBench bench;
+    bench.begin();
+    ASSERT_TRUE(bench.reaches("Page 30"));
+    bench.clock.advance(30ms); // before its status
+    ASSERT_TRUE(bench.pages.empty());
+    bench.host.pullOut();
+    const UpdateReport report = bench.end();
+    EXPECT_NE(report.summary().english().find("waits in its bootloader"), std::string::npos) << report.summary();
+}
+
+TEST(Dmc60cLinkLoss, AUnitThatRefusesPage30RunsItsOldApplicationAgain)
+{
+    for (const bool resets : {true, false}) {
+        LossBench bench;
+        VirtualCanLink other(*LinkAddress::parse("sim:can"), bench.bus);
+        ASSERT_TRUE(other.open());
+        Timer refusal(bench.clock);
+        const Subscription page = bench.host.traffic().add([&](const Traffic &traffic) {
+            const std::string text = toText(*traffic.can);
+            if (traffic.direction != Direction::Sent || !text.starts_with("0206FC05#"))
+                return;
+            if (text.substr(13, 4) == "F100" && !resets)
+                bench.bus.setLoss(1.0);
+            if (text.substr(13, 4) != "F200")
+                return;
+            bench.bus.setLoss(1.0); // nothing of it arrives
+            refusal.startIn(100ms, [&] {
+                bench.bus.setLoss(0.0);
+                EXPECT_TRUE(other.send(*canFrameFromText("0206FCC5#02000000")));
+            });
+        });
+        bench.begin();
+        const UpdateReport report = bench.end();
+        EXPECT_EQ(report.outcome, UpdateOutcome::Failed);
+        EXPECT_NE(report.evidence.english().find("refuses page 30"), std::string::npos) << report.evidence;
+        EXPECT_EQ(report.summary().english().find("waits in its bootloader"), std::string::npos);
+        EXPECT_EQ(bench.watch.told("restarted, the application answers"), resets);
+        EXPECT_EQ(report.summary().english().find("its old firmware is still there") == std::string::npos, resets)
+            << report.summary();
+    }
+}
+
 TEST(Dmc60cLinkLoss, ALinkThatIsClosedOrLostAgainAndAgainIsNotWaitedForForEver)
 {
     LossBench closed;

@@ -165,5 +165,18 @@ TEST_F(SupermodifiedRefusals, AStartThatIsRefusedEachTimeIsGivenUpAfterFour)
     EXPECT_FALSE(device->command(setPoint(Mode::Velocity, 200.0)));
 }
 
+TEST_F(SupermodifiedRefusals, ACodeWithoutANameIsToldByItsNumber)
+{
+    node.disturb("error", 0x7F);
+    bench.clock.advance(500ms);
+    node.disturb("error", 0x7F);
+    bench.clock.advance(500ms);
+    const auto faults = mb::test::run(bench.clock, device->readFaults());
+    ASSERT_TRUE(faults);
+    ASSERT_EQ(faults->size(), codeNames().size() + 1);
+    EXPECT_EQ(faults->back().key, "code_7f");
+    EXPECT_EQ(faults->back().count, 2);
+}
+
 } // namespace
 } // namespace mb::supermodified

@@ -87,8 +87,10 @@ Task<PageWriter::End> PageWriter::writePage(const Page &page)
         m_lastSent = m_lastSent || page.number == firstPage;
         auto writing = m_contact.send(command, transferOf(page), Attempts{1, pageTimeout}, m_gap);
         const Result<VendorReply> reply = co_await std::move(writing).attempt();
-        if (!reply && reply.error().fault != Fault::Timeout)
+        if (!reply && reply.error().fault != Fault::Timeout) {
+            m_touched = true; // its bytes may have arrived
             co_return fail(reply.error());
+        }
         Verdict verdict = Verdict::Again;
         if (reply) {
             const Result<Verdict> told = verdictOf(page, reply->status);

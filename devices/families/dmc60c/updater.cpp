@@ -43,8 +43,10 @@ UpdateReport Updater::failed(const Error &error) const
                                           : UpdateOutcome::Failed;
     report.evidence = error.detail;
     report.remedy = error.help();
-    if (m_pages.hasTouched())
+    if (m_pages.hasTouched() && m_inBootloader)
         report.remedy = joined(report.remedy, say("the unit waits in its bootloader, run the update again"));
+    else if (m_entered && m_inBootloader)
+        report.remedy = joined(report.remedy, say("restart the unit: its old firmware is still there"));
     return report;
 }
 
@@ -74,8 +76,11 @@ Task<UpdateReport> Updater::run(UpdateOptions options)
     }
     auto installing = install();
     const Result<void> installed = co_await std::move(installing).attempt();
-    if (!installed)
+    if (!installed) {
+        auto giving = giveBack();
+        (void)co_await std::move(giving).attempt();
         co_return failed(installed.error());
+    }
     m_report.pages = m_pages.pages();
     m_report.retries = m_pages.retries();
     m_report.outcome = UpdateOutcome::Done;
@@ -109,7 +114,8 @@ Task<void> Updater::preflight(bool force)
         m_report.from.empty()
             ? say("image %1 of %2 pages, unit without application, bootloader %3", version, pages, bootloader)
             : say("image %1 of %2 pages, unit runs %3, bootloader %4", version, pages, m_report.from, bootloader));
-    m_runs = !isInBootloader(now);
+    m_inBootloader = isInBootloader(now);
+    m_runs = !m_inBootloader;
     m_upToDate = !force && !isInBootloader(now) && now.application == m_application.version;
     for (int number = lastPage; number >= firstPage; --number)
         m_progress.part(number, PartState::Absent);
@@ -141,6 +147,8 @@ Task<void> Updater::enterBootloader()
     const VendorReply reply = co_await std::move(entering);
     if (const auto good = check(Command::EnterBootloader, reply); !good)
         co_return fail(good.error());
+    m_entered = m_entered || !m_inBootloader;
+    m_inBootloader = true;
     auto asking = m_contact.versions();
     const FirmwareVersions now = co_await std::move(asking);
     if (!isInBootloader(now))
@@ -205,7 +213,8 @@ Task<void> Updater::lookAgain()
     auto asking = m_contact.versions();
     const FirmwareVersions now = co_await std::move(asking);
     m_isWritten = m_pages.hasSentLast() && now.application == m_application.version;
-    m_isLeft = m_isWritten && !isInBootloader(now);
+    m_inBootloader = isInBootloader(now);
+    m_isLeft = m_isWritten && !m_inBootloader;
     if (m_isWritten) {
         m_progress.log(Severity::Info, say("all pages are in the unit"));
         co_return {};
@@ -242,14 +251,25 @@ Task<void> Updater::leaveBootloader()
     if (reply) {
         if (const auto good = check(Command::SoftReset, *reply); !good)
             co_return fail(good.error());
+        m_inBootloader = false;
         m_progress.log(Severity::Good, say("restarted, the application answers"));
         co_return {};
     }
     if (reply.error().fault != Fault::Timeout)
         co_return fail(reply.error());
     auto finding = m_contact.findAgain(findLimit);
-    co_await std::move(finding);
+    const UpdateContact::Unit unit = co_await std::move(finding);
+    m_inBootloader = !unit.versions || isInBootloader(*unit.versions);
     m_progress.log(Severity::Caution, say("the answer to the reset was lost; found again by enumeration"));
+    co_return {};
+}
+
+Task<void> Updater::giveBack()
+{
+    if (!m_entered || !m_inBootloader || m_pages.hasTouched())
+        co_return {};
+    auto leaving = leaveBootloader();
+    co_await std::move(leaving);
     co_return {};
 }
 
@@ -263,7 +283,8 @@ Task<void> Updater::verify()
         auto again = m_contact.versions();
         now = co_await std::move(again);
     }
-    if (isInBootloader(now) || now.application != m_application.version)
+    m_inBootloader = isInBootloader(now);
+    if (m_inBootloader || now.application != m_application.version)
         co_return fail(Fault::BadCheck,
             insteadOf(m_application.version,
                 now.application == noApplication

@@ -33,6 +33,8 @@ private:
     [[nodiscard]] Task<void> writeAll();
     [[nodiscard]] Task<void> leaveBootloader();
     [[nodiscard]] Task<void> verify();
+    /// Nothing was erased: the application that is there runs again.
+    [[nodiscard]] Task<void> giveBack();
     [[nodiscard]] UpdateReport failed(const Error &error) const;
 
     Device &m_device;
@@ -41,9 +43,11 @@ private:
     UpdateContact m_contact;
     PageWriter m_pages;
     bool m_upToDate = false;
-    bool m_runs = false;      ///< the application, before the update
-    bool m_isWritten = false; ///< all pages are in
-    bool m_isLeft = false;    ///< and the application runs
+    bool m_runs = false;         ///< the application, before the update
+    bool m_entered = false;      ///< its bootloader, by our order
+    bool m_inBootloader = false; ///< as it said last
+    bool m_isWritten = false;    ///< all pages are in
+    bool m_isLeft = false;       ///< and the application runs
     int m_restarts = 0;
     int m_losses = 0; ///< of the link
     UpdateReport m_report;

@@ -11,7 +11,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::size_t frameSize = 8;
-constexpr Duration atOnce = 250ms; ///< commands that may take longer write flash, or restart
+constexpr Duration longestBytes = 2s; ///< after the last moment for the status
+constexpr Duration atOnce = 250ms;    ///< commands that may take longer write flash, or restart
 
 CanInbox::Match replyMatch(const VendorRequest &request)
 {
@@ -57,13 +58,19 @@ bool belongs(const VendorRequest &request, const VendorStatus &status)
     }
 }
 
-/// One status of ours and the bytes it announces. A newer one begins anew: the one before answered an earlier try.
-Task<VendorReply> collect(CanInbox &inbox, const VendorRequest &request, Duration timeout)
+/// One status of ours, until `timeout`, and the bytes it announces, each in that time. A newer one begins anew: the one before answered
+/// an earlier try. Other hosts may hold as many conversations meanwhile as they like.
+Task<VendorReply> collect(CanInbox &inbox, Clock &clock, const VendorRequest &request, Duration timeout)
 {
     VendorReply reply;
     std::optional<std::size_t> expected;
+    const Instant statusUntil = clock.now() + timeout;
     while (!expected || reply.data.size() < *expected) {
-        const Result<CanFrame> frame = co_await inbox.next(timeout);
+        const Instant now = clock.now();
+        const Duration left = expected ? timeout : statusUntil - now;
+        if (left <= Duration::zero() || now >= statusUntil + longestBytes)
+            co_return fail(Fault::Timeout, say("no answer"));
+        const Result<CanFrame> frame = co_await inbox.next(left);
         if (!frame)
             co_return fail(frame.error());
         const auto status = decodeVendorStatus(*frame);
@@ -115,8 +122,8 @@ Task<VendorReply> vendorExchange(CanLink &link, Clock &clock, VendorRequest requ
     for (int i = 0; i < patience.tries(attempts.tries); ++i) {
         auto sending = sendAll(link, clock, request);
         co_await std::move(sending);
-        auto collecting
-            = collect(inbox, request, asks ? patience.answer(attempts.timeout) : patience.work(attempts.timeout));
+        auto collecting = collect(
+            inbox, clock, request, asks ? patience.answer(attempts.timeout) : patience.work(attempts.timeout));
         Result<VendorReply> reply = co_await std::move(collecting).attempt();
         if (reply) {
             reply->unanswered = i;

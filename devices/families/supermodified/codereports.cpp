@@ -3,7 +3,25 @@
 
 #include "families/supermodified/codec.h"
 
+#include <algorithm>
+
 namespace mb::supermodified {
+
+namespace {
+
+bool isNamed(std::uint8_t code)
+{
+    const auto names = codeNames();
+    return std::any_of(names.begin(), names.end(), [code](const CodeName &name) { return name.code == code; });
+}
+
+std::string keyOf(std::uint8_t code)
+{
+    constexpr std::string_view digits = "0123456789abcdef";
+    return std::string("code_") + digits[code >> 4U] + digits[code & 0xFU];
+}
+
+} // namespace
 
 bool CodeReports::take(std::uint8_t code)
 {
@@ -28,6 +46,10 @@ std::vector<FaultRecord> CodeReports::records() const
         const bool any = reported != m_codes.end();
         records.push_back(
             {std::string(name.key), any && reported->second.active, any, any ? reported->second.count : 0});
+    }
+    for (const auto &[code, reported] : m_codes) {
+        if (!isNamed(code))
+            records.push_back({keyOf(code), false, true, reported.count});
     }
     return records;
 }

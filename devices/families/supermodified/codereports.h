@@ -14,7 +14,7 @@ public:
     bool take(std::uint8_t code);
     /// The motor was started: what switched it off before is over.
     void started();
-    /// All that a node may report, in the order of codeNames().
+    /// All that a node may report, in the order of codeNames(), and last, as code_7f, those that it has reported and that have no name: those of D3 are not known.
     [[nodiscard]] std::vector<FaultRecord> records() const;
     /// Liveness::faults.
     [[nodiscard]] std::vector<std::string> active() const;
