@@ -44,6 +44,12 @@ template <class T> bool take(std::span<const std::uint8_t> &rest, T &value)
     return true;
 }
 
+/// "abstractdc:3" of "socketcan:can0/abstractdc:3": a line may have another name by now.
+std::string_view unitOf(std::string_view name)
+{
+    return name.substr(name.rfind('/') + 1);
+}
+
 bool isOurs(const std::string &folder)
 {
     struct stat state { };
@@ -192,7 +198,7 @@ void DebtBook::remove(std::string_view name)
 {
     if (exists())
         (void)change([name](std::vector<Debt> &debts) {
-            std::erase_if(debts, [name](const Debt &known) { return known.name == name; });
+            std::erase_if(debts, [name](const Debt &known) { return unitOf(known.name) == unitOf(name); });
         });
 }
 

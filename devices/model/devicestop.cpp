@@ -71,6 +71,7 @@ void DeviceStop::linkIsBack(bool sameLine)
         return;
     m_isOurLine = sameLine;
     if (!sameLine) {
+        m_look.stop(); // who answers here has nothing to say of the motor on the other line
         enter(StopState::Unconfirmed);
         return;
     }

@@ -50,8 +50,10 @@ void SessionStops::dismiss()
 {
     m_owed.dismiss();
     for (Device *device : m_devices.all()) {
-        if (device->stopping().mayTurn())
-            device->stopping().dismiss();
+        if (!device->stopping().mayTurn())
+            continue;
+        device->stopping().dismiss();
+        m_owed.settle(*device, m_links.lineOf(device->link())); // the book of its guardian may owe it, too
     }
     m_devices.changed().notify();
 }

@@ -108,6 +108,8 @@ Task<void> UnitRun::perform(Step step, Work work)
     co_await std::move(beginning);
     auto working = (this->*work)();
     const Message detail = co_await std::move(working);
+    if (auto same = isSame(); !same) // what comes next must not be done to it
+        co_return fail(same.error());
     m_visit.steps.push_back({step, 0.0, true, detail});
     auto ending = write();
     co_await std::move(ending);

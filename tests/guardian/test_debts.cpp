@@ -70,6 +70,11 @@ TEST(DebtBook, KeepsWhatIsOwedForEveryProcessOfTheUser)
     book.remove("a");
     book.remove("b");
     EXPECT_FALSE(other.exists());
+    EXPECT_TRUE(book.add(debt("socketcan:can0/abstractdc:3")));
+    EXPECT_TRUE(book.add(debt("socketcan:can0/abstractdc:4")));
+    book.remove("socketcan:can1/abstractdc:3"); // the same line under another name
+    ASSERT_EQ(other.read().size(), 1U);
+    EXPECT_EQ(other.read()[0].name, "socketcan:can0/abstractdc:4");
 }
 
 TEST(DebtBook, LosesNothingWhenSeveralWriteAtOnce)

@@ -152,6 +152,10 @@ TEST_F(Stopping, IsNotSentToAnotherAdapterUnderTheSameName)
     clock.advance(1min);
     EXPECT_TRUE(link.sent.empty());
     EXPECT_EQ(motor.stopping().state(), StopState::Unconfirmed);
+    motor.seenStopped = true; // who answers there stands
+    clock.advance(1min);
+    EXPECT_EQ(motor.stopping().state(), StopState::Unconfirmed);
+    EXPECT_TRUE(motor.stopping().mayTurn());
 }
 
 TEST_F(Stopping, IsOwedForTenMinutes)

@@ -193,7 +193,7 @@ TEST_F(SessionLines, TheUserDismissesWhatIsOwedAndWhatMayTurn)
     guard.settled.clear();
     stops.dismiss();
     EXPECT_TRUE(stops.owed().empty());
-    EXPECT_EQ(guard.settled.size(), 1U);
+    EXPECT_EQ(guard.settled.size(), 2U) << "the books of both lines";
     EXPECT_FALSE(other.stopping().mayTurn());
     EXPECT_GE(told, 1);
 }

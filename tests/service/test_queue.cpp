@@ -92,6 +92,31 @@ TEST_F(ServiceQueues, OneUnitGoesThroughEveryStep)
     EXPECT_EQ(found->front()->identity().address, 10);
 }
 
+TEST_F(ServiceQueues, AUnitThatIsSwappedDuringItsUpdateIsNeitherSetUpNorTested)
+{
+    UnitRack rack({"dmc60c:5,serial=210334000001,firmware=1.23,session=0x1111",
+        "dmc60c:5,serial=210334000002,firmware=1.23,session=0x2222"});
+    const RecipeMatter matter = load(rack, shortText);
+    QueueOptions options;
+    options.units = 1;
+    QueueRun run(rack, *books, matter, options);
+    rack.putOn(0);
+    run.queue.start();
+    const auto isUpdating = [this] {
+        const auto visits = books->visits();
+        return !visits.empty() && visits.front().step == Step::Firmware;
+    };
+    ASSERT_TRUE(rack.clock.runUntil(isUpdating, 1min));
+    rack.clock.advance(5s);
+    rack.putOn(1);
+    ASSERT_TRUE(rack.clock.runUntil([&] { return run.isEnded; }, 10min));
+    const auto visits = books->visits();
+    ASSERT_EQ(visits.size(), 1U);
+    EXPECT_EQ(visits[0].outcome, Outcome::Failed) << visits[0].evidence.english();
+    EXPECT_EQ(visits[0].step, Step::Firmware) << visits[0].cause.english();
+    EXPECT_EQ(run.permit.count, 0) << "its motor must not turn";
+}
+
 /// A wire that loses frames while the motor turns, as often as it is asked to.
 class LossyTests : public ServiceQueues {
 protected:
