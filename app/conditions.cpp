@@ -6,6 +6,7 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/updates.h"
 #include "widgets/control/arming.h"
+#include "widgets/control/motionwords.h"
 
 #include <QPointer>
 
@@ -55,7 +56,7 @@ void Conditions::follow()
         if (!m_workbench.snapshot().device(gone))
             endReset(gone);
     }
-    if (const QString names = m_arming.mayTurn(); !names.isEmpty())
+    if (const QString names = namesThatMayTurn(m_workbench.snapshot()); !names.isEmpty())
         m_banners.post(QLatin1String(mayTurnKey), BannerKind::Danger, tr("%1 may still turn: cut its power").arg(names),
             tr("Its stop was not confirmed. It is sent again, and first of all when its line is back."),
             tr("I have looked: it stands"));

@@ -128,7 +128,7 @@ void ServiceJobs::choose()
     for (const service::QueueRow &row : m_queue->rows()) {
         if (m_judged.insert(row.id).second && row.state == service::RowState::Skipped
             && m_chosen->count(row.device) > 0)
-            m_queue->retry(row.id);
+            (void)m_queue->retry(row.id); // it was found just now
     }
 }
 
@@ -164,8 +164,9 @@ void ServiceJobs::again(const std::function<void()> &order)
 
 void ServiceJobs::carryOut(const orders::RetryUnit &order, const Finished &finished)
 {
-    again([this, &order] { m_queue->retry(order.row); });
-    finished({});
+    Result<void> done = fail(Fault::Refused, say("nothing is served here"), say("begin a queue first"));
+    again([&] { done = m_queue->retry(order.row); });
+    finished(done);
 }
 
 void ServiceJobs::carryOut(const orders::RetryFailedUnits &, const Finished &finished)

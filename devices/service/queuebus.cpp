@@ -346,11 +346,17 @@ bool QueueBus::skip(std::uint32_t id)
     return true;
 }
 
-bool QueueBus::retry(std::uint32_t id)
+Result<void> QueueBus::retry(std::uint32_t id)
 {
     Row *const row = m_rows.find(id);
-    if (!row || row == m_serving || row->shown.state == RowState::Waiting || row->shown.state == RowState::Passed)
-        return false;
+    if (!row)
+        return fail(Fault::Refused, say("it is not in the queue"));
+    if (row == m_serving || row->shown.state == RowState::Waiting)
+        return fail(Fault::Refused, say("it is being served, or waits for its turn"));
+    if (row->shown.state == RowState::Passed)
+        return fail(Fault::Refused, say("it has passed"), say("take it off and put it on again to serve it once more"));
+    if (row->gone)
+        return fail(Fault::Refused, say("it was taken off"), say("put it on again; it gets a row of its own"));
     if (isEnded(row->shown.state)) {
         m_run.uncount(row->shown.visit);
         Visit again;
@@ -362,7 +368,7 @@ bool QueueBus::retry(std::uint32_t id)
     }
     row->shown.state = RowState::Waiting;
     row->shown.what = {};
-    return true;
+    return {};
 }
 
 bool QueueBus::retryFailed()
@@ -370,7 +376,7 @@ bool QueueBus::retryFailed()
     bool any = false;
     for (const Row &row : m_rows.all()) {
         if (row.shown.state == RowState::Failed)
-            any = retry(row.shown.id) || any;
+            any = retry(row.shown.id).has_value() || any;
     }
     return any;
 }

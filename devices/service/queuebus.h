@@ -27,8 +27,9 @@ public:
     void addRows(std::vector<QueueRow> &rows) const;
 
     bool skip(std::uint32_t row);
-    /// Whether it is here, and waits again.
-    bool retry(std::uint32_t row);
+    [[nodiscard]] bool has(std::uint32_t row) { return m_rows.find(row) != nullptr; }
+    /// It waits again. Refused, with the reason: nothing comes of it.
+    [[nodiscard]] Result<void> retry(std::uint32_t row);
     bool retryFailed();
     void stop();
     void renewLease();

@@ -1,11 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "service/queuerun.h"
 
+#include "settings/unit.h"
+
 #include <QUuid>
 
+#include <algorithm>
+#include <span>
 #include <utility>
 
 namespace mb::service {
+
+namespace {
+
+/// As retrying does: what a unit came to at last counts. Who stands in a place may be another than the one before.
+bool isTriedAgain(const Visit &visit, std::span<const Visit> later)
+{
+    return visit.outcome != Outcome::Passed && settings::byOf(visit.unit) == settings::Unit::By::Serial
+        && std::any_of(later.begin(), later.end(), [&visit](const Visit &one) { return one.unit == visit.unit; });
+}
+
+} // namespace
 
 QueueRun::QueueRun(Clock &clock, RecipeMatter matter, QueueSurroundings surroundings, QueueOptions options)
     : m_clock(clock)
@@ -25,8 +40,10 @@ Task<void> QueueRun::recall()
     filter.run = m_options.run;
     auto asking = m_around.journal.visits(std::move(filter));
     m_earlier = co_await std::move(asking);
-    for (const Visit &visit : m_earlier)
-        change(visit, 1);
+    for (auto visit = m_earlier.begin(); visit != m_earlier.end(); ++visit) {
+        if (!isTriedAgain(*visit, {std::next(visit), m_earlier.end()}))
+            change(*visit, 1);
+    }
     co_return {};
 }
 

@@ -84,13 +84,16 @@ void ServiceQueue::skip(std::uint32_t row)
     changed().notify();
 }
 
-void ServiceQueue::retry(std::uint32_t row)
+Result<void> ServiceQueue::retry(std::uint32_t row)
 {
-    for (const auto &bus : m_buses) {
-        if (bus->retry(row) && !m_run.isFinishing())
-            startLane(*bus);
-    }
+    const auto found = std::find_if(m_buses.begin(), m_buses.end(), [row](const auto &bus) { return bus->has(row); });
+    if (found == m_buses.end())
+        return fail(Fault::Refused, say("it is not in the queue"));
+    Result<void> done = (*found)->retry(row);
+    if (done && !m_run.isFinishing())
+        startLane(**found);
     changed().notify();
+    return done;
 }
 
 void ServiceQueue::retryFailed()

@@ -49,8 +49,8 @@ public:
     void resume() { m_run.setPausing(false); }
     /// A unit that waits is left out; one that is being served ends where nothing must be cut, and stays open in the journal.
     void skip(std::uint32_t row);
-    /// One that was skipped, failed or refused once more, as a new visit.
-    void retry(std::uint32_t row);
+    /// One that was skipped, failed or refused once more, as a new visit. Refused, with the reason: nothing comes of it.
+    [[nodiscard]] Result<void> retry(std::uint32_t row);
     void retryFailed();
     /// No more units; ends when those that run have ended.
     void finish() { m_run.finish(); }

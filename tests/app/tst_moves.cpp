@@ -136,6 +136,10 @@ void MovesTest::prepare(const QString &target)
     QVERIFY(m_arming->isArmed(m_engine->snapshot().devices.front().id));
     for (QLineEdit *field : m_page->column().movesPanel().findChildren<QLineEdit *>())
         field->setText(target);
+    for (QCheckBox *box : m_page->column().movesPanel().findChildren<QCheckBox *>()) {
+        if (box->text().startsWith(QLatin1Char('#')))
+            box->setChecked(true);
+    }
     QTest::mouseClick(&button("prepareMoves"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(button("startMoves").isEnabled(), movePatience);
     QCOMPARE(energized(), 4);

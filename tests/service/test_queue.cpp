@@ -193,7 +193,7 @@ TEST_F(ServiceQueues, PauseSkipAndRetry)
     EXPECT_EQ(run.queue.rows()[2].state, RowState::Failed) << run.queue.rows()[2].visit.cause.english();
     EXPECT_FALSE(run.queue.rows()[2].visit.number); // a failed unit uses up no number
     run.isEnded = false;
-    run.queue.retry(run.queue.rows()[1].id);
+    ASSERT_TRUE(run.queue.retry(run.queue.rows()[1].id));
     ASSERT_TRUE(rack.clock.runUntil([&] { return run.isEnded; }, 2min));
     EXPECT_EQ(run.queue.counts().passed, 2);
     EXPECT_EQ(run.queue.rows()[1].visit.number, 11);
@@ -203,6 +203,53 @@ TEST_F(ServiceQueues, PauseSkipAndRetry)
     EXPECT_EQ(run.queue.counts().failed, 1);
     EXPECT_EQ(run.queue.rows()[2].tries, 2);
     EXPECT_EQ(books->visits().size(), 4U);
+}
+
+TEST_F(ServiceQueues, AUnitThatWasTakenOffIsNotTriedAgainAndItsFailureStays)
+{
+    UnitRack rack({"dmc60c:7,serial=210334000003,fault=encoder-reversed", "dmc60c:8,serial=210334000004"});
+    QueueOptions options;
+    options.units = 0;
+    QueueRun run(rack, *books, load(rack, shortText), options);
+    rack.putOn(0);
+    run.queue.start();
+    ASSERT_TRUE(rack.clock.runUntil([&] { return run.queue.counts().failed == 1; }, 5min));
+    rack.putOn(std::nullopt);
+    rack.clock.advance(1min);
+    const Result<void> again = run.queue.retry(run.queue.rows()[0].id);
+    ASSERT_FALSE(again);
+    EXPECT_FALSE(again.error().detail.empty());
+    EXPECT_EQ(run.queue.counts().failed, 1);
+    EXPECT_EQ(run.queue.rows()[0].state, RowState::Failed);
+    EXPECT_FALSE(run.queue.retry(4711)) << "there is no such row";
+}
+
+TEST_F(ServiceQueues, AUnitThatPassedInTheEndIsNoFailureOfTheRunThatIsGoneOnWith)
+{
+    UnitRack rack({"dmc60c:7,serial=210334000003,fault=encoder-reversed", "dmc60c:8,serial=210334000004"});
+    const RecipeMatter matter = load(rack, shortText);
+    QueueOptions options;
+    {
+        QueueRun run(rack, *books, matter);
+        run.queue.start();
+        ASSERT_TRUE(rack.clock.runUntil([&] { return run.isEnded; }, 5min));
+        ASSERT_EQ(run.queue.counts().failed, 1);
+        options.run = run.queue.run();
+    }
+    const auto visits = books->visits();
+    const auto failed = std::find_if(
+        visits.begin(), visits.end(), [](const Visit &visit) { return visit.outcome == Outcome::Failed; });
+    ASSERT_NE(failed, visits.end());
+    const Result<Visit> second = test::run(rack.clock, books->journal->open(*failed)); // as another try would write it
+    ASSERT_TRUE(second);
+    Visit passed = *second;
+    passed.outcome = Outcome::Passed;
+    ASSERT_TRUE(test::run(rack.clock, books->journal->write(passed)));
+    QueueRun again(rack, *books, matter, options);
+    again.queue.start();
+    ASSERT_TRUE(rack.clock.runUntil([&] { return again.isEnded; }, 5min));
+    EXPECT_EQ(again.queue.counts().failed, 0);
+    EXPECT_EQ(again.queue.counts().passed, 2);
 }
 
 /// Puts units on one after the other, as a person does: the next when a unit has ended.

@@ -35,6 +35,7 @@ private Q_SLOTS:
     void anotherSlotHasTheSameProposalsUnderItsOwnKeys();
     void thePredictedStepHasTheBandOfTheErrors();
     void aFrequencyResponseIsAnnouncedMeasuredAndDrawnAsFarAsItIsTrusted();
+    void aFrequencyResponseIsOfTheMotorThatWasMeasuredAndOfNoneThatWasStopped();
     void whatIsStoppedBeforeItHasAModelLeavesTheOneThatIsKnown();
     void cardsAreChosenByKeysAndShowTheirOwnLoop();
     void theKeysOrder();
@@ -241,6 +242,40 @@ void TestDesignPage::aFrequencyResponseIsAnnouncedMeasuredAndDrawnAsFarAsItIsTru
     QVERIFY(curves.back().points);
     QCOMPARE(curves.back().x.size(), 2); // nothing beyond the first that is not to be trusted
     QVERIFY(!bench.arming.isOnTrial());
+}
+
+void TestDesignPage::aFrequencyResponseIsOfTheMotorThatWasMeasuredAndOfNoneThatWasStopped()
+{
+    DesignBench bench;
+    bench.workbench.shot.devices.push_back(tunableDrive(bench.recording.telemetry(), 2, 7));
+    auto *const sweep = bench.page->findChild<SweepPanel *>();
+    const auto curves = [&bench] { return bench.page->findChild<BodePlot *>()->magnitude().curves().size(); };
+    for (const std::uint32_t id : {2U, 1U}) {
+        bench.selection.select({id});
+        bench.arming.arm({id});
+        bench.page->identify();
+        bench.finish(identified());
+    }
+    const auto without = curves();
+    FrequencyResponse response;
+    response.points = {{0.3, 340000.0, -10.0, 0.99, true}, {1.0, 280000.0, -37.0, 0.99, true}};
+    response.stopReason = "travel";
+    sweep->measure();
+    const auto stopped = bench.workbench.given<orders::RunSweep>().back().finished;
+    stopped(response);
+    QCOMPARE(curves(), without);
+    bench.arm();
+    sweep->measure();
+    QCOMPARE(bench.workbench.given<orders::RunSweep>().size(), std::size_t(2));
+    bench.selection.select({2});
+    response.stopReason.clear();
+    const auto finished = bench.workbench.given<orders::RunSweep>().back().finished;
+    finished(response);
+    bench.workbench.publish();
+    QCOMPARE(curves(), without);
+    bench.selection.select({1});
+    bench.workbench.publish();
+    QCOMPARE(curves(), without + 1);
 }
 
 void TestDesignPage::whatIsStoppedBeforeItHasAModelLeavesTheOneThatIsKnown()

@@ -18,6 +18,7 @@ private Q_SLOTS:
     void aSecondUpdateOnTheBusIsRefusedWithWords();
     void anotherBusMayBeUpdatedMeanwhile();
     void withoutADeviceNothingIsSaidOfAMotor();
+    void aCancelledUpdateSaysWhatIsKnownOfTheUnit();
 };
 
 namespace {
@@ -141,6 +142,27 @@ void FirmwareTest::withoutADeviceNothingIsSaidOfAMotor()
     QVERIFY(!bench.says(QStringLiteral("motor stopped")));
     QVERIFY(bench.says(QStringLiteral("motor not known")));
     QVERIFY(bench.says(QStringLiteral("no device")));
+}
+
+void FirmwareTest::aCancelledUpdateSaysWhatIsKnownOfTheUnit()
+{
+    FirmwareBench bench;
+    bench.writing();
+    OperationView &operation = bench.workbench.shot.operations.front();
+    operation.status.state = OperationStatus::State::Cancelled;
+    operation.status.done = 0;
+    operation.update = UpdateReport{};
+    operation.update->outcome = UpdateOutcome::Cancelled;
+    operation.update->evidence = say("cancelled");
+    bench.workbench.publish();
+    QVERIFY(bench.says(QStringLiteral("nothing was written")));
+    operation.update->pages = 4;
+    bench.workbench.publish();
+    QVERIFY(!bench.says(QStringLiteral("nothing was written")));
+    operation.update->evidence = say("page 4 is the last that was written");
+    operation.update->remedy = say("run the update again");
+    bench.workbench.publish();
+    QVERIFY(bench.says(QStringLiteral("page 4 is the last that was written")));
 }
 
 MB_WINDOW_TEST(FirmwareTest);

@@ -98,6 +98,7 @@ class TestHistory : public QObject {
 private Q_SLOTS:
     void theNewestStateIsComparedFirst();
     void whatIsTickedIsRestored();
+    void ticksStayUntilAnotherStateIsChosen();
     void whatBelongsToOneUnitIsCopiedOnlyIfItIsTickedItself();
     void theTimelineTellsWhoWroteWhatFromWhere();
     void anyTwoStatesAreCompared();
@@ -115,6 +116,30 @@ void TestHistory::theNewestStateIsComparedFirst()
     QCOMPARE(bench.column(3).at(1), QStringLiteral("2"));
     QVERIFY(bench.column(5).at(0).contains(QStringLiteral("belongs to one unit")));
     QCOMPARE(bench.table()->item(0, 0)->checkState(), Qt::Unchecked);
+}
+
+void TestHistory::ticksStayUntilAnotherStateIsChosen()
+{
+    HistoryBench bench;
+    QTRY_COMPARE(bench.table()->rowCount(), 3);
+    bench.table()->item(0, 0)->setCheckState(Qt::Checked); // of one unit
+    bench.table()->item(1, 0)->setCheckState(Qt::Unchecked);
+    DeviceView &drive = bench.workbench.device(0);
+    drive.parameters.edit()[named("slot1.i").value].raw = 77; // somebody writes, or the page reads
+    ++drive.parameterRevision;
+    bench.workbench.publish();
+    QTRY_COMPARE(bench.table()->rowCount(), 4);
+    QCOMPARE(bench.table()->item(0, 0)->checkState(), Qt::Checked);
+    const int row = bench.column(1).indexOf(QStringLiteral("slot1.p"));
+    QCOMPARE(bench.table()->item(row, 0)->checkState(), Qt::Unchecked);
+    auto *const b = bench.boxOf("State B");
+    const int before = b->currentIndex();
+    for (const int place : {before == 1 ? 2 : 1, before}) {
+        b->setCurrentIndex(place);
+        Q_EMIT b->activated(place);
+    }
+    QCOMPARE(bench.table()->item(0, 0)->checkState(), Qt::Unchecked);
+    QCOMPARE(bench.table()->item(bench.column(1).indexOf(QStringLiteral("slot1.p")), 0)->checkState(), Qt::Checked);
 }
 
 void TestHistory::whatBelongsToOneUnitIsCopiedOnlyIfItIsTickedItself()

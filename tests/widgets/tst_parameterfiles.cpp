@@ -13,6 +13,7 @@ class TestParameterFiles : public QObject {
 private Q_SLOTS:
     void exportAndImportAreARoundTrip();
     void exportIsTheFileOfTheConsole();
+    void onlyWhatIsInTheFileIsCounted();
     void importNeverWrites();
     void anImportIsTakenBackByItsNoticeOnlyWhileItIsTheLastEdit();
     void aFileWithAnUnknownKeyIsRefusedAsAWhole();
@@ -40,6 +41,27 @@ void TestParameterFiles::exportAndImportAreARoundTrip()
     QCOMPARE(second.edits().find(named("slot1.p"))->value.raw.value(), rawOf("slot1.p", 1.165));
     QTest::keyClick(second.page.get(), Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(second.edits().count(), 0);
+}
+
+void TestParameterFiles::onlyWhatIsInTheFileIsCounted()
+{
+    ParameterBench bench;
+    const QTemporaryDir folder;
+    DeviceView &drive = bench.workbench.device(0);
+    drive.parameters.edit()[named("slot1.i").value] = {};
+    ++drive.parameterRevision;
+    bench.workbench.publish();
+    const QString path = folder.filePath(QStringLiteral("part.json"));
+    bench.page->exportTo(path);
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QJsonObject rows
+        = QJsonDocument::fromJson(file.readAll()).object().value(QLatin1String("parameters")).toObject();
+    const auto written = static_cast<int>(std::count_if(rows.begin(), rows.end(),
+        [](const QJsonValue &row) { return row.toObject().value(QLatin1String("raw")).isDouble(); }));
+    QVERIFY(written > 0 && written < static_cast<int>(drive.parameters->size()));
+    const QString said = bench.workbench.lines.back().text;
+    QVERIFY2(said.startsWith(QString::number(written) + QLatin1Char(' ')), qPrintable(said));
 }
 
 void TestParameterFiles::exportIsTheFileOfTheConsole()

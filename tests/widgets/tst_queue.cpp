@@ -30,6 +30,7 @@ private Q_SLOTS:
     void pagesThatWereSentAgainAreThoseOfTheShownUnit();
     void whatMustNotBeCutIsShown();
     void aUnitWhoseSelfTestTurnsItsMotorIsNotSafeToUnplug();
+    void aBarIsWholeOnlyForAUnitThatPassed();
     void theLogTellsEveryUnit();
     void pauseSkipRetryAndCancelAreOrders();
     void aCutQueueIsOfferedAndGoneOnWith();
@@ -147,6 +148,7 @@ void QueueTest::eachRowTellsHowFarItIsAndWhatCameOfIt()
     passed.visit.seconds = 9.8;
     QueueRow running = bench.row(2, 2, RowState::Running);
     running.what = say("writing page");
+    running.visit.step = service::Step::Firmware;
     running.done = 17;
     running.total = 28;
     QueueRow refused = bench.row(3, 3, RowState::Refused);
@@ -161,7 +163,7 @@ void QueueTest::eachRowTellsHowFarItIsAndWhatCameOfIt()
     QCOMPARE(bench.cell(0, QueueModel::Versions), QStringLiteral("1.23 → 1.25"));
     QVERIFY(bench.cell(0, QueueModel::Outcome).contains(QStringLiteral("55")));
     QCOMPARE(bench.model().index(0, QueueModel::Share).data(QueueModel::ShareRole).toInt(), 100);
-    QCOMPARE(bench.model().index(1, QueueModel::Share).data(QueueModel::ShareRole).toInt(), 60);
+    QCOMPARE(bench.model().index(1, QueueModel::Share).data(QueueModel::ShareRole).toInt(), 37); // two of seven steps and a part
     QVERIFY(bench.cell(1, QueueModel::Time).startsWith(QStringLiteral("5.0")));
     QVERIFY(bench.cell(2, QueueModel::Outcome).contains(QStringLiteral("number 9")));
     QVERIFY(bench.cell(3, QueueModel::StepNow).contains(QStringLiteral("Firmware")));
@@ -266,6 +268,32 @@ void QueueTest::aUnitWhoseSelfTestTurnsItsMotorIsNotSafeToUnplug()
     testing.state = RowState::Passed;
     bench.workbench.serve({testing}, false);
     QVERIFY(!bench.says(QStringLiteral("Do not unplug")));
+}
+
+void QueueTest::aBarIsWholeOnlyForAUnitThatPassed()
+{
+    QueueBench bench;
+    QVERIFY(bench.board().openImage(demoImage));
+    const auto shareAt = [&bench](service::Step step, int done, RowState state) {
+        QueueRow row = bench.row(1, 1, state);
+        row.visit.step = step;
+        row.done = done;
+        row.total = 31;
+        ServiceView view;
+        view.rows = {row};
+        view.matter = std::make_shared<service::RecipeMatter>();
+        const auto &shot = bench.workbench.shot;
+        const auto totals = totalsOf(view, bench.workbench.time).share;
+        return std::pair(queueLines(view, shot, nullptr, {}, bench.workbench.time).front().done.value_or(-1), totals);
+    };
+    using service::Step;
+    QVERIFY2(shareAt(Step::Firmware, 31, RowState::Running).first < 100, "nothing is compared or proven yet");
+    QVERIFY(shareAt(Step::Firmware, 31, RowState::Running).second < 1.0);
+    QVERIFY(shareAt(Step::Proof, 31, RowState::Running).first < 100);
+    QVERIFY(shareAt(Step::Firmware, 31, RowState::Running).first <= shareAt(Step::Proof, 0, RowState::Running).first);
+    QVERIFY(shareAt(Step::Firmware, 0, RowState::Running).first < shareAt(Step::Firmware, 20, RowState::Running).first);
+    QVERIFY2(shareAt(Step::Proof, 31, RowState::Failed).first < 100, "a failure is no green bar");
+    QCOMPARE(shareAt(Step::Done, 31, RowState::Passed).first, 100);
 }
 
 void QueueTest::theLogTellsEveryUnit()

@@ -84,6 +84,14 @@ void HoldButton::changeEvent(QEvent *event)
     CommandButton::changeEvent(event);
 }
 
+/// The release goes to whatever window has the focus by then.
+bool HoldButton::event(QEvent *event)
+{
+    if (event->type() == QEvent::WindowDeactivate || event->type() == QEvent::ActivationChange)
+        giveUp();
+    return CommandButton::event(event);
+}
+
 void HoldButton::paintEvent(QPaintEvent *event)
 {
     CommandButton::paintEvent(event);

@@ -35,6 +35,7 @@ protected:
     void timerEvent(QTimerEvent *event) override;
     void hideEvent(QHideEvent *event) override;
     void changeEvent(QEvent *event) override;
+    bool event(QEvent *event) override;
 
 private:
     void endHold();

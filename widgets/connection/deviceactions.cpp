@@ -101,7 +101,7 @@ void askRename(Workbench &workbench, DeviceId id, QWidget &parent)
         dialog, &QInputDialog::textValueSelected, &workbench, [&workbench, id, label](const QString &text) {
             const QString name = text.left(64);
             if (!name.isEmpty())
-                workbench.send(orders::Rename{id, name.toLatin1().toStdString()},
+                workbench.send(orders::Rename{id, name.toStdString()},
                     reportTo(workbench, label, DeviceActions::tr("renamed to %1").arg(name)));
         });
     dialog->open();

@@ -15,6 +15,13 @@
 #include <algorithm>
 
 namespace mb {
+
+/// What an experiment ended by: `reason` as in Trial.
+struct TrialEnding {
+    std::string reason;
+    Message detail;
+};
+
 namespace {
 
 constexpr Duration startTime = std::chrono::seconds(1);
@@ -38,6 +45,38 @@ QString lossOf(const DeviceView &view)
     return view.liveness.restarted ? Arming::tr("it has restarted") : QString();
 }
 
+/// Also one that was ordered a moment ago, of which no snapshot tells yet.
+bool hasExperiment(const Arming &arming, const Snapshot &shot, DeviceId device)
+{
+    return arming.isOnTrial(device) || isTried(shot, device);
+}
+
+/// Empty: it can be.
+QString whyNotArmed(const Arming &arming, const Snapshot &shot, const DeviceView &view)
+{
+    if (const QString lost = lossOf(view); !lost.isEmpty())
+        return lost;
+    if (hasExperiment(arming, shot, view.id))
+        return Arming::tr("an experiment on it has not ended");
+    const QString turning = namesThatMayTurn(shot);
+    return turning.isEmpty() ? QString() : Arming::tr("%1 may still turn").arg(turning);
+}
+
+TrialEnding endingOf(const tuning::Trial &trial)
+{
+    return {trial.reason, trial.detail};
+}
+
+TrialEnding endingOf(const tuning::TuneReport &report)
+{
+    return {report.stopReason.empty() ? "done" : report.stopReason, report.evidence};
+}
+
+TrialEnding endingOf(const tuning::FrequencyResponse &response)
+{
+    return {response.stopReason.empty() ? "done" : response.stopReason, response.evidence};
+}
+
 } // namespace
 
 Arming::Arming(Workbench &workbench, QObject *parent)
@@ -46,11 +85,6 @@ Arming::Arming(Workbench &workbench, QObject *parent)
     , m_renewal(workbench)
 {
     connect(&workbench, &Workbench::changed, this, &Arming::follow);
-}
-
-QString Arming::mayTurn() const
-{
-    return namesThatMayTurn(m_workbench.snapshot());
 }
 
 bool Arming::hasMotion() const
@@ -65,7 +99,7 @@ LampStatus Arming::status(DeviceId candidate) const
 {
     const Snapshot &shot = m_workbench.snapshot();
     LampStatus status = statusOf(shot.device(candidate));
-    if (const QString names = mayTurn(); !names.isEmpty()) {
+    if (const QString names = namesThatMayTurn(shot); !names.isEmpty()) {
         status.state = LampState::MayTurn;
         status.detail = tr("%1: cut its power").arg(names);
         status.remaining.reset();
@@ -86,12 +120,12 @@ LampStatus Arming::statusOf(const DeviceView *view) const
     const Snapshot &shot = m_workbench.snapshot();
     LampStatus status;
     status.state = m_state;
-    status.armable = view && whyNotArmed(*view).isEmpty();
+    status.armable = view && whyNotArmed(*this, m_workbench.snapshot(), *view).isEmpty();
     switch (m_state) {
     case LampState::Safe:
         if (!view)
             status.detail = tr("nothing to arm");
-        else if (!view->busy.empty() || hasExperiment(view->id))
+        else if (!view->busy.empty() || hasExperiment(*this, shot, view->id))
             status.detail = tr("arming off while busy");
         else if (!status.armable)
             status.detail = tr("%1 cannot be armed").arg(addressIn(shot, view->id));
@@ -109,17 +143,13 @@ LampStatus Arming::statusOf(const DeviceView *view) const
         if (!m_leftOut.isEmpty())
             status.detail = tr("not sent to %1").arg(m_leftOut);
         else if (!status.armable)
-            status.detail = view && hasExperiment(view->id) ? tr("arming off while busy") : tr("nothing to arm");
+            status.detail
+                = view && hasExperiment(*this, shot, view->id) ? tr("arming off while busy") : tr("nothing to arm");
         break;
     case LampState::Stopping:
     case LampState::MayTurn: break; // what becomes of a stop, never where the arming stands
     }
     return status;
-}
-
-bool Arming::hasExperiment(DeviceId device) const
-{
-    return isOnTrial(device) || isTried(m_workbench.snapshot(), device);
 }
 
 void Arming::enter(LampState state, const QString &reason)
@@ -136,22 +166,12 @@ void Arming::enter(LampState state, const QString &reason)
     Q_EMIT changed();
 }
 
-QString Arming::whyNotArmed(const DeviceView &view) const
-{
-    if (const QString lost = lossOf(view); !lost.isEmpty())
-        return lost;
-    if (hasExperiment(view.id))
-        return tr("an experiment on it has not ended");
-    const QString turning = mayTurn();
-    return turning.isEmpty() ? QString() : tr("%1 may still turn").arg(turning);
-}
-
 void Arming::arm(DeviceId device)
 {
     const DeviceView *view = m_workbench.snapshot().device(device);
     if (!view)
         return;
-    if (const QString why = whyNotArmed(*view); !why.isEmpty()) {
+    if (const QString why = whyNotArmed(*this, m_workbench.snapshot(), *view); !why.isEmpty()) {
         m_workbench.report(Severity::Caution, titleOf(*view), tr("not armed: %1").arg(why));
         return;
     }
@@ -211,7 +231,7 @@ void Arming::runExperiment(O order, Mode mode, int axis, std::function<void(cons
     m_workbench.send(std::move(order),
         [self = QPointer<Arming>(this), device = m_device, finished = std::move(finished)](const Result<T> &result) {
             if (self)
-                self->trialEnded(device, result ? Result<Ending>(endingOf(*result)) : fail(result.error()));
+                self->trialEnded(device, result ? Result<TrialEnding>(endingOf(*result)) : fail(result.error()));
             if (finished)
                 finished(result);
         });
@@ -235,23 +255,8 @@ void Arming::runSweep(const tuning::SweepPlan &plan, const tuning::PlantModel &p
         {m_device, plan, plant}, Mode::Duty, plan.axis, std::move(finished));
 }
 
-Arming::Ending Arming::endingOf(const tuning::Trial &trial)
-{
-    return {trial.reason, trial.detail};
-}
-
-Arming::Ending Arming::endingOf(const tuning::TuneReport &report)
-{
-    return {report.stopReason.empty() ? "done" : report.stopReason, report.evidence};
-}
-
-Arming::Ending Arming::endingOf(const tuning::FrequencyResponse &response)
-{
-    return {response.stopReason.empty() ? "done" : response.stopReason, response.evidence};
-}
-
 /// A guard's stop is latched, as every stop that nobody asked for. Whatever another device does meanwhile goes on.
-void Arming::trialEnded(DeviceId device, const Result<Ending> &ending)
+void Arming::trialEnded(DeviceId device, const Result<TrialEnding> &ending)
 {
     if (!isOnTrial(device))
         return;

@@ -8,6 +8,8 @@
 
 namespace mb {
 
+struct TrialEnding;
+
 /// Whether energy may flow, and to which device: Safe → Armed (by holding the Arm button) → Moving → Stopped, which needs a new
 /// arming. Everything that moves a motor from the window goes through here. Renews the motion lease from the GUI thread, so
 /// that a window that hangs ends in a stop by the engine.
@@ -44,10 +46,11 @@ public:
     void runTuning(const tuning::TunePlan &plan, Workbench::TuningFinished finished);
     /// The same with the sines of a frequency response.
     void runSweep(const tuning::SweepPlan &plan, const tuning::PlantModel &plant, Workbench::SweepFinished finished);
-    /// An experiment of this device moves it, or still puts back what it has changed.
-    [[nodiscard]] bool isOnTrial(DeviceId device) const { return m_trialOf == device; }
-    /// Any device's.
-    [[nodiscard]] bool isOnTrial() const { return m_trialOf.has_value(); }
+    /// An experiment of this device, or of any, moves it, or still puts back what it has changed.
+    [[nodiscard]] bool isOnTrial(std::optional<DeviceId> device = {}) const
+    {
+        return device ? m_trialOf == device : m_trialOf.has_value();
+    }
     /// Another number with every arming: what waits for something else is not begun once that arming is over.
     [[nodiscard]] std::uint64_t armingNumber() const { return m_armingNumber; }
     /// Ends the motion and stays armed; a trial puts back what it changed first.
@@ -60,8 +63,6 @@ public:
     void stopMoved(const QString &reason);
     /// Something is moved by this program, an experiment's motor too.
     [[nodiscard]] bool hasMotion() const;
-    /// Devices that were told to stop, were not seen to, and have nothing that stops them: "#3, #5"; empty for none.
-    [[nodiscard]] QString mayTurn() const;
 
     /// How long arming lasts without motion. For tests.
     void setArmedTime(std::chrono::seconds time) { m_armedTime = time; }
@@ -74,24 +75,12 @@ Q_SIGNALS:
 private:
     void follow();
     void enter(LampState state, const QString &reason = {});
-    /// Empty: it can be.
-    [[nodiscard]] QString whyNotArmed(const DeviceView &view) const;
-    /// Also one that was ordered a moment ago, of which no snapshot tells yet.
-    [[nodiscard]] bool hasExperiment(DeviceId device) const;
-    /// What an experiment ended by: `reason` as in Trial, with its detail.
-    struct Ending {
-        std::string reason;
-        Message detail;
-    };
-    [[nodiscard]] static Ending endingOf(const tuning::Trial &trial);
-    [[nodiscard]] static Ending endingOf(const tuning::TuneReport &report);
-    [[nodiscard]] static Ending endingOf(const tuning::FrequencyResponse &response);
     /// `order` is of the armed device.
     template <class O, class T>
     void runExperiment(O order, Mode mode, int axis, std::function<void(const Result<T> &)> finished);
     void refused(const Error &error);
     /// An error: nothing has moved.
-    void trialEnded(DeviceId device, const Result<Ending> &ending);
+    void trialEnded(DeviceId device, const Result<TrialEnding> &ending);
     void stop(StopCause cause, const QString &reason);
     [[nodiscard]] LampStatus statusOf(const DeviceView *candidate) const;
 

@@ -111,6 +111,7 @@ void MovesPanel::follow(const DeviceView &lead)
 void MovesPanel::rebuild(const std::vector<const DeviceView *> &devices)
 {
     for (const Row &row : m_rows) {
+        m_entered[row.device] = {row.takesPart->isChecked(), row.target->text()};
         delete row.takesPart;
         delete row.target;
         delete row.state;
@@ -118,12 +119,13 @@ void MovesPanel::rebuild(const std::vector<const DeviceView *> &devices)
     m_rows.clear();
     for (const DeviceView *view : devices) {
         const QString name = QStringLiteral("#%1").arg(view->identity->address);
+        const Entered &entered = m_entered[view->id];
         Row row;
         row.device = view->id;
         row.takesPart = new QCheckBox(name, m_table);
-        row.takesPart->setChecked(true);
+        row.takesPart->setChecked(entered.takesPart);
         row.takesPart->setAccessibleName(tr("%1 takes part").arg(titleOf(*view)));
-        row.target = new NumberField(QStringLiteral("0"), m_table);
+        row.target = new NumberField(entered.target, m_table);
         row.target->setFixedWidth(m_theme.theme().u(104));
         row.target->setAccessibleName(tr("Target of %1").arg(titleOf(*view)));
         row.state = textLabel({}, TextRole::Caption, Tone::Dim, m_table);

@@ -6,6 +6,7 @@
 
 #include <QWidget>
 
+#include <map>
 #include <vector>
 
 class QCheckBox;
@@ -44,6 +45,11 @@ private:
         QLineEdit *target = nullptr;
         QLabel *state = nullptr;
     };
+    /// What somebody has entered for one device, also while it is not there.
+    struct Entered {
+        bool takesPart = false;
+        QString target = QStringLiteral("0");
+    };
     void buildKind();
     void buildButtons();
     void rebuild(const std::vector<const DeviceView *> &devices);
@@ -62,6 +68,7 @@ private:
     QGridLayout *m_grid = nullptr;
     QWidget *m_table = nullptr;
     std::vector<Row> m_rows;
+    std::map<DeviceId, Entered> m_entered;
     CommandButton *m_prepare = nullptr;
     CommandButton *m_start = nullptr;
     CommandButton *m_hold = nullptr;

@@ -44,9 +44,9 @@ std::vector<tuning::FrequencyPoint> DesignBook::response() const
     return found == m_responses.end() ? std::vector<tuning::FrequencyPoint>() : found->second.points;
 }
 
-void DesignBook::keepResponse(const tuning::FrequencyResponse &response)
+void DesignBook::keepResponse(const DesignPlace &place, const tuning::FrequencyResponse &response)
 {
-    m_responses[{place().device, place().axis}] = response;
+    m_responses[{place.device, place.axis}] = response;
 }
 
 QString DesignBook::whyNot(const DeviceView &view) const

@@ -56,7 +56,7 @@ public:
     void keep(const DesignPlace &place, tuning::TuneReport report);
     /// Of the motor, whatever the loop; empty: none was measured.
     [[nodiscard]] std::vector<tuning::FrequencyPoint> response() const;
-    void keepResponse(const tuning::FrequencyResponse &response);
+    void keepResponse(const DesignPlace &place, const tuning::FrequencyResponse &response);
 
     /// Why the loop cannot be tuned, which may be one that this family has not; empty: it can.
     [[nodiscard]] QString whyNot(const DeviceView &view) const;

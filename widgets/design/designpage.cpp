@@ -90,8 +90,8 @@ void DesignPage::connectOrders()
     connect(m_envelope, &EnvelopePanel::failed, this, [this](const QString &cause) {
         m_workbench.report(Severity::Caution, {}, tr("the limits were not kept: %1").arg(cause));
     });
-    connect(m_sweep, &SweepPanel::measured, this, [this](const tuning::FrequencyResponse &response) {
-        m_book.keepResponse(response);
+    connect(m_sweep, &SweepPanel::measured, this, [this](const DesignPlace &place, const auto &response) {
+        m_book.keepResponse(place, response);
         m_proposals->showChosen();
     });
 }
@@ -246,7 +246,7 @@ void DesignPage::followDevice(const DeviceView &view, const QString &whyNot)
     else if (std::exchange(m_revision, view.parameterRevision) != view.parameterRevision)
         m_proposals->showChosen(); // beside other gains
     m_course->follow(view, works ? job : nullptr, {chosen(), m_proposals->chosenName(), m_inForce});
-    m_sweep->follow({view.family, report(), m_inForce, m_envelope->entered(), now.mayRun});
+    m_sweep->follow({m_book.place(), view.family, report(), m_inForce, m_envelope->entered(), now.mayRun});
     m_orders->follow(m_book, *view.family, now.mayRun, chosen());
 }
 

@@ -45,6 +45,7 @@ SweepPanel::SweepPanel(Arming &arming, const ThemeSource &theme, QWidget *parent
 void SweepPanel::follow(const State &state)
 {
     m_plan.reset();
+    m_place = state.place;
     const bool known = state.family && state.family->trials && state.report && state.report->plant.gain > 0.0
         && state.report->loop != Mode::Current && !(state.family->trials->nudge > 0.0);
     setVisible(known);
@@ -69,9 +70,9 @@ void SweepPanel::measure()
 {
     if (!m_mayRun || !m_plan)
         return;
-    m_arming.runSweep(*m_plan, m_plant, [self = QPointer<SweepPanel>(this)](const auto &response) {
-        if (self && response)
-            Q_EMIT self->measured(*response);
+    m_arming.runSweep(*m_plan, m_plant, [self = QPointer<SweepPanel>(this), place = m_place](const auto &response) {
+        if (self && response && response->stopReason.empty()) // else it is a part of one
+            Q_EMIT self->measured(place, *response);
     });
 }
 

@@ -22,6 +22,7 @@ public:
 
     /// Of this motor now. Nothing is known, or `report` has no model: the panel is empty.
     struct State {
+        DesignPlace place;
         const Family *family = nullptr;
         const tuning::TuneReport *report = nullptr;
         Envelope inForce;
@@ -34,7 +35,8 @@ public:
     [[nodiscard]] QString announcement() const;
 
 Q_SIGNALS:
-    void measured(const mb::tuning::FrequencyResponse &response);
+    /// To its end, of the motor that it began with.
+    void measured(const mb::DesignPlace &place, const mb::tuning::FrequencyResponse &response);
 
 private:
     Arming &m_arming;
@@ -42,6 +44,7 @@ private:
     QLabel *m_words = nullptr;
     std::optional<tuning::SweepPlan> m_plan;
     tuning::PlantModel m_plant;
+    DesignPlace m_place;
     bool m_mayRun = false;
 };
 

@@ -125,8 +125,13 @@ void QueueBoard::connectAll()
     connect(m_bar, &QueueBar::exportWanted, this, &QueueBoard::askSave);
     connect(
         &steps(), &UnitSteps::skipWanted, this, [this](std::uint32_t row) { m_workbench.send(orders::SkipUnit{row}); });
-    connect(&steps(), &UnitSteps::againWanted, this,
-        [this](std::uint32_t row) { m_workbench.send(orders::RetryUnit{row}); });
+    connect(&steps(), &UnitSteps::againWanted, this, [this](std::uint32_t row) {
+        m_workbench.send(orders::RetryUnit{row}, [self = QPointer<QueueBoard>(this)](const Result<void> &result) {
+            if (self && !result)
+                self->m_workbench.report(
+                    Severity::Caution, {}, tr("not tried again: %1").arg(errorText(result.error())));
+        });
+    });
     connect(&model(), &QueueModel::tickedChanged, this, &QueueBoard::follow);
     connect(m_table, &QueueTable::chosenChanged, this, &QueueBoard::followUnit);
     connect(&m_workbench, &Workbench::changed, this, &QueueBoard::follow);

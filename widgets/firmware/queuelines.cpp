@@ -37,6 +37,35 @@ double shareOf(const QueueRow &row)
     return row.total > 0 ? std::clamp(static_cast<double>(row.done) / row.total, 0.0, 1.0) : 0.0;
 }
 
+/// Of all its steps, each as long as any other. Whole only once it has passed: what proves it comes last.
+double wholeShare(const QueueRow &row, const service::RecipeMatter *matter)
+{
+    const auto isDone = [matter](Step step) {
+        switch (step) {
+        case Step::Firmware: return !matter || matter->recipe.firmware.has_value();
+        case Step::Parameters: return !matter || matter->recipe.parameters.has_value();
+        case Step::Test: return !matter || matter->recipe.test.has_value();
+        case Step::Number: return !matter || matter->recipe.number.has_value();
+        case Step::Done: return false;
+        default: return true;
+        }
+    };
+    constexpr double most = 0.99;
+    double steps = 0.0;
+    double ended = 0.0;
+    for (const Step step :
+        {Step::Preflight, Step::Backup, Step::Firmware, Step::Parameters, Step::Test, Step::Number, Step::Proof}) {
+        steps += isDone(step) || step == row.visit.step ? 1.0 : 0.0;
+        ended += isDone(step) && step < row.visit.step ? 1.0 : 0.0;
+    }
+    return row.state == RowState::Passed ? 1.0 : std::min((ended + shareOf(row)) / steps, most);
+}
+
+int percentOf(const QueueRow &row, const service::RecipeMatter *matter)
+{
+    return static_cast<int>(wholeShare(row, matter) * 100.0);
+}
+
 QString nameOf(const DeviceView &device)
 {
     const QString name = givenName(device);
@@ -69,13 +98,13 @@ void describePassed(QueueLine &line, const service::Visit &visit)
         line.result = QueueText::tr("read back after the restart");
 }
 
-void describeOpen(QueueLine &line, const QueueRow &row, Instant now)
+void describeOpen(QueueLine &line, const QueueRow &row, const service::RecipeMatter *matter, Instant now)
 {
     switch (row.state) {
     case RowState::Running:
         line.glyph = GlyphState::Busy;
         line.step = row.what.empty() ? stepText(row.visit.step) : messageText(row.what);
-        line.done = static_cast<int>(shareOf(row) * 100.0);
+        line.done = percentOf(row, matter);
         line.time = secondsText(secondsSince(row.startedAt, now));
         line.result = mayUnplug(row) ? QueueText::tr("safe to unplug, resumes") : QueueText::tr("do not unplug");
         line.tone = mayUnplug(row) ? Tone::Dim : row.mayInterrupt ? Tone::Caution : Tone::Danger;
@@ -96,7 +125,7 @@ void describeOpen(QueueLine &line, const QueueRow &row, Instant now)
     }
 }
 
-void describe(QueueLine &line, const QueueRow &row, Instant now)
+void describe(QueueLine &line, const QueueRow &row, const service::RecipeMatter *matter, Instant now)
 {
     const service::Visit &visit = row.visit;
     switch (row.state) {
@@ -104,7 +133,7 @@ void describe(QueueLine &line, const QueueRow &row, Instant now)
     case RowState::Failed:
         line.glyph = GlyphState::Fault;
         line.step = QueueText::tr("failed: %1").arg(stepText(visit.step));
-        line.done = static_cast<int>(shareOf(row) * 100.0);
+        line.done = percentOf(row, matter);
         line.result = messageText(visit.cause);
         line.tone = Tone::Danger;
         break;
@@ -116,12 +145,13 @@ void describe(QueueLine &line, const QueueRow &row, Instant now)
         return;
     case RowState::Running:
     case RowState::Waiting:
-    case RowState::Skipped: describeOpen(line, row, now); return;
+    case RowState::Skipped: describeOpen(line, row, matter, now); return;
     }
     line.time = secondsText(visit.seconds);
 }
 
-QueueLine lineOfRow(const QueueRow &row, const DeviceView *device, const std::string &version, Instant now)
+QueueLine lineOfRow(const QueueRow &row, const DeviceView *device, const std::string &version,
+    const service::RecipeMatter *matter, Instant now)
 {
     QueueLine line;
     line.device = device ? device->id : DeviceId{};
@@ -134,7 +164,7 @@ QueueLine lineOfRow(const QueueRow &row, const DeviceView *device, const std::st
     const bool ended = row.state == RowState::Passed || row.state == RowState::Failed;
     const bool untouched = row.state == RowState::Refused || row.state == RowState::Skipped;
     line.firmware = versionsOf(row.visit.from, ended || untouched ? row.visit.to : version);
-    describe(line, row, now);
+    describe(line, row, matter, now);
     return line;
 }
 
@@ -185,7 +215,7 @@ std::vector<QueueLine> queueLines(
             continue; // of a queue before
         if (device)
             queued.insert(device->id);
-        lines.push_back(lineOfRow(row, device, version, now));
+        lines.push_back(lineOfRow(row, device, version, view.matter.get(), now));
         if (isWaitingForArm(view, row)) {
             lines.back().glyph = GlyphState::Waiting;
             lines.back().result = QueueText::tr("hold Arm in the header");
@@ -216,7 +246,7 @@ QueueTotals totalsOf(const ServiceView &view, Instant now)
         totals.running += row.state == RowState::Running;
         totals.waiting += row.state == RowState::Waiting;
         if (row.state == RowState::Running)
-            parts += shareOf(row);
+            parts += wholeShare(row, view.matter.get());
         if (row.state == RowState::Waiting)
             left[row.link] += totals.mean.value_or(0.0);
         if (row.state == RowState::Running)

@@ -46,14 +46,23 @@ const OperationView *updateOf(const Snapshot &shot, const DeviceView *device)
     return nullptr;
 }
 
-QString resultOf(const UpdateReport &report, const UpdateWords &words)
+/// What the unit is left as, as far as it is known.
+QString cancelledText(const UpdateReport &report, const UpdateWords &words, bool touched)
+{
+    if (!report.remedy.empty())
+        return UnitUpdate::tr("Cancelled: %1").arg(messageText(report.summary()));
+    return touched ? UnitUpdate::tr("Cancelled. %1.").arg(tableText(words.cancel))
+                   : UnitUpdate::tr("Cancelled: nothing was written.");
+}
+
+QString resultOf(const UpdateReport &report, const UpdateWords &words, bool touched)
 {
     switch (report.outcome) {
     case UpdateOutcome::Done: return UnitUpdate::tr("Verified: %1").arg(messageText(report.summary()));
     case UpdateOutcome::UpToDate: return UnitUpdate::tr("Not needed: %1").arg(messageText(report.summary()));
     case UpdateOutcome::Refused: return UnitUpdate::tr("Refused: %1").arg(messageText(report.summary()));
     case UpdateOutcome::Failed: return UnitUpdate::tr("Failed: %1").arg(messageText(report.summary()));
-    case UpdateOutcome::Cancelled: return UnitUpdate::tr("Cancelled. %1.").arg(tableText(words.cancel));
+    case UpdateOutcome::Cancelled: return cancelledText(report, words, touched);
     }
     return {};
 }
@@ -375,7 +384,10 @@ void UnitUpdate::showEnd(const OperationView &operation)
     const OperationStatus &status = operation.status;
     const double seconds = std::chrono::duration<double>(status.endedAt - status.startedAt).count();
     const UpdateReport report = operation.update.value_or(UpdateReport{});
-    m_step->setText(resultOf(report, wordsFor(&operation)));
+    const DeviceView *const unit = m_workbench.snapshot().device(operation.device);
+    const bool touched = report.pages > 0 || status.done > 0 || !unit
+        || unit->identity->state == DeviceState::Bootloader; // it may have entered it for this
+    m_step->setText(resultOf(report, wordsFor(&operation), touched));
     m_rate->setText(tr("%1 s, pages sent again: %2").arg(formatNumber(seconds, 1)).arg(report.retries));
     const bool good = report.outcome == UpdateOutcome::Done || report.outcome == UpdateOutcome::UpToDate;
     setTone(*m_step, good ? Tone::Ok : Tone::Danger);

@@ -31,7 +31,7 @@ struct Identify {
 
 struct Rename {
     DeviceId device;
-    std::string name; ///< Latin-1, 1 to 64 characters
+    std::string name; ///< UTF-8; a family may take fewer characters (OutOfRange)
 };
 
 /// Another number (node, address) on its link.

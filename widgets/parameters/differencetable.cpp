@@ -42,6 +42,7 @@ DifferenceTable::Counts DifferenceTable::show(
     const Family &family, const settings::Side &a, const settings::Side &b, bool everything)
 {
     const auto differences = settings::compare(a, b);
+    keepTicks();
     setRowCount(0);
     Counts counts{differences.size()};
     auto next = differences.begin();
@@ -56,6 +57,21 @@ DifferenceTable::Counts DifferenceTable::show(
     }
     fitNames();
     return counts;
+}
+
+void DifferenceTable::keepTicks()
+{
+    for (int row = 0; row < rowCount(); ++row) {
+        const QTableWidgetItem *name = item(row, NameColumn);
+        if (name->flags().testFlag(Qt::ItemIsUserCheckable))
+            m_ticks[static_cast<std::uint16_t>(name->data(indexRole).toUInt())] = name->checkState() == Qt::Checked;
+    }
+}
+
+void DifferenceTable::forgetTicks()
+{
+    setRowCount(0);
+    m_ticks.clear();
 }
 
 /// The contents' own width forgets the box before the name, which the style sheet draws.
@@ -92,7 +108,9 @@ void DifferenceTable::addRow(const Family &family, const settings::SideDifferenc
         }
         if (column == NameColumn && writable) {
             item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
-            item->setCheckState(parameter.belongsToUnit ? Qt::Unchecked : Qt::Checked);
+            const auto kept = m_ticks.find(difference.index.value);
+            const bool on = kept == m_ticks.end() ? !parameter.belongsToUnit : kept->second;
+            item->setCheckState(on ? Qt::Checked : Qt::Unchecked);
         }
         if (column == NameColumn && parameter.belongsToUnit)
             item->setIcon(symbolIcon(Symbol::Lock, m_theme.theme(), Tone::Dim));

@@ -6,6 +6,8 @@
 
 #include <QTableWidget>
 
+#include <map>
+
 namespace mb {
 
 /// Two states of a unit against each other, a row for each parameter. What is legal of B can be ticked; what belongs to one unit
@@ -21,15 +23,19 @@ public:
     };
     /// `everything`: also what is the same on both sides.
     Counts show(const Family &family, const settings::Side &a, const settings::Side &b, bool everything);
+    /// Another A or B: what somebody ticked was meant for the values of the one before.
+    void forgetTicks();
     /// The values of B that are ticked, in the order of the table.
     [[nodiscard]] std::vector<ParameterChange> ticked() const;
     void setNarrow(bool narrow);
 
 private:
+    void keepTicks();
     void fitNames();
     void addRow(const Family &family, const settings::SideDifference &difference, bool differs);
 
     const ThemeSource &m_theme;
+    std::map<std::uint16_t, bool> m_ticks; ///< by parameter, of rows that were shown
 };
 
 } // namespace mb

@@ -14,6 +14,15 @@ namespace {
 constexpr auto importNotice = "parameters import";
 constexpr auto fileNotice = "parameters file";
 
+/// Rows of its file that have a number.
+auto knownOf(const DeviceView &device)
+{
+    std::ptrdiff_t known = 0;
+    for (std::size_t i = 0; i < device.parameters->size(); ++i)
+        known += device.family->parameters[i].access != Access::WriteOnly && (*device.parameters)[i].raw ? 1 : 0;
+    return known;
+}
+
 } // namespace
 
 FileExchange::FileExchange(Workbench &workbench, BannerStack &banners, ParameterView &view)
@@ -101,8 +110,8 @@ void FileExchange::exportOf(const DeviceView &device, const QString &path)
         m_banners.post(
             QLatin1String(fileNotice), BannerKind::Danger, errorText(saved.error()), tr("Choose another place."));
     else
-        m_workbench.report(Severity::Good, titleOf(device),
-            tr("%1 parameters exported to %2").arg(device.parameters->size()).arg(path));
+        m_workbench.report(
+            Severity::Good, titleOf(device), tr("%1 parameters exported to %2").arg(knownOf(device)).arg(path));
 }
 
 std::optional<ParameterReference> FileExchange::referenceOf(

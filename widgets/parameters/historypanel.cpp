@@ -15,6 +15,8 @@
 #include <QComboBox>
 #include <QPointer>
 
+#include <utility>
+
 namespace mb {
 namespace {
 
@@ -179,6 +181,9 @@ void HistoryPanel::compareChosen()
         return;
     const QSignalBlocker quiet(m_table);
     m_line->mark(m_a->currentIndex(), m_b->currentIndex());
+    const Compared now{m_unit, m_states.at(m_a->currentIndex()).number, m_states.at(m_b->currentIndex()).number};
+    if (std::exchange(m_compared, now) != now)
+        m_table->forgetTicks();
     const auto counts = m_table->show(*m_states.family(), m_states.at(m_a->currentIndex()).side,
         m_states.at(m_b->currentIndex()).side, m_which->current() == 1);
     m_which->setText(0, tr("Only differences %1").arg(counts.differences));

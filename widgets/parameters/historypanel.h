@@ -56,6 +56,14 @@ private:
     std::int64_t m_chosenA = UnitStates::present; ///< numbers of states
     std::int64_t m_chosenB = UnitStates::defaults;
     bool m_chose = false; ///< somebody did
+    /// What the table compares: ticks are meant for that.
+    struct Compared {
+        std::string unit;
+        std::int64_t a = 0;
+        std::int64_t b = 0;
+        friend bool operator==(const Compared &, const Compared &) = default;
+    };
+    Compared m_compared;
     QComboBox *m_a = nullptr;
     QComboBox *m_b = nullptr;
     Segmented *m_which = nullptr;

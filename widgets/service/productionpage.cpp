@@ -23,6 +23,8 @@
 #include <QLineEdit>
 #include <QPointer>
 
+#include <algorithm>
+
 namespace mb {
 namespace {
 
@@ -63,8 +65,9 @@ ProductionPage::ProductionPage(
     connect(&workbench, &Workbench::changed, this, [this] { m_head->follow(m_workbench.snapshot()); });
     connect(&theme, &ThemeSource::changed, this, &ProductionPage::follow); // shapes have colours of their own
     connect(qApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
-        if (state != Qt::ApplicationActive && m_workbench.service().armed)
-            arm(false);
+        m_isActive = state == Qt::ApplicationActive;
+        if (!m_isActive)
+            arm(false); // also what was ordered a moment ago
     });
     connectHead();
     follow();
@@ -73,16 +76,18 @@ ProductionPage::ProductionPage(
 void ProductionPage::connectHead()
 {
     connect(m_head, &ProductionHead::recipeWanted, this, &ProductionPage::askRecipe);
-    connect(m_head, &ProductionHead::startWanted, this,
-        [this] { m_workbench.service().running ? m_workbench.send(orders::FinishService{}) : start(); });
+    connect(m_head, &ProductionHead::startWanted, this, &ProductionPage::startOrEnd);
     connect(m_head, &ProductionHead::armWanted, this, [this] { arm(!m_workbench.service().armed); });
     connect(m_head, &ProductionHead::leaveWanted, this, &ProductionPage::leaveRequested);
     connect(m_head, &ProductionHead::serialTaken, this, &ProductionPage::take);
     m_head->follow(m_workbench.snapshot());
 }
 
+/// Whoever arms looks at this window: what the hand began elsewhere is no order.
 void ProductionPage::arm(bool on)
 {
+    if (on && !m_isActive)
+        return;
     m_workbench.send(orders::ArmService{on});
 }
 
@@ -168,6 +173,21 @@ bool ProductionPage::openRecipe(const QString &path)
     return true;
 }
 
+/// The button changes its role: the second click of two was meant for the first.
+void ProductionPage::startOrEnd()
+{
+    const auto pause = std::chrono::milliseconds(QApplication::doubleClickInterval());
+    if (m_isOrdered || (m_changedAt && m_workbench.now() - *m_changedAt < pause))
+        return;
+    if (!m_workbench.service().running)
+        return start();
+    m_isOrdered = true;
+    m_workbench.send(orders::FinishService{}, [self = QPointer<ProductionPage>(this)](const Result<void> &) {
+        if (self)
+            self->m_isOrdered = false;
+    });
+}
+
 void ProductionPage::start()
 {
     const std::string link = m_head->link().toStdString();
@@ -177,17 +197,31 @@ void ProductionPage::start()
         return;
     }
     m_setAside.clear();
+    m_isOrdered = true;
     m_workbench.send(
         orders::ServeUnits{m_matter, {link}, 0}, [self = QPointer<ProductionPage>(this)](const Result<void> &result) {
-            if (self && !result)
+            if (!self)
+                return;
+            self->m_isOrdered = false;
+            if (!result)
                 self->m_workbench.report(Severity::Danger, {}, errorText(result.error()));
+        });
+}
+
+void ProductionPage::retry(const service::QueueRow &row)
+{
+    m_workbench.send(orders::RetryUnit{row.id},
+        [self = QPointer<ProductionPage>(this), name = nameOf(row)](const Result<void> &result) {
+            if (self && !result)
+                self->m_workbench.report(
+                    Severity::Caution, name, tr("not tested again: %1").arg(errorText(result.error())));
         });
 }
 
 void ProductionPage::testAgain()
 {
     if (const service::QueueRow *row = lastEnded(m_workbench.service(), m_setAside))
-        m_workbench.send(orders::RetryUnit{row->id});
+        retry(*row);
 }
 
 void ProductionPage::setAside()
@@ -197,13 +231,17 @@ void ProductionPage::setAside()
     follow();
 }
 
+/// The one that was put on last: those before it were taken off.
 void ProductionPage::take(const QString &serial)
 {
-    for (const service::QueueRow &row : m_workbench.service().rows) {
-        if (!serial.isEmpty() && nameOf(row).compare(serial, Qt::CaseInsensitive) == 0)
-            return m_workbench.send(orders::RetryUnit{row.id});
-    }
-    if (!serial.isEmpty())
+    if (serial.isEmpty())
+        return;
+    const auto &rows = m_workbench.service().rows;
+    const auto found = std::find_if(rows.rbegin(), rows.rend(),
+        [&serial](const service::QueueRow &row) { return nameOf(row).compare(serial, Qt::CaseInsensitive) == 0; });
+    if (found != rows.rend())
+        retry(*found);
+    else
         m_workbench.report(Severity::Caution, {}, tr("no unit here has the serial number %1").arg(serial));
 }
 
@@ -242,6 +280,8 @@ void ProductionPage::resizeEvent(QResizeEvent *event)
 void ProductionPage::follow()
 {
     const ServiceView &view = m_workbench.service();
+    if (std::exchange(m_isRunning, view.running) != view.running)
+        m_changedAt = m_workbench.now();
     m_verdict->setVerdict(verdictOf(view, m_setAside));
     m_tiles->follow(view);
     showRecipe(view);

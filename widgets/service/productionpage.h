@@ -17,6 +17,9 @@ class ProductionHead;
 class ThemeSource;
 class UnitList;
 class VerdictView;
+namespace service {
+struct QueueRow;
+}
 
 /// Production: one recipe on one link, unit after unit without a click, PASS or FAIL over the whole page. A self-test turns a
 /// motor only while it is armed here. GUI thread.
@@ -55,6 +58,8 @@ protected:
 private:
     void connectHead();
     void arm(bool on);
+    void startOrEnd();
+    void retry(const service::QueueRow &row);
     QWidget *buildBench();
     QWidget *buildUnits();
     QWidget *buildFoot();
@@ -70,7 +75,11 @@ private:
     const ThemeSource &m_theme;
     std::shared_ptr<const service::RecipeMatter> m_matter;
     std::vector<std::uint32_t> m_setAside;
-    bool m_announced = false; ///< that a motor turns in a moment
+    bool m_announced = false;           ///< that a motor turns in a moment
+    bool m_isActive = true;             ///< somebody looks at this program
+    bool m_isOrdered = false;           ///< a start or an end, and not answered
+    bool m_isRunning = false;           ///< as shown last
+    std::optional<Instant> m_changedAt; ///< that
     QTimer m_renewal;
     QCheckBox *m_sound = nullptr;
     ProductionHead *m_head = nullptr;

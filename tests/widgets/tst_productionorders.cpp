@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the hand orders at a station: nothing without the focus, nothing twice, and the unit that is there.
+#include "parameterbench.h"
+#include "support/utf8.h"
+#include "support/windowtests.h"
+#include "widgets/common/holdbutton.h"
+#include "widgets/service/productionhead.h"
+#include "widgets/service/productionpage.h"
+
+#include <QSignalSpy>
+#include <QTimer>
+
+using namespace mb;
+using namespace mb::test;
+
+namespace {
+
+const QByteArray handsRecipe
+    = R"({"recipe":1,"name":"drive-base rev C","family":"dmc60c","test":{"loop":"velocity","to":1500,
+"limits":{"travel":5000,"speed":2000,"duty":0.3},"accept":{"overshoot":0.4}}})";
+
+service::QueueRow failedRow(std::uint32_t id, service::RowState state, const char *serial)
+{
+    service::QueueRow row;
+    row.id = id;
+    row.state = state;
+    row.visit.serial = serial;
+    return row;
+}
+
+struct StationBench {
+    FakeWorkbench workbench;
+    ThemeSource theme{darkTheme()};
+    QTemporaryDir folder;
+    std::unique_ptr<ProductionPage> page;
+
+    StationBench()
+    {
+        LinkView link;
+        link.address = link.name = "sim:can";
+        link.state = LinkState::Open;
+        workbench.shot.links.push_back(link);
+        page = std::make_unique<ProductionPage>(workbench, families(), theme, nullptr);
+        page->setSound(false);
+        page->show();
+        QApplication::setActiveWindow(page.get());
+        QFile file(folder.filePath(s("recipe.json")));
+        if (file.open(QIODevice::WriteOnly) && file.write(handsRecipe) > 0) {
+            file.close();
+            (void)page->openRecipe(file.fileName());
+        }
+    }
+    /// What was ordered of arming, oldest first.
+    [[nodiscard]] std::vector<bool> armed() const
+    {
+        std::vector<bool> orders;
+        for (const auto &order : workbench.given<orders::ArmService>())
+            orders.push_back(order.on);
+        return orders;
+    }
+};
+
+} // namespace
+
+class TestProductionOrders : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void nothingIsArmedWithoutTheFocus();
+    void aHoldEndsWithTheFocus();
+    void aDoubleClickStartsAndEndsNothing();
+    void aScannedSerialIsTheUnitThatWasPutOnLast();
+};
+
+void TestProductionOrders::nothingIsArmedWithoutTheFocus()
+{
+    StationBench bench;
+    bench.page->start();
+    Q_EMIT qApp->applicationStateChanged(Qt::ApplicationInactive);
+    QCOMPARE(bench.armed(), std::vector<bool>{false}); // whatever the last picture says
+    Q_EMIT bench.page->armButton().activated();
+    QCOMPARE(bench.armed(), std::vector<bool>{false});
+    Q_EMIT qApp->applicationStateChanged(Qt::ApplicationActive);
+    Q_EMIT bench.page->armButton().activated();
+    QCOMPARE(bench.armed(), (std::vector<bool>{false, true}));
+}
+
+void TestProductionOrders::aHoldEndsWithTheFocus()
+{
+    ThemeSource theme{darkTheme()};
+    HoldButton button(theme, Symbol::Play, s("Arm"));
+    button.setHoldNeeded(true);
+    button.setHoldMilliseconds(50);
+    const QSignalSpy armed(&button, &HoldButton::activated);
+    button.show();
+    QApplication::setActiveWindow(&button);
+    QTest::mousePress(&button, Qt::LeftButton);
+    QVERIFY(button.isDown());
+    QApplication::setActiveWindow(nullptr);
+    QVERIFY(!button.isDown());
+    QTimer later; // than the hold would have ended
+    later.start(150);
+    QSignalSpy(&later, &QTimer::timeout).wait();
+    QCOMPARE(armed.count(), 0);
+}
+
+void TestProductionOrders::aDoubleClickStartsAndEndsNothing()
+{
+    StationBench bench;
+    auto *const head = bench.page->findChild<ProductionHead *>();
+    Q_EMIT head->startWanted();
+    Q_EMIT head->startWanted(); // before the engine has answered
+    QCOMPARE(bench.workbench.given<orders::ServeUnits>().size(), 1U);
+    bench.workbench.serve({});
+    const auto begun = bench.workbench.given<orders::ServeUnits>();
+    begun.front().finished({});
+    Q_EMIT head->startWanted();
+    QVERIFY(bench.workbench.given<orders::FinishService>().empty());
+    bench.workbench.time += std::chrono::milliseconds(QApplication::doubleClickInterval() + 1);
+    Q_EMIT head->startWanted();
+    QCOMPARE(bench.workbench.given<orders::FinishService>().size(), 1U);
+}
+
+void TestProductionOrders::aScannedSerialIsTheUnitThatWasPutOnLast()
+{
+    StationBench bench;
+    bench.workbench.serve({failedRow(3, service::RowState::Failed, "2103343A7B2E"),
+        failedRow(4, service::RowState::Failed, "2103343A7B2E")});
+    auto *serial = bench.page->findChild<QLineEdit *>();
+    QTest::keyClicks(serial, s("2103343A7B2E"));
+    QTest::keyClick(serial, Qt::Key_Return);
+    const auto again = bench.workbench.given<orders::RetryUnit>();
+    QCOMPARE(again.size(), 1U);
+    QCOMPARE(again.front().row, 4U);
+    again.front().finished(fail(Fault::Refused, say("it was taken off")));
+    QVERIFY2(bench.workbench.lines.back().text.contains(s("taken off")), "why nothing happens is said");
+}
+
+MB_WINDOW_TEST(TestProductionOrders);
+#include "tst_productionorders.moc"
