@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "service/queuerun.h"
 
-#include "settings/unit.h"
+#include "model/unit.h"
 
 #include <QUuid>
 
@@ -16,7 +16,7 @@ namespace {
 /// As retrying does: what a unit came to at last counts. Who stands in a place may be another than the one before.
 bool isTriedAgain(const Visit &visit, std::span<const Visit> later)
 {
-    return visit.outcome != Outcome::Passed && settings::byOf(visit.unit) == settings::Unit::By::Serial
+    return visit.outcome != Outcome::Passed && unitByOf(visit.unit) == UnitBy::Serial
         && std::any_of(later.begin(), later.end(), [&visit](const Visit &one) { return one.unit == visit.unit; });
 }
 
