@@ -1867,6 +1867,14 @@
         <comment>guard and what tripped it</comment>
         <translation>Überwachung %1, %2</translation>
     </message>
+    <message>
+        <source>it has restarted</source>
+        <translation>es ist neu gestartet</translation>
+    </message>
+    <message>
+        <source>an experiment on it has not ended</source>
+        <translation>ein Versuch damit ist noch nicht zu Ende</translation>
+    </message>
 </context>
 <context>
     <name>mb::AxesPanel</name>
@@ -2059,6 +2067,10 @@
     <message>
         <source>backwards</source>
         <translation>rückwärts</translation>
+    </message>
+    <message>
+        <source>Not run: %1</source>
+        <translation>Nicht ausgeführt: %1</translation>
     </message>
 </context>
 <context>
@@ -6458,6 +6470,10 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
         <source>stops every motor</source>
         <translation>hält jeden Motor an</translation>
     </message>
+    <message>
+        <source>not tested again: %1</source>
+        <translation>nicht noch einmal geprüft: %1</translation>
+    </message>
 </context>
 <context>
     <name>mb::ProfileFields</name>
@@ -6819,6 +6835,10 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     <message>
         <source>Every unit is backed up before and compared afterwards; the journal has it.</source>
         <translation>Jedes Gerät wird vorher gesichert und danach verglichen; das Journal hält es fest.</translation>
+    </message>
+    <message>
+        <source>not tried again: %1</source>
+        <translation>nicht noch einmal versucht: %1</translation>
     </message>
 </context>
 <context>
@@ -10115,6 +10135,18 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>Hold the Arm button for 1 s to arm %1.</source>
         <translation>Scharf-Taste 1 s halten, um %1 scharf zu schalten.</translation>
     </message>
+    <message>
+        <source>The position of axis %1 is not known yet</source>
+        <translation>Die Position von Achse %1 ist noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>no device</source>
+        <translation>kein Gerät</translation>
+    </message>
+    <message>
+        <source>its position is not known yet</source>
+        <translation>die Position ist noch nicht bekannt</translation>
+    </message>
 </context>
 <context>
     <name>mb::TuneForm</name>
@@ -10321,6 +10353,14 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source> · also moving: axis %1</source>
         <translation> · bewegt sich auch: Achse %1</translation>
+    </message>
+    <message>
+        <source>Its position is not known yet</source>
+        <translation>Die Position ist noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>It starts where it is once it has told where that is.</source>
+        <translation>Er beginnt, wo er steht, sobald er gemeldet hat, wo das ist.</translation>
     </message>
 </context>
 <context>
@@ -10766,6 +10806,14 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>motor not known</source>
         <translation>Motor unbekannt</translation>
+    </message>
+    <message>
+        <source>Cancelled: %1</source>
+        <translation>Abgebrochen: %1</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing was written.</source>
+        <translation>Abgebrochen: Es wurde nichts geschrieben.</translation>
     </message>
 </context>
 <context>
@@ -17914,6 +17962,58 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>the unit was taken off while it waited for a number</source>
         <translation>Das Gerät wurde abgenommen, während es auf eine Nummer wartete</translation>
+    </message>
+    <message>
+        <source>an experiment on it has not ended</source>
+        <translation>ein Versuch damit ist noch nicht zu Ende</translation>
+    </message>
+    <message>
+        <source>begin a queue first</source>
+        <translation>zuerst eine Reihe beginnen</translation>
+    </message>
+    <message>
+        <source>firmware is written to a unit here; the link stays open</source>
+        <translation>hier wird in ein Gerät Firmware geschrieben; der Anschluss bleibt offen</translation>
+    </message>
+    <message>
+        <source>it has passed</source>
+        <translation>es hat bestanden</translation>
+    </message>
+    <message>
+        <source>it is being served, or waits for its turn</source>
+        <translation>es ist gerade dran oder wartet darauf</translation>
+    </message>
+    <message>
+        <source>it is not armed, or moves</source>
+        <translation>es ist nicht scharf, oder es bewegt sich</translation>
+    </message>
+    <message>
+        <source>it is not in the queue</source>
+        <translation>es ist nicht in der Reihe</translation>
+    </message>
+    <message>
+        <source>it was taken off</source>
+        <translation>es wurde abgenommen</translation>
+    </message>
+    <message>
+        <source>nothing is served here</source>
+        <translation>hier ist nichts in Arbeit</translation>
+    </message>
+    <message>
+        <source>put it on again; it gets a row of its own</source>
+        <translation>wieder anschließen; es bekommt eine eigene Zeile</translation>
+    </message>
+    <message>
+        <source>take it off and put it on again to serve it once more</source>
+        <translation>abnehmen und wieder anschließen, dann kommt es noch einmal dran</translation>
+    </message>
+    <message>
+        <source>wait until it has, or stop it</source>
+        <translation>warten, bis er zu Ende ist, oder ihn anhalten</translation>
+    </message>
+    <message>
+        <source>wait until it is done, or cancel it</source>
+        <translation>warten, bis das fertig ist, oder es abbrechen</translation>
     </message>
 </context>
 </TS>

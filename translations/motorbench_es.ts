@@ -1867,6 +1867,14 @@
         <source>the device is gone</source>
         <translation>el dispositivo ya no está</translation>
     </message>
+    <message>
+        <source>it has restarted</source>
+        <translation>se ha reiniciado</translation>
+    </message>
+    <message>
+        <source>an experiment on it has not ended</source>
+        <translation>un ensayo con él aún no ha terminado</translation>
+    </message>
 </context>
 <context>
     <name>mb::AxesPanel</name>
@@ -2059,6 +2067,10 @@
     <message>
         <source>backwards</source>
         <translation>hacia atrás</translation>
+    </message>
+    <message>
+        <source>Not run: %1</source>
+        <translation>No se ejecuta: %1</translation>
     </message>
 </context>
 <context>
@@ -6458,6 +6470,10 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
         <source>stops every motor</source>
         <translation>para todos los motores</translation>
     </message>
+    <message>
+        <source>not tested again: %1</source>
+        <translation>no se vuelve a probar: %1</translation>
+    </message>
 </context>
 <context>
     <name>mb::ProfileFields</name>
@@ -6819,6 +6835,10 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
     <message>
         <source>Every unit is backed up before and compared afterwards; the journal has it.</source>
         <translation>Cada equipo se guarda antes y se compara después; el diario lo recoge.</translation>
+    </message>
+    <message>
+        <source>not tried again: %1</source>
+        <translation>no se vuelve a intentar: %1</translation>
     </message>
 </context>
 <context>
@@ -10115,6 +10135,18 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>Hold the Arm button for 1 s to arm %1.</source>
         <translation>Mantenga pulsado Armar 1 s para armar %1.</translation>
     </message>
+    <message>
+        <source>The position of axis %1 is not known yet</source>
+        <translation>La posición del eje %1 aún no se conoce</translation>
+    </message>
+    <message>
+        <source>no device</source>
+        <translation>ningún dispositivo</translation>
+    </message>
+    <message>
+        <source>its position is not known yet</source>
+        <translation>su posición aún no se conoce</translation>
+    </message>
 </context>
 <context>
     <name>mb::TuneForm</name>
@@ -10321,6 +10353,14 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source> · also moving: axis %1</source>
         <translation> · también se mueve: eje %1</translation>
+    </message>
+    <message>
+        <source>Its position is not known yet</source>
+        <translation>Su posición aún no se conoce</translation>
+    </message>
+    <message>
+        <source>It starts where it is once it has told where that is.</source>
+        <translation>Empieza donde está, en cuanto haya dicho dónde es.</translation>
     </message>
 </context>
 <context>
@@ -10766,6 +10806,14 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>motor not known</source>
         <translation>motor desconocido</translation>
+    </message>
+    <message>
+        <source>Cancelled: %1</source>
+        <translation>Cancelado: %1</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing was written.</source>
+        <translation>Cancelado: no se escribió nada.</translation>
     </message>
 </context>
 <context>
@@ -17914,6 +17962,58 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>the unit was taken off while it waited for a number</source>
         <translation>la unidad se retiró mientras esperaba un número</translation>
+    </message>
+    <message>
+        <source>an experiment on it has not ended</source>
+        <translation>un ensayo con él aún no ha terminado</translation>
+    </message>
+    <message>
+        <source>begin a queue first</source>
+        <translation>empiece antes una cola</translation>
+    </message>
+    <message>
+        <source>firmware is written to a unit here; the link stays open</source>
+        <translation>aquí se escribe firmware en un equipo; el enlace sigue abierto</translation>
+    </message>
+    <message>
+        <source>it has passed</source>
+        <translation>ha pasado</translation>
+    </message>
+    <message>
+        <source>it is being served, or waits for its turn</source>
+        <translation>se está atendiendo o espera su turno</translation>
+    </message>
+    <message>
+        <source>it is not armed, or moves</source>
+        <translation>no está armado, o se mueve</translation>
+    </message>
+    <message>
+        <source>it is not in the queue</source>
+        <translation>no está en la cola</translation>
+    </message>
+    <message>
+        <source>it was taken off</source>
+        <translation>se ha retirado</translation>
+    </message>
+    <message>
+        <source>nothing is served here</source>
+        <translation>aquí no se atiende nada</translation>
+    </message>
+    <message>
+        <source>put it on again; it gets a row of its own</source>
+        <translation>vuelva a conectarlo; tendrá una fila propia</translation>
+    </message>
+    <message>
+        <source>take it off and put it on again to serve it once more</source>
+        <translation>retírelo y vuelva a conectarlo para atenderlo otra vez</translation>
+    </message>
+    <message>
+        <source>wait until it has, or stop it</source>
+        <translation>espere a que termine, o deténgalo</translation>
+    </message>
+    <message>
+        <source>wait until it is done, or cancel it</source>
+        <translation>espere a que termine, o cancélelo</translation>
     </message>
 </context>
 </TS>

@@ -1867,6 +1867,14 @@
         <source>the device is gone</source>
         <translation>l’appareil a disparu</translation>
     </message>
+    <message>
+        <source>it has restarted</source>
+        <translation>il a redémarré</translation>
+    </message>
+    <message>
+        <source>an experiment on it has not ended</source>
+        <translation>un essai avec lui n’est pas encore terminé</translation>
+    </message>
 </context>
 <context>
     <name>mb::AxesPanel</name>
@@ -2059,6 +2067,10 @@
     <message>
         <source>backwards</source>
         <translation>en arrière</translation>
+    </message>
+    <message>
+        <source>Not run: %1</source>
+        <translation>Non exécuté&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -6458,6 +6470,10 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
         <source>stops every motor</source>
         <translation>arrête tous les moteurs</translation>
     </message>
+    <message>
+        <source>not tested again: %1</source>
+        <translation>pas testé à nouveau&#xa0;: %1</translation>
+    </message>
 </context>
 <context>
     <name>mb::ProfileFields</name>
@@ -6819,6 +6835,10 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     <message>
         <source>Every unit is backed up before and compared afterwards; the journal has it.</source>
         <translation>Chaque appareil est sauvegardé avant et comparé après&#xa0;; le registre en garde trace.</translation>
+    </message>
+    <message>
+        <source>not tried again: %1</source>
+        <translation>pas réessayé&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -10115,6 +10135,18 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>Hold the Arm button for 1 s to arm %1.</source>
         <translation>Maintenez le bouton Armer pendant 1 s pour armer %1.</translation>
     </message>
+    <message>
+        <source>The position of axis %1 is not known yet</source>
+        <translation>La position de l’axe %1 n’est pas encore connue</translation>
+    </message>
+    <message>
+        <source>no device</source>
+        <translation>aucun appareil</translation>
+    </message>
+    <message>
+        <source>its position is not known yet</source>
+        <translation>sa position n’est pas encore connue</translation>
+    </message>
 </context>
 <context>
     <name>mb::TuneForm</name>
@@ -10321,6 +10353,14 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source> · also moving: axis %1</source>
         <translation> · aussi en mouvement&#xa0;: axe %1</translation>
+    </message>
+    <message>
+        <source>Its position is not known yet</source>
+        <translation>Sa position n’est pas encore connue</translation>
+    </message>
+    <message>
+        <source>It starts where it is once it has told where that is.</source>
+        <translation>Il part d’où il est, dès qu’il a dit où c’est.</translation>
     </message>
 </context>
 <context>
@@ -10766,6 +10806,14 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>motor not known</source>
         <translation>moteur inconnu</translation>
+    </message>
+    <message>
+        <source>Cancelled: %1</source>
+        <translation>Annulé&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing was written.</source>
+        <translation>Annulé&#xa0;: rien n’a été écrit.</translation>
     </message>
 </context>
 <context>
@@ -17914,6 +17962,58 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>the unit was taken off while it waited for a number</source>
         <translation>l’unité a été retirée pendant qu’elle attendait un numéro</translation>
+    </message>
+    <message>
+        <source>an experiment on it has not ended</source>
+        <translation>un essai avec lui n’est pas encore terminé</translation>
+    </message>
+    <message>
+        <source>begin a queue first</source>
+        <translation>commencez d’abord une file</translation>
+    </message>
+    <message>
+        <source>firmware is written to a unit here; the link stays open</source>
+        <translation>un micrologiciel est écrit ici dans un appareil&#xa0;; la liaison reste ouverte</translation>
+    </message>
+    <message>
+        <source>it has passed</source>
+        <translation>il a réussi</translation>
+    </message>
+    <message>
+        <source>it is being served, or waits for its turn</source>
+        <translation>il est en cours de traitement ou attend son tour</translation>
+    </message>
+    <message>
+        <source>it is not armed, or moves</source>
+        <translation>il n’est pas armé, ou il bouge</translation>
+    </message>
+    <message>
+        <source>it is not in the queue</source>
+        <translation>il n’est pas dans la file</translation>
+    </message>
+    <message>
+        <source>it was taken off</source>
+        <translation>il a été retiré</translation>
+    </message>
+    <message>
+        <source>nothing is served here</source>
+        <translation>rien n’est traité ici</translation>
+    </message>
+    <message>
+        <source>put it on again; it gets a row of its own</source>
+        <translation>rebranchez-le&#xa0;; il aura sa propre ligne</translation>
+    </message>
+    <message>
+        <source>take it off and put it on again to serve it once more</source>
+        <translation>retirez-le et rebranchez-le pour le traiter encore une fois</translation>
+    </message>
+    <message>
+        <source>wait until it has, or stop it</source>
+        <translation>attendez qu’il se termine, ou arrêtez-le</translation>
+    </message>
+    <message>
+        <source>wait until it is done, or cancel it</source>
+        <translation>attendez que ce soit fini, ou annulez</translation>
     </message>
 </context>
 </TS>

@@ -1866,6 +1866,14 @@
         <source>the device is gone</source>
         <translation>機器がなくなりました</translation>
     </message>
+    <message>
+        <source>it has restarted</source>
+        <translation>再起動しました</translation>
+    </message>
+    <message>
+        <source>an experiment on it has not ended</source>
+        <translation>この機器での実験がまだ終わっていません</translation>
+    </message>
 </context>
 <context>
     <name>mb::AxesPanel</name>
@@ -2057,6 +2065,10 @@
     <message>
         <source>backwards</source>
         <translation>逆方向</translation>
+    </message>
+    <message>
+        <source>Not run: %1</source>
+        <translation>実行しません: %1</translation>
     </message>
 </context>
 <context>
@@ -6451,6 +6463,10 @@ double click or End returns to the present · right click for more</source>
         <source>stops every motor</source>
         <translation>すべてのモーターを停止</translation>
     </message>
+    <message>
+        <source>not tested again: %1</source>
+        <translation>再試験しません: %1</translation>
+    </message>
 </context>
 <context>
     <name>mb::ProfileFields</name>
@@ -6810,6 +6826,10 @@ double click or End returns to the present · right click for more</source>
     <message>
         <source>Every unit is backed up before and compared afterwards; the journal has it.</source>
         <translation>どの機器も事前にバックアップし、事後に比較します。結果はジャーナルに残ります。</translation>
+    </message>
+    <message>
+        <source>not tried again: %1</source>
+        <translation>再試行しません: %1</translation>
     </message>
 </context>
 <context>
@@ -10101,6 +10121,18 @@ double click plots it, drag it to a pane or below them</source>
         <source>Hold the Arm button for 1 s to arm %1.</source>
         <translation>%1 を駆動許可するには、駆動許可ボタンを 1 s 押し続けてください。</translation>
     </message>
+    <message>
+        <source>The position of axis %1 is not known yet</source>
+        <translation>軸 %1 の位置がまだ分かりません</translation>
+    </message>
+    <message>
+        <source>no device</source>
+        <translation>機器がありません</translation>
+    </message>
+    <message>
+        <source>its position is not known yet</source>
+        <translation>位置がまだ分かりません</translation>
+    </message>
 </context>
 <context>
     <name>mb::TuneForm</name>
@@ -10307,6 +10339,14 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source> · also moving: axis %1</source>
         <translation> · 軸 %1 も動作中</translation>
+    </message>
+    <message>
+        <source>Its position is not known yet</source>
+        <translation>位置がまだ分かりません</translation>
+    </message>
+    <message>
+        <source>It starts where it is once it has told where that is.</source>
+        <translation>現在の位置が伝えられると、そこから始まります。</translation>
     </message>
 </context>
 <context>
@@ -10752,6 +10792,14 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>motor not known</source>
         <translation>モーター不明</translation>
+    </message>
+    <message>
+        <source>Cancelled: %1</source>
+        <translation>中止しました: %1</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing was written.</source>
+        <translation>中止しました: 何も書き込まれていません。</translation>
     </message>
 </context>
 <context>
@@ -17900,6 +17948,58 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the unit was taken off while it waited for a number</source>
         <translation>番号を待っている間にユニットが取り外されました</translation>
+    </message>
+    <message>
+        <source>an experiment on it has not ended</source>
+        <translation>この機器での実験がまだ終わっていません</translation>
+    </message>
+    <message>
+        <source>begin a queue first</source>
+        <translation>先にキューを始めてください</translation>
+    </message>
+    <message>
+        <source>firmware is written to a unit here; the link stays open</source>
+        <translation>ここで機器にファームウェアを書き込んでいるため、リンクは開いたままです</translation>
+    </message>
+    <message>
+        <source>it has passed</source>
+        <translation>合格しています</translation>
+    </message>
+    <message>
+        <source>it is being served, or waits for its turn</source>
+        <translation>処理中か、順番を待っています</translation>
+    </message>
+    <message>
+        <source>it is not armed, or moves</source>
+        <translation>駆動が許可されていないか、動いています</translation>
+    </message>
+    <message>
+        <source>it is not in the queue</source>
+        <translation>キューにありません</translation>
+    </message>
+    <message>
+        <source>it was taken off</source>
+        <translation>取り外されました</translation>
+    </message>
+    <message>
+        <source>nothing is served here</source>
+        <translation>ここでは何も処理していません</translation>
+    </message>
+    <message>
+        <source>put it on again; it gets a row of its own</source>
+        <translation>もう一度取り付けてください。新しい行になります</translation>
+    </message>
+    <message>
+        <source>take it off and put it on again to serve it once more</source>
+        <translation>もう一度処理するには、取り外してから取り付け直してください</translation>
+    </message>
+    <message>
+        <source>wait until it has, or stop it</source>
+        <translation>終わるまで待つか、止めてください</translation>
+    </message>
+    <message>
+        <source>wait until it is done, or cancel it</source>
+        <translation>終わるまで待つか、中止してください</translation>
     </message>
 </context>
 </TS>
