@@ -7,6 +7,7 @@
 
 #include <QDockWidget>
 #include <QMainWindow>
+#include <QPointer>
 #include <QScrollArea>
 #include <QScrollBar>
 
@@ -53,11 +54,19 @@ void SideDocks::buildDevices()
         keep ? m_settings.addLink(address) : m_settings.removeLink(address);
     });
     connect(m_tree, &DeviceTree::closeLinkRequested, this, [this](const QString &address) {
-        m_settings.removeLink(address);
-        if (address.startsWith(QLatin1String("sim:")))
-            m_settings.removeLink(QStringLiteral("sim:")); // which stood for this one too
-        m_workbench.send(orders::CloseLink{address.toStdString()});
+        m_workbench.send(orders::CloseLink{address.toStdString()},
+            [self = QPointer<SideDocks>(this), address](const Result<void> &closed) {
+                if (self && closed)
+                    self->forgetLink(address);
+            });
     });
+}
+
+void SideDocks::forgetLink(const QString &address)
+{
+    m_settings.removeLink(address);
+    if (address.startsWith(QLatin1String("sim:")))
+        m_settings.removeLink(QStringLiteral("sim:")); // which stood for this one too
 }
 
 void SideDocks::buildInspector(Selection &selection, const ThemeSource &theme)

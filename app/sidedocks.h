@@ -33,6 +33,7 @@ public:
 
 private:
     void buildDevices();
+    void forgetLink(const QString &address);
     void buildInspector(Selection &selection, const ThemeSource &theme);
     QDockWidget *addDock(const QString &name, const QString &title, QWidget *content, Qt::DockWidgetArea area);
 

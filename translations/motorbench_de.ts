@@ -1873,11 +1873,11 @@
     </message>
     <message>
         <source>it has restarted</source>
-        <translation type="unfinished" />
+        <translation>es ist neu gestartet</translation>
     </message>
     <message>
         <source>an experiment on it has not ended</source>
-        <translation type="unfinished" />
+        <translation>ein Versuch damit ist noch nicht zu Ende</translation>
     </message>
 </context>
 <context>
@@ -2074,7 +2074,7 @@
     </message>
     <message>
         <source>Not run: %1</source>
-        <translation type="unfinished" />
+        <translation>Nicht ausgeführt: %1</translation>
     </message>
 </context>
 <context>
@@ -6478,6 +6478,10 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
         <source>stops every motor</source>
         <translation>hält jeden Motor an</translation>
     </message>
+<message>
+        <source>not tested again: %1</source>
+        <translation>nicht noch einmal geprüft: %1</translation>
+    </message>
 </context>
 <context>
     <name>mb::ProfileFields</name>
@@ -6839,6 +6843,10 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     <message>
         <source>Every unit is backed up before and compared afterwards; the journal has it.</source>
         <translation>Jedes Gerät wird vorher gesichert und danach verglichen; das Journal hält es fest.</translation>
+    </message>
+<message>
+        <source>not tried again: %1</source>
+        <translation>nicht noch einmal versucht: %1</translation>
     </message>
 </context>
 <context>
@@ -10153,15 +10161,15 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>The position of axis %1 is not known yet</source>
-        <translation type="unfinished" />
+        <translation>Die Position von Achse %1 ist noch nicht bekannt</translation>
     </message>
     <message>
         <source>no device</source>
-        <translation type="unfinished">kein Gerät</translation>
+        <translation>kein Gerät</translation>
     </message>
     <message>
         <source>its position is not known yet</source>
-        <translation type="unfinished">die Position ist noch nicht bekannt</translation>
+        <translation>die Position ist noch nicht bekannt</translation>
     </message>
 </context>
 <context>
@@ -10372,11 +10380,11 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>Its position is not known yet</source>
-        <translation type="unfinished" />
+        <translation>Die Position ist noch nicht bekannt</translation>
     </message>
     <message>
         <source>It starts where it is once it has told where that is.</source>
-        <translation type="unfinished" />
+        <translation>Er beginnt, wo er steht, sobald er gemeldet hat, wo das ist.</translation>
     </message>
 </context>
 <context>
@@ -10822,6 +10830,14 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>motor not known</source>
         <translation>Motor unbekannt</translation>
+    </message>
+<message>
+        <source>Cancelled: %1</source>
+        <translation>Abgebrochen: %1</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing was written.</source>
+        <translation>Abgebrochen: Es wurde nichts geschrieben.</translation>
     </message>
 </context>
 <context>
@@ -18036,15 +18052,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation type="unfinished" />
     </message>
     <message>
-        <source>an experiment on it has not ended</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
         <source>halt it first, or give a position</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>it is not armed, or moves</source>
         <translation type="unfinished" />
     </message>
     <message>
@@ -18056,12 +18064,60 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation type="unfinished" />
     </message>
     <message>
-        <source>wait until it has, or stop it</source>
-        <translation type="unfinished" />
-    </message>
-<message>
         <source>the gains were not put back: %1; the notebook has them, 'motorbenchctl trials' lists what is owed</source>
         <translation>die Verstärkungen wurden nicht zurückgeschrieben: %1; das Versuchsbuch hat sie, 'motorbenchctl trials' nennt das Geschuldete</translation>
     </message>
-    </context>
+    <message>
+        <source>an experiment on it has not ended</source>
+        <translation>ein Versuch damit ist noch nicht zu Ende</translation>
+    </message>
+    <message>
+        <source>begin a queue first</source>
+        <translation>zuerst eine Reihe beginnen</translation>
+    </message>
+    <message>
+        <source>firmware is written to a unit here; the link stays open</source>
+        <translation>hier wird in ein Gerät Firmware geschrieben; der Anschluss bleibt offen</translation>
+    </message>
+    <message>
+        <source>it has passed</source>
+        <translation>es hat bestanden</translation>
+    </message>
+    <message>
+        <source>it is being served, or waits for its turn</source>
+        <translation>es ist gerade dran oder wartet darauf</translation>
+    </message>
+    <message>
+        <source>it is not armed, or moves</source>
+        <translation>es ist nicht scharf, oder es bewegt sich</translation>
+    </message>
+    <message>
+        <source>it is not in the queue</source>
+        <translation>es ist nicht in der Reihe</translation>
+    </message>
+    <message>
+        <source>it was taken off</source>
+        <translation>es wurde abgenommen</translation>
+    </message>
+    <message>
+        <source>nothing is served here</source>
+        <translation>hier ist nichts in Arbeit</translation>
+    </message>
+    <message>
+        <source>put it on again; it gets a row of its own</source>
+        <translation>wieder anschließen; es bekommt eine eigene Zeile</translation>
+    </message>
+    <message>
+        <source>take it off and put it on again to serve it once more</source>
+        <translation>abnehmen und wieder anschließen, dann kommt es noch einmal dran</translation>
+    </message>
+    <message>
+        <source>wait until it has, or stop it</source>
+        <translation>warten, bis er zu Ende ist, oder ihn anhalten</translation>
+    </message>
+    <message>
+        <source>wait until it is done, or cancel it</source>
+        <translation>warten, bis das fertig ist, oder es abbrechen</translation>
+    </message>
+</context>
 </TS>

@@ -1873,11 +1873,11 @@
     </message>
     <message>
         <source>it has restarted</source>
-        <translation type="unfinished" />
+        <translation>se ha reiniciado</translation>
     </message>
     <message>
         <source>an experiment on it has not ended</source>
-        <translation type="unfinished" />
+        <translation>un ensayo con él aún no ha terminado</translation>
     </message>
 </context>
 <context>
@@ -2074,7 +2074,7 @@
     </message>
     <message>
         <source>Not run: %1</source>
-        <translation type="unfinished" />
+        <translation>No se ejecuta: %1</translation>
     </message>
 </context>
 <context>
@@ -6478,6 +6478,10 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
         <source>stops every motor</source>
         <translation>para todos los motores</translation>
     </message>
+<message>
+        <source>not tested again: %1</source>
+        <translation>no se vuelve a probar: %1</translation>
+    </message>
 </context>
 <context>
     <name>mb::ProfileFields</name>
@@ -6839,6 +6843,10 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
     <message>
         <source>Every unit is backed up before and compared afterwards; the journal has it.</source>
         <translation>Cada equipo se guarda antes y se compara después; el diario lo recoge.</translation>
+    </message>
+<message>
+        <source>not tried again: %1</source>
+        <translation>no se vuelve a intentar: %1</translation>
     </message>
 </context>
 <context>
@@ -10153,15 +10161,15 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
     <message>
         <source>The position of axis %1 is not known yet</source>
-        <translation type="unfinished" />
+        <translation>La posición del eje %1 aún no se conoce</translation>
     </message>
     <message>
         <source>no device</source>
-        <translation type="unfinished">ningún dispositivo</translation>
+        <translation>ningún dispositivo</translation>
     </message>
     <message>
         <source>its position is not known yet</source>
-        <translation type="unfinished">aún no se conoce su posición</translation>
+        <translation>su posición aún no se conoce</translation>
     </message>
 </context>
 <context>
@@ -10372,11 +10380,11 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
     <message>
         <source>Its position is not known yet</source>
-        <translation type="unfinished" />
+        <translation>Su posición aún no se conoce</translation>
     </message>
     <message>
         <source>It starts where it is once it has told where that is.</source>
-        <translation type="unfinished" />
+        <translation>Empieza donde está, en cuanto haya dicho dónde es.</translation>
     </message>
 </context>
 <context>
@@ -10822,6 +10830,14 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>motor not known</source>
         <translation>motor desconocido</translation>
+    </message>
+<message>
+        <source>Cancelled: %1</source>
+        <translation>Cancelado: %1</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing was written.</source>
+        <translation>Cancelado: no se escribió nada.</translation>
     </message>
 </context>
 <context>
@@ -18036,15 +18052,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation type="unfinished" />
     </message>
     <message>
-        <source>an experiment on it has not ended</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
         <source>halt it first, or give a position</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>it is not armed, or moves</source>
         <translation type="unfinished" />
     </message>
     <message>
@@ -18056,12 +18064,60 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation type="unfinished" />
     </message>
     <message>
-        <source>wait until it has, or stop it</source>
-        <translation type="unfinished" />
-    </message>
-<message>
         <source>the gains were not put back: %1; the notebook has them, 'motorbenchctl trials' lists what is owed</source>
         <translation>las ganancias no se restituyeron: %1; el cuaderno las tiene, «motorbenchctl trials» enumera lo pendiente</translation>
     </message>
-    </context>
+    <message>
+        <source>an experiment on it has not ended</source>
+        <translation>un ensayo con él aún no ha terminado</translation>
+    </message>
+    <message>
+        <source>begin a queue first</source>
+        <translation>empiece antes una cola</translation>
+    </message>
+    <message>
+        <source>firmware is written to a unit here; the link stays open</source>
+        <translation>aquí se escribe firmware en un equipo; el enlace sigue abierto</translation>
+    </message>
+    <message>
+        <source>it has passed</source>
+        <translation>ha pasado</translation>
+    </message>
+    <message>
+        <source>it is being served, or waits for its turn</source>
+        <translation>se está atendiendo o espera su turno</translation>
+    </message>
+    <message>
+        <source>it is not armed, or moves</source>
+        <translation>no está armado, o se mueve</translation>
+    </message>
+    <message>
+        <source>it is not in the queue</source>
+        <translation>no está en la cola</translation>
+    </message>
+    <message>
+        <source>it was taken off</source>
+        <translation>se ha retirado</translation>
+    </message>
+    <message>
+        <source>nothing is served here</source>
+        <translation>aquí no se atiende nada</translation>
+    </message>
+    <message>
+        <source>put it on again; it gets a row of its own</source>
+        <translation>vuelva a conectarlo; tendrá una fila propia</translation>
+    </message>
+    <message>
+        <source>take it off and put it on again to serve it once more</source>
+        <translation>retírelo y vuelva a conectarlo para atenderlo otra vez</translation>
+    </message>
+    <message>
+        <source>wait until it has, or stop it</source>
+        <translation>espere a que termine, o deténgalo</translation>
+    </message>
+    <message>
+        <source>wait until it is done, or cancel it</source>
+        <translation>espere a que termine, o cancélelo</translation>
+    </message>
+</context>
 </TS>

@@ -1877,11 +1877,11 @@
     </message>
     <message>
         <source>it has restarted</source>
-        <translation type="unfinished" />
+        <translation>il a redémarré</translation>
     </message>
     <message>
         <source>an experiment on it has not ended</source>
-        <translation type="unfinished" />
+        <translation>un essai avec lui n’est pas encore terminé</translation>
     </message>
 </context>
 <context>
@@ -2078,7 +2078,7 @@
     </message>
     <message>
         <source>Not run: %1</source>
-        <translation type="unfinished" />
+        <translation>Non exécuté : %1</translation>
     </message>
 </context>
 <context>
@@ -6486,6 +6486,10 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
         <source>stops every motor</source>
         <translation>arrête tous les moteurs</translation>
     </message>
+<message>
+        <source>not tested again: %1</source>
+        <translation>pas testé à nouveau : %1</translation>
+    </message>
 </context>
 <context>
     <name>mb::ProfileFields</name>
@@ -6847,6 +6851,10 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     <message>
         <source>Every unit is backed up before and compared afterwards; the journal has it.</source>
         <translation>Chaque appareil est sauvegardé avant et comparé après ; le registre en garde trace.</translation>
+    </message>
+<message>
+        <source>not tried again: %1</source>
+        <translation>pas réessayé : %1</translation>
     </message>
 </context>
 <context>
@@ -8513,7 +8521,7 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>One export at a time: %1 is being written.</source>
-        <translation>Un seul export à la fois&#xa0;: %1 est en cours d’écriture.</translation>
+        <translation>Un seul export à la fois : %1 est en cours d’écriture.</translation>
     </message>
 </context>
 <context>
@@ -10165,15 +10173,15 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>The position of axis %1 is not known yet</source>
-        <translation type="unfinished" />
+        <translation>La position de l’axe %1 n’est pas encore connue</translation>
     </message>
     <message>
         <source>no device</source>
-        <translation type="unfinished">aucun appareil</translation>
+        <translation>aucun appareil</translation>
     </message>
     <message>
         <source>its position is not known yet</source>
-        <translation type="unfinished">sa position n’est pas encore connue</translation>
+        <translation>sa position n’est pas encore connue</translation>
     </message>
 </context>
 <context>
@@ -10384,11 +10392,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Its position is not known yet</source>
-        <translation type="unfinished" />
+        <translation>Sa position n’est pas encore connue</translation>
     </message>
     <message>
         <source>It starts where it is once it has told where that is.</source>
-        <translation type="unfinished" />
+        <translation>Il part d’où il est, dès qu’il a dit où c’est.</translation>
     </message>
 </context>
 <context>
@@ -10834,6 +10842,14 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     <message>
         <source>motor not known</source>
         <translation>moteur inconnu</translation>
+    </message>
+<message>
+        <source>Cancelled: %1</source>
+        <translation>Annulé : %1</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing was written.</source>
+        <translation>Annulé : rien n’a été écrit.</translation>
     </message>
 </context>
 <context>
@@ -18048,15 +18064,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation type="unfinished" />
     </message>
     <message>
-        <source>an experiment on it has not ended</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
         <source>halt it first, or give a position</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>it is not armed, or moves</source>
         <translation type="unfinished" />
     </message>
     <message>
@@ -18068,12 +18076,60 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation type="unfinished" />
     </message>
     <message>
-        <source>wait until it has, or stop it</source>
-        <translation type="unfinished" />
-    </message>
-<message>
         <source>the gains were not put back: %1; the notebook has them, 'motorbenchctl trials' lists what is owed</source>
         <translation>les gains n’ont pas été rétablis : %1 ; le carnet les a, « motorbenchctl trials » énumère ce qui reste à rétablir</translation>
     </message>
-    </context>
+    <message>
+        <source>an experiment on it has not ended</source>
+        <translation>un essai avec lui n’est pas encore terminé</translation>
+    </message>
+    <message>
+        <source>begin a queue first</source>
+        <translation>commencez d’abord une file</translation>
+    </message>
+    <message>
+        <source>firmware is written to a unit here; the link stays open</source>
+        <translation>un micrologiciel est écrit ici dans un appareil ; la liaison reste ouverte</translation>
+    </message>
+    <message>
+        <source>it has passed</source>
+        <translation>il a réussi</translation>
+    </message>
+    <message>
+        <source>it is being served, or waits for its turn</source>
+        <translation>il est en cours de traitement ou attend son tour</translation>
+    </message>
+    <message>
+        <source>it is not armed, or moves</source>
+        <translation>il n’est pas armé, ou il bouge</translation>
+    </message>
+    <message>
+        <source>it is not in the queue</source>
+        <translation>il n’est pas dans la file</translation>
+    </message>
+    <message>
+        <source>it was taken off</source>
+        <translation>il a été retiré</translation>
+    </message>
+    <message>
+        <source>nothing is served here</source>
+        <translation>rien n’est traité ici</translation>
+    </message>
+    <message>
+        <source>put it on again; it gets a row of its own</source>
+        <translation>rebranchez-le ; il aura sa propre ligne</translation>
+    </message>
+    <message>
+        <source>take it off and put it on again to serve it once more</source>
+        <translation>retirez-le et rebranchez-le pour le traiter encore une fois</translation>
+    </message>
+    <message>
+        <source>wait until it has, or stop it</source>
+        <translation>attendez qu’il se termine, ou arrêtez-le</translation>
+    </message>
+    <message>
+        <source>wait until it is done, or cancel it</source>
+        <translation>attendez que ce soit fini, ou annulez</translation>
+    </message>
+</context>
 </TS>

@@ -1872,11 +1872,11 @@
     </message>
     <message>
         <source>it has restarted</source>
-        <translation type="unfinished" />
+        <translation>再起動しました</translation>
     </message>
     <message>
         <source>an experiment on it has not ended</source>
-        <translation type="unfinished" />
+        <translation>この機器での実験がまだ終わっていません</translation>
     </message>
 </context>
 <context>
@@ -2072,7 +2072,7 @@
     </message>
     <message>
         <source>Not run: %1</source>
-        <translation type="unfinished" />
+        <translation>実行しません: %1</translation>
     </message>
 </context>
 <context>
@@ -6471,6 +6471,10 @@ double click or End returns to the present · right click for more</source>
         <source>stops every motor</source>
         <translation>すべてのモーターを停止</translation>
     </message>
+<message>
+        <source>not tested again: %1</source>
+        <translation>再試験しません: %1</translation>
+    </message>
 </context>
 <context>
     <name>mb::ProfileFields</name>
@@ -6830,6 +6834,10 @@ double click or End returns to the present · right click for more</source>
     <message>
         <source>Every unit is backed up before and compared afterwards; the journal has it.</source>
         <translation>どの機器も事前にバックアップし、事後に比較します。結果はジャーナルに残ります。</translation>
+    </message>
+<message>
+        <source>not tried again: %1</source>
+        <translation>再試行しません: %1</translation>
     </message>
 </context>
 <context>
@@ -10139,15 +10147,15 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>The position of axis %1 is not known yet</source>
-        <translation type="unfinished" />
+        <translation>軸 %1 の位置がまだ分かりません</translation>
     </message>
     <message>
         <source>no device</source>
-        <translation type="unfinished">機器なし</translation>
+        <translation>機器がありません</translation>
     </message>
     <message>
         <source>its position is not known yet</source>
-        <translation type="unfinished">位置がまだ不明です</translation>
+        <translation>位置がまだ分かりません</translation>
     </message>
 </context>
 <context>
@@ -10358,11 +10366,11 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>Its position is not known yet</source>
-        <translation type="unfinished" />
+        <translation>位置がまだ分かりません</translation>
     </message>
     <message>
         <source>It starts where it is once it has told where that is.</source>
-        <translation type="unfinished" />
+        <translation>現在の位置が伝えられると、そこから始まります。</translation>
     </message>
 </context>
 <context>
@@ -10808,6 +10816,14 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>motor not known</source>
         <translation>モーター不明</translation>
+    </message>
+<message>
+        <source>Cancelled: %1</source>
+        <translation>中止しました: %1</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing was written.</source>
+        <translation>中止しました: 何も書き込まれていません。</translation>
     </message>
 </context>
 <context>
@@ -18022,15 +18038,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation type="unfinished" />
     </message>
     <message>
-        <source>an experiment on it has not ended</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
         <source>halt it first, or give a position</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>it is not armed, or moves</source>
         <translation type="unfinished" />
     </message>
     <message>
@@ -18042,12 +18050,60 @@ double click plots it, drag it to a pane or below them</source>
         <translation type="unfinished" />
     </message>
     <message>
-        <source>wait until it has, or stop it</source>
-        <translation type="unfinished" />
-    </message>
-<message>
         <source>the gains were not put back: %1; the notebook has them, 'motorbenchctl trials' lists what is owed</source>
         <translation>ゲインを元に戻していません: %1。値はノートにあります。'motorbenchctl trials' で未復元の一覧を表示できます</translation>
     </message>
-    </context>
+    <message>
+        <source>an experiment on it has not ended</source>
+        <translation>この機器での実験がまだ終わっていません</translation>
+    </message>
+    <message>
+        <source>begin a queue first</source>
+        <translation>先にキューを始めてください</translation>
+    </message>
+    <message>
+        <source>firmware is written to a unit here; the link stays open</source>
+        <translation>ここで機器にファームウェアを書き込んでいるため、リンクは開いたままです</translation>
+    </message>
+    <message>
+        <source>it has passed</source>
+        <translation>合格しています</translation>
+    </message>
+    <message>
+        <source>it is being served, or waits for its turn</source>
+        <translation>処理中か、順番を待っています</translation>
+    </message>
+    <message>
+        <source>it is not armed, or moves</source>
+        <translation>駆動が許可されていないか、動いています</translation>
+    </message>
+    <message>
+        <source>it is not in the queue</source>
+        <translation>キューにありません</translation>
+    </message>
+    <message>
+        <source>it was taken off</source>
+        <translation>取り外されました</translation>
+    </message>
+    <message>
+        <source>nothing is served here</source>
+        <translation>ここでは何も処理していません</translation>
+    </message>
+    <message>
+        <source>put it on again; it gets a row of its own</source>
+        <translation>もう一度取り付けてください。新しい行になります</translation>
+    </message>
+    <message>
+        <source>take it off and put it on again to serve it once more</source>
+        <translation>もう一度処理するには、取り外してから取り付け直してください</translation>
+    </message>
+    <message>
+        <source>wait until it has, or stop it</source>
+        <translation>終わるまで待つか、止めてください</translation>
+    </message>
+    <message>
+        <source>wait until it is done, or cancel it</source>
+        <translation>終わるまで待つか、中止してください</translation>
+    </message>
+</context>
 </TS>

@@ -1872,11 +1872,11 @@
     </message>
     <message>
         <source>it has restarted</source>
-        <translation type="unfinished" />
+        <translation>它已重新启动</translation>
     </message>
     <message>
         <source>an experiment on it has not ended</source>
-        <translation type="unfinished" />
+        <translation>其上的实验尚未结束</translation>
     </message>
 </context>
 <context>
@@ -2072,7 +2072,7 @@
     </message>
     <message>
         <source>Not run: %1</source>
-        <translation type="unfinished" />
+        <translation>未运行：%1</translation>
     </message>
 </context>
 <context>
@@ -6471,6 +6471,10 @@ double click or End returns to the present · right click for more</source>
         <source>stops every motor</source>
         <translation>停止所有电机</translation>
     </message>
+<message>
+        <source>not tested again: %1</source>
+        <translation>未重新测试：%1</translation>
+    </message>
 </context>
 <context>
     <name>mb::ProfileFields</name>
@@ -6830,6 +6834,10 @@ double click or End returns to the present · right click for more</source>
     <message>
         <source>Every unit is backed up before and compared afterwards; the journal has it.</source>
         <translation>每台设备事先备份、事后比较；日志簿均有记录。</translation>
+    </message>
+<message>
+        <source>not tried again: %1</source>
+        <translation>未重试：%1</translation>
     </message>
 </context>
 <context>
@@ -10139,15 +10147,15 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>The position of axis %1 is not known yet</source>
-        <translation type="unfinished" />
+        <translation>轴 %1 的位置尚不清楚</translation>
     </message>
     <message>
         <source>no device</source>
-        <translation type="unfinished">无设备</translation>
+        <translation>没有设备</translation>
     </message>
     <message>
         <source>its position is not known yet</source>
-        <translation type="unfinished">其位置尚未知</translation>
+        <translation>其位置尚不清楚</translation>
     </message>
 </context>
 <context>
@@ -10358,11 +10366,11 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>Its position is not known yet</source>
-        <translation type="unfinished" />
+        <translation>其位置尚不清楚</translation>
     </message>
     <message>
         <source>It starts where it is once it has told where that is.</source>
-        <translation type="unfinished" />
+        <translation>一旦报告了所在位置，就从那里开始。</translation>
     </message>
 </context>
 <context>
@@ -10808,6 +10816,14 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>motor not known</source>
         <translation>电机未知</translation>
+    </message>
+<message>
+        <source>Cancelled: %1</source>
+        <translation>已取消：%1</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing was written.</source>
+        <translation>已取消：未写入任何内容。</translation>
     </message>
 </context>
 <context>
@@ -18022,15 +18038,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation type="unfinished" />
     </message>
     <message>
-        <source>an experiment on it has not ended</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
         <source>halt it first, or give a position</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>it is not armed, or moves</source>
         <translation type="unfinished" />
     </message>
     <message>
@@ -18042,12 +18050,60 @@ double click plots it, drag it to a pane or below them</source>
         <translation type="unfinished" />
     </message>
     <message>
-        <source>wait until it has, or stop it</source>
-        <translation type="unfinished" />
-    </message>
-<message>
         <source>the gains were not put back: %1; the notebook has them, 'motorbenchctl trials' lists what is owed</source>
         <translation>增益未恢复：%1；试验记录本中有这些增益，“motorbenchctl trials”可列出待恢复项</translation>
     </message>
-    </context>
+    <message>
+        <source>an experiment on it has not ended</source>
+        <translation>其上的实验尚未结束</translation>
+    </message>
+    <message>
+        <source>begin a queue first</source>
+        <translation>请先开始一个队列</translation>
+    </message>
+    <message>
+        <source>firmware is written to a unit here; the link stays open</source>
+        <translation>此处正在向一台设备写入固件；链路保持打开</translation>
+    </message>
+    <message>
+        <source>it has passed</source>
+        <translation>它已通过</translation>
+    </message>
+    <message>
+        <source>it is being served, or waits for its turn</source>
+        <translation>它正在处理或等待轮到</translation>
+    </message>
+    <message>
+        <source>it is not armed, or moves</source>
+        <translation>它未解锁，或正在运动</translation>
+    </message>
+    <message>
+        <source>it is not in the queue</source>
+        <translation>它不在队列中</translation>
+    </message>
+    <message>
+        <source>it was taken off</source>
+        <translation>它已被取下</translation>
+    </message>
+    <message>
+        <source>nothing is served here</source>
+        <translation>此处没有处理任何设备</translation>
+    </message>
+    <message>
+        <source>put it on again; it gets a row of its own</source>
+        <translation>请重新接上；它会得到自己的一行</translation>
+    </message>
+    <message>
+        <source>take it off and put it on again to serve it once more</source>
+        <translation>要再次处理，请取下后重新接上</translation>
+    </message>
+    <message>
+        <source>wait until it has, or stop it</source>
+        <translation>请等它结束，或将其停止</translation>
+    </message>
+    <message>
+        <source>wait until it is done, or cancel it</source>
+        <translation>请等它完成，或将其取消</translation>
+    </message>
+</context>
 </TS>

@@ -92,6 +92,16 @@ Task<void> Links::openReturned(LinkAddress address)
     co_return {};
 }
 
+Result<void> Links::mayClose(const Link &link) const
+{
+    if (m_context.operations.isLent(link))
+        return fail(Fault::Unsafe, say("units are served here; the link stays open"), say("end that first"));
+    if (m_context.operations.isUpdatedOn(link))
+        return fail(Fault::Unsafe, say("firmware is written to a unit here; the link stays open"),
+            say("wait until it is done, or cancel it"));
+    return {};
+}
+
 void Links::carryOut(const orders::CloseLink &order, const Finished &finished)
 {
     m_awaited.forget(order.link);
@@ -99,10 +109,9 @@ void Links::carryOut(const orders::CloseLink &order, const Finished &finished)
     end(order.link, fail(Fault::Cancelled, say("%1 was closed before it was open", order.link)));
     const auto parsed = LinkAddress::parse(order.link);
     if (Link *link = parsed ? m_context.session.linkBook().find(*parsed) : nullptr) {
-        if (m_context.operations.isLent(*link)) {
-            const Error error{Fault::Unsafe, say("units are served here; the link stays open"), say("end that first")};
-            m_context.log.tell(Severity::Caution, link->address().shortName(), error.message());
-            return finished(fail(error));
+        if (const Result<void> may = mayClose(*link); !may) {
+            m_context.log.tell(Severity::Caution, link->address().shortName(), may.error().message());
+            return finished(may);
         }
         m_closedByHand.insert(order.link);
         remove(*link);

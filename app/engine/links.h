@@ -50,6 +50,7 @@ private:
     void end(const std::string &address, const Result<void> &result);
     [[nodiscard]] Task<void> openAll(std::vector<LinkAddress> addresses);
     [[nodiscard]] Task<void> openReturned(LinkAddress address);
+    [[nodiscard]] Result<void> mayClose(const Link &link) const;
     void couldNotOpen(const LinkAddress &address, const Error &error);
     void opened(Link &link);
     void openAwaited(const LinkAddress &address);

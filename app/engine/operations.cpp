@@ -122,6 +122,15 @@ bool Operations::hasOn(const Link &link) const
         [&](const Device *device) { return &device->link() == &link && has(m_session.idOf(*device)); });
 }
 
+bool Operations::isUpdatedOn(const Link &link) const
+{
+    return std::any_of(m_jobs.begin(), m_jobs.end(), [this, &link](const Job &job) {
+        const Device *const device = m_session.find(job.device);
+        return isRunning(job) && job.operation->status().kind == OperationKind::UpdateFirmware && device
+            && &device->link() == &link;
+    });
+}
+
 bool Operations::isAnyRunning() const
 {
     if (!m_lent.empty())

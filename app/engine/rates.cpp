@@ -90,6 +90,8 @@ void Rates::setNext()
 
 void Rates::set(const Place &place, double hertz)
 {
+    const auto present = m_inForce.find(place);
+    const auto before = present == m_inForce.end() ? std::optional<double>() : std::optional(present->second);
     if (hertz > 0.0)
         m_inForce[place] = hertz;
     else
@@ -97,12 +99,27 @@ void Rates::set(const Place &place, double hertz)
     m_context.operations.begin<void>(
         place.first, say("Set telemetry rate"),
         [channel = place.second, hertz](Device &device, Progress &) { return device.setRate(channel, hertz); },
-        [this](const Operations::Job &job, const Result<void> &result) {
-            if (!result && result.error().fault != Fault::Unsupported) // then it stays as it is
-                m_context.log.tell(
-                    Severity::Caution, job.device, say("Set telemetry rate: %1", result.error().message()));
-        },
+        [this, place, before](
+            const Operations::Job &job, const Result<void> &result) { ended(place, before, job.device, result); },
         [](const Result<void> &) {});
+}
+
+/// What got lost has perhaps not come into force: what was before it still stands in the book.
+void Rates::ended(const Place &place, std::optional<double> before, DeviceId device, const Result<void> &result)
+{
+    const bool isLost = !result && (result.error().fault == Fault::Timeout || result.error().fault == Fault::LinkLost);
+    const bool isNews = isLost ? m_lost.insert(place).second : !result;
+    if (!isLost)
+        m_lost.erase(place);
+    if (isNews && result.error().fault != Fault::Unsupported) // then it stays as it is
+        m_context.log.tell(Severity::Caution, device, say("Set telemetry rate: %1", result.error().message()));
+    if (!isLost)
+        return;
+    if (before)
+        m_inForce[place] = *before;
+    else
+        m_inForce.erase(place);
+    wait();
 }
 
 } // namespace mb

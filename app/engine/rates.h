@@ -5,6 +5,8 @@
 #include "widgets/orders/deviceorders.h"
 
 #include <map>
+#include <optional>
+#include <set>
 
 namespace mb {
 
@@ -18,7 +20,8 @@ namespace mb {
 /// or the device's own rate where nobody is left.
 ///
 /// Each rate is an operation of its device, so they are set one after the other, each while its device is free, what somebody waits to
-/// see before what nobody does. A rate that a device refuses is told in the log, and not asked for again.
+/// see before what nobody does. A rate that a device refuses is told in the log, and not asked for again; one that got lost is told
+/// once, and asked for until it is answered.
 class Rates {
 public:
     explicit Rates(const EngineContext &context)
@@ -40,10 +43,12 @@ private:
     void wait();
     void setNext();
     void set(const Place &place, double hertz);
+    void ended(const Place &place, std::optional<double> before, DeviceId device, const Result<void> &result);
 
     EngineContext m_context;
     std::map<std::uint64_t, std::map<Place, double>> m_wishes; ///< by who wishes
     std::map<Place, double> m_inForce;                         ///< what the devices were asked for
+    std::set<Place> m_lost;                                    ///< told so
     Timer m_next;
 };
 

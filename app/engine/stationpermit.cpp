@@ -35,6 +35,7 @@ StationPermit::StationPermit(Clock &clock)
 
 void StationPermit::arm(bool on)
 {
+    m_armings += on && !m_isArmed;
     m_isArmed = on;
     restart();
     m_changed.notify();
@@ -49,18 +50,20 @@ void StationPermit::restart()
         m_until.stop();
 }
 
-/// Three seconds in which everybody is told, and somebody can still say no: then it waits again.
+/// Three seconds in which everybody is told, and somebody can still say no: then it waits again, and tells it anew.
 Task<void> StationPermit::beforeMotion(const Device &device, const service::SelfTest &, Progress &progress)
 {
+    int arming = 0;
     do {
         auto waiting = untilArmed(device, progress);
         co_await std::move(waiting);
+        arming = m_armings;
         const Counted announcing(m_announcing);
         restart();
         m_changed.notify();
         Sleep warning(m_clock, announcement);
         co_await warning;
-    } while (!m_isArmed);
+    } while (!m_isArmed || arming != m_armings);
     m_changed.notify();
     co_return {};
 }

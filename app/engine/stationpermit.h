@@ -44,6 +44,7 @@ private:
 
     Clock &m_clock;
     bool m_isArmed = false;
+    int m_armings = 0;
     Instant m_end{};
     int m_announcing = 0;
     int m_waiting = 0;

@@ -313,6 +313,24 @@ TEST_F(Core, ClosingALinkStopsItsMotorsAndEndsItsJobs)
     EXPECT_EQ(core.snapshot().devices.size(), 6U);
 }
 
+TEST_F(Core, ALinkStaysOpenWhileAUnitOnItIsUpdated)
+{
+    open("sim:can");
+    core.send(orders::UpdateFirmware{id(7), std::make_shared<FirmwareImage>(), {}});
+    test::Heard<> closed;
+    core.send(orders::CloseLink{"sim:can"}, into(closed));
+    ASSERT_TRUE(closed);
+    ASSERT_FALSE(*closed);
+    EXPECT_EQ(closed->error().fault, Fault::Unsafe);
+    EXPECT_EQ(core.snapshot().links.size(), 1U);
+    clock.advance(30s);
+    closed.reset();
+    core.send(orders::CloseLink{"sim:can"}, into(closed));
+    ASSERT_TRUE(closed);
+    EXPECT_TRUE(*closed) << "once it is over";
+    EXPECT_TRUE(core.snapshot().links.empty());
+}
+
 TEST_F(Core, DoesNotLetAnythingElseTalkToAUnitDuringAnUpdate)
 {
     open("sim:can");

@@ -106,6 +106,30 @@ TEST_F(EngineParts, ARestoredRateIsWhatWasAskedForBefore)
     EXPECT_NEAR(device(5).telemetry()->rate(velocity()), 100.0, 10.0);
 }
 
+TEST_F(EngineParts, ARateThatGotLostIsAskedForAgain)
+{
+    Rates rates(context);
+    clock.advance(3s);
+    const double own = device(5).telemetry()->rate(velocity());
+    const auto loseTheNext = [&] {
+        ASSERT_TRUE(clock.runUntil([&] { return operations.has(id(5)); }, 1s));
+        session.bench(*link)->setLoss(1.0);
+        ASSERT_TRUE(clock.runUntil([&] { return !operations.has(id(5)); }, 10s));
+        session.bench(*link)->setLoss(0.0);
+    };
+    wish(rates, 1, 50.0);
+    loseTheNext();
+    clock.advance(10s);
+    EXPECT_NEAR(device(5).telemetry()->rate(velocity()), 50.0, 5.0);
+    wish(rates, 1, 0.0);
+    loseTheNext();
+    clock.advance(10s);
+    EXPECT_NEAR(device(5).telemetry()->rate(velocity()), own, 0.1 * own) << "and given back likewise";
+    EXPECT_EQ(std::count_if(lines.begin(), lines.end(),
+                  [](const std::string &line) { return line.find("Set telemetry rate") != std::string::npos; }),
+        2);
+}
+
 TEST_F(EngineParts, TheHighestWishHoldsAndWhoEndsGivesItBack)
 {
     Rates rates(context);

@@ -201,6 +201,20 @@ TEST_F(Served, DisarmedInTheLastThreeSecondsItWaitsAgain)
     EXPECT_TRUE(renewedUntil([this] { return anyMoves(); }));
 }
 
+TEST_F(Served, ArmedAnewInTheLastThreeSecondsItIsAnnouncedAnew)
+{
+    ASSERT_TRUE(serve({recipe(moving), {"sim:can"}, std::nullopt}));
+    core->send(orders::ArmService{true});
+    ASSERT_TRUE(clock.runUntil([this] { return view().announces; }, 5min));
+    clock.advance(200ms);
+    core->send(orders::ArmService{false});
+    clock.advance(2600ms);
+    core->send(orders::ArmService{true});
+    const Instant armed = clock.now();
+    EXPECT_TRUE(renewedUntil([this] { return anyMoves(); }));
+    EXPECT_GE(clock.now() - armed, 3s);
+}
+
 TEST_F(Served, AUnitThatIsTakenOffWhileItWaitsForArmingHasFailedForThat)
 {
     ASSERT_TRUE(serve({recipe(moving), {"sim:can"}, std::nullopt}));

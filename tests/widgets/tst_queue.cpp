@@ -163,7 +163,8 @@ void QueueTest::eachRowTellsHowFarItIsAndWhatCameOfIt()
     QCOMPARE(bench.cell(0, QueueModel::Versions), QStringLiteral("1.23 → 1.25"));
     QVERIFY(bench.cell(0, QueueModel::Outcome).contains(QStringLiteral("55")));
     QCOMPARE(bench.model().index(0, QueueModel::Share).data(QueueModel::ShareRole).toInt(), 100);
-    QCOMPARE(bench.model().index(1, QueueModel::Share).data(QueueModel::ShareRole).toInt(), 37); // two of seven steps and a part
+    QCOMPARE(bench.model().index(1, QueueModel::Share).data(QueueModel::ShareRole).toInt(),
+        37); // two of seven steps and a part
     QVERIFY(bench.cell(1, QueueModel::Time).startsWith(QStringLiteral("5.0")));
     QVERIFY(bench.cell(2, QueueModel::Outcome).contains(QStringLiteral("number 9")));
     QVERIFY(bench.cell(3, QueueModel::StepNow).contains(QStringLiteral("Firmware")));
@@ -281,7 +282,6 @@ void QueueTest::aBarIsWholeOnlyForAUnitThatPassed()
         row.total = 31;
         ServiceView view;
         view.rows = {row};
-        view.matter = std::make_shared<service::RecipeMatter>();
         const auto &shot = bench.workbench.shot;
         const auto totals = totalsOf(view, bench.workbench.time).share;
         return std::pair(queueLines(view, shot, nullptr, {}, bench.workbench.time).front().done.value_or(-1), totals);

@@ -9,6 +9,7 @@
 #include "widgets/common/labels.h"
 #include "widgets/common/searchfield.h"
 #include "widgets/common/spoken.h"
+#include "widgets/common/updates.h"
 #include "widgets/connection/deviceactions.h"
 #include "widgets/connection/devicedelegate.h"
 #include "widgets/connection/scanstrip.h"
@@ -249,7 +250,9 @@ void DeviceTree::showMenu(const QPoint &position)
                 keep->setCheckable(true);
                 keep->setChecked(m_isKept(address));
             }
-            menu->addAction(tr("Close this link"), this, [this, address] { Q_EMIT closeLinkRequested(address); });
+            QAction *close
+                = menu->addAction(tr("Close this link"), this, [this, address] { Q_EMIT closeLinkRequested(address); });
+            close->setEnabled(!updateOn(m_workbench.snapshot(), link.address)); // a unit may lose its firmware
         }
     }
     menu->popup(m_view->viewport()->mapToGlobal(position));
