@@ -69,6 +69,17 @@ TEST_F(AbstractDcController, AnAveragingThatNobodyKnowsIsTakenForAGreaterOne)
     EXPECT_TRUE(device->mayMove());
 }
 
+TEST_F(AbstractDcController, AnAveragingThatOnlyAFileTellsIsTakenForAGreaterOneToo)
+{
+    Simulator &drive = add("abstractdc:3");
+    open(3, &dialectF);
+    device->knowledge().assume(*findParameter(family.parameters, "current.averaging"), 10);
+    ASSERT_TRUE(write("current.averaging", 60)) << "the drive may have 500";
+    EXPECT_FALSE(device->mayMove());
+    powerCycle(drive, clock);
+    EXPECT_TRUE(device->mayMove());
+}
+
 TEST_F(AbstractDcController, AnotherRunOfTheProgramKnowsThatThePowerCycleIsOwed)
 {
     Simulator &drive = add("abstractdc:3");

@@ -307,6 +307,16 @@ TEST_F(AbstractDcUpdate, ErasingTheSettingsIsWarnedOfAndForgetsWhatWasAssumed)
     EXPECT_EQ(device->knowledge().profile().counters.at("saves.velocity"), 0);
 }
 
+TEST_F(AbstractDcUpdate, SettingsThatWereErasedBeforeItFailedAreForgottenAllTheSame)
+{
+    standIn(replay("erased address 0x0800c800 (length 3072) in 0.124s\n** Programming Started **\nError: failed", 1));
+    const auto report = update(by("openocd:stlink", true));
+    ASSERT_FALSE(report);
+    const auto divisor = *findParameter(family.parameters, "velocity.divisor");
+    EXPECT_EQ(device->parameters().entry(divisor).raw, 0) << "blank flash";
+    EXPECT_NE(report.error().text().find("half a program"), std::string::npos) << report.error().text();
+}
+
 TEST_F(AbstractDcUpdate, AVerifyThatFailsIsAFailureWhateverTheExitStatus)
 {
     standIn(

@@ -243,5 +243,36 @@ TEST(SupermodifiedUpdate, MayBeCancelledAgainWhileItLooksForTheNode)
     EXPECT_EQ(cancelled.error().fault, Fault::Cancelled);
 }
 
+TEST(SupermodifiedUpdate, AnAvrdudeThatFallsSilentWhileItWritesIsNotRunAgain)
+{
+    for (const std::string via : {"avrdude:arduino:/dev/nowhere", "avrdude:usbasp:usb"}) {
+        SupermodifiedUpdateBench bench;
+        bench.standIn("printf 'Writing | ####' >&2; exec sleep 300\n");
+        VirtualClock clock; // a minute of silence
+        VirtualSerialLine line(clock, VirtualSerialLine::Wiring::HalfDuplex, 1);
+        VirtualSerialLink host(*LinkAddress::parse("sim:serial?bitrate=115200"), line);
+        ASSERT_TRUE(host.open());
+        const auto device = bench.device->family().open(host, clock, bench.device->identity());
+        Operation operation(clock, say("firmware update"));
+        std::optional<Result<UpdateReport>> report;
+        UpdateOptions options;
+        options.via = via;
+        operation.run<UpdateReport>(supermodified::update(*device, bench.written, options, operation),
+            [&report](Result<UpdateReport> result) { report = std::move(result); });
+        ASSERT_TRUE(bench.loop.runUntil([&] {
+            clock.advance(1ms);
+            return operation.status().step.english() == "Writing flash";
+        }));
+        clock.advance(61s);
+        ASSERT_TRUE(bench.loop.runUntil([&] {
+            clock.advance(10ms);
+            return report.has_value() || bench.calls().count('\n') > 1;
+        }));
+        EXPECT_EQ(bench.calls().count('\n'), 1) << via;
+        ASSERT_TRUE(report && !*report) << via;
+        EXPECT_NE(report->error().text().find("half a program"), std::string::npos) << report->error().text();
+    }
+}
+
 } // namespace
 } // namespace mb::supermodified

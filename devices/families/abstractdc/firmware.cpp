@@ -14,6 +14,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 
 namespace mb::abstractdc {
 namespace {
@@ -29,8 +30,14 @@ bool touchesSettings(const FirmwareImage &image)
     return image.hasAny(settingsAddress, settingsAddress + settingsSize - 1);
 }
 
-/// Runs OpenOCD to its end; fails with one line that names the remedy.
-Task<openocd::Reading> program(Clock &clock, openocd::Job job, std::vector<int> pages, Progress &progress)
+/// One run of OpenOCD, however it ended.
+struct Attempt {
+    openocd::Reading reading;
+    std::optional<Error> error; ///< of one that failed
+};
+
+/// Runs OpenOCD to its end; its error is one line that names the remedy.
+Task<Attempt> program(Clock &clock, openocd::Job job, std::vector<int> pages, Progress &progress)
 {
     const auto mark = [&pages, &progress](PartState state) {
         for (const int page : pages)
@@ -56,10 +63,14 @@ Task<openocd::Reading> program(Clock &clock, openocd::Job job, std::vector<int> 
     mark(PartState::Waiting);
     show();
     auto running = runProgrammer(clock, openocd::commandOf(job), say("check the probe and try again"), take, progress);
-    const ExternalProgram::Exit exit = co_await std::move(running);
-    if (!exit.isSuccess() || !reading.isVerified())
-        co_return fail(reading.failure(job));
-    co_return reading;
+    const Result<ExternalProgram::Exit> exit = co_await std::move(running).attempt();
+    if (exit && exit->isSuccess() && reading.isVerified())
+        co_return Attempt{std::move(reading), {}};
+    Error error = exit ? reading.failure(job) : exit.error();
+    if (reading.stage() >= Stage::Writing)
+        error.remedy = joined(
+            error.remedy, say("the drive may hold half a program, and runs again once an update has succeeded"));
+    co_return Attempt{std::move(reading), std::move(error)};
 }
 
 Result<void> preflight(const Device &device, const FirmwareImage &image, const UpdateOptions &options)
@@ -128,10 +139,12 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
             say("the gains stored in the drive are erased; all its loops do nothing until they are written again"));
     device.stop();
     auto programming = program(device.clock(), *job, summary->parts, progress);
-    const openocd::Reading reading = co_await std::move(programming);
-    progress.step(titleOf(Stage::Over), static_cast<int>(Stage::Over), static_cast<int>(Stage::Over));
-    if (reading.isErased())
+    const Attempt attempt = co_await std::move(programming);
+    if (attempt.reading.isErased())
         static_cast<Controller &>(device).settingsErased();
+    if (attempt.error)
+        co_return fail(*attempt.error);
+    progress.step(titleOf(Stage::Over), static_cast<int>(Stage::Over), static_cast<int>(Stage::Over));
     auto asking = answersAgain(device);
     const bool answered = co_await std::move(asking);
     report.pages = static_cast<int>(summary->parts.size());

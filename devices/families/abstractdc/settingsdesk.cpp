@@ -80,11 +80,10 @@ Result<void> SettingsDesk::mayWrite(const Parameter &parameter, std::int64_t raw
     return {};
 }
 
-/// What is in force is known only where this program wrote it: otherwise any value but the greatest may be a lower one.
+/// What is in force is known only where this run of the program wrote it, whatever a file says: otherwise any value but the greatest may be a lower one.
 bool SettingsDesk::mayLowerAveraging(std::int64_t raw) const
 {
-    const auto before = m_device.parameters().entry(*parameterOf(Loop::Current, Field::Averaging)).raw;
-    return raw < before.value_or(averagingMost);
+    return raw < m_averaging.value_or(averagingMost);
 }
 
 Task<std::int64_t> SettingsDesk::write(const Parameter &parameter, std::int64_t raw)
@@ -99,6 +98,8 @@ Task<std::int64_t> SettingsDesk::write(const Parameter &parameter, std::int64_t 
     const int offset = m_device.identity().address;
     if (auto sent = m_can.send(encodeSettings(*m_logs.dialect(), offset, loop, fieldOf(parameter), value)); !sent)
         co_return fail(sent.error());
+    if (fieldOf(parameter) == Field::Averaging)
+        m_averaging = raw;
     auto asking = expectAnswer();
     co_await std::move(asking);
     m_unsaved.insert(loop);

@@ -4,6 +4,7 @@
 #include "families/abstractdc/logsense.h"
 #include "families/abstractdc/powercycledebt.h"
 
+#include <optional>
 #include <set>
 #include <string>
 
@@ -39,6 +40,7 @@ private:
     PowerCycleDebt &m_debt;
     std::function<void(const std::string &, std::int64_t)> m_count;
     std::set<Loop> m_unsaved;
+    std::optional<std::int64_t> m_averaging; ///< written last, by this run
 };
 
 } // namespace mb::abstractdc

@@ -103,10 +103,10 @@ Task<Attempt> runOnce(Clock &clock, avrdude::Job job, Progress &progress)
     };
     show(reading, progress);
     auto running = runProgrammer(clock, avrdude::commandOf(job), say("check the cables and try again"), take, progress);
-    const ExternalProgram::Exit exit = co_await std::move(running);
-    if (exit.isSuccess() && reading.isVerified())
+    const Result<ExternalProgram::Exit> exit = co_await std::move(running).attempt();
+    if (exit && exit->isSuccess() && reading.isVerified())
         co_return Attempt{std::move(reading), {}, true};
-    Error error = reading.failure(job);
+    Error error = exit ? reading.failure(job) : exit.error();
     if (reading.hasBegun())
         error.remedy = joined(
             error.remedy, say("the controller may hold half a program, and runs again once an update has succeeded"));
@@ -131,11 +131,11 @@ Task<avrdude::Reading> program(Clock &clock, avrdude::Job job, Progress &progres
     for (const int rate : avrdude::bootloaderRates) {
         job.rate = rate;
         auto run = runOnce(clock, job, progress);
-        Result<Attempt> attempt = co_await std::move(run).attempt();
-        if (attempt && !attempt->error)
-            co_return std::move(attempt->reading);
-        last = attempt ? *attempt->error : attempt.error();
-        if (last.fault != Fault::Timeout || (attempt && attempt->hasBegun))
+        Attempt attempt = co_await std::move(run);
+        if (!attempt.error)
+            co_return std::move(attempt.reading);
+        last = *attempt.error;
+        if (last.fault != Fault::Timeout || attempt.hasBegun)
             break;
         progress.log(Severity::Caution, say("no bootloader answers at %1 bit/s", rate));
     }
@@ -229,7 +229,8 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
     if (!programmed)
         co_return fail(programmed.error());
     if (!opened)
-        co_return fail(opened.error());
+        co_return fail(opened.error().about(
+            say("avrdude read back all %1 bytes and they are equal, but the port is away", image.byteCount())));
     progress.step(say("Looking for the controller"), 1, 1);
     progress.mayInterrupt(true);
     auto asking = answersAgain(device);
