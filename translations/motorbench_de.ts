@@ -7425,7 +7425,7 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     </message>
     <message>
         <source>What the last session recorded waits for the next start: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die letzte Sitzung aufgezeichnet hat, wartet auf den nächsten Start: %1</translation>
     </message>
 </context>
 <context>
@@ -18045,7 +18045,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>%1 has a time that is more than 140 years from 1970</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat eine Zeit, die mehr als 140 Jahre von 1970 entfernt ist</translation>
     </message>
     <message>
         <source>after a move with a velocity or a profile it is not known from where this distance counts</source>
@@ -18057,7 +18057,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>record with the clock set</source>
-        <translation type="unfinished"></translation>
+        <translation>mit gestellter Uhr aufzeichnen</translation>
     </message>
     <message>
         <source>the motor may be %1 counts from where its loop holds it, and with this P that overflows</source>

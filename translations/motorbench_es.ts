@@ -7425,7 +7425,7 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
     </message>
     <message>
         <source>What the last session recorded waits for the next start: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que grabó la última sesión espera al próximo inicio: %1</translation>
     </message>
 </context>
 <context>
@@ -18045,7 +18045,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
     <message>
         <source>%1 has a time that is more than 140 years from 1970</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tiene una hora a más de 140 años de 1970</translation>
     </message>
     <message>
         <source>after a move with a velocity or a profile it is not known from where this distance counts</source>
@@ -18057,7 +18057,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
     <message>
         <source>record with the clock set</source>
-        <translation type="unfinished"></translation>
+        <translation>grabe con el reloj ajustado</translation>
     </message>
     <message>
         <source>the motor may be %1 counts from where its loop holds it, and with this P that overflows</source>

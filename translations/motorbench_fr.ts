@@ -7425,7 +7425,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>What the last session recorded waits for the next start: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce que la dernière session a enregistré attend le prochain démarrage : %1</translation>
     </message>
 </context>
 <context>
@@ -18045,7 +18045,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>%1 has a time that is more than 140 years from 1970</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 a une heure à plus de 140 ans de 1970</translation>
     </message>
     <message>
         <source>after a move with a velocity or a profile it is not known from where this distance counts</source>
@@ -18057,7 +18057,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>record with the clock set</source>
-        <translation type="unfinished"></translation>
+        <translation>enregistrez avec une horloge réglée</translation>
     </message>
     <message>
         <source>the motor may be %1 counts from where its loop holds it, and with this P that overflows</source>

@@ -7416,7 +7416,7 @@ double click or End returns to the present · right click for more</source>
     </message>
     <message>
         <source>What the last session recorded waits for the next start: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>上次会话的记录将等待下次启动：%1</translation>
     </message>
 </context>
 <context>
@@ -18031,7 +18031,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>%1 has a time that is more than 140 years from 1970</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 中有距 1970 年超过 140 年的时间</translation>
     </message>
     <message>
         <source>after a move with a velocity or a profile it is not known from where this distance counts</source>
@@ -18043,7 +18043,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>record with the clock set</source>
-        <translation type="unfinished"></translation>
+        <translation>请在校准时钟后录制</translation>
     </message>
     <message>
         <source>the motor may be %1 counts from where its loop holds it, and with this P that overflows</source>
