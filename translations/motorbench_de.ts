@@ -17915,5 +17915,29 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>the unit was taken off while it waited for a number</source>
         <translation>Das Gerät wurde abgenommen, während es auf eine Nummer wartete</translation>
     </message>
+    <message>
+        <source>after a move with a velocity or a profile it is not known from where this distance counts</source>
+        <translation>nach einer Fahrt mit Geschwindigkeit oder Profil ist nicht bekannt, von wo diese Strecke zählt</translation>
+    </message>
+    <message>
+        <source>avrdude read back all %1 bytes and they are equal, but the port is away</source>
+        <translation>avrdude hat alle %1 Byte zurückgelesen und sie sind gleich, aber der Anschluss ist weg</translation>
+    </message>
+    <message>
+        <source>halt it first, or give a position</source>
+        <translation>zuerst anhalten oder eine Position angeben</translation>
+    </message>
+    <message>
+        <source>restart the unit: its old firmware is still there</source>
+        <translation>das Gerät neu starten: seine alte Firmware ist noch da</translation>
+    </message>
+    <message>
+        <source>the drive may hold half a program, and runs again once an update has succeeded</source>
+        <translation>der Antrieb hat vielleicht nur ein halbes Programm und läuft wieder, sobald ein Update gelungen ist</translation>
+    </message>
+    <message>
+        <source>the motor may be %1 counts from where its loop holds it, and with this P that overflows</source>
+        <translation>der Motor ist vielleicht %1 Schritte von dort entfernt, wo sein Regler ihn hält, und mit diesem P läuft das über</translation>
+    </message>
 </context>
 </TS>

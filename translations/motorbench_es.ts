@@ -17915,5 +17915,29 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>the unit was taken off while it waited for a number</source>
         <translation>la unidad se retiró mientras esperaba un número</translation>
     </message>
+    <message>
+        <source>after a move with a velocity or a profile it is not known from where this distance counts</source>
+        <translation>después de un movimiento con velocidad o perfil no se sabe desde dónde cuenta esta distancia</translation>
+    </message>
+    <message>
+        <source>avrdude read back all %1 bytes and they are equal, but the port is away</source>
+        <translation>avrdude ha releído los %1 bytes y son iguales, pero el puerto ya no está</translation>
+    </message>
+    <message>
+        <source>halt it first, or give a position</source>
+        <translation>deténgalo primero o indique una posición</translation>
+    </message>
+    <message>
+        <source>restart the unit: its old firmware is still there</source>
+        <translation>reinicie la unidad: su firmware anterior sigue ahí</translation>
+    </message>
+    <message>
+        <source>the drive may hold half a program, and runs again once an update has succeeded</source>
+        <translation>el accionamiento puede tener medio programa y volverá a funcionar cuando una actualización termine bien</translation>
+    </message>
+    <message>
+        <source>the motor may be %1 counts from where its loop holds it, and with this P that overflows</source>
+        <translation>el motor puede estar a %1 cuentas de donde su lazo lo mantiene, y con esta P eso desborda</translation>
+    </message>
 </context>
 </TS>

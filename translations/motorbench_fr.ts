@@ -17915,5 +17915,29 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>the unit was taken off while it waited for a number</source>
         <translation>l’unité a été retirée pendant qu’elle attendait un numéro</translation>
     </message>
+    <message>
+        <source>after a move with a velocity or a profile it is not known from where this distance counts</source>
+        <translation>après un mouvement en vitesse ou avec profil, on ne sait pas à partir d’où compte cette distance</translation>
+    </message>
+    <message>
+        <source>avrdude read back all %1 bytes and they are equal, but the port is away</source>
+        <translation>avrdude a relu les %1 octets et ils sont égaux, mais le port a disparu</translation>
+    </message>
+    <message>
+        <source>halt it first, or give a position</source>
+        <translation>arrêtez-le d’abord ou indiquez une position</translation>
+    </message>
+    <message>
+        <source>restart the unit: its old firmware is still there</source>
+        <translation>redémarrez l’appareil : son ancien micrologiciel est toujours là</translation>
+    </message>
+    <message>
+        <source>the drive may hold half a program, and runs again once an update has succeeded</source>
+        <translation>le variateur contient peut-être un demi-programme et refonctionnera dès qu’une mise à jour aura réussi</translation>
+    </message>
+    <message>
+        <source>the motor may be %1 counts from where its loop holds it, and with this P that overflows</source>
+        <translation>le moteur est peut-être à %1 points de là où sa boucle le tient, et avec ce P cela déborde</translation>
+    </message>
 </context>
 </TS>

@@ -17901,5 +17901,29 @@ double click plots it, drag it to a pane or below them</source>
         <source>the unit was taken off while it waited for a number</source>
         <translation>番号を待っている間にユニットが取り外されました</translation>
     </message>
+    <message>
+        <source>after a move with a velocity or a profile it is not known from where this distance counts</source>
+        <translation>速度またはプロファイルによる移動の後では、この距離がどこから数えられるか分かりません</translation>
+    </message>
+    <message>
+        <source>avrdude read back all %1 bytes and they are equal, but the port is away</source>
+        <translation>avrdude は全 %1 バイトを読み戻し、一致しましたが、ポートがありません</translation>
+    </message>
+    <message>
+        <source>halt it first, or give a position</source>
+        <translation>先に停止保持するか、位置を指定してください</translation>
+    </message>
+    <message>
+        <source>restart the unit: its old firmware is still there</source>
+        <translation>ユニットを再起動してください。元のファームウェアは残っています</translation>
+    </message>
+    <message>
+        <source>the drive may hold half a program, and runs again once an update has succeeded</source>
+        <translation>ドライブには途中までのプログラムしかない可能性があり、更新が成功すれば再び動作します</translation>
+    </message>
+    <message>
+        <source>the motor may be %1 counts from where its loop holds it, and with this P that overflows</source>
+        <translation>モーターはループの保持位置から %1 カウント離れている可能性があり、この P ではオーバーフローします</translation>
+    </message>
 </context>
 </TS>

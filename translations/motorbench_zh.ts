@@ -17901,5 +17901,29 @@ double click plots it, drag it to a pane or below them</source>
         <source>the unit was taken off while it waited for a number</source>
         <translation>设备在等待编号时被取下</translation>
     </message>
+    <message>
+        <source>after a move with a velocity or a profile it is not known from where this distance counts</source>
+        <translation>在速度运动或曲线运动之后，不知道这段距离从哪里算起</translation>
+    </message>
+    <message>
+        <source>avrdude read back all %1 bytes and they are equal, but the port is away</source>
+        <translation>avrdude 已读回全部 %1 个字节且一致，但端口不见了</translation>
+    </message>
+    <message>
+        <source>halt it first, or give a position</source>
+        <translation>请先让它停住，或给出位置</translation>
+    </message>
+    <message>
+        <source>restart the unit: its old firmware is still there</source>
+        <translation>请重启该单元：其旧固件仍在</translation>
+    </message>
+    <message>
+        <source>the drive may hold half a program, and runs again once an update has succeeded</source>
+        <translation>驱动器里可能只有半个程序，更新成功后才能再次运行</translation>
+    </message>
+    <message>
+        <source>the motor may be %1 counts from where its loop holds it, and with this P that overflows</source>
+        <translation>电机可能距其控制环保持的位置 %1 个计数，用这个 P 会溢出</translation>
+    </message>
 </context>
 </TS>
