@@ -169,12 +169,6 @@ bool Line::stopWaits() const
     return !m_waiting.empty() && m_waiting.front().request.rank == Rank::Stop;
 }
 
-void Line::keepEarly(const Request &stop)
-{
-    std::erase_if(m_early, [&stop](const Request &known) { return known.frame.to == stop.frame.to; });
-    m_early.push_back(stop);
-}
-
 /// What they met on the line nobody knows; their answers were taken already.
 void Line::repeatStops()
 {
@@ -242,8 +236,10 @@ void Line::transmit(const Result<void> &rate)
     if (sent)
         sent = m_link.send(bytes, request.rank == Rank::Stop ? Priority::Urgent : Priority::Normal);
     const Duration patience = m_timing.patienceFor(request);
-    if (m_silence.isAwaited() && request.rank == Rank::Stop)
-        keepEarly(request);
+    if (m_silence.isAwaited() && request.rank == Rank::Stop) {
+        std::erase_if(m_early, [&request](const Request &known) { return known.frame.to == request.frame.to; });
+        m_early.push_back(request);
+    }
     m_inFlight->sentEnd = m_clock.now() + timeOf(m_link, bytes.size());
     m_inFlight->replyTime = request.answered ? timeOf(m_link, frameOverhead + request.replySize) : Duration::zero();
     if (sent)

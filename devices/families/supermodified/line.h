@@ -114,7 +114,6 @@ private:
     void shortenTimeout();
     [[nodiscard]] bool isSilent();
     [[nodiscard]] bool stopWaits() const;
-    void keepEarly(const Request &stop);
     void repeatStops();
     void onBytes(std::span<const std::uint8_t> bytes);
     void onFrame(const Frame &frame);
