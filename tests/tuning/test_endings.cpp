@@ -153,8 +153,8 @@ TEST(Endings, APositionThatIsSilentAloneEndsATrial)
 {
     StepWithGains step;
     const Trial trial = step.endedBy([&] {
-        const ParameterIndex period = step.bench.bench.index(*step.bench.device, "status.encoder.period");
-        (void)run(step.bench.bench.clock, step.bench.device->write(period, 30'000));
+        const ParameterIndex encoderPeriod = step.bench.bench.index(*step.bench.device, "status.encoder.encoderPeriod");
+        (void)run(step.bench.bench.clock, step.bench.device->write(encoderPeriod, 30'000));
     });
     EXPECT_EQ(trial.reason, "link");
     EXPECT_NE(trial.detail.english().find("no position for"), std::string::npos) << trial.detail.english();
