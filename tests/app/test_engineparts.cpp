@@ -87,7 +87,8 @@ TEST_F(EngineParts, ARateForADeviceThatIsBusyIsSetOnceItIsFree)
     clock.advance(3s);
     EXPECT_TRUE(blinked.front());
     EXPECT_EQ(operations.jobs().size(), 2U);
-    EXPECT_NEAR(device(5).telemetry()->rate(velocity()), 100.0, 10.0) << "what was asked for last";
+    EXPECT_NEAR(device(5).telemetry()->rate(velocity(), device(5).clock().now()), 100.0, 10.0)
+        << "what was asked for last";
 }
 
 TEST_F(EngineParts, ARestoredRateIsWhatWasAskedForBefore)
@@ -103,14 +104,14 @@ TEST_F(EngineParts, ARestoredRateIsWhatWasAskedForBefore)
     rates.restore(id(5));
     ASSERT_TRUE(operations.has(id(5)));
     clock.advance(5s);
-    EXPECT_NEAR(device(5).telemetry()->rate(velocity()), 100.0, 10.0);
+    EXPECT_NEAR(device(5).telemetry()->rate(velocity(), device(5).clock().now()), 100.0, 10.0);
 }
 
 TEST_F(EngineParts, ARateThatGotLostIsAskedForAgain)
 {
     Rates rates(context);
     clock.advance(3s);
-    const double own = device(5).telemetry()->rate(velocity());
+    const double own = device(5).telemetry()->rate(velocity(), device(5).clock().now());
     const auto loseTheNext = [&] {
         ASSERT_TRUE(clock.runUntil([&] { return operations.has(id(5)); }, 1s));
         session.bench(*link)->setLoss(1.0);
@@ -120,11 +121,12 @@ TEST_F(EngineParts, ARateThatGotLostIsAskedForAgain)
     wish(rates, 1, 50.0);
     loseTheNext();
     clock.advance(10s);
-    EXPECT_NEAR(device(5).telemetry()->rate(velocity()), 50.0, 5.0);
+    EXPECT_NEAR(device(5).telemetry()->rate(velocity(), device(5).clock().now()), 50.0, 5.0);
     wish(rates, 1, 0.0);
     loseTheNext();
     clock.advance(10s);
-    EXPECT_NEAR(device(5).telemetry()->rate(velocity()), own, 0.1 * own) << "and given back likewise";
+    EXPECT_NEAR(device(5).telemetry()->rate(velocity(), device(5).clock().now()), own, 0.1 * own)
+        << "and given back likewise";
     EXPECT_EQ(std::count_if(lines.begin(), lines.end(),
                   [](const std::string &line) { return line.find("Set telemetry rate") != std::string::npos; }),
         2);
@@ -134,10 +136,10 @@ TEST_F(EngineParts, TheHighestWishHoldsAndWhoEndsGivesItBack)
 {
     Rates rates(context);
     clock.advance(3s);
-    const double own = device(5).telemetry()->rate(velocity());
+    const double own = device(5).telemetry()->rate(velocity(), device(5).clock().now());
     const auto rate = [this] {
         clock.advance(4s);
-        return device(5).telemetry()->rate(velocity());
+        return device(5).telemetry()->rate(velocity(), device(5).clock().now());
     };
     constexpr std::uint64_t recording = 1;
     constexpr std::uint64_t plot = 2;

@@ -318,8 +318,9 @@ void StoryStage::tellTelemetry()
             const std::size_t gaps = telemetry.gaps({i}, Instant{}, clock.now()).size();
             tell("   " + nameOf(*on.device) + ' ' + std::string(telemetry.channels()[i].key) + ": "
                 + std::to_string(telemetry.size({i})) + " samples, " + std::to_string(telemetry.lost({i})) + " lost, "
-                + std::to_string(gaps) + " gaps, " + numberOf(telemetry.rate({i})) + " Hz, last "
-                + (latest ? numberOf(latest->value) : std::string("none")) + std::string(telemetry.channels()[i].unit));
+                + std::to_string(gaps) + " gaps, " + numberOf(telemetry.rate({i}, on.device->clock().now()))
+                + " Hz, last " + (latest ? numberOf(latest->value) : std::string("none"))
+                + std::string(telemetry.channels()[i].unit));
         }
     }
 }

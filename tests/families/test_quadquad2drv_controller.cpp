@@ -61,8 +61,8 @@ TEST_F(QuadQuad2Drv, PositionAndVelocityComeAHundredTimesASecondWithoutAskingFor
 {
     bench.clock.advance(5s);
     EXPECT_TRUE(device->liveness().heard);
-    EXPECT_NEAR(device->telemetry()->rate(channelOf(0, AxisChannel::Position)), 100.0, 5.0);
-    EXPECT_NEAR(device->telemetry()->rate(channelOf(3, AxisChannel::Velocity)), 100.0, 5.0);
+    EXPECT_NEAR(device->telemetry()->rate(channelOf(0, AxisChannel::Position), device->clock().now()), 100.0, 5.0);
+    EXPECT_NEAR(device->telemetry()->rate(channelOf(3, AxisChannel::Velocity), device->clock().now()), 100.0, 5.0);
 }
 
 TEST_F(QuadQuad2Drv, StreamsFiveHundredTimesASecondAndLosesNothing)
@@ -399,7 +399,7 @@ TEST_F(QuadQuad2Drv, AResetIsNoticedWhereNothingWasToldBesideAStream)
     bench.clock.advance(1s);
     EXPECT_TRUE(device->liveness().restarted);
     EXPECT_TRUE(device->liveness().heard) << "it is asked again";
-    EXPECT_NEAR(device->telemetry()->rate(position), 100.0, 15.0);
+    EXPECT_NEAR(device->telemetry()->rate(position, device->clock().now()), 100.0, 15.0);
 }
 
 TEST_F(QuadQuad2Drv, WhatAnotherProgramMakesTheBoardSendIsReadAsItIsSent)

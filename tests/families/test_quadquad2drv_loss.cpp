@@ -46,7 +46,7 @@ TEST(QuadQuad2DrvLoss, AStreamGoesOnWhenAPacketOfItIsLost)
     ASSERT_TRUE(run(bench.clock, device->setRate(position, 500.0)));
     bench.clock.advance(5s);
     EXPECT_TRUE(device->liveness().heard);
-    EXPECT_NEAR(device->telemetry()->rate(position), 498.0, 5.0);
+    EXPECT_NEAR(device->telemetry()->rate(position, device->clock().now()), 498.0, 5.0);
 }
 
 } // namespace

@@ -239,8 +239,9 @@ TEST(SupermodifiedLine, SharesItselfOutFairlyBetweenNodesAndChannels)
     std::vector<double> rates;
     for (const auto &device : devices) {
         for (const std::string_view key : {"position", "current"})
-            rates.push_back(device->telemetry()->rate(*device->telemetry()->find(key)));
-        EXPECT_GT(device->telemetry()->rate(*device->telemetry()->find("analog1")), 1.5) << "who wants little gets it";
+            rates.push_back(device->telemetry()->rate(*device->telemetry()->find(key), device->clock().now()));
+        EXPECT_GT(device->telemetry()->rate(*device->telemetry()->find("analog1"), device->clock().now()), 1.5)
+            << "who wants little gets it";
     }
     const auto [least, most] = std::minmax_element(rates.begin(), rates.end());
     EXPECT_GT(*least, 5.0);
@@ -257,11 +258,11 @@ TEST(SupermodifiedLine, ASilentNodeCostsTheOthersLittle)
     const auto position = *five->telemetry()->find("position");
     ASSERT_TRUE(run(bench.clock, five->setRate(position, 10000.0)));
     bench.clock.advance(3s);
-    const double before = five->telemetry()->rate(position);
+    const double before = five->telemetry()->rate(position, five->clock().now());
     dead.setPowered(false);
     bench.clock.advance(5s);
     EXPECT_FALSE(four->liveness().heard);
-    EXPECT_GT(five->telemetry()->rate(position), 0.85 * before);
+    EXPECT_GT(five->telemetry()->rate(position, five->clock().now()), 0.85 * before);
     dead.setPowered(true);
     bench.clock.advance(2s);
     EXPECT_TRUE(four->liveness().heard);
@@ -317,7 +318,7 @@ TEST(SupermodifiedLine, APollThatIsRefusedIsAskedAgainAndNothingIsLost)
     device->telemetry()->commit();
     for (std::uint16_t i = 0; i < Bench::family().channels.size(); ++i)
         EXPECT_EQ(device->telemetry()->lost(ChannelIndex{i}), 0U);
-    EXPECT_GT(device->telemetry()->rate(*device->telemetry()->find("position")), 18.0);
+    EXPECT_GT(device->telemetry()->rate(*device->telemetry()->find("position"), device->clock().now()), 18.0);
     EXPECT_EQ(run(bench.clock, device->readFaults())->size(), codeNames().size());
 }
 

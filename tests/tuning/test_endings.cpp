@@ -153,7 +153,7 @@ TEST(Endings, APositionThatIsSilentAloneEndsATrial)
 {
     StepWithGains step;
     const Trial trial = step.endedBy([&] {
-        const ParameterIndex encoderPeriod = step.bench.bench.index(*step.bench.device, "status.encoder.encoderPeriod");
+        const ParameterIndex encoderPeriod = step.bench.bench.index(*step.bench.device, "status.encoder.period");
         (void)run(step.bench.bench.clock, step.bench.device->write(encoderPeriod, 30'000));
     });
     EXPECT_EQ(trial.reason, "link");
