@@ -58,7 +58,7 @@ private:
     Arming &m_arming;
     QWidget &m_window;
     State m_state = State::Open;
-    QTimer m_look; ///< an engine that hangs tells of no change
+    QTimer m_look;                 ///< an engine that hangs tells of no change
     std::vector<DeviceId> m_moved; ///< to be seen stopped
     Instant m_since{};
     bool m_within = false; ///< the close event is being answered

@@ -9,7 +9,8 @@ namespace mb::service {
 /// A recipe with what its files hold.
 struct RecipeMatter {
     Recipe recipe;
-    std::string hash; ///< SHA-256 of the recipe's text and of the files that it names, hexadecimal: another one is another recipe
+    std::string
+        hash; ///< SHA-256 of the recipe's text and of the files that it names, hexadecimal: another one is another recipe
     FirmwareImage image;
     std::string imageHash;                   ///< SHA-256 of the firmware file; empty: it has none
     std::string imageVersion;                ///< empty where the image tells none

@@ -68,7 +68,7 @@ TEST_F(ServiceQueues, AUnitThatIsSwappedDuringItsUpdateIsNeitherSetUpNorTested)
         return !visits.empty() && visits.front().step == Step::Firmware;
     };
     ASSERT_TRUE(rack.clock.runUntil(isUpdating, 1min));
-    rack.clock.advance(5s);
+    rack.clock.advance(1s);
     rack.putOn(1);
     ASSERT_TRUE(rack.clock.runUntil([&] { return run.isEnded; }, 10min));
     const auto visits = books->visits();

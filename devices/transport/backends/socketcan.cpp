@@ -147,8 +147,7 @@ void SocketCanLink::adopt(const CanInterface &interface)
     m_interface = m_atOpening = interface;
     m_overruns = m_counted = 0;
     startHealth(interface.state, interface.transmitErrors, interface.receiveErrors);
-    if (interface.index > 0)
-        m_look.startIn(lookPeriod, [this] { look(); });
+    m_look.startIn(lookPeriod, [this] { look(); });
 }
 
 void SocketCanLink::look()
