@@ -91,8 +91,12 @@ Task<double> checkDirection(Device &device, SetPointStream &stream, TrialRecorde
     }
     guards.breakaway = 1.0; // nothing is known of its friction yet
     guards.dutyKnown = true;
-    auto resting = untilAtRest(device, recorder);
-    if (!co_await std::move(resting) && device.link().state() == LinkState::Open)
+    bool rests = recorder.isStill(Instant(), restSpan);
+    if (!rests) {
+        auto resting = untilAtRest(device, recorder);
+        rests = co_await std::move(resting);
+    }
+    if (!rests && device.link().state() == LinkState::Open)
         co_return fail(Fault::Unsafe, say("the shaft still turns, so nobody can tell which way it is pushed"),
             say("let it come to rest first"));
     recorder.guard(guards);
