@@ -118,6 +118,7 @@ void SocketCanLink::watch()
     m_writable = std::make_unique<QSocketNotifier>(m_descriptor, QSocketNotifier::Write);
     m_writable->setEnabled(false);
     QObject::connect(m_writable.get(), &QSocketNotifier::activated, m_writable.get(), [this] { flush(); });
+    m_look.startIn(lookPeriod, [this] { look(); });
 }
 
 void SocketCanLink::unwatch()
@@ -147,7 +148,6 @@ void SocketCanLink::adopt(const CanInterface &interface)
     m_interface = m_atOpening = interface;
     m_overruns = m_counted = 0;
     startHealth(interface.state, interface.transmitErrors, interface.receiveErrors);
-    m_look.startIn(lookPeriod, [this] { look(); });
 }
 
 void SocketCanLink::look()
