@@ -84,6 +84,10 @@ Result<void> AutotuneRun::judgeEnding(const Trial &trial)
         m_report.stopReason = trial.reason;
         m_report.evidence = trial.detail;
     }
+    if (!m_report.stopped && m_report.stopReason.empty() && !m_device.liveness().heard) {
+        m_report.stopReason = "link";
+        m_report.evidence = say("the device is not heard any more");
+    }
     if (!m_report.stopped)
         return fail(Fault::Unsafe, joined(m_report.evidence, say("the stop was not confirmed by %1", m_report.device)));
     if (!trial.notPutBack.empty())
