@@ -37,7 +37,20 @@ double shareOf(const QueueRow &row)
     return row.total > 0 ? std::clamp(static_cast<double>(row.done) / row.total, 0.0, 1.0) : 0.0;
 }
 
-/// Of all its steps, each as long as any other. Whole only once it has passed: what proves it comes last.
+/// How long a step takes beside the others, on a DMC60C.
+double lengthOf(Step step)
+{
+    switch (step) {
+    case Step::Firmware: return 10.0;
+    case Step::Test: return 5.0;
+    case Step::Proof: return 3.0;
+    case Step::Parameters:
+    case Step::Number: return 1.0;
+    default: return 0.5;
+    }
+}
+
+/// Of all its steps. Whole only once it has passed: what proves it comes last.
 double wholeShare(const QueueRow &row, const service::RecipeMatter *matter)
 {
     const auto isDone = [matter](Step step) {
@@ -55,10 +68,11 @@ double wholeShare(const QueueRow &row, const service::RecipeMatter *matter)
     double ended = 0.0;
     for (const Step step :
         {Step::Preflight, Step::Backup, Step::Firmware, Step::Parameters, Step::Test, Step::Number, Step::Proof}) {
-        steps += isDone(step) || step == row.visit.step ? 1.0 : 0.0;
-        ended += isDone(step) && step < row.visit.step ? 1.0 : 0.0;
+        steps += isDone(step) || step == row.visit.step ? lengthOf(step) : 0.0;
+        ended += isDone(step) && step < row.visit.step ? lengthOf(step) : 0.0;
     }
-    return row.state == RowState::Passed ? 1.0 : std::min((ended + shareOf(row)) / steps, most);
+    const double now = shareOf(row) * lengthOf(row.visit.step);
+    return row.state == RowState::Passed ? 1.0 : std::min((ended + now) / steps, most);
 }
 
 int percentOf(const QueueRow &row, const service::RecipeMatter *matter)
