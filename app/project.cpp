@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/project.h"
 
-#include "experiment/verdict.h"
 #include "files/filebytes.h"
 #include "model/parameterfile.h"
 #include "widgets/common/devicetext.h"

@@ -7,7 +7,6 @@
 #include "app/console/windowprogram.h"
 #include "app/folders/userfolders.h"
 #include "async/outputfile.h"
-#include "experiment/verdict.h"
 #include "model/unit.h"
 #include "storage/reportmatter.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/engine/owedbook.h"
 
-#include "experiment/verdict.h"
 #include "model/family.h"
 #include "model/unit.h"
 

@@ -2,7 +2,6 @@
 // Experiments as the engine's half runs them: kept, stopped at any phase, owed gains put back. Virtual time.
 #include "app/engine/enginecore.h"
 #include "async/virtualclock.h"
-#include "experiment/verdict.h"
 #include "heard.h"
 #include "model/registry.h"
 #include "model/unit.h"

@@ -2,7 +2,6 @@
 // Another unit takes the place of one under the same number: nothing that was meant for the former reaches it. Virtual time.
 #include "app/engine/enginecore.h"
 #include "async/virtualclock.h"
-#include "experiment/verdict.h"
 #include "heard.h"
 #include "model/registry.h"
 #include "model/unit.h"

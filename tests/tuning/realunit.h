@@ -3,7 +3,6 @@
 
 #include "experiment/gains.h"
 #include "experiment/owedgains.h"
-#include "experiment/verdict.h"
 #include "model/family.h"
 #include "model/unit.h"
 #include "support/datedclock.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "experiment/verdict.h"
 #include "tunehand.h"
 #include "widgets/control/metricspanel.h"
 #include "widgets/control/responseplot.h"

@@ -21,7 +21,7 @@ struct HistoryBench : ParameterBench {
         : ParameterBench(linked())
     {
         const DeviceView &drive = workbench.device(0);
-        const std::string unit = unitKeyOf(drive.identity, *LinkAddress::parse(drive.link));
+        const std::string unit = drive.unit;
         SettingsTimeline &kept = workbench.archive.kept[unit];
         kept.snapshots.push_back(snapshot(1, unit, "as found", drive));
         DeviceView other = drive;
@@ -44,6 +44,7 @@ struct HistoryBench : ParameterBench {
     {
         DeviceView device = readDrive();
         device.link = "socketcan:can0";
+        device.unit = unitKeyOf(device.identity, *LinkAddress::parse(device.link));
         return device;
     }
     static settings::ParameterSnapshot snapshot(

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiment/verdict.h"
 #include "support/windowtests.h"
 #include "tunebench.h"
 #include "widgets/report/reportorder.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What can be handed out about the units that are here: listed, searched, looked at, written.
-#include "experiment/verdict.h"
 #include "model/registry.h"
 #include "support/windowtests.h"
 #include "tunebench.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The start page, its stories, and the unit that is selected first.
-#include "experiment/verdict.h"
 #include "support/fakeworkbench.h"
 #include "support/windowtests.h"
 #include "tunebench.h"

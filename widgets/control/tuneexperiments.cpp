@@ -2,7 +2,6 @@
 #include "widgets/control/tuneexperiments.h"
 
 #include "experiment/kepttrial.h"
-#include "experiment/verdict.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/control/batterydialog.h"
 #include "widgets/control/envelopepanel.h"

@@ -2,7 +2,6 @@
 #include "widgets/design/designpage.h"
 
 #include "experiment/envelope.h"
-#include "experiment/verdict.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/emptystate.h"
 #include "widgets/common/layoutin.h"

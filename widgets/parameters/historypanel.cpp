@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameters/historypanel.h"
 
-#include "model/unit.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
@@ -99,10 +98,9 @@ QWidget *HistoryPanel::buildFoot()
 
 void HistoryPanel::showDevice(const DeviceView &device)
 {
-    const auto link = LinkAddress::parse(device.link);
-    if (!link)
+    const std::string &unit = device.unit;
+    if (unit.empty())
         return;
-    const std::string unit = unitKeyOf(device.identity, *link);
     const bool online = device.liveness.heard && device.busy.empty();
     if (unit == m_unit && device.parameterRevision == m_revision && online == m_online)
         return;

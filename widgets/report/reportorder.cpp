@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/report/reportorder.h"
 
-#include "experiment/verdict.h"
 #include "files/filebytes.h"
 #include "model/family.h"
 #include "widgets/common/devicetext.h"

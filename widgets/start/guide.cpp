@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/start/guide.h"
 
-#include "experiment/verdict.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/trialnotebook.h"
 
