@@ -5235,6 +5235,10 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <source>axis %1 %2</source>
         <translation>Achse %1 %2</translation>
     </message>
+    <message>
+        <source>%1 on the adapter before</source>
+        <translation>%1 am vorigen Adapter</translation>
+    </message>
 </context>
 <context>
     <name>mb::MovesPanel</name>
@@ -18126,6 +18130,18 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>the motor may be %1 counts from where its loop holds it, and with this P that overflows</source>
         <translation>der Motor ist vielleicht %1 Schritte von dort entfernt, wo sein Regler ihn hält, und mit diesem P läuft das über</translation>
+    </message>
+    <message>
+        <source>another adapter has this name now; what was found on the one before is not in the list any more</source>
+        <translation>ein anderer Adapter hat jetzt diesen Namen; was am vorigen gefunden wurde, steht nicht mehr in der Liste</translation>
+    </message>
+    <message>
+        <source>another adapter is called %1 now</source>
+        <translation>jetzt heißt ein anderer Adapter %1</translation>
+    </message>
+    <message>
+        <source>close the link, and open it again to see who is there</source>
+        <translation>schließen Sie die Verbindung und öffnen Sie sie wieder, um zu sehen, wer dort ist</translation>
     </message>
 </context>
 </TS>

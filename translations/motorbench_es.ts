@@ -5235,6 +5235,10 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <source>axis %1 %2</source>
         <translation>eje %1 %2</translation>
     </message>
+    <message>
+        <source>%1 on the adapter before</source>
+        <translation>%1 en el adaptador anterior</translation>
+    </message>
 </context>
 <context>
     <name>mb::MovesPanel</name>
@@ -18126,6 +18130,18 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>the motor may be %1 counts from where its loop holds it, and with this P that overflows</source>
         <translation>el motor puede estar a %1 cuentas de donde su lazo lo mantiene, y con esta P eso desborda</translation>
+    </message>
+    <message>
+        <source>another adapter has this name now; what was found on the one before is not in the list any more</source>
+        <translation>otro adaptador tiene ahora este nombre; lo encontrado en el anterior ya no está en la lista</translation>
+    </message>
+    <message>
+        <source>another adapter is called %1 now</source>
+        <translation>ahora otro adaptador se llama %1</translation>
+    </message>
+    <message>
+        <source>close the link, and open it again to see who is there</source>
+        <translation>cierre el enlace y ábralo de nuevo para ver quién está ahí</translation>
     </message>
 </context>
 </TS>

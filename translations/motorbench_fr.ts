@@ -5235,6 +5235,10 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <source>axis %1 %2</source>
         <translation>axe %1 %2</translation>
     </message>
+    <message>
+        <source>%1 on the adapter before</source>
+        <translation>%1 sur l&apos;adaptateur précédent</translation>
+    </message>
 </context>
 <context>
     <name>mb::MovesPanel</name>
@@ -18126,6 +18130,18 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>the motor may be %1 counts from where its loop holds it, and with this P that overflows</source>
         <translation>le moteur est peut-être à %1 points de là où sa boucle le tient, et avec ce P cela déborde</translation>
+    </message>
+    <message>
+        <source>another adapter has this name now; what was found on the one before is not in the list any more</source>
+        <translation>un autre adaptateur porte maintenant ce nom ; ce qui a été trouvé sur le précédent n&apos;est plus dans la liste</translation>
+    </message>
+    <message>
+        <source>another adapter is called %1 now</source>
+        <translation>un autre adaptateur s&apos;appelle maintenant %1</translation>
+    </message>
+    <message>
+        <source>close the link, and open it again to see who is there</source>
+        <translation>fermez la liaison et rouvrez-la pour voir qui s&apos;y trouve</translation>
     </message>
 </context>
 </TS>

@@ -5228,6 +5228,10 @@ Double click or Enter plots it; drag it to a plot.</source>
         <source>axis %1 %2</source>
         <translation>軸 %1 %2</translation>
     </message>
+    <message>
+        <source>%1 on the adapter before</source>
+        <translation>前のアダプターの %1</translation>
+    </message>
 </context>
 <context>
     <name>mb::MovesPanel</name>
@@ -18112,6 +18116,18 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the motor may be %1 counts from where its loop holds it, and with this P that overflows</source>
         <translation>モーターはループの保持位置から %1 カウント離れている可能性があり、この P ではオーバーフローします</translation>
+    </message>
+    <message>
+        <source>another adapter has this name now; what was found on the one before is not in the list any more</source>
+        <translation>別のアダプターが今この名前です。前のアダプターで見つかったものは一覧にもうありません</translation>
+    </message>
+    <message>
+        <source>another adapter is called %1 now</source>
+        <translation>今は別のアダプターが %1 です</translation>
+    </message>
+    <message>
+        <source>close the link, and open it again to see who is there</source>
+        <translation>接続を閉じて開き直すと、誰がいるか分かります</translation>
     </message>
 </context>
 </TS>

@@ -5228,6 +5228,10 @@ Double click or Enter plots it; drag it to a plot.</source>
         <source>axis %1 %2</source>
         <translation>轴 %1 %2</translation>
     </message>
+    <message>
+        <source>%1 on the adapter before</source>
+        <translation>先前适配器上的 %1</translation>
+    </message>
 </context>
 <context>
     <name>mb::MovesPanel</name>
@@ -18112,6 +18116,18 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the motor may be %1 counts from where its loop holds it, and with this P that overflows</source>
         <translation>电机可能距其控制环保持的位置 %1 个计数，用这个 P 会溢出</translation>
+    </message>
+    <message>
+        <source>another adapter has this name now; what was found on the one before is not in the list any more</source>
+        <translation>现在另一个适配器使用此名称；先前适配器上找到的设备已不在列表中</translation>
+    </message>
+    <message>
+        <source>another adapter is called %1 now</source>
+        <translation>现在另一个适配器名为 %1</translation>
+    </message>
+    <message>
+        <source>close the link, and open it again to see who is there</source>
+        <translation>关闭连接后重新打开，以查看那里有谁</translation>
     </message>
 </context>
 </TS>

@@ -157,9 +157,26 @@ void Links::look()
 void Links::reopenLost()
 {
     for (Link *link : m_context.session.links()) {
-        if (link->state() == LinkState::Lost && !link->address().isRecording())
+        if (link->state() == LinkState::Lost && !link->address().isRecording() && !replace(*link))
             m_context.session.linkBook().reopen(*link);
     }
+}
+
+/// Another adapter has its name: who was found on the one before is gone, and who is there now is looked for.
+bool Links::replace(Link &link)
+{
+    if (link.isOpening() || !link.isReplaced() || !mayClose(link))
+        return false;
+    const LinkAddress address = link.address();
+    const bool byItself = m_open[&link].byItself;
+    m_context.log.tell(Severity::Caution, address.shortName(),
+        say("another adapter has this name now; what was found on the one before is not in the list any more"));
+    remove(link);
+    if (byItself)
+        openByItself();
+    else if (m_openings.count(address.text()) == 0)
+        begin(address.text(), openAll({address}));
+    return true;
 }
 
 void Links::welcomeReturned()

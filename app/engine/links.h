@@ -58,6 +58,7 @@ private:
     void follow(Link &link);
     void stateChanged(Link &link, LinkState state);
     void reopenLost();
+    [[nodiscard]] bool replace(Link &link);
     void welcomeReturned();
     void dropVanished();
     void remove(Link &link);

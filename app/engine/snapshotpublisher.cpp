@@ -17,6 +17,14 @@ OperationView showing(const Operations::Job &job)
     return {job.id, job.device, job.operation->status(), job.update};
 }
 
+bool isElsewhere(Session &session, const OwedStop &owed)
+{
+    const std::vector<Link *> links = session.links();
+    return std::any_of(links.begin(), links.end(), [&owed](const Link *link) {
+        return owed.device.starts_with(link->address().text() + '/') && link->line() != owed.line;
+    });
+}
+
 } // namespace
 
 Snapshot SnapshotPublisher::withoutOperations() const
@@ -34,7 +42,7 @@ Snapshot SnapshotPublisher::withoutOperations() const
     shot.unconfirmed = m_provisional.views();
     std::stable_sort(shot.devices.begin(), shot.devices.end(), inOrder);
     for (const OwedStop &owed : session.stops().owed())
-        shot.owedStops.push_back(owed.device);
+        shot.owedStops.push_back({owed.device, isElsewhere(session, owed)});
     return shot;
 }
 

@@ -150,6 +150,13 @@ std::vector<Debt> DebtBook::read() const
     return debts;
 }
 
+bool DebtBook::has(std::string_view name) const
+{
+    const std::vector<Debt> debts = read();
+    return std::any_of(
+        debts.begin(), debts.end(), [name](const Debt &known) { return unitOf(known.name) == unitOf(name); });
+}
+
 /// A new file in place of the old one, so that nobody reads half of it.
 bool DebtBook::write(const std::vector<Debt> &debts) const
 {

@@ -88,9 +88,7 @@ void Watchman::dropOldDebts(Time now)
     if (m_owed.empty() || !m_runner.isIdle() || now - m_owed.begin()->second.since < debtLimit)
         return;
     for (const auto &[id, owed] : std::exchange(m_owed, {})) {
-        m_voice.log("GAVE UP after ten minutes, cut its power: " + owed.name + owed.cause);
-        if (m_voice.debt)
-            m_voice.debt(owed, false);
+        m_voice.log("GAVE UP after ten minutes, cut its power: " + owed.name + owed.cause); // and it stays written down
     }
 }
 

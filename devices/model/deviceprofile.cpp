@@ -142,14 +142,14 @@ std::string fileNameOf(std::string_view text)
     return name + '-' + QString::number(hash, 16).toStdString() + ".json";
 }
 
-std::string ProfileBook::pathOf(std::string_view selector) const
+std::string ProfileBook::pathOf(std::string_view key) const
 {
-    return m_directory + '/' + fileNameOf(selector);
+    return m_directory + '/' + fileNameOf(key);
 }
 
-Result<DeviceProfile> ProfileBook::load(std::string_view selector) const
+Result<DeviceProfile> ProfileBook::load(std::string_view key) const
 {
-    const std::string path = pathOf(selector);
+    const std::string path = pathOf(key);
     if (!QFile::exists(qt(path)))
         return DeviceProfile();
     const auto bytes = loadFile(path, greatestProfile);
@@ -164,13 +164,13 @@ Result<DeviceProfile> ProfileBook::load(std::string_view selector) const
         say("it was put aside as %1, and what it kept of the device is unknown again", aside.toStdString()));
 }
 
-Result<void> ProfileBook::save(std::string_view selector, const DeviceProfile &profile) const
+Result<void> ProfileBook::save(std::string_view key, const DeviceProfile &profile) const
 {
     if (!QDir().mkpath(qt(m_directory)))
         return fail(
             Fault::OutOfRange, say("%1 cannot be made", m_directory), say("check the rights of the folder above it"));
     const QJsonObject object{
-        {QStringLiteral("device"), qt(selector)},
+        {QStringLiteral("device"), qt(key)},
         {QStringLiteral("dialect"), qt(profile.dialect)},
         {QStringLiteral("calibration"), objectOf(profile.calibration)},
         {QStringLiteral("written"), objectOf(profile.written)},
@@ -178,7 +178,7 @@ Result<void> ProfileBook::save(std::string_view selector, const DeviceProfile &p
         {QStringLiteral("lost"), arrayOf(profile.lost)},
         {QStringLiteral("verdicts"), objectOf(profile.verdicts)},
     };
-    return saveFile(pathOf(selector), QJsonDocument(object).toJson());
+    return saveFile(pathOf(key), QJsonDocument(object).toJson());
 }
 
 } // namespace mb

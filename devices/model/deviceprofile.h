@@ -34,7 +34,7 @@ struct DeviceProfile {
 /// The name of a file about what this text names: readable, and different for different texts.
 [[nodiscard]] std::string fileNameOf(std::string_view text);
 
-/// The profiles of all devices as JSON files of one directory, one a device, named after its selector. The directory is made
+/// The profiles of all devices as JSON files of one directory, one a device, named after its key (unit.h). The directory is made
 /// when the first one is saved.
 class ProfileBook {
 public:
@@ -43,10 +43,10 @@ public:
     {
     }
     /// An empty profile when there is none yet. A file that is none is put aside as `NAME.damaged` and told: OutOfRange.
-    [[nodiscard]] Result<DeviceProfile> load(std::string_view selector) const;
+    [[nodiscard]] Result<DeviceProfile> load(std::string_view key) const;
     /// Writes the whole file or nothing; an empty profile is written too.
-    [[nodiscard]] Result<void> save(std::string_view selector, const DeviceProfile &profile) const;
-    [[nodiscard]] std::string pathOf(std::string_view selector) const;
+    [[nodiscard]] Result<void> save(std::string_view key, const DeviceProfile &profile) const;
+    [[nodiscard]] std::string pathOf(std::string_view key) const;
 
 private:
     std::string m_directory;

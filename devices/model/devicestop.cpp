@@ -31,7 +31,7 @@ bool DeviceStop::mayTurn() const
 bool DeviceStop::isDue() const
 {
     return m_state == StopState::Stopping || m_state == StopState::Owed
-        || (m_state == StopState::Unconfirmed && m_isOurLine && m_device.clock().now() - m_toldAt < debtLimit);
+        || (m_state == StopState::Unconfirmed && m_device.clock().now() - m_toldAt < debtLimit);
 }
 
 void DeviceStop::driven()
@@ -45,7 +45,6 @@ void DeviceStop::driven()
 void DeviceStop::told()
 {
     m_forMotion = m_forMotion || m_moved || m_device.liveness().moving;
-    m_isOurLine = true;
     m_toldAt = m_sentAt = m_device.clock().now();
     const bool cut = m_device.link().state() != LinkState::Open && !m_device.hasWatchdog();
     m_look.startIn(confirmEvery, [this] { look(); });
@@ -65,17 +64,9 @@ void DeviceStop::dismiss()
     enter(StopState::None);
 }
 
-void DeviceStop::linkIsBack(bool sameLine)
+void DeviceStop::linkIsBack()
 {
-    if (!isDue())
-        return;
-    m_isOurLine = sameLine;
-    if (!sameLine) {
-        m_look.stop(); // who answers here has nothing to say of the motor on the other line
-        enter(StopState::Unconfirmed);
-        return;
-    }
-    if (!m_device.mayStop())
+    if (!isDue() || !m_device.mayStop())
         return;
     sendScript(m_device.link(), m_device.stopScript()); // before what the family waits for, such as a quiet line
     m_device.stop();

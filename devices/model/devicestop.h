@@ -53,8 +53,8 @@ public:
     // For Device: it was told to stop; it is driven.
     void told();
     void driven();
-    // For Session: the link is open again. With the same line behind it the stop goes out at once; another one gets none.
-    void linkIsBack(bool sameLine);
+    // For Session: the link is open again. A stop that is due goes out at once.
+    void linkIsBack();
     /// For Session: a stop that an earlier opening of the link, or an earlier run of the program, has left.
     void inherit();
 
@@ -68,7 +68,6 @@ private:
     StopState m_state = StopState::None;
     bool m_moved = false;
     bool m_forMotion = false;
-    bool m_isOurLine = true;
     Instant m_toldAt{};
     Instant m_sentAt{};
     Timer m_look;

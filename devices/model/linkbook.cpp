@@ -2,7 +2,6 @@
 #include "model/linkbook.h"
 
 #include "transport/linkcatalog.h"
-#include "transport/linkidentity.h"
 #include "transport/seriallink.h"
 
 #include <algorithm>
@@ -32,6 +31,8 @@ Result<LinkBook::Entry> LinkBook::make(const LinkAddress &address)
         return fail(link.error());
     made.link = std::move(*link);
     made.link->setBackground(m_background);
+    if (m_identify)
+        made.link->setIdentify(m_identify);
     return made;
 }
 
@@ -88,10 +89,10 @@ Link &LinkBook::enlist(Entry made)
     m_links.push_back(std::move(made));
     Entry &entry = m_links.back();
     Link &link = *entry.link;
-    tellOpened(entry);
+    m_opened.notify(link);
     entry.state = link.stateChanged().add([this, &entry](LinkState state) {
         if (state == LinkState::Open)
-            tellOpened(entry);
+            m_opened.notify(*entry.link);
         else if (state == LinkState::Lost)
             m_lost.notify(*entry.link);
         m_changed.notify();
@@ -100,14 +101,6 @@ Link &LinkBook::enlist(Entry made)
     m_changed.notify();
     remark(link);
     return link;
-}
-
-void LinkBook::tellOpened(Entry &entry)
-{
-    const std::string line = linkIdentity(entry.link->address());
-    const bool same = entry.line.empty() || entry.line == line;
-    entry.line = line;
-    m_opened.notify(*entry.link, same);
 }
 
 void LinkBook::remark(const Link &link)
@@ -152,12 +145,6 @@ Clock &LinkBook::clockOf(Link &link) const
         return recording->timeLine();
     Bench *const simulated = bench(link);
     return simulated ? simulated->clock() : m_clock;
-}
-
-std::string LinkBook::lineOf(const Link &link) const
-{
-    const Entry *const entry = entryOf(link);
-    return entry ? entry->line : std::string();
 }
 
 const LinkBook::Entry *LinkBook::entryOf(const Link &link) const

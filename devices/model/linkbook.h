@@ -25,6 +25,8 @@ public:
 
     /// What may block is done there, of links made from now on. Outlives this.
     void setBackground(Background *background) { m_background = background; }
+    /// Of links made from now on; for tests.
+    void setIdentify(Link::Identify identify) { m_identify = std::move(identify); }
     /// Opens a link, or yields the one that is open under this address.
     [[nodiscard]] Result<Link *> open(const LinkAddress &address);
     /// open() for a thread that must not wait for a driver (Link::openSoon).
@@ -39,11 +41,9 @@ public:
     [[nodiscard]] Bench *bench(const Link &link) const;
     /// The time that devices of a link live on: the session's, but for a recording and for a simulated bench its own.
     [[nodiscard]] Clock &clockOf(Link &link) const;
-    /// Which line is behind it since it was opened last (linkIdentity); empty for a link that is not here.
-    [[nodiscard]] std::string lineOf(const Link &link) const;
 
-    /// A link is open, for the first time or again, and nothing was sent there yet; `same`: the same line as before is behind it.
-    [[nodiscard]] Listeners<Link &, bool /*same*/> &opened() { return m_opened; }
+    /// A link is open, for the first time or again, and nothing was sent there yet.
+    [[nodiscard]] Listeners<Link &> &opened() { return m_opened; }
     /// A link is lost.
     [[nodiscard]] Listeners<Link &> &lost() { return m_lost; }
     /// A batch of what a link has received was handed out.
@@ -57,21 +57,20 @@ private:
     struct Entry {
         std::unique_ptr<Bench> bench;
         std::unique_ptr<Link> link;
-        std::string line;
         Subscription state;
         Subscription batch;
         std::unique_ptr<Scope> opening; ///< again
     };
     [[nodiscard]] Result<Entry> make(const LinkAddress &address);
     Link &enlist(Entry made);
-    void tellOpened(Entry &entry);
     void remark(const Link &link);
     [[nodiscard]] const Entry *entryOf(const Link &link) const;
 
     Clock &m_clock;
     std::span<const Family *const> m_families;
     Background *m_background = nullptr;
-    Listeners<Link &, bool> m_opened;
+    Link::Identify m_identify;
+    Listeners<Link &> m_opened;
     Listeners<Link &> m_lost;
     Listeners<> m_batchEnded;
     Listeners<const Link &, const Message &> m_remarked;

@@ -19,6 +19,7 @@ struct OwedStop {
     std::string device; ///< selector, as of when it was driven
     StopScript script;
     Instant since{};
+    bool isWithGuardians = false; ///< they owe it too, and will have sent it if they do not owe it any more
 };
 
 /// A guardian's watch over one device. Destroying it without release() makes the guardian stop the motor.
@@ -72,10 +73,15 @@ public:
     /// Before the first frame on a link that was just opened: what guardians of programs that are gone still owe there. They
     /// leave the line to this program until it leaves it. Nothing while another program has it.
     [[nodiscard]] virtual std::vector<OwedStop> takeOver(Link & /*link*/, Instant /*now*/) { return {}; }
-    /// The link was closed: what is owed there is the guardians' again.
+    /// The link was closed or lost: what is owed there is the guardians' again, under whatever name the line comes back.
     virtual void leave(const std::string & /*line*/) { }
     /// A device was seen to stand, or is not to be told any more: its stop is not owed on this line.
     virtual void settle(const std::string & /*line*/, const std::string & /*device*/) { }
+    /// They owe it, or have given it up; not once it was confirmed or settled.
+    [[nodiscard]] virtual bool isOwed(const std::string & /*line*/, const std::string & /*device*/) const
+    {
+        return false;
+    }
     /// What became of the stop that a guardian sent.
     enum class Verdict {
         Confirmed, ///< the device answered

@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 namespace mb {
 namespace {
+
+constexpr Duration lookPeriod = std::chrono::seconds(1);
 
 /// "abstractdc:3" of "socketcan:can0/abstractdc:3": the name of an interface may change, the device on the line does not.
 std::string_view unitOf(std::string_view selector)
@@ -22,7 +25,19 @@ bool isSameUnit(const OwedStop &owed, std::string_view line, std::string_view se
 
 } // namespace
 
-void OwedStops::pay(Link &link, const std::string &line)
+OwedStops::OwedStops(Clock &clock, MotionGuard *guard)
+    : m_clock(clock)
+    , m_guard(guard)
+    , m_look(clock)
+{
+}
+
+bool OwedStops::isDue(const OwedStop &owed) const
+{
+    return m_clock.now() - owed.since < DeviceStop::debtLimit;
+}
+
+void OwedStops::pay(Link &link)
 {
     if (m_guard) {
         for (OwedStop &owed : m_guard->takeOver(link, m_clock.now())) {
@@ -32,38 +47,56 @@ void OwedStops::pay(Link &link, const std::string &line)
                 m_owed.push_back(std::move(owed));
         }
     }
-    std::erase_if(m_owed, [this](const OwedStop &owed) { return m_clock.now() - owed.since >= DeviceStop::debtLimit; });
     for (const OwedStop &owed : m_owed) {
-        if (owed.line == line)
+        if (owed.line == link.line() && isDue(owed))
             sendScript(link, owed.script);
     }
+    lookAtBooks();
 }
 
-void OwedStops::add(Device &device, const std::string &line)
+/// Guardians pay where no program has the line open.
+void OwedStops::lookAtBooks()
+{
+    if (!m_guard || m_owed.empty())
+        return;
+    const std::size_t before = m_owed.size();
+    std::erase_if(m_owed, [this](OwedStop &owed) {
+        const bool isThere = m_guard->isOwed(owed.line, owed.device);
+        return std::exchange(owed.isWithGuardians, isThere) && !isThere;
+    });
+    m_look.startIn(lookPeriod, [this] { lookAtBooks(); });
+    if (m_owed.size() != before)
+        m_changed.notify();
+}
+
+void OwedStops::add(Device &device)
 {
     const DeviceStop &stop = device.stopping();
     if (!stop.isDue() || !stop.isForMotion() || device.link().address().isSimulated())
         return;
     if (const StopScript script = device.stopScript(); !script.isEmpty() && !device.family().capabilities.watchdog)
-        m_owed.push_back({line, device.selector(), script, m_clock.now()});
+        m_owed.push_back({device.link().line(), device.selector(), script, m_clock.now()});
+    lookAtBooks();
 }
 
-void OwedStops::passTo(Device &device, const std::string &line)
+void OwedStops::passTo(Device &device)
 {
     if (!device.mayStop())
         return;
     const auto owed = std::find_if(m_owed.begin(), m_owed.end(),
-        [&](const OwedStop &known) { return isSameUnit(known, line, device.selector()); });
+        [&](const OwedStop &known) { return isSameUnit(known, device.link().line(), device.selector()); });
     if (owed == m_owed.end())
         return;
+    const bool due = isDue(*owed);
     m_owed.erase(owed);
-    device.stopping().inherit();
+    if (due)
+        device.stopping().inherit();
 }
 
-void OwedStops::settle(const Device &device, const std::string &line)
+void OwedStops::settle(const Device &device)
 {
     if (m_guard)
-        m_guard->settle(line, device.selector());
+        m_guard->settle(device.link().line(), device.selector());
 }
 
 void OwedStops::leave(const std::string &line)

@@ -37,10 +37,9 @@ void Session::setBackground(Background *background)
 
 void Session::closeLink(Link &link)
 {
-    const std::string line = m_links.lineOf(link);
     m_stops.beforeClose(link);
     m_devices.forget(link);
-    m_stops.leave(line);
+    m_stops.leave(link.line());
     m_links.close(link);
 }
 

@@ -2,6 +2,7 @@
 #include "model/sessionmemory.h"
 
 #include "model/family.h"
+#include "model/unit.h"
 
 #include <algorithm>
 #include <utility>
@@ -13,6 +14,14 @@ namespace {
 bool isKept(const Link &link)
 {
     return !link.address().isSimulated() && !link.address().isRecording();
+}
+
+/// Of the place: a profile is asked for before a unit has told its serial number. The name of a link may be another adapter's tomorrow.
+std::string keyOf(const Device &device)
+{
+    Identity place = device.identity();
+    place.serial.clear();
+    return unitKeyOf(place, device.link().line(), false);
 }
 
 /// Whoever answered takes the place of what was known under its address; a complete scan takes the place of all.
@@ -35,11 +44,12 @@ void SessionMemory::recall(Device &device)
 {
     if (!m_profiles || !isKept(device.link()))
         return;
-    if (const auto unsaved = m_unsaved.find(device.selector()); unsaved != m_unsaved.end()) {
+    const std::string key = keyOf(device);
+    if (const auto unsaved = m_unsaved.find(key); unsaved != m_unsaved.end()) {
         device.knowledge().setProfile(unsaved->second.profile);
         return;
     }
-    auto profile = m_profiles->load(device.selector());
+    auto profile = m_profiles->load(key);
     if (!profile)
         m_profileTrouble.notify(profile.error().message());
     else if (!profile->isEmpty())
@@ -51,26 +61,25 @@ void SessionMemory::keep(const Device &device)
     if (!m_profiles || !isKept(device.link()))
         return;
     if (m_background)
-        keepInBackground(device.selector(), device.knowledge().profile());
-    else if (auto kept = m_profiles->save(device.selector(), device.knowledge().profile()); !kept)
+        keepInBackground(keyOf(device), device.knowledge().profile());
+    else if (auto kept = m_profiles->save(keyOf(device), device.knowledge().profile()); !kept)
         m_profileTrouble.notify(kept.error().message());
 }
 
 /// In the order in which they were given; until it is on the disk it is read from here.
-void SessionMemory::keepInBackground(const std::string &selector, const DeviceProfile &profile)
+void SessionMemory::keepInBackground(const std::string &key, const DeviceProfile &profile)
 {
-    UnsavedProfile &unsaved = m_unsaved[selector];
+    UnsavedProfile &unsaved = m_unsaved[key];
     unsaved.profile = profile;
     ++unsaved.writes;
     const auto kept = std::make_shared<Result<void>>();
     m_background->run(
-        m_profiles->pathOf(selector),
-        [book = *m_profiles, selector, profile, kept] { *kept = book.save(selector, profile); },
-        [self = std::weak_ptr(m_self), selector, kept] {
+        m_profiles->pathOf(key), [book = *m_profiles, key, profile, kept] { *kept = book.save(key, profile); },
+        [self = std::weak_ptr(m_self), key, kept] {
             const auto memory = self.lock();
             if (!memory)
                 return;
-            const auto written = (*memory)->m_unsaved.find(selector);
+            const auto written = (*memory)->m_unsaved.find(key);
             if (--written->second.writes == 0)
                 (*memory)->m_unsaved.erase(written);
             if (!*kept)

@@ -49,13 +49,13 @@ private:
         DeviceProfile profile;
         int writes = 0; ///< under way
     };
-    void keepInBackground(const std::string &selector, const DeviceProfile &profile);
+    void keepInBackground(const std::string &key, const DeviceProfile &profile);
     void tellScanTrouble(const std::string &link, const Error &error);
 
     std::optional<ProfileBook> m_profiles;
     std::optional<ScanBook> m_scans;
     Background *m_background = nullptr;
-    std::map<std::string, UnsavedProfile> m_unsaved; ///< by selector
+    std::map<std::string, UnsavedProfile> m_unsaved; ///< by key
     std::set<std::string> m_told;                    ///< links and causes
     Listeners<const Message &> m_profileTrouble;
     Listeners<const Message &> m_scanTrouble;

@@ -16,9 +16,10 @@ SessionStops::SessionStops(Clock &clock, LinkBook &links, DeviceBook &devices, M
     , m_devices(devices)
     , m_owed(clock, guard)
     , m_retry(clock)
-    , m_opened(links.opened().add([this](Link &link, bool same) { linkOpened(link, same); }))
-    , m_lost(links.lost().add([this](Link &) { retryOwing(); }))
-    , m_added(devices.added().add([this](Device &device) { m_owed.passTo(device, m_links.lineOf(device.link())); }))
+    , m_opened(links.opened().add([this](Link &link) { linkOpened(link); }))
+    , m_lost(links.lost().add([this](Link &link) { linkLost(link); }))
+    , m_added(devices.added().add([this](Device &device) { m_owed.passTo(device); }))
+    , m_paid(m_owed.changed().add([&devices] { devices.changed().notify(); }))
     , m_stopChanged(devices.stopChanged().add([this](Device &device) { stopChanged(device); }))
 {
 }
@@ -36,13 +37,12 @@ void SessionStops::stopAll(StopCause cause)
 
 void SessionStops::beforeClose(const Link &link)
 {
-    const std::string line = m_links.lineOf(link);
     for (const DeviceBook::Entry &entry : m_devices.entries()) {
         if (&entry.device->link() != &link)
             continue;
         if (entry.stream)
             entry.stream->stop();
-        m_owed.add(*entry.device, line);
+        m_owed.add(*entry.device);
     }
 }
 
@@ -53,7 +53,7 @@ void SessionStops::dismiss()
         if (!device->stopping().mayTurn())
             continue;
         device->stopping().dismiss();
-        m_owed.settle(*device, m_links.lineOf(device->link())); // the book of its guardian may owe it, too
+        m_owed.settle(*device); // the book of its guardian may owe it, too
     }
     m_devices.changed().notify();
 }
@@ -82,20 +82,26 @@ Result<void> SessionStops::releaseMoves(Device &lead)
     return released;
 }
 
-void SessionStops::linkOpened(Link &link, bool same)
+void SessionStops::linkOpened(Link &link)
 {
-    const std::string line = m_links.lineOf(link);
-    m_owed.pay(link, line);
+    m_owed.pay(link);
     for (Device *device : m_devices.on(link)) {
-        device->stopping().linkIsBack(same);
-        m_owed.passTo(*device, line);
+        device->stopping().linkIsBack();
+        m_owed.passTo(*device);
     }
+}
+
+/// Its line may be back under a name that is no link of ours, while another one has this name: the guardians look for it everywhere.
+void SessionStops::linkLost(const Link &link)
+{
+    m_owed.leave(link.line());
+    retryOwing();
 }
 
 void SessionStops::stopChanged(Device &device)
 {
     if (device.stopping().state() == StopState::Seen)
-        m_owed.settle(device, m_links.lineOf(device.link()));
+        m_owed.settle(device);
     if (device.stopping().state() == StopState::Owed)
         retryOwing();
 }

@@ -31,7 +31,8 @@ public:
     [[nodiscard]] Result<void> releaseMoves(Device &lead);
 
 private:
-    void linkOpened(Link &link, bool same);
+    void linkOpened(Link &link);
+    void linkLost(const Link &link);
     void stopChanged(Device &device);
     void retryOwing();
     [[nodiscard]] bool isOwing(const Link &link) const;
@@ -43,6 +44,7 @@ private:
     Subscription m_opened;
     Subscription m_lost;
     Subscription m_added;
+    Subscription m_paid;
     Subscription m_stopChanged;
 };
 

@@ -48,8 +48,7 @@ DeviceView viewOf(Session &session, Device &device)
     view.identity = device.sharedIdentity();
     view.selector = device.selector();
     view.link = device.link().address().text();
-    view.unit
-        = unitKeyOf(device.identity(), session.linkBook().lineOf(device.link()), device.link().address().isSimulated());
+    view.unit = unitKeyOf(device.identity(), device.link().line(), device.link().address().isSimulated());
     view.liveness = device.liveness();
     view.states = device.states();
     view.busy = device.gate().busy();

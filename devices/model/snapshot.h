@@ -112,6 +112,12 @@ struct FailedLink {
     Diagnosis diagnosis;
 };
 
+/// A stop that is owed to a device which nobody sees now.
+struct OwedStopView {
+    std::string device;     ///< selector, as of when it was driven
+    bool elsewhere = false; ///< another adapter has the name of its link by now
+};
+
 struct Snapshot {
     Instant time{};
     std::vector<LinkView> links;
@@ -119,8 +125,8 @@ struct Snapshot {
     std::vector<DeviceView> devices;          ///< grouped by link, in order of address
     std::vector<OperationView> operations;    ///< oldest first
     std::vector<UnconfirmedView> unconfirmed; ///< oldest first of each device
-    /// Selectors of devices that are in no list, because their link is closed or they were not found again, and that are owed a stop.
-    std::vector<std::string> owedStops;
+    /// Of devices that are in no list, because their link is closed or they were not found again.
+    std::vector<OwedStopView> owedStops;
 
     [[nodiscard]] const DeviceView *device(DeviceId id) const;
     [[nodiscard]] const LinkView *link(std::string_view address) const;

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/link.h"
 
+#include "transport/linkidentity.h"
+
 namespace mb {
 
 Link::Link(LinkAddress address, LinkKind kind)
     : m_address(std::move(address))
     , m_kind(kind)
+    , m_identify(linkIdentity)
 {
 }
 
@@ -20,9 +23,37 @@ Result<void> Link::open()
 {
     if (m_state == LinkState::Open)
         return {};
+    if (isReplaced())
+        return fail(replaced());
     beginOpening();
     if (auto opened = doOpen(); !opened)
         return opened;
+    return enterOpen();
+}
+
+bool Link::isReplaced() const
+{
+    if (m_line.empty())
+        return false;
+    const std::string now = m_identify(m_address);
+    return now != m_line && isPlace(now); // else there may be nobody
+}
+
+Error Link::replaced() const
+{
+    return {Fault::LinkLost, say("another adapter is called %1 now", m_address.shortName()),
+        say("close the link, and open it again to see who is there")};
+}
+
+/// Another one may have come while it was opened.
+Result<void> Link::enterOpen()
+{
+    const std::string now = m_identify(m_address);
+    if (!m_line.empty() && now != m_line) {
+        doClose();
+        return fail(replaced());
+    }
+    m_line = now;
     m_loss = {Fault::LinkLost};
     setState(LinkState::Open);
     return {};
@@ -57,6 +88,8 @@ Task<void> Link::openSoon()
         bool &isOpening;
     };
     const Mark mark(m_opening);
+    if (isReplaced())
+        co_return fail(replaced());
     beginOpening();
     const int attempt = m_attempt;
     auto opening = doOpenSoon(*m_background);
@@ -67,10 +100,8 @@ Task<void> Link::openSoon()
         doClose();
         co_return fail(Fault::Cancelled, say("%1 was closed before it was open", m_address.shortName()));
     }
-    m_loss = {Fault::LinkLost};
     m_opening = false;
-    setState(LinkState::Open);
-    co_return {};
+    co_return enterOpen();
 }
 
 void Link::close()

@@ -70,6 +70,11 @@ public:
     [[nodiscard]] const LinkAddress &address() const { return m_address; }
     [[nodiscard]] LinkKind kind() const { return m_kind; }
     [[nodiscard]] LinkState state() const { return m_state; }
+    /// What is behind it (linkIdentity) since it was open for the first time; empty before. It stays that: a link that is lost comes
+    /// back on its own line only. Who answers behind another adapter of its name was told nothing of what was told here.
+    [[nodiscard]] const std::string &line() const { return m_line; }
+    /// Another line has its name now, and it cannot be opened. Takes a look at the computer's hardware.
+    [[nodiscard]] bool isReplaced() const;
     /// Why the link is lost; without a cause while nothing is wrong.
     [[nodiscard]] const Error &loss() const { return m_loss; }
     /// What to fail with when the link is not open: LinkLost and the reason.
@@ -79,8 +84,8 @@ public:
     /// For the guardian; of the open link. Simulated links are InProcess, backends with a descriptor of the system say so.
     [[nodiscard]] Outlet outlet() const;
 
-    /// Fails with LinkLost and a cause that names the remedy. Opening an open link does nothing; a lost one starts
-    /// afresh, and keeps its counters.
+    /// Fails with LinkLost and a cause that names the remedy, also where isReplaced(). Opening an open link does nothing; a lost one
+    /// starts afresh, and keeps its counters.
     [[nodiscard]] Result<void> open();
     /// open() for a thread that must not wait for a driver: what may block is done in the background that was given, for openLimit at
     /// most, then it ends with LinkLost. One at a time. Ends before the link does.
@@ -90,6 +95,9 @@ public:
     /// Without one openSoon() is open(). Outlives the link.
     void setBackground(Background *background) { m_background = background; }
     [[nodiscard]] Background *background() const { return m_background; }
+    using Identify = std::function<std::string(const LinkAddress &)>;
+    /// What tells line(); linkIdentity() as long as nothing else is said.
+    void setIdentify(Identify identify) { m_identify = std::move(identify); }
     /// For every question that a task asks on this link from now on.
     void setPatience(Patience patience) { m_patience = patience; }
     [[nodiscard]] const Patience &patience() const { return m_patience; }
@@ -123,10 +131,14 @@ private:
     [[nodiscard]] virtual Task<void> doOpenSoon(Background &) { co_return doOpen(); }
     virtual void doClose() = 0;
     void beginOpening();
+    [[nodiscard]] Error replaced() const;
+    [[nodiscard]] Result<void> enterOpen();
     [[nodiscard]] virtual Outlet doOutlet() const { return {}; }
 
     LinkAddress m_address;
     LinkKind m_kind;
+    Identify m_identify;
+    std::string m_line;
     LinkState m_state = LinkState::Closed;
     Error m_loss{Fault::LinkLost};
     Background *m_background = nullptr;

@@ -119,6 +119,25 @@ TEST_F(SerialLinks, APulledAdapterIsLostAndComesBackByItself)
     EXPECT_TRUE(said("is back"));
 }
 
+TEST_F(SerialLinks, AnotherAdapterUnderItsNameIsAnotherLinkWhoseDevicesAreLookedFor)
+{
+    std::string adapter = "/usb1";
+    core.session().linkBook().setIdentify([&adapter](const LinkAddress &) { return adapter; });
+    plug();
+    open();
+    ASSERT_TRUE(isOpen());
+    unplug();
+    ASSERT_TRUE(loop.runUntil([this] { return core.snapshot().links[0].state == LinkState::Lost; }));
+    adapter = "/usb2";
+    plug();
+    clock.advance(2s);
+    EXPECT_TRUE(isOpen());
+    EXPECT_TRUE(said("another adapter has this name now"));
+    EXPECT_FALSE(said("is back"));
+    EXPECT_EQ(scans, 2);
+    EXPECT_EQ(core.session().links().front()->line(), "/usb2");
+}
+
 TEST_F(SerialLinks, ALineIsScannedWhenItOpensAndWhenAskedAndNeverByItself)
 {
     plug();

@@ -21,7 +21,7 @@ namespace {
 using namespace mb;
 using namespace std::chrono_literals;
 
-constexpr int line = 5;
+constexpr int lineDescriptor = 5;
 
 /// Frames as lines of text on a stream.
 class TextLink final : public CanLink {
@@ -34,11 +34,11 @@ public:
 private:
     Result<void> doOpen() override { return {}; }
     void doClose() override { }
-    [[nodiscard]] Outlet doOutlet() const override { return {Outlet::Form::Stream, line}; }
+    [[nodiscard]] Outlet doOutlet() const override { return {Outlet::Form::Stream, lineDescriptor}; }
     Result<void> doSend(const CanFrame &frame, Priority) override
     {
         const std::string text = toText(frame) + "\n";
-        return ::write(line, text.data(), text.size()) < 0 ? fail(Fault::LinkLost) : Result<void>();
+        return ::write(lineDescriptor, text.data(), text.size()) < 0 ? fail(Fault::LinkLost) : Result<void>();
     }
     [[nodiscard]] std::size_t doBacklog() const override { return 0; }
     [[nodiscard]] int doBitrate() const override { return 0; }
@@ -49,7 +49,7 @@ std::unique_ptr<CanLink> linkOf(const char *form, Clock &clock)
     if (std::strcmp(form, "stream") == 0)
         return std::make_unique<TextLink>(clock);
     if (std::strcmp(form, "packet") == 0)
-        return std::make_unique<SocketCanLink>(LinkAddress{"socketcan", "test", {}}, clock, line);
+        return std::make_unique<SocketCanLink>(LinkAddress{"socketcan", "test", {}}, clock, lineDescriptor);
     return std::make_unique<SocketCanLink>(LinkAddress{"socketcan", form, {}}, clock);
 }
 

@@ -188,7 +188,7 @@ TEST_F(Watching, AStopIsOwedForTenMinutes)
     port.now += 61s;
     watchman.proceed(port.now);
     EXPECT_TRUE(watchman.isDone());
-    EXPECT_FALSE(debts.at("motor 4"));
+    EXPECT_TRUE(debts.at("motor 4")) << "nobody has seen it stand";
     EXPECT_EQ(lines.back(), "GAVE UP after ten minutes, cut its power: motor 4 (the program that drove it ended)");
 }
 

@@ -135,27 +135,10 @@ TEST_F(Stopping, IsOwedOverACutLineAndGoesOutFirstWhenItIsBack)
     EXPECT_TRUE(motor.stopping().mayTurn());
     link.sent.clear();
     ASSERT_TRUE(link.open());
-    motor.stopping().linkIsBack(true);
+    motor.stopping().linkIsBack();
     ASSERT_FALSE(link.sent.empty());
     EXPECT_EQ(link.sent.front(), stopOfMotor);
     EXPECT_EQ(motor.stopping().state(), StopState::Stopping);
-}
-
-TEST_F(Stopping, IsNotSentToAnotherAdapterUnderTheSameName)
-{
-    drive();
-    link.lose({Fault::LinkLost, say("cut")});
-    clock.advance(300ms);
-    link.sent.clear();
-    ASSERT_TRUE(link.open());
-    motor.stopping().linkIsBack(false);
-    clock.advance(1min);
-    EXPECT_TRUE(link.sent.empty());
-    EXPECT_EQ(motor.stopping().state(), StopState::Unconfirmed);
-    motor.seenStopped = true; // who answers there stands
-    clock.advance(1min);
-    EXPECT_EQ(motor.stopping().state(), StopState::Unconfirmed);
-    EXPECT_TRUE(motor.stopping().mayTurn());
 }
 
 TEST_F(Stopping, IsOwedForTenMinutes)
@@ -169,7 +152,7 @@ TEST_F(Stopping, IsOwedForTenMinutes)
     EXPECT_FALSE(motor.stopping().isDue());
     link.sent.clear();
     ASSERT_TRUE(link.open());
-    motor.stopping().linkIsBack(true);
+    motor.stopping().linkIsBack();
     clock.advance(10s);
     EXPECT_TRUE(link.sent.empty());
 }

@@ -25,7 +25,10 @@ class Owed : public testing::Test {
 protected:
     Owed()
     {
+        for (test::LoggedLink *one : {&link, &otherLink})
+            one->setIdentify([one, this](const LinkAddress &) { return one == &link ? owedLine : otherOwedLine; });
         EXPECT_TRUE(link.open());
+        EXPECT_TRUE(otherLink.open());
         clock.advance(1h);
     }
     /// A motor that was driven, told to stop, and not seen to stand.
@@ -42,24 +45,25 @@ protected:
     {
         return {std::move(where), std::move(device), owedScript(id), clock.now()};
     }
-    std::vector<std::string> paid(const std::string &where)
+    std::vector<std::string> paid(test::LoggedLink &to)
     {
-        link.sent.clear();
-        owed.pay(link, where);
-        return link.sent;
+        to.sent.clear();
+        owed.pay(to);
+        return to.sent;
     }
     using Frames = std::vector<std::string>;
 
     VirtualClock clock;
     test::FakeGuard guard;
     test::LoggedLink link{clock, {Outlet::Form::CanSocket, 7}};
+    test::LoggedLink otherLink{clock, {Outlet::Form::CanSocket, 7}};
     std::optional<test::LooseMotor> motor;
     OwedStops owed{clock, &guard};
 };
 
 TEST_F(Owed, AMotorThatNobodySawStandIsOwedItsStop)
 {
-    owed.add(make(), owedLine);
+    owed.add(make());
     ASSERT_EQ(owed.all().size(), 1U);
     EXPECT_EQ(owed.all().front().line, owedLine);
     EXPECT_EQ(owed.all().front().device, motor->selector());
@@ -74,95 +78,117 @@ TEST_F(Owed, WhatStandsOrNobodyMovedOrStopsByItselfIsOwedNothing)
         family.capabilities.watchdog = true;
         return family;
     }();
-    owed.add(make(watched), owedLine);
+    owed.add(make(watched));
     EXPECT_TRUE(owed.all().empty()) << "a watchdog";
-    owed.add(make(test::looseFamily, false), owedLine);
+    owed.add(make(test::looseFamily, false));
     EXPECT_TRUE(owed.all().empty()) << "no motion";
     make().script = {};
-    owed.add(*motor, owedLine);
+    owed.add(*motor);
     EXPECT_TRUE(owed.all().empty()) << "no script";
     make().seenStopped = true;
     clock.advance(1s);
-    owed.add(*motor, owedLine);
+    owed.add(*motor);
     EXPECT_TRUE(owed.all().empty()) << "it stands";
 }
 
 TEST_F(Owed, GoesOutOnItsOwnLineOnlyAndAgainWithEachOpening)
 {
-    owed.add(make(), owedLine);
-    EXPECT_EQ(paid(otherOwedLine), Frames{});
-    EXPECT_EQ(paid(owedLine), Frames{owedStopFrame});
-    EXPECT_EQ(paid(owedLine), Frames{owedStopFrame}) << "until the device takes it over";
+    owed.add(make());
+    EXPECT_EQ(paid(otherLink), Frames{});
+    EXPECT_EQ(paid(link), Frames{owedStopFrame});
+    EXPECT_EQ(paid(link), Frames{owedStopFrame}) << "until the device takes it over";
 }
 
 TEST_F(Owed, ForTenMinutesAndNotLonger)
 {
-    owed.add(make(), owedLine);
+    owed.add(make());
     clock.advance(DeviceStop::debtLimit - 1ns);
-    EXPECT_EQ(paid(owedLine), Frames{owedStopFrame});
+    EXPECT_EQ(paid(link), Frames{owedStopFrame});
     clock.advance(1ns);
-    EXPECT_EQ(paid(owedLine), Frames{});
+    EXPECT_EQ(paid(link), Frames{});
+    EXPECT_EQ(owed.all().size(), 1U) << "nobody has seen it stand";
+    motor.emplace(link, clock);
+    link.sent.clear();
+    owed.passTo(*motor);
+    EXPECT_TRUE(link.sent.empty());
+    EXPECT_TRUE(owed.all().empty()) << "whether it turns is seen from now on";
+}
+
+TEST_F(Owed, EndsWhenAGuardianHasStoppedItAndNotWhenItIsGivenUp)
+{
+    owed.add(make());
+    int told = 0;
+    const auto listening = owed.changed().add([&told] { ++told; });
+    clock.advance(3s);
+    EXPECT_EQ(owed.all().size(), 1U) << "no guardian owes it";
+    guard.books = {owedLine + ' ' + motor->selector()};
+    clock.advance(1h);
+    EXPECT_EQ(owed.all().size(), 1U);
+    EXPECT_EQ(told, 0);
+    guard.books.clear();
+    clock.advance(1s);
     EXPECT_TRUE(owed.all().empty());
+    EXPECT_EQ(told, 1);
 }
 
 TEST_F(Owed, WhatEarlierProgramsOweIsTakenOverOnce)
 {
     guard.owing = {stopOf("socketcan:can0/loose:3", 0x300), stopOf("socketcan:can0/loose:4", 0x400, otherOwedLine)};
-    EXPECT_EQ(paid(owedLine), Frames{"00000300#00"});
+    EXPECT_EQ(paid(link), Frames{"00000300#00"});
     EXPECT_EQ(owed.all().size(), 2U);
     guard.owing = {stopOf("socketcan:can1/loose:3", 0x301)}; // the same unit behind another name
-    EXPECT_EQ(paid(owedLine), Frames{"00000300#00"});
+    EXPECT_EQ(paid(link), Frames{"00000300#00"});
     EXPECT_EQ(owed.all().size(), 2U);
     guard.owing = {stopOf("socketcan:can1/loose:5", 0x500), stopOf("socketcan:can1/loose:3", 0x302, "usb-1.4")};
-    EXPECT_EQ(paid(owedLine), (Frames{"00000300#00", "00000500#00"}))
-        << "another unit, and one of this number elsewhere";
+    EXPECT_EQ(paid(link), (Frames{"00000300#00", "00000500#00"})) << "another unit, and one of this number elsewhere";
     EXPECT_EQ(owed.all().size(), 4U);
 }
 
 TEST_F(Owed, IsPassedToItsDeviceWhichIsToldAtOnce)
 {
-    owed.add(make(), owedLine);
+    owed.add(make());
     motor.emplace(link, clock);
     link.sent.clear();
-    owed.passTo(*motor, otherOwedLine);
-    EXPECT_TRUE(link.sent.empty()) << "that is another motor";
-    EXPECT_EQ(motor->stopping().state(), StopState::None);
-    owed.passTo(*motor, owedLine);
+    test::LooseMotor other(otherLink, clock);
+    owed.passTo(other);
+    EXPECT_TRUE(otherLink.sent.empty()) << "that is another motor";
+    EXPECT_EQ(other.stopping().state(), StopState::None);
+    owed.passTo(*motor);
     EXPECT_EQ(link.sent, Frames{owedStopFrame});
     EXPECT_TRUE(motor->stopping().isForMotion());
     EXPECT_TRUE(owed.all().empty());
     link.sent.clear();
-    owed.passTo(*motor, owedLine);
+    owed.passTo(*motor);
     EXPECT_TRUE(link.sent.empty()) << "once";
 }
 
 TEST_F(Owed, IsNotPassedToAnotherUnitOrToOneThatMayNotBeTold)
 {
     guard.owing = {stopOf("socketcan:can7/loose:3", 0x300)};
-    (void)paid(owedLine);
+    (void)paid(link);
     motor.emplace(link, clock);
     link.sent.clear();
-    owed.passTo(*motor, owedLine);
+    owed.passTo(*motor);
     EXPECT_TRUE(link.sent.empty()) << "number 0 is not number 3";
     EXPECT_EQ(owed.all().size(), 1U);
 
     guard.owing = {stopOf(motor->selector(), 0x100)};
-    (void)paid(owedLine);
+    (void)paid(link);
     motor->gate().setBusy(say("its firmware is written"));
     link.sent.clear();
-    owed.passTo(*motor, owedLine);
+    owed.passTo(*motor);
     EXPECT_TRUE(link.sent.empty());
     EXPECT_EQ(owed.all().size(), 2U) << "it stays owed";
 }
 
 TEST_F(Owed, TheGuardiansHearWhatIsSettledAndWhatIsLeftToThem)
 {
-    owed.settle(make(), owedLine);
+    owed.settle(make());
     EXPECT_EQ(guard.settled, Frames{owedLine + ' ' + motor->selector()});
     owed.leave(otherOwedLine);
     EXPECT_EQ(guard.left, Frames{otherOwedLine});
     guard.settled.clear();
-    owed.add(*motor, owedLine);
+    owed.add(*motor);
     owed.dismiss();
     EXPECT_EQ(guard.settled, Frames{owedLine + ' ' + motor->selector()});
     EXPECT_TRUE(owed.all().empty());
@@ -171,10 +197,10 @@ TEST_F(Owed, TheGuardiansHearWhatIsSettledAndWhatIsLeftToThem)
 TEST_F(Owed, WithoutGuardiansEverythingElseIsTheSame)
 {
     OwedStops alone(clock, nullptr);
-    alone.add(make(), owedLine);
-    alone.pay(link, owedLine);
+    alone.add(make());
+    alone.pay(link);
     EXPECT_EQ(link.sent, Frames{owedStopFrame});
-    alone.settle(*motor, owedLine);
+    alone.settle(*motor);
     alone.leave(owedLine);
     alone.dismiss();
     EXPECT_TRUE(alone.all().empty());

@@ -69,6 +69,10 @@ class SessionLines : public testing::Test {
 protected:
     SessionLines()
     {
+        book.setIdentify([](const LinkAddress &address) { // the terminal, whatever it is called
+            std::error_code failed;
+            return std::filesystem::canonical(address.path, failed).string();
+        });
         for (std::size_t i = 0; i < lines.size(); ++i) {
             plug(i);
             links[i] = openLine(i);
@@ -78,7 +82,12 @@ protected:
     {
         return folder.path().toStdString() + "/line" + std::to_string(line);
     }
-    void plug(std::size_t line) const { std::filesystem::create_symlink(lines.at(line).path(), pathOf(line)); }
+    void plug(std::size_t line) const { plug(line, line); }
+    /// An adapter under the name of another one.
+    void plug(std::size_t line, std::size_t name) const
+    {
+        std::filesystem::create_symlink(lines.at(line).path(), pathOf(name));
+    }
     void unplug(std::size_t line) const { std::filesystem::remove(pathOf(line)); }
     Link *openLine(std::size_t line)
     {
@@ -103,10 +112,9 @@ protected:
     /// As Session::closeLink().
     void close(Link &link)
     {
-        const std::string line = book.lineOf(link);
         stops.beforeClose(link);
         devices.forget(link);
-        stops.leave(line);
+        stops.leave(link.line());
         book.close(link);
     }
     /// The adapter of a line comes out.
@@ -248,6 +256,45 @@ TEST_F(SessionLines, OfTwoLostLinesOnlyTheOneThatOwesIsOpenedAgain)
     clock.advance(50ms);
     EXPECT_EQ(links[0]->state(), LinkState::Open);
     EXPECT_EQ(links[1]->state(), LinkState::Lost);
+}
+
+TEST_F(SessionLines, ALostLineIsLeftToTheGuardiansWhoLookForItUnderEveryName)
+{
+    run(motorOn(*links[0]));
+    lose(0);
+    ASSERT_EQ(guard.left.size(), 1U);
+    EXPECT_EQ(guard.left.front(), links[0]->line());
+}
+
+TEST_F(SessionLines, AnotherAdapterUnderTheNameOfALostLineIsToldNothingAndTheDebtWaitsForItsOwnLine)
+{
+    run(motorOn(*links[0]));
+    (void)heard(0, 1);
+    lose(1);
+    lose(0);
+    plug(1, 0);
+    clock.advance(10s);
+    EXPECT_EQ(links[0]->state(), LinkState::Lost) << "it would be another one";
+    EXPECT_TRUE(links[0]->isReplaced());
+    const auto refused = book.open(links[0]->address());
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().text().find("another adapter is called line0 now"), std::string::npos);
+    close(*links[0]);
+    EXPECT_EQ(stops.owed().size(), 1U);
+    links[0] = openLine(0);
+    motorOn(*links[0]).stop();
+    clock.advance(1ms);
+    EXPECT_EQ(heard(1, 1), Bytes{stopByte}) << "what it is told itself, and nothing before";
+    EXPECT_EQ(stops.owed().size(), 1U);
+
+    close(*links[1]);
+    unplug(0);
+    plug(0, 1);
+    links[1] = openLine(1);
+    clock.advance(1ms);
+    EXPECT_EQ(heard(0, 1), Bytes{scriptByte}) << "under its new name";
+    (void)motorOn(*links[1]);
+    EXPECT_TRUE(stops.owed().empty());
 }
 
 TEST_F(SessionLines, WhatIsKnownOfADeviceIsKeptWhenItChangesAndRecalledWhenItIsFoundAgain)

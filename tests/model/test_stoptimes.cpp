@@ -217,32 +217,28 @@ TEST_F(StopTimes, ALinkThatIsBackIsToldOnlyWhatIsDue)
 {
     struct Row {
         const char *what;
-        bool driven, sameLine, harmless;
+        bool driven, harmless;
         StopState end;
         std::size_t sent;
         int stops;
     };
-    for (const Row &row : {Row{"as it was", true, true, true, StopState::Stopping, 1, 2},
-             Row{"another line", true, false, true, StopState::Unconfirmed, 0, 1},
-             Row{"a stop may start it", true, true, false, StopState::Owed, 0, 1},
-             Row{"nothing had moved", false, true, true, StopState::Stopping, 1, 2}}) {
+    for (const Row &row : {Row{"as it was", true, true, StopState::Stopping, 1, 2},
+             Row{"a stop may start it", true, false, StopState::Owed, 0, 1},
+             Row{"nothing had moved", false, true, StopState::Stopping, 1, 2}}) {
         cut();
         Told &motor = make(false, true, row.driven);
         clock.advance(1s);
         ASSERT_TRUE(link.open());
         link.sent.clear();
         motor.harmless = row.harmless;
-        motor.stopping.linkIsBack(row.sameLine);
+        motor.stopping.linkIsBack();
         EXPECT_EQ(motor.stopping.state(), row.end) << row.what;
         EXPECT_EQ(link.sent.size(), row.sent) << row.what;
         EXPECT_EQ(motor.stops, row.stops) << row.what;
-        if (row.end == StopState::Unconfirmed) {
-            EXPECT_FALSE(motor.stopping.isDue()) << "not ours to tell";
-        }
     }
     Told &idle = make(false, true, true);
     idle.stopping.dismiss();
-    idle.stopping.linkIsBack(true);
+    idle.stopping.linkIsBack();
     EXPECT_EQ(idle.stops, 1) << "the user has looked";
     EXPECT_EQ(idle.stopping.state(), StopState::None);
 }

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,10 @@ public:
         return watch;
     }
     std::vector<OwedStop> takeOver(Link &, Instant) override { return owing; }
+    [[nodiscard]] bool isOwed(const std::string &line, const std::string &device) const override
+    {
+        return std::find(books.begin(), books.end(), line + ' ' + device) != books.end();
+    }
     void settle(const std::string &line, const std::string &device) override { settled.push_back(line + ' ' + device); }
     void leave(const std::string &line) override { left.push_back(line); }
     void become(GuardWatch::State state, std::string reason = {})
@@ -45,6 +50,7 @@ public:
     StopScript lastScript;
     std::string lastName;
     std::vector<OwedStop> owing;      ///< what earlier programs owe
+    std::vector<std::string> books;   ///< what guardians owe, or have given up; "line device"
     std::vector<std::string> settled; ///< "line device"
     std::vector<std::string> left;    ///< lines
 

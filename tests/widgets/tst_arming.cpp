@@ -98,9 +98,11 @@ void TestArming::aMotorThatMayStillTurnKeepsEverythingFromBeingArmed()
 
 void TestArming::aStopOwedToADeviceThatIsGoneIsNamedToo()
 {
-    m_bench->workbench.shot.owedStops = {"socketcan:can0/abstractdc:3"};
+    m_bench->workbench.shot.owedStops = {{"socketcan:can0/abstractdc:3", false}};
     QVERIFY(lamp().state == LampState::MayTurn);
     QCOMPARE(lamp().detail, QStringLiteral("abstractdc:3: cut its power"));
+    m_bench->workbench.shot.owedStops[0].elsewhere = true; // another abstractdc:3 may answer there
+    QCOMPARE(lamp().detail, QStringLiteral("abstractdc:3 on the adapter before: cut its power"));
 }
 
 void TestArming::theLampNamesWhomStopLeavesOut()

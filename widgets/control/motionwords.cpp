@@ -63,8 +63,10 @@ QString namesThatMayTurn(const Snapshot &shot)
         if (device.mayTurn)
             names += addressIn(shot, device.id);
     }
-    for (const std::string &selector : shot.owedStops)
-        names += QString::fromStdString(selector).section(QLatin1Char('/'), -1);
+    for (const OwedStopView &owed : shot.owedStops) {
+        const QString name = QString::fromStdString(owed.device).section(QLatin1Char('/'), -1);
+        names += owed.elsewhere ? MotionWords::tr("%1 on the adapter before").arg(name) : name;
+    }
     return names.join(QStringLiteral(", "));
 }
 

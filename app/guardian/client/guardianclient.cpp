@@ -3,7 +3,7 @@
 
 #include "app/guardian/client/wirescript.h"
 #include "app/guardian/message.h"
-#include "transport/linkidentity.h"
+#include "app/guardian/watchman.h"
 
 #include <QSocketNotifier>
 
@@ -219,7 +219,7 @@ Result<std::shared_ptr<GuardianClient::Post>> GuardianClient::postAt(Link &link)
         if (auto post = known.lock(); post && post->serves(link))
             return post;
     }
-    const std::string line = linkIdentity(link.address());
+    const std::string &line = link.line();
     if (const auto book = m_books.find(line); book != m_books.end())
         (void)book->second->own(); // a guardian may have been about to pay when the link was opened
     // a terminal or socket by its whole path: the guardian has another working directory
@@ -245,7 +245,7 @@ std::vector<OwedStop> GuardianClient::takeOver(Link &link, Instant now)
     std::vector<OwedStop> owed;
     if (!link.outlet().isInheritable())
         return owed;
-    const std::string line = linkIdentity(link.address());
+    const std::string &line = link.line();
     auto &book = m_books[line];
     if (!book)
         book = std::make_unique<guardian::DebtBook>(m_folder, line);
@@ -255,7 +255,11 @@ std::vector<OwedStop> GuardianClient::takeOver(Link &link, Instant now)
         std::chrono::system_clock::now().time_since_epoch()); // books outlive every other clock
     for (const guardian::Debt &debt : book->read()) {
         const auto age = std::max(present - std::chrono::seconds(debt.since), std::chrono::seconds(0));
-        owed.push_back({line, debt.name, scriptFromWire(debt.script, link.outlet().form), now - age});
+        if (age >= guardian::debtLimit) {
+            book->remove(debt.name);
+            continue;
+        }
+        owed.push_back({line, debt.name, scriptFromWire(debt.script, link.outlet().form), now - age, true});
     }
     return owed;
 }
@@ -264,6 +268,11 @@ void GuardianClient::settle(const std::string &line, const std::string &device)
 {
     if (const auto book = m_books.find(line); book != m_books.end() && book->second->exists())
         book->second->remove(device);
+}
+
+bool GuardianClient::isOwed(const std::string &line, const std::string &device) const
+{
+    return guardian::DebtBook(m_folder, line).has(device);
 }
 
 std::vector<pid_t> GuardianClient::processes() const

@@ -25,6 +25,7 @@ public:
     [[nodiscard]] std::vector<OwedStop> takeOver(Link &link, Instant now) override;
     void leave(const std::string &line) override { m_books.erase(line); }
     void settle(const std::string &line, const std::string &device) override;
+    [[nodiscard]] bool isOwed(const std::string &line, const std::string &device) const override;
 
     /// Processes that serve a link now. For tests.
     [[nodiscard]] std::vector<pid_t> processes() const;
