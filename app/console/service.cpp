@@ -118,7 +118,7 @@ public:
             Stage &stage = m_stages.emplace_back(m_console, address);
             auto opening = stage.session().openLinkSoon(address);
             Link *const link = co_await std::move(opening);
-            link->setPatience(m_console.options().patience);
+            link->settings().patience = m_console.options().patience;
             m_queue.addBus(stage.session(), *link);
         }
         m_console.begin();

@@ -129,7 +129,7 @@ Task<Device *> connectIn(Console &console, Session &session, Target target)
         co_return fail(Fault::Usage, device.error().detail, device.error().remedy); // the words fit several
     if (!device)
         co_return fail(device.error());
-    (*device)->link().setPatience(console.options().patience);
+    (*device)->link().settings().patience = console.options().patience;
     auto noting = noteReset(console, **device);
     co_await std::move(noting);
     console.begin();

@@ -165,7 +165,7 @@ void Links::reopenLost()
 /// Another adapter has its name: who was found on the one before is gone, and who is there now is looked for.
 bool Links::replace(Link &link)
 {
-    if (link.isOpening() || !link.isReplaced() || !mayClose(link))
+    if (link.isOpening() || !isReplaced(link) || !mayClose(link))
         return false;
     const LinkAddress address = link.address();
     const bool byItself = m_open[&link].byItself;

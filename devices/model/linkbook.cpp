@@ -30,9 +30,9 @@ Result<LinkBook::Entry> LinkBook::make(const LinkAddress &address)
     if (!link)
         return fail(link.error());
     made.link = std::move(*link);
-    made.link->setBackground(m_background);
+    made.link->settings().background = m_background;
     if (m_identify)
-        made.link->setIdentify(m_identify);
+        made.link->settings().identify = m_identify;
     return made;
 }
 

@@ -25,8 +25,9 @@ public:
 
     /// What may block is done there, of links made from now on. Outlives this.
     void setBackground(Background *background) { m_background = background; }
+    using Identify = decltype(LinkSettings::identify);
     /// Of links made from now on; for tests.
-    void setIdentify(Link::Identify identify) { m_identify = std::move(identify); }
+    void setIdentify(Identify identify) { m_identify = std::move(identify); }
     /// Opens a link, or yields the one that is open under this address.
     [[nodiscard]] Result<Link *> open(const LinkAddress &address);
     /// open() for a thread that must not wait for a driver (Link::openSoon).
@@ -69,7 +70,7 @@ private:
     Clock &m_clock;
     std::span<const Family *const> m_families;
     Background *m_background = nullptr;
-    Link::Identify m_identify;
+    Identify m_identify;
     Listeners<Link &> m_opened;
     Listeners<Link &> m_lost;
     Listeners<> m_batchEnded;

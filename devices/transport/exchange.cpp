@@ -7,10 +7,10 @@ Task<CanFrame> exchange(CanLink &link, Clock &clock, CanFrame request, CanInbox:
 {
     CanInbox inbox(link, clock, std::move(match));
     Error last{Fault::Timeout, say("no answer")};
-    for (int i = 0; i < link.patience().tries(attempts.tries); ++i) {
+    for (int i = 0; i < link.settings().patience.tries(attempts.tries); ++i) {
         if (auto sent = link.send(request); !sent)
             co_return fail(sent.error());
-        Result<CanFrame> reply = co_await inbox.next(link.patience().answer(attempts.timeout));
+        Result<CanFrame> reply = co_await inbox.next(link.settings().patience.answer(attempts.timeout));
         if (reply)
             co_return *reply;
         last = reply.error();

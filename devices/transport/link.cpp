@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/link.h"
 
-#include "transport/linkidentity.h"
-
 namespace mb {
 
 Link::Link(LinkAddress address, LinkKind kind)
     : m_address(std::move(address))
     , m_kind(kind)
-    , m_identify(linkIdentity)
 {
 }
 
@@ -23,49 +20,55 @@ Result<void> Link::open()
 {
     if (m_state == LinkState::Open)
         return {};
-    if (isReplaced())
-        return fail(replaced());
-    beginOpening();
+    if (auto begun = beginOpening(); !begun)
+        return begun;
     if (auto opened = doOpen(); !opened)
         return opened;
-    return enterOpen();
+    return endOpening();
 }
 
-bool Link::isReplaced() const
-{
-    if (m_line.empty())
-        return false;
-    const std::string now = m_identify(m_address);
-    return now != m_line && isPlace(now); // else there may be nobody
-}
+namespace {
 
-Error Link::replaced() const
+Error replaced(const Link &link)
 {
-    return {Fault::LinkLost, say("another adapter is called %1 now", m_address.shortName()),
+    return {Fault::LinkLost, say("another adapter is called %1 now", link.address().shortName()),
         say("close the link, and open it again to see who is there")};
 }
 
-/// Another one may have come while it was opened.
-Result<void> Link::enterOpen()
+} // namespace
+
+bool isReplaced(const Link &link)
 {
-    const std::string now = m_identify(m_address);
-    if (!m_line.empty() && now != m_line) {
-        doClose();
-        return fail(replaced());
-    }
-    m_line = now;
-    m_loss = {Fault::LinkLost};
-    setState(LinkState::Open);
-    return {};
+    if (link.line().empty())
+        return false;
+    const std::string now = link.settings().identify(link.address());
+    return now != link.line() && isPlace(now); // else there may be nobody
 }
 
-void Link::beginOpening()
+Result<void> Link::beginOpening()
 {
+    if (isReplaced(*this))
+        return fail(replaced(*this));
     ++m_attempt;
     if (m_state == LinkState::Lost)
         doClose();
     else
         m_counters = {};
+    return {};
+}
+
+/// Another one may have come while it was opened.
+Result<void> Link::endOpening()
+{
+    const std::string now = m_settings.identify(m_address);
+    if (!m_line.empty() && now != m_line) {
+        doClose();
+        return fail(replaced(*this));
+    }
+    m_line = now;
+    m_loss = {Fault::LinkLost};
+    setState(LinkState::Open);
+    return {};
 }
 
 Task<void> Link::openSoon()
@@ -74,7 +77,7 @@ Task<void> Link::openSoon()
         co_return {};
     if (m_opening)
         co_return fail(Fault::LinkLost, say("%1 is being opened already", m_address.shortName()));
-    if (!m_background)
+    if (!m_settings.background)
         co_return open();
     struct Mark {
         explicit Mark(bool &opening)
@@ -88,11 +91,10 @@ Task<void> Link::openSoon()
         bool &isOpening;
     };
     const Mark mark(m_opening);
-    if (isReplaced())
-        co_return fail(replaced());
-    beginOpening();
+    if (auto begun = beginOpening(); !begun)
+        co_return begun;
     const int attempt = m_attempt;
-    auto opening = doOpenSoon(*m_background);
+    auto opening = doOpenSoon(*m_settings.background);
     const Result<void> opened = co_await std::move(opening).attempt();
     if (!opened)
         co_return fail(opened.error());
@@ -101,7 +103,7 @@ Task<void> Link::openSoon()
         co_return fail(Fault::Cancelled, say("%1 was closed before it was open", m_address.shortName()));
     }
     m_opening = false;
-    co_return enterOpen();
+    co_return endOpening();
 }
 
 void Link::close()

@@ -5,6 +5,7 @@
 #include "async/listeners.h"
 #include "async/result.h"
 #include "transport/linkaddress.h"
+#include "transport/linkidentity.h"
 #include "transport/patience.h"
 #include "wire/canframe.h"
 
@@ -59,6 +60,13 @@ struct Outlet {
     [[nodiscard]] bool isInheritable() const { return descriptor >= 0; }
 };
 
+/// How a link goes about its work, whichever it is.
+struct LinkSettings {
+    Background *background = nullptr; ///< without one openSoon() is open(); outlives the link
+    Patience patience;                ///< for every question that a task asks from now on
+    std::function<std::string(const LinkAddress &)> identify = linkIdentity; ///< what tells Link::line()
+};
+
 /// A way to devices. Owns its backend; address, state, counters and the trace tap are common, the rest is in CanLink,
 /// SerialLink and SpiLink. Single-threaded: everything, notifications too, on the thread that made it.
 class Link {
@@ -73,8 +81,6 @@ public:
     /// What is behind it (linkIdentity) since it was open for the first time; empty before. It stays that: a link that is lost comes
     /// back on its own line only. Who answers behind another adapter of its name was told nothing of what was told here.
     [[nodiscard]] const std::string &line() const { return m_line; }
-    /// Another line has its name now, and it cannot be opened. Takes a look at the computer's hardware.
-    [[nodiscard]] bool isReplaced() const;
     /// Why the link is lost; without a cause while nothing is wrong.
     [[nodiscard]] const Error &loss() const { return m_loss; }
     /// What to fail with when the link is not open: LinkLost and the reason.
@@ -84,7 +90,7 @@ public:
     /// For the guardian; of the open link. Simulated links are InProcess, backends with a descriptor of the system say so.
     [[nodiscard]] Outlet outlet() const;
 
-    /// Fails with LinkLost and a cause that names the remedy, also where isReplaced(). Opening an open link does nothing; a lost one
+    /// Fails with LinkLost and a cause that names the remedy, also where another line has its name (isReplaced). Opening an open link does nothing; a lost one
     /// starts afresh, and keeps its counters.
     [[nodiscard]] Result<void> open();
     /// open() for a thread that must not wait for a driver: what may block is done in the background that was given, for openLimit at
@@ -92,15 +98,8 @@ public:
     [[nodiscard]] Task<void> openSoon();
     [[nodiscard]] bool isOpening() const { return m_opening; }
     static constexpr Duration openLimit = std::chrono::seconds(5);
-    /// Without one openSoon() is open(). Outlives the link.
-    void setBackground(Background *background) { m_background = background; }
-    [[nodiscard]] Background *background() const { return m_background; }
-    using Identify = std::function<std::string(const LinkAddress &)>;
-    /// What tells line(); linkIdentity() as long as nothing else is said.
-    void setIdentify(Identify identify) { m_identify = std::move(identify); }
-    /// For every question that a task asks on this link from now on.
-    void setPatience(Patience patience) { m_patience = patience; }
-    [[nodiscard]] const Patience &patience() const { return m_patience; }
+    [[nodiscard]] LinkSettings &settings() { return m_settings; }
+    [[nodiscard]] const LinkSettings &settings() const { return m_settings; }
     /// Allowed in notifications of this link; destroying it there is not.
     void close();
     /// A closed link becomes a lost one: whoever opens those again opens it too.
@@ -130,19 +129,16 @@ private:
     /// For backends whose doOpen() may block.
     [[nodiscard]] virtual Task<void> doOpenSoon(Background &) { co_return doOpen(); }
     virtual void doClose() = 0;
-    void beginOpening();
-    [[nodiscard]] Error replaced() const;
-    [[nodiscard]] Result<void> enterOpen();
+    [[nodiscard]] Result<void> beginOpening();
+    [[nodiscard]] Result<void> endOpening();
     [[nodiscard]] virtual Outlet doOutlet() const { return {}; }
 
     LinkAddress m_address;
     LinkKind m_kind;
-    Identify m_identify;
+    LinkSettings m_settings;
     std::string m_line;
     LinkState m_state = LinkState::Closed;
     Error m_loss{Fault::LinkLost};
-    Background *m_background = nullptr;
-    Patience m_patience;
     bool m_opening = false;
     int m_attempt = 0; ///< of opening or closing it: whatever comes of an earlier one is too late
     LinkCounters m_counters;
@@ -150,5 +146,8 @@ private:
     Listeners<const Traffic &> m_traffic;
     Listeners<> m_batchEnded;
 };
+
+/// Another line has the name of this link by now, and it cannot be opened. Takes a look at the computer's hardware.
+[[nodiscard]] bool isReplaced(const Link &link);
 
 } // namespace mb

@@ -58,8 +58,8 @@ Task<void> SerialLink::setBaudrateSoon(int baudrate)
     const auto isNew = isNewRate(baudrate);
     if (!isNew)
         co_return fail(isNew.error());
-    if (*isNew && state() == LinkState::Open && background()) {
-        auto setting = doSetBaudrateSoon(*background(), baudrate);
+    if (*isNew && state() == LinkState::Open && settings().background) {
+        auto setting = doSetBaudrateSoon(*settings().background, baudrate);
         co_await std::move(setting);
     } else if (auto set = setBaudrate(baudrate); !set) {
         co_return fail(set.error());

@@ -110,7 +110,7 @@ TEST_P(Contract, AsksASilentUnitAsLongAndAsOftenAsTheUserSays)
         EXPECT_NE(device, found.end());
         for (Simulator *simulator : fresh.session.bench(*fresh.link)->simulators())
             simulator->setPowered(false);
-        fresh.link->setPatience(patience);
+        fresh.link->settings().patience = patience;
         const Instant begin = fresh.clock.now();
         const auto asked = run(fresh.clock, (*device)->refresh());
         EXPECT_FALSE(asked);

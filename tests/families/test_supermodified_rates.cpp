@@ -25,7 +25,7 @@ protected:
     void SetUp() override
     {
         ASSERT_TRUE(link->open());
-        link->setBackground(&background);
+        link->settings().background = &background;
         line = Line::of(*link, clock);
         clock.advance(100ms); // the line was silent for long enough
     }

@@ -26,7 +26,8 @@ protected:
     Owed()
     {
         for (test::LoggedLink *one : {&link, &otherLink})
-            one->setIdentify([one, this](const LinkAddress &) { return one == &link ? owedLine : otherOwedLine; });
+            one->settings().identify
+                = [one, this](const LinkAddress &) { return one == &link ? owedLine : otherOwedLine; };
         EXPECT_TRUE(link.open());
         EXPECT_TRUE(otherLink.open());
         clock.advance(1h);

@@ -275,7 +275,7 @@ TEST_F(SessionLines, AnotherAdapterUnderTheNameOfALostLineIsToldNothingAndTheDeb
     plug(1, 0);
     clock.advance(10s);
     EXPECT_EQ(links[0]->state(), LinkState::Lost) << "it would be another one";
-    EXPECT_TRUE(links[0]->isReplaced());
+    EXPECT_TRUE(isReplaced(*links[0]));
     const auto refused = book.open(links[0]->address());
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().text().find("another adapter is called line0 now"), std::string::npos);

@@ -36,7 +36,7 @@ Task<ParamResponse> ParameterExchange::run(CanFrame request, int device, std::ui
         return response && response->device == device && response->parameter == parameter;
     });
     Error last{Fault::Timeout, say("no answer")};
-    for (int attempt = 0; attempt < m_link.patience().tries(most); ++attempt) {
+    for (int attempt = 0; attempt < m_link.settings().patience.tries(most); ++attempt) {
         const Instant sentAt = m_clock.now();
         if (auto sent = m_link.send(request); !sent)
             co_return fail(sent.error());
@@ -63,7 +63,7 @@ Task<ParamResponse> ParameterExchange::run(CanFrame request, int device, std::ui
 
 Duration ParameterExchange::patienceAt(int attempt) const
 {
-    const Patience &patience = m_link.patience();
+    const Patience &patience = m_link.settings().patience;
     if (!m_roundTrip || patience.timeout)
         return patience.answer(longestWait);
     const int doubled = 1 << std::min(attempt, mostDoublings);

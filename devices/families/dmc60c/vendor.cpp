@@ -117,7 +117,7 @@ Task<VendorReply> vendorExchange(CanLink &link, Clock &clock, VendorRequest requ
 {
     CanInbox inbox(link, clock, replyMatch(request));
     Error last{Fault::Timeout, say("no answer")};
-    const Patience &patience = link.patience();
+    const Patience &patience = link.settings().patience;
     const bool asks = attemptsOf(request.command.command).timeout <= atOnce;
     for (int i = 0; i < patience.tries(attempts.tries); ++i) {
         auto sending = sendAll(link, clock, request);

@@ -125,7 +125,7 @@ Task<Packet> PacketPort::request(Bytes request, int tries, Gate gate)
 {
     Error last{Fault::Timeout, say("the board did not answer")};
     const Patience wanted
-        = gate || tries == 1 ? Patience() : m_link.patience(); // an order to a motor, a poll: as they are
+        = gate || tries == 1 ? Patience() : m_link.settings().patience; // an order to a motor, a poll: as they are
     for (int i = 0; i < wanted.tries(tries); ++i) {
         auto asking = ask(request, gate, wanted.answer(answerTime));
         Result<Packet> reply = co_await std::move(asking).attempt();

@@ -214,7 +214,7 @@ void Line::begin(Entry entry)
     const int rate = entry.request.baudrate;
     m_inFlight = InFlight{std::move(entry)};
     const auto allowed = mayHaveItsRate(m_inFlight->entry.request);
-    if (allowed && rate != m_link.baudrate() && m_link.background())
+    if (allowed && rate != m_link.baudrate() && m_link.settings().background)
         m_rateChange.spawn<void>(m_link.setBaudrateSoon(rate), [this](const Result<void> &set) {
             if (m_inFlight && !m_inFlight->isSent)
                 transmit(set);

@@ -26,7 +26,7 @@ Duration LineTiming::patienceFor(const LineRequest &request) const
 {
     if (!request.answered)
         return broadcastPause;
-    if (const Patience &forced = m_link.patience(); forced.timeout && request.rank == LineRequest::Rank::Task)
+    if (const Patience &forced = m_link.settings().patience; forced.timeout && request.rank == LineRequest::Rank::Task)
         return request.patience > answerTime ? forced.work(request.patience) : forced.answer(request.patience);
     const Duration usual = m_times.patience(request.patience);
     const Duration longest = std::max(usual, AnswerTime::ceiling);

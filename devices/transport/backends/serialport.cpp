@@ -262,10 +262,10 @@ void SerialPortLink::doClose()
 /// The driver may wait for what it still has to send: the last descriptor of the port is closed in the background, where there is one.
 void SerialPortLink::closeBehind(QSerialPort &port)
 {
-    const auto own = background() ? std::make_shared<const Descriptor>(::dup(port.handle())) : nullptr;
+    const auto own = settings().background ? std::make_shared<const Descriptor>(::dup(port.handle())) : nullptr;
     port.close();
     if (own)
-        background()->run(
+        settings().background->run(
             m_path, [last = own] { (void)last; }, [] {});
 }
 
