@@ -6654,7 +6654,7 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     </message>
     <message>
         <source>raw %1</source>
-        <translation>raw %1</translation>
+        <translation>roh %1</translation>
     </message>
     <message>
         <source>Proposal: %1</source>
@@ -8245,7 +8245,7 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     </message>
     <message>
         <source>Write report…</source>
-        <translation>Bericht schreiben …</translation>
+        <translation>Bericht schreiben…</translation>
     </message>
     <message>
         <source>Preview of the report</source>
@@ -10962,7 +10962,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <name>mb::WindowMenu</name>
     <message>
         <source>Add link…</source>
-        <translation>Verbindung hinzufügen …</translation>
+        <translation>Verbindung hinzufügen…</translation>
     </message>
     <message>
         <source>Open recording…</source>
@@ -10974,7 +10974,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>Commands…</source>
-        <translation>Befehle …</translation>
+        <translation>Befehle…</translation>
     </message>
     <message>
         <source>Switch between dark and light</source>
@@ -10982,7 +10982,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>Preferences…</source>
-        <translation>Einstellungen …</translation>
+        <translation>Einstellungen…</translation>
     </message>
     <message>
         <source>Keys</source>

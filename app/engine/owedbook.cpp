@@ -58,6 +58,8 @@ void OwedBook::lookUp(const Device &device)
         return;
     m_lookedFor[id] = unit;
     m_asking.spawn<Owed>(m_journal->owedTo(unit), [this, id, unit](const Result<Owed> &owed) {
+        if (owed && std::any_of(owed->begin(), owed->end(), [](const auto &debt) { return debt.isUnderWay; }))
+            m_lookAgain[id] = m_context.clock.now(); // that program may end in the middle of it
         if (owed && !owed->empty())
             compare(id, unit);
         else if (owed)

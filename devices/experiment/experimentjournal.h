@@ -22,7 +22,8 @@ struct OwedGains {
     std::int64_t trial = 0;
     double time = 0.0; ///< Unix, s, when it was owed, or put back without a proof that the unit has it for good
     std::vector<OwedValue> values;
-    bool isPutBack = false; ///< but the unit may not have it for good
+    bool isPutBack = false;  ///< but the unit may not have it for good
+    bool isUnderWay = false; ///< another program is making this trial, and puts it back itself
 
     friend bool operator==(const OwedGains &, const OwedGains &) = default;
 };

@@ -96,6 +96,8 @@ Task<std::vector<OwedGains>> lookForOwed(Device &device, ExperimentJournal &jour
     std::vector<OwedGains> owed = co_await std::move(asking);
     std::vector<OwedGains> rest;
     for (OwedGains &debt : owed) {
+        if (debt.isUnderWay)
+            continue;
         auto looking = presentOf(device, debt.values);
         const Present present = co_await std::move(looking);
         auto releasing = releaseWritten(device, journal, present, debt);

@@ -11,7 +11,7 @@ namespace mb::tuning {
 /// It stores what is written by itself, and not at once: what was put back counts when that is proved.
 [[nodiscard]] bool storesLater(const Device &device);
 
-/// What earlier experiments still owe to this unit and it has not, oldest first. What it has is settled on the way; where it
+/// What earlier experiments still owe to this unit and it has not, oldest first; not what another program is about. What it has is settled on the way; where it
 /// stores later, only once it must have stored it and its flash says so, until when nobody is asked. What was put back and is
 /// neither as before nor as tried was written since, and is owed no more. Reads, and writes nothing to the unit.
 [[nodiscard]] Task<std::vector<OwedGains>> lookForOwed(Device &device, ExperimentJournal &journal);

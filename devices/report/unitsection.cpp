@@ -3,6 +3,7 @@
 
 #include "files/qttext.h"
 #include "model/family.h"
+#include "model/unit.h"
 #include "report/htmltext.h"
 
 #include <algorithm>
@@ -52,8 +53,11 @@ QString identityHtml(const ReportUnit &unit, const Report &report)
         if (!text.empty() && !told)
             right.add({phrased(report, key).replace(QLatin1Char('_'), QLatin1Char(' ')), strong(escaped(text))});
     }
-    if (identity.serial.empty())
-        addFact(right, ReportText::tr("Known as"), unit.unit);
+    if (unitByOf(unit.unit) == UnitBy::Tag)
+        addFact(right, ReportText::tr("Tag"), std::string(unitTagIn(unit.unit)));
+    else if (unitByOf(unit.unit) == UnitBy::Place)
+        addFact(right, ReportText::tr("Known by"),
+            ReportText::tr("its place; another unit may stand there").toStdString());
     return beside(left.html(), right.html());
 }
 

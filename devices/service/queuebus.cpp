@@ -220,6 +220,8 @@ public:
         : m_bus(bus)
     {
         m_bus.m_serving = &row;
+        m_bus.m_wantsSkip = false;
+        m_bus.m_interruption = std::make_unique<tuning::Interruption>();
         m_bus.m_run.serving(1);
     }
     Serving(const Serving &) = delete;
@@ -255,18 +257,27 @@ Task<void> QueueBus::serve(Row &row)
         auto opening = openVisit(row, *device);
         visit = co_await std::move(opening);
     }
+    if (m_wantsSkip) { // while the journal took its time
+        leftOut(row);
+        co_return {};
+    }
     auto performing = perform(row, *device, std::move(visit));
     const Result<Visit> result = co_await std::move(performing).attempt();
     if (!result && result.error().fault == Fault::Cancelled) {
-        row.shown.state = RowState::Skipped;
-        row.shown.visit.cause = say("left out; it goes on where it was when it is tested again");
-        m_run.changed().notify();
+        leftOut(row);
         co_return {};
     }
     if (!result)
         co_return fail(result.error());
     ended(row, *result);
     co_return {};
+}
+
+void QueueBus::leftOut(Row &row)
+{
+    row.shown.state = RowState::Skipped;
+    row.shown.visit.cause = say("left out; it goes on where it was when it is tested again");
+    m_run.changed().notify();
 }
 
 ServiceSurroundings QueueBus::surroundings(Row &row, Telling &telling)
@@ -284,9 +295,7 @@ ServiceSurroundings QueueBus::surroundings(Row &row, Telling &telling)
 
 Task<Visit> QueueBus::perform(Row &row, Device &device, Visit visit)
 {
-    m_interruption = std::make_unique<tuning::Interruption>();
     m_operation = std::make_unique<Operation>(m_session.clockOf(m_link), say("service"));
-    m_wantsSkip = false;
     m_run.directions().forget(device.selector()); // another motor may hang on it
     m_stream = &m_session.stream(device);
     Telling telling(*this, row);
@@ -337,9 +346,10 @@ bool QueueBus::skip(std::uint32_t id)
     Row *const row = m_rows.find(id);
     if (!row)
         return false;
-    if (row == m_serving && m_operation) {
+    if (row == m_serving) {
         m_wantsSkip = true;
-        (void)m_operation->cancel();
+        if (m_operation)
+            (void)m_operation->cancel();
     } else if (row->shown.state == RowState::Waiting) {
         row->shown.state = RowState::Skipped;
     }
@@ -351,6 +361,8 @@ Result<void> QueueBus::retry(std::uint32_t id)
     Row *const row = m_rows.find(id);
     if (!row)
         return fail(Fault::Refused, say("it is not in the queue"));
+    if (m_run.isFinishing())
+        return fail(Fault::Refused, say("the queue was ended"), say("begin it once more to serve this unit again"));
     if (row == m_serving || row->shown.state == RowState::Waiting)
         return fail(Fault::Refused, say("it is being served, or waits for its turn"));
     if (row->shown.state == RowState::Passed)

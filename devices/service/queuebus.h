@@ -47,6 +47,7 @@ private:
     [[nodiscard]] Task<void> refuse(Row &row, const Device &device, Error error);
     [[nodiscard]] Task<void> giveUpMissing();
     void ended(Row &row, const Visit &visit);
+    void leftOut(Row &row);
     [[nodiscard]] ServiceSurroundings surroundings(Row &row, Telling &telling);
 
     QueueRun &m_run;

@@ -90,7 +90,7 @@ Result<void> ServiceQueue::retry(std::uint32_t row)
     if (found == m_buses.end())
         return fail(Fault::Refused, say("it is not in the queue"));
     Result<void> done = (*found)->retry(row);
-    if (done && !m_run.isFinishing())
+    if (done)
         startLane(**found);
     changed().notify();
     return done;
@@ -99,7 +99,7 @@ Result<void> ServiceQueue::retry(std::uint32_t row)
 void ServiceQueue::retryFailed()
 {
     for (const auto &bus : m_buses) {
-        if (bus->retryFailed() && !m_run.isFinishing())
+        if (bus->retryFailed())
             startLane(*bus);
     }
     changed().notify();

@@ -194,8 +194,13 @@ DROP TABLE owed;
 ALTER TABLE owed_value RENAME TO owed;
 )";
 
+/// Who makes a trial, while it is made (thisProgram); empty afterwards.
+constexpr const char *eighthSchema = R"(
+ALTER TABLE trial ADD COLUMN program TEXT NOT NULL DEFAULT '';
+)";
+
 constexpr std::array versions{
-    firstSchema, secondSchema, thirdSchema, fourthSchema, fifthSchema, sixthSchema, seventhSchema};
+    firstSchema, secondSchema, thirdSchema, fourthSchema, fifthSchema, sixthSchema, seventhSchema, eighthSchema};
 constexpr std::array journalVersions{fifthSchema, sixthSchema};
 
 } // namespace

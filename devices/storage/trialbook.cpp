@@ -2,6 +2,7 @@
 #include "storage/trialbook.h"
 
 #include "files/qttext.h"
+#include "files/runningprogram.h"
 #include "storage/messagejson.h"
 #include "storage/sqltext.h"
 #include "storage/trialjson.h"
@@ -141,12 +142,12 @@ Task<std::int64_t> TrialBook::begin(tuning::Trial trial)
 {
     const auto added
         = m_database.run("INSERT INTO trial (time, device, unit, firmware, simulated, mode, axis, slot, stimulus, "
-                         "envelope, gains, metrics, flags, detail, stopped, samples, lost) "
+                         "envelope, gains, metrics, flags, detail, stopped, samples, lost, program) "
                          "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, '{}', '[\"aborted\"]', "
-                         "'the program ended before the trial did', 0, 0, 0)",
+                         "'the program ended before the trial did', 0, 0, 0, ?)",
             {now(), qt(trial.device), qt(resolvedUnit(m_database, trial.unit)), qt(trial.firmware), trial.simulated,
                 qt(toString(trial.mode)), trial.axis, trial.slot, textOf(toJson(trial.stimulus, trial.repeat)),
-                textOf(toJson(trial.envelope)), textOf(gainsToJson(trial))});
+                textOf(toJson(trial.envelope)), textOf(gainsToJson(trial)), qt(thisProgram())});
     if (!added)
         co_return fail(added.error());
     co_return m_database.lastRow();
@@ -200,7 +201,7 @@ Task<void> TrialBook::complete(std::int64_t number, tuning::Trial trial)
         auto changed = changeOne(number,
             "UPDATE trial SET stimulus = ?, gains = ?, metrics = ?, flags = ?, reason = ?, detail = ?, stopped = ?, "
             "samples = ?, "
-            "lost = ? "
+            "lost = ?, program = '' "
             "WHERE id = ?",
             {textOf(stimulusToJson(trial)), textOf(gainsToJson(trial)), textOf(metricsToJson(trial)),
                 textOf(flagsToJson(trial)), reason, savedText(trial.detail), trial.stopped,
@@ -332,11 +333,12 @@ Task<std::vector<tuning::OwedGains>> TrialBook::owedTo(std::string unit)
 {
     std::vector<tuning::OwedGains> owed;
     const auto done
-        = m_database.run("SELECT trial, key, raw, time, tried, put_back FROM owed WHERE unit = ? ORDER BY trial, key",
+        = m_database.run("SELECT owed.trial, key, raw, owed.time, tried, put_back, program FROM owed "
+                         "LEFT JOIN trial ON trial.id = owed.trial WHERE owed.unit = ? ORDER BY owed.trial, key",
             {qt(resolvedUnit(m_database, unit))}, [&owed](const QSqlQuery &row) {
                 const std::int64_t trial = row.value(0).toLongLong();
                 if (owed.empty() || owed.back().trial != trial)
-                    owed.push_back({trial, row.value(3).toDouble(), {}, true});
+                    owed.push_back({trial, row.value(3).toDouble(), {}, true, isAnotherRunning(textAt(row, 6))});
                 owed.back().isPutBack = owed.back().isPutBack && row.value(5).toBool();
                 const std::optional<std::int64_t> tried
                     = row.isNull(4) ? std::nullopt : std::optional<std::int64_t>(row.value(4).toLongLong());

@@ -50,6 +50,7 @@ Result<void> SerialLink::setBaudrate(int baudrate)
             return set;
     }
     m_baudrate = baudrate;
+    m_isRateInDoubt = false;
     return {};
 }
 
@@ -59,12 +60,14 @@ Task<void> SerialLink::setBaudrateSoon(int baudrate)
     if (!isNew)
         co_return fail(isNew.error());
     if (*isNew && state() == LinkState::Open && settings().background) {
+        m_isRateInDoubt = true; // whoever waits for it may go away
         auto setting = doSetBaudrateSoon(*settings().background, baudrate);
         co_await std::move(setting);
     } else if (auto set = setBaudrate(baudrate); !set) {
         co_return fail(set.error());
     }
     m_baudrate = baudrate;
+    m_isRateInDoubt = false;
     co_return {};
 }
 
@@ -72,7 +75,7 @@ Result<bool> SerialLink::isNewRate(int baudrate) const
 {
     if (baudrate < slowest || baudrate > fastest)
         return fail(Fault::OutOfRange, say("%1 bit/s is no rate of a serial line", baudrate));
-    return baudrate != m_baudrate;
+    return m_isRateInDoubt || baudrate != m_baudrate;
 }
 
 void SerialLink::noteRoundTrip(Duration time)

@@ -106,6 +106,7 @@ private:
     Clock &m_clock;
     std::optional<int> m_fixed;
     int m_baudrate;
+    bool m_isRateInDoubt = false; ///< a change of it was given up, the port may have it
     Message m_remark;
     std::optional<Duration> m_roundTrip;
     LineLoad m_load;

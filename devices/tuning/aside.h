@@ -12,7 +12,7 @@ namespace mb::tuning {
 /// thread of the session has to do may wait. It owns all that it looks at. Timeout when nothing came of it within half a minute.
 template <class T> [[nodiscard]] Task<T> aside(Device &device, std::function<Result<T>()> work)
 {
-    Background *const background = device.link().background();
+    Background *const background = device.link().settings().background;
     if (!background)
         co_return work();
     auto working = inBackground<T>(

@@ -299,7 +299,7 @@ class Refused(ContractTest):
         for call in (["snapshot", CIM], ["snapshots"], ["trials"], ["rename", "sim:serial/supermodified:4", "arm"], ["tune", CIM, "--loop", "velocity"]):
             self.assert_error(2, *call, says="newer version")
         with contextlib.closing(sqlite3.connect(path)) as database:
-            database.execute("PRAGMA user_version = 7")
+            database.execute("PRAGMA user_version = 8")
             database.execute("DROP TABLE trial")
         self.assert_error(2, "trials", says="move it away")
 

@@ -155,7 +155,7 @@ TEST(SupermodifiedUpdate, ALinkThatIsClosedByHandWhileItIsOpenedAgainStaysClosed
     LeavingPort closed(port.address(), bench.loop.clock());
     ASSERT_TRUE(closed.open());
     IdleBackground background;
-    closed.setBackground(&background);
+    closed.settings().background = &background;
     closed.isClosedMeanwhile = true;
     bench.device = bench.device->family().open(closed, bench.loop.clock(), bench.device->identity());
     bench.standIn(supermodifiedSuccess);

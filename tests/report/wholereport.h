@@ -246,7 +246,7 @@ inline ReportUnit board()
     unit.family = familyOf("quadquad2drv");
     unit.identity.family = "quadquad2drv";
     unit.identity.address = 2;
-    unit.unit = "quadquad2drv at spi0";
+    unit.unit = "place spi0 quadquad2drv:0";
     unit.trials = {stepTrial()};
     unit.trials.front().trial.axis = 3;
     unit.trials.front().trial.firmware.clear();

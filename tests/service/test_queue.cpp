@@ -134,57 +134,6 @@ TEST_F(ServiceQueues, ADuplicateIsRefusedInItsRowsAndTheRestGoesOn)
     }
 }
 
-TEST_F(ServiceQueues, PauseSkipAndRetry)
-{
-    UnitRack rack({"dmc60c:5,serial=210334000001", "dmc60c:6,serial=210334000002",
-        "dmc60c:7,serial=210334000003,fault=encoder-reversed"});
-    QueueRun run(rack, *books, load(rack, shortText));
-    run.queue.start();
-    ASSERT_TRUE(rack.clock.runUntil([&] { return run.queue.rows().size() == 3; }, 10s));
-    run.queue.skip(run.queue.rows()[1].id);
-    ASSERT_TRUE(rack.clock.runUntil([&] { return run.queue.rows()[0].state == RowState::Running; }, 10s));
-    run.queue.pause();
-    ASSERT_TRUE(rack.clock.runUntil([&] { return run.queue.isPaused(); }, 2min));
-    EXPECT_EQ(run.queue.counts().ended(), 1);
-    rack.clock.advance(20s);
-    EXPECT_EQ(run.queue.counts().ended(), 1);
-    run.queue.resume();
-    ASSERT_TRUE(rack.clock.runUntil([&] { return run.isEnded; }, 2min));
-    EXPECT_EQ(run.queue.rows()[1].state, RowState::Skipped);
-    EXPECT_EQ(run.queue.rows()[2].state, RowState::Failed) << run.queue.rows()[2].visit.cause.english();
-    EXPECT_FALSE(run.queue.rows()[2].visit.number); // a failed unit uses up no number
-    run.isEnded = false;
-    ASSERT_TRUE(run.queue.retry(run.queue.rows()[1].id));
-    ASSERT_TRUE(rack.clock.runUntil([&] { return run.isEnded; }, 2min));
-    EXPECT_EQ(run.queue.counts().passed, 2);
-    EXPECT_EQ(run.queue.rows()[1].visit.number, 11);
-    run.isEnded = false;
-    run.queue.retryFailed();
-    ASSERT_TRUE(rack.clock.runUntil([&] { return run.isEnded; }, 2min));
-    EXPECT_EQ(run.queue.counts().failed, 1);
-    EXPECT_EQ(run.queue.rows()[2].tries, 2);
-    EXPECT_EQ(books->visits().size(), 4U);
-}
-
-TEST_F(ServiceQueues, AUnitThatWasTakenOffIsNotTriedAgainAndItsFailureStays)
-{
-    UnitRack rack({"dmc60c:7,serial=210334000003,fault=encoder-reversed", "dmc60c:8,serial=210334000004"});
-    QueueOptions options;
-    options.units = 0;
-    QueueRun run(rack, *books, load(rack, shortText), options);
-    rack.putOn(0);
-    run.queue.start();
-    ASSERT_TRUE(rack.clock.runUntil([&] { return run.queue.counts().failed == 1; }, 5min));
-    rack.putOn(std::nullopt);
-    rack.clock.advance(1min);
-    const Result<void> again = run.queue.retry(run.queue.rows()[0].id);
-    ASSERT_FALSE(again);
-    EXPECT_FALSE(again.error().detail.empty());
-    EXPECT_EQ(run.queue.counts().failed, 1);
-    EXPECT_EQ(run.queue.rows()[0].state, RowState::Failed);
-    EXPECT_FALSE(run.queue.retry(4711)) << "there is no such row";
-}
-
 TEST_F(ServiceQueues, AUnitThatPassedInTheEndIsNoFailureOfTheRunThatIsGoneOnWith)
 {
     UnitRack rack({"dmc60c:7,serial=210334000003,fault=encoder-reversed", "dmc60c:8,serial=210334000004"});

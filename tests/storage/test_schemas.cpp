@@ -52,7 +52,7 @@ TEST_P(Schemas, AFileOfAnOlderVersionIsBroughtUpToDateAndKeepsEverything)
     EXPECT_EQ(visits->back().ending, service::Ending::None);
 }
 
-INSTANTIATE_TEST_SUITE_P(Kept, Schemas, testing::Values(1, 2, 3, 4, 5, 6));
+INSTANTIATE_TEST_SUITE_P(Kept, Schemas, testing::Values(1, 2, 3, 4, 5, 6, 7));
 
 } // namespace
 } // namespace mb

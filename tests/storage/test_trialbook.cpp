@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "async/virtualclock.h"
+#include "files/runningprogram.h"
 #include "storage/settingsbook.h"
 #include "storage/trialbook.h"
 #include "support/coreapplication.h"
@@ -14,6 +15,9 @@
 
 #include <chrono>
 #include <cstdio>
+
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace mb {
 namespace {
@@ -152,6 +156,34 @@ TEST_F(Notebooks, WhatIsOwedOutlivesTheProgramUntilItIsSettled)
     EXPECT_TRUE(owedTo("dmc60c B")->empty());
     ASSERT_TRUE(test::run(clock, book.settle(debts->front().trial)));
     EXPECT_TRUE(owedTo("dmc60c A")->empty());
+}
+
+TEST_F(Notebooks, ATrialThatAnotherProgramMakesIsUnderWayUntilItIsCompleteOrThatProgramIsGone)
+{
+    int gate[2];
+    ASSERT_EQ(::pipe(gate), 0);
+    const pid_t other = ::fork();
+    if (other == 0) { // it lives until the gate is closed
+        ::close(gate[1]);
+        char byte = 0;
+        (void)!::read(gate[0], &byte, 1);
+        ::_exit(0);
+    }
+    ::close(gate[0]);
+    const auto database = open();
+    TrialBook book(*database, clock);
+    const auto number = test::run(clock, book.begin(trial()));
+    ASSERT_TRUE(test::run(clock, book.owe(*number, "dmc60c A", {{"slot1.p", 5, 7}})));
+    const auto isUnderWay = [&] { return test::run(clock, book.owedTo("dmc60c A"))->front().isUnderWay; };
+    EXPECT_FALSE(isUnderWay()) << "it is ours";
+    ASSERT_TRUE(database->run("UPDATE trial SET program = ?", {QString::fromStdString(programOf(other))}));
+    EXPECT_TRUE(isUnderWay());
+    ASSERT_TRUE(test::run(clock, book.complete(*number, trial())));
+    EXPECT_FALSE(isUnderWay()) << "it could not put it back";
+    ASSERT_TRUE(database->run("UPDATE trial SET program = ?", {QString::fromStdString(programOf(other))}));
+    ::close(gate[1]);
+    ::waitpid(other, nullptr, 0);
+    EXPECT_FALSE(isUnderWay()) << "it was killed";
 }
 
 TEST_F(Notebooks, AUnitWithATagHasItsTrialsAndDebtsWhereverItIsConnected)

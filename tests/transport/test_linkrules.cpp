@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What every link does whatever is behind it: who may send, what is counted, how busy a line is, what is known of a bus.
+#include "async/scope.h"
 #include "async/virtualclock.h"
 #include "transport/canlink.h"
 #include "transport/seriallink.h"
@@ -56,6 +57,7 @@ public:
     using SerialLink::reportLineError;
 
     std::vector<int> rates;
+    bool hangs = false; ///< its driver, when the rate is changed in the background
 
 private:
     Result<void> doOpen() override { return {}; }
@@ -68,6 +70,14 @@ private:
         rates.push_back(baudrate);
         return {};
     }
+    Task<void> doSetBaudrateSoon(Background &, int baudrate) override
+    {
+        if (hangs)
+            co_await m_never.wait();
+        co_return doSetBaudrate(baudrate);
+    }
+
+    Event m_never;
 };
 
 class CanRules : public testing::Test {
@@ -252,6 +262,24 @@ TEST_F(SerialRules, ARateIsFrom50To4000000AndIsSetOnceItIsAnother)
     EXPECT_TRUE(soon.result()) << "without a background it is done at once";
     EXPECT_EQ(link.rates.back(), 57600);
     EXPECT_EQ(link.baudrate(), 57600);
+}
+
+TEST_F(SerialRules, ARateWhoseChangeWasGivenUpIsSetAgainWhicheverIsWanted)
+{
+    class Later final : public Background {
+    public:
+        void run(const std::string &, std::function<void()>, std::function<void()>) override { }
+    } never;
+    ASSERT_TRUE(link.open());
+    link.hangs = true;
+    link.settings().background = &never;
+    {
+        Scope scope(clock);
+        scope.spawn<void>(link.setBaudrateSoon(19200));
+        clock.advance(1ms);
+    }
+    EXPECT_TRUE(link.setBaudrate(115200));
+    EXPECT_EQ(link.rates.back(), 115200) << "the port may have the other one by now";
 }
 
 TEST_F(SerialRules, AnAddressFixesARateThatIsOne)

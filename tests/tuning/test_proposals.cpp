@@ -178,7 +178,7 @@ TEST(Proposals, AreSearchedForInTheBackgroundWhereThereIsOne)
 {
     ExperimentBench bench("sim:can", "dmc60c", 7);
     test::HeldBackground background;
-    bench.device->link().setBackground(&background);
+    bench.device->link().settings().background = &background;
     TunePlan plan = test::planOf(Mode::Velocity);
     plan.propose = true;
     std::optional<Result<TuneReport>> report;
@@ -195,7 +195,7 @@ TEST(Proposals, AreSearchedForInTheBackgroundWhereThereIsOne)
     ASSERT_TRUE(bench.bench.clock.runUntil([&report] { return report.has_value(); }, std::chrono::seconds(1)));
     ASSERT_TRUE(*report) << report->error().text();
     EXPECT_EQ((*report)->proposals.size(), 3U);
-    bench.device->link().setBackground(nullptr);
+    bench.device->link().settings().background = nullptr;
 }
 
 TEST(PredictionBands, HoldEveryStepOfAPlantInsideItsErrors)

@@ -8,6 +8,7 @@
 #include <QAction>
 #include <QShortcut>
 #include <QTest>
+#include <QTranslator>
 
 using namespace mb;
 
@@ -71,6 +72,7 @@ private Q_SLOTS:
     void stopAndArmKeepTheirKeys_data();
     void stopAndArmKeepTheirKeys();
     void aChosenKeyHoldsAtOnceEverywhere();
+    void aKeyOnAButtonIsInTheWordsOfTheLanguage();
     void theKeyItCameWithComesBackUnlessItIsTaken();
     void twoCommandsMayExchangeTheirKeys();
     void whatWasWrittenByHandTakesNoStopKeyAway();
@@ -163,6 +165,24 @@ void KeyBookTest::aChosenKeyHoldsAtOnceEverywhere()
     QCOMPARE(icon->toolTip(), QStringLiteral("Run  F5"));
     QTest::keyClick(&bench.window, Qt::Key_F5);
     QCOMPARE(bench.done.size(), 2);
+}
+
+void KeyBookTest::aKeyOnAButtonIsInTheWordsOfTheLanguage()
+{
+    class German final : public QTranslator {
+    public:
+        [[nodiscard]] QString translate(const char *, const char *text, const char *, int) const override
+        {
+            return qstrcmp(text, "Ctrl") == 0 ? QStringLiteral("Strg") : QString();
+        }
+        [[nodiscard]] bool isEmpty() const override { return false; }
+    } german;
+    const KeyBench bench;
+    QVERIFY(QCoreApplication::installTranslator(&german));
+    const QStringList shown{keyShown(bench.tune, QStringLiteral("Ctrl+F")), keyShown(bench.tune, QStringLiteral("F5")),
+        keyShown(bench.tune, QStringLiteral("· it is busy"))};
+    QCoreApplication::removeTranslator(&german);
+    QCOMPARE(shown, (QStringList{QStringLiteral("Strg+F"), QStringLiteral("F5"), QStringLiteral("· it is busy")}));
 }
 
 void KeyBookTest::theKeyItCameWithComesBackUnlessItIsTaken()

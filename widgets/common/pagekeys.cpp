@@ -141,6 +141,21 @@ QEvent::Type keysChanged()
     return type;
 }
 
+namespace {
+
+/// In the words of the window's language; what names no key is left as it is.
+QString inItsLanguage(const QString &key)
+{
+    const QKeySequence keys(key, QKeySequence::PortableText);
+    for (int i = 0; i < keys.count(); ++i) {
+        if (keys[static_cast<uint>(i)] == Qt::Key_unknown)
+            return key;
+    }
+    return keys.isEmpty() ? key : keys.toString(QKeySequence::NativeText);
+}
+
+} // namespace
+
 QString keyShown(const QWidget &button, const QString &factory)
 {
     const QKeySequence came[]{QKeySequence(factory, QKeySequence::PortableText), QKeySequence(factory)};
@@ -150,10 +165,10 @@ QString keyShown(const QWidget &button, const QString &factory)
             const bool its = std::any_of(row.factory.begin(), row.factory.end(),
                 [&came](const QKeySequence &key) { return key == came[0] || key == came[1]; });
             if (its && row.isChangeable())
-                return row.keys == row.factory ? factory : PageKeys::textOf(row);
+                return row.keys == row.factory ? inItsLanguage(factory) : PageKeys::textOf(row);
         }
     }
-    return factory;
+    return inItsLanguage(factory);
 }
 
 void showKeys(

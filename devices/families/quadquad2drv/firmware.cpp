@@ -99,7 +99,7 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
     auto link = createLink(*address, device.clock());
     if (!link)
         co_return refused(link.error());
-    (*link)->setBackground(device.link().background());
+    (*link)->settings().background = device.link().settings().background;
     if ((*link)->kind() != LinkKind::Serial)
         co_return refused(noWay());
     Updater updater(device, static_cast<SerialLink &>(**link), image, progress, *settings);

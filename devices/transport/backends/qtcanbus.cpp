@@ -2,6 +2,7 @@
 #include "transport/backends/qtcanbus.h"
 
 #include "transport/backends/hardwaretime.h"
+#include "transport/canqueue.h"
 #include "wire/number.h"
 
 #include <QCanBus>
@@ -11,7 +12,6 @@
 #include <QVariant>
 
 #include <algorithm>
-#include <deque>
 
 namespace mb {
 namespace {
@@ -19,6 +19,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr qint64 framesInPlugin = 4; // few, so that an urgent frame does not wait behind many
+constexpr Duration retryDelay = 5ms; // of a plugin that refuses a frame: it does not tell when it has room again
 
 CanFrame frameOf(const QCanBusFrame &raw, Instant time)
 {
@@ -49,6 +50,8 @@ public:
     QtCanLink(LinkAddress address, Clock &clock, int bitrate)
         : CanLink(std::move(address), clock)
         , m_bitrate(bitrate)
+        , m_queue(clock)
+        , m_retry(clock)
     {
     }
     ~QtCanLink() override { QtCanLink::doClose(); }
@@ -57,7 +60,7 @@ private:
     Result<void> doOpen() override;
     void doClose() override;
     Result<void> doSend(const CanFrame &frame, Priority priority) override;
-    [[nodiscard]] std::size_t doBacklog() const override { return m_urgent.size() + m_normal.size(); }
+    [[nodiscard]] std::size_t doBacklog() const override { return m_queue.size(); }
     [[nodiscard]] int doBitrate() const override { return m_bitrate; }
     void watch();
     void receive();
@@ -70,8 +73,8 @@ private:
     bool m_isFine
         = false; ///< the adapter stamps finer than in milliseconds, in which a frame of 1 kHz looks lost and another one twice there
     Instant m_latest{};
-    std::deque<CanFrame> m_urgent;
-    std::deque<CanFrame> m_normal;
+    CanQueue m_queue;
+    Timer m_retry;
 };
 
 Result<void> QtCanLink::doOpen()
@@ -127,29 +130,36 @@ void QtCanLink::doClose()
         device->disconnectDevice();
         device.release()->deleteLater(); // this may be one of its own signals
     }
-    m_urgent.clear();
-    m_normal.clear();
+    m_queue.clear();
+    m_retry.stop();
 }
 
 Result<void> QtCanLink::doSend(const CanFrame &frame, Priority priority)
 {
-    if (priority == Priority::Urgent)
-        std::erase_if(m_normal, [&frame](const CanFrame &waiting) { return sameIdentifier(waiting, frame); });
-    (priority == Priority::Urgent ? m_urgent : m_normal).push_back(frame);
+    if (auto admitted = m_queue.admit(frame, priority, address().path); !admitted)
+        return admitted;
+    m_queue.push(frame, priority);
     pump();
     return {};
 }
 
 void QtCanLink::pump()
 {
-    while (m_device && doBacklog() > 0 && m_device->state() == QCanBusDevice::ConnectedState
+    while (m_device && !m_queue.isEmpty() && m_device->state() == QCanBusDevice::ConnectedState
         && m_device->framesToWrite() < framesInPlugin) {
-        auto &queue = m_urgent.empty() ? m_normal : m_urgent;
-        const QCanBusFrame raw = rawOf(queue.front());
-        queue.pop_front(); // first: writing may call back
-        if (!m_device->writeFrame(raw))
-            countError();
+        const CanQueue::Next next = m_queue.take(); // first: writing may call back
+        if (m_device->writeFrame(rawOf(next.frame))) {
+            m_queue.wentOut(next);
+            continue;
+        }
+        if (m_device && !m_queue.putBack(next))
+            countLost(1);
+        break;
     }
+    if (!m_device || m_queue.isEmpty())
+        return;
+    countLost(m_queue.dropStale());
+    m_retry.startIn(retryDelay, [this] { pump(); });
 }
 
 void QtCanLink::receive()

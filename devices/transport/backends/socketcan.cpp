@@ -24,8 +24,6 @@ constexpr int batchesAtOnce = 16; // then other descriptors get their turn
 // A full transmit queue does not tell when it has room again. Ten frames wait in it (txqueuelen), one takes 131 µs.
 constexpr Duration retryDelay = std::chrono::microseconds(500);
 constexpr Duration lookPeriod = std::chrono::milliseconds(500);
-constexpr std::size_t mostWaiting = 8192;                         // seconds of a full bus
-constexpr Duration mostPatience = std::chrono::milliseconds(500); // of a frame on a bus where nobody acknowledges
 
 template <class T> T contentOf(const cmsghdr &control)
 {
@@ -78,6 +76,7 @@ SocketCanLink::SocketCanLink(LinkAddress address, Clock &clock, int descriptor)
     : CanLink(std::move(address), clock)
     , m_given(descriptor)
     , m_batch(std::make_unique<Batch>())
+    , m_queue(clock)
     , m_retry(clock)
     , m_failed(clock)
     , m_look(clock)
@@ -128,8 +127,7 @@ void SocketCanLink::unwatch()
     m_retry.stop();
     m_failed.stop();
     m_look.stop();
-    m_urgent.clear();
-    m_normal.clear();
+    m_queue.clear();
 }
 
 void SocketCanLink::doClose()
@@ -153,7 +151,7 @@ void SocketCanLink::adopt(const CanInterface &interface)
 void SocketCanLink::look()
 {
     m_look.startIn(lookPeriod, [this] { look(); });
-    if (doBacklog() > 0)
+    if (!m_queue.isEmpty())
         flush();
     recount();
 }
@@ -287,21 +285,12 @@ void SocketCanLink::noteDrops(std::uint32_t total)
 
 Result<void> SocketCanLink::doSend(const CanFrame &frame, Priority priority)
 {
-    auto &queue = priority == Priority::Urgent ? m_urgent : m_normal;
-    if (queue.size() >= mostWaiting)
-        return fail(Fault::LinkLost, say("%1 takes no frames: %2 wait to be sent", address().path, queue.size()),
-            say("check that somebody else is on the bus"));
-    if (priority == Priority::Urgent) {
-        std::erase_if(m_normal, [&frame](const CanFrame &waiting) { return sameIdentifier(waiting, frame); });
-        std::erase_if(m_urgent, [&frame](const CanFrame &waiting) { return sameContent(waiting, frame); });
-        if (!isStop(frame))
-            m_stops.push_back(frame);
-    }
-    const bool first = m_urgent.empty() && (priority == Priority::Urgent || m_normal.empty());
-    if (first) {
+    if (auto admitted = m_queue.admit(frame, priority, address().path); !admitted)
+        return admitted;
+    if (m_queue.isNext(priority)) {
         const int cause = writeFrame(m_descriptor, frame, priority);
         if (cause == 0) {
-            if (doBacklog() == 0)
+            if (m_queue.isEmpty())
                 setStuckSince(std::nullopt);
             return {};
         }
@@ -312,9 +301,7 @@ Result<void> SocketCanLink::doSend(const CanFrame &frame, Priority priority)
             return fail(socketFailure(address().path, cause));
         }
     }
-    if (m_normal.empty())
-        m_frontSince = frame.time;
-    queue.push_back(frame);
+    m_queue.push(frame, priority);
     return {};
 }
 
@@ -322,41 +309,22 @@ void SocketCanLink::flush()
 {
     m_writable->setEnabled(false);
     m_retry.stop();
-    while (doBacklog() > 0) {
-        const bool urgent = !m_urgent.empty();
-        auto &queue = urgent ? m_urgent : m_normal;
-        const int cause = writeFrame(m_descriptor, queue.front(), urgent ? Priority::Urgent : Priority::Normal);
+    while (!m_queue.isEmpty()) {
+        const CanQueue::Next next = m_queue.take();
+        const int cause = writeFrame(m_descriptor, next.frame, next.priority);
         if (cause != 0) {
+            m_queue.putBack(next);
             if (!health().stuckSince)
                 setStuckSince(clock().now());
             if (tryLater(cause))
-                dropStale();
+                countLost(m_queue.dropStale());
             else
                 failLater(cause);
             return;
         }
-        queue.pop_front();
-        if (!urgent)
-            m_frontSince = clock().now();
-        setStuckSince(doBacklog() > 0 ? std::optional(clock().now()) : std::nullopt);
+        m_queue.wentOut(next);
+        setStuckSince(m_queue.isEmpty() ? std::nullopt : std::optional(clock().now()));
     }
-}
-
-bool SocketCanLink::isStop(const CanFrame &frame) const
-{
-    return std::any_of(
-        m_stops.begin(), m_stops.end(), [&frame](const CanFrame &stop) { return sameContent(stop, frame); });
-}
-
-/// Whoever has given an order up must not see it carried out once the cable is back. A stop waits on, also where it comes a second
-/// time behind a set-point that the kernel may still hold.
-void SocketCanLink::dropStale()
-{
-    const Instant now = clock().now();
-    if (m_normal.empty() || now - m_frontSince < mostPatience)
-        return;
-    countLost(std::erase_if(
-        m_normal, [&](const CanFrame &waiting) { return now - waiting.time >= mostPatience && !isStop(waiting); }));
 }
 
 bool SocketCanLink::tryLater(int cause)

@@ -4,9 +4,9 @@
 #include "transport/backends/caninterface.h"
 #include "transport/backends/hardwaretime.h"
 #include "transport/canlink.h"
+#include "transport/canqueue.h"
 
 #include <cstdint>
-#include <deque>
 #include <memory>
 
 class QSocketNotifier;
@@ -45,7 +45,7 @@ private:
     void doClose() override;
     [[nodiscard]] Outlet doOutlet() const override { return {Outlet::Form::CanSocket, m_descriptor}; }
     Result<void> doSend(const CanFrame &frame, Priority priority) override;
-    [[nodiscard]] std::size_t doBacklog() const override { return m_urgent.size() + m_normal.size(); }
+    [[nodiscard]] std::size_t doBacklog() const override { return m_queue.size(); }
     [[nodiscard]] int doBitrate() const override { return m_interface.bitrate; }
     [[nodiscard]] int doReceiveCapacity() const override { return receiveBufferFrames(); }
     [[nodiscard]] bool doIsListenOnly() const override { return m_interface.listenOnly; }
@@ -63,8 +63,6 @@ private:
     void flush();
     [[nodiscard]] bool tryLater(int cause);
     void failLater(int cause);
-    void dropStale();
-    [[nodiscard]] bool isStop(const CanFrame &frame) const;
     void end(Error loss);
 
     int m_given = -1;
@@ -78,10 +76,7 @@ private:
     Instant m_latest{};
     HardwareTime m_hardware;
     std::unique_ptr<Batch> m_batch;
-    std::deque<CanFrame> m_urgent;
-    std::deque<CanFrame> m_normal;
-    Instant m_frontSince{};        ///< the first of m_normal is the first
-    std::vector<CanFrame> m_stops; ///< what was urgent, each content once
+    CanQueue m_queue;
     std::unique_ptr<QSocketNotifier> m_readable;
     std::unique_ptr<QSocketNotifier> m_writable;
     Timer m_retry;

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "files/runningprogram.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include <unistd.h>
+
+namespace mb {
+
+/// "4711:93041", the process and when it began after the start of the system: numbers of processes are used again.
+std::string programOf(long process)
+{
+    std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+    std::string line;
+    std::getline(file, line);
+    const std::size_t name = line.rfind(')'); // it may hold blanks
+    if (name == std::string::npos)
+        return {};
+    std::istringstream fields(line.substr(name + 1));
+    std::string field;
+    for (int i = 3; i <= 22; ++i) // proc(5)
+        fields >> field;
+    return fields ? std::to_string(process) + ':' + field : std::string();
+}
+
+std::string thisProgram()
+{
+    return programOf(::getpid());
+}
+
+bool isAnotherRunning(const std::string &program)
+{
+    return !program.empty() && program != thisProgram() && programOf(std::atol(program.c_str())) == program;
+}
+
+} // namespace mb
