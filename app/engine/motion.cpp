@@ -92,13 +92,16 @@ void Motion::carryOut(const orders::ReleaseMoves &order, const Finished &finishe
         device ? m_context.session.stops().releaseMoves(*device) : fail(Fault::Timeout, say("the device is gone")));
 }
 
-/// A set-point that goes on would start it again.
+/// A set-point that goes on would start it again; an order that is refused ends no motion.
 void Motion::carryOut(const orders::ZeroPosition &order, const Finished &finished)
 {
-    if (Device *device = m_context.session.find(order.device))
-        m_context.session.stream(*device).stop();
     m_context.operations.begin(
-        order.device, say("Count from 0"), [](Device &device, Progress &) { return device.zeroPosition(); }, finished);
+        order.device, say("Count from 0"),
+        [this](Device &device, Progress &) {
+            m_context.session.stream(device).stop();
+            return device.zeroPosition();
+        },
+        finished);
 }
 
 void Motion::carryOut(const orders::DismissStops &, const Finished &finished)

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <map>
+#include <utility>
 
 namespace mb {
 namespace {
@@ -80,6 +82,25 @@ std::pair<std::string, std::string> titleAndUnit(const std::string &head)
     return {head.substr(0, open), head.substr(open + 2, head.size() - open - 3)};
 }
 
+/// "# loss sim:can/dmc60c:5: velocity = 84 of 2084 lost": of which column, and how many.
+std::optional<std::pair<std::string, std::uint64_t>> lossIn(std::string_view line)
+{
+    constexpr std::string_view mark = "# loss ";
+    const std::size_t owner = line.find(": ");
+    const std::size_t equals = line.rfind(" = ");
+    const std::size_t of = line.rfind(" of ");
+    if (!line.starts_with(mark) || !line.ends_with(" lost") || owner == std::string_view::npos
+        || equals == std::string_view::npos || of == std::string_view::npos || owner + 2 > equals || equals + 3 > of)
+        return std::nullopt;
+    const auto count = wholeFrom<std::uint64_t>(line.substr(equals + 3, of - equals - 3));
+    if (!count)
+        return std::nullopt;
+    const std::string_view selector = line.substr(mark.size(), owner - mark.size());
+    const std::string device(selector == "derived" ? "" : selector.substr(selector.rfind('/') + 1));
+    const std::string key(line.substr(owner + 2, equals - owner - 2));
+    return std::pair(device.empty() ? key : device + ' ' + key, *count);
+}
+
 class TableReader {
 public:
     explicit TableReader(const std::string &path)
@@ -111,6 +132,7 @@ public:
         for (std::size_t i = 1; i < heads.size(); ++i) {
             const auto [title, unit] = titleAndUnit(heads[i]);
             addLoadedChannel(*m_loaded, title, unit);
+            m_lost.push_back(std::exchange(m_losses[title], 0));
         }
         m_loaded->telemetry = std::make_shared<Telemetry>(m_loaded->table);
         while (next(line)) {
@@ -119,6 +141,10 @@ public:
         }
         if (m_tooLong)
             return wrong(tooLong());
+        for (std::uint16_t i = 0; i < m_lost.size(); ++i) {
+            if (m_lost[i] > 0)
+                m_loaded->telemetry->lost({i}, m_lost[i]);
+        }
         return m_loaded;
     }
 
@@ -161,6 +187,8 @@ private:
             m_offset = offset.value_or(0.0);
         }
         m_loaded->simulated = m_loaded->simulated || line.rfind("# simulated:", 0) == 0;
+        if (const auto loss = lossIn(line))
+            m_losses[loss->first] += loss->second;
     }
 
     [[nodiscard]] tl::unexpected<Error> wrong(const Message &what) const
@@ -185,7 +213,7 @@ private:
             if (std::isfinite(*value))
                 m_loaded->telemetry->append({channel, *time, *value});
             else
-                m_loaded->telemetry->breakLine(channel);
+                m_loaded->telemetry->lost(channel, std::exchange(m_lost[channel.value], 0)); // all in its first gap
         }
         return {};
     }
@@ -242,6 +270,8 @@ private:
     char m_separator = ',';
     bool m_millis = false; ///< its times are milliseconds
     double m_offset = 0.0;
+    std::map<std::string, std::uint64_t> m_losses; ///< by title of the column, as the head tells them
+    std::vector<std::uint64_t> m_lost;             ///< of a column, and in no gap of it yet
     std::shared_ptr<LoadedRecording> m_loaded = std::make_shared<LoadedRecording>();
 };
 

@@ -298,6 +298,20 @@ TEST_F(Core, EndsAMotionThatNobodyRenewsAndSaysSo)
     EXPECT_EQ(core.snapshot().device(id(5))->motion.end, SetPointStream::End::LeaseExpired);
 }
 
+TEST_F(Core, CountingFrom0ThatIsRefusedEndsNoMotion)
+{
+    open("sim:can");
+    core.send(orders::StartMotion{id(5), duty(0.3), 60s}, into(opened));
+    clock.advance(100ms);
+    core.send(orders::ReadParameters{id(5)});
+    test::Heard<> counted;
+    core.send(orders::ZeroPosition{id(5)}, into(counted));
+    ASSERT_TRUE(counted);
+    EXPECT_FALSE(*counted) << "it is busy";
+    clock.advance(50ms);
+    EXPECT_TRUE(unit("dmc60c:5")->isOutputOn());
+}
+
 TEST_F(Core, ClosingALinkStopsItsMotorsAndEndsItsJobs)
 {
     open("sim:can");

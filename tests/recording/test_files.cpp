@@ -185,6 +185,8 @@ TEST(Csv, WhatWasWrittenReadsBackWithGaps)
     expectEqual(*(*loaded)->telemetry, *bench.recording, unixOffset);
     EXPECT_TRUE((*loaded)->hasClock);
     EXPECT_TRUE((*loaded)->simulated);
+    EXPECT_EQ((*loaded)->telemetry->lost({0}), 84U);
+    EXPECT_EQ((*loaded)->telemetry->lost({1}), 0U);
     const std::string text = textOf(folder.file("a.csv"));
     EXPECT_EQ(text.find("# MotorBench recording\n# time_s 0 is 2023-11-14T22:13:20.000000Z (Unix 1700000000)\n"), 0U);
     for (const char *line : {"\n# device sim:can/dmc60c:5: serial = SN 7\n",
