@@ -81,18 +81,37 @@ Boot::Boot(SerialLink &link, Clock &clock, Board &board, const BoardOptions &opt
             m_failLine = static_cast<int>(fault.at);
     }
     m_jumper = options.jumper || options.inBootloader;
-    m_board.setResetListener([this] {
-        if (m_jumper)
-            start();
-        else if (m_running)
-            leave();
+    m_board.setStartListener([this](bool started) {
+        if (started)
+            begin();
+        else
+            end();
     });
     if (options.inBootloader)
         start();
 }
 
+/// The processor looks at the jumper.
+void Boot::begin()
+{
+    if (m_jumper)
+        start();
+    else
+        leave();
+}
+
+/// The supply is gone.
+void Boot::end()
+{
+    m_running = false;
+    m_banner.stop();
+    m_answer.stop();
+    m_text.clear();
+}
+
 void Boot::start()
 {
+    m_answer.stop();
     m_running = true;
     m_lines = 0;
     m_text.clear();
@@ -105,7 +124,7 @@ void Boot::leave()
     m_banner.stop();
     m_running = false;
     auto version = m_board.version();
-    if (m_whole)
+    if (std::exchange(m_whole, false))
         ++version[1];
     m_board.setVersion(version);
     m_board.setRunning(true);
@@ -119,9 +138,9 @@ void Boot::announce()
 
 void Boot::hear(std::span<const std::uint8_t> bytes)
 {
-    if (!m_running)
-        return;
     for (const std::uint8_t byte : bytes) {
+        if (!m_running)
+            return;
         const char c = static_cast<char>(byte);
         if (c == '\r' || c == '\n') {
             if (!m_text.empty())
@@ -139,10 +158,9 @@ void Boot::take(const std::string &line)
         leave();
         return;
     }
-    m_whole = m_whole && m_lines > 0; // a new file begins
     if (++m_lines == m_failLine) {
-        m_failLine = 0; // the supply comes back with the jumper still closed
-        start();
+        m_failLine = 0;
+        m_board.losePower();
         return;
     }
     const bool good = program(line);

@@ -11,8 +11,9 @@
 
 namespace mb::quadquad2drv::simulation {
 
-/// The board's bootloader on its UART (README.md#firmware; what the maker does not tell is invented here). A reset with the jumper
-/// closed enters it, and it says so every two seconds, as if somebody pressed reset, until the first line comes. Every good line of
+/// The board's bootloader on its UART (README.md#firmware; what the maker does not tell is invented here). A start with the jumper
+/// closed, by reset or supply, enters it, one with the jumper open leaves it. It says so every two seconds, as if somebody pressed
+/// reset, until the first line comes. Every good line of
 /// Intel HEX is confirmed with "ok", others with "error". `reset` starts the application, whose version has risen by 0.1
 /// when the file was whole.
 class Boot {
@@ -25,13 +26,15 @@ public:
 
     Boot(const Boot &) = delete;
     Boot &operator=(const Boot &) = delete;
-    ~Boot() { m_board.setResetListener({}); }
+    ~Boot() { m_board.setStartListener({}); }
 
     void setJumper(bool closed) { m_jumper = closed; }
     [[nodiscard]] bool isRunning() const { return m_running; }
 
 private:
+    void begin();
     void start();
+    void end();
     void leave();
     void announce();
     void hear(std::span<const std::uint8_t> bytes);
