@@ -129,5 +129,78 @@ TEST(QuadQuad2DrvPower, MotorsRunDownWithoutSupply)
     EXPECT_GT(axis.motor().counts(), before);
 }
 
+struct BootLine : PoweredBoard {
+    explicit BootLine(const std::string &options = {})
+        : PoweredBoard(options)
+    {
+        (void)hostEnd.open();
+        enter();
+    }
+    void enter()
+    {
+        boot->setJumper(true);
+        board->reset();
+        clock.advance(50ms);
+        heard.clear();
+    }
+    std::string type(const std::string &typed)
+    {
+        heard.clear();
+        const std::string bytes = typed + '\r';
+        (void)hostEnd.send(std::vector<std::uint8_t>(bytes.begin(), bytes.end()));
+        clock.advance(50ms);
+        return heard.substr(0, heard.find('\r'));
+    }
+    /// Out with the jumper, and a reset: does the application answer?
+    bool runs()
+    {
+        boot->setJumper(false);
+        board->reset();
+        clock.advance(200ms);
+        return answers();
+    }
+    std::string heard;
+    Subscription listening = hostEnd.received().add(
+        [this](std::span<const std::uint8_t> bytes) { heard.append(bytes.begin(), bytes.end()); });
+};
+
+TEST(QuadQuad2DrvBoot, AFileWithARefusedLineIsNotWhole)
+{
+    BootLine bench;
+    EXPECT_EQ(bench.type(":0400000001020304F2"), "ok");
+    EXPECT_EQ(bench.type(":0400040005060708DF"), "error: bad line");
+    EXPECT_EQ(bench.type(":00000001FF"), "ok");
+    EXPECT_FALSE(bench.runs());
+    EXPECT_EQ(bench.board->version()[1], 3);
+}
+
+TEST(QuadQuad2DrvBoot, AnUploadThatWasCutLeavesNoApplicationButAnotherOneBringsIt)
+{
+    BootLine bench;
+    EXPECT_EQ(bench.type(":0400000001020304F2"), "ok");
+    EXPECT_FALSE(bench.runs());
+    bench.powerCycle();
+    EXPECT_FALSE(bench.answers());
+    bench.enter();
+    for (const char *line : {":0400000001020304F2", ":0400040005060708DE", ":00000001FF"})
+        EXPECT_EQ(bench.type(line), "ok");
+    EXPECT_TRUE(bench.runs());
+    EXPECT_EQ(bench.board->version()[1], 4);
+}
+
+TEST(QuadQuad2DrvBoot, EnteringAndLeavingWithoutALineChangesNothing)
+{
+    BootLine bench;
+    EXPECT_TRUE(bench.runs());
+    EXPECT_EQ(bench.board->version()[1], 3);
+    bench.enter();
+    for (const char *line : {":0400000001020304F2", ":00000001FF"})
+        EXPECT_EQ(bench.type(line), "ok");
+    EXPECT_TRUE(bench.runs());
+    bench.enter();
+    EXPECT_TRUE(bench.runs());
+    EXPECT_EQ(bench.board->version()[1], 4) << "one update, one version";
+}
+
 } // namespace
 } // namespace mb::quadquad2drv

@@ -114,6 +114,7 @@ void Boot::start()
     m_answer.stop();
     m_running = true;
     m_lines = 0;
+    m_written = m_refused = false;
     m_text.clear();
     m_board.setRunning(false);
     announce();
@@ -123,8 +124,10 @@ void Boot::leave()
 {
     m_banner.stop();
     m_running = false;
+    if (m_memory == Memory::PartOfOne)
+        return; // and what runs then, if anything, tells nothing
     auto version = m_board.version();
-    if (std::exchange(m_whole, false))
+    if (std::exchange(m_memory, Memory::Application) == Memory::NewApplication)
         ++version[1];
     m_board.setVersion(version);
     m_board.setRunning(true);
@@ -169,9 +172,18 @@ void Boot::take(const std::string &line)
 
 bool Boot::program(const std::string &line)
 {
-    if (!isRecord(line))
+    if (!isRecord(line)) {
+        m_refused = true;
         return false;
-    m_whole = m_whole || line == endOfFile;
+    }
+    if (line != endOfFile) {
+        m_written = true;
+        m_memory = Memory::PartOfOne;
+        return true;
+    }
+    if (m_written && !m_refused)
+        m_memory = Memory::NewApplication;
+    m_written = m_refused = false;
     return true;
 }
 
