@@ -213,6 +213,20 @@ TEST(AbstractDcFlash, The51stSaveMakesTheNextStartLoadSomethingElse)
     EXPECT_EQ(flash.load(1).averaging, 65535) << "the 52nd has overwritten the current page";
 }
 
+TEST(AbstractDcFlash, SavesThatDoNotFitAnyMoreWriteNothing)
+{
+    struct Guarded {
+        simulation::SettingsFlash flash;
+        std::array<std::int32_t, 8> behind{};
+    };
+    for (int page = 0; page < 3; ++page) {
+        Guarded memory;
+        for (int i = 0; i < 300; ++i)
+            memory.flash.save(page, {1000 + i, 7, 3, 1000000, 1});
+        EXPECT_EQ(memory.behind, (std::array<std::int32_t, 8>{})) << "page " << page;
+    }
+}
+
 TEST_F(AbstractDcSimulator, SavedGainsSurviveThePowerOthersDoNot)
 {
     Simulator &drive = add("abstractdc:0,gains=default");
