@@ -227,6 +227,16 @@ TEST(AbstractDcFlash, SavesThatDoNotFitAnyMoreWriteNothing)
     }
 }
 
+TEST_F(AbstractDcSimulator, NoResetSwitchesOnWhatHasNoSupply)
+{
+    Simulator &drive = add("abstractdc:0,fault=reset@1.5"); // half a second from now
+    drive.setPowered(false);
+    clock.advance(2s);
+    EXPECT_EQ(ask("384#01"), Frames{});
+    drive.setPowered(true);
+    EXPECT_EQ(ask("384#01").size(), 1U);
+}
+
 TEST_F(AbstractDcSimulator, SavedGainsSurviveThePowerOthersDoNot)
 {
     Simulator &drive = add("abstractdc:0,gains=default");

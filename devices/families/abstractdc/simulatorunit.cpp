@@ -96,6 +96,8 @@ void Unit::scheduleFaults()
     for (const SimulatedFault &fault : m_options.faults) {
         if (fault.kind == "reset")
             at(fault.at, [this] {
+                if (!m_powered)
+                    return;
                 stop();
                 m_notify(m_clock.now(), "reset", 0.0);
                 start();
