@@ -237,6 +237,17 @@ TEST_F(AbstractDcSimulator, NoResetSwitchesOnWhatHasNoSupply)
     EXPECT_EQ(ask("384#01").size(), 1U);
 }
 
+TEST_F(AbstractDcSimulator, TellsTheCurrentOfItsMotor)
+{
+    Simulator &drive = add("abstractdc:0");
+    ASSERT_TRUE(drive.current().has_value());
+    EXPECT_EQ(*drive.current(), 0.0);
+    drive.disturb("stall", 1.0);
+    send("064#04FF7F0000"); // full duty
+    clock.advance(200ms);
+    EXPECT_GT(std::abs(*drive.current()), 1.0);
+}
+
 TEST_F(AbstractDcSimulator, SavedGainsSurviveThePowerOthersDoNot)
 {
     Simulator &drive = add("abstractdc:0,gains=default");

@@ -125,6 +125,12 @@ double Unit::position()
     return m_shaft.motor().countPosition();
 }
 
+double Unit::current()
+{
+    m_shaft.advance();
+    return m_shaft.motor().current();
+}
+
 bool Unit::disturb(std::string_view what, double value)
 {
     if (what != "glitch")
