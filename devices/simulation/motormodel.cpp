@@ -177,8 +177,11 @@ void MotorModel::coast(double seconds)
 
 bool MotorModel::isHeld(double torque) const
 {
+    const double moving
+        = frictionNow() + m_parameters.torqueLoss * std::abs(torque); // what turns no shaft but holds it
     return m_locked
-        || (std::abs(m_speed) < restSpeed && std::abs(torque - m_load) <= m_friction * m_parameters.breakaway);
+        || (std::abs(m_speed) < restSpeed
+            && std::abs(torque - m_load) <= std::max(m_friction * m_parameters.breakaway, moving));
 }
 
 double MotorModel::directionOf(double torque) const

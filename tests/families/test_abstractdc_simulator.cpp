@@ -213,6 +213,41 @@ TEST(AbstractDcFlash, The51stSaveMakesTheNextStartLoadSomethingElse)
     EXPECT_EQ(flash.load(1).averaging, 65535) << "the 52nd has overwritten the current page";
 }
 
+TEST(AbstractDcFlash, SavesThatDoNotFitAnyMoreWriteNothing)
+{
+    struct Guarded {
+        simulation::SettingsFlash flash;
+        std::array<std::int32_t, 8> behind{};
+    };
+    for (int page = 0; page < 3; ++page) {
+        Guarded memory;
+        for (int i = 0; i < 300; ++i)
+            memory.flash.save(page, {1000 + i, 7, 3, 1000000, 1});
+        EXPECT_EQ(memory.behind, (std::array<std::int32_t, 8>{})) << "page " << page;
+    }
+}
+
+TEST_F(AbstractDcSimulator, NoResetSwitchesOnWhatHasNoSupply)
+{
+    Simulator &drive = add("abstractdc:0,fault=reset@1.5"); // half a second from now
+    drive.setPowered(false);
+    clock.advance(2s);
+    EXPECT_EQ(ask("384#01"), Frames{});
+    drive.setPowered(true);
+    EXPECT_EQ(ask("384#01").size(), 1U);
+}
+
+TEST_F(AbstractDcSimulator, TellsTheCurrentOfItsMotor)
+{
+    Simulator &drive = add("abstractdc:0");
+    ASSERT_TRUE(drive.current().has_value());
+    EXPECT_EQ(*drive.current(), 0.0);
+    drive.disturb("stall", 1.0);
+    send("064#04FF7F0000"); // full duty
+    clock.advance(200ms);
+    EXPECT_GT(std::abs(*drive.current()), 1.0);
+}
+
 TEST_F(AbstractDcSimulator, SavedGainsSurviveThePowerOthersDoNot)
 {
     Simulator &drive = add("abstractdc:0,gains=default");
@@ -237,7 +272,7 @@ TEST_F(AbstractDcSimulator, OnlyThreeAnswersWaitAtATime)
         ASSERT_TRUE(host.send(*canFrameFromText("384#01")));
     ASSERT_TRUE(host.send(*canFrameFromText("384#00")));
     clock.advance(10ms);
-    EXPECT_GE(heard.size(), 3U);
+    EXPECT_EQ(heard.size(), 3U) << "the requests were on the bus first, all other answers found no mailbox";
 }
 
 TEST_F(AbstractDcSimulator, GlitchesAreOffByOneWrap)

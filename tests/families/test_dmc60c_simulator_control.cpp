@@ -189,6 +189,20 @@ TEST(Dmc60cSimulatorControl, VelocityOfARollingWindowLags50Milliseconds)
     EXPECT_LE(changes, 11);
 }
 
+TEST(Dmc60cSimulatorControl, ABlockWindowReportsAStandingMotorAsStanding)
+{
+    for (int phase = 0; phase < 10; ++phase) {
+        Dmc60cBench bench("dmc60c:5,session=0x1234,velocity=block");
+        bench.wake();
+        set(bench, 92, 10);
+        bench.drive(half, 500ms + phase * 11ms);
+        ASSERT_NE(bench.velocity(), 0);
+        bench.advance(10s);
+        ASSERT_EQ(bench.device().speed(), 0.0);
+        EXPECT_EQ(bench.velocity(), 0) << "phase " << phase;
+    }
+}
+
 TEST(Dmc60cSimulatorControl, PositionSlotReachesItsTarget)
 {
     Dmc60cBench bench;

@@ -87,6 +87,16 @@ TEST(QuadQuad2DrvSimulator, AnUnknownCommandAndAWrongLengthAreRefused)
     EXPECT_EQ(bench.ask("02 07 18 01 00 20 BE"), "02 05 18 F5 EC") << "8192 is above full power";
 }
 
+TEST(QuadQuad2DrvSimulator, ARefusedVelocityTargetIsNotObeyed)
+{
+    Bench bench;
+    bench.ask("02 06 10 01 03 E4"); // velocity mode
+    EXPECT_EQ(bench.ask("02 09 16 01 00 10 27 00 A7").substr(0, 11), "02 05 16 F5") << "2 560 000 is too fast";
+    EXPECT_EQ(bench.board->axis(0).settings.velocityTarget, 0.0);
+    bench.clock.advance(100ms);
+    EXPECT_EQ(bench.board->axis(0).output(), 0.0);
+}
+
 TEST(QuadQuad2DrvSimulator, AnUnreadStreamPacketBlocksNewerOnesWhichAreCounted)
 {
     Bench bench;

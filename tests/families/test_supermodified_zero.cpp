@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // supermodified/README.md#start: resetting the position of a motor that runs makes it jump.
+#include "families/supermodified/simulatordrive.h"
 #include "families/supermodifiedbench.h"
 
 #include <algorithm>
@@ -97,6 +98,43 @@ TEST(SupermodifiedZero, OtherFamiliesSayThatTheyCannot)
     const auto zeroed = run(bench.clock, bench.device(5)->zeroPosition());
     ASSERT_FALSE(zeroed);
     EXPECT_EQ(zeroed.error().fault, Fault::Unsupported);
+}
+
+TEST(SupermodifiedZeroDrive, AJumpOfTheCounterIsNoSpeed)
+{
+    struct Running : simulation::Drive {
+        Running()
+            : Drive(Dialect::D3, *motorByName("25d"), 5.0, 1)
+        {
+            restart(settings, now);
+            start();
+            moveTo(2000, false);
+            pass(2s);
+            EXPECT_LT(std::abs(position() - 2000), 60);
+            EXPECT_NEAR(reportedVelocity(), 0, 40);
+        }
+        void pass(Duration time) { advance(now += time); }
+        simulation::LoopSettings settings{1000, 20, 16000, 1000, 800};
+        Instant now{};
+    };
+    Running zeroed;
+    zeroed.resetPosition();
+    zeroed.pass(50ms); // the next measurement falls into it
+    EXPECT_NEAR(zeroed.reportedVelocity(), 0, 40);
+    Running started;
+    started.stop();
+    started.pass(1s);
+    started.start();
+    started.pass(50ms); // the next measurement falls into it
+    EXPECT_NEAR(started.reportedVelocity(), 0, 40);
+    Running restarted;
+    restarted.moveAt(800, false);
+    restarted.pass(1s);
+    EXPECT_NE(restarted.reportedVelocity(), 0);
+    restarted.restart(restarted.settings, restarted.now);
+    EXPECT_EQ(restarted.reportedVelocity(), 0) << "nothing is measured yet";
+    restarted.pass(3s);
+    EXPECT_NEAR(restarted.reportedVelocity(), 0, 40);
 }
 
 } // namespace

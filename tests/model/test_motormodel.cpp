@@ -172,6 +172,22 @@ TEST(MotorModel, StaysStuckBelowTheBreakawayTorque)
     EXPECT_EQ(model.speed(), 0.0);
 }
 
+TEST(MotorModel, FrictionNeverTurnsAMotorAgainstItsTorque)
+{
+    for (const MotorParameters &motor : motors()) {
+        for (double duty = 0.002; duty < 0.2; duty += 0.002) {
+            MotorModel model(motor, 5.0);
+            bool backwards = false;
+            for (int i = 0; i < 2000 && !backwards; ++i) {
+                model.step(duty, Bridge::Drive, step);
+                backwards = model.angle() < 0.0 || model.speed() < 0.0;
+            }
+            EXPECT_FALSE(backwards) << motor.name << " at " << duty;
+            EXPECT_TRUE(model.isStuck() || model.speed() > 0.0) << motor.name << " at " << duty;
+        }
+    }
+}
+
 TEST(MotorModel, BrakesMuchFasterThanItCoasts)
 {
     MotorModel braked(plain("cim"), 9.0);

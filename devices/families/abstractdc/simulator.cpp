@@ -23,6 +23,7 @@ public:
     [[nodiscard]] bool isOutputOn() const override { return m_unit.isOutputOn(); }
     [[nodiscard]] double speed() const override { return m_unit.speed(); }
     [[nodiscard]] double position() const override { return m_unit.position(); }
+    [[nodiscard]] std::optional<double> current() const override { return m_unit.current(); }
     void setPowered(bool powered) override
     {
         m_unit.setPowered(powered);

@@ -31,6 +31,8 @@ Record SettingsFlash::load(int page) const
 void SettingsFlash::save(int page, const Record &record)
 {
     const std::size_t at = end(page);
+    if (at + recordWords > m_words.size() || !isBlank(at))
+        return;
     const std::array words{record.p, record.i, record.d, record.divisor, record.averaging};
     std::copy(words.begin(), words.end(), m_words.begin() + static_cast<std::ptrdiff_t>(at));
 }

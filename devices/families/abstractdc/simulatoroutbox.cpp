@@ -28,7 +28,7 @@ void Outbox::clear()
 
 void Outbox::reply(Log log, std::int32_t value)
 {
-    if (m_pending >= mailboxes)
+    if (m_pending + m_link.backlog() >= mailboxes)
         return;
     std::array<std::uint8_t, 4> data{};
     writeU32le(data, 0, static_cast<std::uint32_t>(value));

@@ -96,6 +96,8 @@ void Unit::scheduleFaults()
     for (const SimulatedFault &fault : m_options.faults) {
         if (fault.kind == "reset")
             at(fault.at, [this] {
+                if (!m_powered)
+                    return;
                 stop();
                 m_notify(m_clock.now(), "reset", 0.0);
                 start();
@@ -121,6 +123,12 @@ double Unit::position()
 {
     m_shaft.advance();
     return m_shaft.motor().countPosition();
+}
+
+double Unit::current()
+{
+    m_shaft.advance();
+    return m_shaft.motor().current();
 }
 
 bool Unit::disturb(std::string_view what, double value)

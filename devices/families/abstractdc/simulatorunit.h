@@ -16,6 +16,7 @@ public:
     [[nodiscard]] bool isOutputOn() const { return m_shaft.isOutputOn(); }
     [[nodiscard]] double speed();
     [[nodiscard]] double position();
+    [[nodiscard]] double current();
     void setPowered(bool powered);
     bool disturb(std::string_view what, double value);
 

@@ -7,7 +7,7 @@
 namespace mb::dmc60c::simulation {
 namespace {
 
-constexpr int passesPerWindow = 200; ///< 100 ms
+constexpr int quietPasses = 400; ///< 200 ms: the window of the last motion, and in blocks one without
 constexpr std::int32_t fullReverse = -fullDuty - 1;
 
 double seconds(Duration time)
@@ -142,7 +142,7 @@ void Drive::physics(Instant until)
 
 bool Drive::isIdle() const
 {
-    if (m_outputOn || m_quietPasses <= passesPerWindow || m_faults.any() || !m_rig.isAtRest() || m_faults.isSupplyLow())
+    if (m_outputOn || m_quietPasses <= quietPasses || m_faults.any() || !m_rig.isAtRest() || m_faults.isSupplyLow())
         return false;
     if (m_halted)
         return true;

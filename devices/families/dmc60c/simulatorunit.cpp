@@ -112,7 +112,6 @@ FaultPlan::Actions Unit::faultActions()
 
 void Unit::setPowered(bool powered)
 {
-    m_takenAway = !powered;
     if (!powered && m_stage != Stage::Off) {
         losePower(false);
     } else if (!powered) {

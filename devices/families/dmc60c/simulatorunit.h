@@ -82,7 +82,6 @@ private:
     Enumeration m_enumeration;
     Heartbeat m_heartbeat;
     Stage m_stage = Stage::Off;
-    bool m_takenAway = false; ///< by setPowered(false)
     Order m_order;
     FaultPlan m_faults;
     Timer m_startTimer;

@@ -7,6 +7,8 @@ namespace mb::quadquad2drv::simulation {
 namespace {
 
 constexpr Duration loopPeriod = std::chrono::milliseconds(2);
+constexpr Duration powerBack = std::chrono::milliseconds(200);
+constexpr Duration startTime = std::chrono::milliseconds(50); ///< README.md#reset
 
 } // namespace
 
@@ -22,8 +24,10 @@ Board::Board(SpiSlaveLink &link, Clock &clock, const BoardOptions &options, Noti
           })
     , m_reader(clock, [this](const std::vector<std::uint8_t> &packet) { execute(packet); })
     , m_begun(clock.now())
+    , m_due(m_begun + loopPeriod)
     , m_loop(clock)
     , m_stream(clock)
+    , m_powerBack(clock)
 {
     m_commands.version = options.version;
     for (std::size_t i = 0; i < axes; ++i) {
@@ -35,7 +39,7 @@ Board::Board(SpiSlaveLink &link, Clock &clock, const BoardOptions &options, Noti
             m_axes.front()->motor().setEncoderReversed(true);
     }
     m_link.attach(this);
-    start();
+    m_loop.start(m_due, [this] { loop(); });
 }
 
 Board::~Board()
@@ -50,16 +54,10 @@ Instant Board::next(Instant due, Duration period) const
     return std::max(due + period, m_clock.now() - most);
 }
 
-void Board::start()
-{
-    m_started = m_clock.now();
-    m_due = m_started + loopPeriod;
-    m_loop.start(m_due, [this] { loop(); });
-}
-
+/// The motors turn on without supply.
 void Board::loop()
 {
-    const double seconds = std::chrono::duration<double>(m_due - m_started).count();
+    const double seconds = std::chrono::duration<double>(m_due - m_begun).count();
     for (const auto &axis : m_axes)
         axis->step(seconds);
     afterFault(std::chrono::duration<double>(m_clock.now() - m_begun).count());
@@ -76,7 +74,7 @@ void Board::afterFault(double seconds)
         if (timed && fault.at > seconds)
             return;
         if (fault.kind == "reset")
-            restart();
+            reset();
         else if (fault.kind == "encoder-dead")
             m_axes.front()->motor().setEncoderDead(true);
         else if (fault.kind == "stall")
@@ -94,9 +92,17 @@ void Board::noteOutput()
 
 void Board::reset()
 {
+    if (m_powered)
+        begin();
+}
+
+/// The processor starts, which asks for the jumper.
+void Board::begin()
+{
     restart();
-    if (m_pulsed)
-        m_pulsed();
+    m_awake = m_clock.now() + startTime;
+    if (m_startListener)
+        m_startListener(true);
 }
 
 void Board::restart()
@@ -114,14 +120,23 @@ void Board::restart()
 
 void Board::setPowered(bool powered)
 {
+    m_powerBack.stop();
     if (powered == m_powered)
         return;
     m_powered = powered;
+    if (powered) {
+        begin();
+        return;
+    }
     restart();
-    if (powered)
-        start();
-    else
-        m_loop.stop();
+    if (m_startListener)
+        m_startListener(false);
+}
+
+void Board::losePower()
+{
+    setPowered(false);
+    m_powerBack.startIn(powerBack, [this] { setPowered(true); });
 }
 
 void Board::setRunning(bool running)
@@ -129,6 +144,7 @@ void Board::setRunning(bool running)
     if (running == m_running)
         return;
     m_running = running;
+    m_awake = m_clock.now() + startTime;
     restart();
 }
 
@@ -136,7 +152,7 @@ void Board::transfer(std::span<const std::uint8_t> mosi, std::span<std::uint8_t>
 {
     for (std::size_t i = 0; i < mosi.size(); ++i) {
         miso[i] = 0;
-        if (!m_powered || !m_running)
+        if (!answers())
             continue;
         miso[i] = m_out.next();
         m_reader.take(mosi[i]);
@@ -146,6 +162,13 @@ void Board::transfer(std::span<const std::uint8_t> mosi, std::span<std::uint8_t>
 
 void Board::execute(const Bytes &packet)
 {
+    ++m_heard;
+    for (const SimulatedFault &fault : m_options.faults) {
+        if (fault.kind == "power" && static_cast<int>(fault.at) == m_heard) {
+            losePower();
+            return;
+        }
+    }
     const std::uint8_t id = packet[2];
     const std::span<const std::uint8_t> payload(packet.data() + 3, packet.size() - overhead);
     if (auto reply = m_commands.answer(id, payload)) {
@@ -168,10 +191,6 @@ void Board::send(std::uint8_t id, const Bytes &payload)
         const bool now = static_cast<int>(fault.at) == m_sent;
         if ((fault.kind == "drop" && now) || (fault.kind == "silent" && fault.at <= m_sent))
             return;
-        if (fault.kind == "power" && now) {
-            setPowered(false);
-            return;
-        }
         if (fault.kind == "corrupt" && now)
             packet.back() ^= 0x10U;
     }

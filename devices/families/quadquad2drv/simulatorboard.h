@@ -22,7 +22,7 @@ struct BoardOptions {
     double gainScale = 1.0;                       ///< on the simulator's own
     bool libraryPolarity = true;                  ///< else polarity and edge are as the data sheet says
     bool shiftedTarget = false;                   ///< velocity targets are expected times 4096
-    bool jumper = false;                          ///< AUX1–AUX2 closed: a reset enters the bootloader
+    bool jumper = false; ///< AUX1–AUX2 closed while the application runs: the next start enters the bootloader
     std::vector<SimulatedFault> faults;
     std::uint64_t seed = 1;
 
@@ -38,13 +38,15 @@ public:
     ~Board() override;
 
     void transfer(std::span<const std::uint8_t> mosi, std::span<std::uint8_t> miso) override;
-    [[nodiscard]] bool isReady() const override { return m_powered && m_running && !m_out.isEmpty(); }
+    [[nodiscard]] bool isReady() const override { return !m_out.isEmpty(); }
     /// A pulse on the reset line.
     void reset() override;
 
-    /// Hears of each pulse on the reset line.
-    void setResetListener(std::function<void()> listener) { m_pulsed = std::move(listener); }
+    /// Hears of each start of the processor (supply, reset) with true, and of the supply's end with false.
+    void setStartListener(std::function<void(bool started)> listener) { m_startListener = std::move(listener); }
     void setPowered(bool powered);
+    /// The supply goes and comes back by itself.
+    void losePower();
     /// No application answers while the bootloader runs.
     void setRunning(bool running);
     void setVersion(std::array<std::uint8_t, 3> version) { m_commands.version = version; }
@@ -56,7 +58,9 @@ private:
     using Bytes = std::vector<std::uint8_t>;
 
     [[nodiscard]] Instant next(Instant due, Duration period) const;
+    [[nodiscard]] bool answers() const { return m_powered && m_running && m_clock.now() >= m_awake; }
     void loop();
+    void begin();
     void restart();
     void execute(const Bytes &packet);
     void send(std::uint8_t id, const Bytes &payload);
@@ -64,28 +68,29 @@ private:
     void armStream();
     void afterFault(double seconds);
     void noteOutput();
-    void start();
 
     SpiSlaveLink &m_link;
     Clock &m_clock;
     BoardOptions m_options;
     Notify m_notify;
-    std::function<void()> m_pulsed;
+    std::function<void(bool)> m_startListener;
     Axes m_axes;
     Commands m_commands;
     RequestReader m_reader;
     Outbox m_out;
     std::uint8_t m_elapsed = 0;
     int m_sent = 0;
+    int m_heard = 0;
     bool m_powered = true;
     bool m_running = true;
     bool m_outputOn = false;
-    Instant m_started{};
-    Instant m_due{}; ///< of the loop's next pass
+    Instant m_awake{}; ///< the application answers from here on
     Instant m_begun{};
+    Instant m_due{}; ///< of the loop's next pass
     std::size_t m_nextFault = 0;
     Timer m_loop;
     Timer m_stream;
+    Timer m_powerBack;
 };
 
 } // namespace mb::quadquad2drv::simulation

@@ -81,20 +81,40 @@ Boot::Boot(SerialLink &link, Clock &clock, Board &board, const BoardOptions &opt
             m_failLine = static_cast<int>(fault.at);
     }
     m_jumper = options.jumper || options.inBootloader;
-    m_board.setResetListener([this] {
-        if (m_jumper)
-            start();
-        else if (m_running)
-            leave();
+    m_board.setStartListener([this](bool started) {
+        if (started)
+            begin();
+        else
+            end();
     });
     if (options.inBootloader)
         start();
 }
 
+/// The processor looks at the jumper.
+void Boot::begin()
+{
+    if (m_jumper)
+        start();
+    else
+        leave();
+}
+
+/// The supply is gone.
+void Boot::end()
+{
+    m_running = false;
+    m_banner.stop();
+    m_answer.stop();
+    m_text.clear();
+}
+
 void Boot::start()
 {
+    m_answer.stop();
     m_running = true;
     m_lines = 0;
+    m_written = m_refused = false;
     m_text.clear();
     m_board.setRunning(false);
     announce();
@@ -104,8 +124,10 @@ void Boot::leave()
 {
     m_banner.stop();
     m_running = false;
+    if (m_memory == Memory::PartOfOne)
+        return; // and what runs then, if anything, tells nothing
     auto version = m_board.version();
-    if (m_whole)
+    if (std::exchange(m_memory, Memory::Application) == Memory::NewApplication)
         ++version[1];
     m_board.setVersion(version);
     m_board.setRunning(true);
@@ -119,9 +141,9 @@ void Boot::announce()
 
 void Boot::hear(std::span<const std::uint8_t> bytes)
 {
-    if (!m_running)
-        return;
     for (const std::uint8_t byte : bytes) {
+        if (!m_running)
+            return;
         const char c = static_cast<char>(byte);
         if (c == '\r' || c == '\n') {
             if (!m_text.empty())
@@ -139,10 +161,9 @@ void Boot::take(const std::string &line)
         leave();
         return;
     }
-    m_whole = m_whole && m_lines > 0; // a new file begins
     if (++m_lines == m_failLine) {
-        m_failLine = 0; // the supply comes back with the jumper still closed
-        start();
+        m_failLine = 0;
+        m_board.losePower();
         return;
     }
     const bool good = program(line);
@@ -151,9 +172,18 @@ void Boot::take(const std::string &line)
 
 bool Boot::program(const std::string &line)
 {
-    if (!isRecord(line))
+    if (!isRecord(line)) {
+        m_refused = true;
         return false;
-    m_whole = m_whole || line == endOfFile;
+    }
+    if (line != endOfFile) {
+        m_written = true;
+        m_memory = Memory::PartOfOne;
+        return true;
+    }
+    if (m_written && !m_refused)
+        m_memory = Memory::NewApplication;
+    m_written = m_refused = false;
     return true;
 }
 

@@ -11,10 +11,11 @@
 
 namespace mb::quadquad2drv::simulation {
 
-/// The board's bootloader on its UART (README.md#firmware; what the maker does not tell is invented here). A reset with the jumper
-/// closed enters it, and it says so every two seconds, as if somebody pressed reset, until the first line comes. Every good line of
+/// The board's bootloader on its UART (README.md#firmware; what the maker does not tell is invented here). A start with the jumper
+/// closed, by reset or supply, enters it, one with the jumper open leaves it. It says so every two seconds, as if somebody pressed
+/// reset, until the first line comes. Every good line of
 /// Intel HEX is confirmed with "ok", others with "error". `reset` starts the application, whose version has risen by 0.1
-/// when the file was whole.
+/// when the file was whole, all of its lines good; after a part of one there is no application to start.
 class Boot {
 public:
     /// `address`: pty:PATH or a serial link, 115200 baud. LinkLost or OutOfRange when it cannot be opened.
@@ -25,19 +26,24 @@ public:
 
     Boot(const Boot &) = delete;
     Boot &operator=(const Boot &) = delete;
-    ~Boot() { m_board.setResetListener({}); }
+    ~Boot() { m_board.setStartListener({}); }
 
     void setJumper(bool closed) { m_jumper = closed; }
     [[nodiscard]] bool isRunning() const { return m_running; }
 
 private:
+    void begin();
     void start();
+    void end();
     void leave();
     void announce();
     void hear(std::span<const std::uint8_t> bytes);
     void take(const std::string &line);
     [[nodiscard]] bool program(const std::string &line);
     void report(const std::string &text);
+
+    /// What the program memory holds.
+    enum class Memory { Application, NewApplication, PartOfOne };
 
     std::unique_ptr<PtyLine> m_terminal;
     std::unique_ptr<SerialLink> m_own;
@@ -48,7 +54,9 @@ private:
     int m_lines = 0;
     bool m_running = false;
     bool m_jumper = false;
-    bool m_whole = false;
+    bool m_written = false; ///< a line of the file under way
+    bool m_refused = false;
+    Memory m_memory = Memory::Application;
     Subscription m_received;
     Timer m_banner;
     Timer m_answer;

@@ -302,11 +302,14 @@ ReturnCode Commands::setMotion(std::uint8_t id, Axis &axis, Values v)
         s.positionTarget = i32(v, 0);
         s.rampVelocity = s.rampAcceleration = 0.0;
         return ReturnCode::Ok;
-    case PacketId::SetVelocityTarget:
-        s.velocityTarget = m_shiftedTarget ? i32(v, 0) / limitOne : i32(v, 0);
+    case PacketId::SetVelocityTarget: {
+        const double target = m_shiftedTarget ? i32(v, 0) / limitOne : i32(v, 0);
+        if (target < -fastest || target > fastest)
+            return ReturnCode::InvalidParameter;
+        s.velocityTarget = target;
         s.rampVelocity = s.rampAcceleration = 0.0;
-        return s.velocityTarget >= -fastest && s.velocityTarget <= fastest ? ReturnCode::Ok
-                                                                           : ReturnCode::InvalidParameter;
+        return ReturnCode::Ok;
+    }
     default: return setGains(id, axis, v);
     }
 }

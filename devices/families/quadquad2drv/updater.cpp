@@ -252,8 +252,10 @@ Task<void> Updater::verify()
     const Instant deadline = m_clock.now() + verifyTime;
     for (int asked = 1; m_clock.now() < deadline; ++asked) {
         hearBoot();
-        if (asked % resetEvery == 0)
+        if (asked % resetEvery == 0) {
             resetBoard();
+            co_await Sleep(m_clock, resetTime);
+        }
         auto asking = m_device.refresh();
         const Result<void> answered = co_await std::move(asking).attempt();
         if (answered) {

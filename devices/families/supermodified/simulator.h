@@ -22,7 +22,7 @@ namespace mb::supermodified {
 /// `encoder-dead`, `brownout`, `stall`). A lost supply returns after 200 ms unless setPowered(false) took it away.
 /// `duplicate` adds a second unit with the same id.
 ///
-/// Events: output-on, output-off, halted, fault (value: the code), power-lost, power-on, eeprom (value: the command), hung (the command) and
+/// Events: output-on, output-off, fault (value: the code), power-lost, power-on, hung (value: the command) and
 /// crashed (the byte count that overran its buffer): the motor goes on as it was, and only a restart helps.
 ///
 /// disturb(): `load-torque` (N·m at the shaft), `stall` (0/1), `bus-voltage` (V), `error` (a code to queue), `analog1`…`analog4`

@@ -35,7 +35,10 @@ void Drive::restart(const LoopSettings &settings, Instant now)
     m_settings = settings;
     m_control.restart();
     m_next = now + loopPeriod;
-    m_zero = m_encoder.ticks();
+    zero();
+    m_measuredAt = 0;
+    m_sinceMeasure = 0;
+    m_reported = 0;
     hold(0);
     setOn(false);
 }
@@ -54,9 +57,16 @@ void Drive::setOn(bool on)
         switched(on);
 }
 
+/// The counter jumps, which is no motion.
+void Drive::zero()
+{
+    m_measuredAt -= position();
+    m_zero = m_encoder.ticks();
+}
+
 void Drive::start()
 {
-    m_zero = m_encoder.ticks();
+    zero();
     hold(0);
     setOn(true);
 }
@@ -68,7 +78,7 @@ void Drive::halt()
 
 void Drive::resetPosition()
 {
-    m_zero = m_encoder.ticks();
+    zero();
     if (m_dialect == Dialect::D3)
         hold(0);
 }

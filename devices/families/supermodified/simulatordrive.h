@@ -45,6 +45,7 @@ public:
     std::function<void(bool)> switched;      ///< the bridge went on or off
 
 private:
+    void zero();
     void loop();
     void watchEncoder();
     void measure();
