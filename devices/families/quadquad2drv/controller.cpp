@@ -244,6 +244,7 @@ Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
     const Result<Packet> reply = co_await std::move(writing).attempt();
     if (!reply)
         co_return fail(reply.error().about(row.key));
+    m_settings.accepted(index, raw);
     if (ofAxis && which == AxisParameter::DataMask) {
         DataMasks masks = m_port.masks(); // told, and so no sign of a reset
         masks[static_cast<std::size_t>(axis)] = static_cast<std::uint8_t>(raw);
@@ -355,9 +356,13 @@ Task<History> Controller::askHistory()
     co_return *history;
 }
 
-void Controller::putBack(std::vector<Bytes> requests)
+void Controller::putBack(std::vector<Bytes> requests, std::function<void()> accepted)
 {
-    m_scope.spawn<void>(sendAll(m_port, std::move(requests)));
+    m_scope.spawn<void>(
+        sendAll(m_port, std::move(requests)), [accepted = std::move(accepted)](const Result<void> &sent) {
+            if (sent)
+                accepted();
+        });
 }
 
 std::unique_ptr<Device> open(Link &link, Clock &clock, const Identity &identity)

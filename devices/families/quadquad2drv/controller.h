@@ -24,8 +24,8 @@ public:
     [[nodiscard]] Task<History> askHistory();
     /// Those that make the settings of an axis what they are known or assumed to be.
     [[nodiscard]] SettingRequests &settings() { return m_settings; }
-    /// Sends them whoever waits for it or not, once the axis is stopped.
-    void putBack(std::vector<Bytes> requests);
+    /// Sends them whoever waits for it or not, once the axis is stopped; `accepted` when the board has taken them all.
+    void putBack(std::vector<Bytes> requests, std::function<void()> accepted);
     /// @}
 
     Task<void> refresh() override;
