@@ -2,6 +2,7 @@
 #pragma once
 
 #include "families/quadquad2drv/axisdrives.h"
+#include "families/quadquad2drv/missedsamples.h"
 #include "families/quadquad2drv/stopproof.h"
 
 namespace mb::quadquad2drv {
@@ -74,7 +75,7 @@ private:
     bool m_checking = false;
     bool m_learning = false;
     std::optional<Instant> m_motionAt;
-    std::optional<Instant> m_streamAt;
+    MissedSamples m_missed;
     Subscription m_received;
     Subscription m_readyRaised;
     Subscription m_state;

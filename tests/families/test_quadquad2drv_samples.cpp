@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Samples that are missing are counted, and a stream that somebody else began is read and left as it was. On virtual time.
+#include "families/quadquad2drv/channels.h"
+#include "families/quadquad2drv/packetport.h"
+#include "families/quadquad2drv/parameters.h"
+#include "support/simulatedsession.h"
+#include "transport/backends/virtualspi.h"
+
+namespace mb::quadquad2drv {
+namespace {
+
+using namespace std::chrono_literals;
+using test::run;
+using test::SimulatedSession;
+
+const ChannelIndex position = channelOf(0, AxisChannel::Position);
+
+struct Bench {
+    explicit Bench(const std::string &options = {})
+        : bench("sim:spi" + options)
+        , other(static_cast<SpiLink &>(*bench.link), bench.clock)
+    {
+        bench.scan();
+        device = bench.device(0, "quadquad2drv");
+        EXPECT_NE(device, nullptr);
+        bench.clock.advance(100ms);
+    }
+    /// What another program tells the board.
+    void told(const Bytes &request) { EXPECT_TRUE(run(bench.clock, other.request(request))); }
+    Packet asked(PacketId what)
+    {
+        auto reply = run(bench.clock, other.request(getRequest(what)));
+        EXPECT_TRUE(reply);
+        return reply ? *reply : Packet{};
+    }
+    void rate(double hertz) { EXPECT_TRUE(run(bench.clock, device->setRate(position, hertz))); }
+    void setLoss(double fraction) { static_cast<VirtualSpiLink &>(*bench.link).setLoss(fraction); }
+    [[nodiscard]] std::uint64_t lost(ChannelIndex channel = position) const
+    {
+        device->telemetry()->commit();
+        return device->telemetry()->lost(channel);
+    }
+    [[nodiscard]] std::uint64_t all() const { return device->telemetry()->size(position) + lost(); }
+    [[nodiscard]] double seconds() const
+    {
+        return std::chrono::duration<double>(bench.clock.now() - Instant{}).count();
+    }
+
+    SimulatedSession bench;
+    PacketPort other;
+    Device *device = nullptr;
+};
+
+TEST(QuadQuad2DrvSamples, AStreamPacketThatCameGarbledIsCounted)
+{
+    for (const bool elapsed : {true, false}) {
+        Bench bench("?fault=corrupt@700");
+        bench.rate(500.0);
+        if (!elapsed) {
+            EXPECT_TRUE(run(bench.bench.clock, bench.device->write(indexOf(BoardParameter::StreamConfig), 0)));
+        }
+        const auto before = bench.all();
+        const double begin = bench.seconds();
+        bench.bench.clock.advance(5s);
+        EXPECT_EQ(bench.lost(), 1U) << "elapsed " << elapsed;
+        EXPECT_EQ(bench.lost(channelOf(3, AxisChannel::Velocity)), 1U);
+        EXPECT_NEAR(static_cast<double>(bench.all() - before), (bench.seconds() - begin) / 0.00200704, 2.0);
+    }
+}
+
+TEST(QuadQuad2DrvSamples, ChannelsThatAreNotStreamedLoseNothing)
+{
+    Bench bench("?fault=corrupt@700");
+    bench.rate(500.0);
+    ASSERT_TRUE(run(bench.bench.clock, bench.device->write(indexOf(1, AxisParameter::DataMask), 0x03)));
+    bench.bench.clock.advance(5s);
+    EXPECT_EQ(bench.lost(channelOf(1, AxisChannel::Position)), 1U);
+    EXPECT_EQ(bench.lost(channelOf(1, AxisChannel::Velocity)), 0U);
+    EXPECT_EQ(bench.lost(channelOf(0, AxisChannel::Velocity)), 1U);
+}
+
+TEST(QuadQuad2DrvSamples, AQuestionForMotionDataThatIsNotAnsweredIsCountedWithThoseThatItHeldUp)
+{
+    Bench bench("?fault=corrupt@200");
+    bench.bench.clock.advance(5s);
+    EXPECT_GE(bench.lost(), 9U) << "it was waited for 100 ms";
+    EXPECT_LE(bench.lost(), 12U);
+    EXPECT_EQ(bench.lost(channelOf(2, AxisChannel::Velocity)), bench.lost());
+    EXPECT_EQ(bench.lost(channelOf(2, AxisChannel::Status)), 0U) << "the board does not tell it yet";
+}
+
+TEST(QuadQuad2DrvSamples, APollThatIsAnsweredLosesNothing)
+{
+    Bench bench;
+    bench.bench.clock.advance(5s);
+    EXPECT_EQ(bench.lost(), 0U);
+}
+
+} // namespace
+} // namespace mb::quadquad2drv
