@@ -96,5 +96,46 @@ TEST(QuadQuad2DrvSamples, APollThatIsAnsweredLosesNothing)
     EXPECT_EQ(bench.lost(), 0U);
 }
 
+TEST(QuadQuad2DrvSamples, ARateIsPutBackWithPeriodConfigurationAndMasks)
+{
+    Bench bench;
+    bench.told(setStreamConfig(streamconfig::timing));
+    bench.told(setStreamPeriod(244));
+    ASSERT_TRUE(run(bench.bench.clock, bench.device->refresh()));
+    bench.rate(500.0);
+    bench.bench.clock.advance(1s);
+    bench.rate(0.0);
+    EXPECT_EQ(parseStreamPeriod(bench.asked(PacketId::GetStreamPeriod)), 244);
+    EXPECT_EQ(parseStreamConfig(bench.asked(PacketId::GetStreamConfig)), streamconfig::timing);
+    EXPECT_EQ(parseDataMasks(bench.asked(PacketId::GetDataMask)), DataMasks({0x0B, 0x0B, 0x0B, 0x0B}));
+    bench.bench.clock.advance(5s);
+    EXPECT_TRUE(bench.device->liveness().heard);
+    EXPECT_FALSE(bench.device->liveness().restarted) << "the masks are ours";
+    EXPECT_NEAR(bench.device->telemetry()->rate(position, bench.device->clock().now()), 100.0, 3.0);
+}
+
+TEST(QuadQuad2DrvSamples, MasksThatTellOfAResetStayWhereSomethingWasWrittenMeanwhile)
+{
+    Bench bench;
+    bench.rate(500.0);
+    ASSERT_TRUE(run(bench.bench.clock, bench.device->write(indexOf(0, AxisParameter::VelocityP), 250)));
+    bench.rate(0.0);
+    EXPECT_EQ(parseStreamPeriod(bench.asked(PacketId::GetStreamPeriod)), 0);
+    EXPECT_EQ(parseDataMasks(bench.asked(PacketId::GetDataMask)), DataMasks({0x2B, 0x2B, 0x2B, 0x2B}));
+    bench.bench.simulator("quadquad2drv:0")->setPowered(false);
+    bench.bench.simulator("quadquad2drv:0")->setPowered(true);
+    bench.bench.clock.advance(1s);
+    EXPECT_TRUE(bench.device->liveness().restarted);
+}
+
+TEST(QuadQuad2DrvSamples, AStreamThatNoWishBeganIsNotEndedByOneThatEnds)
+{
+    Bench bench;
+    bench.told(setStreamPeriod(244));
+    ASSERT_TRUE(run(bench.bench.clock, bench.device->refresh()));
+    bench.rate(0.0);
+    EXPECT_EQ(parseStreamPeriod(bench.asked(PacketId::GetStreamPeriod)), 244);
+}
+
 } // namespace
 } // namespace mb::quadquad2drv
