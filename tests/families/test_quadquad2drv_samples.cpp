@@ -137,5 +137,82 @@ TEST(QuadQuad2DrvSamples, AStreamThatNoWishBeganIsNotEndedByOneThatEnds)
     EXPECT_EQ(parseStreamPeriod(bench.asked(PacketId::GetStreamPeriod)), 244);
 }
 
+class BoardEnd final : public SpiSlaveLink {
+public:
+    BoardEnd()
+        : SpiSlaveLink(*LinkAddress::parse("sim:spi"))
+    {
+    }
+    using SpiSlaveLink::slave;
+
+private:
+    Result<void> doOpen() override { return {}; }
+    void doClose() override { }
+    void doReadyChanged() override { }
+};
+
+/// As unix: one, whose ready line must be asked for.
+class AskedLink final : public SpiLink {
+public:
+    AskedLink(BoardEnd &board, Clock &clock)
+        : SpiLink(*LinkAddress::parse("sim:spi"), clock)
+        , m_board(board)
+        , m_done(clock)
+    {
+    }
+    ~AskedLink() override { close(); }
+
+private:
+    Result<void> doOpen() override
+    {
+        setReady(m_board.slave()->isReady());
+        return {};
+    }
+    void doClose() override
+    {
+        m_done.stop();
+        dropTransfers();
+    }
+    void doTransfer(const Bytes &mosi) override
+    {
+        m_done.startIn(16us * static_cast<int>(mosi.size()), [this, mosi] {
+            Bytes miso(mosi.size());
+            m_board.slave()->transfer(mosi, miso);
+            setReady(m_board.slave()->isReady());
+            finishTransfer(std::move(miso));
+        });
+    }
+    void doSampleReady() override { setReady(m_board.slave()->isReady()); }
+    [[nodiscard]] bool doSignalsReady() const override { return false; }
+    Result<void> doPulseReset() override { return {}; }
+    [[nodiscard]] int doClockRate() const override { return 500'000; }
+
+    BoardEnd &m_board;
+    Timer m_done;
+};
+
+TEST(QuadQuad2DrvSamples, AStreamThatAnotherProgramBeganIsReadWhereTheReadyLineMustBeAskedFor)
+{
+    const Family &family = *findFamily(families(), "quadquad2drv");
+    VirtualClock clock;
+    BoardEnd end;
+    ASSERT_TRUE(end.open());
+    auto board = family.simulate(end, clock, *SimulatedUnit::parse("quadquad2drv:0"));
+    ASSERT_TRUE(board);
+    AskedLink link(end, clock);
+    ASSERT_TRUE(link.open());
+    PacketPort other(link, clock);
+    ASSERT_TRUE(run(clock, other.request(setStreamPeriod(244))));
+    Identity identity;
+    identity.family = family.key;
+    const auto device = family.open(link, clock, identity);
+    ASSERT_TRUE(run(clock, device->refresh()));
+    for (int i = 0; i < 30; ++i) {
+        clock.advance(100ms);
+        EXPECT_TRUE(device->liveness().heard) << i;
+    }
+    EXPECT_NEAR(device->telemetry()->rate(position, clock.now()), 100.0, 5.0);
+}
+
 } // namespace
 } // namespace mb::quadquad2drv

@@ -29,6 +29,7 @@ Task<void> BoardLayout::read()
     detectReset(*masks);
     m_port.setLayout(*masks, *config);
     m_streamPeriod = *period;
+    m_link.watchReady(streamUnit * m_streamPeriod / 4); // whoever began it
     m_owner.streamChanged();
     co_return {};
 }
@@ -140,7 +141,6 @@ Task<void> BoardLayout::begin(std::uint16_t period)
     co_await std::move(setting);
     auto layout = read();
     co_await std::move(layout);
-    m_link.watchReady(streamUnit * period / 4);
     co_return {};
 }
 
@@ -160,7 +160,6 @@ Task<void> BoardLayout::putBack()
     m_before.reset();
     auto layout = read();
     co_await std::move(layout);
-    m_link.watchReady(streamUnit * m_streamPeriod / 4);
     co_return {};
 }
 
