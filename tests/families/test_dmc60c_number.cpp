@@ -76,11 +76,18 @@ TEST_F(Dmc60cController, DoesNotMoveToANumberThatIsTaken)
     EXPECT_EQ(run(device->renumber(64)).error().fault, Fault::OutOfRange);
 }
 
-TEST_F(Dmc60cController, ANumberIsAskedForTwiceBeforeItCountsAsFree)
+TEST_F(Dmc60cController, ANumberFromWhichStatusFramesComeIsNotFree)
 {
-    unit.answer(enumeration, {{}, {"0206F007#010003012060"}}, 7ms);
-    EXPECT_EQ(run(device->renumber(7)).error().fault, Fault::Refused) << "the first answer may be lost";
-    EXPECT_EQ(unit.count(enumeration), 2);
+    unit.every(10ms, "02061407#0000110078000000");
+    EXPECT_EQ(run(device->renumber(7)).error().fault, Fault::Refused) << "its answers to the enumeration are lost";
+    EXPECT_EQ(unit.count(setNumber7), 0);
+}
+
+TEST_F(Dmc60cController, ANumberIsAskedForThreeTimesBeforeItCountsAsFree)
+{
+    unit.answer(enumeration, {{}, {}, {"0206F007#010003012060"}}, 7ms);
+    EXPECT_EQ(run(device->renumber(7)).error().fault, Fault::Refused) << "the first answers may be lost";
+    EXPECT_EQ(unit.count(enumeration), 3);
     EXPECT_EQ(unit.count(setNumber7), 0);
 }
 
