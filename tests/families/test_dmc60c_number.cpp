@@ -28,6 +28,16 @@ TEST_F(Dmc60cController, FailsWhenAnotherNameComesBack)
     EXPECT_EQ(run(device->rename("Arm")).error().fault, Fault::BadCheck);
 }
 
+TEST_F(Dmc60cController, ALateAnswerToANewNameIsNotTakenForTheDescriptors)
+{
+    unit.answer(
+        "0206FC45#41726D00", {{"0206FCC5#00000000", "0206FCC5#00000000"}}); // the second is that to an earlier try
+    unit.answer(getDescriptors, {{"0206FCC5#00000500", "0206FC85#010341726D"}}, 2ms);
+    const auto named = run(device->rename("Arm"));
+    EXPECT_TRUE(named) << named.error().text();
+    EXPECT_EQ(device->identity().name, "Arm");
+}
+
 TEST_F(Dmc60cController, RefusesNamesThatDoNotFit)
 {
     EXPECT_EQ(run(device->rename("")).error().fault, Fault::OutOfRange);
