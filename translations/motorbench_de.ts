@@ -18143,5 +18143,17 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>close the link, and open it again to see who is there</source>
         <translation>schließen Sie die Verbindung und öffnen Sie sie wieder, um zu sehen, wer dort ist</translation>
     </message>
+    <message>
+        <source>another unit answers as number %1: serial number &apos;%2&apos; instead of &apos;%3&apos;</source>
+        <translation>ein anderes Gerät antwortet als Nummer %1: Seriennummer „%2“ statt „%3“</translation>
+    </message>
+    <message>
+        <source>scan again, and update it if it is the one that is meant</source>
+        <translation>neu suchen und es aktualisieren, wenn es das gemeinte ist</translation>
+    </message>
+    <message>
+        <source>the unit with number %1 has another session than before, and may be another unit: its serial number was not known</source>
+        <translation>das Gerät mit der Nummer %1 hat eine andere Sitzung als vorher und kann ein anderes sein: seine Seriennummer war nicht bekannt</translation>
+    </message>
 </context>
 </TS>

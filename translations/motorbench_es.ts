@@ -18143,5 +18143,17 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>close the link, and open it again to see who is there</source>
         <translation>cierre el enlace y ábralo de nuevo para ver quién está ahí</translation>
     </message>
+    <message>
+        <source>another unit answers as number %1: serial number &apos;%2&apos; instead of &apos;%3&apos;</source>
+        <translation>otro equipo responde con el número %1: número de serie «%2» en lugar de «%3»</translation>
+    </message>
+    <message>
+        <source>scan again, and update it if it is the one that is meant</source>
+        <translation>busque de nuevo y actualícelo si es el deseado</translation>
+    </message>
+    <message>
+        <source>the unit with number %1 has another session than before, and may be another unit: its serial number was not known</source>
+        <translation>el equipo con el número %1 tiene otra sesión que antes y puede ser otro equipo: no se conocía su número de serie</translation>
+    </message>
 </context>
 </TS>

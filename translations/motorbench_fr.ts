@@ -18143,5 +18143,17 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>close the link, and open it again to see who is there</source>
         <translation>fermez la liaison et rouvrez-la pour voir qui s&apos;y trouve</translation>
     </message>
+    <message>
+        <source>another unit answers as number %1: serial number &apos;%2&apos; instead of &apos;%3&apos;</source>
+        <translation>un autre appareil répond sous le numéro %1&#xa0;: numéro de série «&#xa0;%2&#xa0;» au lieu de «&#xa0;%3&#xa0;»</translation>
+    </message>
+    <message>
+        <source>scan again, and update it if it is the one that is meant</source>
+        <translation>relancez la recherche et mettez-le à jour si c’est bien lui</translation>
+    </message>
+    <message>
+        <source>the unit with number %1 has another session than before, and may be another unit: its serial number was not known</source>
+        <translation>l’appareil numéro %1 a une autre session qu’avant et peut être un autre appareil&#xa0;: son numéro de série n’était pas connu</translation>
+    </message>
 </context>
 </TS>

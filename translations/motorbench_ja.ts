@@ -18129,5 +18129,17 @@ double click plots it, drag it to a pane or below them</source>
         <source>close the link, and open it again to see who is there</source>
         <translation>接続を閉じて開き直すと、誰がいるか分かります</translation>
     </message>
+    <message>
+        <source>another unit answers as number %1: serial number &apos;%2&apos; instead of &apos;%3&apos;</source>
+        <translation>番号 %1 で別の機器が応答しています: シリアル番号は「%3」ではなく「%2」です</translation>
+    </message>
+    <message>
+        <source>scan again, and update it if it is the one that is meant</source>
+        <translation>再スキャンし、目的の機器であれば更新してください</translation>
+    </message>
+    <message>
+        <source>the unit with number %1 has another session than before, and may be another unit: its serial number was not known</source>
+        <translation>番号 %1 の機器のセッションが以前と異なり、別の機器かもしれません: シリアル番号は不明でした</translation>
+    </message>
 </context>
 </TS>

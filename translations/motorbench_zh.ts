@@ -18129,5 +18129,17 @@ double click plots it, drag it to a pane or below them</source>
         <source>close the link, and open it again to see who is there</source>
         <translation>关闭连接后重新打开，以查看那里有谁</translation>
     </message>
+    <message>
+        <source>another unit answers as number %1: serial number &apos;%2&apos; instead of &apos;%3&apos;</source>
+        <translation>另一台设备以编号 %1 应答：序列号为“%2”而不是“%3”</translation>
+    </message>
+    <message>
+        <source>scan again, and update it if it is the one that is meant</source>
+        <translation>请重新扫描，确认是所要的设备后再更新</translation>
+    </message>
+    <message>
+        <source>the unit with number %1 has another session than before, and may be another unit: its serial number was not known</source>
+        <translation>编号 %1 的设备的会话与之前不同，可能是另一台设备：其序列号未知</translation>
+    </message>
 </context>
 </TS>

@@ -116,7 +116,7 @@ struct Parameter {
         = false; ///< tells one unit from another, or was calibrated for it: not copied to another unit unasked
     bool afterRestart = false; ///< what is written is in force after the next power cycle only, and so not compared
     Role role = Role::None;
-    bool inverted = false; ///< of a boolean limit: on switches the limit off
+    bool inverted = false; ///< of a limit: a boolean switches it off when on, a position is wider the lower it is
 };
 
 [[nodiscard]] constexpr bool isGain(Role role)
@@ -138,7 +138,7 @@ struct Parameter {
     row.role = role;
     return row;
 }
-/// For tables: a switch that is on while its limit is off.
+/// For tables: a switch that is on while its limit is off, a position that nothing drives below.
 [[nodiscard]] constexpr Parameter inverted(Parameter row)
 {
     row.inverted = true;

@@ -22,11 +22,20 @@ bool isSwitch(const Parameter &parameter)
 
 } // namespace
 
+bool boundsPlace(const Parameter &parameter)
+{
+    return isLimit(parameter) && !isSwitch(parameter) && parameter.minimum < 0.0 && parameter.maximum > 0.0;
+}
+
 bool widensLimit(const Parameter &parameter, const StagedChange &change)
 {
     if (!isLimit(parameter) || !change.from || *change.from == change.to)
         return false;
-    return isSwitch(parameter) ? switchesOff(parameter, change) : std::abs(change.to) > std::abs(*change.from);
+    if (isSwitch(parameter))
+        return switchesOff(parameter, change);
+    if (boundsPlace(parameter))
+        return (change.to > *change.from) != parameter.inverted;
+    return std::abs(change.to) > std::abs(*change.from);
 }
 
 int writeRank(const Parameter &parameter, const StagedChange &change)

@@ -24,8 +24,12 @@ struct StagedChange {
 ///   0 limits that become tighter (numbers)   1 switches that turn a limit on   2 I lowered   3 P lowered
 ///   4 D raised (damping first)   5 limits that become wider (numbers)   6 switches that turn a limit off
 ///   7 everything else   8 D lowered   9 P raised   10 I raised   11 live values, such as the position
-/// Raised means a greater amount, whatever the sign. From an unknown value, gains count as raised and limits as tighter.
+/// Raised and wider mean a greater amount, whatever the sign, but for limits of the position (boundsPlace). From an unknown value,
+/// gains count as raised and limits as tighter.
 [[nodiscard]] int writeRank(const Parameter &parameter, const StagedChange &change);
+
+/// A limit of either sign is a position, wide where it lies far out; all others are amounts.
+[[nodiscard]] bool boundsPlace(const Parameter &parameter);
 
 /// The change makes a limit wider, or switches it off; false where it is not known what was in force.
 [[nodiscard]] bool widensLimit(const Parameter &parameter, const StagedChange &change);

@@ -28,6 +28,16 @@ TEST_F(Dmc60cController, FailsWhenAnotherNameComesBack)
     EXPECT_EQ(run(device->rename("Arm")).error().fault, Fault::BadCheck);
 }
 
+TEST_F(Dmc60cController, ALateAnswerToANewNameIsNotTakenForTheDescriptors)
+{
+    unit.answer(
+        "0206FC45#41726D00", {{"0206FCC5#00000000", "0206FCC5#00000000"}}); // the second is that to an earlier try
+    unit.answer(getDescriptors, {{"0206FCC5#00000500", "0206FC85#010341726D"}}, 2ms);
+    const auto named = run(device->rename("Arm"));
+    EXPECT_TRUE(named) << named.error().text();
+    EXPECT_EQ(device->identity().name, "Arm");
+}
+
 TEST_F(Dmc60cController, RefusesNamesThatDoNotFit)
 {
     EXPECT_EQ(run(device->rename("")).error().fault, Fault::OutOfRange);
@@ -76,11 +86,18 @@ TEST_F(Dmc60cController, DoesNotMoveToANumberThatIsTaken)
     EXPECT_EQ(run(device->renumber(64)).error().fault, Fault::OutOfRange);
 }
 
-TEST_F(Dmc60cController, ANumberIsAskedForTwiceBeforeItCountsAsFree)
+TEST_F(Dmc60cController, ANumberFromWhichStatusFramesComeIsNotFree)
 {
-    unit.answer(enumeration, {{}, {"0206F007#010003012060"}}, 7ms);
-    EXPECT_EQ(run(device->renumber(7)).error().fault, Fault::Refused) << "the first answer may be lost";
-    EXPECT_EQ(unit.count(enumeration), 2);
+    unit.every(10ms, "02061407#0000110078000000");
+    EXPECT_EQ(run(device->renumber(7)).error().fault, Fault::Refused) << "its answers to the enumeration are lost";
+    EXPECT_EQ(unit.count(setNumber7), 0);
+}
+
+TEST_F(Dmc60cController, ANumberIsAskedForThreeTimesBeforeItCountsAsFree)
+{
+    unit.answer(enumeration, {{}, {}, {"0206F007#010003012060"}}, 7ms);
+    EXPECT_EQ(run(device->renumber(7)).error().fault, Fault::Refused) << "the first answers may be lost";
+    EXPECT_EQ(unit.count(enumeration), 3);
     EXPECT_EQ(unit.count(setNumber7), 0);
 }
 

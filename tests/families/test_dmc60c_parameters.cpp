@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/dmc60c/channels.h"
 #include "families/dmc60c/parameters.h"
+#include "model/writeorder.h"
 
 #include <gtest/gtest.h>
 
@@ -146,6 +147,18 @@ TEST(Dmc60cChannels, AreThoseOfTheProduct)
         {"velocity", "counts/s"}, {"current", "A"}, {"duty", "fraction"}, {"setpoint", ""}, {"error", ""},
         {"bus_voltage", "V"}, {"temperature", "°C"}, {"analog1", "V"}};
     EXPECT_EQ(got, expected);
+}
+
+TEST(Dmc60cParameters, ASoftLimitIsWidenedTowardsItsEndWhateverItsSign)
+{
+    const auto widens = [](std::uint8_t id, std::int64_t from, std::int64_t to) {
+        return widensLimit(row(id), {*parameterWithId(id), from, to});
+    };
+    EXPECT_TRUE(widens(7, 5000, -3000)) << "reverse";
+    EXPECT_FALSE(widens(7, -3000, 5000));
+    EXPECT_TRUE(widens(5, -5000, 3000)) << "forward";
+    EXPECT_FALSE(widens(5, 3000, -5000));
+    EXPECT_TRUE(widens(18, -1000, -2000)) << "the greatest reverse duty is an amount";
 }
 
 } // namespace

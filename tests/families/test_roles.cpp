@@ -3,6 +3,7 @@
 #include "model/family.h"
 #include "model/loopparameters.h"
 #include "model/registry.h"
+#include "model/writeorder.h"
 
 #include <gtest/gtest.h>
 
@@ -37,11 +38,12 @@ TEST(Roles, EveryLoopIsMadeOfParametersThatSayWhatTheyAre)
     }
 }
 
-TEST(Roles, OnlyTheSwitchOfALimitIsInverted)
+TEST(Roles, OnlyTheSwitchOfALimitAndAPlaceThatBoundsAreInverted)
 {
     for (const Family *family : families()) {
         for (const Parameter &parameter : family->parameters)
-            EXPECT_TRUE(!parameter.inverted || (isLimit(parameter) && parameter.type == WireType::Boolean))
+            EXPECT_TRUE(!parameter.inverted
+                || (isLimit(parameter) && (parameter.type == WireType::Boolean || boundsPlace(parameter))))
                 << parameter.key;
     }
 }

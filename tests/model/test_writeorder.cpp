@@ -11,25 +11,28 @@
 namespace mb {
 namespace {
 
-Parameter orderedRow(const char *key, Role role, WireType type = WireType::Int32, Nature nature = Nature::Setting)
+Parameter orderedRow(
+    const char *key, Role role, WireType type = WireType::Int32, Nature nature = Nature::Setting, double minimum = 0.0)
 {
     Parameter p;
     p.key = key;
     p.role = role;
     p.type = type;
     p.nature = nature;
-    p.minimum = -1000.0;
+    p.minimum = minimum;
     p.maximum = 1000.0;
     return p;
 }
 
-enum Row : std::uint16_t { Threshold, Enabled, SwitchOff, P, I, D, Name, Position, Rows };
+enum Row : std::uint16_t { Threshold, Enabled, SwitchOff, P, I, D, Name, Position, Highest, Lowest, Rows };
 
 const std::array<Parameter, Rows> table{orderedRow("limit.current", Role::Limit),
     orderedRow("limit.enabled", Role::Limit, WireType::Boolean),
     inverted(orderedRow("limit.forward", Role::Limit, WireType::Boolean)), orderedRow("velocity.p", Role::Proportional),
     orderedRow("velocity.i", Role::Integral), orderedRow("velocity.d", Role::Derivative),
-    orderedRow("input.period", Role::None), orderedRow("position", Role::None, WireType::Int32, Nature::Live)};
+    orderedRow("input.period", Role::None), orderedRow("position", Role::None, WireType::Int32, Nature::Live),
+    orderedRow("limit.highest", Role::Limit, WireType::Int32, Nature::Setting, -1000.0),
+    inverted(orderedRow("limit.lowest", Role::Limit, WireType::Int32, Nature::Setting, -1000.0))};
 
 /// The more of it, the livelier; what does not matter is 0.
 std::int64_t lively(std::uint16_t index, std::int64_t raw)
@@ -39,6 +42,8 @@ std::int64_t lively(std::uint16_t index, std::int64_t raw)
     case SwitchOff:
     case P:
     case I: return std::abs(raw);
+    case Highest: return raw;
+    case Lowest:
     case Enabled: return -raw;
     case D: return -std::abs(raw);
     default: return 0;
@@ -123,6 +128,10 @@ TEST(WriteOrder, ALimitIsWidenedByWhatLetsTheMotorDoMore)
     EXPECT_TRUE(widens(SwitchOff, 0, 1));
     EXPECT_FALSE(widens(SwitchOff, 1, 0));
     EXPECT_FALSE(widens(P, 1, 2)) << "no limit";
+    EXPECT_TRUE(widens(Highest, -500, 300)) << "where it is counts, not the amount";
+    EXPECT_FALSE(widens(Highest, 300, -500));
+    EXPECT_TRUE(widens(Lowest, 500, -300));
+    EXPECT_FALSE(widens(Lowest, -300, 500));
 }
 
 TEST(WriteOrder, SetsLimitsBeforeGainsWhereNothingIsKnown)

@@ -172,7 +172,10 @@ Task<std::int64_t> Controller::doRead(ParameterIndex index)
 Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
 {
     const Parameter &row = parameters().parameter(index);
-    if (row.id == param::encoderPosition && (liveness().moving || m_sense.general().duty != 0))
+    // A loop that holds may have no output either; a set-point is told of one frame later, and ends with the heartbeat.
+    const bool ordered = m_commandedAt != Instant{} && clock().now() - m_commandedAt <= heartbeat;
+    const bool driven = ordered || m_sense.general().mode != ControlMode::NoDrive;
+    if (row.id == param::encoderPosition && (liveness().moving || driven || m_sense.general().duty != 0))
         co_return fail(
             Fault::Unsafe, say("the position is written only while the output is off"), say("stop the motor first"));
     if (row.nature == Nature::Counter && raw != 0) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/dmc60c/updatecontact.h"
 
+#include "families/dmc60c/unitidentity.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -11,6 +13,7 @@ using namespace std::chrono_literals;
 
 constexpr Duration lateness = 500ms; ///< of an answer after its time-out
 constexpr int mostLate = 100;        ///< frames of late answers
+constexpr Attempts serialAttempts{8, 100ms};
 
 /// Asked again, it changes nothing, and its answer is told from those to orders.
 bool isQuestion(Command command)
@@ -24,8 +27,11 @@ UpdateContact::UpdateContact(Device &device)
     : m_device(device)
     , m_link(static_cast<CanLink &>(device.link()))
     , m_clock(device.clock())
+    , m_serial(device.identity().serial)
     , m_session(static_cast<std::uint16_t>(device.identity().session.value_or(0)))
 {
+    if (m_serial.empty() && device.identity().session)
+        m_known = m_session;
 }
 
 void UpdateContact::takeSession(std::uint16_t session)
@@ -126,11 +132,56 @@ Task<UpdateContact::Unit> UpdateContact::findAgain(Duration limit)
         if (units.size() > 1)
             co_return fail(Fault::Unsafe, say("several units answer as number %1", m_device.identity().address));
         if (units.size() == 1) {
+            auto looking = expectSame(units.front().session);
+            co_await std::move(looking);
             takeSession(units.front().session);
             co_return units.front();
         }
     }
     co_return fail(Fault::Timeout, say("the unit does not answer an enumeration"));
+}
+
+/// A unit has another session once it lost its supply, and so has the one that was put in its place.
+Task<void> UpdateContact::expectSame(std::uint16_t session)
+{
+    if (m_known == session)
+        co_return {};
+    const int number = m_device.identity().address;
+    if (m_serial.empty() && m_known)
+        co_return fail(Fault::Unsafe,
+            say("the unit with number %1 has another session than before, and may be another unit: its serial number "
+                "was "
+                "not known",
+                number),
+            say("scan again, and update it if it is the one that is meant"));
+    if (!m_serial.empty()) {
+        auto asking = serialOf(session);
+        const std::string serial = co_await std::move(asking);
+        if (serial != m_serial)
+            co_return fail(Fault::Unsafe,
+                say("another unit answers as number %1: serial number '%2' instead of '%3'", number, serial, m_serial),
+                say("scan again, and update it if it is the one that is meant"));
+    }
+    m_known = session;
+    co_return {};
+}
+
+Task<std::string> UpdateContact::serialOf(std::uint16_t session)
+{
+    VendorRequest request{m_device.identity().address, session, {Command::GetDescriptors}};
+    auto exchange = vendorExchange(m_link, m_clock, std::move(request), serialAttempts);
+    const Result<VendorReply> reply = co_await std::move(exchange).attempt();
+    m_answerOwed = m_answerOwed || !reply || reply->unanswered > 0;
+    if (!reply)
+        co_return fail(reply.error());
+    if (const auto good = check(Command::GetDescriptors, *reply); !good)
+        co_return fail(good.error());
+    const auto list = decodeDescriptors(reply->data);
+    if (!list)
+        co_return fail(Fault::BadReply, say("GetDescriptors: a field ends too early"));
+    Identity told;
+    setDescriptors(told, *list);
+    co_return told.serial;
 }
 
 Task<VendorReply> UpdateContact::order(Command command)

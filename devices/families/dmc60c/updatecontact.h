@@ -21,7 +21,8 @@ public:
 
     explicit UpdateContact(Device &device);
 
-    /// Waits for the unit to answer an enumeration, up to `limit`; takes over its session. Unsafe when several answer.
+    /// Waits for the unit to answer an enumeration, up to `limit`; takes over its session. Unsafe when several answer, or another one,
+    /// which its serial number tells, or its session where that of the unit is not known.
     [[nodiscard]] Task<Unit> findAgain(Duration limit);
     [[nodiscard]] Task<FirmwareVersions> versions();
     [[nodiscard]] Task<VendorReply> send(
@@ -39,11 +40,15 @@ private:
     [[nodiscard]] Task<std::vector<Unit>> enumerate(Duration window);
     /// Waits until no answer to an earlier command can come any more: the next one might be taken for its answer.
     [[nodiscard]] Task<void> settle();
+    [[nodiscard]] Task<void> expectSame(std::uint16_t session);
+    [[nodiscard]] Task<std::string> serialOf(std::uint16_t session);
     void takeSession(std::uint16_t session);
 
     Device &m_device;
     CanLink &m_link;
     Clock &m_clock;
+    std::optional<std::uint16_t> m_known; ///< the session in which it was seen to be this unit
+    std::string m_serial;
     std::uint16_t m_session;
     bool m_answerOwed = false; ///< to a command that nobody answered in time
     Instant m_sentAt{};

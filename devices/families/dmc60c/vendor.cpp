@@ -51,7 +51,7 @@ bool belongs(const VendorRequest &request, const VendorStatus &status)
     switch (request.command.command) {
     case Command::GetFwver: return good ? status.count == 6 : isRefusal(status.status);
     case Command::GetFlashSeqnum: return good ? status.count == 4 : isRefusal(status.status);
-    case Command::GetDescriptors: return good || isRefusal(status.status);
+    case Command::GetDescriptors: return good ? status.count > 0 : isRefusal(status.status); // a product name at least
     case Command::EnterBootloader: return status.status == CommandStatus::InBootloader || isRefusal(status.status);
     case Command::SoftReset: return status.status == CommandStatus::AckReset || isRefusal(status.status);
     default: return status.count == 0 || status.count == request.data.size();

@@ -7,6 +7,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr int numberTries = 3;
+constexpr int freeRounds = 3; ///< answers may get lost
 
 /// More tries than the maker says: the longest answer is 24 frames, of which one in ten may get lost. Asking is harmless, so
 /// those tries are short; 54 ms is the longest that a device stands still.
@@ -73,9 +74,11 @@ Task<void> VendorOrders::expectFree(int number)
 {
     CanInbox inbox(m_contact.link, m_contact.clock, [number, own = m_contact.target().session](const CanFrame &frame) {
         const auto response = decodeEnumResponse0(frame);
-        return response && response->device == number && response->session != own;
+        const bool answers = response && response->session != own;
+        const bool tells = decodeStatusGeneral(frame) || decodeStatusEncoder(frame) || decodeStatusAnalog(frame);
+        return (answers || tells) && deviceOf(frame) == number;
     });
-    for (int round = 0; round < 2; ++round) {
+    for (int round = 0; round < freeRounds; ++round) {
         if (auto sent = m_contact.link.send(encodeEnumerate()); !sent)
             co_return fail(sent.error());
         const Result<CanFrame> answer = co_await inbox.next(enumWindow);

@@ -100,7 +100,8 @@ void AxisDrives::record(int axis, std::optional<double> target)
 void AxisDrives::enter(int axis, ControlMode mode)
 {
     if (auto limit = m_settings.firstLimit(axis))
-        m_orders.post(std::move(*limit));
+        m_orders.post(
+            std::move(*limit), [this, axis] { m_settings.accepted(indexOf(axis, AxisParameter::LimitPower)); });
     Bytes rest = setPower(maskOf(axis), 0);
     if (mode == ControlMode::Velocity)
         rest = setVelocityTarget(maskOf(axis), 0.0, m_settings.readings());

@@ -49,14 +49,24 @@ std::int64_t unwrapped(std::optional<std::int64_t> before, std::int32_t position
 
 void AxisSense::take(const Motion &motion, const DataMasks &masks, Instant time, LiveStates &states)
 {
-    const auto lost = motion.elapsed.value_or(0);
+    missed(masks, motion.elapsed.value_or(0));
     for (int axis = 0; axis < axes; ++axis) {
         const auto at = static_cast<std::size_t>(axis);
-        for (std::uint16_t i = 0; lost > 0 && i < measuredPerAxis; ++i)
-            m_telemetry->lost(channelOf(axis, static_cast<AxisChannel>(i)), lost);
         takeAxis(axis, motion.channels[at], masks[at], time);
         if (const auto &status = motion.channels[at].status)
             takeStates(states, axis, *status);
+    }
+}
+
+void AxisSense::missed(const DataMasks &masks, std::uint64_t count)
+{
+    constexpr std::array bits{std::pair{AxisChannel::Position, datamask::positionSize},
+        std::pair{AxisChannel::Velocity, datamask::velocity}, std::pair{AxisChannel::Status, datamask::status}};
+    for (int axis = 0; count > 0 && axis < axes; ++axis) {
+        for (const auto &[channel, bit] : bits) {
+            if ((masks[static_cast<std::size_t>(axis)] & bit) != 0)
+                m_telemetry->lost(channelOf(axis, channel), count);
+        }
     }
 }
 

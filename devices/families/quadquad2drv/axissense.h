@@ -20,6 +20,8 @@ public:
 
     /// `masks` are those that the data were sent with. Changes what is told of the axes in `states`.
     void take(const Motion &motion, const DataMasks &masks, Instant time, LiveStates &states);
+    /// So many samples of every channel that the masks name did not come.
+    void missed(const DataMasks &masks, std::uint64_t count);
     /// Counts, unwrapped; nothing before the board told it. Of changes, or of the low bits alone, it begins anywhere.
     [[nodiscard]] std::optional<std::int64_t> position(int axis) const;
     /// Counts, as a target of the board has them; nothing while it tells less than its whole counter.

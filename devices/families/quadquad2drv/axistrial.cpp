@@ -62,7 +62,7 @@ AxisTrial::~AxisTrial()
     if (m_started)
         m_stream.stop();
     if (!m_before.empty())
-        m_board.putBack(m_before);
+        m_board.putBack(m_before, [&board = m_board, axis = m_axis] { board.settings().acceptedAll(axis); });
 }
 
 /// No limit but that of the power, and a velocity estimate that is fast. All of it can be put back.
@@ -78,9 +78,8 @@ Task<void> AxisTrial::prepare()
     std::vector<Bytes> before = m_board.settings().ofAxis(m_axis);
     before.push_back(
         setHistory(static_cast<std::uint8_t>(history.length), static_cast<std::uint8_t>(history.timeBits)));
-    const auto limit = m_board.parameters().entry(indexOf(m_axis, AxisParameter::LimitPower)).raw;
-    if (limit && static_cast<double>(*limit) < m_most) {
-        m_most = static_cast<double>(*limit);
+    if (const auto limit = static_cast<double>(m_board.settings().powerLimit(m_axis)); limit < m_most) {
+        m_most = limit;
         m_progress.log(Severity::Info,
             say("the axis has a power limit of %1 %, which is kept", std::round(100.0 * m_most / fullPower)));
     }
@@ -95,6 +94,7 @@ Task<void> AxisTrial::prepare()
         auto telling = m_board.tell(request);
         co_await std::move(telling);
     }
+    m_board.settings().accepted(indexOf(m_axis, AxisParameter::LimitPower)); // it has one, and none that is higher
     auto atRest = move(Mode::Duty, 0.0); // nothing is measured before the guardian stands by
     co_await std::move(atRest);
     do {
@@ -118,6 +118,7 @@ Task<void> AxisTrial::finish()
         co_await std::move(telling);
     }
     m_before.clear();
+    m_board.settings().acceptedAll(m_axis);
     co_return {};
 }
 

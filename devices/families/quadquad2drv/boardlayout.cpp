@@ -29,19 +29,27 @@ Task<void> BoardLayout::read()
     detectReset(*masks);
     m_port.setLayout(*masks, *config);
     m_streamPeriod = *period;
+    m_link.watchReady(streamUnit * m_streamPeriod / 4); // whoever began it
     m_owner.streamChanged();
+    co_return {};
+}
+
+Task<void> BoardLayout::expectNoReset()
+{
+    if (m_resetKnown)
+        co_return {};
+    auto checking = check();
+    co_await std::move(checking);
+    if (m_restarted)
+        co_return fail(
+            Fault::Unsafe, say("the board was reset since its settings were written"), say("look at it again"));
     co_return {};
 }
 
 Task<void> BoardLayout::tellEverything()
 {
-    if (!m_resetKnown) {
-        auto checking = check();
-        co_await std::move(checking);
-        if (m_restarted)
-            co_return fail(
-                Fault::Unsafe, say("the board was reset since its settings were written"), say("look at it again"));
-    }
+    auto looking = expectNoReset();
+    co_await std::move(looking);
     auto masks = m_port.request(setDataMask(allAxes, datamask::everything));
     co_await std::move(masks);
     m_changed = true;
@@ -85,7 +93,8 @@ void BoardLayout::detectReset(const DataMasks &masks)
 
 void BoardLayout::forget()
 {
-    m_changed = false;
+    m_changed = m_holds = false;
+    m_before.reset();
     m_restarted = true;
     m_streamPeriod = 0;
     m_port.setLayout({datamask::startUp, datamask::startUp, datamask::startUp, datamask::startUp}, 0);
@@ -96,29 +105,82 @@ Task<bool> BoardLayout::setRate(ChannelIndex channel, double hertz)
 {
     m_wishes.set(channel, hertz);
     const double wished = m_wishes.highest();
-    std::uint16_t period = 0;
-    if (wished > 0.0) {
-        const double units = 1e9 / wished / static_cast<double>(streamUnit.count());
-        period = static_cast<std::uint16_t>(std::clamp(std::round(units), 1.0 * fastestStream, 65535.0));
+    if (wished <= 0.0) {
+        if (!m_before)
+            co_return false;
+        auto putting = putBack();
+        co_await std::move(putting);
+        co_return true;
     }
-    if (period == m_streamPeriod && (period == 0 || m_told)) // another channel wishes the same, or more
+    const double units = 1e9 / wished / static_cast<double>(streamUnit.count());
+    const auto period = static_cast<std::uint16_t>(std::clamp(std::round(units), 1.0 * fastestStream, 65535.0));
+    if (period == m_streamPeriod && m_before) // another channel wishes the same, or more
         co_return false;
-    if (period > 0) {
-        auto telling = tellEverything();
-        co_await std::move(telling);
-        auto config = m_port.request(setStreamConfig(streamconfig::elapsed));
-        co_await std::move(config);
-    }
     if (!m_link.ready().has_value())
         co_return fail(
             Fault::Unsupported, say("without a ready line the board is asked 100 times a second, and cannot stream"));
+    auto beginning = begin(period);
+    co_await std::move(beginning);
+    co_return true;
+}
+
+Task<void> BoardLayout::begin(std::uint16_t period)
+{
+    if (!m_before) {
+        auto looking = expectNoReset();
+        co_await std::move(looking);
+        auto reading = read();
+        co_await std::move(reading);
+        m_before = Stream{m_port.masks(), m_port.streamConfig(), m_streamPeriod};
+    }
+    auto telling = tellEverything();
+    co_await std::move(telling);
+    auto config = m_port.request(setStreamConfig(streamconfig::elapsed));
+    co_await std::move(config);
     auto setting = m_port.request(setStreamPeriod(period));
     co_await std::move(setting);
     auto layout = read();
     co_await std::move(layout);
-    m_told = period > 0;
-    m_link.watchReady(streamUnit * period / 4);
-    co_return true;
+    co_return {};
+}
+
+Task<void> BoardLayout::putBack()
+{
+    const Stream before = *m_before;
+    auto ending = m_port.request(setStreamPeriod(0));
+    co_await std::move(ending);
+    auto masks = putMasksBack(before.masks);
+    co_await std::move(masks);
+    auto config = m_port.request(setStreamConfig(before.config));
+    co_await std::move(config);
+    if (before.period > 0) {
+        auto setting = m_port.request(setStreamPeriod(before.period));
+        co_await std::move(setting);
+    }
+    m_before.reset();
+    auto layout = read();
+    co_await std::move(layout);
+    co_return {};
+}
+
+/// Not while they tell of a reset that would undo more.
+Task<void> BoardLayout::putMasksBack(DataMasks before)
+{
+    if (m_holds || m_owner.holdsSettings())
+        co_return {};
+    m_changed = false;
+    DataMasks masks = m_port.masks();
+    for (std::size_t axis = 0; axis < axes && !m_holds; ++axis) {
+        auto setting = m_port.request(setDataMask(static_cast<std::uint8_t>(1U << axis), before[axis]));
+        co_await std::move(setting);
+        masks[axis] = before[axis];
+        m_port.setLayout(masks, m_port.streamConfig());
+    }
+    if (m_holds) { // somebody drives or writes since
+        auto telling = tellEverything();
+        co_await std::move(telling);
+    }
+    co_return {};
 }
 
 } // namespace mb::quadquad2drv

@@ -27,8 +27,8 @@ public:
     [[nodiscard]] Task<void> tellEverything();
     /// Looks for a reset.
     [[nodiscard]] Task<void> check(int tries = 1);
-    /// One rate for the whole board; the period is a multiple of 40.96 µs, at least one pass of the loop (README.md#ready-line). Yields
-    /// whether the stream is another. Unsupported without a ready line.
+    /// One rate for the whole board; the period is a multiple of 40.96 µs, at least one pass of the loop (README.md#ready-line). With the
+    /// last wish ends what the first one began. Yields whether the stream is another. Unsupported without a ready line.
     [[nodiscard]] Task<bool> setRate(ChannelIndex channel, double hertz);
 
     /// Of every axis.
@@ -36,7 +36,7 @@ public:
     /// Units of 40.96 µs; 0: it does not stream.
     [[nodiscard]] std::uint16_t streamPeriod() const { return m_streamPeriod; }
     /// The board is told something that a reset undoes.
-    void noteChange() { m_changed = true; }
+    void noteChange() { m_changed = m_holds = true; }
     /// A reset may have come, or whether one came before this program did is not known.
     [[nodiscard]] bool isInDoubt(bool heard) const { return m_changed || (heard && !m_resetKnown); }
     [[nodiscard]] bool isResetKnown() const { return m_resetKnown; }
@@ -47,16 +47,26 @@ public:
     void forget();
 
 private:
+    struct Stream {
+        DataMasks masks;
+        std::uint8_t config = 0;
+        std::uint16_t period = 0;
+    };
     void detectReset(const DataMasks &masks);
+    [[nodiscard]] Task<void> expectNoReset();
+    [[nodiscard]] Task<void> begin(std::uint16_t period);
+    [[nodiscard]] Task<void> putBack();
+    [[nodiscard]] Task<void> putMasksBack(DataMasks before);
 
     SpiLink &m_link;
     PacketPort &m_port;
     Owner m_owner;
     FrameRate m_wishes;
     std::uint16_t m_streamPeriod = 0;
-    bool m_told = false;       ///< a stream of ours runs, unless the board was reset
-    bool m_changed = false;    ///< we told the board something that a reset undoes
-    bool m_resetKnown = false; ///< whether the board was reset before we came is known
+    std::optional<Stream> m_before; ///< what the stream of ours replaced
+    bool m_holds = false;           ///< what a reset undoes, and is not of the stream
+    bool m_changed = false;         ///< we told the board something that a reset undoes
+    bool m_resetKnown = false;      ///< whether the board was reset before we came is known
     bool m_restarted = false;
 };
 

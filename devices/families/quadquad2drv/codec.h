@@ -40,6 +40,10 @@ public:
     /// How many bytes the packet that has begun still lacks, 0 when none has, at least 1 while its size is unknown.
     [[nodiscard]] std::size_t missing();
     [[nodiscard]] std::uint64_t bad() const { return m_bad; } ///< packets given up
+    [[nodiscard]] std::uint64_t strays() const
+    {
+        return m_strays;
+    } ///< pieces without a beginning, filler not among them
     void clear() { m_bytes.clear(); }
 
 private:
@@ -48,6 +52,7 @@ private:
 
     Bytes m_bytes;
     std::uint64_t m_bad = 0;
+    std::uint64_t m_strays = 0;
 };
 
 /// @name Requests (2). `mask` bit 0 is the first channel.

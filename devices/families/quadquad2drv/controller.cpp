@@ -69,7 +69,8 @@ void Controller::onPacket(const Packet &packet, Instant time)
     if (stream || packet.id == static_cast<std::uint8_t>(PacketId::GetMotion)) {
         if (const auto motion = parseMotion(packet, m_port.masks(), m_port.streamConfig())) {
             if (stream)
-                m_streamAt = time;
+                m_sense.missed(m_port.masks(),
+                    m_missed.before(motion->elapsed, time, streamUnit * m_layout.streamPeriod(), m_port.takeDamage()));
             onMotion(*motion, time);
         } else if (!m_learning && gate().busy().empty()) { // another program has changed what the board sends
             m_learning = true;
@@ -96,9 +97,16 @@ void Controller::schedulePoll()
         return;
     }
     m_poll.startIn(pollPeriod, [this] {
-        if (!m_polling && gate().busy().empty()) {
+        if (m_polling) {
+            m_missed.pollHeldUp();
+        } else if (gate().busy().empty()) {
             m_polling = true;
-            m_scope.spawn<void>(ask(m_port), [this](const Result<void> &) { m_polling = false; });
+            m_scope.spawn<void>(ask(m_port), [this](const Result<void> &asked) {
+                m_polling = false;
+                const std::uint64_t missing = m_missed.polled(asked.has_value());
+                if (m_heard && m_spi.state() == LinkState::Open)
+                    m_sense.missed(m_port.masks(), missing);
+            });
         }
         schedulePoll();
     });
@@ -116,7 +124,8 @@ void Controller::look()
         setLiveness(liveness(), {}, now);
     if (wasHeard && !m_heard)
         breakLines();
-    const bool streamGone = m_layout.streamPeriod() > 0 && (!m_streamAt || now - *m_streamAt > silence);
+    const bool streamGone
+        = m_layout.streamPeriod() > 0 && (!m_missed.streamAt() || now - *m_missed.streamAt() > silence);
     if ((streamGone || m_layout.isInDoubt(m_heard)) && !m_checking && gate().busy().empty()
         && m_spi.state() == LinkState::Open) {
         m_checking = true;
@@ -244,6 +253,7 @@ Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
     const Result<Packet> reply = co_await std::move(writing).attempt();
     if (!reply)
         co_return fail(reply.error().about(row.key));
+    m_settings.accepted(index, raw);
     if (ofAxis && which == AxisParameter::DataMask) {
         DataMasks masks = m_port.masks(); // told, and so no sign of a reset
         masks[static_cast<std::size_t>(axis)] = static_cast<std::uint8_t>(raw);
@@ -307,6 +317,7 @@ Task<void> Controller::setRate(ChannelIndex channel, double hertz)
 /// Of what is measured: nobody knows what was between.
 void Controller::breakLines()
 {
+    m_missed.interrupt();
     for (int axis = 0; axis < axes; ++axis) {
         for (std::uint16_t i = 0; i < measuredPerAxis; ++i)
             telemetry()->breakLine(channelOf(axis, static_cast<AxisChannel>(i)));
@@ -355,9 +366,13 @@ Task<History> Controller::askHistory()
     co_return *history;
 }
 
-void Controller::putBack(std::vector<Bytes> requests)
+void Controller::putBack(std::vector<Bytes> requests, std::function<void()> accepted)
 {
-    m_scope.spawn<void>(sendAll(m_port, std::move(requests)));
+    m_scope.spawn<void>(
+        sendAll(m_port, std::move(requests)), [accepted = std::move(accepted)](const Result<void> &sent) {
+            if (sent)
+                accepted();
+        });
 }
 
 std::unique_ptr<Device> open(Link &link, Clock &clock, const Identity &identity)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "families/quadquad2drv/axisdrives.h"
+#include "families/quadquad2drv/missedsamples.h"
 #include "families/quadquad2drv/stopproof.h"
 
 namespace mb::quadquad2drv {
@@ -24,8 +25,8 @@ public:
     [[nodiscard]] Task<History> askHistory();
     /// Those that make the settings of an axis what they are known or assumed to be.
     [[nodiscard]] SettingRequests &settings() { return m_settings; }
-    /// Sends them whoever waits for it or not, once the axis is stopped.
-    void putBack(std::vector<Bytes> requests);
+    /// Sends them whoever waits for it or not, once the axis is stopped; `accepted` when the board has taken them all.
+    void putBack(std::vector<Bytes> requests, std::function<void()> accepted);
     /// @}
 
     Task<void> refresh() override;
@@ -74,7 +75,7 @@ private:
     bool m_checking = false;
     bool m_learning = false;
     std::optional<Instant> m_motionAt;
-    std::optional<Instant> m_streamAt;
+    MissedSamples m_missed;
     Subscription m_received;
     Subscription m_readyRaised;
     Subscription m_state;

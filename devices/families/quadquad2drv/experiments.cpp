@@ -68,7 +68,11 @@ public:
     }
     BorrowedInput(const BorrowedInput &) = delete;
     BorrowedInput &operator=(const BorrowedInput &) = delete;
-    ~BorrowedInput() { m_board.putBack({m_board.settings().input(m_axis)}); }
+    ~BorrowedInput()
+    {
+        m_board.putBack({m_board.settings().input(m_axis)},
+            [&board = m_board, axis = m_axis] { board.settings().accepted(indexOf(axis, AxisParameter::InputMode)); });
+    }
 
 private:
     Controller &m_board;

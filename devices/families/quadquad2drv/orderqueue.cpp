@@ -19,13 +19,14 @@ OrderQueue::OrderQueue(Clock &clock, PacketPort &port, BoardLayout &layout, std:
 {
 }
 
-void OrderQueue::post(Bytes request)
+void OrderQueue::post(Bytes request, std::function<void()> accepted)
 {
-    if (m_orders.size() > 1 && m_orders.back().size() == request.size()
-        && std::equal(m_orders.back().begin(), m_orders.back().begin() + 4, request.begin()))
-        m_orders.back() = std::move(request);
-    else
-        m_orders.push_back(std::move(request));
+    const auto replaces = [&request](const Bytes &other) {
+        return other.size() == request.size() && std::equal(other.begin(), other.begin() + 4, request.begin());
+    };
+    if (m_orders.size() > 1 && replaces(m_orders.back().request))
+        m_orders.pop_back();
+    m_orders.push_back({std::move(request), std::move(accepted)});
     m_layout.noteChange();
     if (!m_working)
         begin();
@@ -60,10 +61,12 @@ Task<void> OrderQueue::work()
 {
     while (!m_orders.empty()) {
         const std::uint64_t stops = m_stops;
-        Bytes next = std::move(m_orders.front());
+        Order next = std::move(m_orders.front());
         m_orders.pop_front();
-        auto obeying = obey(std::move(next));
+        auto obeying = obey(std::move(next.request));
         const Result<void> obeyed = co_await std::move(obeying).attempt();
+        if (obeyed && next.accepted)
+            next.accepted();
         if (obeyed || stops != m_stops)
             continue;
         m_failed();

@@ -14,8 +14,9 @@ public:
     /// Port and layout outlive it; `failed` stops the motors, because the board did not take an order.
     OrderQueue(Clock &clock, PacketPort &port, BoardLayout &layout, std::function<void()> failed);
 
-    /// A newer target of the same kind for the same axis takes the place of one that has not left yet.
-    void post(Bytes request);
+    /// A newer target of the same kind for the same axis takes the place of one that has not left yet. `accepted` is called when the
+    /// board has taken it.
+    void post(Bytes request, std::function<void()> accepted = {});
     /// The board will tell everything, where it does not.
     void learn();
     /// Nothing that was ordered before is sent any more, not even again.
@@ -26,6 +27,10 @@ public:
     [[nodiscard]] std::optional<Error> takeFailure() { return std::exchange(m_failure, std::nullopt); }
 
 private:
+    struct Order {
+        Bytes request;
+        std::function<void()> accepted;
+    };
     void begin();
     [[nodiscard]] Task<void> work();
     [[nodiscard]] Task<void> obey(Bytes order);
@@ -33,7 +38,7 @@ private:
     PacketPort &m_port;
     BoardLayout &m_layout;
     std::function<void()> m_failed;
-    std::deque<Bytes> m_orders;
+    std::deque<Order> m_orders;
     bool m_working = false;
     bool m_learning = false;
     std::uint64_t m_stops = 0;

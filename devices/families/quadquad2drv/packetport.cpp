@@ -36,10 +36,21 @@ void PacketPort::hear(const Traffic &traffic)
         return;
     m_reader.feed(traffic.bytes);
     while (const auto packet = m_reader.next()) {
+        noteDamage(); // which was before it
         if (m_round && !m_round->reply && packet->id == m_round->id)
             m_round->reply = *packet;
         m_received.notify(*packet, traffic.time);
     }
+    noteDamage();
+}
+
+void PacketPort::noteDamage()
+{
+    const bool isOwed = m_round && !m_round->reply;
+    if (std::exchange(m_bad, m_reader.bad()) != m_reader.bad())
+        m_damage = std::max(m_damage, isOwed ? Damage::Unclear : Damage::OfStream);
+    if (std::exchange(m_strays, m_reader.strays()) != m_reader.strays())
+        m_damage = std::max(m_damage, Damage::Unclear);
 }
 
 Task<void> PacketPort::clockOut(std::size_t bytes)

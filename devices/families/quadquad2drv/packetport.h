@@ -5,6 +5,7 @@
 #include "transport/spilink.h"
 
 #include <functional>
+#include <utility>
 
 namespace mb::quadquad2drv {
 
@@ -30,9 +31,15 @@ public:
     void setLayout(const DataMasks &masks, std::uint8_t streamConfig);
     [[nodiscard]] const DataMasks &masks() const { return m_masks; }
     [[nodiscard]] std::uint8_t streamConfig() const { return m_streamConfig; }
+    /// What came garbled since it was asked for last.
+    enum class Damage : std::uint8_t {
+        None,
+        Unclear, ///< a stream packet, or a reply, or bytes between packets
+        OfStream,
+    };
+    [[nodiscard]] Damage takeDamage() { return std::exchange(m_damage, Damage::None); }
     /// Every packet, in order, with the time its last byte came.
     [[nodiscard]] Listeners<const Packet &, Instant> &received() { return m_received; }
-    [[nodiscard]] std::uint64_t bad() const { return m_reader.bad(); }
 
 private:
     struct Round {
@@ -41,6 +48,7 @@ private:
         Instant deadline{};
     };
     void hear(const Traffic &traffic);
+    void noteDamage();
     [[nodiscard]] Task<Packet> ask(const Bytes &request, const Gate &gate, Duration patience);
     [[nodiscard]] Task<void> listenFor(Round &round, std::size_t expected);
     [[nodiscard]] Task<void> takeWaiting();
@@ -53,6 +61,9 @@ private:
     DataMasks m_masks{datamask::startUp, datamask::startUp, datamask::startUp, datamask::startUp};
     std::uint8_t m_streamConfig = 0;
     Round *m_round = nullptr;
+    std::uint64_t m_bad = 0;    ///< of the reader, as noted
+    std::uint64_t m_strays = 0; ///< the same
+    Damage m_damage = Damage::None;
     Listeners<const Packet &, Instant> m_received;
     Subscription m_traffic;
 };

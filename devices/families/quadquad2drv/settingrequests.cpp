@@ -16,18 +16,52 @@ Readings SettingRequests::readings() const
     return now;
 }
 
-std::int64_t SettingRequests::known(int axis, AxisParameter which)
+std::int64_t SettingRequests::known(int axis, AxisParameter which) const
 {
     const ParameterIndex index = indexOf(axis, which);
     if (const auto raw = m_known.entry(index).raw)
         return *raw;
+    if (which == AxisParameter::LimitPower)
+        return firstPowerLimit;
     const Parameter &row = m_known.parameter(index);
-    const auto raw = static_cast<std::int64_t>(std::llround(row.fallback * row.one));
-    m_known.setWritten(index, raw);
-    return raw;
+    return static_cast<std::int64_t>(std::llround(row.fallback * row.one));
 }
 
-Bytes SettingRequests::group(int axis, AxisParameter which, std::int64_t raw)
+void SettingRequests::assume(int axis, AxisParameter from, AxisParameter to)
+{
+    for (int i = static_cast<int>(from); i <= static_cast<int>(to); ++i) {
+        const auto which = static_cast<AxisParameter>(i);
+        const ParameterIndex index = indexOf(axis, which);
+        if (!m_known.entry(index).raw)
+            m_known.setWritten(index, known(axis, which));
+    }
+}
+
+void SettingRequests::accepted(ParameterIndex index, std::optional<std::int64_t> raw)
+{
+    if (m_known.parameter(index).access != Access::WriteOnly)
+        return;
+    using enum AxisParameter;
+    const int axis = index.value / parametersPerAxis;
+    const auto which = static_cast<AxisParameter>(index.value % parametersPerAxis);
+    if (raw)
+        m_known.setWritten(index, *raw);
+    if (which <= PositionWindup)
+        assume(axis, PositionP, PositionWindup);
+    else if (which <= VelocityD)
+        assume(axis, VelocityP, VelocityD);
+    else if (which == LimitPower)
+        assume(axis, LimitPower, LimitPower);
+    else if (which >= InputMode && which <= InputPosition)
+        assume(axis, InputMode, InputPosition);
+}
+
+void SettingRequests::acceptedAll(int axis)
+{
+    assume(axis, AxisParameter::PositionP, AxisParameter::InputPosition);
+}
+
+Bytes SettingRequests::group(int axis, AxisParameter which, std::int64_t raw) const
 {
     const auto value = [&](AxisParameter other) { return other == which ? raw : known(axis, other); };
     const auto gain = [&](AxisParameter other) { return static_cast<std::uint16_t>(value(other)); };
@@ -45,7 +79,7 @@ Bytes SettingRequests::group(int axis, AxisParameter which, std::int64_t raw)
     return setInputMode(maskOf(axis), input);
 }
 
-Bytes SettingRequests::writeBoard(BoardParameter which, std::uint32_t bits)
+Bytes SettingRequests::writeBoard(BoardParameter which, std::uint32_t bits) const
 {
     const auto length = m_known.entry(indexOf(BoardParameter::HistoryLength)).raw;
     const auto timeBits = m_known.entry(indexOf(BoardParameter::HistoryTimeBits)).raw;
@@ -59,7 +93,7 @@ Bytes SettingRequests::writeBoard(BoardParameter which, std::uint32_t bits)
     return setHistory(static_cast<std::uint8_t>(length.value_or(31)), static_cast<std::uint8_t>(bits));
 }
 
-Bytes SettingRequests::write(ParameterIndex index, std::int64_t raw)
+Bytes SettingRequests::write(ParameterIndex index, std::int64_t raw) const
 {
     const auto bits = static_cast<std::uint32_t>(raw);
     if (isBoard(index))
@@ -76,10 +110,9 @@ Bytes SettingRequests::write(ParameterIndex index, std::int64_t raw)
     }
 }
 
-std::vector<Bytes> SettingRequests::ofAxis(int axis)
+std::vector<Bytes> SettingRequests::ofAxis(int axis) const
 {
     using enum AxisParameter;
-    (void)firstLimit(axis);
     const auto bits = [&](AxisParameter which) { return static_cast<std::uint32_t>(known(axis, which)); };
     return {
         setPowerLimit(maskOf(axis), static_cast<std::uint16_t>(bits(LimitPower))),
@@ -91,7 +124,7 @@ std::vector<Bytes> SettingRequests::ofAxis(int axis)
     };
 }
 
-Bytes SettingRequests::input(int axis)
+Bytes SettingRequests::input(int axis) const
 {
     return group(axis, AxisParameter::InputMode, known(axis, AxisParameter::InputMode));
 }
@@ -102,7 +135,7 @@ bool SettingRequests::takeReadingChange()
     return library != std::exchange(m_libraryPolarity, library);
 }
 
-std::vector<Bytes> SettingRequests::writtenInputs()
+std::vector<Bytes> SettingRequests::writtenInputs() const
 {
     std::vector<Bytes> inputs;
     for (int axis = 0; axis < axes; ++axis) {
@@ -112,12 +145,10 @@ std::vector<Bytes> SettingRequests::writtenInputs()
     return inputs;
 }
 
-std::optional<Bytes> SettingRequests::firstLimit(int axis)
+std::optional<Bytes> SettingRequests::firstLimit(int axis) const
 {
-    const ParameterIndex index = indexOf(axis, AxisParameter::LimitPower);
-    if (m_known.entry(index).raw)
+    if (m_known.entry(indexOf(axis, AxisParameter::LimitPower)).raw)
         return std::nullopt;
-    m_known.setWritten(index, firstPowerLimit);
     return setPowerLimit(maskOf(axis), static_cast<std::uint16_t>(firstPowerLimit));
 }
 

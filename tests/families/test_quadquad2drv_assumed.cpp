@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a board is taken to have because it accepted it, and what not. On virtual time.
+#include "families/quadquad2drv/codec.h"
+#include "families/quadquad2drv/parameters.h"
+#include "support/simulatedsession.h"
+#include "transport/backends/virtualspi.h"
+
+#include <algorithm>
+
+namespace mb::quadquad2drv {
+namespace {
+
+using namespace std::chrono_literals;
+using test::run;
+using test::SimulatedSession;
+
+struct QuadQuad2DrvAssumed : testing::Test {
+    QuadQuad2DrvAssumed()
+        : bench("sim:spi")
+    {
+        bench.scan();
+        device = bench.device(0, "quadquad2drv");
+        heard = bench.link->traffic().add([this](const Traffic &traffic) {
+            if (traffic.direction == Direction::Sent)
+                sent.emplace_back(traffic.bytes.begin(), traffic.bytes.end());
+        });
+        bench.clock.advance(200ms);
+    }
+    void SetUp() override { ASSERT_NE(device, nullptr); }
+    void setLoss(double fraction) { static_cast<VirtualSpiLink &>(*bench.link).setLoss(fraction); }
+    [[nodiscard]] const ParameterStore::Entry &entry(AxisParameter which) const
+    {
+        return device->parameters().entry(indexOf(0, which));
+    }
+    /// Whether the first of these packets went before the second one.
+    [[nodiscard]] bool went(const Bytes &first, const Bytes &second) const
+    {
+        const auto one = std::find(sent.begin(), sent.end(), first);
+        return one != sent.end() && std::find(one, sent.end(), second) != sent.end()
+            && std::find(sent.begin(), one, second) == one;
+    }
+    Result<void> begin()
+    {
+        SetPoint setPoint;
+        setPoint.mode = Mode::Duty;
+        setPoint.target = 0.5;
+        return bench.session.stream(*device).start(setPoint, 10s);
+    }
+    SimulatedSession bench;
+    Device *device = nullptr;
+    std::vector<Bytes> sent;
+    Subscription heard;
+};
+
+TEST_F(QuadQuad2DrvAssumed, AFirstPowerLimitThatAStopOvertookGoesOutWithTheNextStart)
+{
+    ASSERT_TRUE(begin());
+    bench.session.stream(*device).stop();
+    bench.clock.advance(500ms);
+    ASSERT_EQ(std::find(sent.begin(), sent.end(), setPowerLimit(1, 2048)), sent.end()) << "the stop went first";
+    EXPECT_FALSE(entry(AxisParameter::LimitPower).raw);
+    ASSERT_TRUE(begin());
+    bench.clock.advance(100ms);
+    EXPECT_TRUE(went(setPowerLimit(1, 2048), setControlMode(1, ControlMode::Power)));
+    EXPECT_EQ(entry(AxisParameter::LimitPower).raw, 2048);
+    EXPECT_EQ(entry(AxisParameter::LimitPower).state, ParameterState::Assumed);
+}
+
+TEST_F(QuadQuad2DrvAssumed, AFirstPowerLimitThatTheBoardDidNotAcceptGoesOutWithTheNextStart)
+{
+    setLoss(1.0);
+    ASSERT_TRUE(begin());
+    bench.clock.advance(1s);
+    setLoss(0.0);
+    bench.session.stream(*device).stop();
+    bench.clock.advance(1s);
+    EXPECT_FALSE(entry(AxisParameter::LimitPower).raw);
+    sent.clear();
+    (void)begin(); // tells why the motion before it ended
+    bench.clock.advance(500ms);
+    if (!bench.session.stream(*device).isRunning()) {
+        ASSERT_TRUE(begin());
+        bench.clock.advance(100ms);
+    }
+    EXPECT_TRUE(went(setPowerLimit(1, 2048), setControlMode(1, ControlMode::Power)));
+}
+
+TEST_F(QuadQuad2DrvAssumed, AFirstPowerLimitThatWasAcceptedIsNotSentAgain)
+{
+    ASSERT_TRUE(begin());
+    bench.clock.advance(100ms);
+    bench.session.stream(*device).stop();
+    bench.clock.advance(500ms);
+    sent.clear();
+    ASSERT_TRUE(begin());
+    bench.clock.advance(100ms);
+    EXPECT_EQ(std::find(sent.begin(), sent.end(), setPowerLimit(1, 2048)), sent.end());
+}
+
+TEST_F(QuadQuad2DrvAssumed, TheOthersOfAGroupThatTheBoardDidNotAcceptStayUnknown)
+{
+    ASSERT_TRUE(run(bench.clock, device->write(indexOf(0, AxisParameter::LimitPower), 3000)));
+    setLoss(1.0);
+    EXPECT_FALSE(run(bench.clock, device->write(indexOf(0, AxisParameter::VelocityP), 250)));
+    setLoss(0.0);
+    EXPECT_FALSE(entry(AxisParameter::VelocityI).raw);
+    EXPECT_FALSE(entry(AxisParameter::VelocityD).raw);
+    ASSERT_TRUE(run(bench.clock, device->write(indexOf(0, AxisParameter::VelocityP), 250)));
+    EXPECT_EQ(entry(AxisParameter::VelocityP).raw, 250);
+    EXPECT_EQ(entry(AxisParameter::VelocityI).raw, 200);
+    EXPECT_EQ(entry(AxisParameter::VelocityD).raw, 500);
+}
+
+} // namespace
+} // namespace mb::quadquad2drv
