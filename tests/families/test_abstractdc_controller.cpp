@@ -171,6 +171,7 @@ TEST_F(AbstractDcController, AnOutputThatWrapsStopsTheMotor)
     ASSERT_TRUE(device->command(setPoint(Mode::Velocity, 900.0)));
     sent.clear();
     ASSERT_TRUE(clock.runUntil([this] { return !sentOf("067#00").empty(); }, 10s)) << "though nobody commands it again";
+    clock.advance(1ms);
     EXPECT_FALSE(drive.isOutputOn());
 }
 

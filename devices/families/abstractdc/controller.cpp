@@ -81,7 +81,7 @@ void Controller::speak()
     if (dialect == m_logs.dialect() && m_logs.isHeard())
         return;
     if (dialect != m_logs.dialect())
-        enter(std::nullopt);
+        enter(std::nullopt, clock().now());
     m_logs.speak(dialect, identity().address);
 }
 
@@ -125,7 +125,7 @@ Message Controller::caution(const SetPoint &setPoint) const
     if (!command || knowsGains(parameters(), command->loop))
         return {};
     const double lead = LeadProbe().most();
-    if (std::abs(command->target - m_logs.feedback(command->loop).value_or(0.0)) <= lead)
+    if (std::abs(command->target - m_logs.feedback(command->loop, command->target).value_or(0.0)) <= lead)
         return {};
     if (m_logs.dialect() && m_logs.dialect()->has(Log::Voltage))
         return say("the gains of this loop are not known here, so its target begins within %1 of where it is, and goes "
@@ -152,7 +152,7 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
         m_lead.reset();
         m_probe.reset();
     }
-    const auto feedback = m_logs.feedback(command->loop);
+    const auto feedback = m_logs.feedback(command->loop, command->target);
     const std::int32_t target = m_lead.next(
         *command, setPoint.ramp, feedback, greatestError(parameters(), command->loop, m_probe.most()), now);
     const bool news = m_logs.loop() != command->loop || !m_ours || target != m_sentTarget;
@@ -166,7 +166,7 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
     m_sentAt = now;
     m_ours = true;
     m_probe.sent(std::abs(target - feedback.value_or(0.0)) + 1.0 >= m_probe.most(), now);
-    enter(command->loop);
+    enter(command->loop, now);
     const double perCount
         = command->loop == Loop::Current ? knowledge().profile().calibrated(calibration::amperes, 1.0) : 1.0;
     telemetry()->append(
@@ -193,7 +193,7 @@ void Controller::sendStop()
     (void)m_can.send(frames.at(own));
     m_lead.reset();
     telemetry()->breakLine(channel::setPoint);
-    enter(Loop::None);
+    enter(Loop::None, clock().now());
     m_ours = false;
 }
 
@@ -229,9 +229,9 @@ bool Controller::isSeenStopped() const
 
 // What the bus tells
 
-void Controller::enter(std::optional<Loop> loop)
+void Controller::enter(std::optional<Loop> loop, Instant time)
 {
-    if (m_logs.enter(loop))
+    if (m_logs.enter(loop, time))
         updateLiveness();
 }
 
@@ -247,7 +247,7 @@ void Controller::onFrame(const CanFrame &frame, bool ours)
         m_foreignAt = isTaken ? std::optional<Instant>(frame.time) : std::nullopt;
         if (ours && !driven)
             m_logs.output().release();
-        enter(*loop);
+        enter(*loop, frame.time);
         updateLiveness();
     } else if (const auto settings = decodeSettings(*m_logs.dialect(), identity().address, frame)) {
         if (const auto index = parameterOf(settings->loop, settings->field))
@@ -269,7 +269,7 @@ void Controller::onSilence()
 {
     m_debt.silent(m_can.state() == LinkState::Open, m_logs.motion().position());
     m_logs.forget();
-    enter(std::nullopt);
+    enter(std::nullopt, clock().now());
     for (std::uint16_t i = 0; i < telemetry()->channels().size(); ++i)
         telemetry()->breakLine({i});
     updateLiveness();

@@ -47,7 +47,7 @@ private:
     // What the bus tells, and what follows from it
     [[nodiscard]] LogSense::Owner owner();
     void speak();
-    void enter(std::optional<Loop> loop);
+    void enter(std::optional<Loop> loop, Instant time);
     void sendStop();
     void onFrame(const CanFrame &frame, bool ours);
     void onSent(const CanFrame &frame);
