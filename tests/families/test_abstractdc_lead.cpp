@@ -89,6 +89,5 @@ TEST_F(AbstractDcLead, WhereItsFirstSetPointWasLostASecondRunIsNotLedFromTheFirs
         clock.advance(3s);
     }
 }
-
 } // namespace
 } // namespace mb::abstractdc

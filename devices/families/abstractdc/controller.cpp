@@ -64,6 +64,7 @@ LogSense::Owner Controller::owner()
 {
     return {
         .located = [this](std::int32_t position) { m_debt.heard(position); },
+        .restarted = [this] { onRestart(); },
         .wrapped =
             [this] {
                 if (m_ours)
@@ -270,9 +271,28 @@ void Controller::onSilence()
     m_debt.silent(m_can.state() == LinkState::Open, m_logs.motion().position());
     m_logs.forget();
     enter(std::nullopt, clock().now());
+    breakLines();
+    updateLiveness();
+}
+
+/// It is off, and counts from 0: what it was driven to is not there any more (README.md#restarts).
+void Controller::onRestart()
+{
+    breakLines();
+    if (m_can.address().isRecording())
+        return;
+    m_restarted = true;
+    if (m_ours)
+        sendStop();
+    else
+        enter(Loop::None, clock().now());
+    updateLiveness();
+}
+
+void Controller::breakLines()
+{
     for (std::uint16_t i = 0; i < telemetry()->channels().size(); ++i)
         telemetry()->breakLine({i});
-    updateLiveness();
 }
 
 void Controller::updateLiveness()
@@ -285,6 +305,7 @@ void Controller::updateLiveness()
     if (const auto loop = m_logs.loop())
         now.mode = modeOf(*loop);
     now.foreignMaster = m_foreignAt.has_value();
+    now.restarted = m_restarted;
     now.faults = m_logs.output().faults();
     setLiveness(now);
 }
@@ -300,6 +321,11 @@ Task<void> Controller::refresh()
     for (auto &&saves : m_desk.saves())
         known.descriptors.emplace_back(std::move(saves));
     setIdentity(std::move(known));
+    if (m_restarted)
+        knowledge().setProfile(
+            DeviceProfile(knowledge().profile())); // who forgets everything knows again what was saved
+    m_restarted = false;
+    updateLiveness();
     co_return {};
 }
 

@@ -171,10 +171,13 @@ void LogSense::take(Log log, std::int32_t value, Instant time)
 void LogSense::takePosition(std::int32_t value, Instant time)
 {
     m_owner.located(value);
-    if (m_motion.add(value, time)) { // a glitch
+    const MotionSense::Reading reading = m_motion.add(value, time);
+    if (reading == MotionSense::Reading::Glitch) {
         m_telemetry->lost(channel::position, 1);
         return;
     }
+    if (reading == MotionSense::Reading::Anew)
+        m_owner.restarted();
     m_telemetry->append({channel::position, time, static_cast<double>(value)});
     if (isFresh(Log::Velocity))
         return; // the drive measures it itself

@@ -17,6 +17,7 @@ public:
     /// What follows from the logs.
     struct Owner {
         std::function<void(std::int32_t)> located;         ///< counts, before it is judged and recorded
+        std::function<void()> restarted;                   ///< it counts from 0 again: MotionSense
         std::function<void()> wrapped;                     ///< the output has turned to full reverse: OutputWatch
         std::function<void(std::int32_t, Instant)> output; ///< of the loop that runs, PWM units
         std::function<void()> silent;                      ///< several questions in a row have had no answer
