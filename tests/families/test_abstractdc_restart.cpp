@@ -103,5 +103,21 @@ TEST_F(AbstractDcController, AnOutputThatHadWrappedDoesNotEndTheNextRun)
     EXPECT_GT(drive.speed(), 10.0);
     stream.stop();
 }
+
+TEST_F(AbstractDcController, WhatAnotherMasterDrivesIsItsUntilItIsStopped)
+{
+    add("abstractdc:3");
+    open(3, &dialectF);
+    VirtualCanLink master(*LinkAddress::parse("sim:can"), bus);
+    ASSERT_TRUE(master.open());
+    ASSERT_TRUE(master.send(*canFrameFromText("067#0300000000"))); // stays where it is
+    clock.advance(20s);
+    EXPECT_TRUE(device->liveness().foreignMaster) << "it holds the shaft for ever";
+    EXPECT_FALSE(device->mayMove());
+    device->stop();
+    clock.advance(3s);
+    EXPECT_FALSE(device->liveness().foreignMaster);
+    EXPECT_TRUE(device->mayMove());
+}
 } // namespace
 } // namespace mb::abstractdc

@@ -297,7 +297,8 @@ void Controller::breakLines()
 
 void Controller::updateLiveness()
 {
-    if (m_foreignAt && clock().now() - *m_foreignAt > foreignMemory && !m_logs.isMoving())
+    const bool isHeldByOther = m_logs.isDriven() && !m_ours; // for ever, also where it stands (README.md#no-watchdog)
+    if (m_foreignAt && clock().now() - *m_foreignAt > foreignMemory && !m_logs.isMoving() && !isHeldByOther)
         m_foreignAt.reset();
     Liveness now;
     now.heard = m_logs.isHeard();
