@@ -89,5 +89,38 @@ TEST_F(AbstractDcLead, WhereItsFirstSetPointWasLostASecondRunIsNotLedFromTheFirs
         clock.advance(3s);
     }
 }
+
+TEST_F(AbstractDcLead, ALongStepOfAPositionStaysWithinWhatItsDampingCarries)
+{
+    Simulator &drive = add("abstractdc:3,gains=default");
+    open(3, &dialectF);
+    gains("position", 1, -10);
+    SetPointStream stream(*device, clock);
+    ASSERT_TRUE(stream.start(setPoint(Mode::Position, 60'000.0), 60s));
+    EXPECT_GE(slowest(drive, 1s), 0.0) << "full reverse: 32 000 and 16 000 more by D do not fit into 16 bits";
+    EXPECT_TRUE(stream.isRunning()) << stream.reason().english();
+    EXPECT_GT(drive.position(), 100.0);
+    EXPECT_EQ(sentOf("067#03").front(), "067#03F3050000")
+        << "1523, 32000 / (1 + 2 * 10): a first pass may be 1 ms long";
+    ASSERT_TRUE(stream.update(setPoint(Mode::Position, -60'000.0)));
+    clock.advance(3s);
+    EXPECT_TRUE(stream.isRunning()) << stream.reason().english();
+    EXPECT_LT(drive.speed(), 0.0);
+    stream.stop();
+}
+
+TEST_F(AbstractDcLead, GainsAreNotKnownUntilTheirDampingIs)
+{
+    add("abstractdc:3,gains=default");
+    open(3, &dialectF);
+    ASSERT_TRUE(write("position.divisor", 1));
+    ASSERT_TRUE(write("position.p", 1));
+    EXPECT_FALSE(device->caution(setPoint(Mode::Position, 1001.0)).empty());
+    ASSERT_TRUE(device->command(setPoint(Mode::Position, 60'000.0)));
+    EXPECT_EQ(sentOf("067#03").back(), "067#03E8030000") << "1000";
+    device->stop();
+    ASSERT_TRUE(write("position.d", 0));
+    EXPECT_TRUE(device->caution(setPoint(Mode::Position, 1001.0)).empty());
+}
 } // namespace
 } // namespace mb::abstractdc

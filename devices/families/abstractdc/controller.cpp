@@ -130,10 +130,10 @@ Message Controller::caution(const SetPoint &setPoint) const
         return {};
     if (m_logs.dialect() && m_logs.dialect()->has(Log::Voltage))
         return say("the gains of this loop are not known here, so its target begins within %1 of where it is, and goes "
-                   "further as its output is seen to allow it; write its p and divisor once",
+                   "further as its output is seen to allow it; write its p, d and divisor once",
             lead);
     return say("the gains of this loop are not known here, so its target stays within %1 of where it is: a weak loop "
-               "may not move it; write its p and divisor once",
+               "may not move it; write its p, d and divisor once",
         lead);
 }
 
@@ -154,8 +154,9 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
         m_probe.reset();
     }
     const auto feedback = m_logs.feedback(command->loop, command->target);
-    const std::int32_t target = m_lead.next(
-        *command, setPoint.ramp, feedback, greatestError(parameters(), command->loop, m_probe.most()), now);
+    const bool hasPassed = m_ours && m_logs.loop() == command->loop && m_logs.hasPassed(now);
+    const double most = greatestError(parameters(), command->loop, hasPassed, m_probe.most());
+    const std::int32_t target = m_lead.next(*command, setPoint.ramp, feedback, most, now);
     const bool news = m_logs.loop() != command->loop || !m_ours || target != m_sentTarget;
     // At low bit rates set-points would fill the wire: then a newer one waits for the next call.
     const Duration spacing = news ? 2 * roundTrip(m_can) : std::max<Duration>(repeatPeriod, 10 * roundTrip(m_can));
