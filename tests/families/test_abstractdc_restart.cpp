@@ -83,6 +83,64 @@ TEST_F(AbstractDcRestart, IsNotSeenInAMotorThatPassesItsZero)
     stream.stop();
 }
 
+TEST_F(AbstractDcRestart, TakesWhatWasWrittenAndNotSaved)
+{
+    Simulator &unit = add("abstractdc:3");
+    open(3, &dialectF);
+    ASSERT_TRUE(write("velocity.p", 4));
+    ASSERT_TRUE(write("velocity.divisor", 3));
+    ASSERT_TRUE(store());
+    ASSERT_TRUE(write("velocity.p", 5));
+    powerCycle(unit);
+    EXPECT_FALSE(device->parameters().entry(index("velocity.p")).raw) << "the flash has 4, if nobody else wrote it";
+    EXPECT_TRUE(device->knowledge().profile().lost.contains("velocity.p"));
+    EXPECT_EQ(device->parameters().entry(index("velocity.divisor")).raw, 3) << "saved";
+    EXPECT_FALSE(device->knowledge().profile().lost.contains("velocity.divisor"));
+    ASSERT_TRUE(write("velocity.p", 5));
+    EXPECT_FALSE(device->knowledge().profile().lost.contains("velocity.p"));
+    ASSERT_TRUE(store());
+    powerCycle(unit);
+    EXPECT_EQ(device->parameters().entry(index("velocity.p")).raw, 5) << "saved, too";
+}
+
+TEST_F(AbstractDcRestart, TakesWhatAnotherRunWroteAndWhatAnotherMasterWrote)
+{
+    Simulator &unit = add("abstractdc:3");
+    open(3, &dialectF);
+    ASSERT_TRUE(write("velocity.p", 5));
+    ASSERT_TRUE(write("position.p", 6));
+    ASSERT_TRUE(store());
+    ASSERT_TRUE(write("velocity.p", 7));
+    const DeviceProfile kept = device->knowledge().profile();
+    open(3, &dialectF);
+    device->knowledge().setProfile(kept);
+    VirtualCanLink master(*LinkAddress::parse("sim:can"), bus);
+    ASSERT_TRUE(master.open());
+    ASSERT_TRUE(master.send(*canFrameFromText("0CB#030040420F00")));
+    clock.advance(5ms);
+    powerCycle(unit);
+    EXPECT_FALSE(device->parameters().entry(index("velocity.p")).raw);
+    EXPECT_FALSE(device->parameters().entry(index("position.p")).raw);
+}
+
+TEST_F(AbstractDcRestart, IsNoCableThatWasOut)
+{
+    add("abstractdc:3");
+    open(3, &dialectF);
+    ASSERT_TRUE(device->command(setPoint(Mode::Duty, 0.3)));
+    clock.advance(2s);
+    device->stop();
+    clock.advance(2s);
+    ASSERT_TRUE(write("velocity.p", 5));
+    bus.setLoss(1.0);
+    clock.advance(2s);
+    bus.setLoss(0.0);
+    clock.advance(2s);
+    ASSERT_TRUE(device->liveness().heard);
+    EXPECT_FALSE(device->liveness().restarted);
+    EXPECT_EQ(device->parameters().entry(index("velocity.p")).raw, 5);
+}
+
 TEST_F(AbstractDcController, AnOutputThatHadWrappedDoesNotEndTheNextRun)
 {
     Simulator &drive = add("abstractdc:3,gains=default");
@@ -119,5 +177,37 @@ TEST_F(AbstractDcController, WhatAnotherMasterDrivesIsItsUntilItIsStopped)
     EXPECT_FALSE(device->liveness().foreignMaster);
     EXPECT_TRUE(device->mayMove());
 }
+
+TEST_F(AbstractDcController, ASaveThatWasNotAnsweredIsStillOwed)
+{
+    test::FakeUnit unit(bus, clock);
+    unit.answer("387#01", {{"403#00000000"}});
+    open(3, &dialectF);
+    ASSERT_TRUE(write("velocity.p", 5));
+    unit.answer("387#01", {{}});
+    NoProgress progress;
+    ASSERT_FALSE(test::run(clock, device->store(progress)));
+    EXPECT_EQ(unit.count("0CB#01"), 1);
+    unit.answer("387#01", {{"403#00000000"}});
+    ASSERT_TRUE(test::run(clock, device->store(progress)));
+    EXPECT_EQ(unit.count("0CB#01"), 2) << "the first may not have come";
+    ASSERT_TRUE(test::run(clock, device->store(progress)));
+    EXPECT_EQ(unit.count("0CB#01"), 2) << "saved";
+}
+
+TEST_F(AbstractDcController, WhatAnotherRunOfTheProgramDidNotSaveIsSaved)
+{
+    add("abstractdc:3");
+    open(3, &dialectF);
+    ASSERT_TRUE(write("velocity.p", 5));
+    const DeviceProfile kept = device->knowledge().profile();
+    open(3, &dialectF);
+    device->knowledge().setProfile(kept);
+    NoProgress progress;
+    ASSERT_TRUE(test::run(clock, device->store(progress)));
+    EXPECT_EQ(sentOf("0CB#01").size(), 1U);
+    EXPECT_TRUE(happened("settings-saved"));
+}
+
 } // namespace
 } // namespace mb::abstractdc

@@ -63,7 +63,11 @@ Controller::Controller(const Family &family, CanLink &link, Clock &clock, Identi
 LogSense::Owner Controller::owner()
 {
     return {
-        .located = [this](std::int32_t position) { m_debt.heard(position); },
+        .located =
+            [this](std::int32_t position) {
+                if (m_debt.heard(position))
+                    m_desk.restarted();
+            },
         .restarted = [this] { onRestart(); },
         .wrapped =
             [this] {
@@ -252,8 +256,10 @@ void Controller::onFrame(const CanFrame &frame, bool ours)
         enter(*loop, frame.time);
         updateLiveness();
     } else if (const auto settings = decodeSettings(*m_logs.dialect(), identity().address, frame)) {
-        if (const auto index = parameterOf(settings->loop, settings->field))
+        if (const auto index = parameterOf(settings->loop, settings->field)) {
             knowledge().assume(*index, settings->value);
+            m_desk.written(*index);
+        }
     }
 }
 
@@ -283,6 +289,7 @@ void Controller::onRestart()
     if (m_can.address().isRecording())
         return;
     m_restarted = true;
+    m_desk.restarted();
     if (m_ours)
         sendStop();
     else
