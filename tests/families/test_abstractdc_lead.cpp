@@ -122,5 +122,24 @@ TEST_F(AbstractDcLead, GainsAreNotKnownUntilTheirDampingIs)
     ASSERT_TRUE(write("position.d", 0));
     EXPECT_TRUE(device->caution(setPoint(Mode::Position, 1001.0)).empty());
 }
+
+TEST_F(AbstractDcLead, ASecondJumpOfAPositionIsBelievedOnlyWhereTheFirstWas)
+{
+    test::FakeUnit unit(bus, clock);
+    std::vector<test::FakeUnit::Frames> positions(10, {"483#E8030000"}); // 1000
+    positions.push_back({"483#E7030100"});                               // 66 535
+    positions.push_back({"483#E903FFFF"});                               // -64 535
+    positions.push_back({"483#E8030000"});
+    unit.answer("387#00", positions);
+    open(3, &dialectF);
+    clock.advance(2s);
+    device->telemetry()->commit();
+    const auto seen = device->telemetry()->extremes(channel("position"), Instant{}, clock.now());
+    ASSERT_TRUE(seen);
+    EXPECT_EQ(seen->low, 1000.0);
+    EXPECT_EQ(seen->high, 1000.0);
+    EXPECT_EQ(device->telemetry()->lost(channel("position")), 2U);
+}
+
 } // namespace
 } // namespace mb::abstractdc

@@ -27,7 +27,7 @@ MotionSense::Reading MotionSense::add(std::int32_t position, Instant time)
 {
     const Seen seen{position, time};
     if (isJump(position, time)) {
-        if (!m_doubtful) {
+        if (!isWhereDoubted(position, time)) {
             m_doubtful = seen;
             ++m_glitches;
             return Reading::Glitch;
@@ -54,6 +54,16 @@ bool MotionSense::isJump(std::int32_t position, Instant time) const
     const double slack = glitchTolerance + std::abs(speed) * seconds(time - last.time);
     const double off = std::abs(position - expected);
     return std::abs(off - wrapLoss) < std::min(slack, 30000.0);
+}
+
+/// A jump to another place than the one before is one more glitch.
+bool MotionSense::isWhereDoubted(std::int32_t position, Instant time) const
+{
+    if (!m_doubtful)
+        return false;
+    const double speed = m_seen.empty() ? 0.0 : velocity(m_seen.back().time).value_or(0.0);
+    const double way = speed * seconds(time - m_doubtful->time);
+    return std::abs(position - (m_doubtful->position + way)) < glitchTolerance + std::abs(way);
 }
 
 bool MotionSense::isAnew(std::int32_t position, Instant time) const

@@ -38,6 +38,7 @@ private:
         Instant time{};
     };
     [[nodiscard]] bool isJump(std::int32_t position, Instant time) const;
+    [[nodiscard]] bool isWhereDoubted(std::int32_t position, Instant time) const;
     [[nodiscard]] bool isAnew(std::int32_t position, Instant time) const;
     void take(const Seen &seen);
 
