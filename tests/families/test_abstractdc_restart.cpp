@@ -178,6 +178,26 @@ TEST_F(AbstractDcController, WhatAnotherMasterDrivesIsItsUntilItIsStopped)
     EXPECT_TRUE(device->mayMove());
 }
 
+TEST_F(AbstractDcController, WhatWasSentButNotAnsweredLeavesASettingUnknown)
+{
+    Simulator &drive = add("abstractdc:3");
+    open(3, &dialectF);
+    ASSERT_TRUE(write("velocity.p", 5));
+    drive.setPowered(false);
+    EXPECT_EQ(write("velocity.p", 6).error().fault, Fault::Timeout);
+    EXPECT_FALSE(device->parameters().entry(index("velocity.p")).raw) << "5 or 6";
+    EXPECT_EQ(device->parameters().entry(index("velocity.p")).state, ParameterState::Failed);
+    EXPECT_TRUE(device->knowledge().profile().lost.contains("velocity.p"));
+    EXPECT_EQ(write("velocity.divisor", 0).error().fault, Fault::OutOfRange);
+    drive.setPowered(true);
+    clock.advance(1s);
+    ASSERT_TRUE(write("velocity.p", 6));
+    EXPECT_EQ(device->parameters().entry(index("velocity.p")).raw, 6);
+    host.close();
+    EXPECT_EQ(write("velocity.p", 7).error().fault, Fault::LinkLost);
+    EXPECT_EQ(device->parameters().entry(index("velocity.p")).raw, 6) << "nothing was sent";
+}
+
 TEST_F(AbstractDcController, ASaveThatWasNotAnsweredIsStillOwed)
 {
     test::FakeUnit unit(bus, clock);
