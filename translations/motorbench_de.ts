@@ -16072,8 +16072,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>die Verstärkung hatte nichts, worauf sie wirkt</translation>
     </message>
     <message>
-        <source>the gains of this loop are not known here, so its target stays within %1 of where it is: a weak loop may not move it; write its p and divisor once</source>
-        <translation>die Verstärkungen dieses Reglers sind hier unbekannt, sein Ziel bleibt also innerhalb %1 von seinem Ort: ein schwacher Regler bewegt ihn vielleicht nicht; einmal p und divisor schreiben</translation>
+        <source>the gains of this loop are not known here, so its target stays within %1 of where it is: a weak loop may not move it; write its p, d and divisor once</source>
+        <translation>die Verstärkungen dieses Reglers sind hier unbekannt, sein Ziel bleibt also innerhalb %1 von seinem Ort: ein schwacher Regler bewegt ihn vielleicht nicht; einmal p, d und divisor schreiben</translation>
     </message>
     <message>
         <source>the gains stored in the drive are erased; all its loops do nothing until they are written again</source>
@@ -17892,8 +17892,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>die Verstärkungen der Achse %1 sind hier unbekannt: sie behält am Ende die, mit denen die Platine startet</translation>
     </message>
     <message>
-        <source>the gains of this loop are not known here, so its target begins within %1 of where it is, and goes further as its output is seen to allow it; write its p and divisor once</source>
-        <translation>die Verstärkungen dieses Reglers sind hier unbekannt, sein Ziel beginnt also innerhalb %1 von seinem Ort und geht weiter, sobald seine Ausgabe es sichtlich erlaubt; einmal p und divisor schreiben</translation>
+        <source>the gains of this loop are not known here, so its target begins within %1 of where it is, and goes further as its output is seen to allow it; write its p, d and divisor once</source>
+        <translation>die Verstärkungen dieses Reglers sind hier unbekannt, sein Ziel beginnt also innerhalb %1 von seinem Ort und geht weiter, sobald seine Ausgabe es sichtlich erlaubt; einmal p, d und divisor schreiben</translation>
     </message>
     <message>
         <source>write &quot;value&quot; or &quot;raw&quot;</source>

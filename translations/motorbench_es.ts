@@ -16260,8 +16260,8 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>las ganancias halladas con distintos valores no concuerdan; una ganancia no es un simple factor</translation>
     </message>
     <message>
-        <source>the gains of this loop are not known here, so its target stays within %1 of where it is: a weak loop may not move it; write its p and divisor once</source>
-        <translation>aquí no se conocen las ganancias de este lazo, así que su destino queda a menos de %1 de donde está: un lazo débil puede no moverlo; escriba una vez su p y su divisor</translation>
+        <source>the gains of this loop are not known here, so its target stays within %1 of where it is: a weak loop may not move it; write its p, d and divisor once</source>
+        <translation>aquí no se conocen las ganancias de este lazo, así que su destino queda a menos de %1 de donde está: un lazo débil puede no moverlo; escriba una vez su p, su d y su divisor</translation>
     </message>
     <message>
         <source>the gains stored in the drive are erased; all its loops do nothing until they are written again</source>
@@ -17892,8 +17892,8 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>aquí no se conocen las ganancias del eje %1: al final quedará con aquellas con las que arranca la placa</translation>
     </message>
     <message>
-        <source>the gains of this loop are not known here, so its target begins within %1 of where it is, and goes further as its output is seen to allow it; write its p and divisor once</source>
-        <translation>aquí no se conocen las ganancias de este lazo, así que su destino empieza a menos de %1 de donde está, y avanza a medida que se ve que su salida lo permite; escriba una vez su p y su divisor</translation>
+        <source>the gains of this loop are not known here, so its target begins within %1 of where it is, and goes further as its output is seen to allow it; write its p, d and divisor once</source>
+        <translation>aquí no se conocen las ganancias de este lazo, así que su destino empieza a menos de %1 de donde está, y avanza a medida que se ve que su salida lo permite; escriba una vez su p, su d y su divisor</translation>
     </message>
     <message>
         <source>write &quot;value&quot; or &quot;raw&quot;</source>

@@ -16260,8 +16260,8 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>les gains trouvés à différentes valeurs ne concordent pas&#xa0;: un gain n’est donc pas un simple facteur</translation>
     </message>
     <message>
-        <source>the gains of this loop are not known here, so its target stays within %1 of where it is: a weak loop may not move it; write its p and divisor once</source>
-        <translation>les gains de cette boucle ne sont pas connus ici, sa cible reste donc à moins de %1 de sa position&#xa0;: une boucle faible ne le déplacera peut-être pas&#x202f;; écrivez une fois son p et son divisor</translation>
+        <source>the gains of this loop are not known here, so its target stays within %1 of where it is: a weak loop may not move it; write its p, d and divisor once</source>
+        <translation>les gains de cette boucle ne sont pas connus ici, sa cible reste donc à moins de %1 de sa position&#xa0;: une boucle faible ne le déplacera peut-être pas&#x202f;; écrivez une fois son p, son d et son divisor</translation>
     </message>
     <message>
         <source>the gains stored in the drive are erased; all its loops do nothing until they are written again</source>
@@ -17892,8 +17892,8 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>les gains de l’axe %1 ne sont pas connus ici&#xa0;: il gardera à la fin ceux avec lesquels la carte démarre</translation>
     </message>
     <message>
-        <source>the gains of this loop are not known here, so its target begins within %1 of where it is, and goes further as its output is seen to allow it; write its p and divisor once</source>
-        <translation>les gains de cette boucle ne sont pas connus ici, sa cible commence donc à moins de %1 de sa position, et s’éloigne à mesure que sa sortie le permet&#x202f;; écrivez une fois son p et son divisor</translation>
+        <source>the gains of this loop are not known here, so its target begins within %1 of where it is, and goes further as its output is seen to allow it; write its p, d and divisor once</source>
+        <translation>les gains de cette boucle ne sont pas connus ici, sa cible commence donc à moins de %1 de sa position, et s’éloigne à mesure que sa sortie le permet&#x202f;; écrivez une fois son p, son d et son divisor</translation>
     </message>
     <message>
         <source>write &quot;value&quot; or &quot;raw&quot;</source>

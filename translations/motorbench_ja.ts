@@ -16246,8 +16246,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>異なる値で求めたゲインが一致しません。ゲインは単純な係数ではありません</translation>
     </message>
     <message>
-        <source>the gains of this loop are not known here, so its target stays within %1 of where it is: a weak loop may not move it; write its p and divisor once</source>
-        <translation>この制御ループのゲインが不明なため、目標は現在位置から %1 以内とします: 弱いループでは動かないことがあります。p と divisor を一度書き込んでください</translation>
+        <source>the gains of this loop are not known here, so its target stays within %1 of where it is: a weak loop may not move it; write its p, d and divisor once</source>
+        <translation>この制御ループのゲインが不明なため、目標は現在位置から %1 以内とします: 弱いループでは動かないことがあります。p、d と divisor を一度書き込んでください</translation>
     </message>
     <message>
         <source>the gains stored in the drive are erased; all its loops do nothing until they are written again</source>
@@ -17878,8 +17878,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>軸 %1 のゲインが不明です: 終了後はボードの起動時の値のままになります</translation>
     </message>
     <message>
-        <source>the gains of this loop are not known here, so its target begins within %1 of where it is, and goes further as its output is seen to allow it; write its p and divisor once</source>
-        <translation>この制御ループのゲインが不明なため、目標は現在位置から %1 以内で始め、出力に余裕があることを確認しながら広げます。p と divisor を一度書き込んでください</translation>
+        <source>the gains of this loop are not known here, so its target begins within %1 of where it is, and goes further as its output is seen to allow it; write its p, d and divisor once</source>
+        <translation>この制御ループのゲインが不明なため、目標は現在位置から %1 以内で始め、出力に余裕があることを確認しながら広げます。p、d と divisor を一度書き込んでください</translation>
     </message>
     <message>
         <source>write &quot;value&quot; or &quot;raw&quot;</source>

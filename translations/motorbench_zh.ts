@@ -16246,8 +16246,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>在不同值下求得的增益不一致，因此增益并非简单的比例系数</translation>
     </message>
     <message>
-        <source>the gains of this loop are not known here, so its target stays within %1 of where it is: a weak loop may not move it; write its p and divisor once</source>
-        <translation>此处不知道此回路的增益，因此其目标保持在当前位置的 %1 以内：弱回路可能无法使其运动；请写入一次其 p 和 divisor</translation>
+        <source>the gains of this loop are not known here, so its target stays within %1 of where it is: a weak loop may not move it; write its p, d and divisor once</source>
+        <translation>此处不知道此回路的增益，因此其目标保持在当前位置的 %1 以内：弱回路可能无法使其运动；请写入一次其 p、d 和 divisor</translation>
     </message>
     <message>
         <source>the gains stored in the drive are erased; all its loops do nothing until they are written again</source>
@@ -17878,8 +17878,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>此处不知道轴 %1 的增益：结束后将保留板启动时的增益</translation>
     </message>
     <message>
-        <source>the gains of this loop are not known here, so its target begins within %1 of where it is, and goes further as its output is seen to allow it; write its p and divisor once</source>
-        <translation>此处不知道此回路的增益，因此其目标从当前位置的 %1 以内开始，并在看到其输出允许时逐步放远；请写入一次其 p 和 divisor</translation>
+        <source>the gains of this loop are not known here, so its target begins within %1 of where it is, and goes further as its output is seen to allow it; write its p, d and divisor once</source>
+        <translation>此处不知道此回路的增益，因此其目标从当前位置的 %1 以内开始，并在看到其输出允许时逐步放远；请写入一次其 p、d 和 divisor</translation>
     </message>
     <message>
         <source>write &quot;value&quot; or &quot;raw&quot;</source>

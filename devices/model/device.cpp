@@ -91,8 +91,13 @@ Task<std::int64_t> Device::write(ParameterIndex index, std::int64_t raw)
     const Parameter &parameter = m_parameters.parameter(index);
     if (parameter.access == Access::ReadOnly)
         co_return fail(Fault::OutOfRange, say("%1 is read-only", parameter.key));
+    const bool wasOpen = m_link.state() == LinkState::Open;
     auto task = doWrite(index, raw);
     const Result<std::int64_t> inForce = co_await std::move(task).attempt();
+    const bool isOpenWhich // of the two values: the order may have come
+        = !inForce && wasOpen && (inForce.error().fault == Fault::Timeout || inForce.error().fault == Fault::LinkLost);
+    if (isOpenWhich && parameter.access == Access::WriteOnly)
+        m_knowledge.doubt(index, ParameterState::Failed);
     const bool forgotten = !family().capabilities.keepsSettings && parameter.nature == Nature::Setting;
     if (inForce && (parameter.access == Access::WriteOnly || forgotten))
         m_knowledge.assume(index, *inForce);

@@ -117,6 +117,15 @@ void DeviceKnowledge::assume(ParameterIndex index, std::int64_t raw)
     m_changed.notify();
 }
 
+void DeviceKnowledge::doubt(ParameterIndex index, ParameterState state)
+{
+    m_parameters.forget(index, state);
+    const std::string key(m_parameters.parameter(index).key);
+    if (m_profile->written.contains(key))
+        m_profile.edit().lost.insert(key);
+    m_changed.notify();
+}
+
 void DeviceKnowledge::settingsLost()
 {
     m_parameters.forgetAll();

@@ -38,6 +38,8 @@ public:
 
     /// A write-only parameter is known to have been set to this, by us or by somebody we heard.
     void assume(ParameterIndex index, std::int64_t raw);
+    /// It may have another value now: a restart took what was not saved, or an order had no answer. It is lost until it is written again.
+    void doubt(ParameterIndex index, ParameterState state = ParameterState::Unknown);
     /// For devices that keep nothing: something was written that is believed to be in force.
     [[nodiscard]] bool holdsSettings() const { return m_profile->lost.size() < m_profile->written.size(); }
     /// The same: a reset was noticed. Everything is unknown, what was written is lost until it is written again.

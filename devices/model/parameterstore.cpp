@@ -42,6 +42,11 @@ void ParameterStore::setFailed(ParameterIndex index)
     set(index, entry(index).raw, ParameterState::Failed);
 }
 
+void ParameterStore::forget(ParameterIndex index, ParameterState state)
+{
+    set(index, std::nullopt, state);
+}
+
 void ParameterStore::setAllStored()
 {
     for (Entry &e : m_entries.edit()) {

@@ -45,6 +45,8 @@ public:
     void setRead(ParameterIndex index, std::int64_t raw);
     void setWritten(ParameterIndex index, std::int64_t raw);
     void setFailed(ParameterIndex index);
+    /// What is in force is not known any more: Unknown, or Failed where an order had no answer.
+    void forget(ParameterIndex index, ParameterState state = ParameterState::Unknown);
     /// The device proved that what was in RAM is in flash.
     void setAllStored();
     /// After a restart: volatile values are unknown again.

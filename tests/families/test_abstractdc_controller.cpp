@@ -121,6 +121,7 @@ TEST_F(AbstractDcController, APositionTargetNeverLeadsFurtherThanTheOutputCarrie
     open(3, &dialectF);
     ASSERT_TRUE(write("position.p", 800'000));
     ASSERT_TRUE(write("position.divisor", 1'000'000));
+    ASSERT_TRUE(write("position.d", 0));
     ASSERT_TRUE(device->command(setPoint(Mode::Position, 60'000.0))); // the wrap of abstractdc/README.md#vectors
     const auto frame = canFrameFromText(sentOf("067#03").back());
     const int target = frame->data[1] + 256 * frame->data[2] + 65536 * frame->data[3];
@@ -171,6 +172,7 @@ TEST_F(AbstractDcController, AnOutputThatWrapsStopsTheMotor)
     ASSERT_TRUE(device->command(setPoint(Mode::Velocity, 900.0)));
     sent.clear();
     ASSERT_TRUE(clock.runUntil([this] { return !sentOf("067#00").empty(); }, 10s)) << "though nobody commands it again";
+    clock.advance(1ms);
     EXPECT_FALSE(drive.isOutputOn());
 }
 
@@ -357,6 +359,7 @@ TEST_F(AbstractDcController, ATargetFurtherThanItsLeadIsCautionedWhereTheGainsAr
     }
     EXPECT_TRUE(device->caution(setPoint(Mode::Duty, 1.0)).empty()) << "no loop";
     ASSERT_TRUE(write("position.p", 1));
+    ASSERT_TRUE(write("position.d", 0));
     ASSERT_TRUE(write("position.divisor", 1));
     EXPECT_TRUE(device->caution(setPoint(Mode::Position, 1001.0)).empty()) << "known";
 }

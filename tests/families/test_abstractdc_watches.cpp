@@ -195,7 +195,10 @@ TEST_F(AbstractDcDebt, APositionFromBeforeAnEarlierSilenceProvesNothing)
 
 class AbstractDcMotion : public testing::Test {
 protected:
-    bool at(Duration time, std::int32_t position) { return sense.add(position, Instant{1s} + time); }
+    bool at(Duration time, std::int32_t position)
+    {
+        return sense.add(position, Instant{1s} + time) == MotionSense::Reading::Glitch;
+    }
     [[nodiscard]] std::optional<double> velocity(Duration time) const { return sense.velocity(Instant{1s} + time); }
     [[nodiscard]] bool stands(Duration since) const { return sense.standsSince(Instant{1s} + since); }
     [[nodiscard]] bool moves(Duration time) const { return sense.isMoving(Instant{1s} + time); }
@@ -307,14 +310,35 @@ TEST(AbstractDcMotionSense, AJumpThatStaysIsBelievedTheSecondTime)
 {
     MotionSense sense;
     Instant t{};
-    EXPECT_FALSE(sense.add(0, t += 20ms));
-    EXPECT_FALSE(sense.add(10, t += 20ms));
-    EXPECT_TRUE(sense.add(10 - 65535, t += 20ms));
-    EXPECT_FALSE(sense.add(12, t += 20ms));
-    EXPECT_TRUE(sense.add(12 + 65535, t += 20ms));
-    EXPECT_FALSE(sense.add(12 + 65535, t += 20ms));
+    EXPECT_EQ(sense.add(0, t += 20ms), MotionSense::Reading::Taken);
+    EXPECT_EQ(sense.add(10, t += 20ms), MotionSense::Reading::Taken);
+    EXPECT_EQ(sense.add(10 - 65535, t += 20ms), MotionSense::Reading::Glitch);
+    EXPECT_EQ(sense.add(12, t += 20ms), MotionSense::Reading::Taken);
+    EXPECT_EQ(sense.add(12 + 65535, t += 20ms), MotionSense::Reading::Glitch);
+    EXPECT_EQ(sense.add(12 + 65535, t += 20ms), MotionSense::Reading::Taken);
     EXPECT_EQ(sense.position(), 12 + 65535);
     EXPECT_EQ(sense.glitches(), 2U);
+}
+
+TEST(AbstractDcMotionSense, APositionNearZeroThatNoShaftReachesSoFastIsThatOfARestart)
+{
+    const auto readingOf = [](std::int32_t step, std::int32_t from, std::int32_t position) {
+        MotionSense sense;
+        Instant t{};
+        for (int i = 10; i >= 0; --i)
+            (void)sense.add(from - i * step, t += 20ms);
+        return sense.add(position, t + 20ms);
+    };
+    EXPECT_EQ(readingOf(0, 1000, 0), MotionSense::Reading::Anew);
+    EXPECT_EQ(readingOf(0, 1000, -200), MotionSense::Reading::Anew);
+    EXPECT_EQ(readingOf(0, 1000, -201), MotionSense::Reading::Taken) << "turned on from 0, too, but who knows";
+    EXPECT_EQ(readingOf(0, 200, 0), MotionSense::Reading::Taken) << "a shaft may do that";
+    EXPECT_EQ(readingOf(0, -201, 0), MotionSense::Reading::Anew);
+    EXPECT_EQ(readingOf(100, 5000, 0), MotionSense::Reading::Anew);
+    EXPECT_EQ(readingOf(100, 400, 0), MotionSense::Reading::Taken) << "it was seen to do half of it";
+    EXPECT_EQ(readingOf(100, 401, 0), MotionSense::Reading::Anew);
+    EXPECT_EQ(readingOf(100, 5000, 400), MotionSense::Reading::Anew) << "it ran on from 0";
+    EXPECT_EQ(readingOf(0, 1000, 500), MotionSense::Reading::Taken) << "a jump to anywhere else is none";
 }
 
 } // namespace

@@ -63,7 +63,12 @@ Controller::Controller(const Family &family, CanLink &link, Clock &clock, Identi
 LogSense::Owner Controller::owner()
 {
     return {
-        .located = [this](std::int32_t position) { m_debt.heard(position); },
+        .located =
+            [this](std::int32_t position) {
+                if (m_debt.heard(position))
+                    m_desk.restarted();
+            },
+        .restarted = [this] { onRestart(); },
         .wrapped =
             [this] {
                 if (m_ours)
@@ -81,7 +86,7 @@ void Controller::speak()
     if (dialect == m_logs.dialect() && m_logs.isHeard())
         return;
     if (dialect != m_logs.dialect())
-        enter(std::nullopt);
+        enter(std::nullopt, clock().now());
     m_logs.speak(dialect, identity().address);
 }
 
@@ -125,14 +130,14 @@ Message Controller::caution(const SetPoint &setPoint) const
     if (!command || knowsGains(parameters(), command->loop))
         return {};
     const double lead = LeadProbe().most();
-    if (std::abs(command->target - m_logs.feedback(command->loop).value_or(0.0)) <= lead)
+    if (std::abs(command->target - m_logs.feedback(command->loop, command->target).value_or(0.0)) <= lead)
         return {};
     if (m_logs.dialect() && m_logs.dialect()->has(Log::Voltage))
         return say("the gains of this loop are not known here, so its target begins within %1 of where it is, and goes "
-                   "further as its output is seen to allow it; write its p and divisor once",
+                   "further as its output is seen to allow it; write its p, d and divisor once",
             lead);
     return say("the gains of this loop are not known here, so its target stays within %1 of where it is: a weak loop "
-               "may not move it; write its p and divisor once",
+               "may not move it; write its p, d and divisor once",
         lead);
 }
 
@@ -152,9 +157,10 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
         m_lead.reset();
         m_probe.reset();
     }
-    const auto feedback = m_logs.feedback(command->loop);
-    const std::int32_t target = m_lead.next(
-        *command, setPoint.ramp, feedback, greatestError(parameters(), command->loop, m_probe.most()), now);
+    const auto feedback = m_logs.feedback(command->loop, command->target);
+    const bool hasPassed = m_ours && m_logs.loop() == command->loop && m_logs.hasPassed(now);
+    const double most = greatestError(parameters(), command->loop, hasPassed, m_probe.most());
+    const std::int32_t target = m_lead.next(*command, setPoint.ramp, feedback, most, now);
     const bool news = m_logs.loop() != command->loop || !m_ours || target != m_sentTarget;
     // At low bit rates set-points would fill the wire: then a newer one waits for the next call.
     const Duration spacing = news ? 2 * roundTrip(m_can) : std::max<Duration>(repeatPeriod, 10 * roundTrip(m_can));
@@ -166,7 +172,7 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
     m_sentAt = now;
     m_ours = true;
     m_probe.sent(std::abs(target - feedback.value_or(0.0)) + 1.0 >= m_probe.most(), now);
-    enter(command->loop);
+    enter(command->loop, now);
     const double perCount
         = command->loop == Loop::Current ? knowledge().profile().calibrated(calibration::amperes, 1.0) : 1.0;
     telemetry()->append(
@@ -193,7 +199,7 @@ void Controller::sendStop()
     (void)m_can.send(frames.at(own));
     m_lead.reset();
     telemetry()->breakLine(channel::setPoint);
-    enter(Loop::None);
+    enter(Loop::None, clock().now());
     m_ours = false;
 }
 
@@ -229,9 +235,9 @@ bool Controller::isSeenStopped() const
 
 // What the bus tells
 
-void Controller::enter(std::optional<Loop> loop)
+void Controller::enter(std::optional<Loop> loop, Instant time)
 {
-    if (m_logs.enter(loop))
+    if (m_logs.enter(loop, time))
         updateLiveness();
 }
 
@@ -247,11 +253,13 @@ void Controller::onFrame(const CanFrame &frame, bool ours)
         m_foreignAt = isTaken ? std::optional<Instant>(frame.time) : std::nullopt;
         if (ours && !driven)
             m_logs.output().release();
-        enter(*loop);
+        enter(*loop, frame.time);
         updateLiveness();
     } else if (const auto settings = decodeSettings(*m_logs.dialect(), identity().address, frame)) {
-        if (const auto index = parameterOf(settings->loop, settings->field))
+        if (const auto index = parameterOf(settings->loop, settings->field)) {
             knowledge().assume(*index, settings->value);
+            m_desk.written(*index);
+        }
     }
 }
 
@@ -269,15 +277,36 @@ void Controller::onSilence()
 {
     m_debt.silent(m_can.state() == LinkState::Open, m_logs.motion().position());
     m_logs.forget();
-    enter(std::nullopt);
+    enter(std::nullopt, clock().now());
+    breakLines();
+    updateLiveness();
+}
+
+/// It is off, and counts from 0: what it was driven to is not there any more (README.md#restarts).
+void Controller::onRestart()
+{
+    breakLines();
+    if (m_can.address().isRecording())
+        return;
+    m_restarted = true;
+    m_desk.restarted();
+    if (m_ours)
+        sendStop();
+    else
+        enter(Loop::None, clock().now());
+    updateLiveness();
+}
+
+void Controller::breakLines()
+{
     for (std::uint16_t i = 0; i < telemetry()->channels().size(); ++i)
         telemetry()->breakLine({i});
-    updateLiveness();
 }
 
 void Controller::updateLiveness()
 {
-    if (m_foreignAt && clock().now() - *m_foreignAt > foreignMemory && !m_logs.isMoving())
+    const bool isHeldByOther = m_logs.isDriven() && !m_ours; // for ever, also where it stands (README.md#no-watchdog)
+    if (m_foreignAt && clock().now() - *m_foreignAt > foreignMemory && !m_logs.isMoving() && !isHeldByOther)
         m_foreignAt.reset();
     Liveness now;
     now.heard = m_logs.isHeard();
@@ -285,6 +314,7 @@ void Controller::updateLiveness()
     if (const auto loop = m_logs.loop())
         now.mode = modeOf(*loop);
     now.foreignMaster = m_foreignAt.has_value();
+    now.restarted = m_restarted;
     now.faults = m_logs.output().faults();
     setLiveness(now);
 }
@@ -300,6 +330,11 @@ Task<void> Controller::refresh()
     for (auto &&saves : m_desk.saves())
         known.descriptors.emplace_back(std::move(saves));
     setIdentity(std::move(known));
+    if (m_restarted)
+        knowledge().setProfile(
+            DeviceProfile(knowledge().profile())); // who forgets everything knows again what was saved
+    m_restarted = false;
+    updateLiveness();
     co_return {};
 }
 

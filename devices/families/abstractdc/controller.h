@@ -47,11 +47,13 @@ private:
     // What the bus tells, and what follows from it
     [[nodiscard]] LogSense::Owner owner();
     void speak();
-    void enter(std::optional<Loop> loop);
+    void enter(std::optional<Loop> loop, Instant time);
     void sendStop();
     void onFrame(const CanFrame &frame, bool ours);
     void onSent(const CanFrame &frame);
     void onSilence();
+    void onRestart();
+    void breakLines();
     void updateLiveness();
 
     CanLink &m_can;
@@ -60,7 +62,8 @@ private:
     SettingsDesk m_desk;
     TargetLead m_lead;
     LeadProbe m_probe;
-    bool m_ours = false; ///< the loop was commanded by us
+    bool m_ours = false;      ///< the loop was commanded by us
+    bool m_restarted = false; ///< Liveness::restarted
     std::int32_t m_sentTarget = 0;
     Instant m_sentAt{};
     std::optional<Instant> m_foreignAt; ///< somebody else's set-point, or the stop of ours

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/abstractdc/logsense.h"
 
+#include "families/abstractdc/answertime.h"
 #include "families/abstractdc/channels.h"
 #include "families/abstractdc/setpoints.h"
 
@@ -16,7 +17,8 @@ constexpr double positionRate = 20.0; ///< samples per second nobody asked for
 constexpr double loopRate = 20.0;
 constexpr double slowRate = 5.0;
 constexpr double temperatureRate = 1.0;
-constexpr double drivenRate = 50.0; ///< the loop of the drive is no faster
+constexpr double drivenRate = 50.0;                             ///< the loop of the drive is no faster
+constexpr Duration twoPasses = 2 * loopPeriod + loopPeriod / 4; ///< each takes its time, too
 
 std::optional<Log> logOf(ChannelIndex channel)
 {
@@ -37,7 +39,8 @@ std::optional<Log> logOf(ChannelIndex channel)
 
 LogSense::LogSense(
     CanLink &link, Clock &clock, std::shared_ptr<Telemetry> telemetry, const DeviceProfile &profile, Owner owner)
-    : m_clock(clock)
+    : m_link(link)
+    , m_clock(clock)
     , m_telemetry(std::move(telemetry))
     , m_profile(profile)
     , m_owner(std::move(owner))
@@ -57,7 +60,7 @@ void LogSense::speak(const Dialect *dialect, int offset)
     m_poller.speak(dialect, offset);
 }
 
-bool LogSense::enter(std::optional<Loop> loop)
+bool LogSense::enter(std::optional<Loop> loop, Instant time)
 {
     if (loop == Loop::None) // look closely until it is seen to stand
         m_look.startIn(2s, [this] { plan(); });
@@ -66,6 +69,7 @@ bool LogSense::enter(std::optional<Loop> loop)
     const bool isOther = loop != m_loop;
     m_loop = loop;
     if (isOther) {
+        m_enteredAt = time;
         m_velocity.reset();
         m_output.enterLoop();
         for (const ChannelIndex stale : {channel::velocity, channel::duty})
@@ -112,6 +116,13 @@ bool LogSense::isFresh(Log log) const
     return true;
 }
 
+/// A set-point may wait for what is on the wire. A duty has no pass to wait for.
+bool LogSense::hasPassed(Instant time) const
+{
+    const Duration passes = m_loop == Loop::Direct ? Duration::zero() : twoPasses;
+    return time - m_enteredAt >= passes + roundTrip(m_link);
+}
+
 double LogSense::rateOf(Log log) const
 {
     if (!isFresh(log))
@@ -141,7 +152,7 @@ void LogSense::take(Log log, std::int32_t value, Instant time)
     switch (log) {
     case Log::Position: takePosition(value, time); break;
     case Log::Velocity:
-        if (!isFresh(log))
+        if (!isFresh(log) || !hasPassed(time))
             break;
         m_velocity = value;
         m_telemetry->append({channel::velocity, time, static_cast<double>(value)});
@@ -160,10 +171,13 @@ void LogSense::take(Log log, std::int32_t value, Instant time)
 void LogSense::takePosition(std::int32_t value, Instant time)
 {
     m_owner.located(value);
-    if (m_motion.add(value, time)) { // a glitch
+    const MotionSense::Reading reading = m_motion.add(value, time);
+    if (reading == MotionSense::Reading::Glitch) {
         m_telemetry->lost(channel::position, 1);
         return;
     }
+    if (reading == MotionSense::Reading::Anew)
+        m_owner.restarted();
     m_telemetry->append({channel::position, time, static_cast<double>(value)});
     if (isFresh(Log::Velocity))
         return; // the drive measures it itself
@@ -173,7 +187,7 @@ void LogSense::takePosition(std::int32_t value, Instant time)
 
 void LogSense::takeVoltage(std::int32_t value, Instant time)
 {
-    if (!isFresh(Log::Voltage))
+    if (!isFresh(Log::Voltage) || !hasPassed(time))
         return;
     if (m_output.take(value)) {
         m_owner.wrapped();
@@ -183,10 +197,15 @@ void LogSense::takeVoltage(std::int32_t value, Instant time)
     m_telemetry->append({channel::duty, time, std::clamp(value / double{fullPwm}, -1.0, 1.0)});
 }
 
-std::optional<double> LogSense::feedback(Loop loop) const
+std::optional<double> LogSense::feedback(Loop loop, double target) const
 {
     switch (loop) {
-    case Loop::Velocity: return m_velocity ? m_velocity : m_motion.velocity(m_clock.now());
+    case Loop::Velocity: {
+        const auto computed = m_motion.velocity(m_clock.now());
+        if (m_velocity && computed)
+            return std::abs(*computed - target) > std::abs(*m_velocity - target) ? computed : m_velocity;
+        return m_velocity ? m_velocity : computed;
+    }
     case Loop::Position: {
         const auto position = m_motion.position();
         return position ? std::optional<double>(*position) : std::nullopt;

@@ -17,6 +17,7 @@ public:
     /// What follows from the logs.
     struct Owner {
         std::function<void(std::int32_t)> located;         ///< counts, before it is judged and recorded
+        std::function<void()> restarted;                   ///< it counts from 0 again: MotionSense
         std::function<void()> wrapped;                     ///< the output has turned to full reverse: OutputWatch
         std::function<void(std::int32_t, Instant)> output; ///< of the loop that runs, PWM units
         std::function<void()> silent;                      ///< several questions in a row have had no answer
@@ -30,8 +31,8 @@ public:
     /// nullptr: not proven.
     void speak(const Dialect *dialect, int offset);
     [[nodiscard]] const Dialect *dialect() const { return m_dialect; }
-    /// The loop that has the motor now, nothing while it is not known. True if it is another.
-    bool enter(std::optional<Loop> loop);
+    /// The loop that has the motor from `time` on, nothing while it is not known. True if it is another.
+    bool enter(std::optional<Loop> loop, Instant time);
     [[nodiscard]] std::optional<Loop> loop() const { return m_loop; }
     [[nodiscard]] bool isDriven() const { return m_loop && *m_loop != Loop::None; }
     /// Device::setRate().
@@ -47,8 +48,11 @@ public:
     [[nodiscard]] const QuestionWatch &questions() const { return m_poller.questions(); }
     [[nodiscard]] OutputWatch &output() { return m_output; }
     [[nodiscard]] const OutputWatch &output() const { return m_output; }
-    /// What the loop regulates: counts/s or counts; nothing for other loops, and while it is not known.
-    [[nodiscard]] std::optional<double> feedback(Loop loop) const;
+    /// What the loop regulates: counts/s or counts; nothing for other loops, and while it is not known. Where the drive's own
+    /// speed and that of its positions differ, the one further from `target`: its own may be older than is known.
+    [[nodiscard]] std::optional<double> feedback(Loop loop, double target) const;
+    /// The loop has passed twice, so that what the drive tells of it is of this run (README.md#stale-logs).
+    [[nodiscard]] bool hasPassed(Instant time) const;
 
 private:
     /// Asks as often as is wished for and the loop deserves.
@@ -59,6 +63,7 @@ private:
     void takePosition(std::int32_t value, Instant time);
     void takeVoltage(std::int32_t value, Instant time);
 
+    CanLink &m_link;
     Clock &m_clock;
     std::shared_ptr<Telemetry> m_telemetry;
     const DeviceProfile &m_profile;
@@ -69,6 +74,7 @@ private:
     OutputWatch m_output;
     std::map<Log, double> m_wishes;   ///< of setRate()
     std::optional<Loop> m_loop;       ///< last commanded, by us or by somebody we heard
+    Instant m_enteredAt{};            ///< this loop
     std::optional<double> m_velocity; ///< as the drive measures it, counts/s
     Timer m_look;
 };

@@ -14,6 +14,7 @@ constexpr Duration kept = 250ms;
 constexpr Duration velocityBase = 45ms;
 constexpr Duration stale = 500ms;
 constexpr double glitchTolerance = 4096.0;
+constexpr double turnedAtOnce = 200.0; ///< counts between two readings, by a shaft whose speed nobody has seen yet
 
 double seconds(Duration duration)
 {
@@ -22,28 +23,66 @@ double seconds(Duration duration)
 
 } // namespace
 
-bool MotionSense::add(std::int32_t position, Instant time)
+MotionSense::Reading MotionSense::add(std::int32_t position, Instant time)
 {
-    if (!m_seen.empty()) {
-        const Seen &last = m_seen.back();
-        const double speed = velocity(last.time).value_or(0.0);
-        const double expected = last.position + speed * seconds(time - last.time);
-        const double slack = glitchTolerance + std::abs(speed) * seconds(time - last.time);
-        const double off = std::abs(position - expected);
-        const bool jumped = std::abs(off - wrapLoss) < std::min(slack, 30000.0);
-        if (jumped && !m_doubtful) { // one may be a glitch; a second one at the same place is not
-            m_doubtful = Seen{position, time};
+    const Seen seen{position, time};
+    if (isJump(position, time)) {
+        if (!isWhereDoubted(position, time)) {
+            m_doubtful = seen;
             ++m_glitches;
-            return true;
+            return Reading::Glitch;
         }
-        if (jumped)
-            m_seen.clear();
+        const bool isAnewHere = isAnew(position, time);
+        m_seen.clear();
+        take(seen);
+        return isAnewHere ? Reading::Anew : Reading::Taken;
     }
+    const bool isAnewHere = isAnew(position, time);
+    if (isAnewHere)
+        m_seen.clear();
+    take(seen);
+    return isAnewHere ? Reading::Anew : Reading::Taken;
+}
+
+bool MotionSense::isJump(std::int32_t position, Instant time) const
+{
+    if (m_seen.empty())
+        return false;
+    const Seen &last = m_seen.back();
+    const double speed = velocity(last.time).value_or(0.0);
+    const double expected = last.position + speed * seconds(time - last.time);
+    const double slack = glitchTolerance + std::abs(speed) * seconds(time - last.time);
+    const double off = std::abs(position - expected);
+    return std::abs(off - wrapLoss) < std::min(slack, 30000.0);
+}
+
+/// A jump to another place than the one before is one more glitch.
+bool MotionSense::isWhereDoubted(std::int32_t position, Instant time) const
+{
+    if (!m_doubtful)
+        return false;
+    const double speed = m_seen.empty() ? 0.0 : velocity(m_seen.back().time).value_or(0.0);
+    const double way = speed * seconds(time - m_doubtful->time);
+    return std::abs(position - (m_doubtful->position + way)) < glitchTolerance + std::abs(way);
+}
+
+bool MotionSense::isAnew(std::int32_t position, Instant time) const
+{
+    if (m_seen.empty())
+        return false;
+    const Seen &last = m_seen.back();
+    const double reach = turnedAtOnce + 2.0 * m_fastest * seconds(time - last.time);
+    const double here = position;
+    return std::abs(here) <= reach && std::abs(here - last.position) > reach;
+}
+
+void MotionSense::take(const Seen &seen)
+{
     m_doubtful.reset();
-    m_seen.push_back({position, time});
-    while (m_seen.size() > 2 && time - m_seen[1].time >= kept)
+    m_seen.push_back(seen);
+    while (m_seen.size() > 2 && seen.time - m_seen[1].time >= kept)
         m_seen.pop_front();
-    return false;
+    m_fastest = std::max(m_fastest, std::abs(velocity(seen.time).value_or(0.0)));
 }
 
 void MotionSense::forget()

@@ -11,11 +11,16 @@
 
 namespace mb::abstractdc {
 
-/// What position logs tell: whether one is a glitch (README.md#position: off by 65 535), how fast the shaft turns, and whether it stands.
+/// What position logs tell: whether one is a glitch (README.md#position: off by 65 535), whether the drive has restarted, how fast the
+/// shaft turns, and whether it stands.
 class MotionSense {
 public:
-    /// True for a glitch, which is not to be recorded: one jump. A second one to the same place is where the shaft is now.
-    [[nodiscard]] bool add(std::int32_t position, Instant time);
+    enum class Reading {
+        Taken,
+        Glitch, ///< one jump, not to be recorded. A second one to the same place is where the shaft is now
+        Anew,   ///< it counts from 0 again, and no shaft gets there so fast (README.md#restarts)
+    };
+    [[nodiscard]] Reading add(std::int32_t position, Instant time);
     /// Nothing is known any more, as after silence.
     void forget();
 
@@ -32,9 +37,15 @@ private:
         std::int32_t position = 0;
         Instant time{};
     };
+    [[nodiscard]] bool isJump(std::int32_t position, Instant time) const;
+    [[nodiscard]] bool isWhereDoubted(std::int32_t position, Instant time) const;
+    [[nodiscard]] bool isAnew(std::int32_t position, Instant time) const;
+    void take(const Seen &seen);
+
     std::deque<Seen> m_seen; ///< of the last quarter of a second, two at least
     std::optional<Seen> m_doubtful;
     std::uint64_t m_glitches = 0;
+    double m_fastest = 0.0; ///< counts/s, of all that were seen
 };
 
 } // namespace mb::abstractdc

@@ -11,7 +11,8 @@ namespace mb::abstractdc {
 /// DeviceProfile::counters besides those of savings.
 namespace counter {
 constexpr std::string_view powerCycle
-    = "averaging.power_cycle"; ///< 1: owed, before it may be driven (README.md#averaging)
+    = "averaging.power_cycle";                   ///< 1: owed, before it may be driven (README.md#averaging)
+constexpr std::string_view unsaved = "unsaved."; ///< and the key of a setting. 1: written since its loop was saved
 } // namespace counter
 
 [[nodiscard]] std::span<const Parameter> parameterTable();

@@ -32,15 +32,18 @@ void PowerCycleDebt::silent(bool linkOpen, std::optional<std::int64_t> position)
         m_positionBefore = position;
 }
 
-void PowerCycleDebt::heard(std::int32_t position)
+bool PowerCycleDebt::heard(std::int32_t position)
 {
     if (!std::exchange(m_wasSilent, false))
-        return;
+        return false;
     const bool startsAnew = std::abs(std::int64_t{position}) <= turnedByHand;
     const bool unmoved = m_positionBefore && *m_positionBefore == position && position != 0;
-    if (isOwed() && startsAnew && !unmoved)
-        m_keep(0);
     m_positionBefore.reset();
+    if (!startsAnew || unmoved)
+        return false;
+    if (isOwed())
+        m_keep(0);
+    return true;
 }
 
 } // namespace mb::abstractdc

@@ -20,8 +20,8 @@ public:
     void incur() { m_keep(1); }
     /// It does not answer any more; `position`, in counts, was the last that it told.
     void silent(bool linkOpen, std::optional<std::int64_t> position);
-    /// It tells a position, in counts. One that starts anew has lost its power; one that is heard again where it was, only its cable.
-    void heard(std::int32_t position);
+    /// It tells a position, in counts. One that starts anew has lost its power: true; one that is heard again where it was, only its cable.
+    bool heard(std::int32_t position);
 
 private:
     const DeviceProfile &m_profile;

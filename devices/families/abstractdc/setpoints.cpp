@@ -14,6 +14,8 @@ namespace {
 constexpr double farthest = 2147483647.0;
 constexpr double usualRamp = 4.0;      ///< duty per second
 constexpr double safeOutput = 32000.0; ///< of 32767
+constexpr double firstPass = 1.0;      ///< ms, at least: from the set-point that entered the loop
+constexpr double laterPass = 20.0;
 
 struct Scale {
     Loop loop = Loop::None;
@@ -36,8 +38,9 @@ Result<Scale> scaleOf(Mode mode, const DeviceProfile &profile)
     return fail(Fault::Unsupported, say("an Abstract DC Drive has no mode '%1'", toString(mode)));
 }
 
-/// Output per unit of error; nothing where it is not known.
-std::optional<double> strengthOf(const ParameterStore &known, Loop loop)
+/// Output per unit of error in a pass of so many milliseconds, in which the error may turn from one end to the other; nothing where it is
+/// not known.
+std::optional<double> strengthOf(const ParameterStore &known, Loop loop, double milliseconds)
 {
     const auto number = [&](Field field) -> std::optional<double> {
         const auto index = parameterOf(loop, field);
@@ -45,10 +48,11 @@ std::optional<double> strengthOf(const ParameterStore &known, Loop loop)
         return raw ? std::optional<double>(static_cast<double>(*raw)) : std::nullopt;
     };
     const auto p = number(Field::P);
+    const auto d = number(Field::D);
     const auto divisor = number(Field::Divisor);
-    if (!p || !divisor || *divisor == 0.0)
+    if (!p || !d || !divisor || *divisor == 0.0)
         return std::nullopt;
-    return std::abs(*p / *divisor);
+    return (std::abs(*p) + 2.0 * std::abs(*d) / milliseconds) / std::abs(*divisor);
 }
 
 } // namespace
@@ -88,12 +92,12 @@ Mode modeOf(Loop loop)
 
 bool knowsGains(const ParameterStore &known, Loop loop)
 {
-    return strengthOf(known, loop).has_value();
+    return strengthOf(known, loop, laterPass).has_value();
 }
 
-double greatestError(const ParameterStore &known, Loop loop, double unknown)
+double greatestError(const ParameterStore &known, Loop loop, bool hasPassed, double unknown)
 {
-    const auto strength = strengthOf(known, loop);
+    const auto strength = strengthOf(known, loop, hasPassed ? laterPass : firstPass);
     if (!strength)
         return unknown;
     return *strength > 0.0 ? std::max(1.0, std::floor(safeOutput / *strength)) : farthest;

@@ -26,11 +26,11 @@ struct Command {
 [[nodiscard]] Result<Command> commandOf(const SetPoint &setPoint, const DeviceProfile &profile);
 [[nodiscard]] Mode modeOf(Loop loop);
 
-/// P and divisor of the loop were written, by us or by somebody we heard.
+/// P, D and divisor of the loop were written, by us or by somebody we heard.
 [[nodiscard]] bool knowsGains(const ParameterStore &known, Loop loop);
-/// The greatest error with which |P·e/divisor| stays where the drive's 16 bits do not wrap (README.md#wraps), from what was last written;
-/// `unknown` where nobody knows that (LeadProbe).
-[[nodiscard]] double greatestError(const ParameterStore &known, Loop loop, double unknown);
+/// The greatest error with which what P and D make of it stays where the drive's 16 bits do not wrap (README.md#wraps), from what was last
+/// written; `unknown` where nobody knows that (LeadProbe). `hasPassed`: the loop's first pass, which may be short, is over.
+[[nodiscard]] double greatestError(const ParameterStore &known, Loop loop, bool hasPassed, double unknown);
 
 /// Leads the target from where the motor is to where it shall be: duty at full range in a quarter of a second, or as the
 /// set-point's ramp says; loops never further ahead of the feedback than is safe.

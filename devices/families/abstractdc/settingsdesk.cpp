@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 namespace mb::abstractdc {
 namespace {
@@ -23,6 +24,11 @@ std::string nameOf(Loop loop)
 std::string counterOf(Loop loop)
 {
     return "saves." + nameOf(loop);
+}
+
+std::string unsavedOf(const Parameter &parameter)
+{
+    return std::string(counter::unsaved) + std::string(parameter.key);
 }
 
 } // namespace
@@ -100,9 +106,10 @@ Task<std::int64_t> SettingsDesk::write(const Parameter &parameter, std::int64_t 
         co_return fail(sent.error());
     if (fieldOf(parameter) == Field::Averaging)
         m_averaging = raw;
+    if (const auto index = parameterOf(loop, fieldOf(parameter)))
+        written(*index);
     auto asking = expectAnswer();
     co_await std::move(asking);
-    m_unsaved.insert(loop);
     if (lowered) {
         NoProgress unheard;
         auto saving = save(loop, unheard);
@@ -131,9 +138,12 @@ Task<void> SettingsDesk::save(Loop loop, Progress &progress)
     if (auto sent = m_can.send(encodeSave(*m_logs.dialect(), m_device.identity().address, loop)); !sent)
         co_return fail(sent.error());
     m_count(counterOf(loop), saves + 1);
-    m_unsaved.erase(loop);
     auto asking = expectAnswer();
     co_await std::move(asking);
+    for (const ParameterIndex index : unsaved()) {
+        if (loopOf(parameterTable()[index.value]) == loop)
+            setUnsaved(index, false);
+    }
     co_return {};
 }
 
@@ -145,7 +155,9 @@ Task<bool> SettingsDesk::store(Progress &progress)
         co_return fail(alone.error());
     if (m_logs.isDriven())
         co_return fail(Fault::Unsafe, say("stop the motor first: the drive stands still while it writes its flash"));
-    const std::set<Loop> all = m_unsaved;
+    std::set<Loop> all;
+    for (const ParameterIndex index : unsaved())
+        all.insert(loopOf(parameterTable()[index.value]));
     int done = 0;
     for (const Loop loop : all) {
         progress.step(say("Saving the %1 loop", nameOf(loop)), done++, static_cast<int>(all.size()));
@@ -160,7 +172,45 @@ void SettingsDesk::erased()
 {
     for (const Loop loop : loops)
         m_count(counterOf(loop), 0);
-    m_unsaved.clear();
+    for (const ParameterIndex index : unsaved())
+        setUnsaved(index, false);
+}
+
+void SettingsDesk::written(ParameterIndex index)
+{
+    setUnsaved(index, true);
+}
+
+void SettingsDesk::restarted()
+{
+    for (const ParameterIndex index : unsaved()) {
+        setUnsaved(index, false);
+        m_device.knowledge().doubt(index);
+        if (fieldOf(parameterTable()[index.value]) == Field::Averaging)
+            m_averaging.reset();
+    }
+}
+
+std::vector<ParameterIndex> SettingsDesk::unsaved() const
+{
+    std::vector<ParameterIndex> found;
+    const auto &counters = m_device.knowledge().profile().counters;
+    for (std::uint16_t i = 0; i < parameterTable().size(); ++i) {
+        const auto counted = counters.find(unsavedOf(parameterTable()[i]));
+        if (counted != counters.end() && counted->second != 0)
+            found.push_back({i});
+    }
+    return found;
+}
+
+void SettingsDesk::setUnsaved(ParameterIndex index, bool unsaved)
+{
+    const std::string key = unsavedOf(parameterTable()[index.value]);
+    const auto &counters = m_device.knowledge().profile().counters;
+    const auto counted = counters.find(key);
+    const bool was = counted != counters.end() && counted->second != 0;
+    if (unsaved != was)
+        m_count(key, unsaved ? 1 : 0);
 }
 
 std::vector<std::pair<std::string, std::string>> SettingsDesk::saves() const

@@ -5,8 +5,8 @@
 #include "families/abstractdc/powercycledebt.h"
 
 #include <optional>
-#include <set>
 #include <string>
+#include <vector>
 
 namespace mb::abstractdc {
 
@@ -26,6 +26,10 @@ public:
     [[nodiscard]] Task<bool> store(Progress &progress);
     /// The settings pages are blank.
     void erased();
+    /// Somebody wrote it, and it is not in flash.
+    void written(ParameterIndex index);
+    /// The drive has begun anew: what was not saved is not in force any more.
+    void restarted();
     /// How often each loop was saved since its page was erased, for Identity::descriptors.
     [[nodiscard]] std::vector<std::pair<std::string, std::string>> saves() const;
 
@@ -33,13 +37,15 @@ private:
     [[nodiscard]] Result<void> mayWrite(const Parameter &parameter, std::int64_t raw) const;
     [[nodiscard]] bool mayLowerAveraging(std::int64_t raw) const;
     [[nodiscard]] Task<void> save(Loop loop, Progress &progress);
+    /// In the order of the table.
+    [[nodiscard]] std::vector<ParameterIndex> unsaved() const;
+    void setUnsaved(ParameterIndex index, bool unsaved);
 
     Device &m_device;
     CanLink &m_can;
     const LogSense &m_logs;
     PowerCycleDebt &m_debt;
     std::function<void(const std::string &, std::int64_t)> m_count;
-    std::set<Loop> m_unsaved;
     std::optional<std::int64_t> m_averaging; ///< written last, by this run
 };
 

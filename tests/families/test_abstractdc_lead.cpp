@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the output of a loop does not fit into 16 bits the motor turns to full reverse: targets are led from where it is.
+#include "abstractdccontrollerbench.h"
+
+#include <algorithm>
+
+namespace mb::abstractdc {
+namespace {
+
+class AbstractDcLead : public AbstractDcController {
+protected:
+    void gains(const std::string &loop, std::int64_t p, std::int64_t d)
+    {
+        for (const auto &[name, raw] :
+            {std::pair<const char *, std::int64_t>{".divisor", 1}, {".i", 0}, {".d", d}, {".p", p}})
+            ASSERT_TRUE(write(loop + name, raw)) << name;
+    }
+    /// The slowest that it turns meanwhile, counts/s.
+    double slowest(Simulator &drive, Duration duration)
+    {
+        double least = drive.speed();
+        for (Duration passed{}; passed < duration; passed += 1ms) {
+            clock.advance(1ms);
+            least = std::min(least, drive.speed());
+        }
+        return least;
+    }
+};
+
+TEST_F(AbstractDcLead, ASecondRunIsNotLedFromTheSpeedAtWhichTheFirstEnded)
+{
+    Simulator &drive = add("abstractdc:3,gains=default,load=60");
+    open(3, &dialectF);
+    gains("velocity", 50, 0);
+    for (int run = 1; run <= 2; ++run) {
+        sent.clear();
+        SetPointStream stream(*device, clock);
+        ASSERT_TRUE(stream.start(setPoint(Mode::Velocity, 2000.0), 10s));
+        EXPECT_GE(slowest(drive, 2s), -50.0) << "full reverse: 50 * 2000 does not fit into 16 bits, run " << run;
+        ASSERT_TRUE(stream.isRunning()) << stream.reason().english();
+        ASSERT_GT(drive.speed(), 500.0);
+        ASSERT_GE(sentOf("067#01").size(), 2U);
+        EXPECT_EQ(sentOf("067#01").front(), "067#0180020000") << "640, 32000 / 50";
+        stream.stop();
+        clock.advance(3s);
+        ASSERT_NEAR(drive.speed(), 0.0, 1.0);
+    }
+}
+
+TEST_F(AbstractDcLead, WhatTheDriveMeasuredInTheLastRunIsNotRecordedInTheNext)
+{
+    add("abstractdc:3,gains=default,load=60");
+    open(3, &dialectF);
+    gains("velocity", 50, 0);
+    for (int run = 1; run <= 2; ++run) {
+        const Instant begun = clock.now();
+        SetPointStream stream(*device, clock);
+        ASSERT_TRUE(stream.start(setPoint(Mode::Velocity, 2000.0), 10s));
+        clock.advance(30ms);
+        device->telemetry()->commit();
+        for (const char *key : {"velocity", "duty"}) {
+            const auto seen = device->telemetry()->extremes(channel(key), begun, clock.now());
+            EXPECT_TRUE(!seen || seen->high < 500.0) << key << ", run " << run << ": " << seen->high;
+        }
+        EXPECT_FALSE(device->telemetry()->extremes(channel("duty"), begun, clock.now()))
+            << "its loop has hardly passed";
+        clock.advance(2s);
+        device->telemetry()->commit();
+        EXPECT_TRUE(device->telemetry()->extremes(channel("duty"), begun, clock.now())) << "later it is";
+        stream.stop();
+        clock.advance(3s);
+    }
+}
+
+TEST_F(AbstractDcLead, WhereItsFirstSetPointWasLostASecondRunIsNotLedFromTheFirstEither)
+{
+    Simulator &drive = add("abstractdc:3,gains=default,load=60");
+    open(3, &dialectF);
+    gains("velocity", 50, 0);
+    for (const bool isLost : {false, true}) {
+        SetPointStream stream(*device, clock);
+        bus.setLoss(isLost ? 1.0 : 0.0);
+        ASSERT_TRUE(stream.start(setPoint(Mode::Velocity, 2000.0), 10s));
+        clock.advance(1ms);
+        bus.setLoss(0.0);
+        EXPECT_GE(slowest(drive, 2s), -50.0) << "full reverse, lost " << isLost;
+        EXPECT_TRUE(stream.isRunning()) << stream.reason().english() << ", lost " << isLost;
+        stream.stop();
+        clock.advance(3s);
+    }
+}
+
+TEST_F(AbstractDcLead, ALongStepOfAPositionStaysWithinWhatItsDampingCarries)
+{
+    Simulator &drive = add("abstractdc:3,gains=default");
+    open(3, &dialectF);
+    gains("position", 1, -10);
+    SetPointStream stream(*device, clock);
+    ASSERT_TRUE(stream.start(setPoint(Mode::Position, 60'000.0), 60s));
+    EXPECT_GE(slowest(drive, 1s), 0.0) << "full reverse: 32 000 and 16 000 more by D do not fit into 16 bits";
+    EXPECT_TRUE(stream.isRunning()) << stream.reason().english();
+    EXPECT_GT(drive.position(), 100.0);
+    EXPECT_EQ(sentOf("067#03").front(), "067#03F3050000")
+        << "1523, 32000 / (1 + 2 * 10): a first pass may be 1 ms long";
+    ASSERT_TRUE(stream.update(setPoint(Mode::Position, -60'000.0)));
+    clock.advance(3s);
+    EXPECT_TRUE(stream.isRunning()) << stream.reason().english();
+    EXPECT_LT(drive.speed(), 0.0);
+    stream.stop();
+}
+
+TEST_F(AbstractDcLead, GainsAreNotKnownUntilTheirDampingIs)
+{
+    add("abstractdc:3,gains=default");
+    open(3, &dialectF);
+    ASSERT_TRUE(write("position.divisor", 1));
+    ASSERT_TRUE(write("position.p", 1));
+    EXPECT_FALSE(device->caution(setPoint(Mode::Position, 1001.0)).empty());
+    ASSERT_TRUE(device->command(setPoint(Mode::Position, 60'000.0)));
+    EXPECT_EQ(sentOf("067#03").back(), "067#03E8030000") << "1000";
+    device->stop();
+    ASSERT_TRUE(write("position.d", 0));
+    EXPECT_TRUE(device->caution(setPoint(Mode::Position, 1001.0)).empty());
+}
+
+TEST_F(AbstractDcLead, ASecondJumpOfAPositionIsBelievedOnlyWhereTheFirstWas)
+{
+    test::FakeUnit unit(bus, clock);
+    std::vector<test::FakeUnit::Frames> positions(10, {"483#E8030000"}); // 1000
+    positions.push_back({"483#E7030100"});                               // 66 535
+    positions.push_back({"483#E903FFFF"});                               // -64 535
+    positions.push_back({"483#E8030000"});
+    unit.answer("387#00", positions);
+    open(3, &dialectF);
+    clock.advance(2s);
+    device->telemetry()->commit();
+    const auto seen = device->telemetry()->extremes(channel("position"), Instant{}, clock.now());
+    ASSERT_TRUE(seen);
+    EXPECT_EQ(seen->low, 1000.0);
+    EXPECT_EQ(seen->high, 1000.0);
+    EXPECT_EQ(device->telemetry()->lost(channel("position")), 2U);
+}
+
+} // namespace
+} // namespace mb::abstractdc
