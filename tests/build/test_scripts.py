@@ -194,6 +194,42 @@ class Test(Place):
         self.assertRegex(output, r"ended before everything was run\n0 passed, [12] failed\n$")
 
 
+class Package(Place):
+    """scripts/package in a checkout of two files, with stand-ins for all of Debian's tools."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("scripts/package", (SCRIPTS / "package").read_text())
+        self.write("scripts/install-packages", "#!/bin/bash\n")
+        self.write("CMakeLists.txt", "project(MotorBench VERSION 1.2.3\n")
+        for name in ("dpkg-buildpackage", "lintian", "desktop-file-validate", "appstreamcli", "man"):
+            self.stand_in(name, "")
+        self.stand_in("dpkg-deb", '[ "$1" != --contents ] || echo - - - - - ./usr/bin/motorbenchctl\n')
+        self.stand_in("dpkg-parsechangelog", "echo 1.2.3\n")
+        subprocess.run(["git", "init", "--quiet", self.root], check=True)
+
+    def headings(self):
+        status, output = self.run_here(self.root / "scripts" / "package")
+        return status, [line for line in output.splitlines() if line.startswith("==")]
+
+    def test_a_desktop_entry_that_is_not_valid_is_a_failure(self):
+        self.assertIn("== manual pages", self.headings()[1])
+        self.stand_in("desktop-file-validate", "exit 1\n")
+        self.assertEqual(self.headings(), (1, ["== packages", "== lintian", "== desktop"]))
+
+    def test_without_a_checkout_one_line_says_so(self):
+        shutil.rmtree(self.root / ".git")
+        status, output = self.run_here(self.root / "scripts" / "package")
+        self.assertEqual((status, len(output.splitlines())), (1, 1), output)
+        self.assertIn("no git checkout", output)
+
+    def test_a_checkout_of_another_user_is_packed(self):
+        command = self.command(self.root / "scripts" / "package")
+        command["env"]["GIT_TEST_ASSUME_DIFFERENT_OWNER"] = "1"
+        self.assertIn("== packages", subprocess.run(**command, check=False).stdout)
+        self.assertTrue((self.root / "build/package/motorbench-1.2.3/CMakeLists.txt").exists())
+
+
 class Steady(unittest.TestCase):
     """tests/support/steady.py: only a machine that was late gives a case another try."""
 
