@@ -118,6 +118,10 @@ class Tally(Place):
     def test_a_program_that_counts_nothing_is_one(self):
         self.assertEqual(self.tally("a.log", "fine\n\nexit status 0\n"), "1 0 0")
 
+    def test_a_program_that_says_that_it_ran_none_is_none(self):
+        self.assertEqual(self.tally("a.log", "[==========] 0 tests from 0 test suites ran. (0 ms total)\n[  PASSED  ] 0 tests.\n\nexit status 0\n"), "0 0 0")
+        self.assertEqual(self.tally("a.log", "Ran 0 tests in 0.000s\n\nOK\n\nexit status 0\n"), "0 0 0")
+
     def test_reads_what_ctest_writes(self):
         rows = (("run", "", "[  PASSED  ] 2 tests.", "7 0 0"), ("fail", "<failure/>", "", "5 1 0"),
                 ("notrun", '<skipped message="Unable to find executable"/>', "", "5 1 0"),
@@ -135,6 +139,8 @@ class Test(Place):
             shutil.copymode(SCRIPTS / name, self.root / "scripts" / name)
         self.write("scripts/install-packages", "#!/bin/bash\n")
         self.write("scripts/lint", "#!/bin/bash\n")
+        self.program("scripts/package", "[  PASSED  ] 1 test.")
+        self.program("tests/socketcan/run", "[  PASSED  ] 2 tests.")
         self.stand_in("cmake", "")
         self.ctest('<testcase status="run"><system-out>[  PASSED  ] 4 tests.</system-out></testcase>')
 
@@ -143,32 +149,58 @@ class Test(Place):
                       'while [ "$1" != --output-junit ]; do shift; done\n'
                       f'echo "<testsuite>$cases</testsuite>" >"$2"\nexit {status}\n')
 
-    def closing(self):
-        status, output = self.run_here(self.root / "scripts" / "test")
+    def program(self, name, says, then=""):
+        self.write(name, f'#!/bin/bash\necho "{says}"\n{then}\n')
+
+    def sanitized(self, **says):
+        """Test programs of every area under both sanitizers: the first share of each has one test, or what is said of the area."""
+        self.stand_in("nproc", "echo 1\n")
+        one = "[  PASSED  ] $((GTEST_SHARD_INDEX == 0)) tests."
+        for area in ("async", "wire", "transport", "model", "families", "tuning"):
+            self.program(f"build/asan/bin/test_{area}", says.get(area, one))
+        self.program("build/tsan/bin/test_async", one)
+
+    def closing(self, *options):
+        status, output = self.run_here(self.root / "scripts" / "test", *(options or ["--quick"]))
         return status, output.splitlines()[-1]
 
     def test_ends_with_the_numbers(self):
-        self.assertEqual(self.closing(), (0, "4 passed, 0 failed"))
+        self.assertEqual(self.closing(), (0, "7 passed, 0 failed"))
 
     def test_counts_the_suite_with_real_can_interfaces(self):
-        self.write("tests/socketcan/run", f"#!/bin/bash\necho '{GOOGLETEST}'\nexit 1\n")
-        self.assertEqual(self.closing(), (1, "7 passed, 2 failed"))
+        self.program("tests/socketcan/run", GOOGLETEST, "exit 1")
+        self.assertEqual(self.closing(), (1, "8 passed, 2 failed"))
+
+    def test_without_one_of_its_programs_fails(self):
+        for name in ("tests/socketcan/run", "scripts/package"):
+            with self.subTest(name):
+                self.setUp()
+                (self.root / name).unlink()
+                status, last = self.closing()
+                self.assertEqual((status, last.split(", ")[1]), (1, "1 failed"))
 
     def test_counts_what_the_sanitizers_say_of_each_share(self):
-        self.stand_in("nproc", "echo 1\n")
-        self.write("tests/async/a.cpp", "")
-        share = "#!/bin/bash\n[ \"$GTEST_TOTAL_SHARDS\" = 16 ] || exit 1\necho \"[  PASSED  ] $((GTEST_SHARD_INDEX + 1)) tests.\"\n"
-        self.write("build/asan/bin/test_async", share)
-        self.write("build/tsan/bin/test_async", share + "[ $GTEST_SHARD_INDEX != 1 ] || exit 66\n")
-        self.assertEqual(self.closing(), (1, "276 passed, 1 failed"))
+        self.sanitized()
+        share = '[  PASSED  ] $((GTEST_SHARD_INDEX + 1)) tests.'
+        self.program("build/asan/bin/test_async", share, '[ "$GTEST_TOTAL_SHARDS" = 16 ]')
+        self.program("build/tsan/bin/test_async", share, "[ $GTEST_SHARD_INDEX != 1 ] || exit 66")
+        self.assertEqual(self.closing(""), (1, "284 passed, 1 failed"))
+
+    def test_an_area_of_which_a_sanitizer_runs_nothing_is_a_failure(self):
+        self.sanitized()
+        self.assertEqual(self.closing(""), (0, "14 passed, 0 failed"))
+        self.sanitized(families="[  PASSED  ] 0 tests.")
+        self.assertEqual(self.closing(""), (1, "13 passed, 1 failed"))
+        (self.root / "build/asan/bin/test_families").unlink()
+        self.assertEqual(self.closing("")[0], 1)
 
     def test_a_failing_test_is_counted_and_told(self):
         self.ctest('<testcase status="fail"><failure/></testcase>', status=8)
-        self.assertEqual(self.closing(), (1, "0 passed, 1 failed"))
+        self.assertEqual(self.closing(), (1, "3 passed, 1 failed"))
 
     def test_a_failing_stage_does_not_hide_the_others(self):
         self.write("scripts/lint", "#!/bin/bash\nexit 1\n")
-        self.assertEqual(self.closing(), (1, "4 passed, 1 failed"))
+        self.assertEqual(self.closing(), (1, "7 passed, 1 failed"))
 
     def test_a_failing_build_ends_with_the_numbers(self):
         self.stand_in("cmake", "exit 1\n")
@@ -180,13 +212,13 @@ class Test(Place):
 
     def test_tests_that_leave_no_results_are_a_failure(self):
         self.stand_in("ctest", "exit 0\n")
-        self.assertEqual(self.closing(), (1, "0 passed, 2 failed"))
+        self.assertEqual(self.closing(), (1, "3 passed, 2 failed"))
 
     def test_being_stopped_is_told(self):
         started = self.root / "started"
         os.mkfifo(started)
         self.stand_in("cmake", f"echo >{started}\nexec sleep 60\n")
-        with subprocess.Popen(**self.command(self.root / "scripts" / "test"), start_new_session=True) as process:
+        with subprocess.Popen(**self.command(self.root / "scripts" / "test", "--quick"), start_new_session=True) as process:
             with open(started, encoding="utf-8"):
                 os.killpg(process.pid, signal.SIGTERM)
             output, _ = process.communicate()
