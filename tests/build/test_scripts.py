@@ -194,6 +194,16 @@ class Test(Place):
         (self.root / "build/asan/bin/test_families").unlink()
         self.assertEqual(self.closing("")[0], 1)
 
+    def test_what_any_program_keeps_in_a_folder_of_its_user_is_a_failure(self):
+        for folder, name in (("DATA", "motorbench/motorbench.db"), ("CONFIG", "MotorBench/MotorBench.conf"), ("CACHE", "motorbench/scans/one")):
+            keep = f'mkdir -p "$(dirname "$XDG_{folder}_HOME/{name}")" && touch "$XDG_{folder}_HOME/{name}"'
+            for program in ("scripts/package", "build/tsan/bin/test_async"):
+                with self.subTest(name, program=program):
+                    self.setUp()
+                    self.sanitized()
+                    self.program(program, "[  PASSED  ] $((GTEST_SHARD_INDEX == 0)) tests.", keep)
+                    self.assertEqual(self.closing("--quick" if program == "scripts/package" else "")[0], 1)
+
     def test_a_failing_test_is_counted_and_told(self):
         self.ctest('<testcase status="fail"><failure/></testcase>', status=8)
         self.assertEqual(self.closing(), (1, "3 passed, 1 failed"))
