@@ -272,6 +272,80 @@ class Package(Place):
         self.assertTrue((self.root / "build/package/motorbench-1.2.3/CMakeLists.txt").exists())
 
 
+class Soak(Place):
+    def test_a_failing_test_with_real_can_interfaces_does_not_hide_the_others(self):
+        for name in ("soak", "steps.sh"):
+            self.write(f"scripts/{name}", (SCRIPTS / name).read_text())
+        self.write("scripts/install-packages", "#!/bin/bash\n")
+        self.write("tests/socketcan/run", "#!/bin/bash\nexit 3\n")
+        self.stand_in("cmake", "")
+        self.stand_in("ctest", "echo the others\n")
+        status, output = self.run_here(self.root / "scripts" / "soak", "tests")
+        self.assertEqual((status, output.splitlines()[-1]), (3, "the others"))
+
+
+class Beside(Place):
+    """What scripts have in the background. Standard output is a pipe that has an end only when the last of them is gone."""
+
+    def script(self, lines):
+        return self.write("script", f"""#!/bin/bash
+            set -euo pipefail
+            source {shlex.quote(str(SCRIPTS / 'steps.sh'))}
+            trap end_beside EXIT
+            trap 'exit 143' TERM
+            some() {{ echo "$1"; sleep "$2"; return "$3"; }}
+            {lines}""")
+
+    def test_the_status_is_that_of_the_last_that_failed(self):
+        status, output = self.run_here(self.script("lanes=2; for each in 0 3 0 0 0; do beside some a 0 $each; done; all_beside || echo $?; beside some b 0 0; all_beside"))
+        self.assertEqual((status, output), (0, "a\na\na\na\na\n3\nb\n"))
+
+    def test_no_more_run_than_there_are_lanes(self):
+        script = self.script("lanes=2; one() { jobs=$(find %s -name 'now.*' | wc -l); echo $jobs; }; " % self.root +
+                             "each() { touch $1; one; sleep 0.1; rm $1; }; for n in 1 2 3 4 5 6; do beside each %s/now.$n; done; all_beside" % self.root)
+        self.assertLessEqual(set(self.run_here(script)[1].split()), {"1", "2"})
+
+    def test_a_script_that_is_ended_leaves_nothing_behind(self):
+        with subprocess.Popen(**self.command(self.script("beside some begun 600 0; all_beside"))) as process:
+            self.assertEqual(process.stdout.readline(), "begun\n")
+            process.terminate()
+            self.assertEqual(process.communicate(timeout=60)[0], "")
+        self.assertEqual(process.returncode, 143)
+
+
+class CanKernel(Place):
+    """scripts/in-can-kernel where the running kernel has CAN."""
+
+    def setUp(self):
+        super().setUp()
+        self.stand_in("modprobe", "")
+        self.stand_in("ip", "")
+        self.stand_in("unshare", 'while [[ $1 = -* ]]; do shift; done\nexec "$@"\n')
+        self.place = self.root / "with a space"
+        self.place.mkdir()
+
+    def start(self, *arguments):
+        command = self.command(SCRIPTS / "in-can-kernel", *arguments)
+        command["env"]["TMPDIR"] = str(self.place)
+        return subprocess.Popen(**command)
+
+    def test_folders_may_have_a_space(self):
+        with self.start("bash", "-c", 'touch "$TMPDIR/a"; echo "$XDG_DATA_HOME"; exit 7') as process:
+            self.assertIn("/with a space/", process.communicate()[0])
+        self.assertEqual((process.returncode, list(self.place.iterdir())), (7, []))
+
+    def test_when_it_is_ended_so_is_the_command(self):
+        with self.start("bash", "-c", "echo begun; sleep 600") as process:
+            self.assertEqual(process.stdout.readline(), "begun\n")
+            process.terminate()
+            process.communicate(timeout=60)
+        self.assertEqual((process.returncode, list(self.place.iterdir())), (143, []))
+
+    def test_the_command_hears_an_interrupt(self):
+        with self.start("python3", "-c", "import signal; print(signal.getsignal(signal.SIGINT) is signal.default_int_handler)") as process:
+            self.assertEqual(process.communicate()[0], "True\n")
+
+
 class Steady(unittest.TestCase):
     """tests/support/steady.py: only a machine that was late gives a case another try."""
 
