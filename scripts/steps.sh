@@ -3,6 +3,8 @@
 # Sourced by the other scripts: long steps with short output.
 
 jobs=$(nproc)
+# Compilers at a time: a unit with precompiled headers takes up to 1.2 GB.
+compilers=$(awk -v most="$jobs" '/^MemAvailable:/ { room = int($2 / 1200000) } END { print room < 1 ? 1 : room < most ? room : most }' "${MOTORBENCH_MEMINFO:-/proc/meminfo}")
 
 lanes=$jobs # how many commands may run beside each other
 besides=() # those that were begun and not waited for
@@ -84,5 +86,5 @@ build() {
     done
     shift
     quietly "configure $preset" cmake --preset "$preset" "${options[@]}" &&
-        quietly "build $preset${1:+: $*}" cmake --build "build/$preset" -j "$jobs" ${1:+--target "$@"}
+        quietly "build $preset${1:+: $*}" cmake --build "build/$preset" -j "$compilers" ${1:+--target "$@"}
 }

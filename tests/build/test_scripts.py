@@ -89,6 +89,16 @@ class InstallPackages(Place):
         self.assertIn("apt-get install -y --no-install-recommends ccache", output)
         self.assertEqual(self.calls(), [])
 
+    def test_without_sudo_the_line_says_as_root(self):
+        self.has('[ "$name" != ccache ]')
+        self.stand_in("id", "echo 1000\n")
+        for name in ("bash", "env", "dirname"):
+            (self.bin / name).symlink_to(shutil.which(name))
+        command = self.command(SCRIPTS / "install-packages", "demo")
+        command["env"]["PATH"] = str(self.bin)
+        output = subprocess.run(**command, check=False).stdout
+        self.assertEqual(output.splitlines(), ["install-packages: no rights to install; run as root: apt-get update && apt-get install -y --no-install-recommends ccache"])
+
     def test_a_failing_installation_is_told(self):
         self.has("false")
         self.stand_in("apt-get", "echo no network; exit 100\n")
@@ -282,6 +292,17 @@ class Soak(Place):
         self.stand_in("ctest", "echo the others\n")
         status, output = self.run_here(self.root / "scripts" / "soak", "tests")
         self.assertEqual((status, output.splitlines()[-1]), (3, "the others"))
+
+
+class Compilers(Place):
+    def test_there_are_as_many_as_the_memory_holds_and_at_least_one(self):
+        self.stand_in("nproc", "echo 8\n")
+        for kilobytes, expected in ((64000000, 8), (5000000, 4), (300000, 1)):
+            with self.subTest(kilobytes):
+                memory = self.write("meminfo", f"MemTotal: 99000000 kB\nMemAvailable: {kilobytes} kB\n")
+                command = self.command("bash", "-c", f"source {shlex.quote(str(SCRIPTS / 'steps.sh'))}; echo $compilers")
+                command["env"]["MOTORBENCH_MEMINFO"] = str(memory)
+                self.assertEqual(subprocess.run(**command, check=False).stdout, f"{expected}\n")
 
 
 class Beside(Place):
