@@ -2,6 +2,7 @@
 # shellcheck shell=bash
 # Sourced by the other scripts: long steps with short output.
 
+export PYTHONUTF8=1 # what Python prints and reads is UTF-8 in every locale
 jobs=$(nproc)
 # Compilers at a time: a unit with precompiled headers takes up to 1.2 GB.
 compilers=$(awk -v most="$jobs" '/^MemAvailable:/ { room = int($2 / 1200000) } END { print room < 1 ? 1 : room < most ? room : most }' "${MOTORBENCH_MEMINFO:-/proc/meminfo}")
