@@ -85,7 +85,7 @@ void declare(QCommandLineParser &parser)
 
 QString layoutFolder()
 {
-    return QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) + QStringLiteral("/plots");
+    return QString::fromStdString(settingsFolder() + "/plots");
 }
 
 Result<void> checkOptions(const Options &options)
@@ -292,7 +292,7 @@ void Application::setUpStart()
 void Application::setUpPlots()
 {
     if (!m_recorder) {
-        QString folder = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);
+        QString folder = QString::fromStdString(programFolder());
         if (m_options.demo) {
             m_demoFolder = std::make_unique<QTemporaryDir>();
             folder = m_demoFolder->path();
@@ -314,8 +314,7 @@ void Application::setUpPlots()
 void Application::setUpLimits()
 {
     if (!m_options.demo) {
-        const auto opened = m_limits.open(
-            QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) + QStringLiteral("/limits.json"));
+        const auto opened = m_limits.open(QString::fromStdString(settingsFolder() + "/limits.json"));
         if (!opened)
             m_engine->report(Severity::Caution, {}, errorText(opened.error()));
     }

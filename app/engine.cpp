@@ -17,7 +17,6 @@
 
 #include <QDir>
 #include <QSocketNotifier>
-#include <QStandardPaths>
 #include <QThread>
 
 namespace mb {
@@ -30,9 +29,9 @@ constexpr std::size_t historyBudget = 256U << 20U; ///< of samples in memory; tw
 /// Beyond their budget the recordings go to the user's cache, which is on a disk.
 std::shared_ptr<ChunkStore> historyStore()
 {
-    const QString folder = QStandardPaths::writableLocation(QStandardPaths::CacheLocation);
-    QDir().mkpath(folder);
-    return std::make_shared<ChunkStore>(folder.toStdString(), historyBudget);
+    const std::string folder = samplesFolder();
+    QDir().mkpath(QString::fromStdString(folder));
+    return std::make_shared<ChunkStore>(folder, historyBudget);
 }
 
 } // namespace

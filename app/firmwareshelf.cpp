@@ -6,6 +6,7 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
 
+#include <QDateTime>
 #include <QDir>
 #include <QLocale>
 #include <QTimer>

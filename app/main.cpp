@@ -65,6 +65,8 @@ int main(int argc, char **argv)
     QApplication::setStyle(QStringLiteral("Fusion"));
     QApplication qt(argc, argv);
     std::setlocale(LC_NUMERIC, "C"); // files have a dot whatever the locale; Qt asks nobody but itself
+    std::setlocale(
+        LC_MESSAGES, "C"); // what the system says of an error may not depend on more than the chosen language
     QApplication::setApplicationName(QStringLiteral("MotorBench"));
     QApplication::setApplicationVersion(QStringLiteral(MOTORBENCH_VERSION));
     if (!options->plot.isEmpty())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/preferences.h"
 
+#include "app/folders/userfolders.h"
 #include "app/guardian/client/guardianprocess.h"
 #include "app/guardiancheck.h"
 #include "app/keyspanel.h"
@@ -17,7 +18,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QStandardPaths>
 #include <QTabWidget>
 #include <QUrl>
 #include <QVBoxLayout>
@@ -101,8 +101,8 @@ QWidget *Preferences::makeLook(const Look &look)
 void Preferences::addFolders(QFormLayout &form)
 {
     const std::pair<QString, QString> folders[] = {
-        {tr("Notebook, recordings"), QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation)},
-        {tr("Settings, layouts"), QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation)},
+        {tr("Notebook, recordings"), QString::fromStdString(programFolder())},
+        {tr("Settings, layouts"), QString::fromStdString(settingsFolder())},
     };
     for (const auto &[name, folder] : folders) {
         auto *row = new QHBoxLayout;

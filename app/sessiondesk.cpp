@@ -15,6 +15,7 @@
 #include <QBoxLayout>
 #include <QCoreApplication>
 #include <QDateTime>
+#include <QFileInfo>
 #include <QLocale>
 #include <QStandardPaths>
 

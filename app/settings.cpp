@@ -18,7 +18,8 @@ constexpr double largestFont = 3.0;
 Settings::Settings(bool remembers)
 {
     if (remembers)
-        m_store = std::make_unique<QSettings>(QStringLiteral("MotorBench"), QStringLiteral("MotorBench"));
+        m_store = std::make_unique<QSettings>(
+            QStringLiteral("motorbench"), QStringLiteral("MotorBench")); // settingsFolder()
 }
 
 Settings::~Settings() = default;

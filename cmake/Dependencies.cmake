@@ -1,15 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Every dependency is a Debian package and says what it is for.
 include(FeatureSummary)
+add_feature_info(ccache CCACHE_PROGRAM "what was compiled once is not compiled again")
 find_package(Threads REQUIRED)
 set_package_properties(Threads PROPERTIES TYPE REQUIRED PURPOSE "The engine thread and its mailbox")
 
 find_package(PkgConfig REQUIRED)
 set_package_properties(PkgConfig PROPERTIES TYPE REQUIRED PURPOSE "Finds what has no CMake files of its own")
-pkg_check_modules(GPIOD REQUIRED IMPORTED_TARGET libgpiod<2) # 1.6: ready and reset line of SPI boards
-pkg_check_modules(ZSTD REQUIRED IMPORTED_TARGET libzstd) # chunks of recordings that other programs made
+pkg_check_modules(GPIOD REQUIRED IMPORTED_TARGET libgpiod<2)
+add_feature_info(libgpiod GPIOD_FOUND "1.6: ready and reset line of SPI boards")
+pkg_check_modules(ZSTD REQUIRED IMPORTED_TARGET libzstd)
+add_feature_info(libzstd ZSTD_FOUND "chunks of recordings that other programs made")
 pkg_check_modules(LZ4 REQUIRED IMPORTED_TARGET liblz4)
-pkg_check_modules(MOSQUITTO REQUIRED IMPORTED_TARGET libmosquitto) # `watch --to mqtt://`: samples to a broker
+add_feature_info(liblz4 LZ4_FOUND "the same, packed the other way")
+pkg_check_modules(MOSQUITTO REQUIRED IMPORTED_TARGET libmosquitto)
+add_feature_info(libmosquitto MOSQUITTO_FOUND "`watch --to mqtt://`: samples to a broker")
 
 find_package(Qt5 5.15 REQUIRED COMPONENTS Core Gui Widgets PrintSupport Svg Sql SerialPort SerialBus DBus LinguistTools)
 set_package_properties(Qt5 PROPERTIES TYPE REQUIRED
@@ -22,7 +27,8 @@ find_package(CLI11 CONFIG REQUIRED)
 set_package_properties(CLI11 PROPERTIES TYPE REQUIRED PURPOSE "Arguments of motorbenchctl")
 find_package(muparser CONFIG REQUIRED)
 set_package_properties(muparser PROPERTIES TYPE REQUIRED PURPOSE "Formulas of derived signals in plots")
-find_library(FFTW3_LIBRARY fftw3 REQUIRED) # the spectrum of a selection, of any length
+find_library(FFTW3_LIBRARY fftw3 REQUIRED)
+add_feature_info(fftw3 FFTW3_LIBRARY "the spectrum of a selection, of any length")
 
 if(MOTORBENCH_TESTS)
   find_package(Qt5 5.15 REQUIRED COMPONENTS Test)

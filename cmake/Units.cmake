@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Most of the time of a fresh build is parsing headers. MOTORBENCH_UNITS (the presets that build from nothing set it) parses
-# them once for each group of targets and compiles the files of a target in units of several. The preset for everyday work
-# does neither: there a changed file is compiled alone, and a missing #include is found.
+# them once for each group of targets and compiles the files of a target in units of several. The presets for everyday work and
+# for the second compiler do neither: there a changed file is compiled alone, and a missing #include is found.
 option(MOTORBENCH_UNITS "Compile several files as one unit, with precompiled headers: for builds from nothing" OFF)
 
 if(MOTORBENCH_UNITS AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # The first tells of coroutines whose locals have types of their own file, which in a unit is not the main file. The others
-  # are false for std::string in GCC 12 once more of it is inlined. The everyday build has all three.
+  # are false for std::string in GCC 12 once more of it is inlined. The everyday build, which scripts/test --full makes too, has all.
   target_compile_options(motorbench_warnings INTERFACE -Wno-subobject-linkage -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow)
 endif()
 if(MOTORBENCH_UNITS AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
@@ -14,7 +14,7 @@ if(MOTORBENCH_UNITS AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_compile_options("SHELL:--param ggc-min-heapsize=2000000" "SHELL:--param ggc-min-expand=200")
 endif()
 if(MOTORBENCH_UNITS AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
-  # In a unit it also tells of a local that hides what another file has for itself alone. Without units it tells of its own file.
+  # In a unit it also tells of a local that hides what another file has for itself alone. The preset clang, without units, has it.
   target_compile_options(motorbench_warnings INTERFACE -Wno-shadow)
 endif()
 

@@ -2,7 +2,40 @@
 # shellcheck shell=bash
 # Sourced by the other scripts: long steps with short output.
 
+export PYTHONUTF8=1 # what Python prints and reads is UTF-8 in every locale
 jobs=$(nproc)
+# Compilers at a time: a unit with precompiled headers takes up to 1.2 GB.
+compilers=$(awk -v most="$jobs" '/^MemAvailable:/ { room = int($2 / 1200000) } END { print room < 1 ? 1 : room < most ? room : most }' "${MOTORBENCH_MEMINFO:-/proc/meminfo}")
+
+lanes=$jobs # how many commands may run beside each other
+besides=() # those that were begun and not waited for
+
+# beside COMMAND…: in the background, as soon as there is room. In a process group of its own, so that what it starts ends with it.
+beside() {
+    while [ "$(jobs -rp | wc -l)" -ge "$lanes" ]; do wait -n || true; done
+    set -m
+    "$@" </dev/null &
+    set +m
+    besides+=($!)
+}
+
+# all_beside: waits for all of them; the status of the last that failed, or 0.
+all_beside() {
+    local each status=0
+    for each in "${besides[@]}"; do wait "$each" || status=$?; done
+    besides=()
+    return "$status"
+}
+
+# end_beside: ends what still runs in the background. For the trap of a script that has something there; it also needs traps of INT,
+# TERM and HUP, or it ends without the other one.
+end_beside() {
+    local each begun
+    begun=$(jobs -p)
+    for each in $begun; do kill -- "-$each" 2>/dev/null || kill "$each" 2>/dev/null || true; done
+    wait
+    for each in $begun; do kill -- "-$each" 2>/dev/null || true; done # a program that was just being started has not heard the first
+}
 
 times=() # "SECONDS TITLE" of each step that took one
 
@@ -54,5 +87,5 @@ build() {
     done
     shift
     quietly "configure $preset" cmake --preset "$preset" "${options[@]}" &&
-        quietly "build $preset${1:+: $*}" cmake --build "build/$preset" -j "$jobs" ${1:+--target "$@"}
+        quietly "build $preset${1:+: $*}" cmake --build "build/$preset" -j "$compilers" ${1:+--target "$@"}
 }

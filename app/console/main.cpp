@@ -152,7 +152,8 @@ int main(int argc, char **argv)
     if (!line->job)
         return print(line->text, before);
     QCoreApplication application(argc, argv);
-    std::setlocale(LC_NUMERIC, "C"); // a number has a dot whatever the locale
+    std::setlocale(LC_NUMERIC, "C");  // a number has a dot whatever the locale
+    std::setlocale(LC_MESSAGES, "C"); // and what the system says of an error is English, as all around it
     Program program(application, line->options);
     return program.run(line->job);
 }

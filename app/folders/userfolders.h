@@ -27,10 +27,23 @@ namespace mb {
     return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation).toStdString() + "/motorbench/updates";
 }
 
-/// Where the window keeps what it had open, in `sessions`, and reports of crashes, in `crashes`.
+/// Everything that is kept for good: below it also `recordings`, what the window had open, in `sessions`, and reports of crashes, in
+/// `crashes`.
 [[nodiscard]] inline std::string programFolder()
 {
     return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation).toStdString() + "/motorbench";
+}
+
+/// What people have chosen and arranged: settings of the window, limits of units, and layouts of plots, in `plots`.
+[[nodiscard]] inline std::string settingsFolder()
+{
+    return QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation).toStdString() + "/motorbench";
+}
+
+/// Old samples of this run that memory has no room for.
+[[nodiscard]] inline std::string samplesFolder()
+{
+    return QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation).toStdString() + "/motorbench/samples";
 }
 
 /// Trials, and what is owed to units: one file for window and console.

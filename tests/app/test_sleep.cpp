@@ -251,6 +251,16 @@ TEST_F(Guarded, TheComputerIsKeptAwakeWhileFirmwareIsWritten)
     EXPECT_TRUE(becomesAwake(false));
 }
 
+/// Of a console whose computer is asked to stay awake, and that keeps what it keeps in this folder.
+QProcessEnvironment environmentWith(const PrivateBus &bus, const QTemporaryDir &home)
+{
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("DBUS_SYSTEM_BUS_ADDRESS"), bus.address);
+    for (const char *const folder : {"XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME"})
+        environment.insert(QLatin1String(folder), home.path());
+    return environment;
+}
+
 /// The real console program, with a board and its bootloader in another process.
 TEST(Sleep, AnUpdateByTheConsoleMarksItsDeviceBusySoThatTheComputerStaysAwake)
 {
@@ -274,10 +284,7 @@ TEST(Sleep, AnUpdateByTheConsoleMarksItsDeviceBusySoThatTheComputerStaysAwake)
             QStringLiteral("quadquad2drv:0,jumper=closed,boot=pty:") + boot});
     ASSERT_TRUE(board.waitForReadyRead(20'000));
     QProcess update;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert(QStringLiteral("DBUS_SYSTEM_BUS_ADDRESS"), bus.address);
-    environment.insert(QStringLiteral("XDG_DATA_HOME"), folder.path());
-    update.setProcessEnvironment(environment);
+    update.setProcessEnvironment(environmentWith(bus, folder));
     update.start(program,
         {QStringLiteral("flash"), socket + QStringLiteral("/quadquad2drv:0"), image.fileName(), QStringLiteral("--via"),
             QStringLiteral("serial:") + boot});
@@ -313,10 +320,7 @@ TEST(Sleep, AServiceByTheConsoleKeepsTheComputerAwakeBetweenItsSteps)
             QStringLiteral("supermodified:4")});
     ASSERT_TRUE(node.waitForReadyRead(20'000));
     QProcess service;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert(QStringLiteral("DBUS_SYSTEM_BUS_ADDRESS"), bus.address);
-    environment.insert(QStringLiteral("XDG_DATA_HOME"), folder.path());
-    service.setProcessEnvironment(environment);
+    service.setProcessEnvironment(environmentWith(bus, folder));
     service.start(program,
         {QStringLiteral("service"), folder.filePath(QStringLiteral("recipe.json")),
             QStringLiteral("serial:%1?baud=57600").arg(line)});

@@ -3,10 +3,12 @@
 #include "windowbench.h"
 
 #include "app/about.h"
+#include "app/folders/userfolders.h"
 #include "app/guardian/client/guardianprocess.h"
 #include "app/guardiancheck.h"
 #include "app/languages.h"
 #include "app/preferences.h"
+#include "app/settings.h"
 #include "support/windowtests.h"
 #include "widgets/common/segmented.h"
 #include "widgets/control/tunepage.h"
@@ -17,6 +19,8 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QDir>
+#include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -65,6 +69,7 @@ private Q_SLOTS:
     void anotherLanguageIsSpokenAtOnceOnTheSamePageAndDevice();
     void theLanguagesAreThoseThatAreTranslatedEachInItsOwnWord();
     void unitsAndSoundsAreThePersonsChoice();
+    void preferencesNameTheFoldersWhereThingsAreKept();
     void theGuardianIsChecked();
     void theThemeMayBeTheDesktops();
     void nothingChangesWhileAMotorIsArmed();
@@ -150,6 +155,20 @@ void ProgramTest::unitsAndSoundsAreThePersonsChoice()
     dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok)->click();
     QTRY_VERIFY_WITH_TIMEOUT(revolutions(), patience); // in the window that is made anew
     QVERIFY(!bench.part<ProductionPage>().findChild<QCheckBox *>(QStringLiteral("sound"))->isChecked());
+}
+
+void ProgramTest::preferencesNameTheFoldersWhereThingsAreKept()
+{
+    WindowBench bench;
+    QTest::keyClick(&bench.window(), Qt::Key_Comma, Qt::ControlModifier);
+    QMap<QString, QString> named;
+    for (const QLabel *label : bench.window().findChild<Preferences *>()->findChildren<QLabel *>())
+        named[label->accessibleName()] = label->text();
+    QCOMPARE(named[QStringLiteral("Notebook, recordings")],
+        QFileInfo(QString::fromStdString(databaseFile())).absolutePath());
+    Settings(true).setTheme(QStringLiteral("dark"));
+    QCOMPARE(QDir(named[QStringLiteral("Settings, layouts")]).entryList(QDir::Files),
+        QStringList(QStringLiteral("MotorBench.conf")));
 }
 
 void ProgramTest::theGuardianIsChecked()

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """scripts/lint rejects what it says it rejects, where it stands, and leaves its harmless twin alone."""
+import json
+import os
 import pathlib
 import subprocess
 import sys
@@ -256,6 +258,23 @@ class Lint(unittest.TestCase):
         status, output = lint([bad, ("scripts/lint-exceptions", listed + bad[0] + ":\n")])
         self.assertEqual(status, 1, output)
         self.assertIn("scripts/lint-exceptions:2: error: an exception has a reason", output)
+
+
+class Tidy(unittest.TestCase):
+    def test_a_file_that_is_not_compiled_by_itself_is_told_not_left_out(self):
+        with tempfile.TemporaryDirectory() as place:
+            root = pathlib.Path(place).resolve()
+            (root / "app").mkdir()
+            for name in ("a", "b"):
+                (root / "app" / f"{name}.cpp").write_text(LICENCE, encoding="utf-8")
+            compiled = {"file": str(root / "app" / "a.cpp"), "directory": str(root), "command": "c++ -c app/a.cpp"}
+            (root / "compile_commands.json").write_text(json.dumps([compiled]), encoding="utf-8")
+            (root / "clang-tidy").write_text("#!/bin/sh\n", encoding="utf-8")
+            (root / "clang-tidy").chmod(0o755)
+            done = subprocess.run([LINT, "--root", root, "--tidy", root], env={**os.environ, "PATH": f"{root}:{os.environ['PATH']}"},
+                                  text=True, stdout=subprocess.PIPE, check=False)
+            self.assertEqual(done.returncode, 1)
+            self.assertEqual(done.stdout, f"app/b.cpp: error: not compiled by itself in {root}\ntidy: 1 files, 1 findings\n")
 
 
 if __name__ == "__main__":

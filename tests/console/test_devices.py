@@ -231,6 +231,12 @@ class DeviceVerbs(ContractTest):
         self.assertEqual(self.run_one("restart", "sim:spi/quadquad2drv:0")["result"], "restarted")
         self.assert_error(2, "restart", "sim:can/abstractdc:3", says="switch it off")
 
+    def test_what_the_system_says_of_an_error_is_english_in_every_locale(self):
+        if not os.path.exists("/usr/share/locale/de/LC_MESSAGES/libc.mo"):
+            self.skipTest("the C library has no German here: package libc-l10n")
+        run = Run(["scan", "serial:/dev/null"], environment=dict(os.environ, LC_ALL="C.UTF-8", LANGUAGE="de"))
+        self.assertIn("Inappropriate ioctl for device", run.err)
+
     def test_text_is_for_people_and_has_a_dot_in_every_locale(self):
         environment = dict(os.environ, LC_ALL="de_DE.UTF-8", LANG="de_DE.UTF-8")
         run = Run(["set", CIM, "slot0.p=1.5"], environment=environment)

@@ -271,8 +271,9 @@ TEST_F(NewFamily, SpeaksGermanFromItsOwnFolder)
 
 int main(int argc, char **argv)
 {
-    const QTemporaryDir data; // what the program keeps of devices goes with the test
-    qputenv("XDG_DATA_HOME", data.path().toUtf8());
+    const QTemporaryDir home; // what the program keeps of devices goes with the test
+    for (const char *const folder : {"XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME"})
+        qputenv(folder, home.path().toUtf8());
     QApplication application(argc, argv);
     testing::InitGoogleTest(&argc, argv);
     return RUN_ALL_TESTS();
