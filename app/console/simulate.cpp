@@ -136,7 +136,8 @@ Job declareSimulate(CLI::App &arguments)
     const auto a = std::make_shared<SimulateArguments>();
     arguments
         .add_option("--on", a->on,
-            "A link, then the devices on it, such as socketcan:vcan0 dmc60c:5,motor=cim or pty:./tty0 FAMILY:4")
+            "A link, then the devices on it, such as socketcan:vcan0 dmc60c:5,motor=cim or pty:./tty0 FAMILY:4; all "
+            "have motor=, load= and fault=; what else a family has stands in docs/bench.md")
         ->required();
     arguments.add_option("--seed", a->seed, "Of everything random; 1 by default");
     arguments.add_option("--for", a->seconds, "Seconds; until a signal otherwise");
