@@ -7998,10 +7998,6 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
         <translation>Dialekt</translation>
     </message>
     <message>
-        <source>Known as</source>
-        <translation>Bekannt als</translation>
-    </message>
-    <message>
         <source>Parameter</source>
         <translation>Parameter</translation>
     </message>
@@ -8215,6 +8211,18 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     <message>
         <source>Breakaway backwards</source>
         <translation>Losbrechen rückwärts</translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Known by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its place; another unit may stand there</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -18154,6 +18162,14 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>the unit with number %1 has another session than before, and may be another unit: its serial number was not known</source>
         <translation>das Gerät mit der Nummer %1 hat eine andere Sitzung als vorher und kann ein anderes sein: seine Seriennummer war nicht bekannt</translation>
+    </message>
+    <message>
+        <source>begin it once more to serve this unit again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the queue was ended</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

@@ -8010,10 +8010,6 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
         <translation>Dialecto</translation>
     </message>
     <message>
-        <source>Known as</source>
-        <translation>Conocido como</translation>
-    </message>
-    <message>
         <source>Parameter</source>
         <translation>Parámetro</translation>
     </message>
@@ -8215,6 +8211,18 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
     <message>
         <source>Breakaway backwards</source>
         <translation>Arranque hacia atrás</translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Known by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its place; another unit may stand there</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -18154,6 +18162,14 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>the unit with number %1 has another session than before, and may be another unit: its serial number was not known</source>
         <translation>el equipo con el número %1 tiene otra sesión que antes y puede ser otro equipo: no se conocía su número de serie</translation>
+    </message>
+    <message>
+        <source>begin it once more to serve this unit again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the queue was ended</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

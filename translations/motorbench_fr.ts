@@ -8010,10 +8010,6 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
         <translation>Dialecte</translation>
     </message>
     <message>
-        <source>Known as</source>
-        <translation>Connu sous le nom</translation>
-    </message>
-    <message>
         <source>Parameter</source>
         <translation>Paramètre</translation>
     </message>
@@ -8215,6 +8211,18 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     <message>
         <source>Breakaway backwards</source>
         <translation>Décollement en arrière</translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Known by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its place; another unit may stand there</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -18154,6 +18162,14 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>the unit with number %1 has another session than before, and may be another unit: its serial number was not known</source>
         <translation>l’appareil numéro %1 a une autre session qu’avant et peut être un autre appareil&#xa0;: son numéro de série n’était pas connu</translation>
+    </message>
+    <message>
+        <source>begin it once more to serve this unit again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the queue was ended</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

@@ -8001,10 +8001,6 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <translation>ダイアレクト</translation>
     </message>
     <message>
-        <source>Known as</source>
-        <translation>登録名</translation>
-    </message>
-    <message>
         <source>Parameter</source>
         <translation>パラメータ</translation>
     </message>
@@ -8205,6 +8201,18 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     <message>
         <source>Breakaway backwards</source>
         <translation>逆方向の始動</translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Known by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its place; another unit may stand there</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -18140,6 +18148,14 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the unit with number %1 has another session than before, and may be another unit: its serial number was not known</source>
         <translation>番号 %1 の機器のセッションが以前と異なり、別の機器かもしれません: シリアル番号は不明でした</translation>
+    </message>
+    <message>
+        <source>begin it once more to serve this unit again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the queue was ended</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

@@ -47,6 +47,14 @@ Result<BenchOptions> parseOptions(const LinkAddress &address)
     return options;
 }
 
+/// Asked on an end that nobody opens, before the unit itself is made.
+bool hasFault(const Family &family, SimulatedUnit unit, const SimulatedFault &fault, Link &closed, Clock &clock)
+{
+    unit.faults = {fault};
+    const auto made = family.simulate(closed, clock, unit);
+    return made || made.error().fault != Fault::Unsupported;
+}
+
 } // namespace
 
 Bench::Bench(LinkAddress address, Clock &outer, std::uint64_t seed)
@@ -91,6 +99,7 @@ void Bench::setLoss(double fraction)
 
 Result<void> Bench::populate(std::span<const Family *const> families, const std::vector<SimulatedFault> &faults)
 {
+    std::vector<bool> known(faults.size());
     for (const Family *family : families) {
         if (!serves(*family, kindOf(m_address)) || !family->simulate)
             continue;
@@ -98,11 +107,21 @@ Result<void> Bench::populate(std::span<const Family *const> families, const std:
             auto unit = SimulatedUnit::parse(text);
             if (!unit)
                 return fail(unit.error());
-            unit->faults.insert(unit->faults.end(), faults.begin(), faults.end());
+            for (std::size_t i = 0; i < faults.size(); ++i) {
+                const auto closed = m_bus->makeEnd(m_address);
+                if (!hasFault(*family, *unit, faults[i], *closed, m_clock))
+                    continue;
+                known[i] = true;
+                unit->faults.push_back(faults[i]);
+            }
             unit->seed = m_seed * 1000 + m_simulators.size();
             if (auto added = addUnit(*family, std::move(*unit)); !added)
                 return added;
         }
+    }
+    for (std::size_t i = 0; i < faults.size() && !m_simulators.empty(); ++i) {
+        if (!known[i])
+            return fail(Fault::OutOfRange, say("unknown fault '%1'", faults[i].kind));
     }
     return {};
 }

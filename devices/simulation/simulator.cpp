@@ -5,35 +5,43 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace mb {
 namespace {
 
-enum class Needs { Nothing, Number, TwoNumbers };
+enum class Needs { Nothing, Seconds, Page, Frame, FrameAndTime };
 
 struct FaultForm {
     std::string_view kind;
     Needs needs;
 };
 constexpr std::array faultRows{
-    FaultForm{"drop", Needs::Number},
-    FaultForm{"corrupt", Needs::Number},
-    FaultForm{"delay", Needs::TwoNumbers},
-    FaultForm{"silent", Needs::Number},
-    FaultForm{"power", Needs::Number},
-    FaultForm{"power-page", Needs::Number},
-    FaultForm{"reset", Needs::Number},
-    FaultForm{"busoff", Needs::Number},
-    FaultForm{"encoder-dead", Needs::Number},
+    FaultForm{"drop", Needs::Frame},
+    FaultForm{"corrupt", Needs::Frame},
+    FaultForm{"delay", Needs::FrameAndTime},
+    FaultForm{"silent", Needs::Frame},
+    FaultForm{"power", Needs::Frame},
+    FaultForm{"power-page", Needs::Page},
+    FaultForm{"reset", Needs::Seconds},
+    FaultForm{"busoff", Needs::Seconds},
+    FaultForm{"encoder-dead", Needs::Seconds},
     FaultForm{"encoder-reversed", Needs::Nothing},
-    FaultForm{"brownout", Needs::Number},
-    FaultForm{"stall", Needs::Number},
+    FaultForm{"brownout", Needs::Seconds},
+    FaultForm{"stall", Needs::Seconds},
     FaultForm{"duplicate", Needs::Nothing},
 };
 
 bool parseNumber(std::string_view text, double &out)
 {
     return takeNumber(text, out) && out >= 0.0;
+}
+
+/// Frames count from 1, pages from 0; neither comes in parts.
+bool isPossible(double at, Needs needs)
+{
+    const bool frame = needs == Needs::Frame || needs == Needs::FrameAndTime;
+    return needs == Needs::Seconds || (at == std::floor(at) && at >= (frame ? 1.0 : 0.0));
 }
 
 } // namespace
@@ -54,10 +62,10 @@ Result<SimulatedFault> SimulatedFault::parse(std::string_view text)
         return bad();
     const std::string_view numbers = text.substr(at + 1);
     const auto colon = numbers.find(':');
-    if (!parseNumber(numbers.substr(0, colon), fault.at))
+    if (!parseNumber(numbers.substr(0, colon), fault.at) || !isPossible(fault.at, row->needs))
         return bad();
     const bool two = colon != std::string_view::npos;
-    if (two != (row->needs == Needs::TwoNumbers) || (two && !parseNumber(numbers.substr(colon + 1), fault.argument)))
+    if (two != (row->needs == Needs::FrameAndTime) || (two && !parseNumber(numbers.substr(colon + 1), fault.argument)))
         return bad();
     return fault;
 }

@@ -35,6 +35,17 @@ template <class Options, std::size_t N>
     return {};
 }
 
+/// The unit's faults; Unsupported for one of a kind that is not in `known`.
+[[nodiscard]] inline Result<std::vector<SimulatedFault>> takeFaults(
+    const SimulatedUnit &unit, const Message &what, std::span<const std::string_view> known)
+{
+    for (const SimulatedFault &fault : unit.faults) {
+        if (std::find(known.begin(), known.end(), fault.kind) == known.end())
+            return fail(Fault::Unsupported, say("%1 has no option '%2'", what, "fault=" + fault.kind));
+    }
+    return unit.faults;
+}
+
 /// A number from `low` to `high`; `out` stays as it is otherwise.
 template <class Number> [[nodiscard]] bool takeWithin(std::string_view text, Number low, Number high, Number &out)
 {

@@ -91,11 +91,13 @@ TEST(SimulatedUnit, RefusesNonsense)
 
 TEST(SimulatedFault, NeedsTheNumbersOfItsKind)
 {
-    for (const char *text : {"drop@3", "corrupt@1", "delay@7:50", "silent@9", "power@4", "power-page@30", "reset@1.5",
-             "busoff@2", "brownout@1", "stall@1", "encoder-dead@0", "encoder-reversed", "duplicate"})
+    for (const char *text :
+        {"drop@3", "corrupt@1", "delay@7:50", "silent@9", "power@4", "power-page@30", "power-page@0", "reset@1.5",
+            "busoff@2", "brownout@1", "stall@1", "encoder-dead@0", "encoder-reversed", "duplicate"})
         EXPECT_TRUE(SimulatedFault::parse(text)) << text;
     for (const char *text : {"", "@3", "drop", "drop@", "drop@x", "drop@-1", "drop@3:4", "delay@7",
-             "delay@7:", "delay@:50", "duplicate@1", "stall@nan", "stall@inf", "busoff@1e400"})
+             "delay@7:", "delay@:50", "drop@0", "drop@1.5", "corrupt@0", "silent@0", "delay@0:5", "power@0",
+             "power@2.5", "power-page@1.5", "duplicate@1", "stall@nan", "stall@inf", "busoff@1e400"})
         EXPECT_FALSE(SimulatedFault::parse(text)) << text;
 }
 

@@ -19,7 +19,7 @@ namespace mb::abstractdc {
 ///
 /// Faults count the frames the device sends (`drop`, `corrupt`, `delay`, and `silent`: nothing from that frame on), or those
 /// it hears (`power`: the supply goes before the N-th and returns after 200 ms), or seconds from the start. `duplicate` adds
-/// a second unit with the same offset. `power-page` concerns no drive without a bootloader.
+/// a second unit with the same offset. `busoff`: for 100 ms it hears and sends nothing. Others: Unsupported.
 ///
 /// Events: output-on, output-off, reset, power-lost, power-on, settings-saved (value: the loop), memory-overrun.
 ///

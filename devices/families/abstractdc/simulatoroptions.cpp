@@ -14,6 +14,9 @@ using Option = SimulatorOption<UnitOptions>;
 constexpr std::array<std::pair<std::string_view, StoredGains>, 3> gainWords{
     {{"default", StoredGains::Default}, {"tuned", StoredGains::Tuned}, {"overshoot", StoredGains::Overshoot}}};
 
+constexpr std::array<std::string_view, 12> knownFaults{"drop", "corrupt", "delay", "silent", "power", "reset",
+    "encoder-dead", "encoder-reversed", "brownout", "stall", "busoff", "duplicate"};
+
 constexpr std::array optionTable{
     Option{"dialect",
         [](UnitOptions &o, std::string_view text) {
@@ -47,9 +50,12 @@ Result<UnitOptions> UnitOptions::parse(const SimulatedUnit &unit)
     options.offset = unit.address;
     options.motor = motorByName("25d");
     options.seed = unit.seed;
-    options.faults = unit.faults;
     if (auto taken = takeOptions(unit, say("a simulated Abstract DC Drive"), optionTable, options); !taken)
         return fail(taken.error());
+    auto faults = takeFaults(unit, say("a simulated Abstract DC Drive"), knownFaults);
+    if (!faults)
+        return fail(faults.error());
+    options.faults = std::move(*faults);
     return options;
 }
 

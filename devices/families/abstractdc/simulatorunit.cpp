@@ -11,6 +11,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration powerBack = 200ms;
+constexpr Duration busOffTime = 100ms;
 constexpr double brownoutVolts = 5.0;
 constexpr double brownoutSeconds = 6.0;
 constexpr double glitchWindow = 20e-6; ///< how long after a wrap a reading may be wrong
@@ -42,6 +43,7 @@ Unit::Unit(CanLink &link, Clock &clock, const UnitOptions &options, Notify notif
     , m_loops(clock, m_shaft, m_notify)
     , m_outbox(link, clock, m_options)
     , m_restart(clock)
+    , m_busOff(clock)
     , m_received(link.received().add([this](const CanFrame &frame) { hear(frame); }))
 {
     const auto stored = storedGains(options);
@@ -102,6 +104,11 @@ void Unit::scheduleFaults()
                 m_notify(m_clock.now(), "reset", 0.0);
                 start();
             });
+        else if (fault.kind == "busoff")
+            at(fault.at, [this] {
+                m_outbox.clear();
+                m_busOff.startIn(busOffTime, [] {});
+            });
         else if (fault.kind == "encoder-dead")
             at(fault.at, [this] { m_shaft.motor().setEncoderDead(true); });
         else if (fault.kind == "stall")
@@ -143,7 +150,7 @@ bool Unit::disturb(std::string_view what, double value)
 
 void Unit::hear(const CanFrame &frame)
 {
-    if (!m_powered || frame.extended || frame.remote || frame.error)
+    if (!m_powered || m_busOff.isActive() || frame.extended || frame.remote || frame.error)
         return;
     ++m_heard;
     for (const SimulatedFault &fault : m_options.faults) {

@@ -49,6 +49,7 @@ private:
     int m_positionLogs = 0;
     bool m_glitchNext = false;
     Timer m_restart;
+    Timer m_busOff; ///< runs while nothing is heard and nothing sent
     std::list<Timer> m_timers;
     Subscription m_received;
 };

@@ -51,6 +51,9 @@ constexpr std::array<std::pair<std::string_view, VelocityWindow>, 2> windows{
 constexpr std::array<std::pair<std::string_view, StoredGains>, 3> gains{
     {{"default", StoredGains::Default}, {"tuned", StoredGains::Tuned}, {"overshoot", StoredGains::Overshoot}}};
 
+constexpr std::array<std::string_view, 13> knownFaults{"drop", "corrupt", "delay", "silent", "power", "reset",
+    "encoder-dead", "encoder-reversed", "brownout", "stall", "power-page", "busoff", "duplicate"};
+
 constexpr std::array optionTable{
     Option{"motor", [](UnitOptions &o, std::string_view text) { return takeMotor(text, o.motor); }},
     Option{"load", [](UnitOptions &o, std::string_view text) { return takeLoad(text, o.load); }},
@@ -91,11 +94,17 @@ Result<UnitOptions> UnitOptions::parse(const SimulatedUnit &unit)
     UnitOptions options;
     options.number = unit.address;
     options.seed = unit.seed;
-    options.faults = unit.faults;
     options.serial = defaultSerial(unit.seed, unit.address);
     options.load = usualLoad(unit.option("motor").value_or("cim"));
     if (auto taken = takeOptions(unit, say("a simulated DMC60C"), optionTable, options); !taken)
         return fail(taken.error());
+    auto faults = takeFaults(unit, say("a simulated DMC60C"), knownFaults);
+    if (!faults)
+        return fail(faults.error());
+    const SimulatedFault *page = findFault(*faults, "power-page");
+    if (page && page->at > lastPage)
+        return fail(Fault::OutOfRange, say("fault '%1' does not parse", "power-page"));
+    options.faults = std::move(*faults);
     return options;
 }
 

@@ -32,6 +32,9 @@ bool setBoot(BoardOptions &options, std::string_view text)
     return address.has_value();
 }
 
+constexpr std::array<std::string_view, 11> knownFaults{"drop", "corrupt", "delay", "silent", "power", "reset",
+    "encoder-dead", "encoder-reversed", "brownout", "stall", "power-page"};
+
 constexpr std::array optionTable{
     Option{"motor",
         [](BoardOptions &o, std::string_view text) {
@@ -65,12 +68,15 @@ Result<BoardOptions> BoardOptions::parse(const SimulatedUnit &unit)
     BoardOptions options;
     options.motors = {"25d", "n20", "25dlp", "25d"};
     options.seed = unit.seed;
-    options.faults = unit.faults;
+    if (auto taken = takeOptions(unit, say("a simulated QuadQuad2Drv"), optionTable, options); !taken)
+        return fail(taken.error());
+    auto faults = takeFaults(unit, say("a simulated QuadQuad2Drv"), knownFaults);
+    if (!faults)
+        return fail(faults.error());
+    options.faults = std::move(*faults);
     // the timed ones in order, so that one index serves
     std::stable_sort(options.faults.begin(), options.faults.end(),
         [](const SimulatedFault &a, const SimulatedFault &b) { return a.at < b.at; });
-    if (auto taken = takeOptions(unit, say("a simulated QuadQuad2Drv"), optionTable, options); !taken)
-        return fail(taken.error());
     if ((options.jumper || options.inBootloader) && !options.boot)
         return fail(Fault::OutOfRange, say("a bootloader needs the board's serial line, such as boot=pty:./boot"));
     return options;
@@ -144,6 +150,8 @@ Result<std::unique_ptr<Simulator>> simulate(Link &link, Clock &clock, const Simu
     const auto options = simulation::BoardOptions::parse(unit);
     if (!options)
         return fail(options.error());
+    if (!options->boot && findFault(options->faults, "power-page"))
+        return fail(Fault::Unsupported, say("a bootloader needs the board's serial line, such as boot=pty:./boot"));
     auto simulated = std::make_unique<SimulatedQuadQuad>(*slave, clock, *options);
     if (auto opened = simulated->openBoot(clock, *options); !opened)
         return fail(opened.error());

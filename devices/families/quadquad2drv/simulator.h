@@ -9,8 +9,9 @@ namespace mb::quadquad2drv {
 ///
 /// Options: `motor=` and `load=` for all four motors, `firmware=1.3`, `boot=LINK` (its bootloader's serial line),
 /// `jumper=closed` (a reset enters the bootloader), `state=bootloader`.
-/// Faults: drop, corrupt, silent, power (N-th packet sent by the board), reset, encoder-dead, stall (seconds),
-/// encoder-reversed; the last four concern channel 1. Disturbances: load-torque, stall, bus-voltage (all axes), `input1`… (level), jumper.
+/// Faults: drop, corrupt, delay, silent (N-th packet that the board sends), power (the supply goes before its N-th request and
+/// returns after 200 ms), power-page (with `boot`: at that line), reset, brownout (no supply for 6 s), encoder-dead, stall (seconds),
+/// encoder-reversed; the last three concern channel 1. Others: Unsupported. Disturbances: load-torque, stall, bus-voltage (all axes), `input1`… (level), jumper.
 [[nodiscard]] Result<std::unique_ptr<Simulator>> simulate(Link &link, Clock &clock, const SimulatedUnit &unit);
 
 } // namespace mb::quadquad2drv

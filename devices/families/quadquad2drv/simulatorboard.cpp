@@ -8,6 +8,7 @@ namespace {
 
 constexpr Duration loopPeriod = std::chrono::milliseconds(2);
 constexpr Duration powerBack = std::chrono::milliseconds(200);
+constexpr Duration brownout = std::chrono::seconds(6);
 constexpr Duration startTime = std::chrono::milliseconds(50); ///< README.md#reset
 
 } // namespace
@@ -27,7 +28,7 @@ Board::Board(SpiSlaveLink &link, Clock &clock, const BoardOptions &options, Noti
     , m_due(m_begun + loopPeriod)
     , m_loop(clock)
     , m_stream(clock)
-    , m_powerBack(clock)
+    , m_supply{true, {}, Timer(clock)}
 {
     m_commands.version = options.version;
     for (std::size_t i = 0; i < axes; ++i) {
@@ -70,11 +71,14 @@ void Board::afterFault(double seconds)
 {
     for (; m_nextFault < m_options.faults.size(); ++m_nextFault) {
         const SimulatedFault &fault = m_options.faults[m_nextFault];
-        const bool timed = fault.kind == "reset" || fault.kind == "encoder-dead" || fault.kind == "stall";
+        const bool timed = fault.kind == "reset" || fault.kind == "encoder-dead" || fault.kind == "stall"
+            || fault.kind == "brownout";
         if (timed && fault.at > seconds)
             return;
         if (fault.kind == "reset")
             reset();
+        else if (fault.kind == "brownout")
+            losePower(brownout);
         else if (fault.kind == "encoder-dead")
             m_axes.front()->motor().setEncoderDead(true);
         else if (fault.kind == "stall")
@@ -92,7 +96,7 @@ void Board::noteOutput()
 
 void Board::reset()
 {
-    if (m_powered)
+    if (m_supply.on)
         begin();
 }
 
@@ -100,7 +104,7 @@ void Board::reset()
 void Board::begin()
 {
     restart();
-    m_awake = m_clock.now() + startTime;
+    m_supply.awake = m_clock.now() + startTime;
     if (m_startListener)
         m_startListener(true);
 }
@@ -110,6 +114,7 @@ void Board::restart()
     for (const auto &axis : m_axes)
         axis->reset();
     m_reader.clear();
+    m_late.clear();
     m_out.clear();
     m_commands.restart();
     m_stream.stop();
@@ -120,10 +125,10 @@ void Board::restart()
 
 void Board::setPowered(bool powered)
 {
-    m_powerBack.stop();
-    if (powered == m_powered)
+    m_supply.back.stop();
+    if (powered == m_supply.on)
         return;
-    m_powered = powered;
+    m_supply.on = powered;
     if (powered) {
         begin();
         return;
@@ -135,8 +140,15 @@ void Board::setPowered(bool powered)
 
 void Board::losePower()
 {
+    losePower(powerBack);
+}
+
+void Board::losePower(Duration gap)
+{
+    if (!m_supply.on)
+        return;
     setPowered(false);
-    m_powerBack.startIn(powerBack, [this] { setPowered(true); });
+    m_supply.back.startIn(gap, [this] { setPowered(true); });
 }
 
 void Board::setRunning(bool running)
@@ -144,7 +156,7 @@ void Board::setRunning(bool running)
     if (running == m_running)
         return;
     m_running = running;
-    m_awake = m_clock.now() + startTime;
+    m_supply.awake = m_clock.now() + startTime;
     restart();
 }
 
@@ -162,9 +174,9 @@ void Board::transfer(std::span<const std::uint8_t> mosi, std::span<std::uint8_t>
 
 void Board::execute(const Bytes &packet)
 {
-    ++m_heard;
+    ++m_counts.heard;
     for (const SimulatedFault &fault : m_options.faults) {
-        if (fault.kind == "power" && static_cast<int>(fault.at) == m_heard) {
+        if (fault.kind == "power" && static_cast<int>(fault.at) == m_counts.heard) {
             losePower();
             return;
         }
@@ -183,17 +195,28 @@ void Board::execute(const Bytes &packet)
 
 void Board::send(std::uint8_t id, const Bytes &payload)
 {
-    ++m_sent;
+    ++m_counts.sent;
     Bytes packet{stx, static_cast<std::uint8_t>(payload.size() + overhead), id};
     packet.insert(packet.end(), payload.begin(), payload.end());
     packet.push_back(static_cast<std::uint8_t>(0x100U - sumOf(packet)));
     for (const SimulatedFault &fault : m_options.faults) {
-        const bool now = static_cast<int>(fault.at) == m_sent;
-        if ((fault.kind == "drop" && now) || (fault.kind == "silent" && fault.at <= m_sent))
+        const bool now = static_cast<int>(fault.at) == m_counts.sent;
+        if ((fault.kind == "drop" && now) || (fault.kind == "silent" && fault.at <= m_counts.sent))
             return;
         if (fault.kind == "corrupt" && now)
             packet.back() ^= 0x10U;
+        if (fault.kind == "delay" && now) {
+            const std::chrono::duration<double, std::milli> late(fault.argument);
+            m_late.emplace_back(m_clock).startIn(
+                std::chrono::duration_cast<Duration>(late), [this, packet] { deliver(packet); });
+            return;
+        }
     }
+    deliver(std::move(packet));
+}
+
+void Board::deliver(Bytes packet)
+{
     m_out.push(std::move(packet));
     m_link.readyChanged();
 }

@@ -8,6 +8,7 @@
 #include "transport/spilink.h"
 
 #include <functional>
+#include <list>
 #include <memory>
 #include <vector>
 
@@ -57,8 +58,18 @@ public:
 private:
     using Bytes = std::vector<std::uint8_t>;
 
+    struct Supply {
+        bool on = true;
+        Instant awake{}; ///< the application answers from here on
+        Timer back;
+    };
+    struct Counts {
+        int sent = 0;
+        int heard = 0;
+    };
+
     [[nodiscard]] Instant next(Instant due, Duration period) const;
-    [[nodiscard]] bool answers() const { return m_powered && m_running && m_clock.now() >= m_awake; }
+    [[nodiscard]] bool answers() const { return m_supply.on && m_running && m_clock.now() >= m_supply.awake; }
     void loop();
     void begin();
     void restart();
@@ -67,6 +78,8 @@ private:
     void stream();
     void armStream();
     void afterFault(double seconds);
+    void deliver(Bytes packet);
+    void losePower(Duration gap);
     void noteOutput();
 
     SpiSlaveLink &m_link;
@@ -79,18 +92,16 @@ private:
     RequestReader m_reader;
     Outbox m_out;
     std::uint8_t m_elapsed = 0;
-    int m_sent = 0;
-    int m_heard = 0;
-    bool m_powered = true;
+    Counts m_counts;
     bool m_running = true;
     bool m_outputOn = false;
-    Instant m_awake{}; ///< the application answers from here on
     Instant m_begun{};
     Instant m_due{}; ///< of the loop's next pass
     std::size_t m_nextFault = 0;
     Timer m_loop;
     Timer m_stream;
-    Timer m_powerBack;
+    Supply m_supply;
+    std::list<Timer> m_late; ///< packets that a fault delays
 };
 
 } // namespace mb::quadquad2drv::simulation

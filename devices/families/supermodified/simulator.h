@@ -20,7 +20,7 @@ namespace mb::supermodified {
 /// Faults count the frames the device sends (`drop`, `corrupt`, `delay`, and `silent`: nothing from that frame on), or those
 /// addressed to it (`power`: the supply goes before the N-th is acted upon), or seconds from the start (`reset`,
 /// `encoder-dead`, `brownout`, `stall`). A lost supply returns after 200 ms unless setPowered(false) took it away.
-/// `duplicate` adds a second unit with the same id.
+/// `duplicate` adds a second unit with the same id. Others: Unsupported.
 ///
 /// Events: output-on, output-off, fault (value: the code), power-lost, power-on, hung (value: the command) and
 /// crashed (the byte count that overran its buffer): the motor goes on as it was, and only a restart helps.

@@ -23,6 +23,9 @@ bool setBaudrate(UnitOptions &options, std::string_view text)
     return good;
 }
 
+constexpr std::array<std::string_view, 11> knownFaults{"drop", "corrupt", "delay", "silent", "power", "reset",
+    "encoder-dead", "encoder-reversed", "brownout", "stall", "duplicate"};
+
 constexpr std::array optionTable{
     Option{"dialect", [](UnitOptions &o, std::string_view text) { return takeWord(text, dialects, o.dialect); }},
     Option{"motor", [](UnitOptions &o, std::string_view text) { return takeMotor(text, o.motor); }},
@@ -45,9 +48,12 @@ Result<UnitOptions> UnitOptions::parse(const SimulatedUnit &unit)
     UnitOptions options;
     options.node = unit.address;
     options.seed = unit.seed;
-    options.faults = unit.faults;
     if (auto taken = takeOptions(unit, say("a simulated Supermodified"), optionTable, options); !taken)
         return fail(taken.error());
+    auto faults = takeFaults(unit, say("a simulated Supermodified"), knownFaults);
+    if (!faults)
+        return fail(faults.error());
+    options.faults = std::move(*faults);
     return options;
 }
 
