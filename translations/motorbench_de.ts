@@ -8214,15 +8214,15 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     </message>
     <message>
         <source>Tag</source>
-        <translation type="unfinished"></translation>
+        <translation>Kennung</translation>
     </message>
     <message>
         <source>Known by</source>
-        <translation type="unfinished"></translation>
+        <translation>Bekannt durch</translation>
     </message>
     <message>
         <source>its place; another unit may stand there</source>
-        <translation type="unfinished"></translation>
+        <translation>seinen Platz; dort kann ein anderes Gerät stehen</translation>
     </message>
 </context>
 <context>
@@ -18165,11 +18165,11 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>begin it once more to serve this unit again</source>
-        <translation type="unfinished"></translation>
+        <translation>beginnen Sie sie noch einmal, um dieses Gerät erneut zu bearbeiten</translation>
     </message>
     <message>
         <source>the queue was ended</source>
-        <translation type="unfinished"></translation>
+        <translation>die Warteschlange wurde beendet</translation>
     </message>
 </context>
 </TS>

@@ -8214,15 +8214,15 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
     </message>
     <message>
         <source>Tag</source>
-        <translation type="unfinished"></translation>
+        <translation>Etiqueta</translation>
     </message>
     <message>
         <source>Known by</source>
-        <translation type="unfinished"></translation>
+        <translation>Conocido por</translation>
     </message>
     <message>
         <source>its place; another unit may stand there</source>
-        <translation type="unfinished"></translation>
+        <translation>su lugar; allí puede haber otro equipo</translation>
     </message>
 </context>
 <context>
@@ -18165,11 +18165,11 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
     <message>
         <source>begin it once more to serve this unit again</source>
-        <translation type="unfinished"></translation>
+        <translation>empiécela de nuevo para volver a tratar este equipo</translation>
     </message>
     <message>
         <source>the queue was ended</source>
-        <translation type="unfinished"></translation>
+        <translation>la cola se terminó</translation>
     </message>
 </context>
 </TS>

@@ -8214,15 +8214,15 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>Tag</source>
-        <translation type="unfinished"></translation>
+        <translation>Étiquette</translation>
     </message>
     <message>
         <source>Known by</source>
-        <translation type="unfinished"></translation>
+        <translation>Reconnu par</translation>
     </message>
     <message>
         <source>its place; another unit may stand there</source>
-        <translation type="unfinished"></translation>
+        <translation>sa place ; un autre appareil peut s&apos;y trouver</translation>
     </message>
 </context>
 <context>
@@ -18165,11 +18165,11 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>begin it once more to serve this unit again</source>
-        <translation type="unfinished"></translation>
+        <translation>relancez-la pour traiter de nouveau cet appareil</translation>
     </message>
     <message>
         <source>the queue was ended</source>
-        <translation type="unfinished"></translation>
+        <translation>la file a été terminée</translation>
     </message>
 </context>
 </TS>

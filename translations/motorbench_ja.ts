@@ -8204,15 +8204,15 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     </message>
     <message>
         <source>Tag</source>
-        <translation type="unfinished"></translation>
+        <translation>タグ</translation>
     </message>
     <message>
         <source>Known by</source>
-        <translation type="unfinished"></translation>
+        <translation>識別</translation>
     </message>
     <message>
         <source>its place; another unit may stand there</source>
-        <translation type="unfinished"></translation>
+        <translation>場所による。別のユニットがそこにある場合もあります</translation>
     </message>
 </context>
 <context>
@@ -18151,11 +18151,11 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>begin it once more to serve this unit again</source>
-        <translation type="unfinished"></translation>
+        <translation>この機器をもう一度処理するには、もう一度開始してください</translation>
     </message>
     <message>
         <source>the queue was ended</source>
-        <translation type="unfinished"></translation>
+        <translation>キューは終了されました</translation>
     </message>
 </context>
 </TS>

@@ -8204,15 +8204,15 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     </message>
     <message>
         <source>Tag</source>
-        <translation type="unfinished"></translation>
+        <translation>标签</translation>
     </message>
     <message>
         <source>Known by</source>
-        <translation type="unfinished"></translation>
+        <translation>识别依据</translation>
     </message>
     <message>
         <source>its place; another unit may stand there</source>
-        <translation type="unfinished"></translation>
+        <translation>其位置；那里可能是另一台设备</translation>
     </message>
 </context>
 <context>
@@ -18151,11 +18151,11 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>begin it once more to serve this unit again</source>
-        <translation type="unfinished"></translation>
+        <translation>重新开始队列即可再次处理此设备</translation>
     </message>
     <message>
         <source>the queue was ended</source>
-        <translation type="unfinished"></translation>
+        <translation>队列已结束</translation>
     </message>
 </context>
 </TS>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "files/runningprogram.h"
 
-#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -10,9 +9,9 @@
 namespace mb {
 
 /// "4711:93041", the process and when it began after the start of the system: numbers of processes are used again.
-std::string programOf(long process)
+std::string programOf(const std::string &process)
 {
-    std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+    std::ifstream file("/proc/" + process + "/stat");
     std::string line;
     std::getline(file, line);
     const std::size_t name = line.rfind(')'); // it may hold blanks
@@ -22,17 +21,17 @@ std::string programOf(long process)
     std::string field;
     for (int i = 3; i <= 22; ++i) // proc(5)
         fields >> field;
-    return fields ? std::to_string(process) + ':' + field : std::string();
+    return fields ? process + ':' + field : std::string();
 }
 
 std::string thisProgram()
 {
-    return programOf(::getpid());
+    return programOf(std::to_string(::getpid()));
 }
 
 bool isAnotherRunning(const std::string &program)
 {
-    return !program.empty() && program != thisProgram() && programOf(std::atol(program.c_str())) == program;
+    return !program.empty() && program != thisProgram() && programOf(program.substr(0, program.find(':'))) == program;
 }
 
 } // namespace mb

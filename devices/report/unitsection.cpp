@@ -56,8 +56,8 @@ QString identityHtml(const ReportUnit &unit, const Report &report)
     if (unitByOf(unit.unit) == UnitBy::Tag)
         addFact(right, ReportText::tr("Tag"), std::string(unitTagIn(unit.unit)));
     else if (unitByOf(unit.unit) == UnitBy::Place)
-        addFact(right, ReportText::tr("Known by"),
-            ReportText::tr("its place; another unit may stand there").toStdString());
+        addFact(
+            right, ReportText::tr("Known by"), ReportText::tr("its place; another unit may stand there").toStdString());
     return beside(left.html(), right.html());
 }
 

@@ -176,11 +176,13 @@ TEST_F(Notebooks, ATrialThatAnotherProgramMakesIsUnderWayUntilItIsCompleteOrThat
     ASSERT_TRUE(test::run(clock, book.owe(*number, "dmc60c A", {{"slot1.p", 5, 7}})));
     const auto isUnderWay = [&] { return test::run(clock, book.owedTo("dmc60c A"))->front().isUnderWay; };
     EXPECT_FALSE(isUnderWay()) << "it is ours";
-    ASSERT_TRUE(database->run("UPDATE trial SET program = ?", {QString::fromStdString(programOf(other))}));
+    ASSERT_TRUE(
+        database->run("UPDATE trial SET program = ?", {QString::fromStdString(programOf(std::to_string(other)))}));
     EXPECT_TRUE(isUnderWay());
     ASSERT_TRUE(test::run(clock, book.complete(*number, trial())));
     EXPECT_FALSE(isUnderWay()) << "it could not put it back";
-    ASSERT_TRUE(database->run("UPDATE trial SET program = ?", {QString::fromStdString(programOf(other))}));
+    ASSERT_TRUE(
+        database->run("UPDATE trial SET program = ?", {QString::fromStdString(programOf(std::to_string(other)))}));
     ::close(gate[1]);
     ::waitpid(other, nullptr, 0);
     EXPECT_FALSE(isUnderWay()) << "it was killed";
