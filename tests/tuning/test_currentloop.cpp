@@ -48,8 +48,7 @@ TEST(CurrentLoop, AMotorOfLittleCurrentIsProvenOnTheMeanOfManySteps)
         EXPECT_EQ(report->result, TuneResult::Kept) << report->evidence;
         EXPECT_LE(report->seconds, 60.0);
         EXPECT_EQ(report->plant.tau, 0.5e-3) << "noise hides its L/R";
-        EXPECT_GT(report->plant.reading, 0.0315);
-        EXPECT_LT(report->plant.reading, 0.0317) << "of 31.586 mA";
+        EXPECT_NEAR(report->plant.reading, 0.031586, 0.0002);
         EXPECT_GT(report->plant.pickUp, 0.0);
         ASSERT_EQ(report->proof.size(), 2U);
         EXPECT_GT(report->proof.front().holds.size(), 6U) << "a few steps do not tell it";
