@@ -19,7 +19,7 @@ std::string programOf(const std::string &process)
         return {};
     std::istringstream fields(line.substr(name + 1));
     std::string field;
-    for (int i = 3; i <= 22; ++i) // proc(5)
+    for (int i = 3; i <= 22; ++i) // the name was the second, and the 22nd is when it began
         fields >> field;
     return fields ? process + ':' + field : std::string();
 }

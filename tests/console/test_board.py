@@ -128,7 +128,7 @@ class BoardTest(ContractTest):
 
     def holds(self, path):
         with open(path, encoding="utf-8") as file:
-            return json.load(file)["device"] == self.device
+            return json.load(file)["device"] == f"place unix:{self.socket} {self.device.rsplit('/', 1)[1]}"
 
     def test_readings_are_kept_with_info(self):
         self.simulate()
