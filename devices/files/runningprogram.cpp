@@ -19,7 +19,10 @@ std::string programOf(const std::string &process)
         return {};
     std::istringstream fields(line.substr(name + 1));
     std::string field;
-    for (int i = 3; i <= 22; ++i) // the name was the second, and the 22nd is when it began
+    fields >> field;
+    if (field == "Z" || field == "X") // it has ended, and its parent has not asked how
+        return {};
+    for (int i = 4; i <= 22; ++i) // the name was the second, and the 22nd is when it began
         fields >> field;
     return fields ? process + ':' + field : std::string();
 }

@@ -16,6 +16,7 @@
 #include <chrono>
 #include <cstdio>
 
+#include <csignal>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -184,8 +185,11 @@ TEST_F(Notebooks, ATrialThatAnotherProgramMakesIsUnderWayUntilItIsCompleteOrThat
     ASSERT_TRUE(
         database->run("UPDATE trial SET program = ?", {QString::fromStdString(programOf(std::to_string(other)))}));
     ::close(gate[1]);
+    siginfo_t how{};
+    ASSERT_EQ(::waitid(P_PID, static_cast<id_t>(other), &how, WEXITED | WNOWAIT), 0);
+    EXPECT_FALSE(isUnderWay()) << "it was killed, and nobody has asked after it";
     ::waitpid(other, nullptr, 0);
-    EXPECT_FALSE(isUnderWay()) << "it was killed";
+    EXPECT_FALSE(isUnderWay());
 }
 
 TEST_F(Notebooks, AUnitWithATagHasItsTrialsAndDebtsWhereverItIsConnected)
