@@ -78,7 +78,7 @@ void QueueTable::buildView(const ThemeSource &source)
     titles->setHighlightSections(false);
     titles->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     titles->setStretchLastSection(true);
-    constexpr std::array<int, QueueModel::Columns> widths{152, 60, 104, 124, 92, 60, 100};
+    constexpr std::array<int, QueueModel::Columns> widths{160, 60, 100, 120, 92, 60, 100};
     // A cause has as many lines as it needs in the room that there is now.
     connect(titles, &QHeaderView::sectionResized, m_view, &QTableView::resizeRowsToContents);
     for (int i = 0; i < QueueModel::Columns; ++i)
