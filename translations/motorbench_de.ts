@@ -2598,10 +2598,6 @@
         <translation>Vorgemerkte Änderungen schreiben  Strg+S</translation>
     </message>
     <message>
-        <source>Ctrl+S</source>
-        <translation>Strg+S</translation>
-    </message>
-    <message>
         <source>Each value is written. None can be read back: what stands here then is assumed.</source>
         <translation>Jeder Wert wird geschrieben. Keiner kann zurückgelesen werden: Was dann hier steht, ist angenommen.</translation>
     </message>
@@ -5655,16 +5651,8 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>Letzte Änderung oder letztes Schreiben zurücknehmen</translation>
     </message>
     <message>
-        <source>Ctrl+Z</source>
-        <translation>Strg+Z</translation>
-    </message>
-    <message>
         <source>Redo the edit or write</source>
         <translation>Änderung oder Schreiben wiederholen</translation>
-    </message>
-    <message>
-        <source>Ctrl+Y</source>
-        <translation>Strg+Y</translation>
     </message>
     <message>
         <source>Read all</source>
@@ -5683,16 +5671,8 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>Festhalten</translation>
     </message>
     <message>
-        <source>Ctrl+Shift+S</source>
-        <translation>Strg+Umschalt+S</translation>
-    </message>
-    <message>
         <source>History</source>
         <translation>Verlauf</translation>
-    </message>
-    <message>
-        <source>Ctrl+H</source>
-        <translation>Strg+H</translation>
     </message>
     <message>
         <source>More for the parameters</source>
@@ -5810,10 +5790,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>Errors</source>
         <translation>Fehler</translation>
-    </message>
-    <message>
-        <source>Ctrl+F</source>
-        <translation>Strg+F</translation>
     </message>
     <message>
         <source>All %1</source>

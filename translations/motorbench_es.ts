@@ -2606,10 +2606,6 @@
         <translation>Escribir %1</translation>
     </message>
     <message>
-        <source>Ctrl+S</source>
-        <translation>Ctrl+S</translation>
-    </message>
-    <message>
         <source>Write the staged changes  Ctrl+S</source>
         <translation>Escribir los cambios pendientes  Ctrl+S</translation>
     </message>
@@ -5655,16 +5651,8 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <translation>Deshacer la última edición o escritura</translation>
     </message>
     <message>
-        <source>Ctrl+Z</source>
-        <translation>Ctrl+Z</translation>
-    </message>
-    <message>
         <source>Redo the edit or write</source>
         <translation>Rehacer la edición o escritura</translation>
-    </message>
-    <message>
-        <source>Ctrl+Y</source>
-        <translation>Ctrl+Y</translation>
     </message>
     <message>
         <source>Read all</source>
@@ -5683,16 +5671,8 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <translation>Instantánea</translation>
     </message>
     <message>
-        <source>Ctrl+Shift+S</source>
-        <translation>Ctrl+Mayús+S</translation>
-    </message>
-    <message>
         <source>History</source>
         <translation>Historial</translation>
-    </message>
-    <message>
-        <source>Ctrl+H</source>
-        <translation>Ctrl+H</translation>
     </message>
     <message>
         <source>More for the parameters</source>
@@ -5810,10 +5790,6 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     <message>
         <source>Errors</source>
         <translation>Errores</translation>
-    </message>
-    <message>
-        <source>Ctrl+F</source>
-        <translation>Ctrl+F</translation>
     </message>
     <message>
         <source>All %1</source>

@@ -2604,10 +2604,6 @@
         <translation>%1 を書込み</translation>
     </message>
     <message>
-        <source>Ctrl+S</source>
-        <translation>Ctrl+S</translation>
-    </message>
-    <message>
         <source>Write the staged changes  Ctrl+S</source>
         <translation>書込み待ちの変更を書込み  Ctrl+S</translation>
     </message>
@@ -5648,16 +5644,8 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>直前の編集または書込みを元に戻す</translation>
     </message>
     <message>
-        <source>Ctrl+Z</source>
-        <translation>Ctrl+Z</translation>
-    </message>
-    <message>
         <source>Redo the edit or write</source>
         <translation>編集または書込みをやり直す</translation>
-    </message>
-    <message>
-        <source>Ctrl+Y</source>
-        <translation>Ctrl+Y</translation>
     </message>
     <message>
         <source>Read all</source>
@@ -5676,16 +5664,8 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>スナップショット</translation>
     </message>
     <message>
-        <source>Ctrl+Shift+S</source>
-        <translation>Ctrl+Shift+S</translation>
-    </message>
-    <message>
         <source>History</source>
         <translation>履歴</translation>
-    </message>
-    <message>
-        <source>Ctrl+H</source>
-        <translation>Ctrl+H</translation>
     </message>
     <message>
         <source>More for the parameters</source>
@@ -5803,10 +5783,6 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>Errors</source>
         <translation>エラー</translation>
-    </message>
-    <message>
-        <source>Ctrl+F</source>
-        <translation>Ctrl+F</translation>
     </message>
     <message>
         <source>All %1</source>

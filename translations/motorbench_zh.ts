@@ -2604,10 +2604,6 @@
         <translation>写入 %1</translation>
     </message>
     <message>
-        <source>Ctrl+S</source>
-        <translation>Ctrl+S</translation>
-    </message>
-    <message>
         <source>Write the staged changes  Ctrl+S</source>
         <translation>写入暂存的更改  Ctrl+S</translation>
     </message>
@@ -5648,16 +5644,8 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>撤销上一次编辑或写入</translation>
     </message>
     <message>
-        <source>Ctrl+Z</source>
-        <translation>Ctrl+Z</translation>
-    </message>
-    <message>
         <source>Redo the edit or write</source>
         <translation>重做编辑或写入</translation>
-    </message>
-    <message>
-        <source>Ctrl+Y</source>
-        <translation>Ctrl+Y</translation>
     </message>
     <message>
         <source>Read all</source>
@@ -5676,16 +5664,8 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>快照</translation>
     </message>
     <message>
-        <source>Ctrl+Shift+S</source>
-        <translation>Ctrl+Shift+S</translation>
-    </message>
-    <message>
         <source>History</source>
         <translation>历史</translation>
-    </message>
-    <message>
-        <source>Ctrl+H</source>
-        <translation>Ctrl+H</translation>
     </message>
     <message>
         <source>More for the parameters</source>
@@ -5803,10 +5783,6 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>Errors</source>
         <translation>错误</translation>
-    </message>
-    <message>
-        <source>Ctrl+F</source>
-        <translation>Ctrl+F</translation>
     </message>
     <message>
         <source>All %1</source>

@@ -23,15 +23,15 @@ Links::~Links()
 void Links::carryOut(const orders::OpenLink &order, const Finished &finished)
 {
     const std::string text = order.address.text();
-    const bool underWay = m_openings.count(text) > 0;
     m_openings[text].finished.push_back(finished);
-    if (!underWay)
-        begin(text, openAll(expandLink(order.address, m_context.session.families())));
+    begin(text, openAll(expandLink(order.address, m_context.session.families())));
 }
 
 void Links::begin(const std::string &address, Task<void> task)
 {
     Opening &opening = m_openings[address];
+    if (opening.scope)
+        return; // it is under way
     opening.scope = std::make_unique<Scope>(m_context.clock);
     opening.scope->spawn<void>(std::move(task), [this, address](const Result<void> &result) { end(address, result); });
 }
@@ -78,8 +78,7 @@ void Links::opened(Link &link)
 
 void Links::openAwaited(const LinkAddress &address)
 {
-    if (m_openings.count(address.text()) == 0)
-        begin(address.text(), openReturned(address)); // it may not be ready yet
+    begin(address.text(), openReturned(address)); // it may not be ready yet
 }
 
 Task<void> Links::openReturned(LinkAddress address)
@@ -174,7 +173,7 @@ bool Links::replace(Link &link)
     remove(link);
     if (byItself)
         openByItself();
-    else if (m_openings.count(address.text()) == 0)
+    else
         begin(address.text(), openAll({address}));
     return true;
 }

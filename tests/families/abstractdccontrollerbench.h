@@ -36,6 +36,13 @@ protected:
     {
         return test::run(clock, device->write(index(key), raw));
     }
+    void powerCycle(Simulator &drive, Duration without)
+    {
+        drive.setPowered(false);
+        clock.advance(without);
+        drive.setPowered(true);
+        clock.advance(std::chrono::seconds(1));
+    }
     static SetPoint setPoint(Mode mode, double target)
     {
         SetPoint s;

@@ -5,14 +5,6 @@
 namespace mb::abstractdc {
 namespace {
 
-void powerCycle(Simulator &drive, VirtualClock &clock)
-{
-    drive.setPowered(false);
-    clock.advance(500ms);
-    drive.setPowered(true);
-    clock.advance(1s);
-}
-
 TEST_F(AbstractDcController, AveragingIsNotLoweredWhileTheMotorIsDrivenNorWhileItMerelyTurns)
 {
     Simulator &drive = add("abstractdc:3");
@@ -52,7 +44,7 @@ TEST_F(AbstractDcController, ALoweredAveragingNeedsTheDriveSwitchedOffOnce)
     ASSERT_TRUE(write("current.averaging", 500));
     ASSERT_TRUE(write("current.averaging", 10));
     EXPECT_FALSE(device->mayMove());
-    powerCycle(drive, clock);
+    powerCycle(drive, 500ms);
     EXPECT_TRUE(device->mayMove());
     ASSERT_TRUE(write("current.averaging", 60)) << "raising is harmless";
     EXPECT_TRUE(device->mayMove());
@@ -65,7 +57,7 @@ TEST_F(AbstractDcController, AnAveragingThatNobodyKnowsIsTakenForAGreaterOne)
     ASSERT_TRUE(write("current.averaging", 50));
     EXPECT_EQ(sentOf("0CB").back(), "0CB#02") << "saved, so that it is in force after the power cycle";
     EXPECT_NE(device->mayMove().error().text().find("switch it off"), std::string::npos);
-    powerCycle(drive, clock);
+    powerCycle(drive, 500ms);
     EXPECT_TRUE(device->mayMove());
 }
 
@@ -76,7 +68,7 @@ TEST_F(AbstractDcController, AnAveragingThatOnlyAFileTellsIsTakenForAGreaterOneT
     device->knowledge().assume(*findParameter(family.parameters, "current.averaging"), 10);
     ASSERT_TRUE(write("current.averaging", 60)) << "the drive may have 500";
     EXPECT_FALSE(device->mayMove());
-    powerCycle(drive, clock);
+    powerCycle(drive, 500ms);
     EXPECT_TRUE(device->mayMove());
 }
 
@@ -90,7 +82,7 @@ TEST_F(AbstractDcController, AnotherRunOfTheProgramKnowsThatThePowerCycleIsOwed)
     EXPECT_TRUE(device->mayMove());
     device->knowledge().setProfile(kept);
     EXPECT_FALSE(device->mayMove());
-    powerCycle(drive, clock);
+    powerCycle(drive, 500ms);
     EXPECT_TRUE(device->mayMove());
     EXPECT_NE(device->knowledge().profile(), kept) << "to be kept";
 }

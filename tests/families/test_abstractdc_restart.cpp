@@ -25,13 +25,6 @@ protected:
         ASSERT_TRUE(test::run(clock, device->refresh()));
         EXPECT_FALSE(device->liveness().restarted);
     }
-    void powerCycle(Simulator &drive)
-    {
-        drive.setPowered(false);
-        clock.advance(1s);
-        drive.setPowered(true);
-        clock.advance(1s);
-    }
     bool store()
     {
         NoProgress progress;
@@ -91,7 +84,7 @@ TEST_F(AbstractDcRestart, TakesWhatWasWrittenAndNotSaved)
     ASSERT_TRUE(write("velocity.divisor", 3));
     ASSERT_TRUE(store());
     ASSERT_TRUE(write("velocity.p", 5));
-    powerCycle(unit);
+    powerCycle(unit, 1s);
     EXPECT_FALSE(device->parameters().entry(index("velocity.p")).raw) << "the flash has 4, if nobody else wrote it";
     EXPECT_TRUE(device->knowledge().profile().lost.contains("velocity.p"));
     EXPECT_EQ(device->parameters().entry(index("velocity.divisor")).raw, 3) << "saved";
@@ -99,7 +92,7 @@ TEST_F(AbstractDcRestart, TakesWhatWasWrittenAndNotSaved)
     ASSERT_TRUE(write("velocity.p", 5));
     EXPECT_FALSE(device->knowledge().profile().lost.contains("velocity.p"));
     ASSERT_TRUE(store());
-    powerCycle(unit);
+    powerCycle(unit, 1s);
     EXPECT_EQ(device->parameters().entry(index("velocity.p")).raw, 5) << "saved, too";
 }
 
@@ -118,7 +111,7 @@ TEST_F(AbstractDcRestart, TakesWhatAnotherRunWroteAndWhatAnotherMasterWrote)
     ASSERT_TRUE(master.open());
     ASSERT_TRUE(master.send(*canFrameFromText("0CB#030040420F00")));
     clock.advance(5ms);
-    powerCycle(unit);
+    powerCycle(unit, 1s);
     EXPECT_FALSE(device->parameters().entry(index("velocity.p")).raw);
     EXPECT_FALSE(device->parameters().entry(index("position.p")).raw);
 }

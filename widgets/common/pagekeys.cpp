@@ -158,12 +158,11 @@ QString inItsLanguage(const QString &key)
 
 QString keyShown(const QWidget &button, const QString &factory)
 {
-    const QKeySequence came[]{QKeySequence(factory, QKeySequence::PortableText), QKeySequence(factory)};
+    const QKeySequence came(factory, QKeySequence::PortableText);
     for (const QWidget *around = &button; around && !factory.isEmpty(); around = around->parentWidget()) {
         const auto *keys = around->findChild<PageKeys *>(QString(), Qt::FindDirectChildrenOnly);
         for (const PageKeys::Row &row : keys ? keys->rows() : std::vector<PageKeys::Row>()) {
-            const bool its = std::any_of(row.factory.begin(), row.factory.end(),
-                [&came](const QKeySequence &key) { return key == came[0] || key == came[1]; });
+            const bool its = std::find(row.factory.begin(), row.factory.end(), came) != row.factory.end();
             if (its && row.isChangeable())
                 return row.keys == row.factory ? inItsLanguage(factory) : PageKeys::textOf(row);
         }

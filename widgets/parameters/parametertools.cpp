@@ -25,7 +25,7 @@ ParameterTools::ParameterTools(
     , m_axes(new AxisChoice(theme, workbench, selection, *this))
 {
     const Theme &t = theme.theme();
-    m_search->setKeyHint(tr("Ctrl+F"));
+    m_search->setKeyHint(QStringLiteral("Ctrl+F"));
     m_search->setMaximumWidth(t.u(mostSearch));
     m_row = new WrapLayout(this);
     m_row->setStretched(m_search);

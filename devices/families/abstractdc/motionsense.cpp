@@ -26,22 +26,17 @@ double seconds(Duration duration)
 MotionSense::Reading MotionSense::add(std::int32_t position, Instant time)
 {
     const Seen seen{position, time};
-    if (isJump(position, time)) {
-        if (!isWhereDoubted(position, time)) {
-            m_doubtful = seen;
-            ++m_glitches;
-            return Reading::Glitch;
-        }
-        const bool isAnewHere = isAnew(position, time);
-        m_seen.clear();
-        take(seen);
-        return isAnewHere ? Reading::Anew : Reading::Taken;
+    const bool jumped = isJump(position, time);
+    if (jumped && !isWhereDoubted(position, time)) {
+        m_doubtful = seen;
+        ++m_glitches;
+        return Reading::Glitch;
     }
-    const bool isAnewHere = isAnew(position, time);
-    if (isAnewHere)
+    const bool anew = isAnew(position, time);
+    if (jumped || anew)
         m_seen.clear();
     take(seen);
-    return isAnewHere ? Reading::Anew : Reading::Taken;
+    return anew ? Reading::Anew : Reading::Taken;
 }
 
 bool MotionSense::isJump(std::int32_t position, Instant time) const

@@ -194,23 +194,24 @@ void SettingsDesk::restarted()
 std::vector<ParameterIndex> SettingsDesk::unsaved() const
 {
     std::vector<ParameterIndex> found;
-    const auto &counters = m_device.knowledge().profile().counters;
     for (std::uint16_t i = 0; i < parameterTable().size(); ++i) {
-        const auto counted = counters.find(unsavedOf(parameterTable()[i]));
-        if (counted != counters.end() && counted->second != 0)
+        if (isUnsaved({i}))
             found.push_back({i});
     }
     return found;
 }
 
+bool SettingsDesk::isUnsaved(ParameterIndex index) const
+{
+    const auto &counters = m_device.knowledge().profile().counters;
+    const auto counted = counters.find(unsavedOf(parameterTable()[index.value]));
+    return counted != counters.end() && counted->second != 0;
+}
+
 void SettingsDesk::setUnsaved(ParameterIndex index, bool unsaved)
 {
-    const std::string key = unsavedOf(parameterTable()[index.value]);
-    const auto &counters = m_device.knowledge().profile().counters;
-    const auto counted = counters.find(key);
-    const bool was = counted != counters.end() && counted->second != 0;
-    if (unsaved != was)
-        m_count(key, unsaved ? 1 : 0);
+    if (unsaved != isUnsaved(index))
+        m_count(unsavedOf(parameterTable()[index.value]), unsaved ? 1 : 0);
 }
 
 std::vector<std::pair<std::string, std::string>> SettingsDesk::saves() const

@@ -39,6 +39,7 @@ private:
     [[nodiscard]] Task<void> save(Loop loop, Progress &progress);
     /// In the order of the table.
     [[nodiscard]] std::vector<ParameterIndex> unsaved() const;
+    [[nodiscard]] bool isUnsaved(ParameterIndex index) const;
     void setUnsaved(ParameterIndex index, bool unsaved);
 
     Device &m_device;

@@ -117,8 +117,7 @@ Task<void> describeUnits(CanLink &link, Clock &clock, Census &census, Instant un
             co_return fail(reply.error());
         if (!reply)
             continue;
-        const auto list = decodeDescriptors(reply->data);
-        if (check(Command::GetDescriptors, *reply) && list)
+        if (const auto list = descriptorsIn(*reply))
             census.describe(*unit, *list);
     }
     co_return {};

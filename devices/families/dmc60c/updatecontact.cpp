@@ -174,11 +174,9 @@ Task<std::string> UpdateContact::serialOf(std::uint16_t session)
     m_answerOwed = m_answerOwed || !reply || reply->unanswered > 0;
     if (!reply)
         co_return fail(reply.error());
-    if (const auto good = check(Command::GetDescriptors, *reply); !good)
-        co_return fail(good.error());
-    const auto list = decodeDescriptors(reply->data);
+    const auto list = descriptorsIn(*reply);
     if (!list)
-        co_return fail(Fault::BadReply, say("GetDescriptors: a field ends too early"));
+        co_return fail(list.error());
     Identity told;
     setDescriptors(told, *list);
     co_return told.serial;

@@ -168,6 +168,15 @@ Result<void> check(Command command, const VendorReply &reply)
     return fail(Fault::BadReply, detail);
 }
 
+Result<DescriptorList> descriptorsIn(const VendorReply &reply)
+{
+    if (const auto good = check(Command::GetDescriptors, reply); !good)
+        return fail(good.error());
+    if (auto list = decodeDescriptors(reply.data))
+        return std::move(*list);
+    return fail(Fault::BadReply, say("GetDescriptors: a field ends too early"));
+}
+
 std::string_view toString(CommandStatus status)
 {
     switch (status) {

@@ -41,6 +41,8 @@ struct VendorReply {
 [[nodiscard]] CommandStatus successOf(Command command);
 /// Success, or what the device objected to.
 [[nodiscard]] Result<void> check(Command command, const VendorReply &reply);
+/// What an answer to GetDescriptors says: BadReply when it ends too early.
+[[nodiscard]] Result<DescriptorList> descriptorsIn(const VendorReply &reply);
 [[nodiscard]] std::string_view toString(CommandStatus status);
 
 /// Names that a person knows, for messages: "SetDevName".

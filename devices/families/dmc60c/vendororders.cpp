@@ -54,10 +54,7 @@ Task<DescriptorList> VendorOrders::descriptors()
 {
     auto task = ask({Command::GetDescriptors});
     const VendorReply reply = co_await std::move(task);
-    auto list = decodeDescriptors(reply.data);
-    if (!list)
-        co_return fail(Fault::BadReply, say("GetDescriptors: a field ends too early"));
-    co_return std::move(*list);
+    co_return descriptorsIn(reply);
 }
 
 Task<std::uint32_t> VendorOrders::flashSequence()
