@@ -8,7 +8,7 @@ namespace mb::tuning {
 /// OutOfRange or Unsupported for what cannot be tuned on this family; needs no device.
 [[nodiscard]] Result<void> checkTuning(const Family &family, const TunePlan &plan);
 
-/// From an unknown motor to proven gains, or a refusal that says why (docs/tuning.md#what-it-does): a model (motoridentification.h), gains
+/// From an unknown motor to proven gains, or a refusal that says why (docs/tuning-method.md): a model (motoridentification.h), gains
 /// within bounds, their step in both directions, and the gains stay only if they do what was predicted. Where those of an aim do not,
 /// the model is corrected by what they did instead, and failing that the calm ones are proven. The gains run in the slot that does
 /// not hold the result where there are two. Everything of ExperimentSurroundings holds; the stream's lease is the caller's to renew.

@@ -45,7 +45,7 @@ struct PushFit {
     double warming = 0.0;       ///< share by which τ grows with PushRecord::heat; the same
 };
 
-/// Fits all records together by variable projection (docs/tuning.md#what-it-does). Nothing is resampled; the fit works at
+/// Fits all records together by variable projection (docs/tuning-method.md#identification). Nothing is resampled; the fit works at
 /// telemetry periods from 1 ms to 100 ms. OutOfRange where a record has fewer than eight samples or moved fewer than 50 counts.
 [[nodiscard]] Result<PushFit> fitPushes(std::span<const PushRecord> records);
 

@@ -20,7 +20,7 @@ struct TwoPointRuns {
     [[nodiscard]] double holding() const;
     /// Friction makes a smaller step later on its way; only an output that is at its end makes it earlier.
     [[nodiscard]] bool isLinear(double drive, bool isKnown) const;
-    /// Fit, damping, friction, load and output: docs/tuning.md#what-it-does.
+    /// Fit, damping, friction, load and output: docs/tuning-method.md#without-a-duty-command.
     [[nodiscard]] std::vector<Gate> gates(const LoopFit &fit, double drive, bool isKnown) const;
 };
 

@@ -31,7 +31,7 @@ struct VelocityTaking {
     friend bool operator==(const VelocityTaking &, const VelocityTaking &) = default;
 };
 
-/// Compares what the device calls its velocity with its own positions (docs/tuning.md#what-it-does). Counts and counts/s of
+/// Compares what the device calls its velocity with its own positions (docs/tuning-method.md#velocity-filter). Counts and counts/s of
 /// the same clock while the speed changes, some seconds of it: a square wave of duty. Nothing where there are too few samples or
 /// the speed never changed.
 [[nodiscard]] std::optional<VelocityFilter> fingerprint(const Trace &position, const Trace &velocity);

@@ -1,10 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Every page of the help says in each language what the English one says: section by section the same tables, lists, code, links and
-numbers. Whoever changes a page in English is told here which page of which language has to follow, and in what.
-
-Of tuning.md the part from "How well" on, tables of measurements, stands in English only: the translation has one section in its
-place that leads there."""
+numbers. Whoever changes a page in English is told here which page of which language has to follow, and in what."""
 import collections
 import pathlib
 import re
@@ -14,7 +11,6 @@ DOCS = pathlib.Path(__file__).resolve().parents[2] / "docs"
 LANGUAGES = sorted(path.stem.split("_")[1] for path in (DOCS.parent / "translations").glob("motorbench_*.ts"))
 PAGES = ["first-hour", "connecting", "tuning", "plots", "service", "recipes", "safety", "files", "troubleshooting",
          "hardware/dmc60c", "hardware/supermodified", "hardware/abstractdc", "hardware/quadquad2drv"]
-ENGLISH_ONLY = {"tuning": "How well"}  # from this heading on
 BLOCK = re.compile(r"^ *```.*?^ *```", re.M | re.S)
 NUMBER = re.compile(r"\d(?:[\d.,  \u202f\u00a0]*\d)?")
 LINK = re.compile(r"\]\(([^)]*)\)")
@@ -53,15 +49,9 @@ def difference(ours, theirs):
     return f"only in English {sorted((ours - theirs).elements())}, only here {sorted((theirs - ours).elements())}"
 
 
-def differences(page, english, translated):
+def differences(english, translated):
     """A line for each thing that differs, with the English heading above it."""
     ours, theirs = sections(english), sections(translated)
-    kept = [heading for _level, heading, _body in ours]
-    if page in ENGLISH_ONLY:
-        last = kept.index(ENGLISH_ONLY[page])
-        if len(theirs) != last + 1 or f"../{page}.md" not in theirs[-1][2]:
-            return [f"{last + 1} headings are expected, the last with a link to ../{page}.md; {len(theirs)} are here"]
-        ours, theirs = ours[:last], theirs[:last]
     if [level for level, _heading, _body in ours] != [level for level, _heading, _body in theirs]:
         return [f"headings differ: {[heading for _level, heading, _body in ours]} in English, {[heading for _level, heading, _body in theirs]} here"]
     found = []
@@ -84,7 +74,7 @@ class HelpPages(unittest.TestCase):
                 with self.subTest(f"docs/{language}/{page}.md"):
                     path = DOCS / language / f"{page}.md"
                     self.assertTrue(path.exists(), f"{path.relative_to(DOCS.parent)} is missing")
-                    found = differences(page, read(DOCS / f"{page}.md"), read(path))
+                    found = differences(read(DOCS / f"{page}.md"), read(path))
                     self.assertEqual(found, [], f"docs/{language}/{page}.md does not follow docs/{page}.md:\n" + "\n".join(found))
 
     def test_every_hardware_page_is_among_them(self):
@@ -97,15 +87,15 @@ class HelpPages(unittest.TestCase):
 
     def test_a_change_in_english_only_is_named(self):
         english = read(DOCS / "troubleshooting.md")
-        self.assertEqual(differences("troubleshooting", english, english), [])
+        self.assertEqual(differences(english, english), [])
         for change, name in ((("60 Ω", "70 Ω"), "numbers"), (("sudo fuser -v", "sudo fuser"), "words in code"),
                              (("(safety.md)", "(files.md)"), "links"), (("| *2 ×* | two units of one number: give one another |\n", ""), "rows of tables"),
                              (("motorbenchctl links", "motorbenchctl scan"), "blocks of code"),
                              (("## The program itself\n", "## The program itself\n\n* one more\n"), "items of lists")):
             self.assertIn(change[0], english)
-            found = differences("troubleshooting", english.replace(*change), english)
+            found = differences(english.replace(*change), english)
             self.assertTrue(any(name in line for line in found), f"{name}: {found}")
-        found = differences("troubleshooting", english + "\n## More\n", english)
+        found = differences(english + "\n## More\n", english)
         self.assertIn("headings differ", found[0])
         self.assertIn("More", found[0])
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a proof must do so that its gains stay (docs/tuning.md), every limit from both sides.
+// What a proof must do so that its gains stay (docs/tuning-method.md#proof), every limit from both sides.
 #include "tuning/proof.h"
 
 #include <gtest/gtest.h>

@@ -253,7 +253,7 @@ TEST(TuningMatrix, PlayOfASupermodifiedIsMetByLargerSteps)
 }
 
 /// Of the shaft. A rotor that crosses its play is quicker for some milliseconds, which 124 edges of a QuadQuad2Drv do not tell
-/// (docs/tuning.md#where-it-stays-behind).
+/// (docs/tuning-results.md#where-it-stays-behind).
 double mostOvershoot(std::string_view drive, Mode loop)
 {
     return drive == "quadquad2drv" && loop == Mode::Velocity ? 0.15 : 0.075;

@@ -28,7 +28,7 @@ namespace {
 
 constexpr double designPoints = 10.0; ///< font size that drawings are made for
 
-/// Of a heading, as a link to it names it: "#how-well".
+/// Of a heading, as a link to it names it: "#where-it-stays-behind".
 QString anchorOf(const QString &heading)
 {
     QString anchor = heading.toLower();
@@ -173,7 +173,7 @@ void HelpBrowser::follow(const QUrl &link)
     const QString file = QLatin1Char(':') + whole.path();
     if (!file.endsWith(QLatin1String(".md")) || !QFile::exists(file))
         return;
-    open(file);
+    open(helpFile(helpTopicOf(file))); // an English page knows of English ones only
     if (whole.hasFragment())
         goToHeading(whole.fragment());
     Q_EMIT pageShown(topic());

@@ -19,7 +19,7 @@ public:
     /// such page.
     bool showPage(const QString &topic);
     [[nodiscard]] QString topic() const;
-    /// The file that is shown: ":/help/de/tuning.md". Of another language than the window's only where a link led there.
+    /// The file that is shown: ":/help/de/tuning.md". In English where nobody has translated the page.
     [[nodiscard]] const QString &file() const { return m_file; }
 
 Q_SIGNALS:

@@ -3,7 +3,7 @@
 //   tuningsoak [part=K/N] [seeds=4|seed=2] [compare=0|1|2] [families=A,B] [motors=A,B] [loops=A,B] [rates=0,50]
 //              [dialects=D1,D2] [gains=tuned] [notes=1]
 // compare=2: with what was there before only; gains: that are stored before. One line a tuning as soon as it is done, parted by tabs;
-// scripts/tuning-table makes the table of docs/tuning.md#how-well of them.
+// scripts/tuning-table makes the tables of docs/tuning-results.md of them.
 #include "tests/tuning/matrix/matrixrow.h"
 
 #include <cstdio>
