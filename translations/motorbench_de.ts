@@ -8499,6 +8499,10 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
         <source>One export at a time: %1 is being written.</source>
         <translation>Nur ein Export zur selben Zeit: %1 wird gerade geschrieben.</translation>
     </message>
+    <message>
+        <source>; the file has more, of which nothing is shown: it is too large for the memory</source>
+        <translation>; die Datei hat mehr, wovon nichts gezeigt wird: Sie ist zu groß für den Speicher</translation>
+    </message>
 </context>
 <context>
     <name>mb::SavedLimits</name>
@@ -18146,6 +18150,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>the queue was ended</source>
         <translation>die Warteschlange wurde beendet</translation>
+    </message>
+    <message>
+        <source>%1 has more than %2 MB that are no samples</source>
+        <translation>%1 hat mehr als %2 MB, die keine Messwerte sind</translation>
     </message>
 </context>
 </TS>

@@ -8499,6 +8499,10 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
         <source>One export at a time: %1 is being written.</source>
         <translation>Solo una exportación a la vez: se está escribiendo %1.</translation>
     </message>
+    <message>
+        <source>; the file has more, of which nothing is shown: it is too large for the memory</source>
+        <translation>; el archivo tiene más, de lo que no se muestra nada: es demasiado grande para la memoria</translation>
+    </message>
 </context>
 <context>
     <name>mb::SavedLimits</name>
@@ -18146,6 +18150,10 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>the queue was ended</source>
         <translation>la cola se terminó</translation>
+    </message>
+    <message>
+        <source>%1 has more than %2 MB that are no samples</source>
+        <translation>%1 tiene más de %2 MB que no son muestras</translation>
     </message>
 </context>
 </TS>

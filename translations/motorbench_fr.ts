@@ -8499,6 +8499,10 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
         <source>One export at a time: %1 is being written.</source>
         <translation>Un seul export à la fois&#xa0;: %1 est en cours d’écriture.</translation>
     </message>
+    <message>
+        <source>; the file has more, of which nothing is shown: it is too large for the memory</source>
+        <translation> ; le fichier en contient davantage, dont rien n’est montré : il est trop grand pour la mémoire</translation>
+    </message>
 </context>
 <context>
     <name>mb::SavedLimits</name>
@@ -18146,6 +18150,10 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>the queue was ended</source>
         <translation>la file a été terminée</translation>
+    </message>
+    <message>
+        <source>%1 has more than %2 MB that are no samples</source>
+        <translation>%1 contient plus de %2 Mo qui ne sont pas des échantillons</translation>
     </message>
 </context>
 </TS>

@@ -8489,6 +8489,10 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <source>One export at a time: %1 is being written.</source>
         <translation>エクスポートは一度に 1 件です: %1 を書出し中です。</translation>
     </message>
+    <message>
+        <source>; the file has more, of which nothing is shown: it is too large for the memory</source>
+        <translation>。ファイルにはさらにデータがありますが、メモリに収まらないため表示していません</translation>
+    </message>
 </context>
 <context>
     <name>mb::SavedLimits</name>
@@ -18132,6 +18136,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the queue was ended</source>
         <translation>キューは終了されました</translation>
+    </message>
+    <message>
+        <source>%1 has more than %2 MB that are no samples</source>
+        <translation>%1 にはサンプルではないデータが %2 MB を超えて含まれています</translation>
     </message>
 </context>
 </TS>

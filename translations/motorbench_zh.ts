@@ -8489,6 +8489,10 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <source>One export at a time: %1 is being written.</source>
         <translation>一次只能进行一个导出：正在写入 %1。</translation>
     </message>
+    <message>
+        <source>; the file has more, of which nothing is shown: it is too large for the memory</source>
+        <translation>；文件中还有更多内容，但因内存容纳不下而未显示</translation>
+    </message>
 </context>
 <context>
     <name>mb::SavedLimits</name>
@@ -18132,6 +18136,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the queue was ended</source>
         <translation>队列已结束</translation>
+    </message>
+    <message>
+        <source>%1 has more than %2 MB that are no samples</source>
+        <translation>%1 中有超过 %2 MB 的内容不是采样</translation>
     </message>
 </context>
 </TS>
