@@ -18155,5 +18155,21 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>%1 has more than %2 MB that are no samples</source>
         <translation>%1 hat mehr als %2 MB, die keine Messwerte sind</translation>
     </message>
+    <message>
+        <source>%1 was taken away; what memory still has of it is recorded anew</source>
+        <translation>%1 wurde weggenommen; was der Speicher davon noch hat, wird neu aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>leave that folder where it is</source>
+        <translation>diesen Ordner lassen, wo er ist</translation>
+    </message>
+    <message>
+        <source>the file was deleted while it was written</source>
+        <translation>die Datei wurde gelöscht, während sie geschrieben wurde</translation>
+    </message>
+    <message>
+        <source>write it anew</source>
+        <translation>neu schreiben</translation>
+    </message>
 </context>
 </TS>

@@ -18155,5 +18155,21 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>%1 has more than %2 MB that are no samples</source>
         <translation>%1 tiene más de %2 MB que no son muestras</translation>
     </message>
+    <message>
+        <source>%1 was taken away; what memory still has of it is recorded anew</source>
+        <translation>%1 ha desaparecido; lo que la memoria aún tiene se graba de nuevo</translation>
+    </message>
+    <message>
+        <source>leave that folder where it is</source>
+        <translation>deje esa carpeta donde está</translation>
+    </message>
+    <message>
+        <source>the file was deleted while it was written</source>
+        <translation>el archivo fue borrado mientras se escribía</translation>
+    </message>
+    <message>
+        <source>write it anew</source>
+        <translation>escríbalo de nuevo</translation>
+    </message>
 </context>
 </TS>

@@ -18155,5 +18155,21 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>%1 has more than %2 MB that are no samples</source>
         <translation>%1 contient plus de %2 Mo qui ne sont pas des échantillons</translation>
     </message>
+    <message>
+        <source>%1 was taken away; what memory still has of it is recorded anew</source>
+        <translation>%1 a disparu ; ce que la mémoire en a encore est enregistré à nouveau</translation>
+    </message>
+    <message>
+        <source>leave that folder where it is</source>
+        <translation>laissez ce dossier où il est</translation>
+    </message>
+    <message>
+        <source>the file was deleted while it was written</source>
+        <translation>le fichier a été supprimé pendant son écriture</translation>
+    </message>
+    <message>
+        <source>write it anew</source>
+        <translation>écrivez-le à nouveau</translation>
+    </message>
 </context>
 </TS>

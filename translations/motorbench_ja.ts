@@ -18141,5 +18141,21 @@ double click plots it, drag it to a pane or below them</source>
         <source>%1 has more than %2 MB that are no samples</source>
         <translation>%1 にはサンプルではないデータが %2 MB を超えて含まれています</translation>
     </message>
+    <message>
+        <source>%1 was taken away; what memory still has of it is recorded anew</source>
+        <translation>%1 がなくなりました。メモリに残っている分を改めて記録します</translation>
+    </message>
+    <message>
+        <source>leave that folder where it is</source>
+        <translation>そのフォルダーを移動・削除しないでください</translation>
+    </message>
+    <message>
+        <source>the file was deleted while it was written</source>
+        <translation>書き込み中にファイルが削除されました</translation>
+    </message>
+    <message>
+        <source>write it anew</source>
+        <translation>もう一度書き込んでください</translation>
+    </message>
 </context>
 </TS>

@@ -18141,5 +18141,21 @@ double click plots it, drag it to a pane or below them</source>
         <source>%1 has more than %2 MB that are no samples</source>
         <translation>%1 中有超过 %2 MB 的内容不是采样</translation>
     </message>
+    <message>
+        <source>%1 was taken away; what memory still has of it is recorded anew</source>
+        <translation>%1 已被移走；内存中尚存的部分将重新记录</translation>
+    </message>
+    <message>
+        <source>leave that folder where it is</source>
+        <translation>请勿移动或删除该文件夹</translation>
+    </message>
+    <message>
+        <source>the file was deleted while it was written</source>
+        <translation>文件在写入过程中被删除</translation>
+    </message>
+    <message>
+        <source>write it anew</source>
+        <translation>请重新写入</translation>
+    </message>
 </context>
 </TS>
