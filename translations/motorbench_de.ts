@@ -18171,5 +18171,13 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>write it anew</source>
         <translation>neu schreiben</translation>
     </message>
+    <message>
+        <source>the kernel does not say what %1 is: a driver holds it up</source>
+        <translation>der Kernel sagt nicht, was %1 ist: Ein Treiber hält ihn auf</translation>
+    </message>
+    <message>
+        <source>unplug the adapter and plug it in again</source>
+        <translation>den Adapter abziehen und wieder anstecken</translation>
+    </message>
 </context>
 </TS>

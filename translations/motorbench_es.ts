@@ -18171,5 +18171,13 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>write it anew</source>
         <translation>escríbalo de nuevo</translation>
     </message>
+    <message>
+        <source>the kernel does not say what %1 is: a driver holds it up</source>
+        <translation>el núcleo no dice qué es %1: un controlador lo retiene</translation>
+    </message>
+    <message>
+        <source>unplug the adapter and plug it in again</source>
+        <translation>desenchufe el adaptador y vuelva a enchufarlo</translation>
+    </message>
 </context>
 </TS>

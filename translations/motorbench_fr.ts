@@ -18171,5 +18171,13 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>write it anew</source>
         <translation>écrivez-le à nouveau</translation>
     </message>
+    <message>
+        <source>the kernel does not say what %1 is: a driver holds it up</source>
+        <translation>le noyau ne dit pas ce qu’est %1 : un pilote le retient</translation>
+    </message>
+    <message>
+        <source>unplug the adapter and plug it in again</source>
+        <translation>débranchez l’adaptateur et rebranchez-le</translation>
+    </message>
 </context>
 </TS>

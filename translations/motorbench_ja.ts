@@ -18157,5 +18157,13 @@ double click plots it, drag it to a pane or below them</source>
         <source>write it anew</source>
         <translation>もう一度書き込んでください</translation>
     </message>
+    <message>
+        <source>the kernel does not say what %1 is: a driver holds it up</source>
+        <translation>カーネルが %1 について応答しません: ドライバーが止めています</translation>
+    </message>
+    <message>
+        <source>unplug the adapter and plug it in again</source>
+        <translation>アダプターを抜いて、もう一度差し込んでください</translation>
+    </message>
 </context>
 </TS>

@@ -18157,5 +18157,13 @@ double click plots it, drag it to a pane or below them</source>
         <source>write it anew</source>
         <translation>请重新写入</translation>
     </message>
+    <message>
+        <source>the kernel does not say what %1 is: a driver holds it up</source>
+        <translation>内核未说明 %1 是什么：某个驱动程序阻塞了它</translation>
+    </message>
+    <message>
+        <source>unplug the adapter and plug it in again</source>
+        <translation>请拔下适配器后重新插入</translation>
+    </message>
 </context>
 </TS>
