@@ -3974,7 +3974,7 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     </message>
     <message>
         <source>G · ← → 2 % · Shift 0.2 %</source>
-        <translation>G · ← → 2 % · Mayús 0,2 %</translation>
+        <translation>G · ←→ 2 % · ⇧ 0,2 %</translation>
     </message>
     <message>
         <source>Gains, slot %1</source>
@@ -6774,8 +6774,24 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
         <translation>quedan unos %1 s</translation>
     </message>
     <message>
-        <source>%1 done · %2 waiting · %3 failed · %4 refused · mean %5</source>
-        <translation>%1 hechos · %2 en espera · %3 no superados · %4 rechazados · media %5</translation>
+        <source>%1 done</source>
+        <translation>%1 hechos</translation>
+    </message>
+    <message>
+        <source>%1 waiting</source>
+        <translation>%1 en espera</translation>
+    </message>
+    <message>
+        <source>%1 failed</source>
+        <translation>%1 no superados</translation>
+    </message>
+    <message>
+        <source>%1 refused</source>
+        <translation>%1 rechazados</translation>
+    </message>
+    <message>
+        <source>mean %1</source>
+        <translation>media %1</translation>
     </message>
 </context>
 <context>

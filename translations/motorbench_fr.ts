@@ -6774,8 +6774,24 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
         <translation>encore %1 s environ</translation>
     </message>
     <message>
-        <source>%1 done · %2 waiting · %3 failed · %4 refused · mean %5</source>
-        <translation>%1 faits · %2 en attente · %3 échecs · %4 refusés · moyenne %5</translation>
+        <source>%1 done</source>
+        <translation>%1 faits</translation>
+    </message>
+    <message>
+        <source>%1 waiting</source>
+        <translation>%1 en attente</translation>
+    </message>
+    <message>
+        <source>%1 failed</source>
+        <translation>%1 échecs</translation>
+    </message>
+    <message>
+        <source>%1 refused</source>
+        <translation>%1 refusés</translation>
+    </message>
+    <message>
+        <source>mean %1</source>
+        <translation>moyenne %1</translation>
     </message>
 </context>
 <context>

@@ -6765,8 +6765,24 @@ double click or End returns to the present · right click for more</source>
         <translation>残り約 %1 s</translation>
     </message>
     <message>
-        <source>%1 done · %2 waiting · %3 failed · %4 refused · mean %5</source>
-        <translation>完了 %1 · 待機 %2 · 不合格 %3 · 拒否 %4 · 平均 %5</translation>
+        <source>%1 done</source>
+        <translation>完了 %1</translation>
+    </message>
+    <message>
+        <source>%1 waiting</source>
+        <translation>待機 %1</translation>
+    </message>
+    <message>
+        <source>%1 failed</source>
+        <translation>不合格 %1</translation>
+    </message>
+    <message>
+        <source>%1 refused</source>
+        <translation>拒否 %1</translation>
+    </message>
+    <message>
+        <source>mean %1</source>
+        <translation>平均 %1</translation>
     </message>
 </context>
 <context>
