@@ -198,6 +198,20 @@ Application::Application(QApplication &qt, const Options &options)
 
 Application::~Application() = default;
 
+bool Application::end(std::chrono::milliseconds limit)
+{
+    m_tour.reset();
+    m_recorder.reset();
+    m_window.reset();
+    m_sessions.reset();
+    if (m_engine->end(limit))
+        return true;
+    (void)m_engine.release(); // whoever hangs uses it
+    std::fprintf(stderr, "%s: an adapter or a disk has not let go: left behind, and every motor was told to stop\n",
+        program_invocation_short_name);
+    return false;
+}
+
 /// A window that would not fit with what the desktop draws around it takes the whole screen.
 void Application::fitScreen()
 {

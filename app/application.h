@@ -54,6 +54,9 @@ public:
     /// What the process ends with after its loop ended with `status`: 4, and a line on standard error, where a signal ended it and a motor
     /// was not seen to stop; 1 of a tour that did not come to its end.
     [[nodiscard]] int exitStatus(int status) const;
+    /// The last: closes the window and ends the engine. False, and a line on standard error, where that hangs (an adapter that does not
+    /// come back): its thread runs on, so that the process must end without tidying up.
+    [[nodiscard]] bool end(std::chrono::milliseconds limit);
     [[nodiscard]] Engine &engine() { return *m_engine; }
     [[nodiscard]] MainWindow &window() { return *m_window; }
 

@@ -15,14 +15,21 @@
 #include "transport/workerthreads.h"
 #include "widgets/common/devicetext.h"
 
+#include <QDeadlineTimer>
 #include <QDir>
 #include <QSocketNotifier>
 #include <QThread>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
 
 namespace mb {
 namespace {
 
 constexpr Duration snapshotPeriod = std::chrono::milliseconds(33);
+constexpr std::chrono::milliseconds stopPatience{100}; ///< at the end, until motors are stopped past the engine
+constexpr std::chrono::milliseconds storeLimit{2000};  ///< for what waits to be written
 constexpr std::size_t keptNotices = 5000;
 constexpr std::size_t historyBudget = 256U << 20U; ///< of samples in memory; twenty minutes of sixteen signals at 1 kHz
 
@@ -181,13 +188,26 @@ Engine::Engine(std::span<const Family *const> families, bool opensByItself, QObj
 
 Engine::~Engine()
 {
-    m_toEngine.post([this] {
-        m_worker->core.stopAll(StopCause::Program);
-        QThread::currentThread()->exit();
-    });
-    m_thread->wait();
+    constexpr auto forEver = std::chrono::milliseconds(std::numeric_limits<int>::max());
+    while (!end(forEver)) { }
     m_toWindow.drain(); // orders that were not carried out any more are answered, too
     m_toWindow.close();
+}
+
+bool Engine::end(std::chrono::milliseconds limit)
+{
+    if (!std::exchange(m_ends, true)) {
+        m_toEngine.postUrgent([this] {
+            m_worker->core.stopAll(StopCause::Program);
+            m_stoppedAtTheEnd = true;
+        });
+        m_toEngine.post([] { QThread::currentThread()->exit(); });
+    }
+    const QDeadlineTimer until(limit);
+    if (!m_thread->wait(QDeadlineTimer(std::min(limit, stopPatience))) && !m_stoppedAtTheEnd)
+        m_stopLane.press();
+    const bool ended = m_thread->wait(until);
+    return m_store.end(std::max(storeLimit, std::chrono::milliseconds(until.remainingTime()))) && ended;
 }
 
 void Engine::post(std::function<void(EngineCore &)> work)

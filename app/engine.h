@@ -22,8 +22,12 @@ class Engine final : public Workbench {
     Q_OBJECT
 public:
     Engine(std::span<const Family *const> families, bool opensByItself, QObject *parent = nullptr);
-    /// Stops every motor, then ends the engine thread.
+    /// Stops every motor, then ends the engine thread, and waits until it and the user's file have ended.
     ~Engine() override;
+    /// The same with a limit. False: what hangs uses this object on, which must not be destroyed; nothing but the end of the process
+    /// ends it. Every motor was then told to stop past the engine, and what a guardian watches it stops at that end. Again later
+    /// where more is to be waited.
+    [[nodiscard]] bool end(std::chrono::milliseconds limit);
 
     [[nodiscard]] const Snapshot &snapshot() const override { return m_snapshot; }
     [[nodiscard]] Instant now() const override { return m_clock.now(); }
@@ -73,6 +77,8 @@ private:
     Mailbox m_toWindow;
     std::unique_ptr<QSocketNotifier> m_arrivals;
     std::atomic<bool> m_snapshotUnderWay = false;
+    std::atomic<bool> m_stoppedAtTheEnd = false;
+    bool m_ends = false; ///< it was told to
     Snapshot m_snapshot;
     std::vector<LinkListing> m_listings;
     std::vector<Notice> m_notices;

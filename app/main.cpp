@@ -8,9 +8,11 @@
 #include "app/reportfile.h"
 
 #include <cerrno>
+#include <chrono>
 #include <clocale>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 
 namespace {
 
@@ -75,7 +77,17 @@ int main(int argc, char **argv)
         return mb::printReport(*options);
     if (!options->demo)
         mb::installCrashReport(QString::fromStdString(mb::programFolder() + "/crashes"), mb::versions());
-    mb::Application application(qt, *options);
-    application.start();
-    return application.exitStatus(QApplication::exec());
+    constexpr std::chrono::seconds endLimit(15); // of which lanes of the engine that hang take three each
+    int status = 0;
+    bool ended = false;
+    {
+        mb::Application application(qt, *options);
+        application.start();
+        status = application.exitStatus(QApplication::exec());
+        ended = application.end(endLimit);
+    }
+    if (ended)
+        return status;
+    std::fflush(nullptr);
+    std::_Exit(status);
 }

@@ -31,13 +31,14 @@ void say(const Options &options, const LoadedRecording &recording, int traces)
         const QJsonObject object{{QStringLiteral("file"), options.plot}, {QStringLiteral("out"), options.out},
             {QStringLiteral("signals"), traces}, {QStringLiteral("samples"), static_cast<qint64>(samples)},
             {QStringLiteral("lost"), static_cast<qint64>(lost)}, {QStringLiteral("seconds"), seconds},
-            {QStringLiteral("complete"), recording.complete}};
+            {QStringLiteral("complete"), recording.complete}, {QStringLiteral("shortened"), recording.shortened}};
         std::puts(QJsonDocument(object).toJson(QJsonDocument::Compact).constData());
         return;
     }
-    std::printf("%s: %d signals, %llu samples, %llu lost, %.3f s%s\n", qPrintable(options.out), traces,
+    std::printf("%s: %d signals, %llu samples, %llu lost, %.3f s%s%s\n", qPrintable(options.out), traces,
         static_cast<unsigned long long>(samples), static_cast<unsigned long long>(lost), seconds,
-        recording.complete ? "" : "; the end of the file is missing");
+        recording.complete ? "" : "; the end of the file is missing",
+        recording.shortened ? "; the file has more, which is too large for the memory" : "");
 }
 
 } // namespace

@@ -6,8 +6,12 @@
 #include "transport/qtclock.h"
 #include "transport/workerthreads.h"
 
+#include <QDeadlineTimer>
 #include <QSocketNotifier>
 #include <QThread>
+
+#include <limits>
+#include <utility>
 
 namespace mb {
 namespace {
@@ -117,8 +121,15 @@ TrialStore::TrialStore(std::string path, const Clock &clock, std::string person)
 
 TrialStore::~TrialStore()
 {
-    m_orders.post([] { QThread::currentThread()->exit(); }); // after all that waits
-    m_loop->wait();
+    constexpr auto forEver = std::chrono::milliseconds(std::numeric_limits<int>::max());
+    while (!end(forEver)) { }
+}
+
+bool TrialStore::end(std::chrono::milliseconds limit)
+{
+    if (!std::exchange(m_ends, true))
+        m_orders.post([] { QThread::currentThread()->exit(); }); // after all that waits
+    return m_loop->wait(QDeadlineTimer(limit));
 }
 
 Scope &TrialStore::tasks()

@@ -9,6 +9,7 @@
 #include "storage/sharedjournal.h"
 #include "storage/trialbook.h"
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -42,6 +43,8 @@ public:
     TrialStore &operator=(const TrialStore &) = delete;
     /// Waits until all is done.
     ~TrialStore();
+    /// The same with a limit. False: a disk hangs, and this may not be destroyed. Again later where more is to be waited.
+    [[nodiscard]] bool end(std::chrono::milliseconds limit);
 
     /// Any thread.
     void post(Work work);
@@ -83,6 +86,7 @@ private:
     const Clock &m_clock;
     std::string m_person;
     Mailbox m_orders;
+    bool m_ends = false;          ///< it was told to
     Worker *m_worker = nullptr;   ///< the store's thread only
     std::unique_ptr<Loop> m_loop; ///< last: its thread uses all the others
 };

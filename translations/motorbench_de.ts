@@ -3607,11 +3607,11 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
     <message>
         <source>inside the envelope · %1</source>
-        <translation>in den Grenzen · %1</translation>
+        <translation>erlaubt · %1</translation>
     </message>
     <message>
         <source>inside the envelope · %1 of %2 · %3</source>
-        <translation>in den Grenzen · %1 von %2 · %3</translation>
+        <translation>erlaubt · %1 von %2 · %3</translation>
     </message>
     <message>
         <source>This mode has no loop that can be tried; Live drives it.</source>
@@ -3974,7 +3974,7 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
     <message>
         <source>G · ← → 2 % · Shift 0.2 %</source>
-        <translation>G · ← → 2 % · Umsch 0,2 %</translation>
+        <translation>G · ←→ 2 % · ⇧ 0,2 %</translation>
     </message>
     <message>
         <source>Gains, slot %1</source>
@@ -6716,7 +6716,7 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     </message>
     <message>
         <source>Pause after this unit</source>
-        <translation>Nach diesem Gerät anhalten</translation>
+        <translation>Danach anhalten</translation>
     </message>
     <message>
         <source>Go on</source>
@@ -6728,7 +6728,7 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     </message>
     <message>
         <source>Retry failed</source>
-        <translation>Fehlerhafte wiederholen</translation>
+        <translation>Fehler wiederholen</translation>
     </message>
     <message>
         <source>Save CSV…</source>
@@ -6774,8 +6774,24 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
         <translation>noch etwa %1 s</translation>
     </message>
     <message>
-        <source>%1 done · %2 waiting · %3 failed · %4 refused · mean %5</source>
-        <translation>%1 fertig · %2 warten · %3 mit Fehler · %4 abgelehnt · Mittel %5</translation>
+        <source>%1 done</source>
+        <translation>%1 fertig</translation>
+    </message>
+    <message>
+        <source>%1 waiting</source>
+        <translation>%1 warten</translation>
+    </message>
+    <message>
+        <source>%1 failed</source>
+        <translation>%1 mit Fehler</translation>
+    </message>
+    <message>
+        <source>%1 refused</source>
+        <translation>%1 abgelehnt</translation>
+    </message>
+    <message>
+        <source>mean %1</source>
+        <translation>Mittel %1</translation>
     </message>
 </context>
 <context>
@@ -7354,7 +7370,7 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     </message>
     <message>
         <source>End recording</source>
-        <translation>Aufnahme beenden</translation>
+        <translation>Aufn. beenden</translation>
     </message>
     <message>
         <source>Writes every frame of this link to a candump log or a Vector ASC file</source>
@@ -8499,6 +8515,10 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
         <source>One export at a time: %1 is being written.</source>
         <translation>Nur ein Export zur selben Zeit: %1 wird gerade geschrieben.</translation>
     </message>
+    <message>
+        <source>; the file has more, of which nothing is shown: it is too large for the memory</source>
+        <translation>; die Datei hat mehr, wovon nichts gezeigt wird: Sie ist zu groß für den Speicher</translation>
+    </message>
 </context>
 <context>
     <name>mb::SavedLimits</name>
@@ -8885,7 +8905,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>edit and run</source>
-        <translation>bearbeiten und laufen</translation>
+        <translation>ändern, laufen</translation>
     </message>
     <message>
         <source>Gain slot that is edited</source>
@@ -18146,6 +18166,34 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>the queue was ended</source>
         <translation>die Warteschlange wurde beendet</translation>
+    </message>
+    <message>
+        <source>%1 has more than %2 MB that are no samples</source>
+        <translation>%1 hat mehr als %2 MB, die keine Messwerte sind</translation>
+    </message>
+    <message>
+        <source>%1 was taken away; what memory still has of it is recorded anew</source>
+        <translation>%1 wurde weggenommen; was der Speicher davon noch hat, wird neu aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>leave that folder where it is</source>
+        <translation>diesen Ordner lassen, wo er ist</translation>
+    </message>
+    <message>
+        <source>the file was deleted while it was written</source>
+        <translation>die Datei wurde gelöscht, während sie geschrieben wurde</translation>
+    </message>
+    <message>
+        <source>write it anew</source>
+        <translation>neu schreiben</translation>
+    </message>
+    <message>
+        <source>the kernel does not say what %1 is: a driver holds it up</source>
+        <translation>der Kernel sagt nicht, was %1 ist: Ein Treiber hält ihn auf</translation>
+    </message>
+    <message>
+        <source>unplug the adapter and plug it in again</source>
+        <translation>den Adapter abziehen und wieder anstecken</translation>
     </message>
 </context>
 </TS>

@@ -3974,7 +3974,7 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     </message>
     <message>
         <source>G · ← → 2 % · Shift 0.2 %</source>
-        <translation>G · ← → 2 % · Mayús 0,2 %</translation>
+        <translation>G · ←→ 2 % · ⇧ 0,2 %</translation>
     </message>
     <message>
         <source>Gains, slot %1</source>
@@ -6774,8 +6774,24 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
         <translation>quedan unos %1 s</translation>
     </message>
     <message>
-        <source>%1 done · %2 waiting · %3 failed · %4 refused · mean %5</source>
-        <translation>%1 hechos · %2 en espera · %3 no superados · %4 rechazados · media %5</translation>
+        <source>%1 done</source>
+        <translation>%1 hechos</translation>
+    </message>
+    <message>
+        <source>%1 waiting</source>
+        <translation>%1 en espera</translation>
+    </message>
+    <message>
+        <source>%1 failed</source>
+        <translation>%1 no superados</translation>
+    </message>
+    <message>
+        <source>%1 refused</source>
+        <translation>%1 rechazados</translation>
+    </message>
+    <message>
+        <source>mean %1</source>
+        <translation>media %1</translation>
     </message>
 </context>
 <context>
@@ -8498,6 +8514,10 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
     <message>
         <source>One export at a time: %1 is being written.</source>
         <translation>Solo una exportación a la vez: se está escribiendo %1.</translation>
+    </message>
+    <message>
+        <source>; the file has more, of which nothing is shown: it is too large for the memory</source>
+        <translation>; el archivo tiene más, de lo que no se muestra nada: es demasiado grande para la memoria</translation>
     </message>
 </context>
 <context>
@@ -18146,6 +18166,34 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>the queue was ended</source>
         <translation>la cola se terminó</translation>
+    </message>
+    <message>
+        <source>%1 has more than %2 MB that are no samples</source>
+        <translation>%1 tiene más de %2 MB que no son muestras</translation>
+    </message>
+    <message>
+        <source>%1 was taken away; what memory still has of it is recorded anew</source>
+        <translation>%1 ha desaparecido; lo que la memoria aún tiene se graba de nuevo</translation>
+    </message>
+    <message>
+        <source>leave that folder where it is</source>
+        <translation>deje esa carpeta donde está</translation>
+    </message>
+    <message>
+        <source>the file was deleted while it was written</source>
+        <translation>el archivo fue borrado mientras se escribía</translation>
+    </message>
+    <message>
+        <source>write it anew</source>
+        <translation>escríbalo de nuevo</translation>
+    </message>
+    <message>
+        <source>the kernel does not say what %1 is: a driver holds it up</source>
+        <translation>el núcleo no dice qué es %1: un controlador lo retiene</translation>
+    </message>
+    <message>
+        <source>unplug the adapter and plug it in again</source>
+        <translation>desenchufe el adaptador y vuelva a enchufarlo</translation>
     </message>
 </context>
 </TS>

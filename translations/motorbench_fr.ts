@@ -6774,8 +6774,24 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
         <translation>encore %1 s environ</translation>
     </message>
     <message>
-        <source>%1 done · %2 waiting · %3 failed · %4 refused · mean %5</source>
-        <translation>%1 faits · %2 en attente · %3 échecs · %4 refusés · moyenne %5</translation>
+        <source>%1 done</source>
+        <translation>%1 faits</translation>
+    </message>
+    <message>
+        <source>%1 waiting</source>
+        <translation>%1 en attente</translation>
+    </message>
+    <message>
+        <source>%1 failed</source>
+        <translation>%1 échecs</translation>
+    </message>
+    <message>
+        <source>%1 refused</source>
+        <translation>%1 refusés</translation>
+    </message>
+    <message>
+        <source>mean %1</source>
+        <translation>moyenne %1</translation>
     </message>
 </context>
 <context>
@@ -8498,6 +8514,10 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     <message>
         <source>One export at a time: %1 is being written.</source>
         <translation>Un seul export à la fois&#xa0;: %1 est en cours d’écriture.</translation>
+    </message>
+    <message>
+        <source>; the file has more, of which nothing is shown: it is too large for the memory</source>
+        <translation> ; le fichier en contient davantage, dont rien n’est montré : il est trop grand pour la mémoire</translation>
     </message>
 </context>
 <context>
@@ -18146,6 +18166,34 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>the queue was ended</source>
         <translation>la file a été terminée</translation>
+    </message>
+    <message>
+        <source>%1 has more than %2 MB that are no samples</source>
+        <translation>%1 contient plus de %2 Mo qui ne sont pas des échantillons</translation>
+    </message>
+    <message>
+        <source>%1 was taken away; what memory still has of it is recorded anew</source>
+        <translation>%1 a disparu ; ce que la mémoire en a encore est enregistré à nouveau</translation>
+    </message>
+    <message>
+        <source>leave that folder where it is</source>
+        <translation>laissez ce dossier où il est</translation>
+    </message>
+    <message>
+        <source>the file was deleted while it was written</source>
+        <translation>le fichier a été supprimé pendant son écriture</translation>
+    </message>
+    <message>
+        <source>write it anew</source>
+        <translation>écrivez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>the kernel does not say what %1 is: a driver holds it up</source>
+        <translation>le noyau ne dit pas ce qu’est %1 : un pilote le retient</translation>
+    </message>
+    <message>
+        <source>unplug the adapter and plug it in again</source>
+        <translation>débranchez l’adaptateur et rebranchez-le</translation>
     </message>
 </context>
 </TS>

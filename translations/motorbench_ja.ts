@@ -6765,8 +6765,24 @@ double click or End returns to the present · right click for more</source>
         <translation>残り約 %1 s</translation>
     </message>
     <message>
-        <source>%1 done · %2 waiting · %3 failed · %4 refused · mean %5</source>
-        <translation>完了 %1 · 待機 %2 · 不合格 %3 · 拒否 %4 · 平均 %5</translation>
+        <source>%1 done</source>
+        <translation>完了 %1</translation>
+    </message>
+    <message>
+        <source>%1 waiting</source>
+        <translation>待機 %1</translation>
+    </message>
+    <message>
+        <source>%1 failed</source>
+        <translation>不合格 %1</translation>
+    </message>
+    <message>
+        <source>%1 refused</source>
+        <translation>拒否 %1</translation>
+    </message>
+    <message>
+        <source>mean %1</source>
+        <translation>平均 %1</translation>
     </message>
 </context>
 <context>
@@ -8488,6 +8504,10 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     <message>
         <source>One export at a time: %1 is being written.</source>
         <translation>エクスポートは一度に 1 件です: %1 を書出し中です。</translation>
+    </message>
+    <message>
+        <source>; the file has more, of which nothing is shown: it is too large for the memory</source>
+        <translation>。ファイルにはさらにデータがありますが、メモリに収まらないため表示していません</translation>
     </message>
 </context>
 <context>
@@ -18132,6 +18152,34 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the queue was ended</source>
         <translation>キューは終了されました</translation>
+    </message>
+    <message>
+        <source>%1 has more than %2 MB that are no samples</source>
+        <translation>%1 にはサンプルではないデータが %2 MB を超えて含まれています</translation>
+    </message>
+    <message>
+        <source>%1 was taken away; what memory still has of it is recorded anew</source>
+        <translation>%1 がなくなりました。メモリに残っている分を改めて記録します</translation>
+    </message>
+    <message>
+        <source>leave that folder where it is</source>
+        <translation>そのフォルダーを移動・削除しないでください</translation>
+    </message>
+    <message>
+        <source>the file was deleted while it was written</source>
+        <translation>書き込み中にファイルが削除されました</translation>
+    </message>
+    <message>
+        <source>write it anew</source>
+        <translation>もう一度書き込んでください</translation>
+    </message>
+    <message>
+        <source>the kernel does not say what %1 is: a driver holds it up</source>
+        <translation>カーネルが %1 について応答しません: ドライバーが止めています</translation>
+    </message>
+    <message>
+        <source>unplug the adapter and plug it in again</source>
+        <translation>アダプターを抜いて、もう一度差し込んでください</translation>
     </message>
 </context>
 </TS>

@@ -6765,8 +6765,24 @@ double click or End returns to the present · right click for more</source>
         <translation>约剩 %1 s</translation>
     </message>
     <message>
-        <source>%1 done · %2 waiting · %3 failed · %4 refused · mean %5</source>
-        <translation>完成 %1 · 等待 %2 · 不合格 %3 · 拒绝 %4 · 平均 %5</translation>
+        <source>%1 done</source>
+        <translation>完成 %1</translation>
+    </message>
+    <message>
+        <source>%1 waiting</source>
+        <translation>等待 %1</translation>
+    </message>
+    <message>
+        <source>%1 failed</source>
+        <translation>不合格 %1</translation>
+    </message>
+    <message>
+        <source>%1 refused</source>
+        <translation>拒绝 %1</translation>
+    </message>
+    <message>
+        <source>mean %1</source>
+        <translation>平均 %1</translation>
     </message>
 </context>
 <context>
@@ -8488,6 +8504,10 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     <message>
         <source>One export at a time: %1 is being written.</source>
         <translation>一次只能进行一个导出：正在写入 %1。</translation>
+    </message>
+    <message>
+        <source>; the file has more, of which nothing is shown: it is too large for the memory</source>
+        <translation>；文件中还有更多内容，但因内存容纳不下而未显示</translation>
     </message>
 </context>
 <context>
@@ -18132,6 +18152,34 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the queue was ended</source>
         <translation>队列已结束</translation>
+    </message>
+    <message>
+        <source>%1 has more than %2 MB that are no samples</source>
+        <translation>%1 中有超过 %2 MB 的内容不是采样</translation>
+    </message>
+    <message>
+        <source>%1 was taken away; what memory still has of it is recorded anew</source>
+        <translation>%1 已被移走；内存中尚存的部分将重新记录</translation>
+    </message>
+    <message>
+        <source>leave that folder where it is</source>
+        <translation>请勿移动或删除该文件夹</translation>
+    </message>
+    <message>
+        <source>the file was deleted while it was written</source>
+        <translation>文件在写入过程中被删除</translation>
+    </message>
+    <message>
+        <source>write it anew</source>
+        <translation>请重新写入</translation>
+    </message>
+    <message>
+        <source>the kernel does not say what %1 is: a driver holds it up</source>
+        <translation>内核未说明 %1 是什么：某个驱动程序阻塞了它</translation>
+    </message>
+    <message>
+        <source>unplug the adapter and plug it in again</source>
+        <translation>请拔下适配器后重新插入</translation>
     </message>
 </context>
 </TS>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/commandline.h"
+#include "app/console/optionwords.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
 
@@ -8,6 +9,8 @@
 namespace mb::console {
 namespace {
 
+/// Settings that are no device and no file.
+constexpr std::string_view settingsWords = "defaults snapshot:";
 constexpr std::string_view linkWords = "sim:can sim:serial sim:spi socketcan: serial: spidev: unix: replay:";
 
 /// What the shells complete, of the tables that the program itself reads.
@@ -61,6 +64,14 @@ public:
             add(all, toString(mode));
         return all;
     }
+    template <class List> [[nodiscard]] static std::string list(const List &words)
+    {
+        std::string all;
+        for (const std::string_view word : words)
+            add(all, word);
+        return all;
+    }
+    [[nodiscard]] std::string dialects() const { return list(dialectWords(m_families)); }
 
 private:
     static void add(std::string &all, std::string_view word) { all += (all.empty() ? "" : " ") + std::string(word); }
@@ -93,6 +104,16 @@ std::string valuesOfOptions(std::span<const Family *const> families)
     --file|--out|--save|--export) words="FILES"; return ;;
     --theme) words="dark light"; return ;;
     --target) [ "$verb" = flash ] && words="f1 f4"; return ;;
+    --size) [ "$verb" = report ] && words=")"
+        + Words::list(reportSizes) + R"("; return ;;
+    --loop) words=")"
+        + Words::list(tunableLoops()) + R"("; return ;;
+    --aim) words=")"
+        + Words::list(aimWords()) + R"("; return ;;
+    --profile) words=")"
+        + Words::list(profileWords()) + R"("; return ;;
+    --dialect) words=")"
+        + Words(families).dialects() + R"("; return ;;
     --channel)
         case "$device" in
 )" + caseOfFamilies(families, Words::channels, "        ")
@@ -116,8 +137,9 @@ std::string valuesOfVerbs(std::span<const Family *const> families)
         + assign("bash zsh fish") + " ;;\n    parameters) " + assign(Words(families).families())
         + " ;;\n    decode|plot) " + assign("FILES") + " ;;\n    scan|monitor) " + anyLink
         + " ;;\n    get|set)\n        case \"$device\" in\n        \"\") " + anyLink + " ;;\n"
-        + caseOfFamilies(families, Words::keys, "        ")
-        + "        esac ;;\n    restore|flash) if [ -n \"$device\" ]; then " + assign("FILES") + "; else " + anyLink
+        + caseOfFamilies(families, Words::keys, "        ") + "        esac ;;\n    diff) "
+        + assign(std::string(settingsWords) + ' ' + std::string(linkWords) + " FILES")
+        + " ;;\n    restore|flash) if [ -n \"$device\" ]; then " + assign("FILES") + "; else " + anyLink
         + "; fi ;;\n    service) if [ -z \"$device\" ]; then " + assign("FILES") + "; else " + anyLink
         + "; fi ;;\n    *) [ -z \"$device\" ] && " + anyLink + " ;;\n    esac\n";
 }
@@ -169,11 +191,12 @@ std::string forBash(std::span<const Family *const> families)
     case "$typed" in *' ') line+=("") ;; esac # the cursor stands on a new word
     _motorbenchctl_words "${line[@]:1}"
     current=${line[${#line[@]}-1]}
-    if [ "$words" = FILES ]; then
-        mapfile -t COMPREPLY < <(compgen -f -- "$current")
-        return
-    fi
-    mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current")
+    mapfile -t COMPREPLY < <(compgen -W "${words%FILES}" -- "$current")
+    case "$words" in *FILES)
+        local -a files
+        mapfile -t files < <(compgen -f -- "$current")
+        COMPREPLY+=("${files[@]}") ;;
+    esac
     prefix=${current%"${current##*[:=]}"} # bash takes these for the beginning of a word
     case "$COMP_WORDBREAKS" in *:*) COMPREPLY=("${COMPREPLY[@]#"$prefix"}") ;; esac
 }
@@ -188,7 +211,8 @@ std::string forZsh(std::span<const Family *const> families)
     local -a typed=("${(@)words[2,CURRENT]}")
     local words
     _motorbenchctl_words "${typed[@]}"
-    if [ "$words" = FILES ]; then _files; else compadd -- ${=words}; fi
+    compadd -- ${=words%FILES}
+    case "$words" in *FILES) _files ;; esac
 }
 compdef _motorbenchctl motorbenchctl
 )";
@@ -224,6 +248,16 @@ std::string forFish(std::span<const Family *const> families)
     offer("completion", "bash zsh fish");
     for (const char *verb : {"scan", "monitor", "info", "watch", "drive", "identify", "number", "rename"})
         offer(verb, std::string(linkWords));
+    offer("diff", std::string(settingsWords) + ' ' + std::string(linkWords));
+    const auto take = [&text](std::string_view verbsOf, std::string_view option, const std::string &list) {
+        text += "complete -c motorbenchctl -n '__fish_seen_subcommand_from " + std::string(verbsOf) + "' -l "
+            + std::string(option) + " -x -a '" + list + "'\n";
+    };
+    take("tune", "loop", Words::list(tunableLoops()));
+    take("tune", "aim", Words::list(aimWords()));
+    take("step", "profile", Words::list(profileWords()));
+    take("report", "size", Words::list(reportSizes));
+    take("decode monitor", "dialect", words.dialects());
     for (const Family *family : families) {
         const std::string device = "string match -q \"*/" + std::string(family->key) + ":*\" (commandline -opc)";
         const auto onDevice
@@ -232,7 +266,7 @@ std::string forFish(std::span<const Family *const> families)
         onDevice("' -l channel -x -a '" + Words::channels(*family));
         onDevice("' -l mode -x -a '" + Words::modes(*family));
     }
-    for (const char *verb : {"restore", "flash", "decode", "plot", "service"})
+    for (const char *verb : {"restore", "flash", "decode", "plot", "service", "diff"})
         text += "complete -c motorbenchctl -n '__fish_seen_subcommand_from " + std::string(verb) + "' -F\n";
     return text;
 }

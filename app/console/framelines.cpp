@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/framelines.h"
 
+#include "app/console/optionwords.h"
 #include "app/console/target.h"
 #include "model/registry.h"
 #include "wire/bytelog.h"
@@ -194,14 +195,10 @@ std::string dialectHelp()
 Result<void> checkDialect(const Console &console, const std::string &dialect)
 {
     std::string known;
-    for (const Family *family : console.families()) {
-        for (const DialectChoice &row : family->dialects) {
-            if (!family->decodeCan)
-                continue;
-            if (row.key == dialect)
-                return {};
-            known += (known.empty() ? "" : ", ") + std::string(row.key);
-        }
+    for (const std::string_view word : dialectWords(console.families())) {
+        if (word == dialect)
+            return {};
+        known += (known.empty() ? "" : ", ") + std::string(word);
     }
     if (dialect.empty())
         return {};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/report.h"
+#include "app/console/optionwords.h"
 #include "app/console/parameterrows.h"
 #include "app/console/progressline.h"
 #include "app/console/target.h"
@@ -35,7 +36,8 @@ struct Size {
     std::string_view word;
     QString (*html)(const Report &report);
 };
-constexpr std::array<Size, 3> sizes{{{"report", htmlOf}, {"card", cardHtmlOf}, {"label", labelHtmlOf}}};
+constexpr std::array<Size, 3> sizes{
+    {{reportSizes[0], htmlOf}, {reportSizes[1], cardHtmlOf}, {reportSizes[2], labelHtmlOf}}};
 
 struct Wish {
     std::optional<Target> target;

@@ -2,6 +2,7 @@
 #include "app/console/assignments.h"
 #include "app/console/experimentoptions.h"
 #include "app/console/notebook.h"
+#include "app/console/optionwords.h"
 #include "app/console/samplestream.h"
 #include "app/console/stage.h"
 #include "app/console/target.h"
@@ -80,8 +81,7 @@ Result<Profile> parseProfile(const std::string &text)
     if (const auto profile = profileFromString(text.empty() ? "step" : text))
         return *profile;
     return fail(Fault::Usage, say("unknown profile '%1'", text),
-        suggestion(text, {"step", "square", "ramp", "sine", "chirp", "prbs"},
-            "there are step, square, ramp, sine, chirp and prbs"));
+        suggestion(text, profileWords(), "there are step, square, ramp, sine, chirp and prbs"));
 }
 
 Result<void> parseNumbers(const Family &family, const StepArguments &a, ExperimentPlan &plan)

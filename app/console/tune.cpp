@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/experimentoptions.h"
 #include "app/console/notebook.h"
+#include "app/console/optionwords.h"
 #include "app/console/progressline.h"
 #include "app/console/stage.h"
 #include "app/console/target.h"
@@ -10,6 +11,7 @@
 #include "settings/writing.h"
 #include "tuning/autotune.h"
 
+#include <algorithm>
 #include <memory>
 
 namespace mb::console {
@@ -44,11 +46,11 @@ struct TuneOrder {
 
 Result<void> parseLoop(const Family &family, const std::string &text, TunePlan &plan)
 {
-    const auto mode = modeFromString(text);
-    if (!mode || (*mode != Mode::Velocity && *mode != Mode::Position && *mode != Mode::Current))
+    const auto known = tunableLoops();
+    if (std::find(known.begin(), known.end(), text) == known.end())
         return fail(Fault::Usage, say("unknown loop '%1'", text),
-            suggestion(text, {"velocity", "position", "current"}, "there are velocity, position and current"));
-    plan.loop = *mode;
+            suggestion(text, known, "there are velocity, position and current"));
+    plan.loop = *modeFromString(text);
     if (!family.trials)
         return fail(Fault::Unsupported, say("%1 has no loop that can be tuned", family.title));
     return {};
@@ -59,7 +61,7 @@ Result<void> parseAim(const TuneArguments &a, TunePlan &plan)
     const auto aim = aimFromString(a.aim.empty() ? "normal" : a.aim);
     if (!aim)
         return fail(Fault::Usage, say("unknown aim '%1'", a.aim),
-            suggestion(a.aim, {"calm", "normal", "brisk"}, "there are calm, normal and brisk"));
+            suggestion(a.aim, aimWords(), "there are calm, normal and brisk"));
     plan.aim = *aim;
     if (a.response.empty() != a.damping.empty())
         return fail(Fault::Usage, say("--response and --damping belong together"), say("give both, or an --aim"));

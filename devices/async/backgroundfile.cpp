@@ -7,6 +7,7 @@
 #include <cerrno>
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace mb {
@@ -14,11 +15,19 @@ namespace {
 
 constexpr std::size_t worthWriting = 64 * 1024;
 
+/// Of what is no regular file 0.
+nlink_t namesOf(int descriptor)
+{
+    struct stat status { };
+    return ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) ? status.st_nlink : 0;
+}
+
 } // namespace
 
 BackgroundFile::BackgroundFile(std::string path, int descriptor)
     : m_path(std::move(path))
     , m_descriptor(descriptor)
+    , m_hasName(namesOf(descriptor) > 0)
     , m_writer([this] { run(); })
 {
 }
@@ -93,6 +102,13 @@ void BackgroundFile::run()
             m_status.written += records;
             m_status.problem = std::move(written.problem);
         }
+        if (isDeleted() && m_status.problem.empty()) {
+            m_status.written = 0;
+            m_status.problem
+                = Error{Fault::LinkLost, say("the file was deleted while it was written"), say("write it anew")}
+                      .about(m_path)
+                      .message();
+        }
         if (last)
             break;
     }
@@ -102,6 +118,12 @@ void BackgroundFile::run()
     if (failed != 0 && m_status.problem.empty())
         m_status.problem = writeFailure(Fault::LinkLost, failed).about(m_path).message();
     m_status.finished = true;
+}
+
+/// What is written then nobody finds any more.
+bool BackgroundFile::isDeleted() const
+{
+    return m_hasName && namesOf(m_descriptor) == 0;
 }
 
 /// No problem when all is written.

@@ -53,10 +53,12 @@ private:
         Message problem;
     };
     [[nodiscard]] Written writeAll(std::string_view text) const;
+    [[nodiscard]] bool isDeleted() const;
     [[nodiscard]] std::size_t keepWhole(const std::vector<std::size_t> &ends, std::size_t written) const;
 
     std::string m_path;
     int m_descriptor;
+    bool m_hasName; ///< a file system that counts the names of a file, and it has one
     mutable std::mutex m_mutex;
     std::condition_variable m_wake;
     std::string m_waiting;

@@ -116,7 +116,8 @@ struct Parameter {
         = false; ///< tells one unit from another, or was calibrated for it: not copied to another unit unasked
     bool afterRestart = false; ///< what is written is in force after the next power cycle only, and so not compared
     Role role = Role::None;
-    bool inverted = false; ///< of a limit: a boolean switches it off when on, a position is wider the lower it is
+    bool inverted = false;   ///< of a limit: a boolean switches it off when on, a position is wider the lower it is
+    bool zeroIsNone = false; ///< of a limit that is an amount: 0 is no limit, not the tightest
 };
 
 [[nodiscard]] constexpr bool isGain(Role role)
@@ -142,6 +143,13 @@ struct Parameter {
 [[nodiscard]] constexpr Parameter inverted(Parameter row)
 {
     row.inverted = true;
+    return row;
+}
+
+/// For tables: a limit that is off at 0.
+[[nodiscard]] constexpr Parameter noneAtZero(Parameter row)
+{
+    row.zeroIsNone = true;
     return row;
 }
 

@@ -15,6 +15,11 @@ bool switchesOff(const Parameter &parameter, const StagedChange &change)
     return parameter.inverted ? change.to != 0 : change.to == 0;
 }
 
+bool isNoLimit(const Parameter &parameter, std::int64_t raw)
+{
+    return parameter.zeroIsNone && raw == 0;
+}
+
 bool isSwitch(const Parameter &parameter)
 {
     return parameter.type == WireType::Boolean;
@@ -35,6 +40,8 @@ bool widensLimit(const Parameter &parameter, const StagedChange &change)
         return switchesOff(parameter, change);
     if (boundsPlace(parameter))
         return (change.to > *change.from) != parameter.inverted;
+    if (isNoLimit(parameter, *change.from) || isNoLimit(parameter, change.to))
+        return isNoLimit(parameter, change.to);
     return std::abs(change.to) > std::abs(*change.from);
 }
 
@@ -53,7 +60,7 @@ int writeRank(const Parameter &parameter, const StagedChange &change)
         return 7;
     if (isSwitch(parameter))
         return switchesOff(parameter, change) ? 6 : 1;
-    return widensLimit(parameter, change) ? 5 : 0;
+    return widensLimit(parameter, change) || isNoLimit(parameter, change.to) ? 5 : 0;
 }
 
 void sortForWriting(std::span<const Parameter> table, std::vector<StagedChange> &changes)

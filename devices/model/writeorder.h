@@ -25,7 +25,7 @@ struct StagedChange {
 ///   4 D raised (damping first)   5 limits that become wider (numbers)   6 switches that turn a limit off
 ///   7 everything else   8 D lowered   9 P raised   10 I raised   11 live values, such as the position
 /// Raised and wider mean a greater amount, whatever the sign, but for limits of the position (boundsPlace). From an unknown value,
-/// gains count as raised and limits as tighter.
+/// gains count as raised and limits as tighter, but for 0 where that is no limit (Parameter::zeroIsNone), which is always wider.
 [[nodiscard]] int writeRank(const Parameter &parameter, const StagedChange &change);
 
 /// A limit of either sign is a position, wide where it lies far out; all others are amounts.

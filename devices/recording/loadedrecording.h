@@ -17,6 +17,7 @@ struct LoadedRecording {
     std::map<std::string, mcap::Map> about; ///< "device …", "parameters …", "loss …"
     bool hasClock = false;                  ///< time stamps are Unix time; else seconds since the start
     bool complete = true;                   ///< false: the end is missing
+    bool shortened = false; ///< the file has more samples than were to be read: the first of them are here
     bool simulated = false;
     Instant first{};
     Instant last{};

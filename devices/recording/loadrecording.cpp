@@ -9,6 +9,7 @@
 namespace mb {
 namespace {
 
+constexpr std::size_t mostAbout = 64U << 20U;                    // bytes of what a file tells of itself
 constexpr std::int64_t farthestTime = 4'500'000'000'000'000'000; // ns: between any two of these there are 63 bits
 
 bool endsWith(std::string_view text, std::string_view end)
@@ -16,7 +17,42 @@ bool endsWith(std::string_view text, std::string_view end)
     return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
 }
 
-Result<std::shared_ptr<LoadedRecording>> loadMcap(const std::string &path)
+std::size_t bytesOf(const mcap::Map &facts)
+{
+    std::size_t sum = 0;
+    for (const auto &[key, text] : facts)
+        sum += key.size() + text.size();
+    return sum;
+}
+
+/// The second pass over a file, whose channels are known.
+Result<void> readSamples(const std::string &path, LoadedRecording &loaded,
+    std::map<std::uint16_t, std::uint16_t> &places, std::uint64_t mostSamples)
+{
+    McapReader reader;
+    bool isTooFar = false;
+    std::uint64_t taken = 0;
+    reader.enough = [&] { return loaded.shortened || isTooFar; };
+    reader.sample = [&](std::uint16_t id, std::int64_t time, double value, std::uint64_t lost, bool gap) {
+        isTooFar = isTooFar || time > farthestTime || time < -farthestTime;
+        loaded.shortened = loaded.shortened || taken >= mostSamples;
+        if (isTooFar || loaded.shortened)
+            return;
+        ++taken;
+        const ChannelIndex channel{places[id]};
+        if (gap || lost > 0)
+            loaded.telemetry->lost(channel, lost);
+        loaded.telemetry->append({channel, Instant(std::chrono::nanoseconds(time)), value});
+    };
+    if (const auto again = reader.read(path); !again)
+        return fail(again.error());
+    if (isTooFar)
+        return fail(Fault::OutOfRange, say("%1 has a time that is more than 140 years from 1970", path),
+            say("record with the clock set"));
+    return {};
+}
+
+Result<std::shared_ptr<LoadedRecording>> loadMcap(const std::string &path, std::uint64_t mostSamples)
 {
     auto loaded = std::make_shared<LoadedRecording>();
     loaded->hasClock = true;
@@ -33,28 +69,22 @@ Result<std::shared_ptr<LoadedRecording>> loadMcap(const std::string &path)
         places[id] = static_cast<std::uint16_t>(loaded->table.size());
         addLoadedChannel(*loaded, title.empty() ? topic : title, fact("unit"));
     };
-    reader.metadata = [&](const std::string &name, const mcap::Map &facts) { loaded->about[name] = facts; };
+    std::size_t about = 0;
+    reader.metadata = [&](const std::string &name, const mcap::Map &facts) {
+        about += name.size() + bytesOf(facts);
+        if (about <= mostAbout)
+            loaded->about[name] = facts;
+    };
+    reader.enough = [&about] { return about > mostAbout; };
     const auto complete = reader.read(path);
+    if (about > mostAbout)
+        return fail(Fault::OutOfRange, say("%1 has more than %2 MB that are no samples", path, mostAbout >> 20U));
     if (!complete)
         return fail(complete.error());
     loaded->complete = *complete;
     loaded->telemetry = std::make_shared<Telemetry>(loaded->table);
-    McapReader samples;
-    bool isTooFar = false;
-    samples.sample = [&](std::uint16_t id, std::int64_t time, double value, std::uint64_t lost, bool gap) {
-        isTooFar = isTooFar || time > farthestTime || time < -farthestTime;
-        if (isTooFar)
-            return;
-        const ChannelIndex channel{places[id]};
-        if (gap || lost > 0)
-            loaded->telemetry->lost(channel, lost);
-        loaded->telemetry->append({channel, Instant(std::chrono::nanoseconds(time)), value});
-    };
-    if (const auto again = samples.read(path); !again)
-        return fail(again.error());
-    if (isTooFar)
-        return fail(Fault::OutOfRange, say("%1 has a time that is more than 140 years from 1970", path),
-            say("record with the clock set"));
+    if (auto read = readSamples(path, *loaded, places, mostSamples); !read)
+        return fail(read.error());
     return loaded;
 }
 
@@ -71,13 +101,13 @@ RecordingTotals totalsOf(const LoadedRecording &recording)
     return totals;
 }
 
-Result<std::shared_ptr<const LoadedRecording>> loadRecording(const std::string &path)
+Result<std::shared_ptr<const LoadedRecording>> loadRecording(const std::string &path, std::uint64_t mostSamples)
 {
     std::error_code error;
     if (const auto kind = std::filesystem::status(path, error);
         std::filesystem::is_character_file(kind) || std::filesystem::is_block_file(kind))
         return fail(Fault::OutOfRange, say("%1 is a device and has no end", path), say("name a recording"));
-    auto loaded = endsWith(path, ".mcap") ? loadMcap(path) : loadTable(path);
+    auto loaded = endsWith(path, ".mcap") ? loadMcap(path, mostSamples) : loadTable(path, mostSamples);
     if (!loaded)
         return fail(loaded.error());
     LoadedRecording &recording = **loaded;

@@ -16,8 +16,14 @@ struct RecordingTotals {
 };
 [[nodiscard]] RecordingTotals totalsOf(const LoadedRecording &recording);
 
+/// Of samples that are kept in memory: 1.4 GB, some two hours of sixteen signals at 1 kHz.
+inline constexpr std::uint64_t mostLoadedSamples = 100'000'000;
+
 /// An .mcap of this program, or a table: `time_s,name (unit),…` with # lines before it, as this program writes, or
 /// `t,channel,value,unit`, as `motorbenchctl watch` prints. OutOfRange with path, line and cause for anything else.
-[[nodiscard]] Result<std::shared_ptr<const LoadedRecording>> loadRecording(const std::string &path);
+/// Of a file that has more than `mostSamples` (of the second kind of table a third: its rows are kept twice) the first are read, and
+/// LoadedRecording::shortened says so.
+[[nodiscard]] Result<std::shared_ptr<const LoadedRecording>> loadRecording(
+    const std::string &path, std::uint64_t mostSamples = mostLoadedSamples);
 
 } // namespace mb

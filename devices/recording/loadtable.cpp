@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <deque>
 #include <fstream>
 #include <map>
 #include <utility>
@@ -103,9 +104,10 @@ std::optional<std::pair<std::string, std::uint64_t>> lossIn(std::string_view lin
 
 class TableReader {
 public:
-    explicit TableReader(const std::string &path)
+    TableReader(const std::string &path, std::uint64_t mostSamples)
         : m_path(path)
         , m_file(path)
+        , m_most(mostSamples)
     {
     }
 
@@ -135,7 +137,7 @@ public:
             m_lost.push_back(std::exchange(m_losses[title], 0));
         }
         m_loaded->telemetry = std::make_shared<Telemetry>(m_loaded->table);
-        while (next(line)) {
+        while (!isEnough(m_most) && next(line)) {
             if (auto taken = takeRow(fieldsOf(line, m_separator)); !taken)
                 return fail(taken.error());
         }
@@ -164,6 +166,13 @@ private:
         return true;
     }
 
+    /// Whether all are read that there may be; of a file that ends there nothing is left out.
+    bool isEnough(std::uint64_t most)
+    {
+        m_loaded->shortened = m_taken >= most && m_file.peek() != std::ifstream::traits_type::eof();
+        return m_loaded->shortened;
+    }
+
     /// Never more of it than a line may have: a file may be one line of gigabytes.
     bool take(std::string &line)
     {
@@ -187,7 +196,7 @@ private:
             m_offset = offset.value_or(0.0);
         }
         m_loaded->simulated = m_loaded->simulated || line.rfind("# simulated:", 0) == 0;
-        if (const auto loss = lossIn(line))
+        if (const auto loss = lossIn(line); loss && m_losses.size() < mostColumns)
             m_losses[loss->first] += loss->second;
     }
 
@@ -210,6 +219,7 @@ private:
             if (!value)
                 return wrong(say("'%1' is no number", fields[i]));
             const ChannelIndex channel{static_cast<std::uint16_t>(i - 1)};
+            ++m_taken;
             if (std::isfinite(*value))
                 m_loaded->telemetry->append({channel, *time, *value});
             else
@@ -226,10 +236,10 @@ private:
             std::uint16_t channel;
             double value;
         };
-        std::vector<LongRow> rows;
+        std::deque<LongRow> rows; // never copied while it grows
         std::map<std::string, std::uint16_t> places;
         std::string line;
-        while (next(line)) {
+        while (!isEnough(m_most / 3) && next(line)) {
             const std::vector<std::string> fields = fieldsOf(line);
             if (fields.size() != 4)
                 return wrong(say("expected time, channel, value and unit"));
@@ -243,6 +253,7 @@ private:
             if (isNew)
                 addLoadedChannel(*m_loaded, fields[1], fields[3]);
             rows.push_back({*time, place->second, *value});
+            ++m_taken;
         }
         if (m_tooLong)
             return wrong(tooLong());
@@ -264,6 +275,8 @@ private:
 
     const std::string &m_path;
     std::ifstream m_file;
+    std::uint64_t m_most;
+    std::uint64_t m_taken = 0;
     std::vector<char> m_buffer = std::vector<char>(longestLine + 1);
     bool m_tooLong = false; ///< the line that was to be read last
     std::size_t m_line = 0;
@@ -277,9 +290,9 @@ private:
 
 } // namespace
 
-Result<std::shared_ptr<LoadedRecording>> loadTable(const std::string &path)
+Result<std::shared_ptr<LoadedRecording>> loadTable(const std::string &path, std::uint64_t mostSamples)
 {
-    return TableReader(path).read();
+    return TableReader(path, mostSamples).read();
 }
 
 } // namespace mb

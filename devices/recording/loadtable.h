@@ -7,6 +7,6 @@
 namespace mb {
 
 /// The CSV half of loadRecording().
-[[nodiscard]] Result<std::shared_ptr<LoadedRecording>> loadTable(const std::string &path);
+[[nodiscard]] Result<std::shared_ptr<LoadedRecording>> loadTable(const std::string &path, std::uint64_t mostSamples);
 
 } // namespace mb

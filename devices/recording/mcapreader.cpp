@@ -42,7 +42,7 @@ public:
         if (std::fread(start.data(), 1, start.size(), m_file.get()) != start.size() || start != mcap::magic)
             return fail(Fault::OutOfRange, say("%1 is not an MCAP file", m_path));
         bool complete = false;
-        while (!complete && next()) {
+        while (!complete && !(m_reader.enough && m_reader.enough()) && next()) {
             complete = m_kind == Kind::DataEnd;
             if (!complete && !take(m_kind, View(m_content)))
                 break;

@@ -17,6 +17,9 @@ struct McapReader {
         sample;
     std::function<void(const std::string &name, const mcap::Map &facts)> metadata;
 
+    /// Asked before each record: true ends the reading, as if the file ended there.
+    std::function<bool()> enough;
+
     /// Whether the file is complete. OutOfRange with path and cause: not MCAP, damaged chunks, no channel of samples. Blocks as long as the disk does.
     [[nodiscard]] Result<bool> read(const std::string &path) const;
 };

@@ -66,9 +66,11 @@ RollingRecorder::~RollingRecorder()
 
 Result<void> RollingRecorder::lockFolder()
 {
-    if (m_lock >= 0)
-        return {};
     std::error_code error;
+    if (m_lock >= 0 && fs::exists(m_path + '/' + lockName, error))
+        return {};
+    if (m_lock >= 0)
+        ::close(m_lock);
     fs::create_directories(m_path, error);
     m_lock = error ? -1 : ::open((m_path + '/' + lockName).c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600);
     if (m_lock < 0)
@@ -93,7 +95,7 @@ void RollingRecorder::follow(
         }
         if (known != m_tracked.end())
             m_tracked.erase(known); // what it had in its unit is forgotten there, too
-        m_tracked.push_back({channel, SampleCursor(channel.telemetry, channel.channel)});
+        m_tracked.push_back({channel, SampleCursor(channel.telemetry, channel.channel), m_trackedEver++});
         if (m_writer)
             addToFile(m_tracked.back());
     }
@@ -117,7 +119,9 @@ Result<void> RollingRecorder::beginSegment(Instant now)
         return locked;
     std::string number = std::to_string(m_number++);
     number.insert(0, 6 - std::min<std::size_t>(number.size(), 6), '0');
-    Segment segment{m_path + "/segment-" + number + ".mcap", now, now, 0, 0};
+    Segment segment{m_path + "/segment-" + number + ".mcap", now, now, 0, 0, {}};
+    for (const Tracked &tracked : m_tracked)
+        segment.begins[tracked.number] = tracked.safe;
     auto writer = McapWriter::create(segment.path);
     if (!writer)
         return fail(writer.error());
@@ -216,10 +220,32 @@ Result<void> RollingRecorder::writeUntil(Instant now, Instant horizon, Duration 
     if (m_tracked.empty() && !m_writer)
         return {};
     m_unixOffset = m_unixOffset.value_or(unixOffset);
+    auto missed = missWhatIsGone();
     auto written = writeSegment(now, horizon);
     m_failure = written ? std::nullopt : std::optional(written.error());
     prune(now);
-    return written;
+    return written ? missed : written;
+}
+
+/// Writing would go on into a file that nobody finds any more.
+Result<void> RollingRecorder::missWhatIsGone()
+{
+    std::error_code ignored;
+    if (m_segments.empty() || fs::exists(m_segments.back().path, ignored))
+        return {};
+    m_writer.reset();
+    std::map<std::size_t, SampleCursor::Place> begins;
+    while (!m_segments.empty() && !fs::exists(m_segments.back().path, ignored)) {
+        begins = std::move(m_segments.back().begins);
+        m_segments.pop_back();
+    }
+    for (Tracked &tracked : m_tracked) {
+        const auto begin = begins.find(tracked.number);
+        tracked.safe = begin == begins.end() ? SampleCursor::Place() : begin->second;
+        tracked.cursor.rewind(tracked.safe);
+    }
+    return fail(Fault::OutOfRange, say("%1 was taken away; what memory still has of it is recorded anew", m_path),
+        say("leave that folder where it is"));
 }
 
 Result<void> RollingRecorder::writeSegment(Instant now, Instant horizon)

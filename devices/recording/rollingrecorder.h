@@ -6,6 +6,7 @@
 #include "recording/samplecursor.h"
 
 #include <list>
+#include <map>
 
 namespace mb {
 
@@ -33,6 +34,7 @@ public:
     void follow(const std::vector<ExportChannel> &channels, std::vector<std::pair<std::string, mcap::Map>> about);
     /// Writes what has been recorded since and hands it to the kernel. OutOfRange with path and cause; nothing is lost as
     /// long as the histories have it: files end with their last whole sample, and the next call goes on behind it, in a new one.
+    /// A folder that was taken away, or its disk, is told once, and made anew with what was in it, as far as the histories have that.
     /// Unix time is `unixOffset` of the first call: a clock that is set meanwhile leaves neither gaps nor times that go back.
     [[nodiscard]] Result<void> write(Instant now, Duration unixOffset);
     /// The same with what is still settling: samples of several channels may be in another order than their times.
@@ -59,6 +61,7 @@ private:
     struct Tracked {
         ExportChannel channel;
         SampleCursor cursor;
+        std::size_t number = 0;     ///< of all that were ever tracked
         std::uint16_t id = 0;       ///< in the file that is being written
         SampleCursor::Place safe{}; ///< everything before it is in a file
         bool gone = false;          ///< nothing comes any more
@@ -69,6 +72,8 @@ private:
         Instant last{};
         std::uint64_t bytes = 0;
         std::uint64_t samples = 0;
+        std::map<std::size_t, SampleCursor::Place>
+            begins; ///< by Tracked::number: what is in front of it is in the files before
     };
     [[nodiscard]] Result<void> beginSegment(Instant now);
     [[nodiscard]] Result<void> endSegment();
@@ -79,6 +84,7 @@ private:
     void salvage();
     void writeSamples(Instant horizon);
     void prune(Instant now);
+    [[nodiscard]] Result<void> missWhatIsGone();
     [[nodiscard]] Result<void> lockFolder();
 
     Options m_options;
@@ -94,6 +100,7 @@ private:
     std::optional<Error> m_failure; ///< of the last write
     std::optional<Duration> m_unixOffset;
     std::size_t m_number = 0;
+    std::size_t m_trackedEver = 0;
     bool m_keeping = false;
     bool m_left = false;
     bool m_aboutChanged = false;

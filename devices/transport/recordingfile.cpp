@@ -135,7 +135,10 @@ Result<std::optional<LoggedFrame>> RecordingFile::next()
 {
     if (m_sought)
         return std::exchange(m_sought, std::nullopt);
-    return read(m_player);
+    const std::uint64_t until = m_player.place.offset + pieceSize;
+    auto frame = read(m_player, until);
+    m_readsOn = frame && !*frame && m_player.place.offset >= until;
+    return frame;
 }
 
 Result<void> RecordingFile::seek(Duration time)
@@ -145,6 +148,7 @@ Result<void> RecordingFile::seek(Duration time)
         [](const Place &place, Duration wanted) { return place.time < wanted; });
     m_player = Cursor{after == m_places.begin() ? m_places.front() : *std::prev(after), {}, 0};
     m_sought.reset();
+    m_readsOn = false;
     do {
         auto frame = read(m_player);
         if (!frame)
@@ -163,11 +167,11 @@ Result<bool> RecordingFile::survey(const std::function<void(const LoggedFrame &)
             m_surveyed = !frame || m_surveyor.place.offset < until;
         if (!frame)
             return fail(frame.error());
-        if (!*frame)
-            break;
-        m_end = (*frame)->time;
-        seen(**frame);
-        if (m_surveyor.place.offset - m_places.back().offset >= pieceSize)
+        if (*frame) {
+            m_end = (*frame)->time;
+            seen(**frame);
+        }
+        if (!m_surveyed && m_surveyor.place.offset - m_places.back().offset >= pieceSize)
             m_places.push_back(m_surveyor.place);
     }
     return m_surveyed;

@@ -22,9 +22,10 @@ public:
     RecordingFile &operator=(const RecordingFile &) = delete;
     ~RecordingFile();
 
-    /// The next frame to play; nothing at the end. Times never go back: a frame that is older than the one before gets
+    /// The next frame to play; nothing at the end, or where a piece of the file had none (isReadingOn()): again then. Times never go back: a frame that is older than the one before gets
     /// the time of that.
     [[nodiscard]] Result<std::optional<LoggedFrame>> next();
+    [[nodiscard]] bool isReadingOn() const { return m_readsOn; }
     /// next() goes on with the first frame at or after `time`. Not beyond what survey() has seen.
     [[nodiscard]] Result<void> seek(Duration time);
 
@@ -65,6 +66,7 @@ private:
     std::uint64_t m_size = 0;
     Cursor m_player;
     std::optional<LoggedFrame> m_sought; ///< read by seek(), not yet by next()
+    bool m_readsOn = false;
     Cursor m_surveyor;
     bool m_surveyed = false;
     Duration m_start{};

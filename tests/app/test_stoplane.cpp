@@ -162,6 +162,14 @@ TEST_F(BlockedEngine, StopOfTheUserReachesTheLineAllTheSame)
     release();
 }
 
+TEST_F(BlockedEngine, TheEndWaitsForAnEngineThatHangsOnlyUntilItsLimitAndStopsPastIt)
+{
+    EXPECT_FALSE(engine.end(std::chrono::milliseconds(200)));
+    EXPECT_TRUE(hears(test::textStop)) << "although the engine has not come to it";
+    release();
+    EXPECT_TRUE(engine.end(std::chrono::seconds(20))) << "it came to itself";
+}
+
 TEST_F(BlockedEngine, StopIsServedBeforeOrdersThatWaitedLonger)
 {
     std::vector<int> order;

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
 namespace mb {
 namespace {
 
@@ -67,6 +69,26 @@ TEST(BackgroundFile, SaysOnceThatTheDiskIsFullAndCountsWhatIsMissing)
     EXPECT_FALSE((*file)->append("record\n"));
     EXPECT_EQ((*file)->status().taken, 10U);
     EXPECT_EQ((*file)->status().refused, 1U);
+}
+
+TEST(BackgroundFile, SaysThatItWasDeletedAndThatNothingOfItIsThere)
+{
+    const test::TemporaryFolder folder;
+    const auto file = BackgroundFile::create(folder.path("a.log"));
+    ASSERT_TRUE(file);
+    ASSERT_TRUE((*file)->append("one\n"));
+    (*file)->flush();
+    while ((*file)->status().written == 0)
+        std::this_thread::yield();
+    ASSERT_EQ(std::remove(folder.path("a.log").c_str()), 0);
+    ASSERT_TRUE((*file)->append("two\n"));
+    (*file)->finish();
+    while (!(*file)->status().finished)
+        std::this_thread::yield();
+    EXPECT_EQ((*file)->status().problem,
+        Message::verbatim(folder.path("a.log") + ": the file was deleted while it was written; write it anew"));
+    EXPECT_EQ((*file)->status().written, 0U);
+    EXPECT_EQ((*file)->status().taken, 2U);
 }
 
 TEST(BackgroundFile, EndsWithAWholeRecordWhenTheDiskIsFullInTheMiddleOfOne)

@@ -236,9 +236,21 @@ class Hostile(ContractTest):
         self.assertIn("slot0.p", words(f"motorbenchctl get {CIM} slot0."))
         self.assertIn("velocity", words(f"motorbenchctl drive {CIM} --mode "))
         self.assertEqual(words("motorbenchctl set --sto"), ["--store"])
+        self.assertEqual(words(f"motorbenchctl tune {CIM} --loop "), ["velocity", "position", "current"])
+        self.assertEqual(words(f"motorbenchctl tune {CIM} --aim b"), ["brisk"])
+        self.assertEqual(words(f"motorbenchctl step {CIM} --profile s"), ["step", "square", "sine"])
+        self.assertEqual(words(f"motorbenchctl report {CIM} --size "), ["report", "card", "label"])
+        self.assertEqual(words("motorbenchctl plot a.csv --size "), [])
+        self.assertIn("LL", words("motorbenchctl decode a.log --dialect "))
+        for line in ("motorbenchctl diff ", f"motorbenchctl diff {CIM} "):
+            self.assertIn("defaults", words(line))
+            self.assertIn("sim:can", words(line))
+        file = self.path("settings.json")
+        open(file, "w", encoding="utf-8").close()
+        self.assertEqual(words(f"motorbenchctl diff {CIM} {file[:-3]}"), [file])
         for shell in ("zsh", "fish"):
             text = self.run_text("completion", shell)
-            for word in ("simulate", "velocity", "slot0.p", "dry-run"):
+            for word in ("simulate", "velocity", "slot0.p", "dry-run", "brisk", "chirp", "label", "LL", "snapshot:"):
                 self.assertIn(word, text)
         self.assert_error(2, "completion", "tcsh", says="bash, zsh and fish")
 

@@ -35,7 +35,7 @@ class Plot(ContractTest):
     def test_what_watch_printed_becomes_a_picture(self):
         out = self.path / "a.png"
         result = self.run_one("plot", self.recording(), "--out", str(out), "--size", "800x600")
-        self.assertEqual(set(result), {"file", "out", "signals", "samples", "lost", "seconds", "complete"})
+        self.assertEqual(set(result), {"file", "out", "signals", "samples", "lost", "seconds", "complete", "shortened"})
         self.assertGreater(result["samples"], 50)
         self.assertGreater(result["signals"], 3)
         self.assertEqual(png_size(out), (1600, 1200))  # at twice the density

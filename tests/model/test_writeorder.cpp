@@ -24,7 +24,7 @@ Parameter orderedRow(
     return p;
 }
 
-enum Row : std::uint16_t { Threshold, Enabled, SwitchOff, P, I, D, Name, Position, Highest, Lowest, Rows };
+enum Row : std::uint16_t { Threshold, Enabled, SwitchOff, P, I, D, Name, Position, Highest, Lowest, Steepest, Rows };
 
 const std::array<Parameter, Rows> table{orderedRow("limit.current", Role::Limit),
     orderedRow("limit.enabled", Role::Limit, WireType::Boolean),
@@ -32,7 +32,8 @@ const std::array<Parameter, Rows> table{orderedRow("limit.current", Role::Limit)
     orderedRow("velocity.i", Role::Integral), orderedRow("velocity.d", Role::Derivative),
     orderedRow("input.period", Role::None), orderedRow("position", Role::None, WireType::Int32, Nature::Live),
     orderedRow("limit.highest", Role::Limit, WireType::Int32, Nature::Setting, -1000.0),
-    inverted(orderedRow("limit.lowest", Role::Limit, WireType::Int32, Nature::Setting, -1000.0))};
+    inverted(orderedRow("limit.lowest", Role::Limit, WireType::Int32, Nature::Setting, -1000.0)),
+    noneAtZero(orderedRow("limit.acceleration", Role::Limit))};
 
 /// The more of it, the livelier; what does not matter is 0.
 std::int64_t lively(std::uint16_t index, std::int64_t raw)
@@ -42,6 +43,7 @@ std::int64_t lively(std::uint16_t index, std::int64_t raw)
     case SwitchOff:
     case P:
     case I: return std::abs(raw);
+    case Steepest: return raw == 0 ? 1000 : std::abs(raw);
     case Highest: return raw;
     case Lowest:
     case Enabled: return -raw;
@@ -132,6 +134,17 @@ TEST(WriteOrder, ALimitIsWidenedByWhatLetsTheMotorDoMore)
     EXPECT_FALSE(widens(Highest, 300, -500));
     EXPECT_TRUE(widens(Lowest, 500, -300));
     EXPECT_FALSE(widens(Lowest, -300, 500));
+    EXPECT_TRUE(widens(Steepest, 5, 6));
+    EXPECT_FALSE(widens(Steepest, 5, 4));
+    EXPECT_TRUE(widens(Steepest, 5, 0)) << "0 is no limit";
+    EXPECT_FALSE(widens(Steepest, 0, 900)) << "a limit where there was none";
+    EXPECT_FALSE(widens(Steepest, std::nullopt, 0)) << "nobody knows";
+}
+
+TEST(WriteOrder, ALimitThatGoesIsAmongTheLastAlsoWhereNobodyKnowsWhatWas)
+{
+    EXPECT_EQ(writeRank(table[Steepest], {{Steepest}, std::nullopt, 0}), 5);
+    EXPECT_EQ(writeRank(table[Steepest], {{Steepest}, std::nullopt, 7}), 0);
 }
 
 TEST(WriteOrder, SetsLimitsBeforeGainsWhereNothingIsKnown)

@@ -102,6 +102,56 @@ TEST(Mcap, WhatWasWrittenReadsBackWithGapsLossAndFacts)
     EXPECT_FALSE(fs::exists(folder.file("a.mcap.part")));
 }
 
+TEST(Mcap, OfAFileThatIsTooLargeTheFirstSamplesAreReadAndItSaysSo)
+{
+    const Folder folder;
+    ASSERT_TRUE(exportMcap(Bench().plan(), folder.file("a.mcap"), {}));
+    const auto some = loadRecording(folder.file("a.mcap"), 1000);
+    ASSERT_TRUE(some) << some.error().text();
+    EXPECT_EQ(totalsOf(**some).samples, 1000U);
+    EXPECT_TRUE((*some)->shortened);
+    EXPECT_LT((*some)->last, ms(1000) + unixOffset);
+    const auto all = loadRecording(folder.file("a.mcap"), 2667);
+    ASSERT_TRUE(all) << all.error().text();
+    EXPECT_EQ(totalsOf(**all).samples, 2667U);
+    EXPECT_FALSE((*all)->shortened);
+}
+
+TEST(Mcap, WhatAFileTellsOfItselfHasABound)
+{
+    const Folder folder;
+    ExportPlan plan = Bench().plan();
+    for (int i = 0; i < 5; ++i)
+        plan.about.emplace_back("much " + std::to_string(i), mcap::Map{{"text", std::string(15U << 20U, 'x')}});
+    ASSERT_TRUE(exportMcap(plan, folder.file("a.mcap"), {}));
+    const auto loaded = loadRecording(folder.file("a.mcap"));
+    ASSERT_FALSE(loaded);
+    EXPECT_NE(loaded.error().text().find("more than 64 MB"), std::string::npos) << loaded.error().text();
+}
+
+TEST(Csv, OfATableThatIsTooLargeTheFirstSamplesAreReadAndItSaysSo)
+{
+    const Folder folder;
+    const auto write = [&](const std::string &head, const std::string &columns) {
+        std::ofstream file(folder.file("a.csv"));
+        file << head << '\n';
+        for (int i = 0; i < 90; ++i)
+            file << i << columns << '\n';
+    };
+    write("time_s,a,b", ",1,2");
+    const auto wide = loadRecording(folder.file("a.csv"), 100);
+    ASSERT_TRUE(wide) << wide.error().text();
+    EXPECT_EQ(totalsOf(**wide).samples, 100U);
+    EXPECT_TRUE((*wide)->shortened);
+    EXPECT_FALSE((*loadRecording(folder.file("a.csv"), 180))->shortened);
+    write("t,channel,value,unit", ",a,1,V");
+    const auto rows = loadRecording(folder.file("a.csv"), 90);
+    ASSERT_TRUE(rows) << rows.error().text();
+    EXPECT_EQ(totalsOf(**rows).samples, 30U);
+    EXPECT_TRUE((*rows)->shortened);
+    EXPECT_FALSE((*loadRecording(folder.file("a.csv"), 270))->shortened);
+}
+
 TEST(Mcap, TopicsHaveNoOtherSignsThanLettersDigitsAndSlashes)
 {
     ExportChannel channel{nullptr, velocity, "socketcan:can0/dmc60c:5", "dmc60c", "slot0.error", "", {}, false};

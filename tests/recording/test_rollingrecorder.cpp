@@ -108,6 +108,40 @@ TEST(RollingRecorder, WhatIsSavedHasTheNewestSamplesToo)
     EXPECT_EQ((*loaded)->telemetry->size({0}), 200U);
 }
 
+TEST(RollingRecorder, AFolderThatWasTakenAwayIsToldOnceAndMadeAnewWithAllThatMemoryHas)
+{
+    const Folder folder;
+    Running bench;
+    RollingRecorder recorder(rolling(folder, "run"));
+    recorder.startKeeping();
+    bench.run(recorder, 11); // the third file
+    fs::remove_all(folder.path / "run");
+    const auto told = bench.write(recorder);
+    ASSERT_FALSE(told);
+    EXPECT_NE(told.error().text().find("was taken away"), std::string::npos) << told.error().text();
+    bench.run(recorder, 4);
+    ASSERT_TRUE(recorder.writeAll(bench.now, unixOffset));
+    const auto saved = recorder.save(folder.file("kept.mcap"), {});
+    ASSERT_TRUE(saved) << saved.error().text();
+    const auto loaded = loadRecording(folder.file("kept.mcap"));
+    ASSERT_TRUE(loaded);
+    EXPECT_EQ((*loaded)->telemetry->size({0}), 800U) << "16 half seconds";
+    EXPECT_TRUE(fs::exists(folder.path / "run" / "lock")) << "nobody else recovers it";
+}
+
+TEST(RollingRecorder, AFolderThatWasTakenAwayAtTheEndOfAFileIsMadeAnew)
+{
+    const Folder folder;
+    Running bench;
+    RollingRecorder recorder(rolling(folder, "run"));
+    bench.run(recorder, 2);
+    fs::remove_all(folder.path);
+    EXPECT_FALSE(bench.write(recorder));
+    EXPECT_TRUE(bench.write(recorder));
+    EXPECT_EQ(recorder.samples(), 190U) << "but for what still settles";
+    EXPECT_TRUE(fs::exists(folder.path / "run" / "lock"));
+}
+
 TEST(RollingRecorder, AClockThatIsSetMeanwhileLeavesNoGapAndNoTimeThatGoesBack)
 {
     const Folder folder;

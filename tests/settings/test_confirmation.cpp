@@ -64,12 +64,13 @@ protected:
 TEST_F(Confirmations, AreForWhatBecameLivelierNotForWhatBecameSafer)
 {
     Device &five = *bench.device(5);
-    const std::vector<std::string> wanted{
-        "current_limit.peak", "current_limit.enabled", "limit.forward.switch.disabled", "slot0.max_forward"};
+    const std::vector<std::string> wanted{"current_limit.peak", "current_limit.enabled",
+        "limit.forward.switch.disabled", "slot0.max_forward", "current_limit.i_zone"};
     EXPECT_EQ(keysToConfirm(five,
                   {{"current_limit.peak", 40, 60}, {"current_limit.continuous", 40, 30},
                       {"current_limit.enabled", 1, 0}, {"limit.forward.switch.disabled", 0, 1},
                       {"limit.reverse.switch.disabled", 1, 0}, {"slot0.max_forward", 100, 200}, {"slot0.p", 1, 9},
+                      {"current_limit.i_zone", 21809288, 0}, // 0 is no limit
                       {"current_limit.peak_duration", std::nullopt, 900}}),
         wanted);
     EXPECT_FALSE(settings::mustBeConfirmed(five, {{change(five, "slot0.p", 7 * amperes)}}));

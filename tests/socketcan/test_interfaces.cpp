@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the kernel tells of its CAN interfaces. Runs where vcan0 and vcan1 are up (tests/socketcan/run).
 #include "support/eventloop.h"
+#include "support/heldbackground.h"
 #include "transport/backends/caninterface.h"
 #include "transport/backends/socketcan.h"
 #include "transport/linkcatalog.h"
@@ -118,6 +119,24 @@ TEST_F(Interfaces, WhatADriverDropsIsCountedAsLost)
     link.recount();
     EXPECT_EQ(link.counters().lost, 3U) << "counted once";
     EXPECT_EQ(link.counters().rx, 0U);
+}
+
+TEST_F(Interfaces, AreAskedForInTheBackgroundWhileALinkIsOpen)
+{
+    test::HeldBackground background;
+    SocketCanLink link({"socketcan", "vcan0", {}}, loop.clock());
+    link.settings().background = &background;
+    ASSERT_TRUE(link.open());
+    ASSERT_TRUE(loop.runUntil([&] { return background.waiting() == 1; }));
+    Timer wait(loop.clock());
+    bool over = false;
+    wait.startIn(1200ms, [&over] { over = true; });
+    loop.runUntil([&over] { return over; });
+    EXPECT_EQ(background.waiting(), 1U) << "not asked again while the kernel hangs";
+    background.release();
+    EXPECT_TRUE(loop.runUntil([&] { return background.waiting() == 1; }));
+    link.close();
+    background.release();
 }
 
 TEST_F(Interfaces, LossesSurviveTheReturnOfAnInterface)

@@ -2,6 +2,8 @@
 // What every link does whatever is behind it: who may send, what is counted, how busy a line is, what is known of a bus.
 #include "async/scope.h"
 #include "async/virtualclock.h"
+#include "support/heldbackground.h"
+#include "transport/backends/socketcan.h"
 #include "transport/canlink.h"
 #include "transport/seriallink.h"
 
@@ -96,6 +98,25 @@ protected:
     VirtualClock clock;
     BareCan link{clock};
 };
+
+TEST(SocketCanRules, IsOpenedInTheBackgroundBecauseADriverMayHoldUpWhatTheKernelSays)
+{
+    VirtualClock clock;
+    test::HeldBackground background;
+    SocketCanLink link({"socketcan", "mbnone0", {}}, clock);
+    link.settings().background = &background;
+    Scope scope(clock);
+    std::optional<Result<void>> opened;
+    scope.spawn<void>(link.openSoon(), [&opened](const Result<void> &result) { opened = result; });
+    clock.advance(Link::openLimit - 1ms);
+    EXPECT_FALSE(opened);
+    ASSERT_EQ(background.waiting(), 1U);
+    EXPECT_EQ(background.lane(), "can:mbnone0");
+    clock.advance(2ms);
+    ASSERT_TRUE(opened && !*opened);
+    EXPECT_NE(opened->error().text().find("a driver holds it up"), std::string::npos) << opened->error().text();
+    background.release();
+}
 
 TEST_F(CanRules, OnlyFramesAreSent)
 {

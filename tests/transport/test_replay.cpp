@@ -149,6 +149,38 @@ TEST(Replay, IsReadInPiecesWhereTheWantedInterfaceIsSilentToo)
     EXPECT_EQ(replay.link->replay().length, 2s);
 }
 
+TEST(Replay, StandsWhileItIsReadOnInPiecesWhereTheWantedInterfaceFellSilent)
+{
+    std::string text = "(1436509052.000000) can1 123#01\n";
+    while (text.size() < 2'000'000)
+        text += "(1436509053.000000) can0 02061405#0040110000000000\n";
+    Replay replay(text + "(1436509054.000000) can1 123#02\n", "?interface=can1&speed=max");
+    ASSERT_TRUE(replay.opened);
+    replay.link->play();
+    replay.clock.step();
+    ASSERT_EQ(replay.frames.size(), 1U);
+    int turns = 0; // of everybody else in between
+    for (; replay.frames.size() < 2 && turns < 100; ++turns) {
+        EXPECT_TRUE(replay.link->replay().running);
+        EXPECT_FALSE(replay.link->replay().ended);
+        EXPECT_EQ(replay.link->timeLine().now(), Instant(began)) << "nobody times out meanwhile";
+        replay.clock.step();
+    }
+    EXPECT_GE(turns, 7);
+    EXPECT_EQ(replay.ends, 1);
+    ASSERT_TRUE(replay.link->seek(0s));
+    replay.link->play();
+    replay.clock.step();
+    replay.link->pause();
+    replay.clock.advance(10s);
+    EXPECT_EQ(replay.frames.size(), 3U) << "it was told to stand while it was read on";
+    EXPECT_FALSE(replay.link->replay().running);
+    replay.link->play();
+    replay.clock.advance(10s);
+    EXPECT_EQ(replay.frames.size(), 4U);
+    EXPECT_EQ(replay.ends, 2);
+}
+
 TEST(Replay, KnowsNothingOfTheBusOfALaterPartOnceItHasJumpedBack)
 {
     std::string busy;

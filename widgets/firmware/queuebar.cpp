@@ -20,6 +20,21 @@ namespace {
 constexpr int shareSteps = 1000;
 constexpr int progressBesideFrom = 820; ///< units
 
+/// What there is none of is left out: there is little room beside the buttons.
+QString countsOf(const QueueTotals &totals)
+{
+    QStringList parts{QueueBar::tr("%1 done").arg(totals.passed)};
+    if (totals.waiting > 0)
+        parts += QueueBar::tr("%1 waiting").arg(totals.waiting);
+    if (totals.failed > 0)
+        parts += QueueBar::tr("%1 failed").arg(totals.failed);
+    if (totals.refused > 0)
+        parts += QueueBar::tr("%1 refused").arg(totals.refused);
+    if (totals.mean)
+        parts += QueueBar::tr("mean %1").arg(formatValue(*totals.mean, 1, QStringLiteral("s")));
+    return parts.join(QStringLiteral(" · "));
+}
+
 } // namespace
 
 QueueBar::QueueBar(const ThemeSource &theme, QWidget *parent)
@@ -104,13 +119,7 @@ void QueueBar::follow(const ServiceView &view, const QueueTotals &totals, const 
             ? tr("about %1 s left").arg(static_cast<int>(std::ceil(*totals.secondsLeft)))
             : QString());
     m_share->setValue(static_cast<int>(totals.share * shareSteps));
-    const QString mean = totals.mean ? formatValue(*totals.mean, 1, QStringLiteral("s")) : QString(UnknownMark);
-    m_counts->setText(tr("%1 done · %2 waiting · %3 failed · %4 refused · mean %5")
-                          .arg(totals.passed)
-                          .arg(totals.waiting)
-                          .arg(totals.failed)
-                          .arg(totals.refused)
-                          .arg(mean));
+    m_counts->setText(countsOf(totals));
     m_pause->setText(view.pausing ? tr("Go on") : tr("Pause after this unit"));
     m_pause->setSymbol(view.pausing ? Symbol::Play : Symbol::Pause);
     m_pause->setEnabled(view.running);

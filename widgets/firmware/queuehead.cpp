@@ -29,10 +29,10 @@ QueueHead::QueueHead(const ThemeSource &theme, QWidget *parent)
     auto *row = new QHBoxLayout;
     row->setSpacing(now.u(16));
     parts().addLayout(row, 1);
-    m_name = addCaptioned(theme, tr("recipe"), TextRole::Emphasis, *row, 2, this);
-    m_image = addCaptioned(theme, tr("image"), TextRole::Body, *row, 3, this);
-    m_parameters = addCaptioned(theme, tr("parameters"), TextRole::Body, *row, 2, this);
-    m_number = addCaptioned(theme, tr("number rule"), TextRole::Body, *row, 1, this);
+    m_name = addCaptioned(theme, tr("recipe"), TextRole::Emphasis, *row, 5, this);
+    m_image = addCaptioned(theme, tr("image"), TextRole::Body, *row, 7, this);
+    m_parameters = addCaptioned(theme, tr("parameters"), TextRole::Body, *row, 4, this);
+    m_number = addCaptioned(theme, tr("number rule"), TextRole::Body, *row, 3, this);
     auto *image = new CommandButton(m_theme, Symbol::Folder, tr("Open image…"), this);
     auto *recipe = new CommandButton(m_theme, Symbol::Open, tr("Open recipe…"), this);
     auto *orders = new WrapLayout;

@@ -39,6 +39,8 @@ QString stateOf(const LoadedRecording &recording)
                            formatCount(static_cast<qint64>(totals.lost)));
     if (!recording.complete)
         text += SamplesWindow::tr("; the end of the file is missing");
+    if (recording.shortened)
+        text += SamplesWindow::tr("; the file has more, of which nothing is shown: it is too large for the memory");
     return text;
 }
 

@@ -142,7 +142,7 @@ constexpr std::array<Parameter, 55> table {{
     as(Role::Proportional, fixed("current_limit.p", 32, "throttle/A", 100.0, limiter, "P", QT_TRANSLATE_NOOP("table", "The factory value suits most motors."))),
     as(Role::Integral, fixed("current_limit.i", 33, "throttle/A/loop", 60.0, limiter, "I", QT_TRANSLATE_NOOP("table", "The factory value suits most motors."))),
     as(Role::Derivative, fixed("current_limit.d", 34, "throttle·loop/A", 0.0, limiter, "D", QT_TRANSLATE_NOOP("table", "The factory value suits most motors."))),
-    as(Role::Limit, integer("current_limit.i_zone", 35, WireType::Uint31, "", 0.0, intHigh, 21809288.0, limiter, QT_TRANSLATE_NOOP("table", "I zone"), zoneHelp)),
+    noneAtZero(as(Role::Limit, integer("current_limit.i_zone", 35, WireType::Uint31, "", 0.0, intHigh, 21809288.0, limiter, QT_TRANSLATE_NOOP("table", "I zone"), zoneHelp))),
     as(Role::FeedForward, fixed("current_limit.f", 36, "throttle/A", 0.0, limiter, "F", QT_TRANSLATE_NOOP("table", "The factory value suits most motors."))),
     {"encoder.position", 41, WireType::Int32, 1.0, "counts", intLow, intHigh, 0.0, Access::ReadWrite, false, Nature::Live, encoder, QT_TRANSLATE_NOOP("table", "Position"), QT_TRANSLATE_NOOP("table", "The live count. Written only while the output is off."), {}},
     toggle("encoder.clear_on_index", 42, false, encoder, QT_TRANSLATE_NOOP("table", "Index clears position"), QT_TRANSLATE_NOOP("table", "At the index edge chosen below. Lost at power-off.")),

@@ -138,6 +138,7 @@ template <int Axis> constexpr void fillLimits(std::span<Parameter> out, std::uin
         group, QT_TRANSLATE_NOOP("table", "Acceleration limit"), accelerationHelp);
     for (std::size_t limit = 7; limit < 10; ++limit)
         out[limit].role = limit == 7 ? Role::PowerLimit : Role::Limit;
+    out[9].zeroIsNone = true;
     out[10] = hidden(key<Axis, "input.mode">(), id++, WireType::Uint8, 1.0, "", 3.0, 0.0, group,
         QT_TRANSLATE_NOOP("table", "Input mode"), inputHelp);
     out[10].choices = inputModes;

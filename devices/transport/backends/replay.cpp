@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace mb {
 namespace {
@@ -37,6 +38,7 @@ ReplayLink::ReplayLink(const LinkAddress &address, Clock &clock, double pace, st
     , m_pace(pace)
     , m_interface(std::move(interface))
     , m_timer(time)
+    , m_read(clock)
 {
 }
 
@@ -97,6 +99,8 @@ void ReplayLink::doClose()
 {
     time.pause();
     m_timer.stop();
+    m_read.stop();
+    m_goesOn = false;
     m_next.reset();
     m_file.reset();
 }
@@ -118,19 +122,23 @@ ReplayState ReplayLink::replay() const
     state.position = std::max(time.now() - instantOf(m_file->start()), Duration::zero());
     state.length = std::max(m_file->end() - m_file->start(), state.position);
     state.surveyed = m_file->surveyedFraction();
-    state.running = time.isRunning();
+    state.running = time.isRunning() || m_goesOn;
     state.ended = m_atEnd;
     return state;
 }
 
 void ReplayLink::play()
 {
-    if (state() == LinkState::Open && !m_atEnd)
+    if (state() != LinkState::Open || m_atEnd)
+        return;
+    m_goesOn = m_read.isActive();
+    if (!m_goesOn)
         time.run(m_pace);
 }
 
 void ReplayLink::pause()
 {
+    m_goesOn = false;
     time.pause();
 }
 
@@ -149,8 +157,8 @@ Result<void> ReplayLink::seek(Duration position)
     if (!m_file)
         return fail(notOpen());
     position = std::clamp(position, Duration::zero(), std::max(m_file->end() - m_file->start(), Duration::zero()));
-    const bool running = time.isRunning();
-    time.pause();
+    const bool running = time.isRunning() || m_goesOn;
+    pause();
     if (auto sought = m_file->seek(m_file->start() + position); !sought)
         return sought;
     forgetHealth();
@@ -173,10 +181,28 @@ void ReplayLink::armNext()
 {
     auto next = m_file->next();
     m_next = next ? std::move(*next) : std::nullopt;
-    m_atEnd = !m_next;
     m_timer.stop();
+    m_read.stop();
+    m_atEnd = !m_next && !(next && m_file->isReadingOn());
+    if (!m_next && !m_atEnd) {
+        m_goesOn = m_goesOn || time.isRunning();
+        time.pause();
+        m_read.startIn(Duration::zero(), [this] { readOn(); });
+    }
     if (m_next)
         m_timer.start(instantOf(m_next->time), [this] { deliverNext(); });
+}
+
+void ReplayLink::readOn()
+{
+    armNext();
+    if (m_read.isActive())
+        return;
+    const bool goesOn = std::exchange(m_goesOn, false);
+    if (m_atEnd)
+        tellEnd();
+    else if (goesOn)
+        time.run(m_pace);
 }
 
 void ReplayLink::deliverNext()
@@ -192,9 +218,15 @@ void ReplayLink::deliverNext()
     else
         deliver(frame);
     endBatch();
-    if (m_atEnd && m_file && m_file->isCutShort())
+    if (m_atEnd)
+        tellEnd();
+}
+
+void ReplayLink::tellEnd()
+{
+    if (m_file && m_file->isCutShort())
         lose({Fault::LinkLost, say("%1 was changed while it was played", address().shortName()), say("open it again")});
-    else if (m_atEnd)
+    else
         m_ended.notify();
 }
 

@@ -85,7 +85,9 @@ private:
     [[nodiscard]] std::size_t doBacklog() const override { return 0; }
     [[nodiscard]] int doBitrate() const override { return 0; }
     void armNext();
+    void readOn();
     void deliverNext();
+    void tellEnd();
     [[nodiscard]] Instant instantOf(Duration recorded) const { return Instant(recorded - time.unixOffset()); }
 
     double m_pace;
@@ -93,7 +95,9 @@ private:
     std::unique_ptr<RecordingFile> m_file;
     std::optional<LoggedFrame> m_next;
     bool m_atEnd = false;
+    bool m_goesOn = false; ///< time stands while it is read on, and then runs
     Timer m_timer;
+    Timer m_read; ///< the next piece, of a file in which nothing wanted comes for long
     Listeners<> m_ended;
 };
 

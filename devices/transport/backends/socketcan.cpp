@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/backends/socketcan.h"
 
+#include "async/background.h"
+#include "async/descriptor.h"
 #include "transport/backends/cansocket.h"
 
 #include <QSocketNotifier>
@@ -35,6 +37,12 @@ template <class T> T contentOf(const cmsghdr &control)
 Duration durationOf(const timespec &time)
 {
     return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+}
+
+/// Of the background: of one adapter after the other.
+std::string laneOf(const std::string &interface)
+{
+    return "can:" + interface;
 }
 
 } // namespace
@@ -93,21 +101,59 @@ SocketCanLink::~SocketCanLink()
 Result<void> SocketCanLink::doOpen()
 {
     if (m_given >= 0) {
-        m_descriptor = std::exchange(m_given, -1);
-        m_receiveBuffer = prepareCanSocket(m_descriptor);
-    } else {
-        const auto opened = openCanSocket(address().path);
-        if (!opened)
-            return fail(opened.error());
-        m_descriptor = opened->descriptor;
-        m_receiveBuffer = opened->receiveBuffer;
-        adopt(opened->interface);
+        const int given = std::exchange(m_given, -1);
+        take(given, prepareCanSocket(given));
+        return {};
     }
+    const auto opened = openCanSocket(address().path);
+    if (!opened)
+        return fail(opened.error());
+    adopt(opened->interface);
+    take(opened->descriptor, opened->receiveBuffer);
+    return {};
+}
+
+/// The kernel lists no interface while a driver holds its lock.
+Task<void> SocketCanLink::doOpenSoon(Background &background)
+{
+    if (m_given >= 0)
+        co_return doOpen();
+    struct Opened {
+        CanInterface interface;
+        int receiveBuffer;
+        Descriptor descriptor;
+    };
+    const std::string path = address().path;
+    auto opening = inBackground<std::shared_ptr<Opened>>(
+        background, clock(), laneOf(path), openLimit,
+        [path]() -> Result<std::shared_ptr<Opened>> {
+            const auto opened = openCanSocket(path);
+            if (!opened)
+                return fail(opened.error());
+            return std::shared_ptr<Opened>(
+                new Opened{opened->interface, opened->receiveBuffer, Descriptor(opened->descriptor)});
+        },
+        WhenLate::Drop);
+    const Result<std::shared_ptr<Opened>> opened = co_await std::move(opening).attempt();
+    if (!opened && opened.error().fault == Fault::Timeout)
+        co_return fail(Fault::LinkLost, say("the kernel does not say what %1 is: a driver holds it up", path),
+            say("unplug the adapter and plug it in again"));
+    if (!opened)
+        co_return fail(opened.error());
+    adopt((*opened)->interface);
+    take((*opened)->descriptor.give(), (*opened)->receiveBuffer);
+    co_return {};
+}
+
+void SocketCanLink::take(int descriptor, int receiveBuffer)
+{
+    m_descriptor = descriptor;
+    m_receiveBuffer = receiveBuffer;
     m_drops = 0;
     m_latest = {};
     m_hardware.reset();
+    m_asked = std::make_shared<bool>(false);
     watch();
-    return {};
 }
 
 void SocketCanLink::watch()
@@ -138,6 +184,7 @@ void SocketCanLink::doClose()
         flush(); // a stop frame that waits gets its last chance
     unwatch();
     ::close(std::exchange(m_descriptor, -1));
+    m_asked.reset();
     m_interface = {};
 }
 
@@ -153,7 +200,29 @@ void SocketCanLink::look()
     m_look.startIn(lookPeriod, [this] { look(); });
     if (!m_queue.isEmpty())
         flush();
-    recount();
+    if (settings().background && m_interface.index > 0)
+        askKernel(*settings().background);
+    else
+        recount();
+}
+
+void SocketCanLink::askKernel(Background &background)
+{
+    if (const auto drops = droppedFrames(m_descriptor))
+        noteDrops(*drops);
+    if (std::exchange(*m_asked, true))
+        return;
+    const auto found = std::make_shared<std::optional<CanInterface>>();
+    background.run(
+        laneOf(m_interface.name), [found, index = m_interface.index] { *found = canInterface(index); },
+        [this, found, asked = std::weak_ptr<bool>(m_asked)] {
+            const auto own = asked.lock();
+            if (!own)
+                return; // it was closed meanwhile
+            *own = false;
+            if (*found && state() == LinkState::Open)
+                takeInterface(**found);
+        });
 }
 
 void SocketCanLink::recount()
@@ -162,13 +231,16 @@ void SocketCanLink::recount()
         return;
     if (const auto drops = droppedFrames(m_descriptor))
         noteDrops(*drops);
-    const auto now = m_interface.index > 0 ? canInterface(m_interface.index) : std::nullopt;
-    if (!now)
-        return;
-    m_interface = *now;
+    if (const auto now = m_interface.index > 0 ? canInterface(m_interface.index) : std::nullopt)
+        takeInterface(*now);
+}
+
+void SocketCanLink::takeInterface(const CanInterface &now)
+{
+    m_interface = now;
     countInterface();
-    if (now->kind == CanInterface::Kind::Controller)
-        updateHealth(now->state, now->transmitErrors, now->receiveErrors);
+    if (now.kind == CanInterface::Kind::Controller)
+        updateHealth(now.state, now.transmitErrors, now.receiveErrors);
 }
 
 void SocketCanLink::countInterface()

@@ -42,6 +42,7 @@ private:
     struct Batch;
 
     Result<void> doOpen() override;
+    Task<void> doOpenSoon(Background &background) override;
     void doClose() override;
     [[nodiscard]] Outlet doOutlet() const override { return {Outlet::Form::CanSocket, m_descriptor}; }
     Result<void> doSend(const CanFrame &frame, Priority priority) override;
@@ -58,7 +59,10 @@ private:
     [[nodiscard]] Instant stampOf(const msghdr &message, Duration unixOffset, Instant now);
     void noteDrops(std::uint32_t total);
     void adopt(const CanInterface &interface);
+    void take(int descriptor, int receiveBuffer);
     void look();
+    void askKernel(Background &background);
+    void takeInterface(const CanInterface &now);
     void countInterface();
     void flush();
     [[nodiscard]] bool tryLater(int cause);
@@ -82,6 +86,7 @@ private:
     Timer m_retry;
     Timer m_failed;
     Timer m_look;
+    std::shared_ptr<bool> m_asked; ///< true while the kernel is asked in the background; another one after each opening
 };
 
 } // namespace mb
