@@ -18147,5 +18147,17 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>the queue was ended</source>
         <translation>die Warteschlange wurde beendet</translation>
     </message>
+    <message>
+        <source>its velocity loop begins with the mean speed since it ran last: from %1 to %2 counts/s, with the speed of now, is so much that with its gains the output would turn to full reverse</source>
+        <translation>sein Geschwindigkeitsregler beginnt mit der mittleren Geschwindigkeit, seit er zuletzt lief: von %1 bis %2 counts/s, mit der jetzigen Geschwindigkeit, ist so viel, dass der Ausgang mit seinen Verstärkungen auf voll rückwärts umschlagen würde</translation>
+    </message>
+    <message>
+        <source>stop the motor and let it stand for a while, or lower p</source>
+        <translation>den Motor anhalten und eine Weile stehen lassen oder p verkleinern</translation>
+    </message>
+    <message>
+        <source>stop the motor and let it stand for a while, or write p, d and divisor of the loop once</source>
+        <translation>den Motor anhalten und eine Weile stehen lassen oder p, d und divisor des Reglers einmal schreiben</translation>
+    </message>
 </context>
 </TS>

@@ -18147,5 +18147,17 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>the queue was ended</source>
         <translation>la cola se terminó</translation>
     </message>
+    <message>
+        <source>its velocity loop begins with the mean speed since it ran last: from %1 to %2 counts/s, with the speed of now, is so much that with its gains the output would turn to full reverse</source>
+        <translation>su lazo de velocidad empieza con la velocidad media desde que funcionó por última vez: de %1 a %2 counts/s, con la velocidad de ahora, es tanto que con sus ganancias la salida pasaría a plena marcha atrás</translation>
+    </message>
+    <message>
+        <source>stop the motor and let it stand for a while, or lower p</source>
+        <translation>pare el motor y déjelo quieto un rato, o reduzca p</translation>
+    </message>
+    <message>
+        <source>stop the motor and let it stand for a while, or write p, d and divisor of the loop once</source>
+        <translation>pare el motor y déjelo quieto un rato, o escriba una vez p, d y divisor del lazo</translation>
+    </message>
 </context>
 </TS>

@@ -18147,5 +18147,17 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>the queue was ended</source>
         <translation>la file a été terminée</translation>
     </message>
+    <message>
+        <source>its velocity loop begins with the mean speed since it ran last: from %1 to %2 counts/s, with the speed of now, is so much that with its gains the output would turn to full reverse</source>
+        <translation>sa boucle de vitesse commence par la vitesse moyenne depuis qu’elle a tourné pour la dernière fois&#xa0;: de %1 à %2 counts/s, avec la vitesse de maintenant, c’est tant qu’avec ses gains la sortie basculerait à fond en arrière</translation>
+    </message>
+    <message>
+        <source>stop the motor and let it stand for a while, or lower p</source>
+        <translation>arrêtez le moteur et laissez-le immobile un moment, ou diminuez p</translation>
+    </message>
+    <message>
+        <source>stop the motor and let it stand for a while, or write p, d and divisor of the loop once</source>
+        <translation>arrêtez le moteur et laissez-le immobile un moment, ou écrivez une fois p, d et divisor de la boucle</translation>
+    </message>
 </context>
 </TS>

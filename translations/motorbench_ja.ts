@@ -18133,5 +18133,17 @@ double click plots it, drag it to a pane or below them</source>
         <source>the queue was ended</source>
         <translation>キューは終了されました</translation>
     </message>
+    <message>
+        <source>its velocity loop begins with the mean speed since it ran last: from %1 to %2 counts/s, with the speed of now, is so much that with its gains the output would turn to full reverse</source>
+        <translation>この速度ループは、前回動作してからの平均速度で始まります: 現在の速度と合わせた %1 ～ %2 counts/s の幅は大きすぎ、このゲインでは出力が逆転最大に反転します</translation>
+    </message>
+    <message>
+        <source>stop the motor and let it stand for a while, or lower p</source>
+        <translation>モーターを止めてしばらく静止させるか、p を下げてください</translation>
+    </message>
+    <message>
+        <source>stop the motor and let it stand for a while, or write p, d and divisor of the loop once</source>
+        <translation>モーターを止めてしばらく静止させるか、ループの p、d、divisor を一度書き込んでください</translation>
+    </message>
 </context>
 </TS>

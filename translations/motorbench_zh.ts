@@ -18133,5 +18133,17 @@ double click plots it, drag it to a pane or below them</source>
         <source>the queue was ended</source>
         <translation>队列已结束</translation>
     </message>
+    <message>
+        <source>its velocity loop begins with the mean speed since it ran last: from %1 to %2 counts/s, with the speed of now, is so much that with its gains the output would turn to full reverse</source>
+        <translation>其速度回路以上次运行以来的平均速度开始：连同当前速度从 %1 到 %2 counts/s，跨度过大，按其增益输出会翻转为全反向</translation>
+    </message>
+    <message>
+        <source>stop the motor and let it stand for a while, or lower p</source>
+        <translation>停止电机并静置一段时间，或减小 p</translation>
+    </message>
+    <message>
+        <source>stop the motor and let it stand for a while, or write p, d and divisor of the loop once</source>
+        <translation>停止电机并静置一段时间，或将该回路的 p、d 和 divisor 写入一次</translation>
+    </message>
 </context>
 </TS>
