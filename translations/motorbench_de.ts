@@ -18159,5 +18159,9 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>stop the motor and let it stand for a while, or write p, d and divisor of the loop once</source>
         <translation>den Motor anhalten und eine Weile stehen lassen oder p, d und divisor des Reglers einmal schreiben</translation>
     </message>
+    <message>
+        <source>%1 has restarted, and nobody has looked at it since</source>
+        <translation>%1 ist neu gestartet, und niemand hat seither danach gesehen</translation>
+    </message>
 </context>
 </TS>

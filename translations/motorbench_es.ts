@@ -18159,5 +18159,9 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>stop the motor and let it stand for a while, or write p, d and divisor of the loop once</source>
         <translation>pare el motor y déjelo quieto un rato, o escriba una vez p, d y divisor del lazo</translation>
     </message>
+    <message>
+        <source>%1 has restarted, and nobody has looked at it since</source>
+        <translation>%1 se ha reiniciado y nadie lo ha mirado desde entonces</translation>
+    </message>
 </context>
 </TS>

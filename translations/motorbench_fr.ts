@@ -18159,5 +18159,9 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>stop the motor and let it stand for a while, or write p, d and divisor of the loop once</source>
         <translation>arrêtez le moteur et laissez-le immobile un moment, ou écrivez une fois p, d et divisor de la boucle</translation>
     </message>
+    <message>
+        <source>%1 has restarted, and nobody has looked at it since</source>
+        <translation>%1 a redémarré, et personne ne l’a regardé depuis</translation>
+    </message>
 </context>
 </TS>

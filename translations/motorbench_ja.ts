@@ -18145,5 +18145,9 @@ double click plots it, drag it to a pane or below them</source>
         <source>stop the motor and let it stand for a while, or write p, d and divisor of the loop once</source>
         <translation>モーターを止めてしばらく静止させるか、ループの p、d、divisor を一度書き込んでください</translation>
     </message>
+    <message>
+        <source>%1 has restarted, and nobody has looked at it since</source>
+        <translation>%1 が再起動し、その後まだ確認されていません</translation>
+    </message>
 </context>
 </TS>

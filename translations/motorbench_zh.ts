@@ -18145,5 +18145,9 @@ double click plots it, drag it to a pane or below them</source>
         <source>stop the motor and let it stand for a while, or write p, d and divisor of the loop once</source>
         <translation>停止电机并静置一段时间，或将该回路的 p、d 和 divisor 写入一次</translation>
     </message>
+    <message>
+        <source>%1 has restarted, and nobody has looked at it since</source>
+        <translation>%1 已重新启动，此后还没有人查看过它</translation>
+    </message>
 </context>
 </TS>
