@@ -18163,5 +18163,9 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>%1 has restarted, and nobody has looked at it since</source>
         <translation>%1 ist neu gestartet, und niemand hat seither danach gesehen</translation>
     </message>
+    <message>
+        <source>Answers with offset %1 are destroyed on the bus, as where several drives have it and answer at once; offsets are compiled into the firmware, so give one of them another and flash it.</source>
+        <translation>Antworten mit Offset %1 werden auf dem Bus zerstört, wie wo mehrere Antriebe ihn haben und zugleich antworten; Offsets stecken in der Firmware, also einem davon einen anderen geben und ihn flashen.</translation>
+    </message>
 </context>
 </TS>

@@ -18163,5 +18163,9 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>%1 has restarted, and nobody has looked at it since</source>
         <translation>%1 se ha reiniciado y nadie lo ha mirado desde entonces</translation>
     </message>
+    <message>
+        <source>Answers with offset %1 are destroyed on the bus, as where several drives have it and answer at once; offsets are compiled into the firmware, so give one of them another and flash it.</source>
+        <translation>Las respuestas con el offset %1 se destruyen en el bus, como donde varios accionamientos lo tienen y responden a la vez; los offsets están compilados en el firmware, así que dé otro a uno de ellos y grábelo.</translation>
+    </message>
 </context>
 </TS>

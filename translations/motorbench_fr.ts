@@ -18163,5 +18163,9 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>%1 has restarted, and nobody has looked at it since</source>
         <translation>%1 a redémarré, et personne ne l’a regardé depuis</translation>
     </message>
+    <message>
+        <source>Answers with offset %1 are destroyed on the bus, as where several drives have it and answer at once; offsets are compiled into the firmware, so give one of them another and flash it.</source>
+        <translation>Les réponses d’offset %1 sont détruites sur le bus, comme là où plusieurs variateurs l’ont et répondent à la fois ; les offsets sont compilés dans le firmware, donnez-en donc un autre à l’un d’eux et flashez-le.</translation>
+    </message>
 </context>
 </TS>

@@ -18149,5 +18149,9 @@ double click plots it, drag it to a pane or below them</source>
         <source>%1 has restarted, and nobody has looked at it since</source>
         <translation>%1 が再起動し、その後まだ確認されていません</translation>
     </message>
+    <message>
+        <source>Answers with offset %1 are destroyed on the bus, as where several drives have it and answer at once; offsets are compiled into the firmware, so give one of them another and flash it.</source>
+        <translation>オフセット %1 の応答がバス上で壊れています。同じオフセットの複数のドライブが同時に応答する場合と同じです。オフセットはファームウェアに組み込まれているため、一方に別のオフセットを与えて書き込んでください。</translation>
+    </message>
 </context>
 </TS>

@@ -18149,5 +18149,9 @@ double click plots it, drag it to a pane or below them</source>
         <source>%1 has restarted, and nobody has looked at it since</source>
         <translation>%1 已重新启动，此后还没有人查看过它</translation>
     </message>
+    <message>
+        <source>Answers with offset %1 are destroyed on the bus, as where several drives have it and answer at once; offsets are compiled into the firmware, so give one of them another and flash it.</source>
+        <translation>偏移量 %1 的应答在总线上被破坏，就像多个驱动器具有同一偏移量并同时应答时那样；偏移量编译在固件中，请为其中一台改用其他偏移量并烧写。</translation>
+    </message>
 </context>
 </TS>
