@@ -132,7 +132,12 @@ Result<void> Device::mayMove() const
         return fail(Fault::Unsafe, say("another master drives %1", selector()), say("stop it there first"));
     if (auto guarded = m_guard.possible(); !guarded)
         return guarded;
-    return doMayMove();
+    if (auto own = doMayMove(); !own)
+        return own;
+    if (m_liveness.restarted) // SetPointStream would stop it at once
+        return fail(Fault::Unsafe, say("%1 has restarted, and nobody has looked at it since", selector()),
+            say("look at it again"));
+    return {};
 }
 
 Result<void> Device::command(const SetPoint &setPoint)

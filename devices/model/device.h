@@ -67,7 +67,7 @@ public:
     /// What of this program stands before a motion.
     [[nodiscard]] MotionGate &gate() { return m_gate; }
     [[nodiscard]] const MotionGate &gate() const { return m_gate; }
-    /// Why this device must not be driven now: duplicate, bootloader, foreign master, update …, or success.
+    /// Why this device must not be driven now: duplicate, bootloader, foreign master, a restart until refresh(), update …, or success.
     [[nodiscard]] Result<void> mayMove() const;
     /// One control frame, now. Unsafe while a guard is needed and does not stand. Must be repeated within the device's watchdog time: SetPointStream does.
     [[nodiscard]] Result<void> command(const SetPoint &setPoint);

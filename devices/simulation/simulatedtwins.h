@@ -2,6 +2,7 @@
 #pragma once
 
 #include "simulation/simulator.h"
+#include "transport/canlink.h"
 
 #include <algorithm>
 #include <memory>
@@ -22,6 +23,20 @@ public:
         auto notify
             = [this](Instant time, std::string_view what, double value) { emitEvent(time, std::string(what), value); };
         m_units.push_back(std::make_unique<Unit>(link, clock, options, std::move(notify)));
+    }
+    /// With an end of its own, where the bus has one: what both send at once is one frame where it is alike, and destroyed where not.
+    template <class Options> void addBeside(CanLink &link, Clock &clock, const Options &options)
+    {
+        m_end = link.makeAnotherEnd();
+        if (!m_end)
+            return add(link, clock, options);
+        const auto follow = [this](LinkState state) {
+            if (state == LinkState::Open)
+                (void)m_end->open();
+        };
+        follow(link.state());
+        m_linkState = link.stateChanged().add(follow);
+        add(*m_end, clock, options);
     }
 
     [[nodiscard]] std::string name() const override { return m_name; }
@@ -60,6 +75,8 @@ public:
 
 private:
     std::string m_name;
+    std::unique_ptr<CanLink> m_end; ///< of the second unit
+    Subscription m_linkState;
     std::vector<std::unique_ptr<Unit>> m_units;
 };
 

@@ -7,6 +7,7 @@
 #include "wire/canerror.h"
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 namespace mb {
@@ -56,6 +57,9 @@ public:
     [[nodiscard]] int receiveCapacity() const { return doReceiveCapacity(); }
     /// Frames sent do not reach the bus: the controller only listens.
     [[nodiscard]] bool isListenOnly() const { return doIsListenOnly(); }
+
+    /// A closed end of its own on the same bus, as another controller has it. Only a bus in memory makes one; nullptr on hardware.
+    [[nodiscard]] virtual std::unique_ptr<CanLink> makeAnotherEnd() { return nullptr; }
 
     [[nodiscard]] Listeners<const CanFrame &> &received() { return m_received; }
     /// Error frames; decodeError() reads them, health() sums them up.

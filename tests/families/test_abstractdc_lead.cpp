@@ -25,6 +25,16 @@ protected:
         }
         return least;
     }
+    /// The fastest.
+    double fastest(Simulator &drive, Duration duration)
+    {
+        double most = drive.speed();
+        for (Duration passed{}; passed < duration; passed += 1ms) {
+            clock.advance(1ms);
+            most = std::max(most, drive.speed());
+        }
+        return most;
+    }
 };
 
 TEST_F(AbstractDcLead, ASecondRunIsNotLedFromTheSpeedAtWhichTheFirstEnded)
@@ -88,6 +98,61 @@ TEST_F(AbstractDcLead, WhereItsFirstSetPointWasLostASecondRunIsNotLedFromTheFirs
         stream.stop();
         clock.advance(3s);
     }
+}
+
+TEST_F(AbstractDcLead, AFastDutyDoesNotBecomeAVelocityThatTurnsToFullReverse)
+{
+    Simulator &drive = add("abstractdc:3,gains=default,load=60");
+    open(3, &dialectF);
+    gains("velocity", 50, 0);
+    SetPointStream stream(*device, clock);
+    ASSERT_TRUE(stream.start(setPoint(Mode::Duty, 0.6), 60s));
+    clock.advance(3s);
+    const double fast = drive.speed();
+    ASSERT_GT(fast, 1500.0);
+    sent.clear();
+    const auto refused = stream.update(setPoint(Mode::Velocity, fast));
+    ASSERT_FALSE(refused) << "its first pass measures the mean since the drive was switched on";
+    EXPECT_EQ(refused.error().fault, Fault::Unsafe);
+    EXPECT_TRUE(sentOf("067#01").empty());
+    EXPECT_GE(slowest(drive, 500ms), 0.9 * fast);
+    EXPECT_TRUE(stream.isRunning()) << "with the duty";
+    stream.stop();
+    clock.advance(30s); // the mean becomes less
+    ASSERT_TRUE(stream.start(setPoint(Mode::Velocity, 1000.0), 60s));
+    EXPECT_GE(slowest(drive, 1s), -50.0);
+    EXPECT_GT(drive.speed(), 400.0);
+    stream.stop();
+}
+
+TEST_F(AbstractDcLead, AFirstTargetOfAVelocityStaysWithinReachOfTheMeanThatItMeasures)
+{
+    Simulator &drive = add("abstractdc:3,gains=default,load=60");
+    open(3, &dialectF);
+    gains("velocity", 50, 0);
+    SetPointStream stream(*device, clock);
+    ASSERT_TRUE(stream.start(setPoint(Mode::Duty, 0.6), 60s));
+    clock.advance(3s);
+    stream.stop();
+    clock.advance(20s);
+    ASSERT_NEAR(drive.speed(), 0.0, 1.0);
+    ASSERT_TRUE(stream.start(setPoint(Mode::Velocity, -1000.0), 60s));
+    EXPECT_LE(fastest(drive, 1s), 50.0) << "-640 is too far from what it measures";
+    EXPECT_LT(drive.speed(), -400.0);
+    stream.stop();
+}
+
+TEST_F(AbstractDcLead, AWeakVelocityLoopTakesOverAFastDuty)
+{
+    Simulator &drive = add("abstractdc:3,gains=tuned");
+    open(3, &dialectF);
+    gains("velocity", 1, 0);
+    SetPointStream stream(*device, clock);
+    ASSERT_TRUE(stream.start(setPoint(Mode::Duty, 0.6), 60s));
+    clock.advance(3s);
+    EXPECT_TRUE(stream.update(setPoint(Mode::Velocity, drive.speed())));
+    EXPECT_GE(slowest(drive, 1s), 0.0);
+    stream.stop();
 }
 
 TEST_F(AbstractDcLead, ALongStepOfAPositionStaysWithinWhatItsDampingCarries)

@@ -61,6 +61,25 @@ TEST_F(AbstractDcRestart, IsSeenBackwardsToo)
     isStoppedByTheReset(unit, setPoint(Mode::Duty, -0.6));
 }
 
+TEST_F(AbstractDcRestart, NothingIsSentToADriveAtWhichNobodyHasLookedSince)
+{
+    drive();
+    open(3, &dialectF);
+    SetPointStream stream(*device, clock);
+    ASSERT_TRUE(stream.start(setPoint(Mode::Duty, 0.6), 60s));
+    ASSERT_TRUE(clock.runUntil([this] { return device->liveness().restarted; }, 10s));
+    ASSERT_EQ(stream.end(), SetPointStream::End::DeviceRestarted);
+    clock.advance(3s);
+    sent.clear();
+    const auto refused = stream.start(setPoint(Mode::Duty, 0.6), 60s);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().fault, Fault::Unsafe);
+    EXPECT_TRUE(sentOf("067#").empty()) << "neither the set-point nor its stop";
+    ASSERT_TRUE(test::run(clock, device->refresh()));
+    EXPECT_TRUE(stream.start(setPoint(Mode::Duty, 0.6), 60s));
+    stream.stop();
+}
+
 TEST_F(AbstractDcRestart, IsNotSeenInAMotorThatPassesItsZero)
 {
     add("abstractdc:3");

@@ -211,6 +211,31 @@ TEST_F(AbstractDcScan, TwoDrivesWithOneOffsetAreADuplicate)
     EXPECT_EQ(scanned(), "7:Fx2 8:F ");
 }
 
+TEST_F(AbstractDcScan, TwoDrivesWhoseAnswersDestroyEachOtherAreNoHealthyOne)
+{
+    bus.setStubborn(true);
+    add("abstractdc:7,fault=duplicate");
+    add("abstractdc:8");
+    EXPECT_EQ(scanned(), "7:?x2 8:F ");
+    EXPECT_NE(last[7].detail.english().find("destroyed"), std::string::npos) << last[7].detail.english();
+}
+
+TEST_F(AbstractDcScan, ADriveOnALineWithErrorsIsNoDuplicate)
+{
+    add("abstractdc:7");
+    test::FakeUnit first(bus, clock);
+    test::FakeUnit second(bus, clock);
+    first.answer("387#03", {{"7F0#01"}}); // two others destroy each other's frames meanwhile
+    second.answer("387#03", {{"7F0#02"}});
+    EXPECT_EQ(scanned(), "7:F ");
+}
+
+TEST_F(AbstractDcScan, TwoDrivesWhoseAnswersAreAlikeAreOneOnTheWire)
+{
+    add("abstractdc:7,dialect=L,fault=duplicate"); // no temperature, and the rest is 0
+    EXPECT_EQ(scanned(), "7:L ");
+}
+
 TEST_F(AbstractDcScan, LostFramesAreAskedForAgain)
 {
     add("abstractdc:3,fault=drop@2");

@@ -51,6 +51,12 @@ public:
         now.foreignMaster = true;
         setLiveness(now);
     }
+    void restartUnseen()
+    {
+        Liveness now = liveness();
+        now.restarted = true;
+        setLiveness(now);
+    }
 
     bool answers = true;
     std::int64_t inForce = 0; ///< what it makes of a value
@@ -214,6 +220,7 @@ TEST_F(CommonDevice, NothingMovesThatMayNot)
              Row{"it has no number", state(DeviceState::Unassigned)},
              Row{"no application runs", state(DeviceState::Bootloader)},
              Row{"another master", [](auto &m) { m.meetMaster(); }},
+             Row{"it restarted, and nobody has looked at it", [](auto &m) { m.restartUnseen(); }},
              Row{"the family's own reason", [](auto &m) { m.ownReason = fail(Fault::Unsafe); }}}) {
         make();
         ASSERT_TRUE(link.open());

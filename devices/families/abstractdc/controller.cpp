@@ -121,7 +121,9 @@ Result<void> Controller::check(const SetPoint &setPoint) const
     const auto command = commandOf(setPoint, knowledge().profile());
     if (!command)
         return fail(command.error());
-    return {};
+    if (command->loop != Loop::Velocity || m_logs.loop() == Loop::Velocity)
+        return {};
+    return mayEnterVelocity(m_logs.entrySpeed(), parameters(), LeadProbe().most());
 }
 
 Message Controller::caution(const SetPoint &setPoint) const
@@ -160,7 +162,10 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
     const auto feedback = m_logs.feedback(command->loop, command->target);
     const bool hasPassed = m_ours && m_logs.loop() == command->loop && m_logs.hasPassed(now);
     const double most = greatestError(parameters(), command->loop, hasPassed, m_probe.most());
-    const std::int32_t target = m_lead.next(*command, setPoint.ramp, feedback, most, now);
+    const EntrySpeed::Range entry = m_logs.entrySpeed();
+    const std::int32_t target = command->loop == Loop::Velocity && !hasPassed // README.md#first-pass
+        ? m_lead.next(*command, setPoint.ramp, entry.middle(), std::max(0.0, most - entry.halfWidth()), now)
+        : m_lead.next(*command, setPoint.ramp, feedback, most, now);
     const bool news = m_logs.loop() != command->loop || !m_ours || target != m_sentTarget;
     // At low bit rates set-points would fill the wire: then a newer one waits for the next call.
     const Duration spacing = news ? 2 * roundTrip(m_can) : std::max<Duration>(repeatPeriod, 10 * roundTrip(m_can));

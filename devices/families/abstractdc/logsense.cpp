@@ -176,8 +176,11 @@ void LogSense::takePosition(std::int32_t value, Instant time)
         m_telemetry->lost(channel::position, 1);
         return;
     }
-    if (reading == MotionSense::Reading::Anew)
+    if (reading == MotionSense::Reading::Anew) {
+        m_entry.restarted(time);
         m_owner.restarted();
+    }
+    m_entry.located(value, time, m_loop == Loop::Velocity && hasPassed(time));
     m_telemetry->append({channel::position, time, static_cast<double>(value)});
     if (isFresh(Log::Velocity))
         return; // the drive measures it itself
@@ -217,6 +220,7 @@ std::optional<double> LogSense::feedback(Loop loop, double target) const
 void LogSense::forget()
 {
     m_motion.forget();
+    m_entry.forget();
     m_velocity.reset();
 }
 

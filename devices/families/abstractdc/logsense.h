@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "families/abstractdc/entryspeed.h"
 #include "families/abstractdc/logpoller.h"
 #include "families/abstractdc/motionsense.h"
 #include "families/abstractdc/outputwatch.h"
@@ -51,6 +52,11 @@ public:
     /// What the loop regulates: counts/s or counts; nothing for other loops, and while it is not known. Where the drive's own
     /// speed and that of its positions differ, the one further from `target`: its own may be older than is known.
     [[nodiscard]] std::optional<double> feedback(Loop loop, double target) const;
+    /// What the velocity loop measures until it has passed twice.
+    [[nodiscard]] EntrySpeed::Range entrySpeed() const
+    {
+        return m_entry.range(m_motion.velocity(m_clock.now()).value_or(0.0));
+    }
     /// The loop has passed twice, so that what the drive tells of it is of this run (README.md#stale-logs).
     [[nodiscard]] bool hasPassed(Instant time) const;
 
@@ -71,6 +77,7 @@ private:
     const Dialect *m_dialect = nullptr;
     LogPoller m_poller;
     MotionSense m_motion;
+    EntrySpeed m_entry;
     OutputWatch m_output;
     std::map<Log, double> m_wishes;   ///< of setRate()
     std::optional<Loop> m_loop;       ///< last commanded, by us or by somebody we heard

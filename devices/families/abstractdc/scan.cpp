@@ -18,6 +18,7 @@ using namespace std::chrono_literals;
 
 constexpr Duration broadcastSlack = 50ms;
 constexpr int broadcasts = 2;
+constexpr int closerLooks = 3;
 
 } // namespace
 
@@ -43,6 +44,23 @@ Identity identityOf(int offset, const Dialect *dialect)
 }
 
 namespace {
+
+/// How several drives with one offset show.
+enum class Sharing { None, Answered, Destroyed };
+
+Identity duplicateOf(const Found &found, Sharing sharing)
+{
+    Identity identity = identityOf(found.offset, found.dialect);
+    identity.state = DeviceState::Duplicate;
+    identity.detail = sharing == Sharing::Answered
+        ? say("Several drives answer with offset %1; offsets are compiled into the firmware, so give one of them "
+              "another and flash it.",
+            found.offset)
+        : say("Answers with offset %1 are destroyed on the bus, as where several drives have it and answer at once; "
+              "offsets are compiled into the firmware, so give one of them another and flash it.",
+            found.offset);
+    return identity;
+}
 
 class Round {
 public:
@@ -92,19 +110,21 @@ public:
         }
         co_return {};
     }
-    /// Two answers to one question: now that all questions of this scan are over.
-    void tellTwins()
+    /// Two answers to one question, or none that stays whole: now that all questions of this scan are over.
+    Task<void> tellTwins()
     {
-        for (const auto &[answer, found] : m_found) {
-            if (!m_census.isTwice(answer, found.offset))
+        for (const Judged &one : m_judged) {
+            Sharing sharing = m_census.isTwice(one.answer, one.found.offset) ? Sharing::Answered : Sharing::None;
+            if (sharing == Sharing::None && isDoubtful(one)) {
+                auto looking = lookCloser(one.found.offset);
+                sharing = co_await std::move(looking);
+            }
+            if (sharing == Sharing::None)
                 continue;
-            Identity identity = identityOf(found.offset, found.dialect);
-            identity.state = DeviceState::Duplicate;
-            identity.detail = say("Several drives answer with offset %1; offsets are compiled into the firmware, so "
-                                  "give one of them another and flash it.",
-                found.offset);
-            m_sink.found(identity);
+            m_offsets.insert(one.found.offset);
+            m_sink.found(duplicateOf(one.found, sharing));
         }
+        co_return {};
     }
     [[nodiscard]] std::size_t count() const { return m_offsets.size(); }
 
@@ -116,17 +136,22 @@ private:
             if (m_identified.count(answer) > 0 || !m_tried.insert(answer).second)
                 continue;
             auto identifying = identifyDrive(m_prober, answer);
+            const std::uint64_t errors = m_link.health().protocolErrors;
             const std::optional<Found> found = co_await std::move(identifying);
+            const bool hadErrors = m_link.health().protocolErrors > errors;
+            const int today = static_cast<int>(answer) - static_cast<int>(id::velocityLog);
+            if (!found && hadErrors && today >= 0)
+                judged({answer, {today, nullptr}, true});
             if (!found || (!found->dialect && (m_offsets.count(found->offset) > 0 || isPositionOfLegacy(answer))))
                 continue;
             m_offsets.insert(found->offset);
+            judged({answer, *found, hadErrors});
             if (!found->dialect) { // answers may have been lost: another round tries again
                 m_sink.found(identityOf(found->offset, nullptr));
                 continue;
             }
             m_identified.insert(answer);
             m_known.emplace_back(found->offset, found->dialect);
-            m_found.emplace_back(answer, *found);
             m_sink.found(identityOf(found->offset, found->dialect));
         }
         co_return {};
@@ -139,6 +164,44 @@ private:
         return std::find(m_known.begin(), m_known.end(), std::pair(offset, &dialectL)) != m_known.end();
     }
 
+    struct Judged {
+        std::uint32_t answer = 0;
+        Found found;
+        bool hadErrors = false; ///< on the bus, while it was asked
+    };
+    /// The latest of each that answers.
+    void judged(const Judged &one)
+    {
+        std::erase_if(m_judged, [&one](const Judged &before) { return before.answer == one.answer; });
+        m_judged.push_back(one);
+    }
+    [[nodiscard]] bool isDoubtful(const Judged &one) const
+    {
+        const Census::Balance &told = m_census.temperatures(one.found.offset);
+        return (one.found.dialect == &dialectF || !one.found.dialect) && (one.hadErrors || told.answered > told.asked);
+    }
+    /// Asked for its temperature again, and again: one time may be chance.
+    Task<Sharing> lookCloser(int offset)
+    {
+        int doubled = 0;
+        int destroyed = 0;
+        for (int i = 0; i < closerLooks; ++i) {
+            const Census::Balance before = m_census.temperatures(offset);
+            const std::uint64_t errors = m_link.health().protocolErrors;
+            const auto code = static_cast<std::uint8_t>(dialectF.codeOf(Log::Temperature));
+            auto asking = m_prober.ask({{offset, id::logRequest, code}, {at(id::temperatureLog, offset)}}, 1);
+            (void)co_await std::move(asking);
+            co_await Sleep(m_clock, 2 * roundTrip(m_link)); // the second answer
+            const Census::Balance &after = m_census.temperatures(offset);
+            const int answered = after.answered - before.answered;
+            doubled += answered > after.asked - before.asked ? 1 : 0;
+            destroyed += answered == 0 && m_link.health().protocolErrors > errors ? 1 : 0;
+        }
+        if (doubled > 1)
+            co_return Sharing::Answered;
+        co_return destroyed == closerLooks ? Sharing::Destroyed : Sharing::None;
+    }
+
     CanLink &m_link;
     Clock &m_clock;
     ScanSink &m_sink;
@@ -149,7 +212,7 @@ private:
     std::set<std::uint32_t> m_identified;
     std::set<std::uint32_t> m_tried; ///< in this round
     std::set<int> m_offsets;
-    std::vector<std::pair<std::uint32_t, Found>> m_found;
+    std::vector<Judged> m_judged;
 };
 
 } // namespace
@@ -167,7 +230,8 @@ Task<void> scan(Link &link, Clock &clock, ScanSink &sink)
     }
     auto oldest = round.askOldest();
     co_await std::move(oldest);
-    round.tellTwins();
+    auto judging = round.tellTwins();
+    co_await std::move(judging);
     sink.progress(say("Abstract DC Drives found: %1", round.count()), broadcasts, broadcasts);
     if (can->state() != LinkState::Open)
         co_return fail(Fault::LinkLost, say("%1: %2", can->address().shortName(), can->loss().message()));

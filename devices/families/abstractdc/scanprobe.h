@@ -26,6 +26,15 @@ public:
     {
     }
     [[nodiscard]] const std::set<std::uint32_t> &velocityIds() const { return m_velocity; }
+    /// Questions to one drive for its temperature, and answers. Two drives tell hardly the same, unlike their speed at rest.
+    struct Balance {
+        int asked = 0;
+        int answered = 0;
+    };
+    [[nodiscard]] const Balance &temperatures(int offset) const
+    {
+        return m_temperatures.at(static_cast<std::size_t>(offset));
+    }
     /// Answers to questions for the speed beyond one each.
     [[nodiscard]] bool isTwice(std::uint32_t answer, int offset) const
     {
@@ -39,6 +48,7 @@ private:
     {
         if (frame.extended || frame.remote || frame.error)
             return;
+        countTemperature(frame);
         const auto code = static_cast<std::uint8_t>(dialectF.codeOf(Log::Velocity));
         const bool request = frame.size == 1 && frame.data[0] == code;
         if (request && frame.id == id::logRequest) {
@@ -52,7 +62,20 @@ private:
         }
     }
 
+    void countTemperature(const CanFrame &frame)
+    {
+        const bool request = frame.size == 1 && frame.data[0] == dialectF.codeOf(Log::Temperature);
+        const std::uint32_t base = request ? id::logRequest : id::temperatureLog;
+        if ((!request && frame.size != 4) || frame.id < base || frame.id > base + maxOffset)
+            return;
+        Balance &own = m_temperatures.at(frame.id - base);
+        ++(request ? own.asked : own.answered);
+        for (std::size_t i = 1; request && frame.id == id::logRequest && i < m_temperatures.size(); ++i)
+            ++m_temperatures.at(i).asked; // everybody was
+    }
+
     const QuestionWatch &m_questions;
+    std::array<Balance, maxOffset + 1> m_temperatures{};
     std::set<std::uint32_t> m_velocity;
     std::vector<std::uint32_t> m_answers;
     int m_broadcasts = 0;

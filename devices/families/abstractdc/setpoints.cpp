@@ -103,6 +103,19 @@ double greatestError(const ParameterStore &known, Loop loop, bool hasPassed, dou
     return *strength > 0.0 ? std::max(1.0, std::floor(safeOutput / *strength)) : farthest;
 }
 
+Result<void> mayEnterVelocity(const EntrySpeed::Range &entry, const ParameterStore &known, double unknown)
+{
+    if (entry.halfWidth() <= greatestError(known, Loop::Velocity, false, unknown))
+        return {};
+    return fail(Fault::Unsafe,
+        say("its velocity loop begins with the mean speed since it ran last: from %1 to %2 counts/s, with the speed of "
+            "now, is so much that with its gains the output would turn to full reverse",
+            std::lround(entry.low), std::lround(entry.high)),
+        knowsGains(known, Loop::Velocity)
+            ? say("stop the motor and let it stand for a while, or lower p")
+            : say("stop the motor and let it stand for a while, or write p, d and divisor of the loop once"));
+}
+
 std::int32_t TargetLead::next(
     const Command &command, double ramp, std::optional<double> feedback, double greatestError, Instant now)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "families/abstractdc/entryspeed.h"
 #include "families/abstractdc/protocol.h"
 #include "model/deviceprofile.h"
 #include "model/parameterstore.h"
@@ -31,6 +32,11 @@ struct Command {
 /// The greatest error with which what P and D make of it stays where the drive's 16 bits do not wrap (README.md#wraps), from what was last
 /// written; `unknown` where nobody knows that (LeadProbe). `hasPassed`: the loop's first pass, which may be short, is over.
 [[nodiscard]] double greatestError(const ParameterStore &known, Loop loop, bool hasPassed, double unknown);
+
+/// There is a target from which neither the speed of now nor the one that the first pass measures is too far (README.md#first-pass); else
+/// Unsafe. `unknown` as in greatestError().
+[[nodiscard]] Result<void> mayEnterVelocity(
+    const EntrySpeed::Range &entry, const ParameterStore &known, double unknown);
 
 /// Leads the target from where the motor is to where it shall be: duty at full range in a quarter of a second, or as the
 /// set-point's ramp says; loops never further ahead of the feedback than is safe.

@@ -20,7 +20,8 @@ struct UnitOptions {
     const MotorParameters *motor = nullptr;
     double load = 5.0;
     StoredGains gains = StoredGains::Tuned;
-    int glitches = 0; ///< every so many position logs; 0: none but those that the timer makes
+    int glitches = 0;          ///< every so many position logs; 0: none but those that the timer makes
+    int temperatureOffset = 0; ///< counts; no two sensors are alike
     std::uint64_t seed = 1;
     std::vector<SimulatedFault> faults;
 

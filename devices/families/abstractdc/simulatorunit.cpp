@@ -228,7 +228,9 @@ void Unit::onLogRequest(const CanFrame &frame)
     case Log::Position: m_outbox.reply(Log::Position, positionLog()); break;
     case Log::Velocity: m_outbox.reply(Log::Velocity, m_loops.velocity()); break;
     case Log::Current: m_outbox.reply(Log::Current, m_loops.current()); break;
-    case Log::Temperature: m_outbox.reply(Log::Temperature, m_loops.temperature()); break;
+    case Log::Temperature:
+        m_outbox.reply(Log::Temperature, std::min(m_loops.temperature() + m_options.temperatureOffset, adcMost));
+        break;
     case Log::Voltage: m_outbox.reply(Log::Voltage, static_cast<std::int32_t>(m_loops.output())); break;
     }
 }

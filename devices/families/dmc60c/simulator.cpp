@@ -16,7 +16,7 @@ Result<std::unique_ptr<Simulator>> simulate(Link &link, Clock &clock, const Simu
     auto made = std::make_unique<SimulatedTwins<simulation::Unit>>("dmc60c:" + std::to_string(options->number));
     made->add(can, clock, *options);
     if (options->has("duplicate"))
-        made->add(can, clock, options->twin());
+        made->addBeside(can, clock, options->twin());
     return made;
 }
 

@@ -6,6 +6,7 @@
 namespace mb {
 namespace {
 
+constexpr int collisionsUntilBusOff = 32;
 constexpr int errorFrameBits = 6 + 8 + 3; // error flag, delimiter, intermission
 
 /// Lower is sent first: the bits of the arbitration field in the order of the wire, with RTR or SRR and IDE after the
@@ -122,10 +123,12 @@ void VirtualCanBus::finishFrame()
     m_onWire.time = m_idleAt;
     for (VirtualCanLink *link : senders) {
         link->m_onWire = false;
-        if (m_collision)
-            link->m_queue.front().readyAt = m_idleAt + bits(static_cast<int>(m_random() % 64U));
-        else
+        auto &head = link->m_queue.front();
+        const bool isGivenUp = m_stubborn && ++head.collisions >= collisionsUntilBusOff;
+        if (!m_collision || isGivenUp)
             link->m_queue.pop_front();
+        else
+            head.readyAt = m_idleAt + bits(m_stubborn ? 0 : static_cast<int>(m_random() % 64U));
     }
     const CanFrame frame = m_onWire;
     const bool collision = m_collision;

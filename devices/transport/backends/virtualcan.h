@@ -26,6 +26,8 @@ public:
     [[nodiscard]] Clock &clock() const { return m_clock; }
     /// This fraction of frames is seen by nobody but its sender, 0…1.
     void setLoss(double fraction) { m_loss = fraction; }
+    /// As controllers do: who collided tries again at once, collides again, and gives the frame up after 32 times.
+    void setStubborn(bool stubborn) { m_stubborn = stubborn; }
     /// A controller at `link` leaves the bus, as after 256 transmit errors.
     void forceBusOff(VirtualCanLink &link);
 
@@ -42,6 +44,7 @@ private:
     Clock &m_clock;
     int m_bitrate;
     double m_loss = 0.0;
+    bool m_stubborn = false;
     std::mt19937_64 m_random;
     std::vector<VirtualCanLink *> m_links;
     std::vector<VirtualCanLink *> m_sending;
@@ -57,6 +60,10 @@ class VirtualCanLink final : public CanLink {
 public:
     VirtualCanLink(LinkAddress address, VirtualCanBus &bus);
     ~VirtualCanLink() override;
+    [[nodiscard]] std::unique_ptr<CanLink> makeAnotherEnd() override
+    {
+        return std::make_unique<VirtualCanLink>(address(), m_bus);
+    }
 
 private:
     friend class VirtualCanBus;
@@ -64,6 +71,7 @@ private:
         CanFrame frame;
         Instant readyAt{};
         bool urgent = false;
+        int collisions = 0;
     };
     Result<void> doOpen() override;
     void doClose() override;
