@@ -45,7 +45,7 @@ public:
             m_broken = true;
         if (m_broken)
             return {};
-        const Bytes taken(m_rest.begin(), m_rest.begin() + size);
+        Bytes taken(m_rest.begin(), m_rest.begin() + size);
         m_rest = m_rest.subspan(size);
         return taken;
     }
