@@ -139,9 +139,10 @@ void Conditions::followReset(const DeviceView &device)
     m_banners.post(key, BannerKind::Caution,
         lost == 1 ? tr("%1 was reset: 1 setting is unknown").arg(titleOf(device))
                   : tr("%1 was reset: %2 settings are unknown").arg(titleOf(device)).arg(lost),
-        failure == m_failures.end()
-            ? tr("The board keeps nothing without power. This program knows what was last written.")
-            : failure->second,
+        failure == m_failures.end() ? (device.family->capabilities.keepsSettings
+                ? tr("They were not saved before its power went. This program knows what was last written.")
+                : tr("The board keeps nothing without power. This program knows what was last written."))
+                                    : failure->second,
         tr("Write them again"));
 }
 

@@ -2825,6 +2825,10 @@
         <source>Put them back</source>
         <translation>Zurückgeben</translation>
     </message>
+    <message>
+        <source>They were not saved before its power went. This program knows what was last written.</source>
+        <translation>Sie waren nicht gespeichert, als die Versorgung wegfiel. Dieses Programm weiß, was zuletzt geschrieben wurde.</translation>
+    </message>
 </context>
 <context>
     <name>mb::CountTiles</name>

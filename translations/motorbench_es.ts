@@ -2825,6 +2825,10 @@
         <source>Writing was cancelled; what is missing can be written later.</source>
         <translation>Escritura cancelada; lo que falta se puede escribir después.</translation>
     </message>
+    <message>
+        <source>They were not saved before its power went. This program knows what was last written.</source>
+        <translation>No se habían guardado cuando se fue la alimentación. Este programa sabe lo último que se escribió.</translation>
+    </message>
 </context>
 <context>
     <name>mb::CountTiles</name>

@@ -2825,6 +2825,10 @@
         <source>Writing was cancelled; what is missing can be written later.</source>
         <translation>Écriture annulée&#x202f;; ce qui manque pourra être écrit plus tard.</translation>
     </message>
+    <message>
+        <source>They were not saved before its power went. This program knows what was last written.</source>
+        <translation>Ils n’étaient pas mémorisés quand l’alimentation a disparu. Ce programme sait ce qui a été écrit en dernier.</translation>
+    </message>
 </context>
 <context>
     <name>mb::CountTiles</name>

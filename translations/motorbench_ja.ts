@@ -2823,6 +2823,10 @@
         <source>Writing was cancelled; what is missing can be written later.</source>
         <translation>書込みをキャンセルしました。残りは後で書き込めます。</translation>
     </message>
+    <message>
+        <source>They were not saved before its power went. This program knows what was last written.</source>
+        <translation>電源が切れる前に保存されていませんでした。最後に書き込んだ値は、このプログラムが知っています。</translation>
+    </message>
 </context>
 <context>
     <name>mb::CountTiles</name>

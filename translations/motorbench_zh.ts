@@ -2823,6 +2823,10 @@
         <source>Writing was cancelled; what is missing can be written later.</source>
         <translation>写入已取消；缺少的可稍后写入。</translation>
     </message>
+    <message>
+        <source>They were not saved before its power went. This program knows what was last written.</source>
+        <translation>断电之前没有保存。本程序知道最后写入的值。</translation>
+    </message>
 </context>
 <context>
     <name>mb::CountTiles</name>

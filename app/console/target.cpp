@@ -80,16 +80,32 @@ Result<std::vector<LinkAddress>> parseLinks(const Console &console, const std::v
 
 namespace {
 
+/// What writes again what a power cycle took, as a command.
+std::string rewritingCommand(const Device &device, const std::vector<ParameterChange> &lost)
+{
+    if (!device.family().capabilities.keepsSettings)
+        return "motorbenchctl restore " + device.selector();
+    std::string command = "motorbenchctl set " + device.selector();
+    for (const ParameterChange &change : lost) {
+        const Parameter &parameter = device.parameters().parameter(change.index);
+        command += ' ' + std::string(parameter.key) + '=' + toText(parameter, change.raw);
+    }
+    return command;
+}
+
 Task<void> noteReset(Console &console, Device &device)
 {
-    if (device.family().capabilities.keepsSettings || device.identity().state == DeviceState::Bootloader)
+    if (device.identity().state == DeviceState::Bootloader)
         co_return {};
-    auto looking = device.refresh();
-    co_await std::move(looking);
-    if (const auto lost = lostSettings(device.family(), device.knowledge().profile()).size(); lost > 0)
-        console.note(device.selector() + " was reset: " + std::to_string(lost)
-            + " settings that were written to it are unknown; write them again with 'motorbenchctl restore "
-            + device.selector() + "'");
+    if (!device.family().capabilities.keepsSettings) {
+        auto looking = device.refresh();
+        co_await std::move(looking);
+    }
+    const std::vector<ParameterChange> lost = lostSettings(device.family(), device.knowledge().profile());
+    if (!lost.empty())
+        console.note(device.selector() + " was reset: " + std::to_string(lost.size())
+            + " settings that were written to it are unknown; write them again with '" + rewritingCommand(device, lost)
+            + "'");
     co_return {};
 }
 

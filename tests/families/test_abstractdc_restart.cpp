@@ -135,6 +135,58 @@ TEST_F(AbstractDcRestart, TakesWhatAnotherRunWroteAndWhatAnotherMasterWrote)
     EXPECT_FALSE(device->parameters().entry(index("position.p")).raw);
 }
 
+/// Nobody saw it: the power went while this program did not run, or had no link. Near 0 it may have been so.
+TEST_F(AbstractDcRestart, TakesWhatWasNotSavedWhileThisProgramDidNotRun)
+{
+    Simulator &unit = add("abstractdc:3");
+    open(3, &dialectF);
+    ASSERT_TRUE(write("velocity.p", 5));
+    const DeviceProfile kept = device->knowledge().profile();
+    device.reset();
+    powerCycle(unit, 1s);
+    device = family.open(host, clock, identityOf(3, &dialectF));
+    device->knowledge().setProfile(kept);
+    clock.advance(500ms);
+    EXPECT_FALSE(device->parameters().entry(index("velocity.p")).raw);
+    EXPECT_TRUE(device->knowledge().profile().lost.contains("velocity.p"));
+}
+
+TEST_F(AbstractDcRestart, TakesWhatWasNotSavedWhileTheLinkWasGone)
+{
+    Simulator &unit = add("abstractdc:3");
+    open(3, &dialectF);
+    ASSERT_TRUE(device->command(setPoint(Mode::Duty, 0.3)));
+    clock.advance(2s);
+    device->stop();
+    clock.advance(2s);
+    ASSERT_TRUE(write("velocity.p", 5));
+    host.close();
+    unit.setPowered(false);
+    clock.advance(3s);
+    unit.setPowered(true);
+    ASSERT_TRUE(host.open());
+    clock.advance(2s);
+    ASSERT_TRUE(device->liveness().heard);
+    EXPECT_FALSE(device->parameters().entry(index("velocity.p")).raw);
+}
+
+TEST_F(AbstractDcRestart, WhatWasNotSavedStaysWhereTheMotorStillStandsAsItDid)
+{
+    add("abstractdc:3");
+    open(3, &dialectF);
+    ASSERT_TRUE(device->command(setPoint(Mode::Duty, 0.3)));
+    clock.advance(2s);
+    device->stop();
+    clock.advance(2s);
+    ASSERT_TRUE(write("velocity.p", 5));
+    host.close();
+    clock.advance(3s);
+    ASSERT_TRUE(host.open());
+    clock.advance(2s);
+    ASSERT_TRUE(device->liveness().heard);
+    EXPECT_EQ(device->parameters().entry(index("velocity.p")).raw, 5);
+}
+
 TEST_F(AbstractDcRestart, IsNoCableThatWasOut)
 {
     add("abstractdc:3");

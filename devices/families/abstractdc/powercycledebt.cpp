@@ -27,6 +27,7 @@ bool PowerCycleDebt::isOwed() const
 
 void PowerCycleDebt::silent(bool linkOpen, std::optional<std::int64_t> position)
 {
+    m_wasUnheard = true;
     m_wasSilent = m_wasSilent || linkOpen;
     if (position)
         m_positionBefore = position;
@@ -34,14 +35,15 @@ void PowerCycleDebt::silent(bool linkOpen, std::optional<std::int64_t> position)
 
 bool PowerCycleDebt::heard(std::int32_t position)
 {
-    if (!std::exchange(m_wasSilent, false))
+    if (!std::exchange(m_wasUnheard, false))
         return false;
+    const bool wasSilent = std::exchange(m_wasSilent, false);
     const bool startsAnew = std::abs(std::int64_t{position}) <= turnedByHand;
     const bool unmoved = m_positionBefore && *m_positionBefore == position && position != 0;
     m_positionBefore.reset();
     if (!startsAnew || unmoved)
         return false;
-    if (isOwed())
+    if (wasSilent && isOwed())
         m_keep(0);
     return true;
 }
