@@ -2,11 +2,11 @@
 #pragma once
 
 #include "families/dmc60c/simulatorenumeration.h"
-#include "families/dmc60c/simulatorfaultplan.h"
 #include "families/dmc60c/simulatorheartbeat.h"
 #include "families/dmc60c/simulatoroptions.h"
 #include "families/dmc60c/simulatorparameterport.h"
 #include "families/dmc60c/simulatorvendor.h"
+#include "simulation/supply.h"
 
 namespace mb::dmc60c::simulation {
 
@@ -22,7 +22,7 @@ public:
     [[nodiscard]] double speed();
     [[nodiscard]] double position();
     [[nodiscard]] double current(); ///< A
-    void setPowered(bool powered);
+    void setPowered(bool powered) { m_supply.set(powered); }
     [[nodiscard]] std::vector<std::uint8_t> flash() const { return m_application.bytes(); }
     bool disturb(std::string_view what, double value);
 
@@ -41,9 +41,9 @@ private:
     };
 
     void listen(CanLink &link);
-    [[nodiscard]] FaultPlan::Actions faultActions();
+    void scheduleFaults();
 
-    void losePower(bool returns);
+    void switched(bool on);
     void start();
     void startBootloader();
     void startApplication();
@@ -76,6 +76,7 @@ private:
     ConfigMemory m_memory;
     Drive m_drive;
     VendorPort m_vendor;
+    FaultPlan m_faults;
     Outbox m_outbox;
     StatusSender m_status;
     ParameterPort m_parameters;
@@ -83,7 +84,7 @@ private:
     Heartbeat m_heartbeat;
     Stage m_stage = Stage::Off;
     Order m_order;
-    FaultPlan m_faults;
+    Supply m_supply;
     Timer m_startTimer;
     std::array<Subscription, 3> m_heard; ///< frames, others' frames, the state of the link
 };
