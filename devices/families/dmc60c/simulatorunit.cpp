@@ -84,6 +84,12 @@ Unit::Unit(CanLink &link, Clock &clock, const UnitOptions &options, Notify notif
 
 Unit::~Unit() = default;
 
+Drive &Unit::drive()
+{
+    m_drive.advance(m_clock.now());
+    return m_drive;
+}
+
 void Unit::listen(CanLink &link)
 {
     m_heard[0] = link.received().add([this](const CanFrame &frame) { receive(frame); });
@@ -101,10 +107,7 @@ void Unit::scheduleFaults()
 {
     m_faults.at("reset", [this] { resetBySelf(); });
     m_faults.at("busoff", [this] { loseBus(); });
-    m_faults.at("encoder-dead", [this] {
-        m_drive.advance(m_clock.now());
-        m_drive.rig().killEncoder();
-    });
+    m_faults.at("encoder-dead", [this] { drive().rig().killEncoder(); });
     m_faults.at("stall", [this] { disturb("stall", 1.0); });
     m_faults.sag([this](double volts) { disturb("bus-voltage", volts); });
 }
@@ -216,37 +219,11 @@ void Unit::loseBus()
     }
 }
 
-bool Unit::isOutputOn()
-{
-    m_drive.advance(m_clock.now());
-    return m_drive.isOutputOn();
-}
-
-double Unit::speed()
-{
-    m_drive.advance(m_clock.now());
-    return m_drive.rig().speed();
-}
-
-double Unit::position()
-{
-    m_drive.advance(m_clock.now());
-    return m_drive.rig().position();
-}
-
-double Unit::current()
-{
-    m_drive.advance(m_clock.now());
-    return m_drive.rig().current();
-}
-
 bool Unit::disturb(std::string_view what, double value)
 {
-    const Instant now = m_clock.now();
-    m_drive.advance(now);
-    m_drive.wake();
+    drive().wake();
     if (what == "gate-fault") {
-        m_drive.setOutsideFault(faultbit::gateDriver, value != 0.0, now);
+        m_drive.setOutsideFault(faultbit::gateDriver, value != 0.0, m_clock.now());
         return true;
     }
     if (what == "flash-fail") {
@@ -303,10 +280,8 @@ void Unit::overhear(const CanFrame &frame)
     if (m_stage != Stage::Application || messageOf(frame) != id::statusGeneral || frame.size != 8
         || device == m_memory.ram().number)
         return;
-    const Instant now = m_clock.now();
-    m_drive.advance(now);
-    if (device == m_drive.master())
-        m_drive.masterHeard(signExtend(readU16le(frame.bytes(), 0), 16), now);
+    if (device == drive().master())
+        m_drive.masterHeard(signExtend(readU16le(frame.bytes(), 0), 16), m_clock.now());
 }
 
 void Unit::handle(const CanFrame &frame)

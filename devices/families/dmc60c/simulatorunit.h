@@ -18,10 +18,10 @@ public:
     Unit(CanLink &link, Clock &clock, const UnitOptions &options, Notify notify);
     ~Unit() override;
 
-    [[nodiscard]] bool isOutputOn();
-    [[nodiscard]] double speed();
-    [[nodiscard]] double position();
-    [[nodiscard]] double current(); ///< A
+    [[nodiscard]] bool isOutputOn() { return drive().isOutputOn(); }
+    [[nodiscard]] double speed() { return drive().rig().speed(); }
+    [[nodiscard]] double position() { return drive().rig().position(); }
+    [[nodiscard]] double current() { return drive().rig().current(); } ///< A
     void setPowered(bool powered) { m_supply.set(powered); }
     [[nodiscard]] std::vector<std::uint8_t> flash() const { return m_application.bytes(); }
     bool disturb(std::string_view what, double value);
@@ -40,6 +40,8 @@ private:
         std::optional<CommandStatus> announce; ///< to be said then
     };
 
+    /// As it is now.
+    [[nodiscard]] Drive &drive();
     void listen(CanLink &link);
     void scheduleFaults();
 

@@ -119,6 +119,12 @@ void Unit::transmit(std::vector<std::uint8_t> bytes)
 
 // Motor
 
+Drive &Unit::drive()
+{
+    m_drive.advance(m_clock.now());
+    return m_drive;
+}
+
 void Unit::switched(bool on)
 {
     m_notify(m_clock.now(), on ? "output-on" : "output-off", 0.0);
@@ -130,34 +136,9 @@ void Unit::lookAfter()
     if (m_care.isActive())
         return;
     m_care.startIn(carePeriod, [this] {
-        m_drive.advance(m_clock.now());
-        if (!m_drive.isResting())
+        if (!drive().isResting())
             lookAfter();
     });
-}
-
-bool Unit::isOutputOn()
-{
-    m_drive.advance(m_clock.now());
-    return m_drive.isOn();
-}
-
-double Unit::speed()
-{
-    m_drive.advance(m_clock.now());
-    return m_drive.encoder().shaftSpeed();
-}
-
-double Unit::current()
-{
-    m_drive.advance(m_clock.now());
-    return m_drive.motor().current();
-}
-
-double Unit::position()
-{
-    m_drive.advance(m_clock.now());
-    return m_drive.encoder().shaftPosition();
 }
 
 // Supply and faults
@@ -177,10 +158,9 @@ void Unit::fed(bool on)
         m_notify(m_clock.now(), "power-on", 0.0);
         return;
     }
-    m_drive.advance(m_clock.now());
     m_reply.stop();
     m_half.stop();
-    m_drive.stop();
+    drive().stop();
     m_notify(m_clock.now(), "power-lost", 0.0);
 }
 
@@ -188,16 +168,10 @@ void Unit::scheduleFaults()
 {
     if (m_faults.has("encoder-reversed"))
         m_drive.encoder().setReversed();
-    const auto at = [this](std::string_view kind, std::function<void()> work) {
-        m_faults.at(kind, [this, work = std::move(work)] {
-            m_drive.advance(m_clock.now());
-            work();
-        });
-    };
-    at("reset", [this] { m_supply.lose(Duration(1)); });
-    at("brownout", [this] { m_supply.lose(FaultPlan::brownoutTime); });
-    at("encoder-dead", [this] { m_drive.encoder().setDead(); });
-    at("stall", [this] { m_drive.motor().setLocked(true); });
+    m_faults.at("reset", [this] { m_supply.lose(Duration(1)); });
+    m_faults.at("brownout", [this] { m_supply.lose(FaultPlan::brownoutTime); });
+    m_faults.at("encoder-dead", [this] { drive().encoder().setDead(); });
+    m_faults.at("stall", [this] { drive().motor().setLocked(true); });
 }
 
 bool Unit::disturb(std::string_view what, double value)

@@ -20,14 +20,16 @@ public:
     Unit(const Unit &) = delete;
     Unit &operator=(const Unit &) = delete;
 
-    [[nodiscard]] bool isOutputOn();
-    [[nodiscard]] double speed();
-    [[nodiscard]] double position();
-    [[nodiscard]] double current(); ///< A
+    [[nodiscard]] bool isOutputOn() { return drive().isOn(); }
+    [[nodiscard]] double speed() { return drive().encoder().shaftSpeed(); }
+    [[nodiscard]] double position() { return drive().encoder().shaftPosition(); }
+    [[nodiscard]] double current() { return drive().motor().current(); } ///< A
     void setPowered(bool powered) { m_supply.set(powered); }
     bool disturb(std::string_view what, double value);
 
 private:
+    /// As it is now.
+    [[nodiscard]] Drive &drive();
     void receive(std::span<const std::uint8_t> bytes);
     void answer(Firmware::Answer answer);
     void transmit(std::vector<std::uint8_t> bytes);
