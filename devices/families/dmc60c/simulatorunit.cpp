@@ -82,8 +82,6 @@ Unit::Unit(CanLink &link, Clock &clock, const UnitOptions &options, Notify notif
         startApplication();
 }
 
-Unit::~Unit() = default;
-
 Drive &Unit::drive()
 {
     m_drive.advance(m_clock.now());
@@ -256,22 +254,18 @@ void Unit::receive(const CanFrame &frame)
         = m_stage == Stage::Off || m_stage == Stage::Starting || m_stage == Stage::Dead || m_faults.isBusOff();
     if (deaf || frame.error || frame.remote)
         return;
-    if (m_enumeration.session() == 0)
-        hear();
+    if (m_enumeration.session() == 0) {
+        m_enumeration.begin();
+        if (m_stage == Stage::Application) {
+            m_drive.setOutsideFault(faultbit::communication, false, m_clock.now());
+            m_status.start();
+        }
+    }
     if (!passesFilter(frame))
         return;
     if (isAddressed(frame, m_memory.ram().number) && m_faults.failsWithFrame())
         return m_supply.lose();
     m_processor.take(frame);
-}
-
-void Unit::hear()
-{
-    m_enumeration.begin();
-    if (m_stage != Stage::Application)
-        return;
-    m_drive.setOutsideFault(faultbit::communication, false, m_clock.now());
-    m_status.start();
 }
 
 void Unit::overhear(const CanFrame &frame)

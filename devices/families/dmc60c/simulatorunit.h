@@ -16,7 +16,6 @@ public:
     using Notify = std::function<void(Instant, std::string_view, double)>;
 
     Unit(CanLink &link, Clock &clock, const UnitOptions &options, Notify notify);
-    ~Unit() override;
 
     [[nodiscard]] bool isOutputOn() { return drive().isOutputOn(); }
     [[nodiscard]] double speed() { return drive().rig().speed(); }
@@ -54,7 +53,6 @@ private:
     void loseBus();
 
     void receive(const CanFrame &frame);
-    void hear();
     void handle(const CanFrame &frame);
     void handleForNumber(std::uint32_t message, const CanFrame &frame);
     void overhear(const CanFrame &frame);
