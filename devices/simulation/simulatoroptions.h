@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
+#include <initializer_list>
 #include <string>
 
 namespace mb {
@@ -19,11 +19,19 @@ template <class Options> struct SimulatorOption {
     bool (*set)(Options &, std::string_view value); ///< false: the value is none
 };
 
-/// OutOfRange for a key that is in no row of `table` and for a value that its row refuses; `what` is "a simulated …".
+/// Faults that every unit can have.
+constexpr std::array<std::string_view, 10> commonFaults{
+    "drop", "corrupt", "delay", "silent", "power", "reset", "encoder-dead", "encoder-reversed", "brownout", "stall"};
+
+/// Options, seed and faults of `unit`. OutOfRange for a key that is in no row of `table` and for a value that its row refuses,
+/// Unsupported for a fault that is neither common nor in `ownFaults`; `what` is "a simulated …".
 template <class Options, std::size_t N>
 [[nodiscard]] Result<void> takeOptions(const SimulatedUnit &unit, const Message &what,
-    const std::array<SimulatorOption<Options>, N> &table, Options &options)
+    const std::array<SimulatorOption<Options>, N> &table, std::initializer_list<std::string_view> ownFaults,
+    Options &options)
 {
+    options.seed = unit.seed;
+    options.faults = unit.faults;
     for (const auto &[key, value] : unit.options) {
         const auto row = std::find_if(table.begin(), table.end(),
             [&wanted = key](const SimulatorOption<Options> &option) { return option.key == wanted; });
@@ -32,18 +40,14 @@ template <class Options, std::size_t N>
         if (!row->set(options, value))
             return fail(Fault::OutOfRange, say("'%1' is no value for the option '%2' of %3", value, key, what));
     }
-    return {};
-}
-
-/// The unit's faults; Unsupported for one of a kind that is not in `known`.
-[[nodiscard]] inline Result<std::vector<SimulatedFault>> takeFaults(
-    const SimulatedUnit &unit, const Message &what, std::span<const std::string_view> known)
-{
+    const auto isIn = [](const auto &kinds, const std::string &kind) {
+        return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+    };
     for (const SimulatedFault &fault : unit.faults) {
-        if (std::find(known.begin(), known.end(), fault.kind) == known.end())
+        if (!isIn(commonFaults, fault.kind) && !isIn(ownFaults, fault.kind))
             return fail(Fault::Unsupported, say("%1 has no option '%2'", what, "fault=" + fault.kind));
     }
-    return unit.faults;
+    return {};
 }
 
 /// A number from `low` to `high`; `out` stays as it is otherwise.
@@ -79,14 +83,6 @@ template <class T, std::size_t N>
         return false;
     out = found->second;
     return true;
-}
-
-/// nullptr: the unit has no such fault.
-[[nodiscard]] inline const SimulatedFault *findFault(std::span<const SimulatedFault> faults, std::string_view kind)
-{
-    const auto found = std::find_if(
-        faults.begin(), faults.end(), [kind](const SimulatedFault &fault) { return fault.kind == kind; });
-    return found == faults.end() ? nullptr : &*found;
 }
 
 } // namespace mb

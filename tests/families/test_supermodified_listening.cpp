@@ -239,9 +239,9 @@ TEST(SupermodifiedGuardian, ItsScriptStopsANodeInWhateverMomentOfAnExchangeThePr
 struct SupermodifiedLateAnswers : SupermodifiedPort {
     SupermodifiedLateAnswers()
     {
-        line->roster().noteGain(4, 1000);
-        line->roster().noteProfileVelocity(4, 800);
-        line->roster().noteProfileAcceleration(4, 800);
+        line->roster().noteSetting(4, Command::P, 1000);
+        line->roster().noteSetting(4, Command::ProfileVelocity, 800);
+        line->roster().noteSetting(4, Command::ProfileAcceleration, 800);
         clock.advance(100ms);
         EXPECT_TRUE(motion.command(setPoint(Mode::Position, 0.0)));
         for (const std::string_view answer : {stopped, standing, started, "55 AA 77 04 08 00 08"sv})

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/abstractdc/simulatoroptions.h"
 
+#include "simulation/faultplan.h"
 #include "simulation/simulatoroptions.h"
 
 #include <algorithm>
@@ -13,9 +14,6 @@ using Option = SimulatorOption<UnitOptions>;
 
 constexpr std::array<std::pair<std::string_view, StoredGains>, 3> gainWords{
     {{"default", StoredGains::Default}, {"tuned", StoredGains::Tuned}, {"overshoot", StoredGains::Overshoot}}};
-
-constexpr std::array<std::string_view, 12> knownFaults{"drop", "corrupt", "delay", "silent", "power", "reset",
-    "encoder-dead", "encoder-reversed", "brownout", "stall", "busoff", "duplicate"};
 
 constexpr std::array optionTable{
     Option{"dialect",
@@ -49,13 +47,10 @@ Result<UnitOptions> UnitOptions::parse(const SimulatedUnit &unit)
     UnitOptions options;
     options.offset = unit.address;
     options.motor = motorByName("25d");
-    options.seed = unit.seed;
-    if (auto taken = takeOptions(unit, say("a simulated Abstract DC Drive"), optionTable, options); !taken)
+    if (auto taken
+        = takeOptions(unit, say("a simulated Abstract DC Drive"), optionTable, {"busoff", "duplicate"}, options);
+        !taken)
         return fail(taken.error());
-    auto faults = takeFaults(unit, say("a simulated Abstract DC Drive"), knownFaults);
-    if (!faults)
-        return fail(faults.error());
-    options.faults = std::move(*faults);
     return options;
 }
 

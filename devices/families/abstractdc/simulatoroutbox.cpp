@@ -13,10 +13,11 @@ constexpr std::size_t mailboxes = 3;  ///< further replies are dropped
 
 } // namespace
 
-Outbox::Outbox(CanLink &link, Clock &clock, const UnitOptions &options)
+Outbox::Outbox(CanLink &link, Clock &clock, const UnitOptions &options, FaultPlan &faults)
     : m_link(link)
     , m_clock(clock)
     , m_options(options)
+    , m_faults(faults)
 {
 }
 
@@ -45,27 +46,15 @@ void Outbox::reply(Log log, std::int32_t value)
     });
 }
 
-const SimulatedFault *Outbox::strikes(std::string_view kind) const
-{
-    for (const SimulatedFault &fault : m_options.faults) {
-        const auto number = static_cast<double>(m_sent);
-        if (fault.kind == kind && (number == fault.at || (kind == "silent" && number > fault.at)))
-            return &fault;
-    }
-    return nullptr;
-}
-
 void Outbox::transmit(CanFrame frame)
 {
-    ++m_sent;
-    if (strikes("silent") != nullptr || strikes("drop") != nullptr)
+    const FrameFate fate = m_faults.sent();
+    if (fate.lost)
         return;
-    if (strikes("corrupt") != nullptr)
-        frame.data[m_sent % frame.size] ^= 0x55U;
-    if (const SimulatedFault *late = strikes("delay")) {
-        const std::chrono::duration<double, std::milli> delay(late->argument);
-        m_late.emplace_back(m_clock).startIn(
-            std::chrono::duration_cast<Duration>(delay), [this, frame] { (void)m_link.send(frame); });
+    if (fate.corrupt)
+        frame.data[fate.number % frame.size] ^= 0x55U;
+    if (fate.delay) {
+        m_late.emplace_back(m_clock).startIn(*fate.delay, [this, frame] { (void)m_link.send(frame); });
         return;
     }
     (void)m_link.send(frame); // a lost link is noticed by its state

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "families/abstractdc/simulatoroptions.h"
+#include "simulation/faultplan.h"
 #include "transport/canlink.h"
 
 #include <list>
@@ -11,8 +12,8 @@ namespace mb::abstractdc::simulation {
 /// The replies of one simulated drive: three mailboxes, sent from the receive interrupt, spoilt by the faults that count them.
 class Outbox {
 public:
-    /// Link, clock and options outlive it.
-    Outbox(CanLink &link, Clock &clock, const UnitOptions &options);
+    /// All outlive it.
+    Outbox(CanLink &link, Clock &clock, const UnitOptions &options, FaultPlan &faults);
 
     void reply(Log log, std::int32_t value);
     /// The power has gone: what waits is lost.
@@ -20,12 +21,11 @@ public:
 
 private:
     void transmit(CanFrame frame);
-    [[nodiscard]] const SimulatedFault *strikes(std::string_view kind) const;
 
     CanLink &m_link;
     Clock &m_clock;
     const UnitOptions &m_options;
-    std::uint64_t m_sent = 0;
+    FaultPlan &m_faults;
     std::list<Timer> m_replies;
     std::list<Timer> m_late; ///< frames that a fault delays
     std::size_t m_pending = 0;

@@ -8,18 +8,7 @@
 namespace mb::abstractdc::simulation {
 namespace {
 
-using namespace std::chrono_literals;
-
-constexpr Duration powerBack = 200ms;
-constexpr Duration busOffTime = 100ms;
-constexpr double brownoutVolts = 5.0;
-constexpr double brownoutSeconds = 6.0;
 constexpr double glitchWindow = 20e-6; ///< how long after a wrap a reading may be wrong
-
-Duration fromSeconds(double seconds)
-{
-    return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(seconds));
-}
 
 template <std::size_t N> int placeOf(const std::array<int, N> &codes, int code)
 {
@@ -41,9 +30,9 @@ Unit::Unit(CanLink &link, Clock &clock, const UnitOptions &options, Notify notif
     , m_dialect(*options.dialect)
     , m_shaft(clock, options, m_notify)
     , m_loops(clock, m_shaft, m_notify)
-    , m_outbox(link, clock, m_options)
-    , m_restart(clock)
-    , m_busOff(clock)
+    , m_faults(clock, options.faults)
+    , m_supply(clock, [this](bool on) { switched(on); })
+    , m_outbox(link, clock, m_options, m_faults)
     , m_received(link.received().add([this](const CanFrame &frame) { hear(frame); }))
 {
     const auto stored = storedGains(options);
@@ -55,7 +44,6 @@ Unit::Unit(CanLink &link, Clock &clock, const UnitOptions &options, Notify notif
 
 void Unit::start()
 {
-    m_powered = true;
     m_shaft.zero();
     m_loops.start({m_flash.load(0), m_flash.load(1), m_flash.load(2)});
     m_notify(m_clock.now(), "power-on", 0.0);
@@ -64,60 +52,31 @@ void Unit::start()
 void Unit::stop()
 {
     m_shaft.advance();
-    m_powered = false;
     m_outbox.clear();
     m_loops.stop();
 }
 
-void Unit::setPowered(bool powered)
+void Unit::switched(bool on)
 {
-    m_restart.stop();
-    if (powered == m_powered)
-        return;
-    if (powered) {
-        start();
-        return;
-    }
+    if (on)
+        return start();
     stop();
     m_notify(m_clock.now(), "power-lost", 0.0);
 }
 
-void Unit::losePower()
-{
-    setPowered(false);
-    m_restart.startIn(powerBack, [this] { setPowered(true); });
-}
-
-void Unit::at(double seconds, std::function<void()> work)
-{
-    m_timers.emplace_back(m_clock).startIn(fromSeconds(seconds), std::move(work));
-}
-
 void Unit::scheduleFaults()
 {
-    for (const SimulatedFault &fault : m_options.faults) {
-        if (fault.kind == "reset")
-            at(fault.at, [this] {
-                if (!m_powered)
-                    return;
-                stop();
-                m_notify(m_clock.now(), "reset", 0.0);
-                start();
-            });
-        else if (fault.kind == "busoff")
-            at(fault.at, [this] {
-                m_outbox.clear();
-                m_busOff.startIn(busOffTime, [] {});
-            });
-        else if (fault.kind == "encoder-dead")
-            at(fault.at, [this] { m_shaft.motor().setEncoderDead(true); });
-        else if (fault.kind == "stall")
-            at(fault.at, [this] { (void)disturb("stall", 1.0); });
-        else if (fault.kind == "brownout") {
-            at(fault.at, [this] { (void)disturb("bus-voltage", brownoutVolts); });
-            at(fault.at + brownoutSeconds, [this] { (void)disturb("bus-voltage", MotorSupply().voltage); });
-        }
-    }
+    m_faults.at("reset", [this] {
+        if (!m_supply.isOn())
+            return;
+        stop();
+        m_notify(m_clock.now(), "reset", 0.0);
+        start();
+    });
+    m_faults.at("busoff", [this] { m_outbox.clear(); });
+    m_faults.at("encoder-dead", [this] { m_shaft.motor().setEncoderDead(true); });
+    m_faults.at("stall", [this] { (void)disturb("stall", 1.0); });
+    m_faults.sag([this](double volts) { (void)disturb("bus-voltage", volts); });
 }
 
 double Unit::speed()
@@ -150,15 +109,10 @@ bool Unit::disturb(std::string_view what, double value)
 
 void Unit::hear(const CanFrame &frame)
 {
-    if (!m_powered || m_busOff.isActive() || frame.extended || frame.remote || frame.error)
+    if (!m_supply.isOn() || m_faults.isBusOff() || frame.extended || frame.remote || frame.error)
         return;
-    ++m_heard;
-    for (const SimulatedFault &fault : m_options.faults) {
-        if (fault.kind == "power" && static_cast<double>(m_heard) == fault.at) {
-            losePower();
-            return;
-        }
-    }
+    if (m_faults.failsWithFrame())
+        return m_supply.lose();
     m_shaft.advance();
     dispatch(frame);
 }

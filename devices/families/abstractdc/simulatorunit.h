@@ -3,6 +3,7 @@
 
 #include "families/abstractdc/simulatorloops.h"
 #include "families/abstractdc/simulatoroutbox.h"
+#include "simulation/supply.h"
 
 namespace mb::abstractdc::simulation {
 
@@ -17,16 +18,15 @@ public:
     [[nodiscard]] double speed();
     [[nodiscard]] double position();
     [[nodiscard]] double current();
-    void setPowered(bool powered);
+    void setPowered(bool powered) { m_supply.set(powered); }
     bool disturb(std::string_view what, double value);
 
 private:
     // Power and faults
     void start();
     void stop();
-    void losePower();
+    void switched(bool on);
     void scheduleFaults();
-    void at(double seconds, std::function<void()> work);
 
     // What it hears
     void hear(const CanFrame &frame);
@@ -43,14 +43,11 @@ private:
     SettingsFlash m_flash;
     Shaft m_shaft;
     Loops m_loops;
+    FaultPlan m_faults;
+    Supply m_supply;
     Outbox m_outbox;
-    bool m_powered = false;
-    std::uint64_t m_heard = 0;
     int m_positionLogs = 0;
     bool m_glitchNext = false;
-    Timer m_restart;
-    Timer m_busOff; ///< runs while nothing is heard and nothing sent
-    std::list<Timer> m_timers;
     Subscription m_received;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/dmc60c/simulatoroptions.h"
 
+#include "simulation/faultplan.h"
 #include "simulation/simulatoroptions.h"
 
 #include <array>
@@ -51,9 +52,6 @@ constexpr std::array<std::pair<std::string_view, VelocityWindow>, 2> windows{
 constexpr std::array<std::pair<std::string_view, StoredGains>, 3> gains{
     {{"default", StoredGains::Default}, {"tuned", StoredGains::Tuned}, {"overshoot", StoredGains::Overshoot}}};
 
-constexpr std::array<std::string_view, 13> knownFaults{"drop", "corrupt", "delay", "silent", "power", "reset",
-    "encoder-dead", "encoder-reversed", "brownout", "stall", "power-page", "busoff", "duplicate"};
-
 constexpr std::array optionTable{
     Option{"motor", [](UnitOptions &o, std::string_view text) { return takeMotor(text, o.motor); }},
     Option{"load", [](UnitOptions &o, std::string_view text) { return takeLoad(text, o.load); }},
@@ -93,24 +91,16 @@ Result<UnitOptions> UnitOptions::parse(const SimulatedUnit &unit)
         return fail(Fault::OutOfRange, say("a DMC60C has a number from 0 to 63, not %1", unit.address));
     UnitOptions options;
     options.number = unit.address;
-    options.seed = unit.seed;
     options.serial = defaultSerial(unit.seed, unit.address);
     options.load = usualLoad(unit.option("motor").value_or("cim"));
-    if (auto taken = takeOptions(unit, say("a simulated DMC60C"), optionTable, options); !taken)
+    if (auto taken
+        = takeOptions(unit, say("a simulated DMC60C"), optionTable, {"power-page", "busoff", "duplicate"}, options);
+        !taken)
         return fail(taken.error());
-    auto faults = takeFaults(unit, say("a simulated DMC60C"), knownFaults);
-    if (!faults)
-        return fail(faults.error());
-    const SimulatedFault *page = findFault(*faults, "power-page");
+    const SimulatedFault *page = findFault(options.faults, "power-page");
     if (page && page->at > lastPage)
         return fail(Fault::OutOfRange, say("fault '%1' does not parse", "power-page"));
-    options.faults = std::move(*faults);
     return options;
-}
-
-bool UnitOptions::has(std::string_view fault) const
-{
-    return findFault(faults, fault) != nullptr;
 }
 
 UnitOptions UnitOptions::twin() const

@@ -32,7 +32,6 @@ struct UnitOptions {
     std::vector<SimulatedFault> faults;
 
     [[nodiscard]] static Result<UnitOptions> parse(const SimulatedUnit &unit);
-    [[nodiscard]] bool has(std::string_view fault) const;
     /// The same number in another box.
     [[nodiscard]] UnitOptions twin() const;
 };

@@ -5,10 +5,10 @@
 
 namespace mb::dmc60c::simulation {
 
-Outbox::Outbox(CanLink &link, Clock &clock, std::vector<SimulatedFault> faults)
+Outbox::Outbox(CanLink &link, Clock &clock, FaultPlan &faults)
     : m_link(link)
     , m_clock(clock)
-    , m_faults(std::move(faults))
+    , m_faults(faults)
     , m_timer(clock)
 {
 }
@@ -27,27 +27,16 @@ void Outbox::clear()
     m_timer.stop();
 }
 
-const SimulatedFault *Outbox::strikes(std::string_view kind) const
-{
-    const auto fault = std::find_if(m_faults.begin(), m_faults.end(),
-        [&](const SimulatedFault &f) { return f.kind == kind && static_cast<double>(m_sent) == f.at; });
-    return fault == m_faults.end() ? nullptr : &*fault;
-}
-
 void Outbox::send(const CanFrame &frame)
 {
-    ++m_sent;
-    const bool silent = std::any_of(m_faults.begin(), m_faults.end(),
-        [this](const SimulatedFault &f) { return f.kind == "silent" && static_cast<double>(m_sent) >= f.at; });
-    if (silent || strikes("drop") != nullptr)
+    const FrameFate fate = m_faults.sent();
+    if (fate.lost)
         return;
     CanFrame sent = frame;
-    if (strikes("corrupt") != nullptr && sent.size > 0)
-        sent.data[m_sent % sent.size] ^= 0x55U;
-    if (const SimulatedFault *delay = strikes("delay")) {
-        const auto time
-            = std::chrono::duration_cast<Duration>(std::chrono::duration<double, std::milli>(delay->argument));
-        m_delayed.emplace(m_clock.now() + time, sent);
+    if (fate.corrupt && sent.size > 0)
+        sent.data[fate.number % sent.size] ^= 0x55U;
+    if (fate.delay) {
+        m_delayed.emplace(m_clock.now() + *fate.delay, sent);
         rearm();
         return;
     }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "simulation/simulator.h"
+#include "simulation/faultplan.h"
 #include "transport/canlink.h"
 
 #include <map>
-#include <vector>
 
 namespace mb::dmc60c::simulation {
 
@@ -13,7 +12,8 @@ namespace mb::dmc60c::simulation {
 /// the N-th frame sent.
 class Outbox {
 public:
-    Outbox(CanLink &link, Clock &clock, std::vector<SimulatedFault> faults);
+    /// All outlive it.
+    Outbox(CanLink &link, Clock &clock, FaultPlan &faults);
 
     /// Not before `delay` has passed, nor before what was posted earlier.
     void post(const CanFrame &frame, Duration delay);
@@ -24,15 +24,13 @@ public:
 private:
     void rearm();
     void flush();
-    [[nodiscard]] const SimulatedFault *strikes(std::string_view kind) const;
 
     CanLink &m_link;
     Clock &m_clock;
-    std::vector<SimulatedFault> m_faults;
+    FaultPlan &m_faults;
     std::multimap<Instant, CanFrame> m_waiting;
     std::multimap<Instant, CanFrame> m_delayed; ///< by a fault: others overtake
     Instant m_lastDue{};
-    std::uint64_t m_sent = 0;
     Timer m_timer;
 };
 

@@ -11,7 +11,6 @@ namespace {
 
 constexpr auto bootTime = std::chrono::milliseconds(15);        ///< from reset to the bootloader's decision
 constexpr auto applicationTime = std::chrono::milliseconds(25); ///< from there to the application's first action
-constexpr auto supplyGap = std::chrono::milliseconds(200);
 
 constexpr std::uint32_t edition = 0x00103U; ///< pdid bits 19…0
 
@@ -63,25 +62,31 @@ Unit::Unit(CanLink &link, Clock &clock, const UnitOptions &options, Notify notif
     , m_drive(Rig(*motorByName(options.motor), options.load, mix(options)), m_memory.ram().parameters, options.velocity,
           [this](Instant time, std::string_view what, double value) { this->notify(time, what, value); })
     , m_vendor(*this, m_processor, m_memory, m_application, options.crc)
-    , m_outbox(link, clock, options.faults)
+    , m_faults(clock, options.faults)
+    , m_outbox(link, clock, m_faults)
     , m_status(clock, m_drive, m_memory, m_outbox, m_random,
           [this] { return m_stage == Stage::Application && m_enumeration.session() != 0; })
     , m_parameters(clock, m_drive, m_memory, m_status,
           [this](std::span<const std::uint8_t> bytes) { sendReply(id::paramResponse, bytes); })
     , m_enumeration(clock, m_random, options.session, [this] { return sendEnumeration(); })
     , m_heartbeat(clock, m_processor, m_drive)
-    , m_faults(clock, options.faults, faultActions())
+    , m_supply(clock, [this](bool on) { switched(on); })
     , m_startTimer(clock)
 {
     listen(link);
-    if (m_options.has("encoder-reversed"))
+    scheduleFaults();
+    if (m_faults.has("encoder-reversed"))
         m_drive.rig().reverseEncoder();
     startBootloader(); // it has been powered long enough
     if (m_application.isRunnable())
         startApplication();
 }
 
-Unit::~Unit() = default;
+Drive &Unit::drive()
+{
+    m_drive.advance(m_clock.now());
+    return m_drive;
+}
 
 void Unit::listen(CanLink &link)
 {
@@ -96,41 +101,26 @@ void Unit::listen(CanLink &link)
     });
 }
 
-FaultPlan::Actions Unit::faultActions()
+void Unit::scheduleFaults()
 {
-    return {
-        .reset = [this] { resetBySelf(); },
-        .loseBus = [this] { loseBus(); },
-        .killEncoder =
-            [this] {
-                m_drive.advance(m_clock.now());
-                m_drive.rig().killEncoder();
-            },
-        .disturb = [this](std::string_view what, double value) { disturb(what, value); },
-    };
+    m_faults.at("reset", [this] { resetBySelf(); });
+    m_faults.at("busoff", [this] { loseBus(); });
+    m_faults.at("encoder-dead", [this] { drive().rig().killEncoder(); });
+    m_faults.at("stall", [this] { disturb("stall", 1.0); });
+    m_faults.sag([this](double volts) { disturb("bus-voltage", volts); });
 }
 
-void Unit::setPowered(bool powered)
+void Unit::switched(bool on)
 {
-    if (!powered && m_stage != Stage::Off) {
-        losePower(false);
-    } else if (!powered) {
-        m_startTimer.stop();
-    } else if (m_stage == Stage::Off) {
+    if (on) {
         note("power-on", 0.0);
-        start();
+        return start();
     }
-}
-
-void Unit::losePower(bool returns)
-{
     leave(Stage::Off);
     m_enumeration.end();
     m_order = {};
     m_memory.forgetChange();
     note("power-lost", 0.0);
-    if (returns)
-        m_startTimer.startIn(supplyGap, [this] { setPowered(true); });
 }
 
 void Unit::leave(Stage next)
@@ -227,37 +217,11 @@ void Unit::loseBus()
     }
 }
 
-bool Unit::isOutputOn()
-{
-    m_drive.advance(m_clock.now());
-    return m_drive.isOutputOn();
-}
-
-double Unit::speed()
-{
-    m_drive.advance(m_clock.now());
-    return m_drive.rig().speed();
-}
-
-double Unit::position()
-{
-    m_drive.advance(m_clock.now());
-    return m_drive.rig().position();
-}
-
-double Unit::current()
-{
-    m_drive.advance(m_clock.now());
-    return m_drive.rig().current();
-}
-
 bool Unit::disturb(std::string_view what, double value)
 {
-    const Instant now = m_clock.now();
-    m_drive.advance(now);
-    m_drive.wake();
+    drive().wake();
     if (what == "gate-fault") {
-        m_drive.setOutsideFault(faultbit::gateDriver, value != 0.0, now);
+        m_drive.setOutsideFault(faultbit::gateDriver, value != 0.0, m_clock.now());
         return true;
     }
     if (what == "flash-fail") {
@@ -269,9 +233,9 @@ bool Unit::disturb(std::string_view what, double value)
 
 bool Unit::failsDuring(int page)
 {
-    if (!m_faults.powerFailsWithPage(page))
+    if (!m_faults.failsWithPage(page))
         return false;
-    losePower(true);
+    m_supply.lose();
     return true;
 }
 
@@ -290,22 +254,18 @@ void Unit::receive(const CanFrame &frame)
         = m_stage == Stage::Off || m_stage == Stage::Starting || m_stage == Stage::Dead || m_faults.isBusOff();
     if (deaf || frame.error || frame.remote)
         return;
-    if (m_enumeration.session() == 0)
-        hear();
+    if (m_enumeration.session() == 0) {
+        m_enumeration.begin();
+        if (m_stage == Stage::Application) {
+            m_drive.setOutsideFault(faultbit::communication, false, m_clock.now());
+            m_status.start();
+        }
+    }
     if (!passesFilter(frame))
         return;
-    if (isAddressed(frame, m_memory.ram().number) && m_faults.powerFailsWithFrame())
-        return losePower(true);
+    if (isAddressed(frame, m_memory.ram().number) && m_faults.failsWithFrame())
+        return m_supply.lose();
     m_processor.take(frame);
-}
-
-void Unit::hear()
-{
-    m_enumeration.begin();
-    if (m_stage != Stage::Application)
-        return;
-    m_drive.setOutsideFault(faultbit::communication, false, m_clock.now());
-    m_status.start();
 }
 
 void Unit::overhear(const CanFrame &frame)
@@ -314,10 +274,8 @@ void Unit::overhear(const CanFrame &frame)
     if (m_stage != Stage::Application || messageOf(frame) != id::statusGeneral || frame.size != 8
         || device == m_memory.ram().number)
         return;
-    const Instant now = m_clock.now();
-    m_drive.advance(now);
-    if (device == m_drive.master())
-        m_drive.masterHeard(signExtend(readU16le(frame.bytes(), 0), 16), now);
+    if (device == drive().master())
+        m_drive.masterHeard(signExtend(readU16le(frame.bytes(), 0), 16), m_clock.now());
 }
 
 void Unit::handle(const CanFrame &frame)

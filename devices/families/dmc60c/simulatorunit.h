@@ -2,11 +2,11 @@
 #pragma once
 
 #include "families/dmc60c/simulatorenumeration.h"
-#include "families/dmc60c/simulatorfaultplan.h"
 #include "families/dmc60c/simulatorheartbeat.h"
 #include "families/dmc60c/simulatoroptions.h"
 #include "families/dmc60c/simulatorparameterport.h"
 #include "families/dmc60c/simulatorvendor.h"
+#include "simulation/supply.h"
 
 namespace mb::dmc60c::simulation {
 
@@ -16,13 +16,12 @@ public:
     using Notify = std::function<void(Instant, std::string_view, double)>;
 
     Unit(CanLink &link, Clock &clock, const UnitOptions &options, Notify notify);
-    ~Unit() override;
 
-    [[nodiscard]] bool isOutputOn();
-    [[nodiscard]] double speed();
-    [[nodiscard]] double position();
-    [[nodiscard]] double current(); ///< A
-    void setPowered(bool powered);
+    [[nodiscard]] bool isOutputOn() { return drive().isOutputOn(); }
+    [[nodiscard]] double speed() { return drive().rig().speed(); }
+    [[nodiscard]] double position() { return drive().rig().position(); }
+    [[nodiscard]] double current() { return drive().rig().current(); } ///< A
+    void setPowered(bool powered) { m_supply.set(powered); }
     [[nodiscard]] std::vector<std::uint8_t> flash() const { return m_application.bytes(); }
     bool disturb(std::string_view what, double value);
 
@@ -40,10 +39,12 @@ private:
         std::optional<CommandStatus> announce; ///< to be said then
     };
 
+    /// As it is now.
+    [[nodiscard]] Drive &drive();
     void listen(CanLink &link);
-    [[nodiscard]] FaultPlan::Actions faultActions();
+    void scheduleFaults();
 
-    void losePower(bool returns);
+    void switched(bool on);
     void start();
     void startBootloader();
     void startApplication();
@@ -52,7 +53,6 @@ private:
     void loseBus();
 
     void receive(const CanFrame &frame);
-    void hear();
     void handle(const CanFrame &frame);
     void handleForNumber(std::uint32_t message, const CanFrame &frame);
     void overhear(const CanFrame &frame);
@@ -76,6 +76,7 @@ private:
     ConfigMemory m_memory;
     Drive m_drive;
     VendorPort m_vendor;
+    FaultPlan m_faults;
     Outbox m_outbox;
     StatusSender m_status;
     ParameterPort m_parameters;
@@ -83,7 +84,7 @@ private:
     Heartbeat m_heartbeat;
     Stage m_stage = Stage::Off;
     Order m_order;
-    FaultPlan m_faults;
+    Supply m_supply;
     Timer m_startTimer;
     std::array<Subscription, 3> m_heard; ///< frames, others' frames, the state of the link
 };

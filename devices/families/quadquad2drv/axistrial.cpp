@@ -44,7 +44,7 @@ AxisTrial::AxisTrial(Controller &board, SetPointStream &stream, const Experiment
     , m_options(options)
     , m_progress(progress)
     , m_axis(options.axis - 1)
-    , m_mask(static_cast<std::uint8_t>(1U << static_cast<unsigned>(m_axis)))
+    , m_mask(maskOf(m_axis))
     , m_most(options.power * fullPower)
     , m_samples(board.telemetry()->samples().add([this](const Sample &sample) {
         if (sample.channel != channelOf(m_axis, AxisChannel::Position))

@@ -13,23 +13,15 @@ namespace {
 
 constexpr std::array<std::size_t, 4> positionBytes{0, 1, 2, 4};
 
-void put8(Bytes &out, std::uint32_t value)
+/// Each value with the bytes of its type, the least first.
+template <class... Values> Bytes request(PacketId id, Values... values)
 {
-    out.push_back(static_cast<std::uint8_t>(value & 0xFFU));
-}
-void put16(Bytes &out, std::uint32_t value)
-{
-    put8(out, value);
-    put8(out, value >> 8U);
-}
-void put32(Bytes &out, std::uint32_t value)
-{
-    put16(out, value);
-    put16(out, value >> 16U);
-}
-
-Bytes packet(PacketId id, const Bytes &payload)
-{
+    Bytes payload;
+    const auto put = [&payload](auto value) {
+        for (std::size_t i = 0; i < sizeof value; ++i)
+            payload.push_back(static_cast<std::uint8_t>(static_cast<std::uint32_t>(value) >> (8U * i)));
+    };
+    (put(values), ...);
     return encode(static_cast<std::uint8_t>(id), payload);
 }
 
@@ -120,24 +112,22 @@ std::size_t PacketReader::missing()
 
 Bytes getRequest(PacketId id)
 {
-    return packet(id, {});
+    return encode(static_cast<std::uint8_t>(id), {});
 }
 
 Bytes setStreamPeriod(std::uint16_t units)
 {
-    Bytes payload;
-    put16(payload, units);
-    return packet(PacketId::SetStreamPeriod, payload);
+    return request(PacketId::SetStreamPeriod, units);
 }
 
 Bytes setDataMask(std::uint8_t mask, std::uint8_t data)
 {
-    return packet(PacketId::SetDataMask, {mask, data});
+    return request(PacketId::SetDataMask, mask, data);
 }
 
 Bytes setStreamConfig(std::uint8_t bits)
 {
-    return packet(PacketId::SetStreamConfig, {bits});
+    return request(PacketId::SetStreamConfig, bits);
 }
 
 Bytes setPosition(std::uint8_t mask, int size, std::int32_t position)
@@ -145,23 +135,23 @@ Bytes setPosition(std::uint8_t mask, int size, std::int32_t position)
     Bytes payload{static_cast<std::uint8_t>(mask | (size << 4))};
     const auto value = static_cast<std::uint32_t>(position);
     for (std::size_t i = 0; i < positionBytes[static_cast<std::size_t>(size)]; ++i)
-        put8(payload, value >> (8U * i));
-    return packet(PacketId::SetPosition, payload);
+        payload.push_back(static_cast<std::uint8_t>(value >> (8U * i)));
+    return encode(static_cast<std::uint8_t>(PacketId::SetPosition), payload);
 }
 
 Bytes getPositions(const std::array<std::uint8_t, axes> &sizes)
 {
-    return packet(PacketId::GetPosition, Bytes(sizes.begin(), sizes.end()));
+    return encode(static_cast<std::uint8_t>(PacketId::GetPosition), sizes);
 }
 
 Bytes getPositions(std::uint8_t mask)
 {
-    return packet(PacketId::GetPosition, {mask});
+    return request(PacketId::GetPosition, mask);
 }
 
 Bytes setHistory(std::uint8_t length, std::uint8_t timeBits)
 {
-    return packet(PacketId::SetHistory, {length, timeBits});
+    return request(PacketId::SetHistory, length, timeBits);
 }
 
 std::uint8_t inputConfiguration(int mode, int polarity, int edge, const Readings &readings)
@@ -176,93 +166,67 @@ std::uint8_t inputConfiguration(int mode, int polarity, int edge, const Readings
 
 Bytes setInputMode(std::uint8_t mask, const InputSettings &settings)
 {
-    Bytes payload{mask, settings.configuration};
-    if ((settings.configuration & 0x03U) != static_cast<unsigned>(InputMode::Disabled)) {
-        put16(payload, settings.spacing);
-        put32(payload, static_cast<std::uint32_t>(settings.position));
-    }
-    return packet(PacketId::SetInputMode, payload);
+    if ((settings.configuration & 0x03U) == static_cast<unsigned>(InputMode::Disabled))
+        return request(PacketId::SetInputMode, mask, settings.configuration);
+    return request(PacketId::SetInputMode, mask, settings.configuration, settings.spacing, settings.position);
 }
 
 Bytes setControlMode(std::uint8_t mask, ControlMode mode)
 {
-    return packet(PacketId::SetControlMode, {mask, static_cast<std::uint8_t>(mode)});
+    return request(PacketId::SetControlMode, mask, static_cast<std::uint8_t>(mode));
 }
 
 Bytes setPower(std::uint8_t mask, std::int16_t power)
 {
-    Bytes payload{mask};
-    put16(payload, static_cast<std::uint16_t>(power));
-    return packet(PacketId::SetPower, payload);
+    return request(PacketId::SetPower, mask, power);
 }
 
 Bytes setPositionTarget(std::uint8_t mask, std::int32_t counts)
 {
-    Bytes payload{mask};
-    put32(payload, static_cast<std::uint32_t>(counts));
-    return packet(PacketId::SetPositionTarget, payload);
+    return request(PacketId::SetPositionTarget, mask, counts);
 }
 
 Bytes setVelocityTarget(std::uint8_t mask, double countsPerSecond, const Readings &readings)
 {
     const auto raw = toFixed(countsPerSecond, readings.velocityTargetShifted ? limitOne : 1.0);
-    Bytes payload{mask};
-    put32(payload, static_cast<std::uint32_t>(static_cast<std::int32_t>(raw)));
-    return packet(PacketId::SetVelocityTarget, payload);
+    return request(PacketId::SetVelocityTarget, mask, static_cast<std::int32_t>(raw));
 }
 
 Bytes setPowerLimit(std::uint8_t mask, std::uint16_t power)
 {
-    Bytes payload{mask};
-    put16(payload, power);
-    return packet(PacketId::SetPowerLimit, payload);
+    return request(PacketId::SetPowerLimit, mask, power);
 }
 
 Bytes setVelocityLimit(std::uint8_t mask, std::uint32_t raw)
 {
-    Bytes payload{mask};
-    put32(payload, raw);
-    return packet(PacketId::SetVelocityLimit, payload);
+    return request(PacketId::SetVelocityLimit, mask, raw);
 }
 
 Bytes setAccelerationLimit(std::uint8_t mask, std::uint32_t raw)
 {
-    Bytes payload{mask};
-    put32(payload, raw);
-    return packet(PacketId::SetAccelerationLimit, payload);
+    return request(PacketId::SetAccelerationLimit, mask, raw);
 }
 
 Bytes setPositionGains(std::uint8_t mask, const std::array<std::uint16_t, 4> &pidWindup)
 {
-    Bytes payload{mask};
-    for (const std::uint16_t value : pidWindup)
-        put16(payload, value);
-    return packet(PacketId::SetPositionGains, payload);
+    const auto [p, i, d, windup] = pidWindup;
+    return request(PacketId::SetPositionGains, mask, p, i, d, windup);
 }
 
 Bytes setVelocityGains(std::uint8_t mask, const std::array<std::uint16_t, 3> &pid)
 {
-    Bytes payload{mask};
-    for (const std::uint16_t value : pid)
-        put16(payload, value);
-    return packet(PacketId::SetVelocityGains, payload);
+    const auto [p, i, d] = pid;
+    return request(PacketId::SetVelocityGains, mask, p, i, d);
 }
 
 Bytes rampPosition(std::uint8_t mask, std::int32_t counts, double velocity, double acceleration)
 {
-    Bytes payload{mask};
-    put32(payload, static_cast<std::uint32_t>(counts));
-    put32(payload, limitRaw(velocity));
-    put32(payload, limitRaw(acceleration));
-    return packet(PacketId::RampPosition, payload);
+    return request(PacketId::RampPosition, mask, counts, limitRaw(velocity), limitRaw(acceleration));
 }
 
 Bytes rampVelocity(std::uint8_t mask, std::int32_t countsPerSecond, double acceleration)
 {
-    Bytes payload{mask};
-    put32(payload, static_cast<std::uint32_t>(countsPerSecond));
-    put32(payload, limitRaw(acceleration));
-    return packet(PacketId::RampVelocity, payload);
+    return request(PacketId::RampVelocity, mask, countsPerSecond, limitRaw(acceleration));
 }
 
 std::optional<std::int8_t> returnCode(const Packet &reply)

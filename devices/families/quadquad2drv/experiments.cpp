@@ -84,7 +84,7 @@ Task<bool> isActive(Controller &board, int axis, int bit)
 {
     InputSettings input;
     input.configuration = static_cast<std::uint8_t>(static_cast<int>(InputMode::Home) | bit << 3);
-    auto telling = board.tell(setInputMode(static_cast<std::uint8_t>(1U << static_cast<unsigned>(axis)), input));
+    auto telling = board.tell(setInputMode(maskOf(axis), input));
     co_await std::move(telling);
     co_await Sleep(board.clock(), settling);
     auto asking = board.askStatus(axis);

@@ -4,8 +4,6 @@
 #include "families/quadquad2drv/simulatorboot.h"
 #include "simulation/simulatoroptions.h"
 
-#include <algorithm>
-
 namespace mb::quadquad2drv {
 namespace simulation {
 namespace {
@@ -31,9 +29,6 @@ bool setBoot(BoardOptions &options, std::string_view text)
         options.boot = *address;
     return address.has_value();
 }
-
-constexpr std::array<std::string_view, 11> knownFaults{"drop", "corrupt", "delay", "silent", "power", "reset",
-    "encoder-dead", "encoder-reversed", "brownout", "stall", "power-page"};
 
 constexpr std::array optionTable{
     Option{"motor",
@@ -67,16 +62,8 @@ Result<BoardOptions> BoardOptions::parse(const SimulatedUnit &unit)
         return fail(Fault::OutOfRange, say("a QuadQuad2Drv has no address but 0"));
     BoardOptions options;
     options.motors = {"25d", "n20", "25dlp", "25d"};
-    options.seed = unit.seed;
-    if (auto taken = takeOptions(unit, say("a simulated QuadQuad2Drv"), optionTable, options); !taken)
+    if (auto taken = takeOptions(unit, say("a simulated QuadQuad2Drv"), optionTable, {"power-page"}, options); !taken)
         return fail(taken.error());
-    auto faults = takeFaults(unit, say("a simulated QuadQuad2Drv"), knownFaults);
-    if (!faults)
-        return fail(faults.error());
-    options.faults = std::move(*faults);
-    // the timed ones in order, so that one index serves
-    std::stable_sort(options.faults.begin(), options.faults.end(),
-        [](const SimulatedFault &a, const SimulatedFault &b) { return a.at < b.at; });
     if ((options.jumper || options.inBootloader) && !options.boot)
         return fail(Fault::OutOfRange, say("a bootloader needs the board's serial line, such as boot=pty:./boot"));
     return options;

@@ -7,8 +7,6 @@ namespace mb::quadquad2drv::simulation {
 namespace {
 
 constexpr Duration loopPeriod = std::chrono::milliseconds(2);
-constexpr Duration powerBack = std::chrono::milliseconds(200);
-constexpr Duration brownout = std::chrono::seconds(6);
 constexpr Duration startTime = std::chrono::milliseconds(50); ///< README.md#reset
 
 } // namespace
@@ -16,7 +14,6 @@ constexpr Duration startTime = std::chrono::milliseconds(50); ///< README.md#res
 Board::Board(SpiSlaveLink &link, Clock &clock, const BoardOptions &options, Notify notify)
     : m_link(link)
     , m_clock(clock)
-    , m_options(options)
     , m_notify(std::move(notify))
     , m_commands(m_axes, options.shiftedTarget,
           [this] {
@@ -28,17 +25,15 @@ Board::Board(SpiSlaveLink &link, Clock &clock, const BoardOptions &options, Noti
     , m_due(m_begun + loopPeriod)
     , m_loop(clock)
     , m_stream(clock)
-    , m_supply{true, {}, Timer(clock)}
+    , m_faults(clock, options.faults)
+    , m_supply(clock, [this](bool on) { switched(on); })
 {
     m_commands.version = options.version;
     for (std::size_t i = 0; i < axes; ++i) {
         m_axes[i] = std::make_unique<Axis>(*motorByName(options.motors[i]), options.loads[i]);
         m_axes[i]->setNature(options.gainScale, options.libraryPolarity);
     }
-    for (const SimulatedFault &fault : options.faults) {
-        if (fault.kind == "encoder-reversed")
-            m_axes.front()->motor().setEncoderReversed(true);
-    }
+    scheduleFaults();
     m_link.attach(this);
     m_loop.start(m_due, [this] { loop(); });
 }
@@ -61,29 +56,20 @@ void Board::loop()
     const double seconds = std::chrono::duration<double>(m_due - m_begun).count();
     for (const auto &axis : m_axes)
         axis->step(seconds);
-    afterFault(std::chrono::duration<double>(m_clock.now() - m_begun).count());
     noteOutput();
     m_due = next(m_due, loopPeriod);
     m_loop.start(m_due, [this] { loop(); });
 }
 
-void Board::afterFault(double seconds)
+void Board::scheduleFaults()
 {
-    for (; m_nextFault < m_options.faults.size(); ++m_nextFault) {
-        const SimulatedFault &fault = m_options.faults[m_nextFault];
-        const bool timed = fault.kind == "reset" || fault.kind == "encoder-dead" || fault.kind == "stall"
-            || fault.kind == "brownout";
-        if (timed && fault.at > seconds)
-            return;
-        if (fault.kind == "reset")
-            reset();
-        else if (fault.kind == "brownout")
-            losePower(brownout);
-        else if (fault.kind == "encoder-dead")
-            m_axes.front()->motor().setEncoderDead(true);
-        else if (fault.kind == "stall")
-            m_axes.front()->motor().setLocked(true);
-    }
+    MotorModel &motor = m_axes.front()->motor();
+    motor.setEncoderReversed(m_faults.has("encoder-reversed"));
+    constexpr Duration behindTheLoop(1); // which passes at the same moment
+    m_faults.after("reset", behindTheLoop, [this] { reset(); });
+    m_faults.after("brownout", behindTheLoop, [this] { m_supply.lose(FaultPlan::brownoutTime); });
+    m_faults.after("encoder-dead", behindTheLoop, [&motor] { motor.setEncoderDead(true); });
+    m_faults.after("stall", behindTheLoop, [&motor] { motor.setLocked(true); });
 }
 
 void Board::noteOutput()
@@ -96,7 +82,7 @@ void Board::noteOutput()
 
 void Board::reset()
 {
-    if (m_supply.on)
+    if (m_supply.isOn())
         begin();
 }
 
@@ -104,7 +90,7 @@ void Board::reset()
 void Board::begin()
 {
     restart();
-    m_supply.awake = m_clock.now() + startTime;
+    m_awake = m_clock.now() + startTime;
     if (m_startListener)
         m_startListener(true);
 }
@@ -123,32 +109,21 @@ void Board::restart()
     m_link.readyChanged();
 }
 
-void Board::setPowered(bool powered)
+void Board::switched(bool on)
 {
-    m_supply.back.stop();
-    if (powered == m_supply.on)
-        return;
-    m_supply.on = powered;
-    if (powered) {
-        begin();
-        return;
-    }
+    if (on)
+        return begin();
     restart();
     if (m_startListener)
         m_startListener(false);
 }
 
-void Board::losePower()
+bool Board::failsWithLine(int line)
 {
-    losePower(powerBack);
-}
-
-void Board::losePower(Duration gap)
-{
-    if (!m_supply.on)
-        return;
-    setPowered(false);
-    m_supply.back.startIn(gap, [this] { setPowered(true); });
+    const bool fails = m_faults.failsWithPage(line);
+    if (fails)
+        m_supply.lose();
+    return fails;
 }
 
 void Board::setRunning(bool running)
@@ -156,7 +131,7 @@ void Board::setRunning(bool running)
     if (running == m_running)
         return;
     m_running = running;
-    m_supply.awake = m_clock.now() + startTime;
+    m_awake = m_clock.now() + startTime;
     restart();
 }
 
@@ -174,13 +149,8 @@ void Board::transfer(std::span<const std::uint8_t> mosi, std::span<std::uint8_t>
 
 void Board::execute(const Bytes &packet)
 {
-    ++m_counts.heard;
-    for (const SimulatedFault &fault : m_options.faults) {
-        if (fault.kind == "power" && static_cast<int>(fault.at) == m_counts.heard) {
-            losePower();
-            return;
-        }
-    }
+    if (m_faults.failsWithFrame())
+        return m_supply.lose();
     const std::uint8_t id = packet[2];
     const std::span<const std::uint8_t> payload(packet.data() + 3, packet.size() - overhead);
     if (auto reply = m_commands.answer(id, payload)) {
@@ -195,24 +165,17 @@ void Board::execute(const Bytes &packet)
 
 void Board::send(std::uint8_t id, const Bytes &payload)
 {
-    ++m_counts.sent;
     Bytes packet{stx, static_cast<std::uint8_t>(payload.size() + overhead), id};
     packet.insert(packet.end(), payload.begin(), payload.end());
     packet.push_back(static_cast<std::uint8_t>(0x100U - sumOf(packet)));
-    for (const SimulatedFault &fault : m_options.faults) {
-        const bool now = static_cast<int>(fault.at) == m_counts.sent;
-        if ((fault.kind == "drop" && now) || (fault.kind == "silent" && fault.at <= m_counts.sent))
-            return;
-        if (fault.kind == "corrupt" && now)
-            packet.back() ^= 0x10U;
-        if (fault.kind == "delay" && now) {
-            const std::chrono::duration<double, std::milli> late(fault.argument);
-            m_late.emplace_back(m_clock).startIn(
-                std::chrono::duration_cast<Duration>(late), [this, packet] { deliver(packet); });
-            return;
-        }
-    }
-    deliver(std::move(packet));
+    const FrameFate fate = m_faults.sent();
+    if (fate.lost)
+        return;
+    if (fate.corrupt)
+        packet.back() ^= 0x10U;
+    if (!fate.delay)
+        return deliver(std::move(packet));
+    m_late.emplace_back(m_clock).startIn(*fate.delay, [this, packet] { deliver(packet); });
 }
 
 void Board::deliver(Bytes packet)

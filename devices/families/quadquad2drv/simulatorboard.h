@@ -4,7 +4,8 @@
 #include "families/quadquad2drv/simulatorcommands.h"
 #include "families/quadquad2drv/simulatoroutbox.h"
 #include "families/quadquad2drv/simulatorreader.h"
-#include "simulation/simulator.h"
+#include "simulation/faultplan.h"
+#include "simulation/supply.h"
 #include "transport/spilink.h"
 
 #include <functional>
@@ -45,9 +46,9 @@ public:
 
     /// Hears of each start of the processor (supply, reset) with true, and of the supply's end with false.
     void setStartListener(std::function<void(bool started)> listener) { m_startListener = std::move(listener); }
-    void setPowered(bool powered);
-    /// The supply goes and comes back by itself.
-    void losePower();
+    void setPowered(bool powered) { m_supply.set(powered); }
+    /// This line of firmware came; whether the supply went with it.
+    [[nodiscard]] bool failsWithLine(int line);
     /// No application answers while the bootloader runs.
     void setRunning(bool running);
     void setVersion(std::array<std::uint8_t, 3> version) { m_commands.version = version; }
@@ -58,18 +59,8 @@ public:
 private:
     using Bytes = std::vector<std::uint8_t>;
 
-    struct Supply {
-        bool on = true;
-        Instant awake{}; ///< the application answers from here on
-        Timer back;
-    };
-    struct Counts {
-        int sent = 0;
-        int heard = 0;
-    };
-
     [[nodiscard]] Instant next(Instant due, Duration period) const;
-    [[nodiscard]] bool answers() const { return m_supply.on && m_running && m_clock.now() >= m_supply.awake; }
+    [[nodiscard]] bool answers() const { return m_supply.isOn() && m_running && m_clock.now() >= m_awake; }
     void loop();
     void begin();
     void restart();
@@ -77,14 +68,13 @@ private:
     void send(std::uint8_t id, const Bytes &payload);
     void stream();
     void armStream();
-    void afterFault(double seconds);
+    void scheduleFaults();
     void deliver(Bytes packet);
-    void losePower(Duration gap);
+    void switched(bool on);
     void noteOutput();
 
     SpiSlaveLink &m_link;
     Clock &m_clock;
-    BoardOptions m_options;
     Notify m_notify;
     std::function<void(bool)> m_startListener;
     Axes m_axes;
@@ -92,14 +82,14 @@ private:
     RequestReader m_reader;
     Outbox m_out;
     std::uint8_t m_elapsed = 0;
-    Counts m_counts;
     bool m_running = true;
     bool m_outputOn = false;
     Instant m_begun{};
-    Instant m_due{}; ///< of the loop's next pass
-    std::size_t m_nextFault = 0;
+    Instant m_due{};   ///< of the loop's next pass
+    Instant m_awake{}; ///< the application answers from here on
     Timer m_loop;
     Timer m_stream;
+    FaultPlan m_faults;
     Supply m_supply;
     std::list<Timer> m_late; ///< packets that a fault delays
 };

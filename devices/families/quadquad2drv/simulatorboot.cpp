@@ -76,10 +76,6 @@ Boot::Boot(SerialLink &link, Clock &clock, Board &board, const BoardOptions &opt
     , m_banner(clock)
     , m_answer(clock)
 {
-    for (const SimulatedFault &fault : options.faults) {
-        if (fault.kind == "power-page")
-            m_failLine = static_cast<int>(fault.at);
-    }
     m_jumper = options.jumper || options.inBootloader;
     m_board.setStartListener([this](bool started) {
         if (started)
@@ -161,11 +157,8 @@ void Boot::take(const std::string &line)
         leave();
         return;
     }
-    if (++m_lines == m_failLine) {
-        m_failLine = 0;
-        m_board.losePower();
+    if (m_board.failsWithLine(++m_lines))
         return;
-    }
     const bool good = program(line);
     m_answer.startIn(programming, [this, good] { report(good ? "ok" : "error: bad line"); });
 }

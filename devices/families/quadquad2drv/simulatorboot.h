@@ -49,7 +49,6 @@ private:
     std::unique_ptr<SerialLink> m_own;
     SerialLink &m_link;
     Board &m_board;
-    int m_failLine = 0; ///< of the fault power-page: the line at which the supply goes
     std::string m_text;
     int m_lines = 0;
     bool m_running = false;

@@ -59,11 +59,11 @@ void keep(Roster &roster, const Node &node, const Interview &said)
     if (said.dialect)
         roster.noteMask(node.id, said.mask);
     if (said.gainP)
-        roster.noteGain(node.id, *said.gainP);
+        roster.noteSetting(node.id, Command::P, said.gainP);
     if (said.profileVelocity)
-        roster.noteProfileVelocity(node.id, *said.profileVelocity);
+        roster.noteSetting(node.id, Command::ProfileVelocity, said.profileVelocity);
     if (said.profileAcceleration)
-        roster.noteProfileAcceleration(node.id, *said.profileAcceleration);
+        roster.noteSetting(node.id, Command::ProfileAcceleration, said.profileAcceleration);
 }
 
 } // namespace

@@ -119,10 +119,8 @@ void Motion::send(Step step)
     }
     request->rank = Line::Rank::Move;
     request->settles = step == Step::Look && m_orders.front().relative;
-    if (step == Step::Velocity) // whether the node has it is not known before it says so
-        m_line.roster().noteProfileVelocity(m_node.id, std::nullopt);
-    else if (step == Step::Acceleration)
-        m_line.roster().noteProfileAcceleration(m_node.id, std::nullopt);
+    // whether the node has it is not known before it says so
+    m_line.roster().noteSetting(m_node.id, static_cast<Command>(request->frame.command), std::nullopt);
     m_step = step;
     ++m_tries;
     m_ticket = m_line.submit(*request, [this, step](const Result<Frame> &reply) { answered(step, reply); });
@@ -211,11 +209,9 @@ void Motion::stored(Step step)
     const SetPoint &order = m_orders.front();
     const bool speed = step == Step::Velocity;
     const std::int64_t raw = std::llround(speed ? order.velocity : order.acceleration);
-    if (speed)
-        m_line.roster().noteProfileVelocity(m_node.id, raw);
-    else
-        m_line.roster().noteProfileAcceleration(m_node.id, raw);
-    m_events.stored(speed ? Command::ProfileVelocity : Command::ProfileAcceleration, raw);
+    const Command command = speed ? Command::ProfileVelocity : Command::ProfileAcceleration;
+    m_line.roster().noteSetting(m_node.id, command, raw);
+    m_events.stored(command, raw);
 }
 
 // A target that is passed

@@ -62,7 +62,7 @@ Task<void> NodeSettings::writeNumber(Command command, std::int64_t raw)
     auto request = setting(node, command, raw);
     if (!request)
         co_return fail(request.error());
-    noteSent(command);
+    m_line.roster().noteSetting(m_node.id, command, std::nullopt); // a write that is broken off may be in the node
     auto task = talk(*request);
     (void)co_await std::move(task);
     co_return {};
@@ -127,26 +127,10 @@ Task<std::int64_t> NodeSettings::write(ParameterIndex index, std::int64_t raw)
 
 void NodeSettings::noteRead(const Parameter &row, std::int64_t raw)
 {
-    Roster &roster = m_line.roster();
-    switch (row.id) {
-    case id::gainP: roster.noteGain(m_node.id, raw); break;
-    case id::profileVelocity: roster.noteProfileVelocity(m_node.id, raw); break;
-    case id::profileAcceleration: roster.noteProfileAcceleration(m_node.id, raw); break;
-    case id::nodeMask: roster.noteMask(m_node.id, static_cast<std::uint8_t>(raw)); break;
-    default: break;
-    }
-}
-
-/// A write that is broken off may be in the node.
-void NodeSettings::noteSent(Command command)
-{
-    Roster &roster = m_line.roster();
-    switch (command) {
-    case Command::P: roster.noteGain(m_node.id, std::nullopt); break;
-    case Command::ProfileVelocity: roster.noteProfileVelocity(m_node.id, std::nullopt); break;
-    case Command::ProfileAcceleration: roster.noteProfileAcceleration(m_node.id, std::nullopt); break;
-    default: break;
-    }
+    if (row.id == id::nodeMask)
+        m_line.roster().noteMask(m_node.id, static_cast<std::uint8_t>(raw));
+    else
+        m_line.roster().noteSetting(m_node.id, setterOf(row), raw);
 }
 
 /// What is in force after a restart only counts from now on, because nobody says when that comes.

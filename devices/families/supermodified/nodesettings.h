@@ -29,7 +29,6 @@ private:
     [[nodiscard]] Task<std::int64_t> readNumber(Command command);
     [[nodiscard]] Task<void> writeNumber(Command command, std::int64_t raw);
     [[nodiscard]] Task<void> writeDuration(std::int64_t raw);
-    void noteSent(Command command);
     void noteWritten(const Parameter &row, std::int64_t raw);
     void noteRead(const Parameter &row, std::int64_t raw);
 

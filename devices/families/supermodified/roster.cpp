@@ -51,6 +51,16 @@ void Roster::noteNextId(int node, int written)
     chooseHost();
 }
 
+void Roster::noteSetting(int node, Command command, std::optional<std::int64_t> raw)
+{
+    switch (command) {
+    case Command::P: m_nodes[node].gainP = raw; break;
+    case Command::ProfileVelocity: m_nodes[node].profileVelocity = raw; break;
+    case Command::ProfileAcceleration: m_nodes[node].profileAcceleration = raw; break;
+    default: break;
+    }
+}
+
 bool Roster::isClaimed(int id, int node) const
 {
     return std::any_of(m_nodes.begin(), m_nodes.end(), [id, node](const auto &known) {

@@ -34,13 +34,9 @@ public:
     void noteMask(int node, std::uint8_t inForce);
     void noteNextMask(int node, std::uint8_t written);
     void noteNextId(int node, int written);
-    /// These three: not known from when another value is sent until it is acknowledged.
-    void noteGain(int node, std::optional<std::int64_t> p) { m_nodes[node].gainP = p; }
-    void noteProfileVelocity(int node, std::optional<std::int64_t> ticks) { m_nodes[node].profileVelocity = ticks; }
-    void noteProfileAcceleration(int node, std::optional<std::int64_t> ticks)
-    {
-        m_nodes[node].profileAcceleration = ticks;
-    }
+    /// P, and velocity and acceleration of a profile: not known from when another value is sent until it is acknowledged. What
+    /// other commands set is not kept.
+    void noteSetting(int node, Command command, std::optional<std::int64_t> raw);
     /// Another node than `node` has this id, or will have it after a restart.
     [[nodiscard]] bool isClaimed(int id, int node) const;
     /// It is not there.

@@ -2,6 +2,7 @@
 #include "families/supermodified/simulator.h"
 
 #include "families/supermodified/simulatorunit.h"
+#include "simulation/faultplan.h"
 #include "simulation/simulatedtwins.h"
 
 namespace mb::supermodified {
@@ -15,7 +16,7 @@ Result<std::unique_ptr<Simulator>> simulate(Link &link, Clock &clock, const Simu
         return fail(options.error());
     auto made = std::make_unique<SimulatedTwins<simulation::Unit>>("supermodified:" + std::to_string(options->node));
     made->add(*serial, clock, *options);
-    if (options->has("duplicate")) {
+    if (findFault(options->faults, "duplicate")) {
         simulation::UnitOptions twin = *options;
         twin.seed ^= 0x5DEECE66DULL;
         made->add(*serial, clock, twin);

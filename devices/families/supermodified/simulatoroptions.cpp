@@ -23,9 +23,6 @@ bool setBaudrate(UnitOptions &options, std::string_view text)
     return good;
 }
 
-constexpr std::array<std::string_view, 11> knownFaults{"drop", "corrupt", "delay", "silent", "power", "reset",
-    "encoder-dead", "encoder-reversed", "brownout", "stall", "duplicate"};
-
 constexpr std::array optionTable{
     Option{"dialect", [](UnitOptions &o, std::string_view text) { return takeWord(text, dialects, o.dialect); }},
     Option{"motor", [](UnitOptions &o, std::string_view text) { return takeMotor(text, o.motor); }},
@@ -47,19 +44,9 @@ Result<UnitOptions> UnitOptions::parse(const SimulatedUnit &unit)
         return fail(Fault::OutOfRange, say("a Supermodified has an id from 1 to 127, not %1", unit.address));
     UnitOptions options;
     options.node = unit.address;
-    options.seed = unit.seed;
-    if (auto taken = takeOptions(unit, say("a simulated Supermodified"), optionTable, options); !taken)
+    if (auto taken = takeOptions(unit, say("a simulated Supermodified"), optionTable, {"duplicate"}, options); !taken)
         return fail(taken.error());
-    auto faults = takeFaults(unit, say("a simulated Supermodified"), knownFaults);
-    if (!faults)
-        return fail(faults.error());
-    options.faults = std::move(*faults);
     return options;
-}
-
-bool UnitOptions::has(std::string_view fault) const
-{
-    return findFault(faults, fault) != nullptr;
 }
 
 } // namespace mb::supermodified::simulation

@@ -25,7 +25,6 @@ struct UnitOptions {
     std::vector<SimulatedFault> faults;
 
     [[nodiscard]] static Result<UnitOptions> parse(const SimulatedUnit &unit);
-    [[nodiscard]] bool has(std::string_view fault) const;
 };
 
 } // namespace mb::supermodified::simulation

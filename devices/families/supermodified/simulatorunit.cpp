@@ -9,8 +9,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Duration supplyGap = 200ms;
-constexpr Duration brownout = 6s;
 constexpr Duration carePeriod = 20ms; ///< how often a turning motor is computed when nobody asks
 constexpr Duration halfPacketTime = 50ms;
 
@@ -40,11 +38,6 @@ Eeprom stored(const UnitOptions &options, const SerialLink &link)
     return eeprom;
 }
 
-Duration seconds(double time)
-{
-    return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(time));
-}
-
 } // namespace
 
 Unit::Unit(SerialLink &link, Clock &clock, const UnitOptions &options, Notify notify)
@@ -54,9 +47,10 @@ Unit::Unit(SerialLink &link, Clock &clock, const UnitOptions &options, Notify no
     , m_notify(std::move(notify))
     , m_drive(options.dialect, *motorByName(options.motor), options.load, options.seed)
     , m_firmware(options.dialect, m_drive, stored(options, link))
+    , m_faults(clock, options.faults)
+    , m_supply(clock, [this](bool on) { fed(on); })
     , m_reply(clock)
     , m_half(clock)
-    , m_supply(clock)
     , m_care(clock)
     , m_received(link.received().add([this](std::span<const std::uint8_t> bytes) { receive(bytes); }))
     , m_lineErrors(link.lineErrors().add([this] { lineError(); }))
@@ -85,13 +79,13 @@ void Unit::restart()
 
 void Unit::receive(std::span<const std::uint8_t> bytes)
 {
-    if (!m_powered)
+    if (!m_supply.isOn())
         return;
     m_drive.advance(m_clock.now());
     for (const std::uint8_t byte : bytes) {
         if (auto reply = m_firmware.take(byte, m_clock.now()))
             answer(std::move(*reply));
-        if (!m_powered)
+        if (!m_supply.isOn())
             return;
     }
     if (m_options.halfPacket && m_firmware.isReceiving())
@@ -102,39 +96,34 @@ void Unit::receive(std::span<const std::uint8_t> bytes)
 
 void Unit::lineError()
 {
-    if (m_powered)
+    if (m_supply.isOn())
         m_firmware.report(code::uartFrame);
-}
-
-const SimulatedFault *Unit::faultFor(std::string_view kind, std::uint64_t number) const
-{
-    const auto fault = std::find_if(m_options.faults.begin(), m_options.faults.end(), [&](const SimulatedFault &f) {
-        const bool fromThenOn = f.kind == "silent" && static_cast<double>(number) > f.at;
-        return f.kind == kind && (f.at == static_cast<double>(number) || fromThenOn);
-    });
-    return fault == m_options.faults.end() ? nullptr : &*fault;
 }
 
 void Unit::answer(Firmware::Answer answer)
 {
-    ++m_sent;
-    if (faultFor("drop", m_sent) || faultFor("silent", m_sent))
+    const FrameFate fate = m_faults.sent();
+    if (fate.lost)
         return;
-    if (faultFor("corrupt", m_sent))
+    if (fate.corrupt)
         answer.bytes[answer.bytes.size() / 2] ^= 0x10U;
-    Duration delay = answer.busy;
-    if (const SimulatedFault *late = faultFor("delay", m_sent))
-        delay += seconds(late->argument / 1000.0);
-    m_reply.startIn(delay, [this, bytes = std::move(answer.bytes)] { transmit(bytes); });
+    m_reply.startIn(answer.busy + fate.delay.value_or(Duration::zero()),
+        [this, bytes = std::move(answer.bytes)] { transmit(bytes); });
 }
 
 void Unit::transmit(std::vector<std::uint8_t> bytes)
 {
-    if (m_powered && m_link.state() == LinkState::Open)
+    if (m_supply.isOn() && m_link.state() == LinkState::Open)
         (void)m_link.send(bytes);
 }
 
 // Motor
+
+Drive &Unit::drive()
+{
+    m_drive.advance(m_clock.now());
+    return m_drive;
+}
 
 void Unit::switched(bool on)
 {
@@ -147,100 +136,42 @@ void Unit::lookAfter()
     if (m_care.isActive())
         return;
     m_care.startIn(carePeriod, [this] {
-        m_drive.advance(m_clock.now());
-        if (!m_drive.isResting())
+        if (!drive().isResting())
             lookAfter();
     });
-}
-
-bool Unit::isOutputOn()
-{
-    m_drive.advance(m_clock.now());
-    return m_drive.isOn();
-}
-
-double Unit::speed()
-{
-    m_drive.advance(m_clock.now());
-    return m_drive.encoder().shaftSpeed();
-}
-
-double Unit::current()
-{
-    m_drive.advance(m_clock.now());
-    return m_drive.motor().current();
-}
-
-double Unit::position()
-{
-    m_drive.advance(m_clock.now());
-    return m_drive.encoder().shaftPosition();
 }
 
 // Supply and faults
 
 bool Unit::beforeAction()
 {
-    ++m_asked;
-    if (!faultFor("power", m_asked))
+    if (!m_faults.failsWithFrame())
         return true;
-    loseSupply(supplyGap);
+    m_supply.lose();
     return false;
 }
 
-void Unit::setPowered(bool powered)
+void Unit::fed(bool on)
 {
-    m_cut = !powered;
-    if (!powered) {
-        loseSupply(Duration::zero());
-    } else if (!m_powered) {
-        m_powered = true;
+    if (on) {
         restart();
         m_notify(m_clock.now(), "power-on", 0.0);
-    }
-}
-
-void Unit::loseSupply(Duration time)
-{
-    if (!m_powered)
         return;
-    m_drive.advance(m_clock.now());
-    m_powered = false;
+    }
     m_reply.stop();
     m_half.stop();
-    m_drive.stop();
+    drive().stop();
     m_notify(m_clock.now(), "power-lost", 0.0);
-    if (m_cut)
-        return;
-    m_supply.startIn(time, [this] {
-        if (!m_cut)
-            setPowered(true);
-    });
 }
 
 void Unit::scheduleFaults()
 {
-    for (const SimulatedFault &fault : m_options.faults) {
-        if (fault.kind == "encoder-reversed") {
-            m_drive.encoder().setReversed();
-            continue;
-        }
-        std::function<void()> work;
-        if (fault.kind == "reset")
-            work = [this] { loseSupply(Duration(1)); };
-        else if (fault.kind == "brownout")
-            work = [this] { loseSupply(brownout); };
-        else if (fault.kind == "encoder-dead")
-            work = [this] { m_drive.encoder().setDead(); };
-        else if (fault.kind == "stall")
-            work = [this] { m_drive.motor().setLocked(true); };
-        else
-            continue;
-        m_faults.emplace_back(m_clock).startIn(seconds(fault.at), [this, work = std::move(work)] {
-            m_drive.advance(m_clock.now());
-            work();
-        });
-    }
+    if (m_faults.has("encoder-reversed"))
+        m_drive.encoder().setReversed();
+    m_faults.at("reset", [this] { m_supply.lose(Duration(1)); });
+    m_faults.at("brownout", [this] { m_supply.lose(FaultPlan::brownoutTime); });
+    m_faults.at("encoder-dead", [this] { drive().encoder().setDead(); });
+    m_faults.at("stall", [this] { drive().motor().setLocked(true); });
 }
 
 bool Unit::disturb(std::string_view what, double value)

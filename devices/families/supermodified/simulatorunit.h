@@ -3,9 +3,10 @@
 
 #include "families/supermodified/simulatorfirmware.h"
 #include "families/supermodified/simulatoroptions.h"
+#include "simulation/faultplan.h"
+#include "simulation/supply.h"
 #include "transport/seriallink.h"
 
-#include <deque>
 #include <functional>
 
 namespace mb::supermodified::simulation {
@@ -19,25 +20,26 @@ public:
     Unit(const Unit &) = delete;
     Unit &operator=(const Unit &) = delete;
 
-    [[nodiscard]] bool isOutputOn();
-    [[nodiscard]] double speed();
-    [[nodiscard]] double position();
-    [[nodiscard]] double current(); ///< A
-    void setPowered(bool powered);
+    [[nodiscard]] bool isOutputOn() { return drive().isOn(); }
+    [[nodiscard]] double speed() { return drive().encoder().shaftSpeed(); }
+    [[nodiscard]] double position() { return drive().encoder().shaftPosition(); }
+    [[nodiscard]] double current() { return drive().motor().current(); } ///< A
+    void setPowered(bool powered) { m_supply.set(powered); }
     bool disturb(std::string_view what, double value);
 
 private:
+    /// As it is now.
+    [[nodiscard]] Drive &drive();
     void receive(std::span<const std::uint8_t> bytes);
     void answer(Firmware::Answer answer);
     void transmit(std::vector<std::uint8_t> bytes);
     void lineError();
     void lookAfter();
     void switched(bool on);
-    void loseSupply(Duration time);
+    void fed(bool on);
     void restart();
     void scheduleFaults();
     [[nodiscard]] bool beforeAction();
-    [[nodiscard]] const SimulatedFault *faultFor(std::string_view kind, std::uint64_t number) const;
 
     SerialLink &m_link;
     Clock &m_clock;
@@ -45,15 +47,11 @@ private:
     Notify m_notify;
     Drive m_drive;
     Firmware m_firmware;
-    bool m_powered = true;
-    bool m_cut = false; ///< by hand: does not return by itself
-    std::uint64_t m_sent = 0;
-    std::uint64_t m_asked = 0;
+    FaultPlan m_faults;
+    Supply m_supply;
     Timer m_reply;
     Timer m_half;
-    Timer m_supply;
     Timer m_care;
-    std::deque<Timer> m_faults;
     Subscription m_received;
     Subscription m_lineErrors;
 };

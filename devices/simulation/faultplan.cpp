@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulation/faultplan.h"
+
+#include <algorithm>
+
+namespace mb {
+namespace {
+
+constexpr Duration busOffTime = std::chrono::milliseconds(100);
+constexpr double brownoutVolts = 5.0;
+constexpr double nominalVolts = 12.0;
+
+Duration fromSeconds(double seconds)
+{
+    return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(seconds));
+}
+
+} // namespace
+
+const SimulatedFault *findFault(std::span<const SimulatedFault> faults, std::string_view kind)
+{
+    const auto found = std::find_if(
+        faults.begin(), faults.end(), [kind](const SimulatedFault &fault) { return fault.kind == kind; });
+    return found == faults.end() ? nullptr : &*found;
+}
+
+FaultPlan::FaultPlan(Clock &clock, std::vector<SimulatedFault> faults)
+    : m_clock(clock)
+    , m_faults(std::move(faults))
+    , m_busOff(clock)
+{
+    at("busoff", [this] { m_busOff.startIn(busOffTime, [] {}); });
+}
+
+const SimulatedFault *FaultPlan::strikes(std::string_view kind, std::uint64_t number) const
+{
+    const auto found = std::find_if(m_faults.begin(), m_faults.end(), [&](const SimulatedFault &fault) {
+        const auto count = static_cast<double>(number);
+        return fault.kind == kind && (count == fault.at || (kind == "silent" && count > fault.at));
+    });
+    return found == m_faults.end() ? nullptr : &*found;
+}
+
+FrameFate FaultPlan::sent()
+{
+    ++m_sent;
+    FrameFate fate{
+        m_sent, strikes("silent", m_sent) || strikes("drop", m_sent), strikes("corrupt", m_sent) != nullptr, {}};
+    if (const SimulatedFault *late = strikes("delay", m_sent))
+        fate.delay = fromSeconds(late->argument / 1000.0);
+    return fate;
+}
+
+bool FaultPlan::failsWithFrame()
+{
+    return strikes("power", ++m_heard) != nullptr;
+}
+
+bool FaultPlan::failsWithPage(int page)
+{
+    const auto fault = std::find_if(m_faults.begin(), m_faults.end(),
+        [page](const SimulatedFault &f) { return f.kind == "power-page" && static_cast<int>(f.at) == page; });
+    if (fault == m_faults.end())
+        return false;
+    m_faults.erase(fault);
+    return true;
+}
+
+void FaultPlan::after(std::string_view kind, Duration later, const std::function<void()> &work)
+{
+    for (const SimulatedFault &fault : m_faults) {
+        if (fault.kind == kind)
+            m_timers.emplace_back(m_clock).startIn(fromSeconds(fault.at) + later, work);
+    }
+}
+
+void FaultPlan::sag(const std::function<void(double volts)> &setVoltage)
+{
+    at("brownout", [setVoltage] { setVoltage(brownoutVolts); });
+    after("brownout", brownoutTime, [setVoltage] { setVoltage(nominalVolts); });
+}
+
+} // namespace mb
