@@ -32,7 +32,6 @@ public:
     /// Reads on for one piece, from where the last call ended, and shows every frame; true once the end is reached. A damaged
     /// line is an error that names it, and the recording ends there. A last line that was cut off is its end, and no error.
     [[nodiscard]] Result<bool> survey(const std::function<void(const LoggedFrame &)> &seen);
-    [[nodiscard]] bool isSurveyed() const { return m_surveyed; }
     /// next() stopped before the end that survey() had seen: somebody changed the file meanwhile.
     [[nodiscard]] bool isCutShort() const { return m_surveyed && m_player.place.time < m_end; }
     [[nodiscard]] double surveyedFraction() const; ///< 0…1

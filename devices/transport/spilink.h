@@ -59,7 +59,6 @@ public:
 
     /// Pulls the reset line low for 1 ms. Unsupported without the line.
     Result<void> pulseReset();
-    [[nodiscard]] int clockRate() const { return doClockRate(); } ///< Hz; 0 when bytes take no time
 
 protected:
     SpiLink(LinkAddress address, Clock &clock)
@@ -88,7 +87,6 @@ private:
     virtual void doSampleReady() { }
     [[nodiscard]] virtual bool doSignalsReady() const { return true; }
     virtual Result<void> doPulseReset() = 0;
-    [[nodiscard]] virtual int doClockRate() const = 0;
 
     void begin();
     void forget(const std::shared_ptr<Job> &job);

@@ -185,7 +185,6 @@ private:
     void doSampleReady() override { setReady(m_board.slave()->isReady()); }
     [[nodiscard]] bool doSignalsReady() const override { return false; }
     Result<void> doPulseReset() override { return {}; }
-    [[nodiscard]] int doClockRate() const override { return 500'000; }
 
     BoardEnd &m_board;
     Timer m_done;

@@ -82,7 +82,6 @@ constexpr std::uint32_t communication = 0x10U;
 
 enum class Descriptor : std::uint8_t { DevName = 1, ManName = 2, ProdName = 3, ManDate = 4, HardwareVer = 5, SN = 6 };
 constexpr int maxNameLength = 64; ///< accepted; above 28 some tools truncate
-constexpr int usualNameLength = 28;
 
 /// modeSelect of CANCTRL0 and STSGENERAL.
 enum class ControlMode : std::uint8_t {

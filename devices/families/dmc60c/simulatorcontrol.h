@@ -36,7 +36,6 @@ public:
     /// Fault bits that do not come from the loop: gate driver, communication.
     void setOutsideFault(std::uint32_t bit, bool present, Instant now);
 
-    [[nodiscard]] bool isHalted() const { return m_halted; }
     /// Running: closed loops even at 0, open loops when they drive.
     [[nodiscard]] bool isOutputOn() const { return m_outputOn; }
     [[nodiscard]] bool isDisabled() const { return !m_running || m_halted || m_faults.holdsBridge(); }

@@ -13,8 +13,6 @@ namespace mb::quadquad2drv {
 /// README.md#checksum
 constexpr std::uint8_t stx = 0x02;
 constexpr std::size_t overhead = 4; ///< STX, size, id, checksum
-constexpr std::size_t longestPacket = 255;
-constexpr std::size_t longestRequest = 64; ///< the limit of the device is not known
 
 constexpr int axes = 4;
 
@@ -87,9 +85,7 @@ constexpr double limitOne = 4096.0;          ///< raw value of 1.0 of limits and
 constexpr double resolution = 4.0;           ///< of the velocity, transitions/s
 constexpr double loopTime = 0.002;           ///< s, one pass of the control loop
 constexpr std::uint16_t fastestStream = 49;  ///< 2.007 ms, the loop runs at 500 Hz
-constexpr std::uint16_t usualStream = 244;   ///< 10 ms
 constexpr std::chrono::nanoseconds streamUnit{40'960};
-constexpr std::chrono::nanoseconds historyUnit{640}; ///< · 2^bits
 
 constexpr std::chrono::milliseconds answerTime{100};
 constexpr std::chrono::milliseconds resetTime{100};

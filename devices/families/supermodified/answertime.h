@@ -28,7 +28,6 @@ public:
     /// A deadline of this program was served so long after its time.
     void addLateness(Duration late) { m_lateness = std::max(late, m_lateness * 7 / 8); }
 
-    [[nodiscard]] bool isMeasured() const { return m_mean.has_value(); }
     /// At least `least`, at most the ceiling or `least`.
     [[nodiscard]] Duration patience(Duration least) const
     {

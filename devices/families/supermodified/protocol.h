@@ -101,10 +101,6 @@ constexpr bool isGet(std::uint8_t command)
 {
     return command >= 0x64 && command < 0xC8;
 }
-constexpr bool isBroadcast(std::uint8_t command)
-{
-    return command >= 0xC8 && command < 0xFA;
-}
 
 // Errors: README.md#errors
 

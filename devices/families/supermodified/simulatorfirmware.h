@@ -34,15 +34,11 @@ public:
     [[nodiscard]] bool isReceiving() const { return !m_received.empty(); }
     void dropHalf();
 
-    [[nodiscard]] int node() const { return m_node; }
     [[nodiscard]] int baudrate() const { return m_baudrate; }
     /// The motor goes on as it was, and nobody is heard any more.
-    [[nodiscard]] bool isDead() const { return m_dead; }
     std::function<void(std::string_view what, double value)> died; ///< crashed (byte count), hung (command)
     /// Whether asking the encoder while the motor is started can hang it (README.md#hang).
     void setHangs(bool hangs) { m_hangs = hangs; }
-    [[nodiscard]] const Eeprom &eeprom() const { return m_settings.stored(); }
-    [[nodiscard]] Drive &drive() { return m_drive; }
     /// Counts of the analog inputs, 10 bits.
     std::array<std::uint16_t, analogInputs> analog{512, 512, 512, 512};
     /// Levels of the digital pins, DIO1 in bit 0; nothing is on them.

@@ -43,7 +43,6 @@ public:
 
     /// What is stored is in force.
     void restart() { m_ram = m_eeprom; }
-    [[nodiscard]] const Eeprom &stored() const { return m_eeprom; }
     [[nodiscard]] const Eeprom &inForce() const { return m_ram; }
     [[nodiscard]] LoopSettings loop() const;
 

@@ -31,7 +31,6 @@ private:
     [[nodiscard]] Outlet doOutlet() const override { return {Outlet::Form::SpiDevice, m_descriptor}; }
     void doTransfer(const Bytes &mosi) override;
     Result<void> doPulseReset() override;
-    [[nodiscard]] int doClockRate() const override { return m_hertz; }
 
     [[nodiscard]] Result<void> openDevice();
     [[nodiscard]] Result<void> openLines();

@@ -43,7 +43,6 @@ private:
     void doSampleReady() override;
     [[nodiscard]] bool doSignalsReady() const override { return false; }
     Result<void> doPulseReset() override;
-    [[nodiscard]] int doClockRate() const override { return 0; }
 
     void ask(Pending pending, std::uint16_t length, const Bytes &bytes);
     void endOfSimulator();

@@ -94,7 +94,7 @@ void VirtualSerialLine::proceed(VirtualSerialLink &link, std::size_t until)
     const std::size_t from = std::exchange(passing.delivered, until);
     const bool whole = until == passing.bytes.size();
     if (!whole) {
-        const std::size_t next = std::min(passing.bytes.size(), until + m_fifo);
+        const std::size_t next = std::min(passing.bytes.size(), until + fifo);
         link.m_timer.start(passing.endOf(next), [this, &link, next] { proceed(link, next); });
     }
     if (until == from)

@@ -34,13 +34,12 @@ public:
     void setCorruption(double fraction) { m_corruption = fraction; }
     /// Every receiver understands every sender, whatever their rates; bytes take the time of `baudrate`. 0 ends that.
     void setAnySpeed(int baudrate) { m_anySpeed = baudrate; }
-    /// Bytes that an end collects before it delivers, ≥ 1; 16 at first, as in a common UART.
-    void setFifo(std::size_t bytes) { m_fifo = bytes; }
     /// The cable of `link` comes out: the rest of what it was sending is heard by nobody, and the link is lost.
     void pull(VirtualSerialLink &link);
 
 private:
     friend class VirtualSerialLink;
+    static constexpr std::size_t fifo = 16; ///< bytes that an end collects before it delivers, as in a common UART
     /// What is on the wire.
     struct Passing {
         VirtualSerialLink *sender = nullptr;
@@ -70,7 +69,6 @@ private:
     double m_loss = 0.0;
     double m_corruption = 0.0;
     int m_anySpeed = 0;
-    std::size_t m_fifo = 16;
     std::vector<VirtualSerialLink *> m_links;
 };
 

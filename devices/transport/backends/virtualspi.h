@@ -44,7 +44,6 @@ private:
     void doClose() override;
     void doTransfer(const Bytes &mosi) override;
     Result<void> doPulseReset() override;
-    [[nodiscard]] int doClockRate() const override { return m_hertz; }
     void sampleReady();
 
     VirtualSpiSlaveLink &m_board;
