@@ -54,7 +54,7 @@ Task<Trial> runExperiment(
         error = performed.error();
     auto concluding = run.conclude(error);
     co_await std::move(concluding);
-    if (error && !run.hasMoved())
+    if (error && !run.hasResult())
         co_return fail(*error);
     co_return run.takeTrial();
 }

@@ -63,14 +63,9 @@ Duration ExperimentMotion::longest() const
     return approachLimit + ofSeconds(once * m_plan.repeat);
 }
 
-bool ExperimentMotion::isInterrupted() const
-{
-    return m_around.interruption && m_around.interruption->isRequested();
-}
-
 bool ExperimentMotion::isOver() const
 {
-    return m_recorder.trip() || !m_stream.isRunning() || isInterrupted();
+    return m_recorder.trip() || !m_stream.isRunning();
 }
 
 void ExperimentMotion::setTarget(double target)

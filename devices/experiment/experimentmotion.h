@@ -29,7 +29,6 @@ public:
     /// At most, from its beginning.
     [[nodiscard]] Duration longest() const;
     [[nodiscard]] SetPoint setPointAt(double target) const;
-    [[nodiscard]] bool isInterrupted() const;
     /// Of each step to Y.
     [[nodiscard]] const std::vector<Hold> &holds() const { return m_holds; }
     /// Of each way back.

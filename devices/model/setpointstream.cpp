@@ -38,6 +38,8 @@ Result<void> SetPointStream::start(const SetPoint &setPoint, Duration lease, con
     m_end = End::None;
     m_reason = {};
     if (setPoint.mode != Mode::Off) {
+        if (m_calledOff && *m_calledOff)
+            return fail(Fault::Cancelled, say("the user stopped it"));
         if (auto allowed = m_device.mayMove(); !allowed)
             return allowed;
         if (auto checked = m_device.check(setPoint); !checked)

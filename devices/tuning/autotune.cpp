@@ -204,12 +204,14 @@ Task<TuneReport> autotune(Device &device, SetPointStream &stream, TunePlan plan,
     const Result<void> performed = co_await std::move(performing).attempt();
     TuneReport &report = run.report();
     if (!performed) {
-        if (!run.hasMoved())
+        if (!run.hasMoved() && !run.user().isRequested())
             co_return fail(performed.error());
         report.result = report.result == TuneResult::RolledBack ? report.result : TuneResult::Refused;
         report.evidence = performed.error().message();
         if (isLost(device, performed.error()) && !run.isOver())
             run.end(toString(Guard::Link), performed.error().message());
+        else if (run.user().isRequested() && !run.isOver())
+            run.end("interrupted", performed.error().message());
     }
     if (run.isOver())
         report.result = TuneResult::Stopped;

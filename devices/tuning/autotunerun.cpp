@@ -24,6 +24,7 @@ AutotuneRun::AutotuneRun(Device &device, SetPointStream &stream, TunePlan plan, 
     , m_stream(stream)
     , m_plan(std::move(plan))
     , m_around(std::move(surroundings))
+    , m_user(m_around.interruption, stream)
     , m_begin(device.clock().now())
 {
     m_report.device = device.selector();

@@ -74,8 +74,8 @@ public:
     [[nodiscard]] ExperimentJournal *journal() const { return m_around.journal; }
     /// Counts either side of where the motor stands now; nothing: no limit is known.
     [[nodiscard]] std::optional<double> travelLeft() const;
-    /// nullptr: nobody can interrupt.
-    [[nodiscard]] Interruption *interruption() const { return m_around.interruption; }
+    /// Who may end it at any time.
+    [[nodiscard]] const Interruptible &user() const { return m_user; }
     /// Counts, where the motor is.
     [[nodiscard]] double place() const { return m_here; }
 
@@ -89,6 +89,7 @@ private:
     SetPointStream &m_stream;
     TunePlan m_plan;
     ExperimentSurroundings m_around;
+    Interruptible m_user;
     TuneReport m_report;
     Envelope m_envelope;   ///< of limits and device together
     double m_start = 0.0;  ///< counts, where the tuning began

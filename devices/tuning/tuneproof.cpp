@@ -254,8 +254,13 @@ Task<void> TuneProof::write()
         auto owing = journal->owe(report.trials.back(), unitKeyOf(device), before);
         co_await std::move(owing);
     }
-    auto writing = writeGains(device, changes);
-    const Result<void> written = co_await std::move(writing).attempt();
+    Result<void> written = m_run.user().mayGoOn();
+    if (written) {
+        auto writing = writeGains(device, changes);
+        written = co_await std::move(writing).attempt();
+    }
+    if (written && owes)
+        written = m_run.user().mayGoOn();
     if (!written && owes) {
         auto back = takeBack(std::move(before), written.error());
         co_await std::move(back);
