@@ -252,7 +252,9 @@ Task<void> ExperimentRun::putBack()
         co_return {};
     }
     Result<void> written = fail(Fault::LinkLost, m_device.link().loss().message());
-    if (m_device.link().state() == LinkState::Open) {
+    if (m_device.link().state() == LinkState::Open && !m_stands) {
+        written = fail(Fault::Unsafe, say("the motor was not seen to stand"));
+    } else if (m_device.link().state() == LinkState::Open) {
         auto writing = writeGains(m_device, changesOf(m_device.family(), m_owed));
         written = co_await std::move(writing).attempt();
     }
@@ -300,7 +302,8 @@ Task<void> ExperimentRun::conclude(std::optional<Error> error)
         auto confirming = confirmStop(m_device);
         m_trial.stopped = co_await std::move(confirming);
         auto resting = untilAtRest(m_device, m_recorder);
-        (void)co_await std::move(resting);
+        const bool rests = co_await std::move(resting);
+        m_stands = rests && m_trial.stopped;
     }
     m_trial.samples = m_recorder.samples();
     m_trial.lost = m_recorder.lost();

@@ -55,6 +55,7 @@ private:
     bool m_wrote = false;   ///< some of its gains at least
     bool m_inForce = false; ///< all of them
     bool m_moved = false;
+    bool m_stands = true; ///< the motor was seen to stand after that
     RaisedRates m_rates;
 };
 

@@ -84,6 +84,25 @@ TEST(Endings, GainsThatCouldNotBePutBackAreSaidAndOwed)
     EXPECT_FALSE(step.bench.journal.owed.empty());
 }
 
+/// Their loop drives the motor: whoever changes them now changes what it does.
+TEST(Endings, WhoseMotorIsNotSeenToStandOweTheGains)
+{
+    StepWithGains step;
+    step.plan.keep = Keep::Never;
+    const auto other = step.bench.bench.session.bench(*step.bench.bench.link)->hostLink();
+    ASSERT_TRUE(other->open());
+    Timer timer(step.bench.bench.clock);
+    std::function<void()> again = [&] {
+        ASSERT_TRUE(dynamic_cast<CanLink &>(*other).send(*canFrameFromText("02060005#0000000010270000")));
+        timer.startIn(20ms, again);
+    };
+    const Trial trial = step.endedBy([&] { timer.startIn(1ms, again); });
+    EXPECT_EQ(trial.reason, "foreign master");
+    EXPECT_EQ(trial.notPutBack.english(), "the motor was not seen to stand");
+    EXPECT_EQ(step.inForce(), step.before / 2);
+    EXPECT_FALSE(step.bench.journal.owed.empty());
+}
+
 /// During the check of the direction, before anything else moves.
 Trial endedAtTheFirstPush(ExperimentBench &bench, const std::function<void()> &strike)
 {
