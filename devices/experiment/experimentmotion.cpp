@@ -17,11 +17,10 @@ using namespace std::chrono_literals;
 
 constexpr Duration glance = 5ms;
 constexpr Duration approachLimit = 3s;
-constexpr double nearX = 0.02; ///< of |Y − X|
 constexpr Duration stillBefore = 250ms;
 constexpr Duration leastHold = 400ms;
 constexpr double levelShare = 0.5;
-constexpr double settledWidth = 0.02; ///< of |Y − X|
+constexpr double restShare = 0.02;
 constexpr double longestReturn = 5.0; ///< s
 /// Of a way back, over which it stays where it began: nothing but its next step waits.
 constexpr double returnedShare = 0.35;
@@ -33,6 +32,18 @@ constexpr Duration standsSpan = 150ms; ///< the same without a loop
 } // namespace
 
 ExperimentMotion::ExperimentMotion(Device &device, SetPointStream &stream, const ExperimentPlan &plan,
+double secondsBefore(double lag)
+{
+    const double settles = std::log(1.0 / (2.0 * restShare)) / (1.0 - levelShare) * lag;
+    return std::min(std::max(settles, inSeconds(stillBefore)), inSeconds(approachLimit)) + inSeconds(stillBefore);
+}
+
+double secondsAfter(double lag, double length)
+{
+    const double settles = std::log(1.0 / restShare) / (1.0 - returnedShare) * lag;
+    return std::min(std::max(settles, inSeconds(leastHold)), std::min(length, longestReturn));
+}
+
     const ExperimentSurroundings &surroundings, TrialRecorder &recorder, Trial &trial)
     : m_device(device)
     , m_stream(stream)
@@ -106,13 +117,13 @@ bool ExperimentMotion::beginsHere()
     if (!stimulus)
         return false;
     m_trial.stimulus = *stimulus;
+        const double width = restWidth();
     setTarget(*here);
     return true;
 }
 
 Task<void> ExperimentMotion::goTo(double target)
 {
-    const double width = nearX * std::abs(m_trial.stimulus.to - m_trial.stimulus.from);
     const std::string_view key = measuredOf(m_plan.mode);
     const Instant from = m_device.clock().now();
     const Instant limit = from + approachLimit;
@@ -130,6 +141,13 @@ Task<void> ExperimentMotion::goTo(double target)
                 break;
             m_stream.stop();
             m_unreached = Trip{Guard::Time,
+/// Of what is measured, within which it rests: 2 % of the way from X to Y. A duty is no measure of that, but what it makes now is.
+double ExperimentMotion::restWidth() const
+{
+    const double here = m_plan.mode == Mode::Duty ? m_recorder.latest(measuredOf(m_plan.mode)).value_or(0.0) : 0.0;
+    return restShare * std::max(std::abs(m_trial.stimulus.to - m_trial.stimulus.from), std::abs(here));
+}
+
                 say("the unit stays %1 away from where the experiment begins, more than 2 % of its step",
                     std::round(std::abs(here - target) * 100.0) / 100.0),
                 limit};
@@ -162,13 +180,12 @@ Task<void> ExperimentMotion::followProfile(Instant begin, Instant end)
 {
     const Stimulus &stimulus = m_trial.stimulus;
     Clock &clock = m_device.clock();
-    const double width = settledWidth * std::abs(stimulus.to - stimulus.from);
     const bool endsSettled = stimulus.ends && stimulus.profile == Profile::Step;
     const auto aim = isClosedLoop(m_plan.mode) ? std::optional(stimulus.to) : std::nullopt;
     const double place = m_recorder.latest("position").value_or(m_origin);
     for (int beat = 0; !isOver() && clock.now() < end; ++beat) {
         setTarget(stimulus.at(inSeconds(clock.now() - begin)));
-        if (hasGoneFar(place) || (endsSettled && m_recorder.hasSettled(begin, leastHold, aim, width)))
+        if (hasGoneFar(place) || (endsSettled && m_recorder.hasSettled(begin, leastHold, aim, restWidth())))
             break;
         Sleep nap(clock, std::min(begin + ofSeconds(m_beat * (beat + 1)), end) - clock.now());
         co_await nap;
@@ -235,8 +252,7 @@ bool ExperimentMotion::hasReturned(Instant since) const
     const Stimulus &stimulus = m_trial.stimulus;
     if (m_plan.mode == Mode::Duty && stimulus.from == 0.0)
         return m_recorder.isStill(since, standsSpan);
-    const double width = settledWidth * std::abs(stimulus.to - stimulus.from);
-    return m_recorder.isSettled(since, std::max(leastHold, ofSeconds(m_plan.rest)), returnedShare, width);
+    return m_recorder.isSettled(since, std::max(leastHold, ofSeconds(m_plan.rest)), returnedShare, restWidth());
 }
 
 void ExperimentMotion::tellMeasured() const

@@ -217,5 +217,16 @@ TEST(Endings, OfAHoldTellWhatItsOwnRepeatHasMeasured)
     EXPECT_EQ(trial->holds.size(), 3U);
 }
 
+/// Its velocity tells that, not the duty.
+TEST(Endings, OfAHoldOfADutyComeWhenTheMotorTurnsSteadily)
+{
+    ExperimentBench bench;
+    const Result<Trial> trial = bench.run(stepTo(Mode::Duty, 0.2));
+    ASSERT_TRUE(trial);
+    EXPECT_EQ(trial->reason, "done");
+    ASSERT_EQ(trial->holds.size(), 1U);
+    EXPECT_LT(trial->holds.front().to - trial->holds.front().from, 4.0);
+}
+
 } // namespace
 } // namespace mb::tuning
