@@ -31,7 +31,6 @@ constexpr Duration standsSpan = 150ms; ///< the same without a loop
 
 } // namespace
 
-ExperimentMotion::ExperimentMotion(Device &device, SetPointStream &stream, const ExperimentPlan &plan,
 double secondsBefore(double lag)
 {
     const double settles = std::log(1.0 / (2.0 * restShare)) / (1.0 - levelShare) * lag;
@@ -44,6 +43,7 @@ double secondsAfter(double lag, double length)
     return std::min(std::max(settles, inSeconds(leastHold)), std::min(length, longestReturn));
 }
 
+ExperimentMotion::ExperimentMotion(Device &device, SetPointStream &stream, const ExperimentPlan &plan,
     const ExperimentSurroundings &surroundings, TrialRecorder &recorder, Trial &trial)
     : m_device(device)
     , m_stream(stream)
@@ -117,7 +117,6 @@ bool ExperimentMotion::beginsHere()
     if (!stimulus)
         return false;
     m_trial.stimulus = *stimulus;
-        const double width = restWidth();
     setTarget(*here);
     return true;
 }
@@ -128,6 +127,7 @@ Task<void> ExperimentMotion::goTo(double target)
     const Instant from = m_device.clock().now();
     const Instant limit = from + approachLimit;
     while (!isOver()) {
+        const double width = restWidth();
         const double here = m_recorder.latest(key).value_or(0.0);
         const bool rests = m_recorder.isSettled(from, stillBefore, levelShare, 2.0 * width);
         const bool arrived
@@ -141,13 +141,6 @@ Task<void> ExperimentMotion::goTo(double target)
                 break;
             m_stream.stop();
             m_unreached = Trip{Guard::Time,
-/// Of what is measured, within which it rests: 2 % of the way from X to Y. A duty is no measure of that, but what it makes now is.
-double ExperimentMotion::restWidth() const
-{
-    const double here = m_plan.mode == Mode::Duty ? m_recorder.latest(measuredOf(m_plan.mode)).value_or(0.0) : 0.0;
-    return restShare * std::max(std::abs(m_trial.stimulus.to - m_trial.stimulus.from), std::abs(here));
-}
-
                 say("the unit stays %1 away from where the experiment begins, more than 2 % of its step",
                     std::round(std::abs(here - target) * 100.0) / 100.0),
                 limit};
@@ -157,6 +150,13 @@ double ExperimentMotion::restWidth() const
         co_await nap;
     }
     co_return {};
+}
+
+/// Of what is measured, within which it rests: 2 % of the way from X to Y. A duty is no measure of that, but what it makes now is.
+double ExperimentMotion::restWidth() const
+{
+    const double here = m_plan.mode == Mode::Duty ? m_recorder.latest(measuredOf(m_plan.mode)).value_or(0.0) : 0.0;
+    return restShare * std::max(std::abs(m_trial.stimulus.to - m_trial.stimulus.from), std::abs(here));
 }
 
 /// X for a moment, the stimulus, and back to X.
@@ -257,12 +257,12 @@ bool ExperimentMotion::hasReturned(Instant since) const
 
 void ExperimentMotion::tellMeasured() const
 {
-    if (!m_around.measured || isOver())
+    const auto newest = static_cast<std::ptrdiff_t>(m_trial.stimulus.edges().size());
+    if (!m_around.measured || isOver() || newest == 0)
         return;
     Trial sofar = m_trial;
     sofar.samples = m_recorder.samples();
     sofar.lost = m_recorder.lost();
-    const auto newest = static_cast<std::ptrdiff_t>(std::max<std::size_t>(m_trial.stimulus.edges().size(), 1));
     measure(sofar, m_device.family(), m_recorder, {m_holds.end() - newest, m_holds.end()}, {});
     m_around.measured(sofar);
 }

@@ -217,6 +217,25 @@ TEST(Endings, OfAHoldTellWhatItsOwnRepeatHasMeasured)
     EXPECT_EQ(trial->holds.size(), 3U);
 }
 
+/// Of a ramp, a sine, a chirp or bits nothing is a step response: what is read out of one is only looked for where there is one.
+TEST(Endings, OfAProfileWithoutStepsTellNothingWhileTheMotorRuns)
+{
+    ExperimentBench bench;
+    int told = 0;
+    bench.surroundings.measured = [&](const Trial &) { ++told; };
+    ExperimentPlan plan = stepTo(Mode::Velocity, 60'000.0);
+    plan.profile = Profile::Ramp;
+    plan.seconds = 3.0;
+    const Result<Trial> trial = bench.run(plan);
+    ASSERT_TRUE(trial);
+    EXPECT_EQ(trial->reason, "done");
+    EXPECT_EQ(told, 0);
+    EXPECT_EQ(trial->holds.size(), 1U);
+    EXPECT_FALSE(trial->metrics.rise);
+    EXPECT_TRUE(trial->metrics.peakCurrent);
+    EXPECT_TRUE(trial->metrics.dutyChatter);
+}
+
 /// Its velocity tells that, not the duty.
 TEST(Endings, OfAHoldOfADutyComeWhenTheMotorTurnsSteadily)
 {
