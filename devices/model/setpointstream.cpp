@@ -179,7 +179,10 @@ Result<void> SetPointStream::update(const SetPoint &setPoint, const Glide &glide
 
 Result<void> SetPointStream::follow(const SetPoint &setPoint)
 {
-    return followOne(setPoint, {});
+    auto followed = followOne(setPoint, {});
+    if (!followed && m_running)
+        finish(End::Refused, followed.error().message());
+    return followed;
 }
 
 Result<void> SetPointStream::followOne(const SetPoint &setPoint, const Glide &glide)

@@ -48,7 +48,7 @@ public:
     /// A new target for the next frame, sent now; renews the lease. Fails and goes on with the old one when it is not legal.
     /// For another axis than before it joins the others; Mode::Off takes an axis out while others run.
     [[nodiscard]] Result<void> update(const SetPoint &setPoint, const Glide &glide = {});
-    /// The same for a story that moves the target by itself: it does not renew the lease, which is for who watches it.
+    /// The same for a story that moves the target by itself: what is not legal ends the stream, and the lease is not renewed.
     [[nodiscard]] Result<void> follow(const SetPoint &setPoint);
     void renew();
     /// Stops the motor now. Safe at any time.

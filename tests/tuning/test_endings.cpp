@@ -103,6 +103,20 @@ TEST(Endings, WhoseMotorIsNotSeenToStandOweTheGains)
     EXPECT_FALSE(step.bench.journal.owed.empty());
 }
 
+/// Its targets reach farther than the device counts.
+TEST(Endings, OfATargetThatTheDeviceRefusesAreARefusal)
+{
+    ExperimentBench bench("sim:serial", "supermodified", 4);
+    ExperimentPlan plan = stepTo(Mode::Position, 1e10);
+    plan.limits.travel = 1e11;
+    const Result<Trial> trial = bench.run(plan);
+    ASSERT_TRUE(!trial || trial->reason != "done");
+    if (trial) {
+        EXPECT_EQ(trial->reason, "refused");
+        EXPECT_FALSE(trial->detail.empty());
+    }
+}
+
 /// During the check of the direction, before anything else moves.
 Trial endedAtTheFirstPush(ExperimentBench &bench, const std::function<void()> &strike)
 {
