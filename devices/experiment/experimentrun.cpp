@@ -260,6 +260,8 @@ Task<void> ExperimentRun::putBack()
     }
     if (!written) {
         m_trial.notPutBack = written.error().detail;
+        if (m_around.leftInForce)
+            m_around.leftInForce(m_trial.notPutBack);
         m_around.caution(
             say("the gains were not put back: %1; they are offered at the next connection", written.error().detail));
         co_return {};

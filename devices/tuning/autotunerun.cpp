@@ -27,6 +27,7 @@ AutotuneRun::AutotuneRun(Device &device, SetPointStream &stream, TunePlan plan, 
     , m_user(m_around.interruption, stream)
     , m_begin(device.clock().now())
 {
+    m_around.leftInForce = [this](const Message &why) { m_report.notPutBack = why; };
     m_report.device = device.selector();
     m_report.simulated = device.link().address().isSimulated();
     m_report.loop = m_plan.loop;

@@ -103,6 +103,21 @@ TEST(Endings, WhoseMotorIsNotSeenToStandOweTheGains)
     EXPECT_FALSE(step.bench.journal.owed.empty());
 }
 
+TEST(Endings, BeforeItsMotionSayWhatIsNotPutBack)
+{
+    StepWithGains step;
+    step.plan.keep = Keep::Never;
+    auto task = step.bench.start(step.plan);
+    task.start();
+    ASSERT_TRUE(step.bench.bench.clock.runUntil(
+        [&] { return !step.bench.journal.log.empty() && step.bench.journal.log.back() == "owe"; }, 20s));
+    step.bench.simulator()->setPowered(false);
+    ASSERT_TRUE(step.bench.bench.clock.runUntil([&] { return task.isFinished(); }, 30s));
+    ASSERT_FALSE(task.result());
+    EXPECT_NE(task.result().error().text().find("the gains were not put back"), std::string::npos)
+        << task.result().error().text();
+}
+
 /// Its targets reach farther than the device counts.
 TEST(Endings, OfATargetThatTheDeviceRefusesAreARefusal)
 {

@@ -91,6 +91,23 @@ TEST(KeptGains, AreOwedByNobodyOnceAllAreWritten)
     EXPECT_TRUE(tuned.bench.journal.owed.empty());
 }
 
+/// Half of what is put to the second proof is in force when the unit falls silent.
+TEST(KeptGains, OfAProofThatCouldNotBeginAreSaidToBeStillInForce)
+{
+    Tuned tuned;
+    const auto owed = [&] { return std::count(tuned.bench.journal.log.begin(), tuned.bench.journal.log.end(), "owe"); };
+    tuned.task.start();
+    ASSERT_TRUE(tuned.bench.bench.clock.runUntil([&] { return owed() == 2; }, 2min));
+    tuned.bench.simulator()->setPowered(false);
+    ASSERT_TRUE(tuned.bench.bench.clock.runUntil([&] { return tuned.task.isFinished(); }, 2min));
+    ASSERT_TRUE(tuned.task.result()) << tuned.task.result().error().text();
+    const TuneReport &report = *tuned.task.result();
+    EXPECT_FALSE(report.notPutBack.empty());
+    EXPECT_NE(report.evidence.english().find("the gains were not put back"), std::string::npos)
+        << report.evidence.english();
+    EXPECT_FALSE(tuned.bench.journal.owed.empty());
+}
+
 /// Its supply goes when the first push ends.
 TEST(Tuning, EndsWhereTheStopOfATrialIsNotConfirmed)
 {
