@@ -18147,5 +18147,9 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>the queue was ended</source>
         <translation>die Warteschlange wurde beendet</translation>
     </message>
+    <message>
+        <source>the notebook may offer to put back what was there before: %1</source>
+        <translation>das Versuchsbuch bietet womöglich an, zurückzuschreiben, was vorher da war: %1</translation>
+    </message>
 </context>
 </TS>

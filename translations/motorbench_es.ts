@@ -18147,5 +18147,9 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>the queue was ended</source>
         <translation>la cola se terminó</translation>
     </message>
+    <message>
+        <source>the notebook may offer to put back what was there before: %1</source>
+        <translation>es posible que el cuaderno ofrezca restablecer lo que había antes: %1</translation>
+    </message>
 </context>
 </TS>

@@ -18147,5 +18147,9 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>the queue was ended</source>
         <translation>la file a été terminée</translation>
     </message>
+    <message>
+        <source>the notebook may offer to put back what was there before: %1</source>
+        <translation>le carnet proposera peut-être de rétablir ce qui était là avant&#xa0;: %1</translation>
+    </message>
 </context>
 </TS>

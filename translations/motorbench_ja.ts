@@ -18133,5 +18133,9 @@ double click plots it, drag it to a pane or below them</source>
         <source>the queue was ended</source>
         <translation>キューは終了されました</translation>
     </message>
+    <message>
+        <source>the notebook may offer to put back what was there before: %1</source>
+        <translation>以前の値に戻すことをノートが提案する場合があります: %1</translation>
+    </message>
 </context>
 </TS>

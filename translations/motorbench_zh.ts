@@ -18133,5 +18133,9 @@ double click plots it, drag it to a pane or below them</source>
         <source>the queue was ended</source>
         <translation>队列已结束</translation>
     </message>
+    <message>
+        <source>the notebook may offer to put back what was there before: %1</source>
+        <translation>试验记录本可能会提出恢复先前的值：%1</translation>
+    </message>
 </context>
 </TS>

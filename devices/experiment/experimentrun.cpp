@@ -236,7 +236,8 @@ Task<void> ExperimentRun::releaseKept()
     for (const ParameterChange &change : m_plan.gains)
         keys.emplace_back(m_device.parameters().parameter(change.index).key);
     auto releasing = m_around.journal->release(m_trial.unit, std::move(keys));
-    (void)co_await std::move(releasing).attempt();
+    if (const auto released = co_await std::move(releasing).attempt(); !released)
+        m_around.caution(say("the notebook may offer to put back what was there before: %1", released.error().detail));
     co_return {};
 }
 

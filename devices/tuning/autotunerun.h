@@ -54,6 +54,7 @@ public:
     /// The last experiment ended by a guard, and that was to be expected.
     void forgive() { m_report.stopReason.clear(); }
     void note(const Message &text) const;
+    void caution(const Message &text) const { m_around.caution(text); }
 
     /// Takes the model that the plan brings, and where the motor stands now; no motion.
     [[nodiscard]] Task<void> recall();

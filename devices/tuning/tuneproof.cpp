@@ -272,7 +272,10 @@ Task<void> TuneProof::write()
         keys.emplace_back(device.parameters().parameter(change.index).key);
     if (journal) {
         auto releasing = journal->release(unitKeyOf(device), std::move(keys));
-        (void)co_await std::move(releasing).attempt();
+        if (const auto released = co_await std::move(releasing).attempt(); !released) {
+            m_unreleased = say("the notebook may offer to put back what was there before: %1", released.error().detail);
+            m_run.caution(m_unreleased);
+        }
     }
     co_return {};
 }
@@ -330,6 +333,8 @@ Task<void> TuneProof::keep()
     if (std::any_of(report.proof.begin(), report.proof.end(),
             [](const Trial &trial) { return trial.has(flag::restartNeeded); }))
         report.evidence = joined(report.evidence, say("a part of them is in force after a restart only"));
+    if (!m_unreleased.empty())
+        report.evidence = joined(report.evidence, m_unreleased);
     if (can.storesAfter > std::chrono::seconds(0))
         report.evidence
             = joined(report.evidence, say("the unit stores them by itself within %1 s", can.storesAfter.count()));
