@@ -78,7 +78,9 @@ Task<void> findScales(AutotuneRun &run)
     run.note(say("the scale of its gains is not known yet, and is found first: one to two minutes, with %1 % of its "
                  "power at most",
         std::round(100.0 * options.power)));
-    run.note(textOf({options.power, run.envelope().speed, run.envelope().travel}));
+    Extent extent = extentOf(run.envelope());
+    extent.duty = options.power;
+    run.note(textOf(extent));
     TrialRecorder recorder(device, run.stream(), Mode::Velocity, options.axis);
     recorder.guard(guardsOf(run));
     auto beginning = run.keepBefore();
