@@ -54,7 +54,6 @@ public:
     /// The last experiment ended by a guard, and that was to be expected.
     void forgive() { m_report.stopReason.clear(); }
     void note(const Message &text) const;
-    void caution(const Message &text) const { m_around.caution(text); }
 
     /// Takes the model that the plan brings, and where the motor stands now; no motion.
     [[nodiscard]] Task<void> recall();
@@ -71,8 +70,8 @@ public:
     [[nodiscard]] const Envelope &envelope() const { return m_envelope; }
     [[nodiscard]] Device &device() const { return m_device; }
     [[nodiscard]] SetPointStream &stream() const { return m_stream; }
-    /// nullptr: nothing is kept.
-    [[nodiscard]] ExperimentJournal *journal() const { return m_around.journal; }
+    /// Its journal, and who is told.
+    [[nodiscard]] const ExperimentSurroundings &around() const { return m_around; }
     /// Counts either side of where the motor stands now; nothing: no limit is known.
     [[nodiscard]] std::optional<double> travelLeft() const;
     /// Who may end it at any time.

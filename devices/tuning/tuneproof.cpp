@@ -245,7 +245,7 @@ Task<void> TuneProof::write()
     TuneReport &report = m_run.report();
     Device &device = m_run.device();
     const std::vector<ParameterChange> &changes = report.proposed.changes;
-    ExperimentJournal *const journal = m_run.journal();
+    ExperimentJournal *const journal = m_run.around().journal;
     const bool owes = journal && !report.trials.empty() && !m_mayStay;
     std::vector<OwedValue> before;
     if (owes) {
@@ -274,7 +274,7 @@ Task<void> TuneProof::write()
         auto releasing = journal->release(unitKeyOf(device), std::move(keys));
         if (const auto released = co_await std::move(releasing).attempt(); !released) {
             m_unreleased = say("the notebook may offer to put back what was there before: %1", released.error().detail);
-            m_run.caution(m_unreleased);
+            m_run.around().caution(m_unreleased);
         }
     }
     co_return {};
@@ -290,7 +290,7 @@ Task<void> TuneProof::takeBack(std::vector<OwedValue> before, Error cause)
     for (int again = 0; again <= mostAgain && (again == 0 || !paid); ++again) {
         if (again > 0)
             co_await Sleep(m_run.device().clock(), againAfter);
-        auto paying = payOwed(m_run.device(), *m_run.journal(), {report.trials.back(), 0.0, before});
+        auto paying = payOwed(m_run.device(), *m_run.around().journal, {report.trials.back(), 0.0, before});
         paid = co_await std::move(paying).attempt();
     }
     if (paid) {
