@@ -188,10 +188,10 @@ Task<int> perform(Console &console, Session &session, Device &device, StepPlan p
         auto running = experiment(console, session, device, plan, notebook);
         trial = co_await std::move(running).attempt();
     }
-    if (!trial)
-        co_return fail(trial.error());
     auto noting = notebook.keepReplaced(device, before, settings::Origin::Console);
     co_await std::move(noting);
+    if (!trial)
+        co_return fail(trial.error());
     printTrial(console, *trial, trial->number);
     Result<void> saved;
     if (!plan.save.empty())

@@ -125,12 +125,12 @@ Result<int> verdictOf(const TuneReport &report)
     if (report.stopReason == toString(Guard::Link))
         return fail(Fault::LinkLost, say("the tuning ended because the link was lost: %1", report.evidence),
             report.stopped ? say("the motor was seen stopped") : say("see that the motor stands before anything else"));
-    if (report.result == TuneResult::Stopped && report.stopReason != "interrupted")
-        return fail(Fault::Unsafe, say("stopped by the guard '%1': %2", report.stopReason, report.evidence),
-            say("remove the cause before it is run again"));
     if (!report.stopped)
         return fail(Fault::Unsafe, say("the stop was not confirmed by %1", report.device),
             say("cut its power if the motor still turns"));
+    if (report.result == TuneResult::Stopped && report.stopReason != "interrupted")
+        return fail(Fault::Unsafe, say("stopped by the guard '%1': %2", report.stopReason, report.evidence),
+            say("remove the cause before it is run again"));
     if (report.result == TuneResult::Stopped && !report.notPutBack.empty())
         return fail(Fault::Unsafe, say("the tuning was interrupted: %1", report.evidence),
             say("run it again with --yes, which puts them back first"));

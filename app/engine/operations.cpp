@@ -54,8 +54,8 @@ Result<void> Operations::checkRecognised(DeviceId id) const
 Operations::Job &Operations::add(const Device &device, const Name &name)
 {
     prune();
-    return m_jobs.emplace_back(Job{OperationId{++m_last}, m_session.idOf(device), &device,
-        std::make_unique<Operation>(m_clock, name.title, name.kind), std::nullopt, {}, false});
+    return m_jobs.emplace_back(Job{OperationId{++m_last}, m_session.idOf(device), &device, {},
+        std::make_unique<Operation>(m_clock, name.title, name.kind), std::nullopt, false});
 }
 
 Operations::Job *Operations::begin(DeviceId id, const Name &name, const Make<void> &make, const Finished &finished)

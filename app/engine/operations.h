@@ -21,9 +21,10 @@ public:
         OperationId id;
         DeviceId device;    ///< as it was called when the job began
         const Device *unit; ///< the same; only to compare with, it may be gone
+        std::shared_ptr<tuning::Interruption>
+            interruption; ///< of a trial, which puts back what it changed; it outlives it
         std::unique_ptr<Operation> operation;
         std::optional<UpdateReport> update;
-        std::shared_ptr<tuning::Interruption> interruption{}; ///< of a trial, which puts back what it changed
         bool yields = false; ///< it began by itself and is done again later: an order ends it
     };
     /// What a job is called and, where somebody asks, what it does.

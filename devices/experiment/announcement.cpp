@@ -3,6 +3,7 @@
 
 #include "experiment/direction.h"
 #include "experiment/figures.h"
+#include "experiment/guards.h"
 #include "model/family.h"
 
 #include <algorithm>
@@ -18,6 +19,12 @@ constexpr double significant = 100.0;
 std::optional<double> least(std::optional<double> a, std::optional<double> b)
 {
     return a && b ? std::min(*a, *b) : a ? a : b;
+}
+
+/// Which its guard lets pass.
+std::optional<double> stopSpeed(const Envelope &bounds)
+{
+    return bounds.speed ? std::optional(speedMargin * *bounds.speed) : std::nullopt;
 }
 
 /// Upwards to two figures: a bound is no measurement.
@@ -70,14 +77,14 @@ Extent extentOf(const ExperimentPlan &plan, const Trial &trial, double origin, d
     Extent extent;
     extent.duty = plan.mode == Mode::Duty ? std::max(std::abs(stimulus.from), std::abs(stimulus.to))
                                           : envelope.duty.value_or(1.0);
-    extent.speed = least(speedOf(plan, stimulus, extent.duty, gain), envelope.speed);
+    extent.speed = least(speedOf(plan, stimulus, extent.duty, gain), stopSpeed(envelope));
     extent.travel = least(travelOf(plan, stimulus, origin, extent.speed), envelope.travel);
     return extent;
 }
 
 Extent extentOf(const Envelope &bounds)
 {
-    return {bounds.duty.value_or(1.0), bounds.speed, bounds.travel};
+    return {bounds.duty.value_or(1.0), stopSpeed(bounds), bounds.travel};
 }
 
 Message textOf(const Extent &extent)

@@ -76,7 +76,7 @@ double largestOfDirection(const Envelope &envelope)
 }
 
 Task<double> checkDirection(Device &device, SetPointStream &stream, TrialRecorder &recorder, int axis, GuardPlan guards,
-    const Interruption &interruption, std::optional<Trip> &trip)
+    std::optional<Trip> &trip)
 {
     const TrialTraits &traits = *device.family().trials;
     const double largest = largestOfDirection(guards.envelope);
@@ -116,7 +116,7 @@ Task<double> checkDirection(Device &device, SetPointStream &stream, TrialRecorde
             trip = recorder.trip();
             co_return fail(Fault::Unsafe, trip->detail);
         }
-        if (interruption.isRequested() || stream.end() != SetPointStream::End::Stopped)
+        if (stream.end() != SetPointStream::End::Stopped)
             co_return fail(Fault::Unsafe, stream.reason());
         if (moved >= enough) {
             device.knowledge().setVerdict(verdictKey(device, axis), "agrees");

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "experiment/interruption.h"
 #include "experiment/trialrecorder.h"
 
 #include <map>
@@ -38,7 +37,7 @@ private:
 /// The verdict goes into the device's profile; a wrong one, and no motion up to the duty limit, are trips of the recorder's kind:
 /// the error is Unsafe, and `trip` says which. The stream is idle before and after.
 [[nodiscard]] Task<double> checkDirection(Device &device, SetPointStream &stream, TrialRecorder &recorder, int axis,
-    GuardPlan guards, const Interruption &interruption, std::optional<Trip> &trip);
+    GuardPlan guards, std::optional<Trip> &trip);
 
 /// Waits until the device is seen stopped, at most 2 s, telling it again meanwhile; whether it was.
 [[nodiscard]] Task<bool> confirmStop(Device &device);

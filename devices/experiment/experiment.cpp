@@ -54,9 +54,12 @@ Task<Trial> runExperiment(
         error = performed.error();
     auto concluding = run.conclude(error);
     co_await std::move(concluding);
-    if (error && !run.hasMoved())
-        co_return fail(*error);
-    co_return run.takeTrial();
+    Trial trial = run.takeTrial();
+    if (!error || run.hasResult())
+        co_return trial;
+    if (!trial.notPutBack.empty())
+        error->detail = joined(error->detail, say("the gains were not put back: %1", trial.notPutBack));
+    co_return fail(*error);
 }
 
 } // namespace mb::tuning

@@ -13,6 +13,7 @@ struct OwedValue {
     std::string key;
     std::int64_t raw = 0;
     std::optional<std::int64_t> tried{}; ///< what it has written instead; nothing: not known
+    bool isKept = false;                 ///< on purpose: a tuning has kept that
 
     friend bool operator==(const OwedValue &, const OwedValue &) = default;
 };

@@ -17,11 +17,10 @@ using namespace std::chrono_literals;
 
 constexpr Duration glance = 5ms;
 constexpr Duration approachLimit = 3s;
-constexpr double nearX = 0.02; ///< of |Y − X|
 constexpr Duration stillBefore = 250ms;
 constexpr Duration leastHold = 400ms;
 constexpr double levelShare = 0.5;
-constexpr double settledWidth = 0.02; ///< of |Y − X|
+constexpr double restShare = 0.02;
 constexpr double longestReturn = 5.0; ///< s
 /// Of a way back, over which it stays where it began: nothing but its next step waits.
 constexpr double returnedShare = 0.35;
@@ -31,6 +30,18 @@ constexpr Duration relayGlance = 2ms;
 constexpr Duration standsSpan = 150ms; ///< the same without a loop
 
 } // namespace
+
+double secondsBefore(double lag)
+{
+    const double settles = std::log(1.0 / (2.0 * restShare)) / (1.0 - levelShare) * lag;
+    return std::min(std::max(settles, inSeconds(stillBefore)), inSeconds(approachLimit)) + inSeconds(stillBefore);
+}
+
+double secondsAfter(double lag, double length)
+{
+    const double settles = std::log(1.0 / restShare) / (1.0 - returnedShare) * lag;
+    return std::min(std::max(settles, inSeconds(leastHold)), std::min(length, longestReturn));
+}
 
 ExperimentMotion::ExperimentMotion(Device &device, SetPointStream &stream, const ExperimentPlan &plan,
     const ExperimentSurroundings &surroundings, TrialRecorder &recorder, Trial &trial)
@@ -63,14 +74,9 @@ Duration ExperimentMotion::longest() const
     return approachLimit + ofSeconds(once * m_plan.repeat);
 }
 
-bool ExperimentMotion::isInterrupted() const
-{
-    return m_around.interruption && m_around.interruption->isRequested();
-}
-
 bool ExperimentMotion::isOver() const
 {
-    return m_recorder.trip() || !m_stream.isRunning() || isInterrupted();
+    return m_recorder.trip() || !m_stream.isRunning();
 }
 
 void ExperimentMotion::setTarget(double target)
@@ -117,11 +123,11 @@ bool ExperimentMotion::beginsHere()
 
 Task<void> ExperimentMotion::goTo(double target)
 {
-    const double width = nearX * std::abs(m_trial.stimulus.to - m_trial.stimulus.from);
     const std::string_view key = measuredOf(m_plan.mode);
     const Instant from = m_device.clock().now();
     const Instant limit = from + approachLimit;
     while (!isOver()) {
+        const double width = restWidth();
         const double here = m_recorder.latest(key).value_or(0.0);
         const bool rests = m_recorder.isSettled(from, stillBefore, levelShare, 2.0 * width);
         const bool arrived
@@ -146,6 +152,13 @@ Task<void> ExperimentMotion::goTo(double target)
     co_return {};
 }
 
+/// Of what is measured, within which it rests: 2 % of the way from X to Y. A duty is no measure of that, but what it makes now is.
+double ExperimentMotion::restWidth() const
+{
+    const double here = m_plan.mode == Mode::Duty ? m_recorder.latest(measuredOf(m_plan.mode)).value_or(0.0) : 0.0;
+    return restShare * std::max(std::abs(m_trial.stimulus.to - m_trial.stimulus.from), std::abs(here));
+}
+
 /// X for a moment, the stimulus, and back to X.
 Task<void> ExperimentMotion::followOnce(double dither)
 {
@@ -167,13 +180,12 @@ Task<void> ExperimentMotion::followProfile(Instant begin, Instant end)
 {
     const Stimulus &stimulus = m_trial.stimulus;
     Clock &clock = m_device.clock();
-    const double width = settledWidth * std::abs(stimulus.to - stimulus.from);
     const bool endsSettled = stimulus.ends && stimulus.profile == Profile::Step;
     const auto aim = isClosedLoop(m_plan.mode) ? std::optional(stimulus.to) : std::nullopt;
     const double place = m_recorder.latest("position").value_or(m_origin);
     for (int beat = 0; !isOver() && clock.now() < end; ++beat) {
         setTarget(stimulus.at(inSeconds(clock.now() - begin)));
-        if (hasGoneFar(place) || (endsSettled && m_recorder.hasSettled(begin, leastHold, aim, width)))
+        if (hasGoneFar(place) || (endsSettled && m_recorder.hasSettled(begin, leastHold, aim, restWidth())))
             break;
         Sleep nap(clock, std::min(begin + ofSeconds(m_beat * (beat + 1)), end) - clock.now());
         co_await nap;
@@ -240,18 +252,17 @@ bool ExperimentMotion::hasReturned(Instant since) const
     const Stimulus &stimulus = m_trial.stimulus;
     if (m_plan.mode == Mode::Duty && stimulus.from == 0.0)
         return m_recorder.isStill(since, standsSpan);
-    const double width = settledWidth * std::abs(stimulus.to - stimulus.from);
-    return m_recorder.isSettled(since, std::max(leastHold, ofSeconds(m_plan.rest)), returnedShare, width);
+    return m_recorder.isSettled(since, std::max(leastHold, ofSeconds(m_plan.rest)), returnedShare, restWidth());
 }
 
 void ExperimentMotion::tellMeasured() const
 {
-    if (!m_around.measured || isOver())
+    const auto newest = static_cast<std::ptrdiff_t>(m_trial.stimulus.edges().size());
+    if (!m_around.measured || isOver() || newest == 0)
         return;
     Trial sofar = m_trial;
     sofar.samples = m_recorder.samples();
     sofar.lost = m_recorder.lost();
-    const auto newest = static_cast<std::ptrdiff_t>(std::max<std::size_t>(m_trial.stimulus.edges().size(), 1));
     measure(sofar, m_device.family(), m_recorder, {m_holds.end() - newest, m_holds.end()}, {});
     m_around.measured(sofar);
 }

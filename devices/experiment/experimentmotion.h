@@ -9,6 +9,11 @@
 
 namespace mb::tuning {
 
+/// s from the beginning of a motion at rest to that of its stimulus, and from its end on until it is at X again, of what follows with
+/// that lag (s) a duty whose stimulus is `length` s long; at most.
+[[nodiscard]] double secondsBefore(double lag);
+[[nodiscard]] double secondsAfter(double lag, double length);
+
 /// What the motor does in an experiment: it goes to X, follows the stimulus and comes back, as often as planned. Ends early where a guard,
 /// the stream or somebody ends it. All that it is given outlives it; its task ends before it.
 class ExperimentMotion {
@@ -29,7 +34,6 @@ public:
     /// At most, from its beginning.
     [[nodiscard]] Duration longest() const;
     [[nodiscard]] SetPoint setPointAt(double target) const;
-    [[nodiscard]] bool isInterrupted() const;
     /// Of each step to Y.
     [[nodiscard]] const std::vector<Hold> &holds() const { return m_holds; }
     /// Of each way back.
@@ -44,6 +48,7 @@ private:
     [[nodiscard]] bool beginsHere();
     [[nodiscard]] bool hasGoneFar(double from) const;
     [[nodiscard]] bool hasReturned(Instant since) const;
+    [[nodiscard]] double restWidth() const;
     /// Something has ended the motion.
     [[nodiscard]] bool isOver() const;
     void setTarget(double target);

@@ -58,6 +58,8 @@ struct ExperimentSurroundings {
     std::function<void(const Message &)> warn; ///< one that they should not miss; where empty, a note
     /// When a hold has ended, before the way back: the trial with what this repeat has measured. The motor still runs.
     std::function<void(const Trial &)> measured;
+    /// Why what it has written is still in force, and owed: Trial::notPutBack, also of one that fails.
+    std::function<void(const Message &)> leftInForce;
 
     void caution(const Message &text) const
     {

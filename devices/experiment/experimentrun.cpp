@@ -29,18 +29,15 @@ ExperimentRun::ExperimentRun(
     , m_stream(stream)
     , m_plan(std::move(plan))
     , m_around(std::move(surroundings))
+    , m_user(m_around.interruption, stream)
     , m_recorder(device, stream, m_plan.mode, m_plan.axis)
     , m_motion(device, stream, m_plan, m_around, m_recorder, m_trial)
     , m_rates(device)
 {
-    if (m_around.interruption)
-        m_around.interruption->setStream(&stream);
 }
 
 ExperimentRun::~ExperimentRun()
 {
-    if (m_around.interruption)
-        m_around.interruption->setStream(nullptr);
     if (m_stream.isRunning())
         m_stream.stop();
 }
@@ -118,12 +115,8 @@ Task<void> ExperimentRun::perform()
         m_trial.flags.emplace_back(flag::restartNeeded);
     auto writing = writeDown();
     co_await std::move(writing);
-    if (m_motion.isInterrupted())
-        co_return {};
-    if (m_plan.mode == Mode::Position && m_device.family().capabilities.zeroPosition) {
-        auto zeroing = m_device.zeroPosition();
-        co_await std::move(zeroing);
-    }
+    auto zeroing = zero();
+    co_await std::move(zeroing);
     auto raising = m_rates.raise(m_plan.axis, rate(), m_around);
     co_await std::move(raising);
     announce(m_device, m_around, m_plan, m_trial, m_origin);
@@ -131,13 +124,22 @@ Task<void> ExperimentRun::perform()
     co_await std::move(finding);
     if (const Message caution = m_device.caution(m_motion.setPointAt(m_trial.stimulus.to)); !caution.empty())
         m_around.caution(caution);
-    if (m_motion.isInterrupted())
-        co_return {};
     m_moved = true;
     auto moving = m_motion.run(guardPlan(), 1.0 / rate());
     co_await std::move(moving);
     if (m_motion.unreached())
         m_trip = m_motion.unreached();
+    co_return {};
+}
+
+Task<void> ExperimentRun::zero()
+{
+    if (m_plan.mode != Mode::Position || !m_device.family().capabilities.zeroPosition)
+        co_return {};
+    if (auto may = m_user.mayGoOn(); !may)
+        co_return fail(may.error());
+    auto zeroing = m_device.zeroPosition();
+    co_await std::move(zeroing);
     co_return {};
 }
 
@@ -163,6 +165,9 @@ Task<void> ExperimentRun::writeDown()
         co_await std::move(owing);
     }
     if (!m_plan.gains.empty()) {
+        m_wrote = owes; // what is owed is put back, or found in force: either settles it
+        if (auto may = m_user.mayGoOn(); !may)
+            co_return fail(may.error());
         m_wrote = true;
         auto writing = writeGains(m_device, m_plan.gains);
         co_await std::move(writing);
@@ -211,10 +216,8 @@ Task<void> ExperimentRun::findDirection()
         m_breakaway = *known > 0.0 ? *known : m_breakaway;
         co_return {};
     }
-    Interruption alone;
-    const Interruption &interruption = m_around.interruption ? *m_around.interruption : alone;
     m_moved = true;
-    auto checking = checkDirection(m_device, m_stream, m_recorder, m_plan.axis, guardPlan(), interruption, m_trip);
+    auto checking = checkDirection(m_device, m_stream, m_recorder, m_plan.axis, guardPlan(), m_trip);
     const Result<double> duty = co_await std::move(checking).attempt();
     m_recorder.unguard();
     if (!duty)
@@ -233,7 +236,8 @@ Task<void> ExperimentRun::releaseKept()
     for (const ParameterChange &change : m_plan.gains)
         keys.emplace_back(m_device.parameters().parameter(change.index).key);
     auto releasing = m_around.journal->release(m_trial.unit, std::move(keys));
-    (void)co_await std::move(releasing).attempt();
+    if (const auto released = co_await std::move(releasing).attempt(); !released)
+        m_around.caution(say("the notebook may offer to put back what was there before: %1", released.error().detail));
     co_return {};
 }
 
@@ -249,12 +253,16 @@ Task<void> ExperimentRun::putBack()
         co_return {};
     }
     Result<void> written = fail(Fault::LinkLost, m_device.link().loss().message());
-    if (m_device.link().state() == LinkState::Open) {
+    if (m_device.link().state() == LinkState::Open && !m_stands) {
+        written = fail(Fault::Unsafe, say("the motor was not seen to stand"));
+    } else if (m_device.link().state() == LinkState::Open) {
         auto writing = writeGains(m_device, changesOf(m_device.family(), m_owed));
         written = co_await std::move(writing).attempt();
     }
     if (!written) {
         m_trial.notPutBack = written.error().detail;
+        if (m_around.leftInForce)
+            m_around.leftInForce(m_trial.notPutBack);
         m_around.caution(
             say("the gains were not put back: %1; they are offered at the next connection", written.error().detail));
         co_return {};
@@ -279,7 +287,7 @@ void ExperimentRun::classifyEnding(const std::optional<Error> &error)
             ending.streamReason = error->detail;
         }
     }
-    ending.interrupted = m_motion.isInterrupted() || m_device.gate().isStopPressed();
+    ending.interrupted = m_user.isRequested() || m_device.gate().isStopPressed();
     ending.linkOpen = m_device.link().state() == LinkState::Open;
     ending.error = error;
     nameEnding(m_trial, ending);
@@ -291,13 +299,14 @@ Task<void> ExperimentRun::conclude(std::optional<Error> error)
         m_stream.stop();
     m_recorder.unguard();
     classifyEnding(error);
-    if (!m_moved && m_motion.isInterrupted())
+    if (m_user.isRequested())
         m_device.stop(); // whoever calls for a stop is told whether the motor stands, whatever moved it
-    if (m_moved || m_motion.isInterrupted()) {
+    if (hasResult()) {
         auto confirming = confirmStop(m_device);
         m_trial.stopped = co_await std::move(confirming);
         auto resting = untilAtRest(m_device, m_recorder);
-        (void)co_await std::move(resting);
+        const bool rests = co_await std::move(resting);
+        m_stands = rests && m_trial.stopped;
     }
     m_trial.samples = m_recorder.samples();
     m_trial.lost = m_recorder.lost();

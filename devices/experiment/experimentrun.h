@@ -24,10 +24,13 @@ public:
     [[nodiscard]] Trial takeTrial() { return std::move(m_trial); }
     /// The motor was told to move.
     [[nodiscard]] bool hasMoved() const { return m_moved; }
+    /// What ended it is the result of a trial: the user did, or the motor was told to move.
+    [[nodiscard]] bool hasResult() const { return m_moved || m_user.isRequested(); }
 
 private:
     [[nodiscard]] Task<void> hearPosition();
     [[nodiscard]] Task<void> writeDown();
+    [[nodiscard]] Task<void> zero();
     [[nodiscard]] Task<void> findDirection();
     [[nodiscard]] Task<void> releaseKept();
     [[nodiscard]] Task<void> putBack();
@@ -40,6 +43,7 @@ private:
     SetPointStream &m_stream;
     ExperimentPlan m_plan;
     ExperimentSurroundings m_around;
+    Interruptible m_user;
     TrialRecorder m_recorder;
     Trial m_trial;
     ExperimentMotion m_motion;
@@ -51,6 +55,7 @@ private:
     bool m_wrote = false;   ///< some of its gains at least
     bool m_inForce = false; ///< all of them
     bool m_moved = false;
+    bool m_stands = true; ///< the motor was seen to stand after that
     RaisedRates m_rates;
 };
 

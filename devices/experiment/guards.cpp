@@ -12,7 +12,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration handling = 25ms; ///< from a sample to the bridge being off, besides the periods
-constexpr double speedMargin = 1.2;
 constexpr Duration overloadTime = 100ms;
 constexpr double peakMargin = 1.5;
 constexpr double heatBudget = 10.0; ///< s at the current limit

@@ -12,6 +12,9 @@
 
 namespace mb::tuning {
 
+/// Times a speed that is allowed, at which its guard stops.
+constexpr double speedMargin = 1.2;
+
 /// What ends an experiment. The names are stable: they are the reason in JSON.
 enum class Guard {
     Travel,

@@ -48,24 +48,26 @@ bool has(const Present &present, const OwedValue &value)
     return now != present.end() && now->second == value.raw;
 }
 
-/// It was put back, and somebody has written another since.
-bool isOver(const Present &present, const OwedValue &value)
+/// It was put back, and somebody has written another since; or a tuning keeps what is there.
+bool isOver(const Present &present, const OwedGains &debt, const OwedValue &value)
 {
     const auto now = present.find(value.key);
-    return now != present.end() && value.tried && now->second != value.raw && now->second != *value.tried;
+    if (now == present.end() || !value.tried)
+        return false;
+    return now->second == *value.tried ? value.isKept : debt.isPutBack && now->second != value.raw;
 }
 
-/// Takes what was written since out of the debt.
+/// Takes what is there on purpose out of the debt.
 Task<void> releaseWritten(const Device &device, ExperimentJournal &journal, const Present &present, OwedGains &debt)
 {
     std::vector<std::string> written;
     for (const OwedValue &value : debt.values) {
-        if (debt.isPutBack && isOver(present, value))
+        if (isOver(present, debt, value))
             written.push_back(value.key);
     }
     if (written.empty())
         co_return {};
-    std::erase_if(debt.values, [&present](const OwedValue &value) { return isOver(present, value); });
+    std::erase_if(debt.values, [&](const OwedValue &value) { return isOver(present, debt, value); });
     auto releasing = journal.release(unitKeyOf(device), std::move(written));
     (void)co_await std::move(releasing).attempt();
     co_return {};

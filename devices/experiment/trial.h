@@ -75,6 +75,8 @@ struct Trial {
     std::vector<Signal> signals;
 
     [[nodiscard]] bool has(std::string_view flag) const;
+    /// Whether another may follow by itself: it was done, its motor was seen to stand, and its gains are as planned.
+    [[nodiscard]] bool mayGoOn() const { return reason == "done" && stopped && notPutBack.empty(); }
     [[nodiscard]] const Signal *signal(std::string_view key) const; ///< of its axis; nullptr: not recorded
     /// The mean of all repeats (averaged(), equivalenttime.h), t = 0 at the edge, some of what was before: the hold as long as all
     /// have it, then the ways back, each from where the shortest hold has ended. The signal as it is where nothing steps.

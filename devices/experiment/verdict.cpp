@@ -195,8 +195,13 @@ void measure(
     const bool steps = !trial.stimulus.edges().empty();
     const auto target = [open](double value) { return open ? std::nullopt : std::optional(value); };
     const double leastMove = trial.mode == Mode::Current ? 0.0 : leastCounts;
-    Reading reading = readSteps(recorder, key, holds, target(trial.stimulus.to), leastMove);
-    const Reading back = readSteps(recorder, key, returns, target(trial.stimulus.from), leastMove);
+    Reading reading;
+    Reading back;
+    if (steps) { // in what never steps there is no response, and to look for one takes seconds
+        reading = readSteps(recorder, key, holds, target(trial.stimulus.to), leastMove);
+        back = readSteps(recorder, key, returns, target(trial.stimulus.from), leastMove);
+    }
+    reading.runs.resize(holds.size());
     const double limit = trial.envelope.duty.value_or(1.0);
     for (std::size_t i = 0; i < holds.size(); ++i) {
         const double hold = inSeconds(holds[i].second - holds[i].first);
@@ -206,8 +211,6 @@ void measure(
             reading.runs[i].peakCurrent.reset(); // its channel has no scale
     }
     Metrics metrics = reading.response.metrics;
-    if (!steps)
-        metrics = Metrics();
     averageEffort(metrics, reading.runs);
     if (steps && trial.stimulus.profile == Profile::Step)
         metrics.undershoot = back.response.metrics.overshoot;

@@ -38,6 +38,8 @@ Result<void> SetPointStream::start(const SetPoint &setPoint, Duration lease, con
     m_end = End::None;
     m_reason = {};
     if (setPoint.mode != Mode::Off) {
+        if (m_calledOff && *m_calledOff)
+            return fail(Fault::Cancelled, say("the user stopped it"));
         if (auto allowed = m_device.mayMove(); !allowed)
             return allowed;
         if (auto checked = m_device.check(setPoint); !checked)
@@ -177,7 +179,10 @@ Result<void> SetPointStream::update(const SetPoint &setPoint, const Glide &glide
 
 Result<void> SetPointStream::follow(const SetPoint &setPoint)
 {
-    return followOne(setPoint, {});
+    auto followed = followOne(setPoint, {});
+    if (!followed && m_running)
+        finish(End::Refused, followed.error().message());
+    return followed;
 }
 
 Result<void> SetPointStream::followOne(const SetPoint &setPoint, const Glide &glide)

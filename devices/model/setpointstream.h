@@ -48,11 +48,14 @@ public:
     /// A new target for the next frame, sent now; renews the lease. Fails and goes on with the old one when it is not legal.
     /// For another axis than before it joins the others; Mode::Off takes an axis out while others run.
     [[nodiscard]] Result<void> update(const SetPoint &setPoint, const Glide &glide = {});
-    /// The same for a story that moves the target by itself: it does not renew the lease, which is for who watches it.
+    /// The same for a story that moves the target by itself: what is not legal ends the stream, and the lease is not renewed.
     [[nodiscard]] Result<void> follow(const SetPoint &setPoint);
     void renew();
     /// Stops the motor now. Safe at any time.
     void stop();
+    /// While it is true start() is refused: whoever began what moves the motor by this stream has called it off. It outlives what is
+    /// set; nullptr: nobody may.
+    void setCalledOff(const bool *calledOff) { m_calledOff = calledOff; }
 
     [[nodiscard]] bool isRunning() const { return m_running; }
     /// The latest; while it glides, with the target of the newest frame.
@@ -90,6 +93,7 @@ private:
     SetPoint m_setPoint;
     std::vector<SetPoint> m_setPoints;
     std::map<int, SetPointSlew> m_glides; ///< by axis, of those that are on their way
+    const bool *m_calledOff = nullptr;
     bool m_running = false;
     bool m_waiting = false; ///< for the guardian; nothing was sent yet
     End m_end = End::None;

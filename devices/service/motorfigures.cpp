@@ -94,7 +94,7 @@ void conclude(const std::vector<Trial> &trials, MotorFigures &figures)
 /// The next push may begin.
 bool isEndedWell(const Trial &trial)
 {
-    return trial.reason == "done" && trial.stopped;
+    return trial.mayGoOn();
 }
 
 } // namespace

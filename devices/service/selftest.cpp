@@ -128,7 +128,7 @@ Task<TestFinding> runSelfTest(
         co_return finding;
     }
     finding.trial = trial->number;
-    if (trial->reason != "done" || !trial->stopped) {
+    if (!trial->mayGoOn()) {
         endBy(finding, *trial);
         co_return finding;
     }

@@ -329,6 +329,24 @@ Result<void> TrialBook::remove(std::int64_t number)
     return changeOne(number, "DELETE FROM trial WHERE id = ?", {static_cast<qint64>(number)});
 }
 
+namespace {
+
+/// A tuning that has kept its gains may not have been able to take them out of the debt.
+void markKept(std::vector<tuning::OwedGains> &owed, const std::vector<KeptTuning> &tunings)
+{
+    for (tuning::OwedGains &debt : owed) {
+        for (const KeptTuning &kept : tunings) {
+            if (kept.report.result != tuning::TuneResult::Kept || !isPartOf(debt.trial, kept.report))
+                continue;
+            for (tuning::OwedValue &value : debt.values)
+                value.isKept = std::any_of(kept.report.proposed.rows.begin(), kept.report.proposed.rows.end(),
+                    [&value](const auto &row) { return row.key == value.key && row.raw == value.tried; });
+        }
+    }
+}
+
+} // namespace
+
 Task<std::vector<tuning::OwedGains>> TrialBook::owedTo(std::string unit)
 {
     std::vector<tuning::OwedGains> owed;
@@ -346,6 +364,10 @@ Task<std::vector<tuning::OwedGains>> TrialBook::owedTo(std::string unit)
             });
     if (!done)
         co_return fail(done.error());
+    if (!owed.empty()) {
+        if (const auto tunings = tuningsOf(unit))
+            markKept(owed, *tunings);
+    }
     co_return owed;
 }
 

@@ -169,6 +169,35 @@ bool isLost(const Device &device, const Error &error)
         || (error.fault == Fault::Timeout && !device.liveness().heard);
 }
 
+/// What came between two experiments, and ends one where it comes in it; empty: nothing did.
+std::string_view endBetween(Device &device, const Error &error)
+{
+    using End = SetPointStream::End;
+    if (error.fault != Fault::Unsafe)
+        return {};
+    return device.liveness().foreignMaster ? toString(End::ForeignMaster)
+        : device.guard().possible()        ? std::string_view()
+                                           : toString(End::Unguarded);
+}
+
+/// Of a tuning that has moved its motor, or that the user has stopped before.
+void takeError(AutotuneRun &run, const Error &error)
+{
+    TuneReport &report = run.report();
+    report.result = report.result == TuneResult::RolledBack ? report.result : TuneResult::Refused;
+    report.evidence = error.message();
+    if (run.isOver())
+        return;
+    if (isLost(run.device(), error)) {
+        run.end(toString(Guard::Link), error.message());
+    } else if (run.user().isRequested()) {
+        run.end("interrupted", error.message());
+    } else if (const std::string_view reason = endBetween(run.device(), error); !reason.empty()) {
+        run.end(reason, error.message());
+        report.stopped = run.device().isSeenStopped();
+    }
+}
+
 } // namespace
 
 Result<void> checkTuning(const Family &family, const TunePlan &plan)
@@ -204,12 +233,9 @@ Task<TuneReport> autotune(Device &device, SetPointStream &stream, TunePlan plan,
     const Result<void> performed = co_await std::move(performing).attempt();
     TuneReport &report = run.report();
     if (!performed) {
-        if (!run.hasMoved())
+        if (!run.hasMoved() && !run.user().isRequested())
             co_return fail(performed.error());
-        report.result = report.result == TuneResult::RolledBack ? report.result : TuneResult::Refused;
-        report.evidence = performed.error().message();
-        if (isLost(device, performed.error()) && !run.isOver())
-            run.end(toString(Guard::Link), performed.error().message());
+        takeError(run, performed.error());
     }
     if (run.isOver())
         report.result = TuneResult::Stopped;

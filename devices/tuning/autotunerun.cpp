@@ -24,8 +24,10 @@ AutotuneRun::AutotuneRun(Device &device, SetPointStream &stream, TunePlan plan, 
     , m_stream(stream)
     , m_plan(std::move(plan))
     , m_around(std::move(surroundings))
+    , m_user(m_around.interruption, stream)
     , m_begin(device.clock().now())
 {
+    m_around.leftInForce = [this](const Message &why) { m_report.notPutBack = why; };
     m_report.device = device.selector();
     m_report.simulated = device.link().address().isSimulated();
     m_report.loop = m_plan.loop;

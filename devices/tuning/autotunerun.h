@@ -70,12 +70,12 @@ public:
     [[nodiscard]] const Envelope &envelope() const { return m_envelope; }
     [[nodiscard]] Device &device() const { return m_device; }
     [[nodiscard]] SetPointStream &stream() const { return m_stream; }
-    /// nullptr: nothing is kept.
-    [[nodiscard]] ExperimentJournal *journal() const { return m_around.journal; }
+    /// Its journal, and who is told.
+    [[nodiscard]] const ExperimentSurroundings &around() const { return m_around; }
     /// Counts either side of where the motor stands now; nothing: no limit is known.
     [[nodiscard]] std::optional<double> travelLeft() const;
-    /// nullptr: nobody can interrupt.
-    [[nodiscard]] Interruption *interruption() const { return m_around.interruption; }
+    /// Who may end it at any time.
+    [[nodiscard]] const Interruptible &user() const { return m_user; }
     /// Counts, where the motor is.
     [[nodiscard]] double place() const { return m_here; }
 
@@ -89,6 +89,7 @@ private:
     SetPointStream &m_stream;
     TunePlan m_plan;
     ExperimentSurroundings m_around;
+    Interruptible m_user;
     TuneReport m_report;
     Envelope m_envelope;   ///< of limits and device together
     double m_start = 0.0;  ///< counts, where the tuning began

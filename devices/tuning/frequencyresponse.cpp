@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/frequencyresponse.h"
 
+#include "experiment/experimentmotion.h"
 #include "experiment/figures.h"
 #include "model/family.h"
 #include "tuning/leastsquares.h"
@@ -27,7 +28,8 @@ constexpr double usualBias = 0.25;   ///< duty
 constexpr double leastBias = 0.06;
 constexpr double swingShare = 0.4;      ///< of the bias beyond friction: it never comes to rest
 constexpr double clearOfFriction = 3.0; ///< times friction that the bias is, at least
-constexpr double aroundOne = 2.0;       ///< s, before and after the swings of one
+constexpr double standsAfter = 5.0;     ///< lags, until it has come to rest from X
+constexpr double notMoving = 0.7;       ///< s of an experiment around its motion: rates, the stop that is seen
 constexpr std::size_t leastPoints = 40;
 
 struct Phasor {
@@ -119,7 +121,11 @@ Result<SweepPlan> planSweep(const PlantModel &plant, const Envelope &inForce, do
     const auto speedAt = [&plant](double duty) { return plant.gain * std::max(duty - plant.friction, 0.0); };
     if (inForce.speed)
         bias = std::min(bias, (usableShare * *inForce.speed / plant.gain + plant.friction) / (1.0 + swingShare));
-    const double longest = swingsOfOne / low + aroundOne;
+    const double lag = plant.tau + plant.delay;
+    const auto aroundOne
+        = [lag](double swings) { return secondsBefore(lag) + secondsAfter(lag, swings) + standsAfter * lag; };
+    const double slow = swingsOfOne / low;
+    const double longest = slow + aroundOne(slow);
     if (inForce.travel)
         bias = std::min(bias, usableShare * *inForce.travel / (plant.gain * longest) + plant.friction);
     if (bias < std::max(leastBias, clearOfFriction * plant.friction))
@@ -131,10 +137,11 @@ Result<SweepPlan> planSweep(const PlantModel &plant, const Envelope &inForce, do
     plan.swing = swingShare * (bias - plant.friction);
     for (int i = 0; i < sines; ++i) {
         plan.hertz.push_back(low * std::pow(high / low, static_cast<double>(i) / (sines - 1)));
-        plan.seconds += swingsOfOne / plan.hertz.back() + aroundOne;
+        const double swings = swingsOfOne / plan.hertz.back();
+        plan.seconds += swings + aroundOne(swings) + notMoving;
     }
     plan.speed = speedAt(plan.bias + plan.swing);
-    plan.travel = speedAt(plan.bias) * longest;
+    plan.travel = speedAt(plan.bias) * slow + speedAt(plan.bias - plan.swing) * aroundOne(slow);
     return plan;
 }
 

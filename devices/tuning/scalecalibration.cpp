@@ -38,28 +38,6 @@ private:
     const AutotuneRun &m_run;
 };
 
-/// The user may end what moves now.
-class Interruptible {
-public:
-    Interruptible(Interruption *interruption, SetPointStream &stream)
-        : m_interruption(interruption)
-    {
-        if (m_interruption)
-            m_interruption->setStream(&stream);
-    }
-    Interruptible(const Interruptible &) = delete;
-    Interruptible &operator=(const Interruptible &) = delete;
-    ~Interruptible()
-    {
-        if (m_interruption)
-            m_interruption->setStream(nullptr);
-    }
-    [[nodiscard]] bool isRequested() const { return m_interruption && m_interruption->isRequested(); }
-
-private:
-    Interruption *m_interruption;
-};
-
 GuardPlan guardsOf(const AutotuneRun &run)
 {
     const TrialTraits &traits = *run.device().family().trials;
@@ -100,13 +78,14 @@ Task<void> findScales(AutotuneRun &run)
     run.note(say("the scale of its gains is not known yet, and is found first: one to two minutes, with %1 % of its "
                  "power at most",
         std::round(100.0 * options.power)));
-    run.note(textOf({options.power, run.envelope().speed, run.envelope().travel}));
+    Extent extent = extentOf(run.envelope());
+    extent.duty = options.power;
+    run.note(textOf(extent));
     TrialRecorder recorder(device, run.stream(), Mode::Velocity, options.axis);
     recorder.guard(guardsOf(run));
     auto beginning = run.keepBefore();
     co_await std::move(beginning);
     run.setMoved();
-    const Interruptible user(run.interruption(), run.stream());
     auto searching = experiment.run(device, run.stream(), options, progress);
     const Result<ExperimentReport> found = co_await std::move(searching).attempt();
     recorder.unguard();
@@ -115,7 +94,7 @@ Task<void> findScales(AutotuneRun &run)
     run.lookWhere();
     if (recorder.trip())
         run.end(toString(recorder.trip()->guard), recorder.trip()->detail);
-    else if (user.isRequested())
+    else if (run.user().isRequested())
         run.end("interrupted", say("the user stopped it"));
     else if (!found && found.error().fault == Fault::LinkLost)
         run.end(toString(Guard::Link), found.error().detail);

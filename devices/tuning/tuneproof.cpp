@@ -245,7 +245,7 @@ Task<void> TuneProof::write()
     TuneReport &report = m_run.report();
     Device &device = m_run.device();
     const std::vector<ParameterChange> &changes = report.proposed.changes;
-    ExperimentJournal *const journal = m_run.journal();
+    ExperimentJournal *const journal = m_run.around().journal;
     const bool owes = journal && !report.trials.empty() && !m_mayStay;
     std::vector<OwedValue> before;
     if (owes) {
@@ -254,8 +254,13 @@ Task<void> TuneProof::write()
         auto owing = journal->owe(report.trials.back(), unitKeyOf(device), before);
         co_await std::move(owing);
     }
-    auto writing = writeGains(device, changes);
-    const Result<void> written = co_await std::move(writing).attempt();
+    Result<void> written = m_run.user().mayGoOn();
+    if (written) {
+        auto writing = writeGains(device, changes);
+        written = co_await std::move(writing).attempt();
+    }
+    if (written && owes)
+        written = m_run.user().mayGoOn();
     if (!written && owes) {
         auto back = takeBack(std::move(before), written.error());
         co_await std::move(back);
@@ -267,7 +272,10 @@ Task<void> TuneProof::write()
         keys.emplace_back(device.parameters().parameter(change.index).key);
     if (journal) {
         auto releasing = journal->release(unitKeyOf(device), std::move(keys));
-        (void)co_await std::move(releasing).attempt();
+        if (const auto released = co_await std::move(releasing).attempt(); !released) {
+            m_unreleased = say("the notebook may offer to put back what was there before: %1", released.error().detail);
+            m_run.around().caution(m_unreleased);
+        }
     }
     co_return {};
 }
@@ -282,7 +290,7 @@ Task<void> TuneProof::takeBack(std::vector<OwedValue> before, Error cause)
     for (int again = 0; again <= mostAgain && (again == 0 || !paid); ++again) {
         if (again > 0)
             co_await Sleep(m_run.device().clock(), againAfter);
-        auto paying = payOwed(m_run.device(), *m_run.journal(), {report.trials.back(), 0.0, before});
+        auto paying = payOwed(m_run.device(), *m_run.around().journal, {report.trials.back(), 0.0, before});
         paid = co_await std::move(paying).attempt();
     }
     if (paid) {
@@ -325,6 +333,8 @@ Task<void> TuneProof::keep()
     if (std::any_of(report.proof.begin(), report.proof.end(),
             [](const Trial &trial) { return trial.has(flag::restartNeeded); }))
         report.evidence = joined(report.evidence, say("a part of them is in force after a restart only"));
+    if (!m_unreleased.empty())
+        report.evidence = joined(report.evidence, m_unreleased);
     if (can.storesAfter > std::chrono::seconds(0))
         report.evidence
             = joined(report.evidence, say("the unit stores them by itself within %1 s", can.storesAfter.count()));

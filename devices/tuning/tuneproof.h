@@ -45,6 +45,7 @@ private:
     bool m_isRead = false;  ///< the gains that it replaces are known
     double m_heat = 0.0;    ///< in the winding (windingheat.h)
     bool m_mayStay = false; ///< nobody knows them, and nobody minds
+    Message m_unreleased;   ///< why the notebook still owes what was there before; empty: it does not
 };
 
 } // namespace mb::tuning

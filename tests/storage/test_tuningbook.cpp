@@ -152,6 +152,28 @@ TEST_F(KeptTunings, ATuningComesBackWithItsModelProposalsAndProof)
     EXPECT_DOUBLE_EQ(back.proof.front().stimulus.to, 30'000.0);
 }
 
+/// The debt of before could not be taken out of the notebook when they were written.
+TEST_F(KeptTunings, KnowWhichOfWhatIsOwedTheyHaveKept)
+{
+    const auto database = open();
+    TrialBook book(*database, clock);
+    const auto number = test::run(clock, book.begin(Trial()));
+    ASSERT_TRUE(number);
+    TuneReport kept = report();
+    kept.trials = {*number};
+    kept.proposed.rows = {{"slot0.i", 227}, {"slot0.p", 76'349}};
+    ASSERT_TRUE(test::run(
+        clock, book.owe(*number, kept.unit, {{"slot0.i", 100, 228}, {"slot0.p", 70'000, 76'349}, {"slot1.p", 1, 2}})));
+    const auto owed = [&] { return test::run(clock, book.owedTo(kept.unit)).value().at(0).values; };
+    for (const OwedValue &value : owed())
+        EXPECT_FALSE(value.isKept) << value.key;
+    ASSERT_TRUE(test::run(clock, book.keepTuning(kept)));
+    ASSERT_EQ(owed().size(), 3U);
+    EXPECT_FALSE(owed()[0].isKept) << "another trial has tried another since";
+    EXPECT_TRUE(owed()[1].isKept);
+    EXPECT_FALSE(owed()[2].isKept);
+}
+
 TEST_F(KeptTunings, ANotebookOfTheFirstSchemaKeepsItsTrialsAndTakesTunings)
 {
     const std::string kept = inSourceTree("tests/storage/schemas/version-1.db");

@@ -44,6 +44,8 @@ public:
     Task<void> release(std::string, std::vector<std::string> keys) override
     {
         log.emplace_back("release");
+        if (releaseFails)
+            co_return fail(Fault::OutOfRange, say("the disk is full"));
         std::erase_if(owed, [&keys](const tuning::OwedValue &value) {
             return std::find(keys.begin(), keys.end(), value.key) != keys.end();
         });
@@ -72,6 +74,10 @@ public:
         std::vector<tuning::OwedGains> all;
         if (!owed.empty() && unit == debtor)
             all.push_back({static_cast<std::int64_t>(begun.size()), owedAt, owed, isPutBack});
+        for (tuning::OwedGains &debt : all) {
+            for (tuning::OwedValue &value : debt.values)
+                value.isKept = isKept;
+        }
         co_return all;
     }
 
@@ -91,6 +97,8 @@ public:
     std::vector<tuning::Trial> completed;
     std::vector<tuning::TuneReport> tunings;
     bool isFull = false;
+    bool releaseFails = false;
+    bool isKept = false; ///< what is owed is of a tuning that is kept
 };
 
 } // namespace mb::test

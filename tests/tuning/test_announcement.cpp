@@ -123,6 +123,19 @@ TEST(Announcement, TheCheckOfTheDirectionIsToldWhereItComesFirst)
     EXPECT_NE(checked, bench.notes.end());
 }
 
+/// Its guard lets that pass.
+TEST(Announcement, OfASpeedThatTheLimitsBoundIsWhatItsGuardStopsAt)
+{
+    ExperimentPlan plan;
+    plan.mode = Mode::Duty;
+    Trial trial;
+    trial.stimulus = *Stimulus::make(Profile::Step, 0.0, 0.4, 1.0, 0.02);
+    trial.envelope.speed = 1000.0;
+    EXPECT_DOUBLE_EQ(extentOf(plan, trial, 0.0, 10'000.0).speed.value_or(0.0), 1200.0);
+    EXPECT_DOUBLE_EQ(extentOf(plan, trial, 0.0, 2000.0).speed.value_or(0.0), 800.0);
+    EXPECT_DOUBLE_EQ(extentOf(trial.envelope).speed.value_or(0.0), 1200.0);
+}
+
 TEST(Announcement, WhatNobodyKnowsIsBoundedByTheLimits)
 {
     ExperimentPlan plan;
@@ -139,11 +152,11 @@ TEST(Announcement, WhatNobodyKnowsIsBoundedByTheLimits)
     EXPECT_DOUBLE_EQ(known.speed.value_or(0.0), 400.0);
     EXPECT_DOUBLE_EQ(known.travel.value_or(0.0), 1000.0); // it rolls on by a quarter
     EXPECT_EQ(textOf(extentOf(Envelope{5000.0, 300.0, {}, 0.4})).english(),
-        "at most 40 % duty, 300 counts/s and 5000 counts from where it stands");
+        "at most 40 % duty, 360 counts/s and 5000 counts from where it stands");
     EXPECT_EQ(textOf(extentOf(Envelope{3.75, 0.29, {}, 0.4})).english(),
-        "at most 40 % duty, 0.29 counts/s and 3.8 counts from where it stands");
+        "at most 40 % duty, 0.35 counts/s and 3.8 counts from where it stands");
     trial.envelope.speed = 300.0;
-    EXPECT_DOUBLE_EQ(extentOf(plan, trial, 0.0, 1000.0).speed.value_or(0.0), 300.0);
+    EXPECT_DOUBLE_EQ(extentOf(plan, trial, 0.0, 1000.0).speed.value_or(0.0), 360.0);
 }
 
 } // namespace

@@ -84,6 +84,54 @@ TEST(Endings, GainsThatCouldNotBePutBackAreSaidAndOwed)
     EXPECT_FALSE(step.bench.journal.owed.empty());
 }
 
+/// Their loop drives the motor: whoever changes them now changes what it does.
+TEST(Endings, WhoseMotorIsNotSeenToStandOweTheGains)
+{
+    StepWithGains step;
+    step.plan.keep = Keep::Never;
+    const auto other = step.bench.bench.session.bench(*step.bench.bench.link)->hostLink();
+    ASSERT_TRUE(other->open());
+    Timer timer(step.bench.bench.clock);
+    std::function<void()> again = [&] {
+        ASSERT_TRUE(dynamic_cast<CanLink &>(*other).send(*canFrameFromText("02060005#0000000010270000")));
+        timer.startIn(20ms, again);
+    };
+    const Trial trial = step.endedBy([&] { timer.startIn(1ms, again); });
+    EXPECT_EQ(trial.reason, "foreign master");
+    EXPECT_EQ(trial.notPutBack.english(), "the motor was not seen to stand");
+    EXPECT_EQ(step.inForce(), step.before / 2);
+    EXPECT_FALSE(step.bench.journal.owed.empty());
+}
+
+TEST(Endings, BeforeItsMotionSayWhatIsNotPutBack)
+{
+    StepWithGains step;
+    step.plan.keep = Keep::Never;
+    auto task = step.bench.start(step.plan);
+    task.start();
+    ASSERT_TRUE(step.bench.bench.clock.runUntil(
+        [&] { return !step.bench.journal.log.empty() && step.bench.journal.log.back() == "owe"; }, 20s));
+    step.bench.simulator()->setPowered(false);
+    ASSERT_TRUE(step.bench.bench.clock.runUntil([&] { return task.isFinished(); }, 30s));
+    ASSERT_FALSE(task.result());
+    EXPECT_NE(task.result().error().text().find("the gains were not put back"), std::string::npos)
+        << task.result().error().text();
+}
+
+/// Its targets reach farther than the device counts.
+TEST(Endings, OfATargetThatTheDeviceRefusesAreARefusal)
+{
+    ExperimentBench bench("sim:serial", "supermodified", 4);
+    ExperimentPlan plan = stepTo(Mode::Position, 1e10);
+    plan.limits.travel = 1e11;
+    const Result<Trial> trial = bench.run(plan);
+    ASSERT_TRUE(!trial || trial->reason != "done");
+    if (trial) {
+        EXPECT_EQ(trial->reason, "refused");
+        EXPECT_FALSE(trial->detail.empty());
+    }
+}
+
 /// During the check of the direction, before anything else moves.
 Trial endedAtTheFirstPush(ExperimentBench &bench, const std::function<void()> &strike)
 {
@@ -196,6 +244,36 @@ TEST(Endings, OfAHoldTellWhatItsOwnRepeatHasMeasured)
     ASSERT_TRUE(trial);
     EXPECT_EQ(holds, (std::vector<std::size_t>{1, 1, 1}));
     EXPECT_EQ(trial->holds.size(), 3U);
+}
+
+/// Of a ramp, a sine, a chirp or bits nothing is a step response: what is read out of one is only looked for where there is one.
+TEST(Endings, OfAProfileWithoutStepsTellNothingWhileTheMotorRuns)
+{
+    ExperimentBench bench;
+    int told = 0;
+    bench.surroundings.measured = [&](const Trial &) { ++told; };
+    ExperimentPlan plan = stepTo(Mode::Velocity, 60'000.0);
+    plan.profile = Profile::Ramp;
+    plan.seconds = 3.0;
+    const Result<Trial> trial = bench.run(plan);
+    ASSERT_TRUE(trial);
+    EXPECT_EQ(trial->reason, "done");
+    EXPECT_EQ(told, 0);
+    EXPECT_EQ(trial->holds.size(), 1U);
+    EXPECT_FALSE(trial->metrics.rise);
+    EXPECT_TRUE(trial->metrics.peakCurrent);
+    EXPECT_TRUE(trial->metrics.dutyChatter);
+}
+
+/// Its velocity tells that, not the duty.
+TEST(Endings, OfAHoldOfADutyComeWhenTheMotorTurnsSteadily)
+{
+    ExperimentBench bench;
+    const Result<Trial> trial = bench.run(stepTo(Mode::Duty, 0.2));
+    ASSERT_TRUE(trial);
+    EXPECT_EQ(trial->reason, "done");
+    ASSERT_EQ(trial->holds.size(), 1U);
+    EXPECT_LT(trial->holds.front().to - trial->holds.front().from, 4.0);
 }
 
 } // namespace

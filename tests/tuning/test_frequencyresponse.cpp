@@ -137,6 +137,8 @@ TEST(FrequencyResponse, MeasuresTheSimulatedMotorAsItIs)
     const auto plan = planSweep(model->plant, benchLimits(), 0.02);
     ASSERT_TRUE(plan) << plan.error().text();
     std::printf("%s\n", announcementOf(*plan).english().c_str());
+    const std::size_t before = bench.journal.completed.size();
+    const Instant begin = bench.bench.clock.now();
     const auto measured = test::run(bench.bench.clock,
         measureFrequencyResponse(
             *bench.device, bench.bench.session.stream(*bench.device), *plan, model->plant, bench.surroundings));
@@ -146,6 +148,19 @@ TEST(FrequencyResponse, MeasuresTheSimulatedMotorAsItIs)
     ASSERT_EQ(measured->points.size(), plan->hertz.size()) << measured->evidence;
     EXPECT_EQ(measured->trials.size(), plan->hertz.size());
     EXPECT_NEAR(measured->trustedUpTo(), plan->hertz.back(), 1e-3);
+    const double seconds = std::chrono::duration<double>(bench.bench.clock.now() - begin).count();
+    double farthest = 0.0;
+    for (std::size_t i = before; i < bench.journal.completed.size(); ++i) {
+        const Trace &position = bench.journal.completed[i].signal("position")->trace;
+        for (const double place : position.y)
+            farthest = std::max(farthest, std::abs(place - position.y.front()));
+    }
+    std::printf("announced %.0f s and %.0f counts, done %.0f s and %.0f counts\n", plan->seconds, plan->travel, seconds,
+        farthest);
+    EXPECT_LE(seconds, plan->seconds);
+    EXPECT_GE(seconds, 0.7 * plan->seconds);
+    EXPECT_LE(farthest, plan->travel);
+    EXPECT_GE(farthest, 0.7 * plan->travel);
     for (const FrequencyPoint &point : measured->points) {
         const double expected = trueMagnitude(*plan, point.hertz);
         const double ofModel

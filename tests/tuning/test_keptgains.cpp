@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a tuning leaves in a unit where its motor, the unit or this program lets it down.
+#include "experiment/owedgains.h"
 #include "tests/tuning/tuningbench.h"
+#include "transport/canlink.h"
+#include "wire/canframe.h"
 
 namespace mb::tuning {
 namespace {
@@ -89,6 +92,75 @@ TEST(KeptGains, AreOwedByNobodyOnceAllAreWritten)
     ASSERT_TRUE(tuned.bench.bench.clock.runUntil([&] { return tuned.task.isFinished(); }, 2min));
     ASSERT_EQ(tuned.task.result()->result, TuneResult::Kept);
     EXPECT_TRUE(tuned.bench.journal.owed.empty());
+}
+
+TEST(KeptGains, WhoseDebtCouldNotBeTakenBackAreKeptAndThatIsSaid)
+{
+    Tuned tuned;
+    std::vector<std::string> warned;
+    tuned.bench.surroundings.warn = [&](const Message &text) { warned.push_back(text.english()); };
+    tuned.bench.journal.releaseFails = true;
+    tuned.task = autotune(*tuned.bench.device, tuned.bench.bench.session.stream(*tuned.bench.device),
+        planOf(Mode::Velocity), tuned.bench.surroundings);
+    tuned.task.start();
+    ASSERT_TRUE(tuned.bench.bench.clock.runUntil([&] { return tuned.task.isFinished(); }, 2min));
+    ASSERT_TRUE(tuned.task.result());
+    const TuneReport &report = *tuned.task.result();
+    EXPECT_EQ(report.result, TuneResult::Kept);
+    EXPECT_NE(report.evidence.english().find("the disk is full"), std::string::npos) << report.evidence.english();
+    ASSERT_EQ(warned.size(), 1U);
+    EXPECT_NE(warned.front().find("the disk is full"), std::string::npos) << warned.front();
+    ASSERT_FALSE(tuned.bench.journal.owed.empty());
+    tuned.bench.journal.releaseFails = false;
+    tuned.bench.journal.isKept = true;
+    const auto asked = test::run(tuned.bench.bench.clock, lookForOwed(*tuned.bench.device, tuned.bench.journal));
+    ASSERT_TRUE(asked);
+    EXPECT_TRUE(asked->empty()) << "what was kept is there on purpose";
+    EXPECT_TRUE(tuned.bench.journal.owed.empty());
+}
+
+/// Half of what is put to the second proof is in force when the unit falls silent.
+TEST(KeptGains, OfAProofThatCouldNotBeginAreSaidToBeStillInForce)
+{
+    Tuned tuned;
+    const auto owed = [&] { return std::count(tuned.bench.journal.log.begin(), tuned.bench.journal.log.end(), "owe"); };
+    tuned.task.start();
+    ASSERT_TRUE(tuned.bench.bench.clock.runUntil([&] { return owed() == 2; }, 2min));
+    tuned.bench.simulator()->setPowered(false);
+    ASSERT_TRUE(tuned.bench.bench.clock.runUntil([&] { return tuned.task.isFinished(); }, 2min));
+    ASSERT_TRUE(tuned.task.result()) << tuned.task.result().error().text();
+    const TuneReport &report = *tuned.task.result();
+    EXPECT_FALSE(report.notPutBack.empty());
+    EXPECT_NE(report.evidence.english().find("the gains were not put back"), std::string::npos)
+        << report.evidence.english();
+    EXPECT_FALSE(tuned.bench.journal.owed.empty());
+}
+
+/// It commands the unit, which stands all the same, from the end of the first push on.
+TEST(Tuning, IsStoppedByAnotherMasterBetweenTwoOfItsExperiments)
+{
+    Tuned tuned;
+    SetPointStream &stream = tuned.bench.bench.session.stream(*tuned.bench.device);
+    const auto other = tuned.bench.bench.session.bench(*tuned.bench.bench.link)->hostLink();
+    ASSERT_TRUE(other->open());
+    Timer timer(tuned.bench.bench.clock);
+    std::function<void()> command = [&] {
+        ASSERT_TRUE(dynamic_cast<CanLink &>(*other).send(*canFrameFromText("02060007#0000000000000000")));
+        timer.startIn(20ms, command);
+    };
+    const auto isPush = [](const std::string &note) { return note.starts_with("pushing"); };
+    tuned.task.start();
+    ASSERT_TRUE(tuned.bench.bench.clock.runUntil(
+        [&] { return std::any_of(tuned.bench.notes.begin(), tuned.bench.notes.end(), isPush) && stream.isRunning(); },
+        2min));
+    ASSERT_TRUE(tuned.bench.bench.clock.runUntil([&] { return !stream.isRunning(); }, 2min));
+    command();
+    ASSERT_TRUE(tuned.bench.bench.clock.runUntil([&] { return tuned.task.isFinished(); }, 2min));
+    ASSERT_TRUE(tuned.task.result()) << tuned.task.result().error().text();
+    const TuneReport &report = *tuned.task.result();
+    EXPECT_EQ(report.result, TuneResult::Stopped) << report.evidence.english();
+    EXPECT_EQ(report.stopReason, "foreign master");
+    EXPECT_EQ(report.stopped, tuned.bench.device->isSeenStopped());
 }
 
 /// Its supply goes when the first push ends.

@@ -118,10 +118,11 @@ bool isPutBack(TripBench &bench, const std::vector<OwedValue> &before)
     return !before.empty();
 }
 
-/// The unit is there again, and who asks it finds out what it is owed.
+/// The unit is there again, nothing turns its shaft any more, and who asks it finds out what it is owed.
 void connectAgain(TripBench &bench)
 {
     bench.simulator()->setPowered(true);
+    disturb(bench, "load-torque", 0.0);
     bench.bench.clock.advance(3s);
     (void)run(bench.bench.clock, bench.device->refresh());
     auto owed = run(bench.bench.clock, lookForOwed(*bench.device, bench.journal));

@@ -37,7 +37,7 @@ struct BatteryBench {
         dialog.show();
     }
     /// The step that runs ends with this overshoot.
-    void finish(double overshoot, const char *reason = "done")
+    void finish(double overshoot, const char *reason = "done", bool stopped = true)
     {
         const auto plan = workbench.given<orders::RunTrial>().back().plan;
         tuning::Trial trial;
@@ -46,7 +46,7 @@ struct BatteryBench {
         trial.stimulus.to = plan.to;
         trial.metrics.overshoot = overshoot;
         trial.reason = reason;
-        trial.stopped = true;
+        trial.stopped = stopped;
         const auto finished = workbench.given<orders::RunTrial>().back().finished;
         finished(trial);
     }
@@ -60,6 +60,7 @@ private Q_SLOTS:
     void nothingMovesBeforeItIsArmedAndStarted();
     void tenStepsFollowEachOtherAndTheWorstStandsBelow();
     void aStopEndsItAndSaysSo();
+    void aMotorThatIsNotSeenToStandEndsIt();
     void everyControlHasAName();
 };
 
@@ -107,6 +108,19 @@ void TestBattery::aStopEndsItAndSaysSo()
     QCOMPARE(bench.dialog.table().rowCount(), 3);
     bench.dialog.run();
     QCOMPARE(bench.workbench.given<orders::RunTrial>().size(), std::size_t(2)); // a guard's stop is latched
+}
+
+/// Though it was done.
+void TestBattery::aMotorThatIsNotSeenToStandEndsIt()
+{
+    BatteryBench bench;
+    bench.arming.arm({1});
+    bench.dialog.run();
+    bench.finish(0.01);
+    QCOMPARE(bench.workbench.given<orders::RunTrial>().size(), std::size_t(2));
+    bench.finish(0.02, "done", false);
+    QVERIFY(!bench.dialog.isRunning());
+    QCOMPARE(bench.workbench.given<orders::RunTrial>().size(), std::size_t(2));
 }
 
 void TestBattery::everyControlHasAName()

@@ -161,15 +161,19 @@ void BatteryDialog::ended(const Result<tuning::Trial> &trial, std::uint64_t armi
         addRow(*trial);
         showCurves();
     }
-    const bool good = trial && trial->reason == "done";
+    const bool good = trial && trial->mayGoOn();
     const bool whole = m_trials.size() == m_battery.steps.size();
     if (good && !whole && isVisible() && m_arming.isArmed(m_device) && m_arming.armingNumber() == armingNumber)
         return next();
     m_running = false;
     if (!trial)
         say(tr("Ended: %1").arg(errorText(trial.error())));
-    else if (!good)
+    else if (trial->reason != "done")
         say(tr("Ended by: %1").arg(guardText(trial->reason)));
+    else if (!trial->stopped)
+        say(tr("Ended: %1").arg(messageText(mb::say("the motor was not seen to stand"))));
+    else if (!good)
+        say(tr("Ended: %1").arg(messageText(mb::say("the gains were not put back: %1", trial->notPutBack))));
     else
         say(whole ? tr("Done: %1 trials in the notebook.").arg(m_trials.size())
                   : tr("Ended before all steps were run."));

@@ -179,7 +179,7 @@ void TuneExperiments::runNext()
 void TuneExperiments::ended(const Result<tuning::Trial> &trial, std::uint64_t armingNumber)
 {
     const DeviceView *const view = m_choices.device();
-    const bool goesOn = trial && trial->reason == "done" && view && m_arming.isArmed(view->id)
+    const bool goesOn = trial && trial->mayGoOn() && view && m_arming.isArmed(view->id)
         && m_arming.armingNumber() == armingNumber && !m_turns.empty();
     if (!goesOn)
         m_turns.clear();
