@@ -72,10 +72,10 @@ void OwedStops::lookAtBooks()
 void OwedStops::add(Device &device)
 {
     const DeviceStop &stop = device.stopping();
-    if (!stop.isDue() || !stop.isForMotion() || device.link().address().isSimulated())
+    if (!(stop.isDue() || stop.mayTurn()) || !stop.isForMotion() || device.link().address().isSimulated())
         return;
     if (const StopScript script = device.stopScript(); !script.isEmpty() && !device.family().capabilities.watchdog)
-        m_owed.push_back({device.link().line(), device.selector(), script, m_clock.now()});
+        m_owed.push_back({device.link().line(), device.selector(), script, stop.toldAt()});
     lookAtBooks();
 }
 

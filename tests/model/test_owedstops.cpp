@@ -115,6 +115,30 @@ TEST_F(Owed, ForTenMinutesAndNotLonger)
     EXPECT_TRUE(owed.all().empty()) << "whether it turns is seen from now on";
 }
 
+TEST_F(Owed, TheTimeCountsFromWhenTheMotorWasToldNotFromWhenItsLinkWasClosed)
+{
+    make();
+    clock.advance(9min);
+    owed.add(*motor);
+    clock.advance(1min - 1ns);
+    EXPECT_EQ(paid(link), Frames{owedStopFrame});
+    clock.advance(1ns);
+    EXPECT_EQ(paid(link), Frames{});
+}
+
+TEST_F(Owed, AMotorThatMayStillTurnStaysShownWhenItsLinkIsClosedAfterTenMinutes)
+{
+    make();
+    link.lose({Fault::LinkLost, say("cut")});
+    clock.advance(DeviceStop::debtLimit + 1min);
+    ASSERT_TRUE(motor->stopping().mayTurn());
+    owed.add(*motor);
+    EXPECT_EQ(owed.all().size(), 1U);
+    ASSERT_TRUE(link.open());
+    EXPECT_EQ(paid(link), Frames{}) << "it is not sent any more";
+    EXPECT_EQ(owed.all().size(), 1U);
+}
+
 TEST_F(Owed, EndsWhenAGuardianHasStoppedItAndNotWhenItIsGivenUp)
 {
     owed.add(make());
