@@ -39,7 +39,7 @@ private:
 
     std::string m_program;
     std::string m_folder;
-    std::map<std::string, std::unique_ptr<guardian::DebtBook>> m_books; ///< of the lines that are open, by identity
+    std::map<std::string, std::unique_ptr<guardian::DebtBook>> m_books; ///< with the locks of lines that are open
     std::vector<std::shared_ptr<Post>> m_acting; ///< kept until they have said what became of a watch that was given up
     std::vector<std::weak_ptr<Post>> m_posts;
     std::shared_ptr<std::vector<pid_t>> m_ended; ///< to be reaped
