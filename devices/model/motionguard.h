@@ -8,6 +8,7 @@
 #include "transport/link.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -71,8 +72,11 @@ public:
         Link &link, const StopScript &script, const std::string &name)
         = 0;
     /// Before the first frame on a link that was just opened: what guardians of programs that are gone owe there, or have given
-    /// up. They leave the line to this program until it leaves it. Nothing while another program has it.
-    [[nodiscard]] virtual std::vector<OwedStop> takeOver(Link & /*link*/, Instant /*now*/) { return {}; }
+    /// up. They leave the line to this program until it leaves it. Nothing while somebody else has it: ask again.
+    [[nodiscard]] virtual std::optional<std::vector<OwedStop>> takeOver(Link & /*link*/, Instant /*now*/)
+    {
+        return std::vector<OwedStop>();
+    }
     /// The link was closed or lost: what is owed there is the guardians' again, under whatever name the line comes back.
     virtual void leave(const std::string & /*line*/) { }
     /// A device was seen to stand, or is not to be told any more: its stop is not owed on this line, whoever has it.

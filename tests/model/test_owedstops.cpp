@@ -169,6 +169,35 @@ TEST_F(Owed, WhatEarlierProgramsOweIsTakenOverOnce)
     EXPECT_EQ(owed.all().size(), 4U);
 }
 
+TEST_F(Owed, OnALineThatAGuardianHadWhenItWasOpenedIsTakenOverAsSoonAsThatLetsGo)
+{
+    guard.owing = {stopOf("socketcan:can0/loose:3", 0x300)};
+    guard.isWithOthers = true;
+    EXPECT_EQ(paid(link), Frames{});
+    clock.advance(5s);
+    EXPECT_EQ(link.sent, Frames{});
+    int told = 0;
+    const auto listening = owed.changed().add([&told] { ++told; });
+    guard.isWithOthers = false;
+    clock.advance(1s);
+    EXPECT_EQ(link.sent, Frames{"00000300#00"});
+    EXPECT_EQ(owed.all().size(), 1U);
+    EXPECT_EQ(told, 1) << "its device may be here";
+    const int asked = guard.asked;
+    clock.advance(5s);
+    EXPECT_EQ(guard.asked, asked) << "once";
+}
+
+TEST_F(Owed, OnALineThatIsLeftAgainIsNotAskedFor)
+{
+    guard.isWithOthers = true;
+    (void)paid(link);
+    owed.leave(owedLine);
+    const int asked = guard.asked;
+    clock.advance(5s);
+    EXPECT_EQ(guard.asked, asked);
+}
+
 TEST_F(Owed, IsPassedToItsDeviceWhichIsToldAtOnce)
 {
     owed.add(make());

@@ -187,6 +187,20 @@ TEST_F(SessionLines, WhatIsOwedIsTheFirstOnTheLineWhenItIsOpenedAgainAndItsDevic
     EXPECT_NE(guard.settled.back().find("wired:3"), std::string::npos);
 }
 
+TEST_F(SessionLines, WhatIsTakenOverLateStillReachesADeviceThatWasFoundBefore)
+{
+    close(*links[0]);
+    guard.isWithOthers = true;
+    links[0] = openLine(0);
+    WiredMotor &found = motorOn(*links[0]);
+    guard.isWithOthers = false;
+    guard.owing = {{links[0]->line(), found.selector(), {{{{}, {scriptByte}, {}, {}, 5ms, 1}}}, clock.now()}};
+    clock.advance(1100ms);
+    EXPECT_EQ(heard(0, 2), (Bytes{scriptByte, stopByte}));
+    EXPECT_TRUE(found.stopping().isForMotion());
+    EXPECT_TRUE(stops.owed().empty());
+}
+
 TEST_F(SessionLines, TheUserDismissesWhatIsOwedAndWhatMayTurn)
 {
     run(motorOn(*links[0]));

@@ -7,6 +7,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace mb {
@@ -22,7 +23,7 @@ public:
 
     [[nodiscard]] Result<std::unique_ptr<GuardWatch>> watch(
         Link &link, const StopScript &script, const std::string &name) override;
-    [[nodiscard]] std::vector<OwedStop> takeOver(Link &link, Instant now) override;
+    [[nodiscard]] std::optional<std::vector<OwedStop>> takeOver(Link &link, Instant now) override;
     void leave(const std::string &line) override { m_books.erase(line); }
     void settle(const std::string &line, const std::string &device) override;
     [[nodiscard]] bool isOwed(const std::string &line, const std::string &device) const override;
