@@ -38,8 +38,8 @@ protected:
     /// A guardian writes down that it owes a stop, so long ago.
     void owe(std::chrono::seconds ago) const
     {
-        const auto present = std::chrono::duration_cast<std::chrono::seconds>(
-            std::chrono::system_clock::now().time_since_epoch());
+        const auto present
+            = std::chrono::duration_cast<std::chrono::seconds>(std::chrono::system_clock::now().time_since_epoch());
         EXPECT_TRUE(book->add({motor.selector(), {{{0xAB}, {}, {}, 20ms, 3}}, (present - ago).count()}));
     }
 
