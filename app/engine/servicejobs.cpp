@@ -146,32 +146,33 @@ void ServiceJobs::carryOut(const orders::SkipUnit &order, const Finished &finish
     finished({});
 }
 
-/// A queue that has ended gets its links back for it, if anything comes of the order.
-void ServiceJobs::again(const std::function<void()> &order)
+/// A queue that has ended gets its links back for it, if anything comes of the order; only then somebody will arm again.
+Result<void> ServiceJobs::again(const std::function<Result<void>()> &order)
 {
+    Result<void> done = fail(Fault::Refused, say("nothing is served here"), say("begin a queue first"));
     if (!m_queue)
-        return;
+        return done;
     const bool idle = !isRunning();
     if (idle && !m_links.take())
-        return;
+        return done;
     m_trouble = {};
-    m_permit.setLeaving(false);
-    order();
+    done = order();
+    if (done)
+        m_permit.setLeaving(false);
     if (idle && !isRunning())
         m_links.giveBack();
     m_changed.notify();
+    return done;
 }
 
 void ServiceJobs::carryOut(const orders::RetryUnit &order, const Finished &finished)
 {
-    Result<void> done = fail(Fault::Refused, say("nothing is served here"), say("begin a queue first"));
-    again([&] { done = m_queue->retry(order.row); });
-    finished(done);
+    finished(again([&] { return m_queue->retry(order.row); }));
 }
 
 void ServiceJobs::carryOut(const orders::RetryFailedUnits &, const Finished &finished)
 {
-    again([this] { m_queue->retryFailed(); });
+    (void)again([this] { return m_queue->retryFailed() ? Result<void>() : fail(Fault::Refused); });
     finished({});
 }
 

@@ -58,7 +58,7 @@ private:
     void queueChanged();
     void choose();
     void ended(const service::Visit &visit);
-    void again(const std::function<void()> &order);
+    Result<void> again(const std::function<Result<void>()> &order);
     void followLinks();
     void leave();
     [[nodiscard]] bool isRunning() const { return m_queue && m_queue->isRunning(); }

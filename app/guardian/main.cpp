@@ -133,8 +133,10 @@ public:
         if (m_isKept && !m_book.exists()) {
             m_watchman.handOver();
         } else if (m_book.own() || !m_isKept) {
-            if (!m_line.reopen())
+            if (!m_line.reopen()) {
+                m_book.disown(); // a program that opens it first finds nobody in its way
                 return;
+            }
             m_watchman.pay(present);
             m_watchman.proceed(present);
         }

@@ -45,6 +45,8 @@ public:
     [[nodiscard]] bool mayTurn() const;
     /// The device is still to be told: on a link that comes back, before anything else.
     [[nodiscard]] bool isDue() const;
+    /// When it was last told by somebody, not by a repetition: a debt counts from then.
+    [[nodiscard]] Instant toldAt() const { return m_toldAt; }
     [[nodiscard]] Listeners<> &changed() { return m_changed; }
 
     /// The user has looked: nothing more is sent or shown.

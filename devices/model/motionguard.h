@@ -8,6 +8,7 @@
 #include "transport/link.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -70,12 +71,15 @@ public:
     [[nodiscard]] virtual Result<std::unique_ptr<GuardWatch>> watch(
         Link &link, const StopScript &script, const std::string &name)
         = 0;
-    /// Before the first frame on a link that was just opened: what guardians of programs that are gone still owe there. They
-    /// leave the line to this program until it leaves it. Nothing while another program has it.
-    [[nodiscard]] virtual std::vector<OwedStop> takeOver(Link & /*link*/, Instant /*now*/) { return {}; }
+    /// Before the first frame on a link that was just opened: what guardians of programs that are gone owe there, or have given
+    /// up. They leave the line to this program until it leaves it. Nothing while somebody else has it: ask again.
+    [[nodiscard]] virtual std::optional<std::vector<OwedStop>> takeOver(Link & /*link*/, Instant /*now*/)
+    {
+        return std::vector<OwedStop>();
+    }
     /// The link was closed or lost: what is owed there is the guardians' again, under whatever name the line comes back.
     virtual void leave(const std::string & /*line*/) { }
-    /// A device was seen to stand, or is not to be told any more: its stop is not owed on this line.
+    /// A device was seen to stand, or is not to be told any more: its stop is not owed on this line, whoever has it.
     virtual void settle(const std::string & /*line*/, const std::string & /*device*/) { }
     /// They owe it, or have given it up; not once it was confirmed or settled.
     [[nodiscard]] virtual bool isOwed(const std::string & /*line*/, const std::string & /*device*/) const

@@ -39,43 +39,75 @@ bool OwedStops::isDue(const OwedStop &owed) const
 
 void OwedStops::pay(Link &link)
 {
-    if (m_guard) {
-        for (OwedStop &owed : m_guard->takeOver(link, m_clock.now())) {
-            const bool known = std::any_of(m_owed.begin(), m_owed.end(),
-                [&owed](const OwedStop &other) { return isSameUnit(other, owed.line, owed.device); });
-            if (!known)
-                m_owed.push_back(std::move(owed));
-        }
+    (void)takeOver(link);
+    sendDue(link);
+    lookAtBooks();
+}
+
+bool OwedStops::takeOver(Link &link)
+{
+    if (!m_guard)
+        return false;
+    auto taken = m_guard->takeOver(link, m_clock.now());
+    std::erase(m_withOthers, &link);
+    if (!taken) {
+        m_withOthers.push_back(&link);
+        return false;
     }
+    for (OwedStop &owed : *taken) {
+        const bool known = std::any_of(m_owed.begin(), m_owed.end(),
+            [&owed](const OwedStop &other) { return isSameUnit(other, owed.line, owed.device); });
+        if (!known)
+            m_owed.push_back(std::move(owed));
+    }
+    return true;
+}
+
+void OwedStops::sendDue(Link &link) const
+{
     for (const OwedStop &owed : m_owed) {
         if (owed.line == link.line() && isDue(owed))
             sendScript(link, owed.script);
     }
-    lookAtBooks();
 }
 
 /// Guardians pay where no program has the line open.
 void OwedStops::lookAtBooks()
 {
-    if (!m_guard || m_owed.empty())
+    if (!m_guard || (m_owed.empty() && m_withOthers.empty()))
         return;
     const std::size_t before = m_owed.size();
     std::erase_if(m_owed, [this](OwedStop &owed) {
         const bool isThere = m_guard->isOwed(owed.line, owed.device);
         return std::exchange(owed.isWithGuardians, isThere) && !isThere;
     });
-    m_look.startIn(lookPeriod, [this] { lookAtBooks(); });
+    m_look.startIn(lookPeriod, [this] { lookAgain(); });
     if (m_owed.size() != before)
+        m_changed.notify();
+}
+
+/// A guardian may have been in the middle of a try when the link was opened.
+void OwedStops::lookAgain()
+{
+    bool isMore = false;
+    for (Link *const link : std::vector(m_withOthers)) {
+        if (!takeOver(*link))
+            continue;
+        sendDue(*link);
+        isMore = true;
+    }
+    lookAtBooks();
+    if (isMore)
         m_changed.notify();
 }
 
 void OwedStops::add(Device &device)
 {
     const DeviceStop &stop = device.stopping();
-    if (!stop.isDue() || !stop.isForMotion() || device.link().address().isSimulated())
+    if (!(stop.isDue() || stop.mayTurn()) || !stop.isForMotion() || device.link().address().isSimulated())
         return;
     if (const StopScript script = device.stopScript(); !script.isEmpty() && !device.family().capabilities.watchdog)
-        m_owed.push_back({device.link().line(), device.selector(), script, m_clock.now()});
+        m_owed.push_back({device.link().line(), device.selector(), script, stop.toldAt()});
     lookAtBooks();
 }
 
@@ -101,6 +133,7 @@ void OwedStops::settle(const Device &device)
 
 void OwedStops::leave(const std::string &line)
 {
+    std::erase_if(m_withOthers, [&line](const Link *link) { return link->line() == line; });
     if (m_guard)
         m_guard->leave(line);
 }

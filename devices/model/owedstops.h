@@ -6,6 +6,7 @@
 
 #include <list>
 #include <string>
+#include <vector>
 
 namespace mb {
 
@@ -18,7 +19,7 @@ public:
     OwedStops(Clock &clock, MotionGuard *guard);
 
     [[nodiscard]] const std::list<OwedStop> &all() const { return m_owed; }
-    /// A guardian has stopped one.
+    /// A guardian has stopped one, or they were taken over from somebody who had the line when it was opened.
     [[nodiscard]] Listeners<> &changed() { return m_changed; }
     /// A link was opened: what guardians of programs that are gone owe on its line is ours now, and everything owed there is sent,
     /// before anything else.
@@ -35,12 +36,17 @@ public:
     void dismiss();
 
 private:
+    /// False while somebody else has the line.
+    bool takeOver(Link &link);
+    void sendDue(Link &link) const;
     void lookAtBooks();
+    void lookAgain();
     [[nodiscard]] bool isDue(const OwedStop &owed) const;
 
     Clock &m_clock;
     MotionGuard *m_guard;
     std::list<OwedStop> m_owed;
+    std::vector<Link *> m_withOthers; ///< open, and somebody else's business when they were opened
     Timer m_look;
     Listeners<> m_changed;
 };

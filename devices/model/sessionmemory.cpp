@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/sessionmemory.h"
 
+#include "files/qttext.h"
 #include "model/family.h"
 #include "model/unit.h"
+
+#include <QFile>
 
 #include <algorithm>
 #include <utility>
@@ -21,7 +24,16 @@ std::string keyOf(const Device &device)
 {
     Identity place = device.identity();
     place.serial.clear();
-    return unitKeyOf(place, device.link().line(), false);
+    const std::string selector = device.selector();
+    const std::size_t session = selector.find('@', selector.rfind('/')); // of one of several with one number
+    return unitKeyOf(place, device.link().line(), false)
+        + (session == std::string::npos ? std::string() : selector.substr(session));
+}
+
+/// What an earlier build kept under the name of the link, where nothing is kept of the place.
+Result<DeviceProfile> kept(const ProfileBook &book, const Device &device, const std::string &key)
+{
+    return QFile::exists(qt(book.pathOf(key))) ? book.load(key) : book.load(device.selector());
 }
 
 /// Whoever answered takes the place of what was known under its address; a complete scan takes the place of all.
@@ -49,7 +61,7 @@ void SessionMemory::recall(Device &device)
         device.knowledge().setProfile(unsaved->second.profile);
         return;
     }
-    auto profile = m_profiles->load(key);
+    auto profile = kept(*m_profiles, device, key);
     if (!profile)
         m_profileTrouble.notify(profile.error().message());
     else if (!profile->isEmpty())

@@ -33,6 +33,7 @@ public:
 private:
     void linkOpened(Link &link);
     void linkLost(const Link &link);
+    void owedChanged();
     void stopChanged(Device &device);
     void retryOwing();
     [[nodiscard]] bool isOwing(const Link &link) const;
@@ -44,7 +45,7 @@ private:
     Subscription m_opened;
     Subscription m_lost;
     Subscription m_added;
-    Subscription m_paid;
+    Subscription m_owedChanged;
     Subscription m_stopChanged;
 };
 

@@ -21,7 +21,7 @@ std::string_view withoutMark(std::string_view key)
 
 std::string unitKeyOf(const Device &device)
 {
-    return unitKeyOf(device.identity(), device.link().address());
+    return unitKeyOf(device.identity(), device.link().line(), device.link().address().isSimulated());
 }
 
 std::string unitKeyOf(const Identity &identity, const LinkAddress &link)

@@ -96,13 +96,17 @@ Result<void> ServiceQueue::retry(std::uint32_t row)
     return done;
 }
 
-void ServiceQueue::retryFailed()
+bool ServiceQueue::retryFailed()
 {
+    bool any = false;
     for (const auto &bus : m_buses) {
-        if (bus->retryFailed())
-            startLane(*bus);
+        if (!bus->retryFailed())
+            continue;
+        startLane(*bus);
+        any = true;
     }
     changed().notify();
+    return any;
 }
 
 void ServiceQueue::stop()

@@ -51,7 +51,8 @@ public:
     void skip(std::uint32_t row);
     /// One that was skipped, failed or refused once more, as a new visit. Refused, with the reason: nothing comes of it.
     [[nodiscard]] Result<void> retry(std::uint32_t row);
-    void retryFailed();
+    /// Whether any is served again.
+    bool retryFailed();
     /// No more units; ends when those that run have ended.
     void finish() { m_run.finish(); }
     /// Motors stop now; the units that run have failed, and the queue ends.

@@ -102,15 +102,19 @@ Result<void> SettingsBook::setTag(const std::string &place, const std::string &t
     });
 }
 
-/// What is owed to a unit goes with it to its new name; not to one that was known elsewhere, nor from one that still is.
+/// What is owed to a unit goes with it to its new name; not to one that is known elsewhere, nor from one that still is.
 Result<void> SettingsBook::moveDebts(const std::string &before, const std::string &after)
 {
-    const std::string_view name = unitByOf(before) == UnitBy::Tag ? unitTagIn(before) : unitTagIn(after);
-    const int own = unitByOf(before) == UnitBy::Tag ? 0 : 1; // of the places of that name
-    int places = 0;
-    auto counted = m_database.run("SELECT count(*) FROM tag WHERE name = ?", {qt(name)},
-        [&places](const QSqlQuery &row) { places = row.value(0).toInt(); });
-    if (!counted || before == after || places != own)
+    int ofBefore = 0;
+    int ofAfter = 0;
+    auto counted = m_database.run(
+        "SELECT place, name FROM tag", {}, [&ofBefore, &ofAfter, &before, &after](const QSqlQuery &row) {
+            const std::string key = taggedUnitKey(textAt(row, 0), textAt(row, 1));
+            ofBefore += key == before ? 1 : 0;
+            ofAfter += key == after ? 1 : 0;
+        });
+    const bool isOnly = ofBefore == 0 && ofAfter == (unitByOf(after) == UnitBy::Tag ? 1 : 0);
+    if (!counted || before == after || !isOnly)
         return counted;
     return m_database.run("UPDATE OR IGNORE owed SET unit = ? WHERE unit = ?", {qt(after), qt(before)});
 }

@@ -261,6 +261,21 @@ TEST_F(Served, WhoeverEndsItDisarms)
     EXPECT_FALSE(serve({recipe(moving), {"sim:nowhere"}, 0})) << "no such link";
 }
 
+TEST_F(Served, AQueueThatWasEndedWaitsForNoArmingWhateverIsRefusedMeanwhile)
+{
+    ASSERT_TRUE(serve({recipe(moving), {"sim:can"}, std::nullopt}));
+    ASSERT_TRUE(clock.runUntil([this] { return view().counts.failed > 0 || waiting().id != 0; }, 1min));
+    ASSERT_FALSE(view().waits) << "its self-test is yet to come";
+    core->send(orders::FinishService{});
+    test::Heard<> retried;
+    core->send(orders::RetryUnit{waiting().id}, retried.finished());
+    ASSERT_TRUE(retried.has_value());
+    EXPECT_FALSE(*retried);
+    core->send(orders::RetryFailedUnits{});
+    EXPECT_TRUE(clock.runUntil([this] { return !view().running; }, 5min));
+    EXPECT_FALSE(view().waits);
+}
+
 TEST_F(Served, TickedUnitsOnlyAndTheOthersAreLeftOut)
 {
     const DeviceId seven = core->session().idOf(*device(7));

@@ -295,6 +295,19 @@ TEST_F(CutLine, IsTheBusinessOfAProgramThatOpensItAndTheGuardiansAgainIfThatDies
     EXPECT_EQ(terminal->hear(patience), "STOP");
 }
 
+TEST_F(CutLine, IsNobodysBusinessBetweenTwoTriesOfItsGuardian)
+{
+    cutAndKill();
+    DebtBook ofProgram(folder.path("run"), "serial:" + name);
+    int taken = 0;
+    for (int i = 0; i < 40; ++i) {
+        taken += ofProgram.own() ? 1 : 0;
+        ofProgram.disown();
+        ::usleep(7000);
+    }
+    EXPECT_GE(taken, 30) << "a program asks once, when it opens the link";
+}
+
 TEST_F(CutLine, IsForgottenWhenAProgramHasSettledIt)
 {
     cutAndKill();

@@ -115,6 +115,30 @@ TEST_F(Owed, ForTenMinutesAndNotLonger)
     EXPECT_TRUE(owed.all().empty()) << "whether it turns is seen from now on";
 }
 
+TEST_F(Owed, TheTimeCountsFromWhenTheMotorWasToldNotFromWhenItsLinkWasClosed)
+{
+    make();
+    clock.advance(9min);
+    owed.add(*motor);
+    clock.advance(1min - 1ns);
+    EXPECT_EQ(paid(link), Frames{owedStopFrame});
+    clock.advance(1ns);
+    EXPECT_EQ(paid(link), Frames{});
+}
+
+TEST_F(Owed, AMotorThatMayStillTurnStaysShownWhenItsLinkIsClosedAfterTenMinutes)
+{
+    make();
+    link.lose({Fault::LinkLost, say("cut")});
+    clock.advance(DeviceStop::debtLimit + 1min);
+    ASSERT_TRUE(motor->stopping().mayTurn());
+    owed.add(*motor);
+    EXPECT_EQ(owed.all().size(), 1U);
+    ASSERT_TRUE(link.open());
+    EXPECT_EQ(paid(link), Frames{}) << "it is not sent any more";
+    EXPECT_EQ(owed.all().size(), 1U);
+}
+
 TEST_F(Owed, EndsWhenAGuardianHasStoppedItAndNotWhenItIsGivenUp)
 {
     owed.add(make());
@@ -143,6 +167,35 @@ TEST_F(Owed, WhatEarlierProgramsOweIsTakenOverOnce)
     guard.owing = {stopOf("socketcan:can1/loose:5", 0x500), stopOf("socketcan:can1/loose:3", 0x302, "usb-1.4")};
     EXPECT_EQ(paid(link), (Frames{"00000300#00", "00000500#00"})) << "another unit, and one of this number elsewhere";
     EXPECT_EQ(owed.all().size(), 4U);
+}
+
+TEST_F(Owed, OnALineThatAGuardianHadWhenItWasOpenedIsTakenOverAsSoonAsThatLetsGo)
+{
+    guard.owing = {stopOf("socketcan:can0/loose:3", 0x300)};
+    guard.isWithOthers = true;
+    EXPECT_EQ(paid(link), Frames{});
+    clock.advance(5s);
+    EXPECT_EQ(link.sent, Frames{});
+    int told = 0;
+    const auto listening = owed.changed().add([&told] { ++told; });
+    guard.isWithOthers = false;
+    clock.advance(1s);
+    EXPECT_EQ(link.sent, Frames{"00000300#00"});
+    EXPECT_EQ(owed.all().size(), 1U);
+    EXPECT_EQ(told, 1) << "its device may be here";
+    const int asked = guard.asked;
+    clock.advance(5s);
+    EXPECT_EQ(guard.asked, asked) << "once";
+}
+
+TEST_F(Owed, OnALineThatIsLeftAgainIsNotAskedFor)
+{
+    guard.isWithOthers = true;
+    (void)paid(link);
+    owed.leave(owedLine);
+    const int asked = guard.asked;
+    clock.advance(5s);
+    EXPECT_EQ(guard.asked, asked);
 }
 
 TEST_F(Owed, IsPassedToItsDeviceWhichIsToldAtOnce)

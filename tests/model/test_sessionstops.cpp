@@ -187,6 +187,20 @@ TEST_F(SessionLines, WhatIsOwedIsTheFirstOnTheLineWhenItIsOpenedAgainAndItsDevic
     EXPECT_NE(guard.settled.back().find("wired:3"), std::string::npos);
 }
 
+TEST_F(SessionLines, WhatIsTakenOverLateStillReachesADeviceThatWasFoundBefore)
+{
+    close(*links[0]);
+    guard.isWithOthers = true;
+    links[0] = openLine(0);
+    WiredMotor &found = motorOn(*links[0]);
+    guard.isWithOthers = false;
+    guard.owing = {{links[0]->line(), found.selector(), {{{{}, {scriptByte}, {}, {}, 5ms, 1}}}, clock.now()}};
+    clock.advance(1100ms);
+    EXPECT_EQ(heard(0, 2), (Bytes{scriptByte, stopByte}));
+    EXPECT_TRUE(found.stopping().isForMotion());
+    EXPECT_TRUE(stops.owed().empty());
+}
+
 TEST_F(SessionLines, TheUserDismissesWhatIsOwedAndWhatMayTurn)
 {
     run(motorOn(*links[0]));
@@ -307,6 +321,39 @@ TEST_F(SessionLines, WhatIsKnownOfADeviceIsKeptWhenItChangesAndRecalledWhenItIsF
     EXPECT_EQ(motorOn(*links[0]).knowledge().profile().counters.at("saves"), 7);
     EXPECT_EQ(motorOn(*links[1]).knowledge().profile().counters.at("saves"), 8);
     EXPECT_TRUE(motorOn(*links[0], 4).knowledge().profile().isEmpty()) << "another number";
+}
+
+TEST_F(SessionLines, WhatAnEarlierBuildKeptOfADeviceIsFoundUntilSomethingIsKeptOfItsPlace)
+{
+    const std::string profiles = folder.path().toStdString() + "/profiles";
+    memory.keepProfiles(profiles);
+    DeviceProfile before;
+    before.counters["saves"] = 7;
+    ASSERT_TRUE(ProfileBook(profiles).save(links[0]->address().text() + "/wired:3", before));
+    WiredMotor &motor = motorOn(*links[0]);
+    ASSERT_TRUE(motor.knowledge().profile().counters.contains("saves"));
+    EXPECT_EQ(motor.knowledge().profile().counters.at("saves"), 7);
+    motor.knowledge().setCounter("saves", 8);
+    devices.forget(*links[0]);
+    EXPECT_EQ(motorOn(*links[0]).knowledge().profile().counters.at("saves"), 8);
+}
+
+TEST_F(SessionLines, OfTwoDevicesWithOneNumberEachHasItsOwnProfile)
+{
+    memory.keepProfiles(folder.path().toStdString() + "/profiles");
+    const auto duplicate = [this](int session, const std::vector<Device *> &seen = {}) -> Device & {
+        Identity identity;
+        identity.family = "wired";
+        identity.address = 3;
+        identity.session = session;
+        identity.state = DeviceState::Duplicate;
+        return devices.adopt(*links[0], wiredFamily, identity, seen);
+    };
+    Device &first = duplicate(0x12);
+    first.knowledge().setCounter("saves", 7);
+    EXPECT_TRUE(duplicate(0x34, {&first}).knowledge().profile().isEmpty());
+    devices.forget(*links[0]);
+    EXPECT_EQ(duplicate(0x12).knowledge().profile().counters.at("saves"), 7);
 }
 
 // What a script is on each kind of link

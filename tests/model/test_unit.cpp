@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "async/virtualclock.h"
 #include "model/unit.h"
-
-#include <gtest/gtest.h>
+#include "support/loosemotor.h"
 
 namespace mb {
 namespace {
@@ -42,6 +42,27 @@ TEST(UnitKeys, AreTheSerialNumberOnAnyLinkAndSimulatedOnesApart)
     EXPECT_TRUE(isSimulatedUnit(simulated));
     EXPECT_FALSE(isSimulatedUnit(key));
     EXPECT_EQ(unitSerialIn(simulated), "A7");
+}
+
+TEST(UnitKeys, OfADeviceAreThoseOfTheLineThatItWasFoundOnWhateverHasItsNameNow)
+{
+    VirtualClock clock;
+    test::LoggedLink link(clock, {Outlet::Form::CanSocket, 7});
+    std::string place = "usb-1.2";
+    int looks = 0;
+    link.settings().identify = [&](const LinkAddress &) {
+        ++looks;
+        return place;
+    };
+    ASSERT_TRUE(link.open());
+    const test::LooseMotor motor(link, clock);
+    const std::string key = unitKeyOf(motor);
+    EXPECT_EQ(key, "place usb-1.2 :0");
+    const int before = looks;
+    link.lose({Fault::LinkLost, say("pulled")});
+    place = "usb-1.3";
+    EXPECT_EQ(unitKeyOf(motor), key);
+    EXPECT_EQ(looks, before) << "the hardware is not asked";
 }
 
 TEST(UnitKeys, WithATagAreThatOfTheUnitAndNotOfItsPlace)

@@ -231,6 +231,36 @@ TEST_F(Notebooks, WhatIsOwedToAUnitGoesWithItToItsNewName)
     EXPECT_FALSE(isOwed(elsewhere));
 }
 
+TEST_F(Notebooks, WhatIsOwedToOneNamedUnitIsNotOfferedToAnotherThatIsPutInItsPlace)
+{
+    const auto database = open();
+    TrialBook book(*database, clock);
+    SettingsBook settings(*database, clock, "anna");
+    const std::string place = "place usb-1.2 supermodified:4";
+    const std::string elsewhere = "place usb-1.3 supermodified:4";
+    const auto isOwed = [&](const std::string &unit) { return !test::run(clock, book.owedTo(unit))->empty(); };
+    ASSERT_TRUE(settings.setTag(place, "A"));
+    ASSERT_TRUE(settings.setTag(elsewhere, "B"));
+    ASSERT_TRUE(test::run(clock, book.owe(keep(book, trial()), place, {{"gain.p", 4000}})));
+    ASSERT_TRUE(settings.setTag(place, "B")); // B is known from elsewhere, and was plugged in here
+    EXPECT_FALSE(isOwed(place));
+    EXPECT_FALSE(isOwed(elsewhere));
+    ASSERT_TRUE(settings.setTag(elsewhere, "A"));
+    EXPECT_TRUE(isOwed(elsewhere)) << "A waits for its own";
+}
+
+TEST_F(Notebooks, AUnitOfAnotherFamilyWithTheSameNameDoesNotKeepADebtFromItsUnit)
+{
+    const auto database = open();
+    TrialBook book(*database, clock);
+    SettingsBook settings(*database, clock, "anna");
+    const std::string place = "place usb-1.2 supermodified:4";
+    ASSERT_TRUE(settings.setTag("place can-1 abstractdc:3", "left arm"));
+    ASSERT_TRUE(test::run(clock, book.owe(keep(book, trial()), place, {{"gain.p", 4000}})));
+    ASSERT_TRUE(settings.setTag(place, "left arm"));
+    EXPECT_FALSE(test::run(clock, book.owedTo(place))->empty());
+}
+
 /// P was 5; trial 1 tries 10 and is killed; trial 2 finds 10, tries 20.
 TEST_F(Notebooks, OfOneKeyTheFirstValueIsOwedAndALaterTrialThatPutsBackWhatItFoundDoesNotSettleIt)
 {

@@ -27,7 +27,11 @@ public:
             present->become(GuardWatch::State::Standing);
         return watch;
     }
-    std::vector<OwedStop> takeOver(Link &, Instant) override { return owing; }
+    std::optional<std::vector<OwedStop>> takeOver(Link &, Instant) override
+    {
+        ++asked;
+        return isWithOthers ? std::nullopt : std::optional(owing);
+    }
     [[nodiscard]] bool isOwed(const std::string &line, const std::string &device) const override
     {
         return std::find(books.begin(), books.end(), line + ' ' + device) != books.end();
@@ -49,6 +53,8 @@ public:
     int abandoned = 0; ///< destroyed without release(): the motor would be stopped
     StopScript lastScript;
     std::string lastName;
+    int asked = 0;                    ///< what is owed on a line
+    bool isWithOthers = false;        ///< somebody else has every line
     std::vector<OwedStop> owing;      ///< what earlier programs owe
     std::vector<std::string> books;   ///< what guardians owe, or have given up; "line device"
     std::vector<std::string> settled; ///< "line device"

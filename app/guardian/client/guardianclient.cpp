@@ -240,7 +240,7 @@ void GuardianClient::acted(const Post &post, const std::string &name, Verdict ve
         m_acting, [&post](const std::shared_ptr<Post> &one) { return one.get() == &post && !one->isAwaiting(); });
 }
 
-std::vector<OwedStop> GuardianClient::takeOver(Link &link, Instant now)
+std::optional<std::vector<OwedStop>> GuardianClient::takeOver(Link &link, Instant now)
 {
     std::vector<OwedStop> owed;
     if (!link.outlet().isInheritable())
@@ -250,15 +250,11 @@ std::vector<OwedStop> GuardianClient::takeOver(Link &link, Instant now)
     if (!book)
         book = std::make_unique<guardian::DebtBook>(m_folder, line);
     if (!book->own())
-        return owed;
+        return std::nullopt;
     const auto present = std::chrono::duration_cast<std::chrono::seconds>(
         std::chrono::system_clock::now().time_since_epoch()); // books outlive every other clock
     for (const guardian::Debt &debt : book->read()) {
         const auto age = std::max(present - std::chrono::seconds(debt.since), std::chrono::seconds(0));
-        if (age >= guardian::debtLimit) {
-            book->remove(debt.name);
-            continue;
-        }
         owed.push_back({line, debt.name, scriptFromWire(debt.script, link.outlet().form), now - age, true});
     }
     return owed;
@@ -266,8 +262,7 @@ std::vector<OwedStop> GuardianClient::takeOver(Link &link, Instant now)
 
 void GuardianClient::settle(const std::string &line, const std::string &device)
 {
-    if (const auto book = m_books.find(line); book != m_books.end() && book->second->exists())
-        book->second->remove(device);
+    guardian::DebtBook(m_folder, line).remove(device);
 }
 
 bool GuardianClient::isOwed(const std::string &line, const std::string &device) const

@@ -7,6 +7,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace mb {
@@ -22,7 +23,7 @@ public:
 
     [[nodiscard]] Result<std::unique_ptr<GuardWatch>> watch(
         Link &link, const StopScript &script, const std::string &name) override;
-    [[nodiscard]] std::vector<OwedStop> takeOver(Link &link, Instant now) override;
+    [[nodiscard]] std::optional<std::vector<OwedStop>> takeOver(Link &link, Instant now) override;
     void leave(const std::string &line) override { m_books.erase(line); }
     void settle(const std::string &line, const std::string &device) override;
     [[nodiscard]] bool isOwed(const std::string &line, const std::string &device) const override;
@@ -39,7 +40,7 @@ private:
 
     std::string m_program;
     std::string m_folder;
-    std::map<std::string, std::unique_ptr<guardian::DebtBook>> m_books; ///< of the lines that are open, by identity
+    std::map<std::string, std::unique_ptr<guardian::DebtBook>> m_books; ///< with the locks of lines that are open
     std::vector<std::shared_ptr<Post>> m_acting; ///< kept until they have said what became of a watch that was given up
     std::vector<std::weak_ptr<Post>> m_posts;
     std::shared_ptr<std::vector<pid_t>> m_ended; ///< to be reaped

@@ -109,7 +109,11 @@ Task<bool> BoardLayout::setRate(ChannelIndex channel, double hertz)
         if (!m_before)
             co_return false;
         auto putting = putBack();
-        co_await std::move(putting);
+        const Result<void> put = co_await std::move(putting).attempt();
+        if (!put) {
+            m_owner.streamChanged(); // it may have ended all the same: then it is polled
+            co_return fail(put.error());
+        }
         co_return true;
     }
     const double units = 1e9 / wished / static_cast<double>(streamUnit.count());
@@ -149,6 +153,7 @@ Task<void> BoardLayout::putBack()
     const Stream before = *m_before;
     auto ending = m_port.request(setStreamPeriod(0));
     co_await std::move(ending);
+    m_streamPeriod = 0;
     auto masks = putMasksBack(before.masks);
     co_await std::move(masks);
     auto config = m_port.request(setStreamConfig(before.config));

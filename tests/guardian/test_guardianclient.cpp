@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a program and the guardians before it know of the same debts: the books on the disk, read by a session on virtual time.
+#include "app/guardian/client/guardianclient.h"
+#include "async/virtualclock.h"
+#include "model/owedstops.h"
+#include "support/loosemotor.h"
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+namespace mb {
+namespace {
+
+using namespace std::chrono_literals;
+using guardian::Debt;
+using guardian::DebtBook;
+using Frames = std::vector<std::string>;
+
+const std::string debtorLine = "usb-1.2";
+
+class GuardianBooks : public testing::Test {
+protected:
+    GuardianBooks()
+    {
+        std::string pattern = testing::TempDir() + "/booksXXXXXX";
+        EXPECT_NE(::mkdtemp(pattern.data()), nullptr);
+        folder = pattern;
+        clock.advance(1h);
+        link.settings().identify = [](const LinkAddress &) { return debtorLine; };
+        EXPECT_TRUE(link.open());
+        book = std::make_unique<DebtBook>(folder + "/run", debtorLine);
+        motor.stopping().driven();
+        motor.stop();
+        link.sent.clear();
+    }
+    ~GuardianBooks() override { std::filesystem::remove_all(folder); }
+    /// A guardian writes down that it owes a stop, so long ago.
+    void owe(std::chrono::seconds ago) const
+    {
+        const auto present
+            = std::chrono::duration_cast<std::chrono::seconds>(std::chrono::system_clock::now().time_since_epoch());
+        EXPECT_TRUE(book->add({motor.selector(), {{{0xAB}, {}, {}, 20ms, 3}}, (present - ago).count()}));
+    }
+
+    std::string folder;
+    VirtualClock clock;
+    test::LoggedLink link{clock, {Outlet::Form::CanSocket, 7}};
+    test::LooseMotor motor{link, clock};
+    std::unique_ptr<DebtBook> book;
+};
+
+TEST_F(GuardianBooks, AnAgedDebtIsShownAndNotSentUntilSomebodyHasLooked)
+{
+    owe(11min);
+    GuardianClient client("nowhere", folder + "/run");
+    OwedStops owed(clock, &client);
+    owed.pay(link);
+    EXPECT_EQ(link.sent, Frames{});
+    EXPECT_EQ(owed.all().size(), 1U);
+    clock.advance(3s);
+    EXPECT_EQ(owed.all().size(), 1U);
+    EXPECT_TRUE(book->exists()) << "for every other program";
+    owed.dismiss();
+    EXPECT_TRUE(owed.all().empty());
+    EXPECT_FALSE(book->exists());
+}
+
+TEST_F(GuardianBooks, ALinkThatIsOpenedAgainLeavesWhatItOwesInSight)
+{
+    GuardianClient client("nowhere", folder + "/run");
+    OwedStops owed(clock, &client);
+    owed.add(motor);
+    owe(11min);
+    clock.advance(2s);
+    ASSERT_EQ(owed.all().size(), 1U);
+    owed.pay(link);
+    clock.advance(2s);
+    EXPECT_EQ(owed.all().size(), 1U) << "given up is not stopped";
+}
+
+TEST_F(GuardianBooks, ASecondProgramThatOpensTheLineEndsNothingForTheFirst)
+{
+    GuardianClient first("nowhere", folder + "/run");
+    OwedStops shown(clock, &first);
+    shown.add(motor);
+    owe(11min);
+    clock.advance(2s);
+    GuardianClient second("nowhere", folder + "/run");
+    OwedStops elsewhere(clock, &second);
+    elsewhere.pay(link);
+    clock.advance(2s);
+    EXPECT_EQ(shown.all().size(), 1U);
+    elsewhere.dismiss();
+    clock.advance(2s);
+    EXPECT_TRUE(shown.all().empty()) << "somebody has looked";
+}
+
+TEST_F(GuardianBooks, WhatIsDismissedWhileTheLineIsGoneIsNotStoppedWhenItIsBack)
+{
+    GuardianClient client("nowhere", folder + "/run");
+    OwedStops owed(clock, &client);
+    owed.pay(link);
+    owed.add(motor);
+    owe(0s);
+    owed.leave(debtorLine);
+    owed.dismiss();
+    EXPECT_FALSE(book->exists());
+    link.sent.clear();
+    owed.pay(link);
+    EXPECT_EQ(link.sent, Frames{});
+    EXPECT_TRUE(owed.all().empty());
+}
+
+} // namespace
+} // namespace mb
