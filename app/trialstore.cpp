@@ -242,6 +242,14 @@ Task<void> StoredJournal::complete(std::int64_t number, tuning::Trial trial)
         [number, trial = std::move(trial)](Books &books) { return books.trials.complete(number, trial); });
 }
 
+void StoredJournal::abandon(std::int64_t number)
+{
+    m_store.post([number](const Result<Books *> &books) {
+        if (books)
+            (*books)->trials.abandon(number);
+    });
+}
+
 Task<void> StoredJournal::keepTuning(tuning::TuneReport report)
 {
     return ask<void>(

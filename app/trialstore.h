@@ -105,6 +105,7 @@ public:
     [[nodiscard]] Task<void> settle(std::int64_t trial) override;
     [[nodiscard]] Task<void> release(std::string unit, std::vector<std::string> keys) override;
     [[nodiscard]] Task<void> complete(std::int64_t number, tuning::Trial trial) override;
+    void abandon(std::int64_t number) override;
     [[nodiscard]] Task<void> keepTuning(tuning::TuneReport report) override;
     [[nodiscard]] Task<std::vector<tuning::OwedGains>> owedTo(std::string unit) override;
 

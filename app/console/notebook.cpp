@@ -58,10 +58,25 @@ Task<void> Notebook::keepReplaced(Device &device, settings::Numbers before, sett
     co_return {};
 }
 
+Task<void> Notebook::noteUnderWay(const Device &device)
+{
+    auto asking = m_book->owedTo(unitKeyOf(device));
+    const auto owed = co_await std::move(asking).attempt();
+    for (const tuning::OwedGains &debt : owed ? *owed : std::vector<tuning::OwedGains>()) {
+        if (debt.isUnderWay)
+            m_console.note("another program is making trial " + std::to_string(debt.trial)
+                + " with this unit, and puts back what it changed: "
+                + tuning::assignmentsOf(device.family(), debt.values));
+    }
+    co_return {};
+}
+
 Task<void> Notebook::settleOwed(Device &device, bool agreed)
 {
     if (!m_book)
         co_return {};
+    auto noting = noteUnderWay(device);
+    co_await std::move(noting);
     auto looking = tuning::lookForOwed(device, *m_book);
     const auto owed = co_await std::move(looking).attempt();
     if (!owed)

@@ -34,6 +34,8 @@ public:
     [[nodiscard]] Task<void> settleOwed(Device &device, bool agreed);
 
 private:
+    [[nodiscard]] Task<void> noteUnderWay(const Device &device);
+
     Console &m_console;
     std::optional<Error> m_trouble;
     std::unique_ptr<Database> m_database;

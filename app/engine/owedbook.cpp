@@ -58,11 +58,14 @@ void OwedBook::lookUp(const Device &device)
         return;
     m_lookedFor[id] = unit;
     m_asking.spawn<Owed>(m_journal->owedTo(unit), [this, id, unit](const Result<Owed> &owed) {
-        if (owed && std::any_of(owed->begin(), owed->end(), [](const auto &debt) { return debt.isUnderWay; }))
+        if (!owed)
+            return;
+        const auto isUnderWay = [](const tuning::OwedGains &debt) { return debt.isUnderWay; };
+        if (std::any_of(owed->begin(), owed->end(), isUnderWay))
             m_lookAgain[id] = m_context.clock.now(); // that program may end in the middle of it
-        if (owed && !owed->empty())
+        if (!std::all_of(owed->begin(), owed->end(), isUnderWay))
             compare(id, unit);
-        else if (owed)
+        else
             m_owed.erase(id);
     });
 }

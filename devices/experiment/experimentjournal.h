@@ -48,6 +48,8 @@ public:
     [[nodiscard]] virtual Task<void> release(std::string unit, std::vector<std::string> keys) = 0;
     /// What came of it.
     [[nodiscard]] virtual Task<void> complete(std::int64_t number, Trial trial) = 0;
+    /// Nothing comes of it any more: whoever made it was cut, and puts nothing back. Nobody waits for it, and the journal may be full.
+    virtual void abandon(std::int64_t number) = 0;
     /// What came of a whole tuning: its trials are kept by then.
     [[nodiscard]] virtual Task<void> keepTuning(TuneReport report) = 0;
     /// What earlier experiments owe to a unit, oldest first.

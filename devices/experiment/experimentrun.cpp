@@ -40,6 +40,8 @@ ExperimentRun::~ExperimentRun()
 {
     if (m_stream.isRunning())
         m_stream.stop();
+    if (m_number && !m_concluded)
+        m_around.journal->abandon(*m_number);
 }
 
 void ExperimentRun::note(const Message &text) const
@@ -322,6 +324,7 @@ Task<void> ExperimentRun::conclude(std::optional<Error> error)
         const Result<void> completed = co_await std::move(completing).attempt();
         if (!completed)
             note(say("this trial is kept without its result: %1", completed.error().detail));
+        m_concluded = completed.has_value();
     }
     co_return {};
 }

@@ -55,7 +55,8 @@ private:
     bool m_wrote = false;   ///< some of its gains at least
     bool m_inForce = false; ///< all of them
     bool m_moved = false;
-    bool m_stands = true; ///< the motor was seen to stand after that
+    bool m_concluded = false; ///< the journal has its result
+    bool m_stands = true;     ///< the motor was seen to stand after that
     RaisedRates m_rates;
 };
 

@@ -210,6 +210,11 @@ Task<void> TrialBook::complete(std::int64_t number, tuning::Trial trial)
     });
 }
 
+void TrialBook::abandon(std::int64_t number)
+{
+    (void)changeOne(number, "UPDATE trial SET program = '' WHERE id = ?", {static_cast<qint64>(number)});
+}
+
 Result<void> TrialBook::keepSignals(std::int64_t number, const std::vector<tuning::Signal> &signals)
 {
     for (const tuning::Signal &signal : signals) {

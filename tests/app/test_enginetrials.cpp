@@ -354,6 +354,32 @@ TEST_F(TrialCore, GainsThatAProgramCouldNotPutBackAreOfferedAndPaidAfterAsking)
     EXPECT_TRUE(journal.owed.empty());
 }
 
+TEST_F(TrialCore, GainsThatALivingProgramTriesAreAskedAfterWithoutAnOperation)
+{
+    journal.debtor = unitKeyOf(*device());
+    journal.owed = {{"slot0.p", stored() + 1000}};
+    journal.isUnderWay = true;
+    core.send(orders::CloseLink{"sim:can"});
+    core.send(orders::OpenLink{*LinkAddress::parse("sim:can")});
+    ASSERT_TRUE(clock.runUntil([this] { return device() && device()->liveness().heard; }, 10s));
+    clock.advance(3s);
+    const std::size_t operations = core.snapshot().operations.size();
+    clock.advance(20s);
+    EXPECT_EQ(core.snapshot().operations.size(), operations);
+    EXPECT_TRUE(core.owedGains().empty());
+    journal.isUnderWay = false;
+    EXPECT_TRUE(clock.runUntil([this] { return core.owedGains().count(id()) == 1; }, 20s)) << "that program has ended";
+}
+
+TEST_F(TrialCore, ATrialWhoseLinkIsClosedIsNobodysAnyMore)
+{
+    start(Keep::Never);
+    ASSERT_TRUE(clock.runUntil([this] { return isOutputOn(); }, 20s));
+    core.send(orders::CloseLink{"sim:can"});
+    EXPECT_EQ(std::count(journal.log.begin(), journal.log.end(), "abandon"), 1);
+    EXPECT_EQ(std::count(journal.log.begin(), journal.log.end(), "complete"), 0);
+}
+
 /// So Ctrl+Z takes it back, and nobody calls it changed elsewhere.
 TEST_F(TrialCore, WhatADoneTrialLeavesInForceIsInTheHistoryAndWhatItPutsBackIsNot)
 {

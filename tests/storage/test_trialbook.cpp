@@ -184,6 +184,10 @@ TEST_F(Notebooks, ATrialThatAnotherProgramMakesIsUnderWayUntilItIsCompleteOrThat
     EXPECT_FALSE(isUnderWay()) << "it could not put it back";
     ASSERT_TRUE(
         database->run("UPDATE trial SET program = ?", {QString::fromStdString(programOf(std::to_string(other)))}));
+    book.abandon(*number);
+    EXPECT_FALSE(isUnderWay()) << "it was cut";
+    ASSERT_TRUE(
+        database->run("UPDATE trial SET program = ?", {QString::fromStdString(programOf(std::to_string(other)))}));
     ::close(gate[1]);
     siginfo_t how{};
     ASSERT_EQ(::waitid(P_PID, static_cast<id_t>(other), &how, WEXITED | WNOWAIT), 0);

@@ -63,6 +63,7 @@ public:
         completed.push_back(std::move(trial));
         co_return {};
     }
+    void abandon(std::int64_t) override { log.emplace_back("abandon"); }
     Task<void> keepTuning(tuning::TuneReport report) override
     {
         log.emplace_back("tuning");
@@ -73,7 +74,7 @@ public:
     {
         std::vector<tuning::OwedGains> all;
         if (!owed.empty() && unit == debtor)
-            all.push_back({static_cast<std::int64_t>(begun.size()), owedAt, owed, isPutBack});
+            all.push_back({static_cast<std::int64_t>(begun.size()), owedAt, owed, isPutBack, isUnderWay});
         for (tuning::OwedGains &debt : all) {
             for (tuning::OwedValue &value : debt.values)
                 value.isKept = isKept;
@@ -96,6 +97,7 @@ public:
     std::vector<tuning::Trial> begun;
     std::vector<tuning::Trial> completed;
     std::vector<tuning::TuneReport> tunings;
+    bool isUnderWay = false; ///< by another program
     bool isFull = false;
     bool releaseFails = false;
     bool isKept = false; ///< what is owed is of a tuning that is kept
