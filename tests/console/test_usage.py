@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Wrong calls of every kind, help, and what the program is linked with."""
+import re
 import subprocess
 
 import contract
@@ -144,3 +145,25 @@ class Usage(ContractTest):
         self.assert_error(2, "set", CIM, "slot0.p=1", "--json=1", says="--json takes no value")
         for value in ("1", "0", "true", "false", "yes", ""):
             self.assert_error(2, "tune", CIM, "--loop", "velocity", "--propose=" + value, says="--propose takes no value")
+
+    def test_no_option_takes_an_empty_value_for_one_that_is_not_given(self):
+        nobody, hexadecimal = "sim:can/dmc60c:60", f"{contract.SOURCE}/resources/firmware/dmc60c-demo.hex"
+        words = {"parameters": ["dmc60c"], "set": [nobody, "slot0.p=1"], "restore": [nobody, hexadecimal], "flash": [nobody, hexadecimal], "diff": ["defaults", "defaults"],
+                 "drive": [nobody, "--mode=velocity", "--target=1", "--for=1"], "step": [nobody, "--mode=velocity", "--to=1"], "tune": [nobody, "--loop=velocity"],
+                 "service": [hexadecimal], "report": [nobody], "number": [nobody, "6"], "rename": [nobody, "x"], "monitor": ["sim:can"], "plot": [hexadecimal, "--out=x.png"],
+                 "simulate": ["--on=pty:./never", "supermodified:4"], "completion": ["bash"]}
+        none = {verb: [] for verb in ("links", "scan", "snapshots", "trials", "journal", "decode", "help")}
+        for verb in sorted({*VERBS, "step", "tune", "trials", "report", "restart"}):
+            given = words.get(verb, none.get(verb, [nobody]))
+            taking = re.findall(r"^ +(--[a-z-]+) (?!x )[A-Z]", self.run_text("help", verb), re.MULTILINE)
+            self.assertLessEqual({"--timeout", "--retries"}, set(taking))
+            for option in taking:
+                self.assert_error(2, verb, *[each for each in given if not each.startswith(option + "=")], f"{option}=", says=option)
+                if (verb, option) != ("trials", "--note"):
+                    self.assert_error(2, verb, *[each for each in given if not each.startswith(option + "=")], option, "", says=option)
+        self.assert_error(2, "drive", CIM, "--mode", "duty", "--target", "0", "--for", "1", "--limit-override=", says="--limit-override")
+        self.assert_error(2, "step", CIM, "--mode", "velocity", "--to", "1", "--speed=", "--current", "5", says="--speed")
+        self.assert_error(2, "trials", "--note", "", "text", says="--note")
+        self.assert_error(2, "trials", "", says="device")
+        self.assert_error(2, "--timeout", "", "links", says="--timeout")
+        self.assert_error(2, "--retries=", "links", says="--retries")
