@@ -114,6 +114,14 @@ class Usage(ContractTest):
         drive("--mode", "duty", "--target", "0.1", "--for", "1", "--axis", "2")
         drive("--mode", "velocity", "--target", "1", "--for", "1", "--slot", "2")
         drive("--mode", "duty", "--target", "0.1", "--for", "1", "--brake", "--coast")
+        for slew in ("0", "-0", "0.0"):
+            drive("--mode", "velocity", "--target", "10", "--for", "1", "--slew", slew, says="--slew")
+        drive("--mode", "off", "--target", "5", "--for", "1", says="off")
+
+    def test_a_limit_of_an_experiment_is_above_0(self):
+        for verb in (("step", "--mode", "position", "--to", "1500"), ("tune", "--loop", "velocity")):
+            for limit in ("--travel", "--speed", "--current", "--duty"):
+                self.assert_error(2, verb[0], "sim:can/dmc60c:60", *verb[1:], limit, "0", says=limit)
 
     def test_wrong_files_are_wrong_usage(self):
         for verb in ("restore", "flash"):
