@@ -2,6 +2,7 @@
 """test_settings.py PROGRAM: snapshots, differences and what restores them, on the simulated bench and, across runs, on a simulated line."""
 import json
 import os
+import resource
 import signal
 import sqlite3
 import subprocess
@@ -54,6 +55,26 @@ class Saving(ContractTest):
         with open(path, "w", encoding="utf-8") as file:
             json.dump(text, file)
         return path
+
+
+class Backup(Saving):
+    @contract.long
+    def test_what_cannot_be_kept_is_not_overwritten(self):
+        path = self.saved(CIM, slot0__p=0.5)
+        firmware = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "resources", "firmware", "dmc60c-demo.hex")
+        self.run_one("snapshot", CIM)
+        nowhere = dict(os.environ, XDG_DATA_HOME=path)
+
+        def full():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (8192, 8192))
+
+        for words in (["restore", CIM, path], ["flash", CIM, firmware]):
+            for environment, limit in ((nowhere, None), (None, full)):
+                done = subprocess.run([contract.PROGRAM, "--json", *words], capture_output=True, text=True, check=False, env=environment, preexec_fn=limit)
+                self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+                self.assertIn("nothing was written", json.loads(done.stderr.splitlines()[-1])["error"]["cause"])
+        run = Run(["flash", contract.EMPTY, firmware], environment=nowhere)
+        self.assertEqual(run.status, 0, run.err + ": a unit in its bootloader has nothing to keep")
 
 
 class Diff(Saving):
