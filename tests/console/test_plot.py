@@ -66,6 +66,8 @@ class Plot(ContractTest):
         self.assert_error(2, "plot", "/dev/null", "--out", str(out))
         self.assert_error(2, "plot", self.recording(), "--out", str(self.path / "c.gif"), says="c.gif")
         self.assert_error(2, "plot", self.recording(), "--out", "/nonexistent/c.png", says="/nonexistent/c.png")
+        self.assert_error(2, "plot", self.recording(), "--out", str(out), "--size", "0x0", says="--size")
+        self.assert_error(2, "plot", self.recording(), "--out", str(out), "--theme", "pink", says="--theme")
         self.assertFalse(out.exists())
 
     def test_alone_it_says_what_is_missing(self):
