@@ -16820,6 +16820,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>&apos;%1&apos; muss eine ganze Zahl sein</translation>
     </message>
     <message>
+        <source>&apos;%1&apos; must be above 0</source>
+        <translation>&apos;%1&apos; muss größer als 0 sein</translation>
+    </message>
+    <message>
         <source>&apos;%1&apos; must be an object in braces</source>
         <translation>&apos;%1&apos; muss ein Objekt in geschweiften Klammern sein</translation>
     </message>

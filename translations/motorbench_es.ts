@@ -13304,6 +13304,10 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>«%1» debe ser un número entero</translation>
     </message>
     <message>
+        <source>&apos;%1&apos; must be above 0</source>
+        <translation>«%1» debe ser mayor que 0</translation>
+    </message>
+    <message>
         <source>&apos;%1&apos; must be an object in braces</source>
         <translation>«%1» debe ser un objeto entre llaves</translation>
     </message>

@@ -13304,6 +13304,10 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>«&#xa0;%1&#xa0;» doit être un nombre entier</translation>
     </message>
     <message>
+        <source>&apos;%1&apos; must be above 0</source>
+        <translation>«&#xa0;%1&#xa0;» doit être supérieur à 0</translation>
+    </message>
+    <message>
         <source>&apos;%1&apos; must be an object in braces</source>
         <translation>«&#xa0;%1&#xa0;» doit être un objet entre accolades</translation>
     </message>

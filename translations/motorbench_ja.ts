@@ -13290,6 +13290,10 @@ double click plots it, drag it to a pane or below them</source>
         <translation>「%1」は整数でなければなりません</translation>
     </message>
     <message>
+        <source>&apos;%1&apos; must be above 0</source>
+        <translation>「%1」は 0 より大きくなければなりません</translation>
+    </message>
+    <message>
         <source>&apos;%1&apos; must be an object in braces</source>
         <translation>「%1」は波括弧で囲んだオブジェクトでなければなりません</translation>
     </message>

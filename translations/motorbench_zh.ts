@@ -13290,6 +13290,10 @@ double click plots it, drag it to a pane or below them</source>
         <translation>“%1”必须是整数</translation>
     </message>
     <message>
+        <source>&apos;%1&apos; must be above 0</source>
+        <translation>“%1”必须大于 0</translation>
+    </message>
+    <message>
         <source>&apos;%1&apos; must be an object in braces</source>
         <translation>“%1”必须是花括号中的对象</translation>
     </message>

@@ -187,6 +187,9 @@ private:
         if (!to)
             wrong("test.to", say("'to' is missing"), say("the set-point of the step"));
         out.to = to.value_or(0.0);
+        const double begin = out.from.value_or(0.0);
+        if (to && *to == begin && (out.from || out.loop != Mode::Position)) // a position begins where the unit stands
+            wrong("test.to", say("there is no way from %1 to itself", begin), say("give another target"));
         out.seconds = number(*test, "test", "time", 0.001, longestTest);
         out.repeat = whole(*test, "test", "repeat", 1, mostRepeats, 1);
         out.axis = whole(*test, "test", "axis", 1, m_recipe.family->capabilities.axes, 1);
@@ -202,9 +205,13 @@ private:
         if (!limits)
             return;
         expect(*limits, "test.limits", {"travel", "speed", "current", "duty"});
-        for (const EnvelopeBound &bound : envelopeBounds)
-            out.limits.*bound.value = number(
+        for (const EnvelopeBound &bound : envelopeBounds) {
+            const auto limit = number(
                 *limits, "test.limits", bound.key, 0.0, std::string_view(bound.key) == "duty" ? 1.0 : anyNumber);
+            if (limit == 0.0)
+                wrong(pathOf("test.limits", bound.key), say("'%1' must be above 0", bound.key));
+            out.limits.*bound.value = limit;
+        }
     }
     void readAccept(const QJsonObject &test, SelfTest &out)
     {
