@@ -138,7 +138,7 @@ class Usage(ContractTest):
         self.assert_error(2, "simulate", "dmc60c:5")
         self.assert_error(2, "simulate", "--on", "socketcan:vcan0")
         self.assert_error(2, "simulate", "--on", "sim:can", "dmc60c:5")
-        for unit in ("dmc60c", "dmc60c:x", "frob:5", "dmc60c:64", "dmc60c:5,motor", "dmc60c:5,motor=frob", "dmc60c:5,frob=1", "dmc60c:5,fault=frob", "dmc60c:5,load=x", "dmc60c:5,load=nan", "dmc60c:5,fault=drop@inf"):
+        for unit in ("dmc60c", "dmc60c:x", "frob:5", "dmc60c:64", "dmc60c:5,motor", "dmc60c:5,motor=frob", "dmc60c:5,frob=1", "dmc60c:5,fault=frob", "dmc60c:5,load=x", "dmc60c:5,load=nan", "dmc60c:5,fault=drop@inf", "dmc60c:5,fault=drop@99999999999999999999", "dmc60c:5,fault=reset@1e30", "dmc60c:5,fault=delay@1:1e30"):
             self.assert_error(2, "simulate", "--on", "socketcan:vcan0", unit)
         self.assert_error(2, "simulate", "--on", "socketcan:vcan0", "dmc60c:5", "--seed", "x")
 
