@@ -44,6 +44,8 @@ Result<Changes> parse(const TrialsArguments &a)
             return fail(parsed.error());
         *number = *parsed;
     }
+    if (auto plain = a.note.empty() ? Result<void>() : checkName("a note", a.note.back()); !plain)
+        return fail(plain.error());
     return changes;
 }
 

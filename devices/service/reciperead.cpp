@@ -47,6 +47,9 @@ public:
         if (number(object, {}, "recipe", 0.0, anyNumber).value_or(0.0) != 1.0)
             wrong("recipe", say("this is no recipe of version 1"), say("it begins with \"recipe\": 1"));
         m_recipe.name = text(object, {}, "name");
+        const QString name = qt(m_recipe.name);
+        if (std::any_of(name.begin(), name.end(), [](QChar c) { return c.category() == QChar::Other_Control; }))
+            wrong("name", say("a name has no line break, tabulator or other control character"));
         readFamily(object);
         if (m_error)
             return fail(*m_error);
