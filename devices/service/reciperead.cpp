@@ -3,10 +3,10 @@
 
 #include "experiment/experiment.h"
 #include "experiment/metrics.h"
+#include "files/jsonlines.h"
 #include "files/qttext.h"
 #include "model/family.h"
 #include "model/registry.h"
-#include "service/jsonlines.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "files/jsonlines.h"
 #include "model/family.h"
 #include "model/registry.h"
 #include "service/figuretext.h"
 #include "service/goldenband.h"
-#include "service/jsonlines.h"
 #include "service/recipematter.h"
 #include "service/reciperead.h"
 #include "service/selftest.h"
