@@ -20,7 +20,7 @@ int refuse(const Error &wrong, bool json)
 {
     Error error = wrong;
     if (error.help().empty())
-        error.remedy = Message::verbatim("--help tells what there is");
+        error.remedy = say("--help tells what there is");
     if (!json) {
         std::fprintf(stderr, "%s: %s\n", program_invocation_short_name, error.text().c_str());
         return wrongInput;

@@ -14100,6 +14100,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>--out &apos;%1&apos; ist kein PDF</translation>
     </message>
     <message>
+        <source>--help tells what there is</source>
+        <translation>--help sagt, was es gibt</translation>
+    </message>
+    <message>
         <source>--plot FILE or --report FILE, and --out FILE belong together</source>
         <translation>--plot DATEI oder --report DATEI gehört mit --out DATEI zusammen</translation>
     </message>

@@ -13360,6 +13360,10 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>--out «%1» no es un PDF</translation>
     </message>
     <message>
+        <source>--help tells what there is</source>
+        <translation>--help dice qué hay</translation>
+    </message>
+    <message>
         <source>--plot FILE or --report FILE, and --out FILE belong together</source>
         <translation>--plot FILE o --report FILE van junto con --out FILE</translation>
     </message>

@@ -13360,6 +13360,10 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>--out «&#xa0;%1&#xa0;» n’est pas un PDF</translation>
     </message>
     <message>
+        <source>--help tells what there is</source>
+        <translation>--help dit ce qu’il y a</translation>
+    </message>
+    <message>
         <source>--plot FILE or --report FILE, and --out FILE belong together</source>
         <translation>--plot FICHIER ou --report FICHIER va avec --out FICHIER</translation>
     </message>

@@ -13346,6 +13346,10 @@ double click plots it, drag it to a pane or below them</source>
         <translation>--out「%1」は PDF ではありません</translation>
     </message>
     <message>
+        <source>--help tells what there is</source>
+        <translation>--help で一覧を表示できます</translation>
+    </message>
+    <message>
         <source>--plot FILE or --report FILE, and --out FILE belong together</source>
         <translation>--plot FILE または --report FILE は、--out FILE と組み合わせて指定します</translation>
     </message>

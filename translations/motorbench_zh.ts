@@ -13346,6 +13346,10 @@ double click plots it, drag it to a pane or below them</source>
         <translation>--out“%1”不是 PDF</translation>
     </message>
     <message>
+        <source>--help tells what there is</source>
+        <translation>--help 列出所有选项</translation>
+    </message>
+    <message>
         <source>--plot FILE or --report FILE, and --out FILE belong together</source>
         <translation>--plot FILE 或 --report FILE 须与 --out FILE 一起使用</translation>
     </message>
