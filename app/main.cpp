@@ -5,6 +5,7 @@
 #include "app/folders/relativefolders.h"
 #include "app/folders/userfolders.h"
 #include "app/plotfile.h"
+#include "app/refusal.h"
 #include "app/reportfile.h"
 
 #include <cerrno>
@@ -50,10 +51,8 @@ int main(int argc, char **argv)
         arguments += QString::fromLocal8Bit(argv[i]);
     // Before there is a window: a wrong call needs no display.
     const auto options = mb::Options::parse(arguments);
-    if (!options) {
-        std::fprintf(stderr, "%s: %s\n", program_invocation_short_name, options.error().text().c_str());
-        return 2;
-    }
+    if (!options)
+        return mb::refuse(options.error(), arguments.contains(QStringLiteral("--json")));
     if (arguments.contains(QStringLiteral("--help")) || arguments.contains(QStringLiteral("-h"))) {
         const QCoreApplication core(argc, argv);
         std::fputs(qPrintable(mb::Options::help()), stdout);

@@ -16,8 +16,11 @@ constexpr int wrongInput = 2;
 
 } // namespace
 
-int refuse(const Error &error, bool json)
+int refuse(const Error &wrong, bool json)
 {
+    Error error = wrong;
+    if (error.help().empty())
+        error.remedy = say("--help tells what there is");
     if (!json) {
         std::fprintf(stderr, "%s: %s\n", program_invocation_short_name, error.text().c_str());
         return wrongInput;

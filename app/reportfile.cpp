@@ -18,6 +18,10 @@ int printReport(const Options &options)
     const auto html = loadFile(options.report.toLocal8Bit().toStdString(), largestReport);
     if (!html)
         return refuse(html.error(), options.json);
+    if (!html->trimmed().toLower().startsWith("<!doctype html"))
+        return refuse({Fault::OutOfRange, say("%1 is no report", options.report.toStdString())}, options.json);
+    if (!options.out.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive))
+        return refuse({Fault::OutOfRange, say("--out '%1' is no PDF", options.out.toStdString())}, options.json);
     const QByteArray pdf = pdfOf(QString::fromUtf8(*html));
     if (pdf.isEmpty())
         return refuse({Fault::OutOfRange, say("the report cannot be painted"), {}}, options.json);

@@ -14116,6 +14116,18 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>--out &apos;%1&apos; ist kein Bild</translation>
     </message>
     <message>
+        <source>%1 is no report</source>
+        <translation>%1 ist kein Bericht</translation>
+    </message>
+    <message>
+        <source>--out &apos;%1&apos; is no PDF</source>
+        <translation>--out &apos;%1&apos; ist kein PDF</translation>
+    </message>
+    <message>
+        <source>--help tells what there is</source>
+        <translation>--help sagt, was es gibt</translation>
+    </message>
+    <message>
         <source>--plot FILE or --report FILE, and --out FILE belong together</source>
         <translation>--plot DATEI oder --report DATEI gehört mit --out DATEI zusammen</translation>
     </message>
@@ -16842,6 +16854,14 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>&apos;%1&apos; must be a whole number</source>
         <translation>&apos;%1&apos; muss eine ganze Zahl sein</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be above 0</source>
+        <translation>&apos;%1&apos; muss größer als 0 sein</translation>
+    </message>
+    <message>
+        <source>a name has no line break, tabulator or other control character</source>
+        <translation>ein Name hat keinen Zeilenumbruch, Tabulator und kein anderes Steuerzeichen</translation>
     </message>
     <message>
         <source>&apos;%1&apos; must be an object in braces</source>

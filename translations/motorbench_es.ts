@@ -13328,6 +13328,14 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>«%1» debe ser un número entero</translation>
     </message>
     <message>
+        <source>&apos;%1&apos; must be above 0</source>
+        <translation>«%1» debe ser mayor que 0</translation>
+    </message>
+    <message>
+        <source>a name has no line break, tabulator or other control character</source>
+        <translation>un nombre no tiene saltos de línea, tabuladores ni otros caracteres de control</translation>
+    </message>
+    <message>
         <source>&apos;%1&apos; must be an object in braces</source>
         <translation>«%1» debe ser un objeto entre llaves</translation>
     </message>
@@ -13366,6 +13374,18 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>--out &apos;%1&apos; is no picture</source>
         <translation>--out «%1» no es una imagen</translation>
+    </message>
+    <message>
+        <source>%1 is no report</source>
+        <translation>%1 no es un informe</translation>
+    </message>
+    <message>
+        <source>--out &apos;%1&apos; is no PDF</source>
+        <translation>--out «%1» no es un PDF</translation>
+    </message>
+    <message>
+        <source>--help tells what there is</source>
+        <translation>--help dice qué hay</translation>
     </message>
     <message>
         <source>--plot FILE or --report FILE, and --out FILE belong together</source>

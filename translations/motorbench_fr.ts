@@ -13328,6 +13328,14 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>«&#xa0;%1&#xa0;» doit être un nombre entier</translation>
     </message>
     <message>
+        <source>&apos;%1&apos; must be above 0</source>
+        <translation>«&#xa0;%1&#xa0;» doit être supérieur à 0</translation>
+    </message>
+    <message>
+        <source>a name has no line break, tabulator or other control character</source>
+        <translation>un nom n’a ni saut de ligne, ni tabulation, ni autre caractère de contrôle</translation>
+    </message>
+    <message>
         <source>&apos;%1&apos; must be an object in braces</source>
         <translation>«&#xa0;%1&#xa0;» doit être un objet entre accolades</translation>
     </message>
@@ -13366,6 +13374,18 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>--out &apos;%1&apos; is no picture</source>
         <translation>--out «&#xa0;%1&#xa0;» n’est pas une image</translation>
+    </message>
+    <message>
+        <source>%1 is no report</source>
+        <translation>%1 n’est pas un rapport</translation>
+    </message>
+    <message>
+        <source>--out &apos;%1&apos; is no PDF</source>
+        <translation>--out «&#xa0;%1&#xa0;» n’est pas un PDF</translation>
+    </message>
+    <message>
+        <source>--help tells what there is</source>
+        <translation>--help dit ce qu’il y a</translation>
     </message>
     <message>
         <source>--plot FILE or --report FILE, and --out FILE belong together</source>

@@ -13314,6 +13314,14 @@ double click plots it, drag it to a pane or below them</source>
         <translation>「%1」は整数でなければなりません</translation>
     </message>
     <message>
+        <source>&apos;%1&apos; must be above 0</source>
+        <translation>「%1」は 0 より大きくなければなりません</translation>
+    </message>
+    <message>
+        <source>a name has no line break, tabulator or other control character</source>
+        <translation>名前には改行、タブ、その他の制御文字を使えません</translation>
+    </message>
+    <message>
         <source>&apos;%1&apos; must be an object in braces</source>
         <translation>「%1」は波括弧で囲んだオブジェクトでなければなりません</translation>
     </message>
@@ -13352,6 +13360,18 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>--out &apos;%1&apos; is no picture</source>
         <translation>--out「%1」は画像ではありません</translation>
+    </message>
+    <message>
+        <source>%1 is no report</source>
+        <translation>%1 はレポートではありません</translation>
+    </message>
+    <message>
+        <source>--out &apos;%1&apos; is no PDF</source>
+        <translation>--out「%1」は PDF ではありません</translation>
+    </message>
+    <message>
+        <source>--help tells what there is</source>
+        <translation>--help で一覧を表示できます</translation>
     </message>
     <message>
         <source>--plot FILE or --report FILE, and --out FILE belong together</source>

@@ -13314,6 +13314,14 @@ double click plots it, drag it to a pane or below them</source>
         <translation>“%1”必须是整数</translation>
     </message>
     <message>
+        <source>&apos;%1&apos; must be above 0</source>
+        <translation>“%1”必须大于 0</translation>
+    </message>
+    <message>
+        <source>a name has no line break, tabulator or other control character</source>
+        <translation>名称中不能有换行符、制表符或其他控制字符</translation>
+    </message>
+    <message>
         <source>&apos;%1&apos; must be an object in braces</source>
         <translation>“%1”必须是花括号中的对象</translation>
     </message>
@@ -13352,6 +13360,18 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>--out &apos;%1&apos; is no picture</source>
         <translation>--out “%1”不是图片</translation>
+    </message>
+    <message>
+        <source>%1 is no report</source>
+        <translation>%1 不是报告</translation>
+    </message>
+    <message>
+        <source>--out &apos;%1&apos; is no PDF</source>
+        <translation>--out“%1”不是 PDF</translation>
+    </message>
+    <message>
+        <source>--help tells what there is</source>
+        <translation>--help 列出所有选项</translation>
     </message>
     <message>
         <source>--plot FILE or --report FILE, and --out FILE belong together</source>

@@ -32,7 +32,7 @@ constexpr std::array table{
     Verb{"tune", "DEVICE --loop velocity|position|current [--aim calm|normal|brisk] [--propose] [--store] [limits]",
         "Identify the motor, design its gains, prove them, keep them", declareTune},
     Verb{"trials", "[DEVICE] [--export FILE] [--star N] [--note N TEXT] [--delete N]",
-        "The notebook: every experiment with its gains", declareTrials},
+        "The notebook: every experiment with its gains", declareTrials, "--note"},
     Verb{"service", "RECIPE [LINK…] [--units N] [--resume] [--station NAME] [--journal URL]",
         "Firmware, parameters, self-test and number for every unit, by a recipe", declareService},
     Verb{"journal", "[--since T] [--serial S] [--export FILE.csv]", "What was done to which unit", declareJournal},
@@ -156,7 +156,12 @@ tl::unexpected<Error> unexpectedArgument(const CLI::App &app, const Verb &verb)
         suggestion(wrong.substr(0, wrong.find('=')), known, "it takes " + joined(known)));
 }
 
-/// CLI11 would take `--store=0` for a flag that is not set, and `--store=3` for one that is.
+tl::unexpected<Error> emptyValue(std::string_view verb, std::string_view name)
+{
+    return fail(Fault::Usage, say("%1: the value of %2 is empty", verb, name), say("give one, or leave %1 out", name));
+}
+
+/// CLI11 would take `--store=0` for a flag that is not set, `--store=3` for one that is, and the next word where `--speed=` ends.
 Result<void> checkFlags(const CLI::App &app, const Verb &verb, const std::vector<std::string> &arguments)
 {
     for (const std::string &word : arguments) {
@@ -168,6 +173,21 @@ Result<void> checkFlags(const CLI::App &app, const Verb &verb, const std::vector
         const CLI::Option *const option = app.get_option_no_throw(word.substr(0, equals));
         if (option && option->get_items_expected_max() == 0 && option->get_fnames().empty()) // but `{word}` has one
             return fail(Fault::Usage, say("%1: %2 takes no value", verb.name, word.substr(0, equals)), usageOf(verb));
+        if (option && equals + 1 == word.size())
+            return emptyValue(verb.name, word.substr(0, equals));
+    }
+    return {};
+}
+
+/// An argument that was given never counts as one that was not: a script with an unset variable would lose a limit.
+Result<void> checkValues(const CLI::App &app, const Verb &verb)
+{
+    for (const CLI::Option *option : app.get_options()) {
+        const std::vector<std::string> &values = option->results();
+        const bool isPlain = !option->get_inject_separator(); // otherwise "" ends a group, and an empty one is refused
+        if (isPlain && std::find(values.begin(), values.end(), "") != values.end()
+            && option->get_name() != verb.mayBeEmpty)
+            return emptyValue(verb.name, option->get_name());
     }
     return {};
 }
@@ -191,6 +211,8 @@ Result<CommandLine> parseVerb(const Verb &verb, std::vector<std::string> argumen
     } catch (const CLI::Error &error) {
         return fail(Fault::Usage, say("%1: %2", name, lowered(error.what())), usageOf(verb));
     }
+    if (auto full = checkValues(app, verb); !full)
+        return fail(full.error());
     const auto options = optionsFrom(globals);
     if (!options)
         return fail(options.error());
@@ -224,6 +246,8 @@ Result<std::size_t> parseFront(const std::vector<std::string> &arguments, Global
         else
             return fail(Fault::Usage, say("'%1' cannot stand before the verb", word),
                 say("there stand --json, --quiet, --timeout S, --retries N, --help and --version"));
+        if (value && value->empty())
+            return emptyValue("motorbenchctl", word.substr(0, 9));
         if (!text.empty())
             break;
     }

@@ -14,9 +14,11 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <memory>
 #include <variant>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 namespace mb::console {
@@ -180,6 +182,13 @@ Result<void> openForReading(QFile &file)
     const std::string name = file.fileName().toStdString();
     if (QFileInfo(file).isDir())
         return fail(Fault::OutOfRange, say("%1 is a directory", name), say("name a file"));
+    std::error_code unknown;
+    if (std::filesystem::is_fifo(name, unknown)) { // to open it waits for who writes, and no signal would end that
+        const int pipe = ::open(name.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+        if (pipe < 0 || !file.open(pipe, QIODevice::ReadOnly | QIODevice::Unbuffered, QFileDevice::AutoCloseHandle))
+            return fail(Fault::OutOfRange, say("%1 cannot be read: %2", name, std::strerror(errno)));
+        return {};
+    }
     if (!file.open(QIODevice::ReadOnly | QIODevice::Unbuffered))
         return fail(Fault::OutOfRange, say("%1 cannot be read: %2", name, file.errorString().toStdString()));
     return {};

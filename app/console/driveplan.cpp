@@ -85,6 +85,9 @@ Result<SetPoint> parseSetPoint(const Family &family, const DriveArguments &a)
     SetPoint setPoint;
     if (auto read = readNumbers(setPoint, a); !read)
         return fail(read.error());
+    if (*mode == Mode::Off && setPoint.target != 0.0)
+        return fail(
+            Fault::Usage, say("--mode off has no target"), say("leave --target out, or name the mode that is meant"));
     const auto axis = a.axis.empty() ? Result<int>(1) : parseInteger("--axis", a.axis, 1, family.capabilities.axes);
     const auto slot
         = a.slot.empty() ? Result<int>(0) : parseInteger("--slot", a.slot, 0, family.capabilities.gainSlots - 1);
@@ -113,6 +116,9 @@ Result<double> parseSlew(const DriveArguments &a, const SetPoint &setPoint)
     const auto slew = optionalNumber("--slew", a.slew, 0.0, huge);
     const bool goesItself = setPoint.mode == Mode::Off || setPoint.mode == Mode::Follow
         || setPoint.mode == Mode::RampPosition || setPoint.mode == Mode::RampVelocity || setPoint.relative;
+    if (slew && *slew <= 0.0 && !a.slew.empty())
+        return fail(Fault::OutOfRange, say("--slew: with %1 the target would never be reached", a.slew),
+            say("it is above 0; without the option the target jumps"));
     if (slew && *slew > 0.0 && goesItself)
         return fail(Fault::Usage, say("--slew means a target that this program moves"),
             say("give it with duty, velocity, position, current or voltage"));

@@ -35,6 +35,9 @@ Result<ExperimentOptions::Values> ExperimentOptions::parse(const Family &family)
         const auto number = parseNumber(limit.name, limit.text, 0.0, limit.most);
         if (!number)
             return fail(number.error());
+        if (*number <= 0.0)
+            return fail(Fault::OutOfRange, say("%1: %2 leaves nothing that could move", limit.name, limit.text),
+                say("a limit is above 0; without the option the device's own serves"));
         values.limits.*limit.into = *number;
     }
     const auto whichAxis = axis.empty() ? Result<int>(1) : parseInteger("--axis", axis, 1, family.capabilities.axes);

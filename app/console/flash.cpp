@@ -220,10 +220,8 @@ Task<int> flash(Console &console, FlashArguments arguments)
     Device *const device = co_await std::move(connecting);
     if (!arguments.options.dryRun) {
         Notebook notebook(console);
-        notebook.noteTrouble();
-        auto keeping = notebook.keepBefore(*device, settings::Occasion::Update);
+        auto keeping = notebook.keepOrRefuse(*device, settings::Occasion::Update);
         co_await std::move(keeping);
-        console.begin(); // till now it was only asked
     }
     const Instant start = console.clock().now();
     UpdateReport report;

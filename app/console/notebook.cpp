@@ -10,6 +10,21 @@
 #include "settings/snapshots.h"
 
 namespace mb::console {
+namespace {
+
+/// A unit never says that it is out of range when it is read.
+bool isOfNotebook(const Error &error)
+{
+    return error.fault == Fault::OutOfRange;
+}
+
+Error keepsNothing(const Error &trouble)
+{
+    return {Fault::Usage, say("nothing was written, because what is there cannot be kept: %1", trouble.detail),
+        trouble.help()};
+}
+
+} // namespace
 
 Notebook::Notebook(Console &console)
     : m_console(console)
@@ -43,8 +58,22 @@ Task<void> Notebook::keepBefore(Device &device, settings::Occasion occasion)
     if (taken)
         m_console.note("snapshot " + std::to_string(taken->number) + ", " + taken->name + ", has "
             + std::to_string(taken->count) + " values of " + device.selector());
-    else
+    else if (isOfNotebook(taken.error()))
+        co_return fail(keepsNothing(taken.error()));
+    else // it is the unit that does not tell: an update may be what mends it
         m_console.note("no snapshot of what was there: " + taken.error().text());
+    co_return {};
+}
+
+Task<void> Notebook::keepOrRefuse(Device &device, settings::Occasion occasion)
+{
+    m_console.onlyAsk();
+    if (m_trouble && device.identity().state != DeviceState::Bootloader) // one in its bootloader has nothing to keep
+        co_return fail(keepsNothing(*m_trouble));
+    noteTrouble();
+    auto keeping = keepBefore(device, occasion);
+    co_await std::move(keeping);
+    m_console.begin();
     co_return {};
 }
 

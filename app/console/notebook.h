@@ -25,8 +25,11 @@ public:
     [[nodiscard]] tuning::ExperimentJournal *book() { return m_book.get(); }
     /// The same for snapshots and writes.
     [[nodiscard]] SettingsBook *settings() { return m_settings.get(); }
-    /// Takes a snapshot of a device before many of its values change; a note says which.
+    /// Takes a snapshot of a device before many of its values change; a note says which, or that the device could not be
+    /// read. Usage where the notebook has no room for it.
     [[nodiscard]] Task<void> keepBefore(Device &device, settings::Occasion occasion);
+    /// The same for a verb that writes nothing without it: Usage also where there is no notebook. Then the verb begins.
+    [[nodiscard]] Task<void> keepOrRefuse(Device &device, settings::Occasion occasion);
     /// Into the history: what the values of a device were before this verb, which is `origin`, replaced them (settings/writing.h).
     [[nodiscard]] Task<void> keepReplaced(Device &device, settings::Numbers before, settings::Origin origin);
     /// What earlier experiments owe to this unit: settled where the unit has it; else put back, with `agreed` or when somebody

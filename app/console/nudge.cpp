@@ -34,6 +34,16 @@ std::optional<double> positionOf(const Device &device, int axis)
     return latest ? std::optional<double>(latest->value) : std::nullopt;
 }
 
+/// What is known of the motor without its link: nothing.
+Result<void> linkOf(const Device &device)
+{
+    if (device.link().state() != LinkState::Lost)
+        return {};
+    return fail(Fault::LinkLost,
+        say("the link was lost while the shaft was turned (%1)", device.link().loss().message()),
+        say("see that the motor stands before anything else"));
+}
+
 /// One push; yields how far the shaft has gone once it stands again. After a signal, whenever it came, none begins.
 Task<double> push(Console &console, Device &device, SetPoint setPoint, Duration time)
 {
@@ -48,11 +58,15 @@ Task<double> push(Console &console, Device &device, SetPoint setPoint, Duration 
         co_return fail(started.error());
     Sleep pushing(console.clock(), time);
     co_await pushing;
+    if (auto there = linkOf(device); !there)
+        co_return fail(there.error());
     if (!stream.isRunning() && !console.isInterrupted())
         co_return fail(Fault::Unsafe, say("stopped for safety: %1", stream.reason()));
     stream.stop();
     const Instant limit = console.clock().now() + standLimit;
     while (!device.isSeenStopped()) {
+        if (auto there = linkOf(device); !there)
+            co_return fail(there.error());
         if (console.clock().now() >= limit)
             co_return fail(Fault::Unsafe, say("the stop was not confirmed by %1", device.selector()),
                 say("cut its power if the motor still turns"));

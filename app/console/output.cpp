@@ -17,9 +17,28 @@ constexpr std::size_t enough = 65536;
 constexpr Duration latency = std::chrono::milliseconds(10);
 constexpr int lastWords = 1000; // ms
 
-void put(std::string line, int patience)
+/// What others wrote into names and notes moves no cursor: each control character is one '?'.
+std::string printable(std::string_view text, std::string_view kept)
 {
+    std::string out;
+    out.reserve(text.size());
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0U;
+        const bool isPair = byte == 0xC2U && next >= 0x80U && next < 0xA0U; // U+0080 to U+009F
+        const bool isControl
+            = isPair || byte == 0x7FU || (byte < 0x20U && kept.find(text[i]) == std::string_view::npos);
+        out += isControl ? '?' : text[i];
+        i += isPair ? 1 : 0;
+    }
+    return out;
+}
+
+void put(const std::string &text, int patience)
+{
+    std::string line = text;
     std::replace(line.begin(), line.end(), '\n', ' ');
+    line = printable(line, "\t");
     line += '\n';
     const Outlet outlet(STDERR_FILENO);
     const Outlet::Written written = outlet.write(line);
@@ -43,7 +62,17 @@ Output::Output(Clock &clock)
     QObject::connect(&m_writable, &QSocketNotifier::activated, &m_writable, [this] { flush(); });
 }
 
+std::string onOneLine(std::string_view text)
+{
+    return printable(text, {});
+}
+
 void Output::line(std::string_view text)
+{
+    append(printable(text, "\n\t"));
+}
+
+void Output::append(std::string_view text)
 {
     if (m_isBroken)
         return;
@@ -63,7 +92,7 @@ void Output::line(std::string_view text)
 void Output::json(const QJsonObject &object)
 {
     const QByteArray text = QJsonDocument(object).toJson(QJsonDocument::Compact);
-    line(std::string_view(text.constData(), static_cast<std::size_t>(text.size())));
+    append(std::string_view(text.constData(), static_cast<std::size_t>(text.size())));
 }
 
 void Output::flush()

@@ -45,6 +45,7 @@ public:
     [[nodiscard]] const Error &error() const { return m_error; }
 
 private:
+    void append(std::string_view text);
     void failed(Error error);
 
     Clock &m_clock;
@@ -59,6 +60,8 @@ private:
     Listeners<> m_broken;
 };
 
+/// For a cell or a name within a line: whoever wrote it, it moves no cursor and ends no line.
+[[nodiscard]] std::string onOneLine(std::string_view text);
 /// One line on standard error. What its reader does not take is dropped.
 void complain(std::string_view text);
 /// The same, and waits for the reader for at most a second: the last words of a program.

@@ -59,9 +59,8 @@ Task<int> rename(Console &console, RenameArguments arguments)
     if (length < 1 || length > longest)
         co_return fail(Fault::OutOfRange, say("a name has 1 to %1 characters, this one has %2", longest, length),
             say("choose another"));
-    if (std::any_of(name.begin(), name.end(), [](QChar c) { return c.category() == QChar::Other_Control; }))
-        co_return fail(Fault::OutOfRange, say("a name has no line break, tabulator or other control character"),
-            say("choose another"));
+    if (auto plain = checkName("a name", arguments.name); !plain)
+        co_return fail(plain.error());
     auto connecting = connect(console, *target);
     Device *const device = co_await std::move(connecting);
     if (!target->family->capabilities.rename)

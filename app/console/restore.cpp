@@ -138,8 +138,7 @@ Task<void> mayPutBack(Console &console, const Device &device, SettingsBook &book
 /// Writes what differs; yields the first error, after which the rest stays unchanged.
 Task<std::optional<Error>> write(Console &console, Device &device, Notebook &notebook, std::vector<Change> &changes)
 {
-    notebook.noteTrouble();
-    auto keeping = notebook.keepBefore(device, settings::Occasion::Restore);
+    auto keeping = notebook.keepOrRefuse(device, settings::Occasion::Restore);
     co_await std::move(keeping);
     std::vector<ParameterChange> writes;
     for (const Change &change : changes)

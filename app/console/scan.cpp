@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 namespace mb::console {
 namespace {
@@ -34,18 +35,21 @@ Task<std::vector<Device *>> scanPatiently(Console &console, Link &link, ScanOpti
     co_return std::move(found);
 }
 
-/// Scans several links at the same time.
+/// Scans several links at the same time. A signal ends it with what was found by then.
 class Round {
 public:
     Round(Console &console, ScanExtent extent)
         : m_console(console)
         , m_extent(extent)
         , m_progress(console)
+        , m_cut(console.clock())
         , m_scope(console.clock())
+        , m_signal(console.interrupted().add([this] { m_cut.startIn(Duration::zero(), [this] { cut(); }); }))
     {
     }
     void start(const std::vector<Link *> &links)
     {
+        m_links = links;
         m_found.resize(links.size());
         m_running = links.size();
         for (std::size_t i = 0; i < links.size(); ++i) {
@@ -63,8 +67,12 @@ public:
     [[nodiscard]] std::vector<Device *> devices() const
     {
         std::vector<Device *> all;
-        for (const auto &found : m_found)
-            all.insert(all.end(), found.begin(), found.end());
+        for (std::size_t i = 0; i < m_found.size(); ++i) {
+            if (m_isCut)
+                addThoseOn(*m_links[i], all);
+            else
+                all.insert(all.end(), m_found[i].begin(), m_found[i].end());
+        }
         return all;
     }
 
@@ -82,8 +90,22 @@ private:
             ++m_scanned;
         } else if (!error)
             error = found.error();
-        if (--m_running == 0)
+        if (--m_running == 0 && !m_isCut)
             done.set();
+    }
+    void cut()
+    {
+        if (m_running == 0 || std::exchange(m_isCut, true))
+            return;
+        m_console.note("the scan was cut off: it was interrupted before it was done");
+        done.set();
+    }
+    void addThoseOn(const Link &link, std::vector<Device *> &all) const
+    {
+        for (Device *const device : m_console.session().devices()) {
+            if (&device->link() == &link)
+                all.push_back(device);
+        }
     }
 
     Console &m_console;
@@ -92,7 +114,11 @@ private:
     std::vector<std::vector<Device *>> m_found;
     std::size_t m_running = 0;
     std::size_t m_scanned = 0;
+    std::vector<Link *> m_links;
+    bool m_isCut = false;
+    Timer m_cut; ///< from the clock: whoever waits for the end is not called from within a signal
     Scope m_scope;
+    Subscription m_signal;
 };
 
 struct Opened {

@@ -223,6 +223,8 @@ Task<int> serve(Console &console, ServiceArguments a)
     const auto plan = check(console, a);
     if (!plan)
         co_return fail(plan.error());
+    if (auto plain = checkName("the name of a station", a.station); !plain)
+        co_return fail(plain.error());
     const std::string station = a.station.empty() ? hostName() : a.station;
     const auto desk = ServiceDesk::open(console, station, a.journal);
     if (!desk)

@@ -56,6 +56,8 @@ Task<int> snapshot(Console &console, std::string device, std::string name)
         co_return fail(target.error());
     if (name.size() > longestName)
         co_return fail(Fault::Usage, say("--name: a name has at most %1 bytes", longestName));
+    if (auto plain = checkName("a name", name); !plain)
+        co_return fail(plain.error());
     Notebook notebook(console);
     if (notebook.trouble())
         co_return fail(*notebook.trouble());

@@ -36,6 +36,7 @@ void Table::add(std::vector<std::string> cells)
 {
     cells.resize(m_widths.size());
     for (std::size_t i = 0; i < cells.size(); ++i) {
+        cells[i] = onOneLine(cells[i]);
         if (cells[i].empty())
             cells[i].assign(1, '-');
         m_widths[i] = std::max(m_widths[i], widthOf(cells[i]));

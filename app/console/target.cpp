@@ -204,6 +204,15 @@ std::string joined(const std::vector<std::string_view> &words)
     return list;
 }
 
+Result<void> checkName(std::string_view name, const std::string &text)
+{
+    const QString characters = qt(text);
+    if (std::any_of(characters.begin(), characters.end(), [](QChar c) { return c.category() == QChar::Other_Control; }))
+        return fail(Fault::OutOfRange, say("%1 has no line break, tabulator or other control character", name),
+            say("choose another"));
+    return {};
+}
+
 Result<double> parseNumber(std::string_view name, const std::string &text, double low, double high)
 {
     const std::optional<double> number = numberFrom(text);

@@ -41,6 +41,8 @@ struct Target {
     std::string_view wrong, const std::vector<std::string_view> &known, std::string otherwise);
 /// "a, b, c".
 [[nodiscard]] std::string joined(const std::vector<std::string_view> &words);
+/// OutOfRange where a control character of `text`, which is called `name`, would end a line or move a cursor.
+[[nodiscard]] Result<void> checkName(std::string_view name, const std::string &text);
 /// A finite number inside [low, high]; OutOfRange names the argument.
 [[nodiscard]] Result<double> parseNumber(std::string_view name, const std::string &text, double low, double high);
 [[nodiscard]] Result<int> parseInteger(std::string_view name, const std::string &text, int low, int high);

@@ -32,17 +32,20 @@ struct Changes {
 Result<Changes> parse(const TrialsArguments &a)
 {
     Changes changes;
-    const std::tuple<const char *, std::string, std::optional<std::int64_t> *> numbers[]
-        = {{"--star", a.star, &changes.star}, {"--note", a.note.empty() ? "" : a.note.front(), &changes.note},
-            {"--delete", a.remove, &changes.remove}};
-    for (const auto &[option, text, number] : numbers) {
-        if (text.empty())
+    const std::tuple<const char *, bool, std::string, std::optional<std::int64_t> *> numbers[]
+        = {{"--star", !a.star.empty(), a.star, &changes.star},
+            {"--note", !a.note.empty(), a.note.empty() ? "" : a.note.front(), &changes.note},
+            {"--delete", !a.remove.empty(), a.remove, &changes.remove}};
+    for (const auto &[option, isGiven, text, number] : numbers) {
+        if (!isGiven)
             continue;
         const auto parsed = parseInteger(option, text, 1, mostTrials);
         if (!parsed)
             return fail(parsed.error());
         *number = *parsed;
     }
+    if (auto plain = a.note.empty() ? Result<void>() : checkName("a note", a.note.back()); !plain)
+        return fail(plain.error());
     return changes;
 }
 

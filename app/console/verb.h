@@ -16,6 +16,7 @@ struct Verb {
     std::string_view usage; ///< what follows the name
     std::string_view help;
     Job (*declare)(CLI::App &arguments);
+    std::string_view mayBeEmpty = {}; ///< the option, if any, where an empty value means something
 };
 
 [[nodiscard]] std::span<const Verb> verbs();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/parameterfile.h"
 
+#include "files/jsonlines.h"
 #include "files/qttext.h"
 #include "model/family.h"
 
@@ -165,6 +166,9 @@ Result<ParameterFile> parseParameterFile(const QByteArray &bytes, const Family &
                                               : say("no object at the top");
         return fail(Fault::OutOfRange, say("not a parameter file: %1", why));
     }
+    if (const JsonLines lines = linesOf(bytes); !lines.repeated.empty()) // Qt would take the last
+        return fail(
+            Fault::OutOfRange, atLine(lines.of(lines.repeated), say("the key '%1' is there twice", lines.repeated)));
     const QJsonObject object = document.object();
     ParameterFile file;
     file.family = object.value(QLatin1String("family")).toString().toStdString();

@@ -3,10 +3,10 @@
 
 #include "experiment/experiment.h"
 #include "experiment/metrics.h"
+#include "files/jsonlines.h"
 #include "files/qttext.h"
 #include "model/family.h"
 #include "model/registry.h"
-#include "service/jsonlines.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -47,6 +47,9 @@ public:
         if (number(object, {}, "recipe", 0.0, anyNumber).value_or(0.0) != 1.0)
             wrong("recipe", say("this is no recipe of version 1"), say("it begins with \"recipe\": 1"));
         m_recipe.name = text(object, {}, "name");
+        const QString name = qt(m_recipe.name);
+        if (std::any_of(name.begin(), name.end(), [](QChar c) { return c.category() == QChar::Other_Control; }))
+            wrong("name", say("a name has no line break, tabulator or other control character"));
         readFamily(object);
         if (m_error)
             return fail(*m_error);
@@ -187,6 +190,9 @@ private:
         if (!to)
             wrong("test.to", say("'to' is missing"), say("the set-point of the step"));
         out.to = to.value_or(0.0);
+        const double begin = out.from.value_or(0.0);
+        if (to && *to == begin && (out.from || out.loop != Mode::Position)) // a position begins where the unit stands
+            wrong("test.to", say("there is no way from %1 to itself", begin), say("give another target"));
         out.seconds = number(*test, "test", "time", 0.001, longestTest);
         out.repeat = whole(*test, "test", "repeat", 1, mostRepeats, 1);
         out.axis = whole(*test, "test", "axis", 1, m_recipe.family->capabilities.axes, 1);
@@ -202,9 +208,13 @@ private:
         if (!limits)
             return;
         expect(*limits, "test.limits", {"travel", "speed", "current", "duty"});
-        for (const EnvelopeBound &bound : envelopeBounds)
-            out.limits.*bound.value = number(
+        for (const EnvelopeBound &bound : envelopeBounds) {
+            const auto limit = number(
                 *limits, "test.limits", bound.key, 0.0, std::string_view(bound.key) == "duty" ? 1.0 : anyNumber);
+            if (limit == 0.0)
+                wrong(pathOf("test.limits", bound.key), say("'%1' must be above 0", bound.key));
+            out.limits.*bound.value = limit;
+        }
     }
     void readAccept(const QJsonObject &test, SelfTest &out)
     {

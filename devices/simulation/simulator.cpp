@@ -37,9 +37,15 @@ bool parseNumber(std::string_view text, double &out)
     return takeNumber(text, out) && out >= 0.0;
 }
 
+constexpr double mostCounted = 9007199254740992.0; ///< beyond it a double skips numbers
+constexpr double mostSeconds = 1e8;
+constexpr double mostDelay = 1e9; ///< ms
+
 /// Frames count from 1, pages from 0; neither comes in parts.
 bool isPossible(double at, Needs needs)
 {
+    if (at > (needs == Needs::Seconds ? mostSeconds : mostCounted))
+        return false;
     const bool frame = needs == Needs::Frame || needs == Needs::FrameAndTime;
     return needs == Needs::Seconds || (at == std::floor(at) && at >= (frame ? 1.0 : 0.0));
 }
@@ -65,7 +71,8 @@ Result<SimulatedFault> SimulatedFault::parse(std::string_view text)
     if (!parseNumber(numbers.substr(0, colon), fault.at) || !isPossible(fault.at, row->needs))
         return bad();
     const bool two = colon != std::string_view::npos;
-    if (two != (row->needs == Needs::FrameAndTime) || (two && !parseNumber(numbers.substr(colon + 1), fault.argument)))
+    if (two != (row->needs == Needs::FrameAndTime) || (two && !parseNumber(numbers.substr(colon + 1), fault.argument))
+        || fault.argument > mostDelay)
         return bad();
     return fault;
 }

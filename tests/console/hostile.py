@@ -351,6 +351,21 @@ class Hostile(ContractTest):
         (found,) = run.objects()
         self.assertEqual([row["link"] for row in found["links"]], ["sim:serial"])
 
+    def test_a_signal_ends_a_long_scan_with_what_it_has_found(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            process = subprocess.Popen([contract.PROGRAM, "--json", "scan", "sim:can", "sim:serial", "--everything"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            self.addCleanup(process.communicate)
+            self.addCleanup(process.kill)
+            with self.assertRaises(subprocess.TimeoutExpired):
+                process.wait(timeout=4)
+            process.send_signal(number)
+            out, err = process.communicate(timeout=contract.LIMIT)
+            self.assertEqual(process.returncode, 0, err)
+            found = json.loads(out)
+            self.assertIn(CIM, [row["device"] for row in found["devices"]])
+            self.assertEqual({row["link"] for row in found["links"]}, {"sim:can", "sim:serial"})
+            self.assertIn("interrupted before it was done", err)
+
     def test_how_long_and_how_often_a_device_is_looked_for(self):
         nobody = "sim:can/dmc60c:60"
         self.assert_error(3, "--timeout", "0.05", "info", nobody, says="within 0.05 s")

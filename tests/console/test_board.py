@@ -58,6 +58,17 @@ class BoardTest(ContractTest):
               f"{summary['lost']} lost; the wire of a real board would carry 1453")
         self.assertGreater(summary["samples"] + summary["lost"], 0.5 * 498 * summary["seconds"])
 
+    def test_a_board_that_another_program_has_is_busy(self):
+        self.simulate()
+        with subprocess.Popen([contract.PROGRAM, "watch", self.device], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as watching:
+            watching.stdout.readline()
+            watching.stdout.readline()
+            for options in ([], ["--timeout", "2"]):
+                self.assert_error(5, *options, "get", self.device, "ch1.counter", says="is busy")
+            self.assert_error(5, "scan", "unix:" + self.socket, says="is busy")
+            watching.terminate()
+        self.run_one("get", self.device, "ch1.counter")
+
     def test_a_board_that_goes_away_is_reported(self):
         process = self.simulate()
         with subprocess.Popen([contract.PROGRAM, "watch", self.device], stdout=subprocess.PIPE, stderr=subprocess.PIPE,

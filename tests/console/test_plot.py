@@ -66,7 +66,20 @@ class Plot(ContractTest):
         self.assert_error(2, "plot", "/dev/null", "--out", str(out))
         self.assert_error(2, "plot", self.recording(), "--out", str(self.path / "c.gif"), says="c.gif")
         self.assert_error(2, "plot", self.recording(), "--out", "/nonexistent/c.png", says="/nonexistent/c.png")
+        self.assert_error(2, "plot", self.recording(), "--out", str(out), "--size", "0x0", says="--size")
+        self.assert_error(2, "plot", self.recording(), "--out", str(out), "--theme", "pink", says="--theme")
         self.assertFalse(out.exists())
+
+    def test_the_window_program_prints_a_report_and_nothing_else(self):
+        program = os.path.join(os.path.dirname(contract.PROGRAM), "motorbench")
+        noise, page, out = self.path / "noise.html", self.path / "page.html", self.path / "out.pdf"
+        noise.write_bytes(bytes(range(256)) * 800)
+        page.write_text("<!DOCTYPE html>\n<html><body>card</body></html>", encoding="utf-8")
+        for file, name, status in ((noise, out, 2), (page, self.path / "out.png", 2), (page, out, 0)):
+            done = subprocess.run([program, "--report", str(file), "--out", str(name)], capture_output=True, text=True, check=False,
+                                  env=dict(os.environ, QT_QPA_PLATFORM="offscreen"))
+            self.assertEqual(done.returncode, status, done.stderr)
+            self.assertEqual(name.exists(), status == 0)
 
     def test_alone_it_says_what_is_missing(self):
         lonely = self.path / "motorbenchctl"

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """test_settings.py PROGRAM: snapshots, differences and what restores them, on the simulated bench and, across runs, on a simulated line."""
+import contextlib
 import json
 import os
+import resource
 import signal
 import sqlite3
 import subprocess
@@ -27,6 +29,19 @@ class Snapshots(ContractTest):
         self.assertEqual(set(rows[0]), SNAPSHOT)
         self.assertNotIn(taken, self.run_one("snapshots", LIVELY)["snapshots"])
         self.assertIn("limits for the demo", self.run_text("snapshots"))
+
+    def test_no_name_moves_the_cursor_of_a_terminal(self):
+        for name in ("a\nb", "a\x1b[31m", "a\x7f", "a\x9bK", "a\tb"):
+            self.assert_error(2, "snapshot", CIM, "--name", name, says="control character")
+            self.assert_error(2, "trials", "--note", "2", name, says="control character")
+        self.run_one("snapshot", CIM, "--name", "limits")
+        with contextlib.closing(sqlite3.connect(os.path.join(os.environ["XDG_DATA_HOME"], "motorbench", "motorbench.db"))) as book:
+            book.execute("UPDATE snapshot SET name = ?", ("evil\n\x1b[31m\x9bK°",))  # of an earlier version
+            book.commit()
+        listed = self.run_text("snapshots")
+        self.assertEqual(listed.count("\n"), 2)
+        self.assertIn("evil??[31m?K°", listed)
+        self.assertEqual(self.run_one("snapshots")["snapshots"][0]["name"], "evil\n\x1b[31m\x9bK°")
 
     def test_a_unit_without_a_serial_number_is_this_place(self):
         taken = self.run_one("snapshot", "sim:serial/supermodified:4")
@@ -54,6 +69,26 @@ class Saving(ContractTest):
         with open(path, "w", encoding="utf-8") as file:
             json.dump(text, file)
         return path
+
+
+class Backup(Saving):
+    @contract.long
+    def test_what_cannot_be_kept_is_not_overwritten(self):
+        path = self.saved(CIM, slot0__p=0.5)
+        firmware = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "resources", "firmware", "dmc60c-demo.hex")
+        self.run_one("snapshot", CIM)
+        nowhere = dict(os.environ, XDG_DATA_HOME=path)
+
+        def full():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (8192, 8192))
+
+        for words in (["restore", CIM, path], ["flash", CIM, firmware]):
+            for environment, limit in ((nowhere, None), (None, full)):
+                done = subprocess.run([contract.PROGRAM, "--json", *words], capture_output=True, text=True, check=False, env=environment, preexec_fn=limit)
+                self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+                self.assertIn("nothing was written", json.loads(done.stderr.splitlines()[-1])["error"]["cause"])
+        run = Run(["flash", contract.EMPTY, firmware], environment=nowhere)
+        self.assertEqual(run.status, 0, run.err + ": a unit in its bootloader has nothing to keep")
 
 
 class Diff(Saving):

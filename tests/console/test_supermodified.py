@@ -266,6 +266,15 @@ class SupermodifiedTest(ContractTest):
         self.assertEqual(rows[0]["fields"]["position"], 10240)
         self.assertEqual(rows[1]["fields"]["c1"], 82)
 
+    def test_a_link_that_is_lost_while_a_shaft_is_turned_is_no_stop_for_safety(self):
+        nodes = Nodes(self, "supermodified:4", baud=57600)
+        identifying = self.spawn("identify", "--yes", f"serial:{nodes.path}?baud=57600/supermodified:4")
+        self.assertIsNotNone(nodes.when("output-on"))
+        nodes.process.kill()
+        out, err = identifying.communicate(timeout=contract.LIMIT)
+        self.assertEqual((identifying.returncode, out), (5, ""), err)
+        self.assertIn("see that the motor stands before anything else", err)
+
     def test_the_error_reaction_of_d3_is_not_the_error_level_of_d1(self):
         reactions = "02" + "00" * 19
         text = f"(1.0) tty0 tx 55AA04771C0101{0x1C:02X}\n(1.1) tty0 tx 55AA04771C14{reactions}0A\n(1.2) tty0 rx 55AA77047314{reactions}65\n"

@@ -2,6 +2,7 @@
 """Verbs that show what is on the wire."""
 import json
 import os
+import signal
 import subprocess
 import tempfile
 
@@ -90,6 +91,24 @@ class Replay(ContractTest):
 
 
 class Traffic(ContractTest):
+    def test_a_signal_ends_the_wait_for_who_writes_into_a_pipe(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "pipe")
+            os.mkfifo(path)
+            for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+                process = subprocess.Popen([contract.PROGRAM, "decode", path], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+                self.addCleanup(process.communicate)
+                self.addCleanup(process.kill)
+                with self.assertRaises(subprocess.TimeoutExpired):
+                    process.wait(timeout=1)
+                process.send_signal(number)
+                self.assertEqual(process.wait(timeout=10), 1)
+            with subprocess.Popen([contract.PROGRAM, "--json", "decode", path], stdout=subprocess.PIPE, text=True) as process:
+                with open(path, "w", encoding="utf-8") as pipe:
+                    pipe.write("(1.5) can0 000#\n")
+                out, _ = process.communicate(timeout=contract.LIMIT)
+            self.assertEqual((process.returncode, json.loads(out)["t"]), (0, 1.5))
+
     def test_decode_names_messages_and_fields(self):
         frames = self.run_json("decode", text=LOG)
         self.assertEqual(len(frames), 4)

@@ -89,6 +89,8 @@ class Trials(ContractTest):
         self.assertLessEqual(STEP | {"time", "firmware", "unit", "simulated", "star", "note"}, row.keys())
         self.assertTrue(row["star"] and row["simulated"])
         self.assertEqual(row["note"], "with the new belt")
+        self.run_text("trials", "--note", str(self.number), "")
+        self.assertFalse(self.rows()[self.number]["note"], "an empty note takes the note away")
         self.run_text("trials", "--delete", str(self.number))
         self.assertNotIn(self.number, self.rows())
 

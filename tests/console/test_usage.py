@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Wrong calls of every kind, help, and what the program is linked with."""
+import re
 import subprocess
 
 import contract
@@ -113,6 +114,14 @@ class Usage(ContractTest):
         drive("--mode", "duty", "--target", "0.1", "--for", "1", "--axis", "2")
         drive("--mode", "velocity", "--target", "1", "--for", "1", "--slot", "2")
         drive("--mode", "duty", "--target", "0.1", "--for", "1", "--brake", "--coast")
+        for slew in ("0", "-0", "0.0"):
+            drive("--mode", "velocity", "--target", "10", "--for", "1", "--slew", slew, says="--slew")
+        drive("--mode", "off", "--target", "5", "--for", "1", says="off")
+
+    def test_a_limit_of_an_experiment_is_above_0(self):
+        for verb in (("step", "--mode", "position", "--to", "1500"), ("tune", "--loop", "velocity")):
+            for limit in ("--travel", "--speed", "--current", "--duty"):
+                self.assert_error(2, verb[0], "sim:can/dmc60c:60", *verb[1:], limit, "0", says=limit)
 
     def test_wrong_files_are_wrong_usage(self):
         for verb in ("restore", "flash"):
@@ -129,7 +138,7 @@ class Usage(ContractTest):
         self.assert_error(2, "simulate", "dmc60c:5")
         self.assert_error(2, "simulate", "--on", "socketcan:vcan0")
         self.assert_error(2, "simulate", "--on", "sim:can", "dmc60c:5")
-        for unit in ("dmc60c", "dmc60c:x", "frob:5", "dmc60c:64", "dmc60c:5,motor", "dmc60c:5,motor=frob", "dmc60c:5,frob=1", "dmc60c:5,fault=frob", "dmc60c:5,load=x", "dmc60c:5,load=nan", "dmc60c:5,fault=drop@inf"):
+        for unit in ("dmc60c", "dmc60c:x", "frob:5", "dmc60c:64", "dmc60c:5,motor", "dmc60c:5,motor=frob", "dmc60c:5,frob=1", "dmc60c:5,fault=frob", "dmc60c:5,load=x", "dmc60c:5,load=nan", "dmc60c:5,fault=drop@inf", "dmc60c:5,fault=drop@99999999999999999999", "dmc60c:5,fault=reset@1e30", "dmc60c:5,fault=delay@1:1e30"):
             self.assert_error(2, "simulate", "--on", "socketcan:vcan0", unit)
         self.assert_error(2, "simulate", "--on", "socketcan:vcan0", "dmc60c:5", "--seed", "x")
 
@@ -144,3 +153,25 @@ class Usage(ContractTest):
         self.assert_error(2, "set", CIM, "slot0.p=1", "--json=1", says="--json takes no value")
         for value in ("1", "0", "true", "false", "yes", ""):
             self.assert_error(2, "tune", CIM, "--loop", "velocity", "--propose=" + value, says="--propose takes no value")
+
+    def test_no_option_takes_an_empty_value_for_one_that_is_not_given(self):
+        nobody, hexadecimal = "sim:can/dmc60c:60", f"{contract.SOURCE}/resources/firmware/dmc60c-demo.hex"
+        words = {"parameters": ["dmc60c"], "set": [nobody, "slot0.p=1"], "restore": [nobody, hexadecimal], "flash": [nobody, hexadecimal], "diff": ["defaults", "defaults"],
+                 "drive": [nobody, "--mode=velocity", "--target=1", "--for=1"], "step": [nobody, "--mode=velocity", "--to=1"], "tune": [nobody, "--loop=velocity"],
+                 "service": [hexadecimal], "report": [nobody], "number": [nobody, "6"], "rename": [nobody, "x"], "monitor": ["sim:can"], "plot": [hexadecimal, "--out=x.png"],
+                 "simulate": ["--on=pty:./never", "supermodified:4"], "completion": ["bash"]}
+        none = {verb: [] for verb in ("links", "scan", "snapshots", "trials", "journal", "decode", "help")}
+        for verb in sorted({*VERBS, "step", "tune", "trials", "report", "restart"}):
+            given = words.get(verb, none.get(verb, [nobody]))
+            taking = re.findall(r"^ +(--[a-z-]+) (?!x )[A-Z]", self.run_text("help", verb), re.MULTILINE)
+            self.assertLessEqual({"--timeout", "--retries"}, set(taking))
+            for option in taking:
+                self.assert_error(2, verb, *[each for each in given if not each.startswith(option + "=")], f"{option}=", says=option)
+                if (verb, option) != ("trials", "--note"):
+                    self.assert_error(2, verb, *[each for each in given if not each.startswith(option + "=")], option, "", says=option)
+        self.assert_error(2, "drive", CIM, "--mode", "duty", "--target", "0", "--for", "1", "--limit-override=", says="--limit-override")
+        self.assert_error(2, "step", CIM, "--mode", "velocity", "--to", "1", "--speed=", "--current", "5", says="--speed")
+        self.assert_error(2, "trials", "--note", "", "text", says="--note")
+        self.assert_error(2, "trials", "", says="device")
+        self.assert_error(2, "--timeout", "", "links", says="--timeout")
+        self.assert_error(2, "--retries=", "links", says="--retries")

@@ -61,6 +61,15 @@ TEST(ParameterFile, RefusesAValueThatWasEditedBesideItsRawValue)
     EXPECT_EQ(taken(*agreeing, "slot0.p"), 98304);
 }
 
+TEST(ParameterFile, RefusesAKeyThatIsThereTwice)
+{
+    const auto parsed = parseParameterFile(file("\n\"slot0.p\":{\"value\":1},\n\"slot0.p\":{\"value\":2}"), family());
+    ASSERT_FALSE(parsed);
+    EXPECT_EQ(parsed.error().text(), "line 3: the key 'parameters.slot0.p' is there twice");
+    EXPECT_FALSE(parseParameterFile(file("\"slot0.p\":{\"value\":1,\"value\":2}"), family()));
+    EXPECT_TRUE(parseParameterFile(file("\"slot0.p\":{\"value\":1},\"slot1.p\":{\"value\":2}"), family()));
+}
+
 TEST(ParameterFile, RefusesAValueInAnotherUnitThanItsParameters)
 {
     const auto parsed

@@ -110,4 +110,41 @@ TEST_F(UnixSpi, NothingIsSentAsideOfALinkThatIsClosed)
     EXPECT_FALSE(aside(Bytes{2, 0, 0xAA, 0xBB}));
 }
 
+TEST_F(UnixSpi, ASecondClientIsToldAtOnceThatTheBoardIsBusyAndTheFirstKeepsIt)
+{
+    Task<Bytes> first = transferOn(link, {0x01});
+    first.start();
+    ASSERT_TRUE(loop.runUntil([&] { return first.isFinished(); }));
+    UnixSpiLink second{address, loop.clock()};
+    ASSERT_TRUE(second.open());
+    Task<Bytes> refused = transferOn(second, {0x02});
+    refused.start();
+    ASSERT_TRUE(loop.runUntil([&] { return second.state() == LinkState::Lost && refused.isFinished(); }));
+    EXPECT_EQ(second.loss().ailment, Ailment::Busy);
+    Task<Bytes> again = transferOn(link, {0x03});
+    again.start();
+    ASSERT_TRUE(loop.runUntil([&] { return again.isFinished(); }));
+    EXPECT_EQ(*again.result(), Bytes{0xFC});
+    EXPECT_EQ(board.heard, (std::vector<Bytes>{{0x01}, {0x03}}));
+}
+
+TEST_F(UnixSpi, WhoComesAfterTheFirstHasGoneIsServedHoweverSoonAndTheLastWordOfTheFirstArrives)
+{
+    Task<Bytes> first = transferOn(link, {0x01});
+    first.start();
+    ASSERT_TRUE(loop.runUntil([&] { return first.isFinished(); }));
+    for (std::uint8_t round = 0; round < 20; ++round) {
+        Task<Bytes> last = transferOn(link, {0x02});
+        last.start();
+        link.close();
+        ASSERT_TRUE(link.open()); // the server has seen none of it yet
+        Task<Bytes> next = transferOn(link, {0x03});
+        next.start();
+        ASSERT_TRUE(loop.runUntil([&] { return next.isFinished(); }));
+        ASSERT_EQ(*next.result(), Bytes{0xFC});
+        ASSERT_EQ(board.heard.back(), Bytes{0x03});
+        ASSERT_EQ(board.heard[board.heard.size() - 2], Bytes{0x02});
+    }
+}
+
 } // namespace mb

@@ -2,7 +2,7 @@
 #include "widgets/service/recipeeditor.h"
 
 #include "files/filebytes.h"
-#include "service/jsonlines.h"
+#include "files/jsonlines.h"
 #include "service/recipematter.h"
 #include "service/reciperead.h"
 #include "widgets/common/devicetext.h"
@@ -172,13 +172,13 @@ std::optional<Error> RecipeEditor::mistakeIn(const QByteArray &text, const QStri
     const auto recipe = service::parseRecipe(text, m_families);
     if (!recipe)
         return recipe.error();
-    const auto lines = service::linesOf(text);
+    const auto lines = linesOf(text);
     const auto of = [&](service::Recipe part, const char *key) -> std::optional<Error> {
         const auto matter = service::gatherMatter(std::move(part), folder.toStdString());
         if (matter)
             return {};
         Error error = matter.error();
-        error.detail = service::atLine(lines.of(key), error.detail);
+        error.detail = atLine(lines.of(key), error.detail);
         return error;
     };
     service::Recipe firmware = *recipe;
@@ -206,7 +206,7 @@ void RecipeEditor::tell(const std::optional<Error> &problem)
 void RecipeEditor::mark()
 {
     QList<QTextEdit::ExtraSelection> marks;
-    if (const auto line = m_problem ? service::lineOf(m_problem->detail) : std::nullopt) {
+    if (const auto line = m_problem ? lineOf(m_problem->detail) : std::nullopt) {
         QTextEdit::ExtraSelection mark;
         mark.cursor = QTextCursor(m_text->document()->findBlockByNumber(*line - 1));
         mark.format.setProperty(QTextFormat::FullWidthSelection, true);

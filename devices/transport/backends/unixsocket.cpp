@@ -11,6 +11,12 @@
 #include <unistd.h>
 
 namespace mb {
+
+Error busySocket(const std::string &path)
+{
+    return {Fault::LinkLost, say("%1 is busy: it serves one client at a time", path), {}, {}, Ailment::Busy};
+}
+
 namespace {
 
 std::optional<sockaddr_un> addressOf(const std::string &path)
@@ -38,8 +44,7 @@ Error causeOf(int error, const std::string &path)
         return {
             Fault::LinkLost, say("nobody serves %1", path), say("start the simulator again"), {}, Ailment::NotThere};
     case EACCES: return {Fault::LinkLost, say("no permission to use %1", path), {}, {}, Ailment::NoPermission};
-    case EAGAIN:
-        return {Fault::LinkLost, say("%1 is busy: it serves one client at a time", path), {}, {}, Ailment::Busy};
+    case EAGAIN: return busySocket(path);
     case EADDRINUSE:
         return {Fault::LinkLost, say("%1 is served by another program already", path), {}, {}, Ailment::Busy};
     default: return {Fault::LinkLost, say("%1: %2", path, std::strerror(error))};

@@ -12,5 +12,7 @@ namespace mb {
 /// A listening, non-blocking stream socket. Replaces a socket that nobody serves any more; LinkLost when somebody does, or
 /// when the path is something else.
 [[nodiscard]] Result<int> listenOnUnixSocket(const std::string &path);
+/// What a client is told by a full backlog, or by a server that hangs up on it before any answer.
+[[nodiscard]] Error busySocket(const std::string &path);
 
 } // namespace mb

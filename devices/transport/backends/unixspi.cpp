@@ -51,6 +51,7 @@ Result<void> UnixSpiLink::doOpen()
     if (!connected)
         return fail(connected.error());
     m_descriptor = *connected;
+    m_isServed = false;
     {
         const std::lock_guard lock(m_wire->mutex);
         m_wire->descriptor = m_descriptor;
@@ -125,6 +126,10 @@ Result<void> UnixSpiLink::doPulseReset()
 
 void UnixSpiLink::endOfSimulator()
 {
+    if (!m_isServed) {
+        end(busySocket(address().path));
+        return;
+    }
     end({Fault::LinkLost, say("the simulator at %1 closed the connection", address().path), say("start it again"), {},
         Ailment::Gone});
 }
@@ -156,6 +161,7 @@ void UnixSpiLink::receive()
         endOfSimulator();
         return;
     }
+    m_isServed = true;
     m_in.insert(m_in.end(), chunk.begin(), chunk.begin() + got);
     takeAnswers();
 }

@@ -54,6 +54,7 @@ private:
 
     std::shared_ptr<Wire> m_wire = std::make_shared<Wire>();
     int m_descriptor = -1;
+    bool m_isServed = false; ///< it has answered
     Bytes m_in;
     std::unique_ptr<QSocketNotifier> m_readable;
     std::unique_ptr<QSocketNotifier> m_writable;

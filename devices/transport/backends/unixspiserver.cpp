@@ -9,6 +9,7 @@
 #include <array>
 #include <cerrno>
 
+#include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -18,6 +19,12 @@ namespace {
 constexpr std::size_t headSize = 2;
 constexpr std::uint16_t resetPulse = 65535;
 constexpr Duration byteTime = std::chrono::microseconds(16); ///< 500 kHz
+
+bool hasGone(int socket)
+{
+    pollfd seen{socket, POLLRDHUP, 0};
+    return ::poll(&seen, 1, 0) > 0;
+}
 
 } // namespace
 
@@ -59,12 +66,16 @@ void UnixSpiServer::doClose()
 
 void UnixSpiServer::accept()
 {
-    if (m_client >= 0)
-        return; // waits in the backlog
-    m_client = ::accept4(m_listening, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
-    if (m_client < 0)
+    if (m_client >= 0 && hasGone(m_client))
+        return; // it is read to its end first
+    const int caller = ::accept4(m_listening, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
+    if (caller < 0)
         return;
-    m_calls->setEnabled(false);
+    if (m_client >= 0) { // hung up on before any answer, which tells it that the board is busy
+        ::close(caller);
+        return;
+    }
+    m_client = caller;
     m_readable = std::make_unique<QSocketNotifier>(m_client, QSocketNotifier::Read);
     QObject::connect(m_readable.get(), &QSocketNotifier::activated, m_readable.get(), [this] { receive(); });
 }
@@ -76,8 +87,6 @@ void UnixSpiServer::hangUp()
     m_in.clear();
     if (m_client >= 0)
         ::close(std::exchange(m_client, -1));
-    if (m_calls)
-        m_calls->setEnabled(true);
 }
 
 void UnixSpiServer::receive()

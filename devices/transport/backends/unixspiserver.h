@@ -10,7 +10,7 @@ class QSocketNotifier;
 
 namespace mb {
 
-/// The board's side of UnixSpiLink: serves one client at a time; the next one is taken when it has gone. `pace=1` makes bytes
+/// The board's side of UnixSpiLink: serves one client at a time and hangs up on every other. `pace=1` makes bytes
 /// take the time that they take at 500 kHz.
 class UnixSpiServer final : public SpiSlaveLink {
 public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "service/jsonlines.h"
+#include "files/jsonlines.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace mb::service {
+namespace mb {
 namespace {
 
 constexpr std::string_view atLineLiteral = "line %1: %2";
@@ -144,4 +144,4 @@ std::optional<int> lineOf(const Message &mistake)
     return {};
 }
 
-} // namespace mb::service
+} // namespace mb

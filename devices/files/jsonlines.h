@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-namespace mb::service {
+namespace mb {
 
 /// On which line each key of a JSON object stands: "test.limits.duty" to its line, counted from 1; a place in a list is its number
 /// from 0 ("accept.rise.1"). The text must be an object that QJsonDocument has taken.
@@ -29,4 +29,4 @@ struct JsonLines {
 /// The line that atLine() has put before a mistake, also where more stands before that; nothing: it has none.
 [[nodiscard]] std::optional<int> lineOf(const Message &mistake);
 
-} // namespace mb::service
+} // namespace mb
