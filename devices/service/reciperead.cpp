@@ -203,8 +203,7 @@ private:
             return;
         expect(*limits, "test.limits", {"travel", "speed", "current", "duty"});
         for (const EnvelopeBound &bound : envelopeBounds)
-            out.limits.*bound.value = number(
-                *limits, "test.limits", bound.key, 0.0, std::string_view(bound.key) == "duty" ? 1.0 : anyNumber);
+            out.limits.*bound.value = number(*limits, "test.limits", bound.key, 0.0, bound.most);
     }
     void readAccept(const QJsonObject &test, SelfTest &out)
     {
