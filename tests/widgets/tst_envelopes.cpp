@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QSignalSpy>
 #include <QTemporaryDir>
+#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -29,6 +30,7 @@ private Q_SLOTS:
     void nothingIsTunedWithALimitThatIsNone();
     void whatIsNoLimitInAFileIsNotTaken();
     void whatIsTypedForOneUnitIsNotOfAnother();
+    void fieldsStayWhereTheyAreWhileTheLineBelowChanges();
 };
 
 namespace {
@@ -238,6 +240,34 @@ void TestEnvelopes::whatIsTypedForOneUnitIsNotOfAnother()
     panel.choose("another", false);
     QVERIFY(current->text().isEmpty());
     QVERIFY(panel.fault().isEmpty());
+}
+
+void TestEnvelopes::fieldsStayWhereTheyAreWhileTheLineBelowChanges()
+{
+    const ThemeSource theme(lightTheme());
+    QWidget page;
+    page.resize(380, 600);
+    auto *column = new QVBoxLayout(&page);
+    auto *panel = new EnvelopePanel(theme, &page);
+    auto *below = new QLineEdit(&page);
+    column->addWidget(panel);
+    column->addWidget(below);
+    column->addStretch(1);
+    panel->setOpen(true);
+    page.show();
+    QLineEdit *const travel = limitField(*panel, "Envelope: Travel ±");
+    const auto placesOf = [&] {
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+        return QStringLiteral("%1 %2").arg(travel->mapTo(&page, QPoint()).y()).arg(below->mapTo(&page, QPoint()).y());
+    };
+    const QString before = placesOf();
+    panel->setInForce({}, s("Nothing bounds the motor: enter travel, duty, and what else is empty here."));
+    QCOMPARE(placesOf(), before);
+    typeLimit(travel, s("1e999"));
+    QCOMPARE(placesOf(), before);
+    typeLimit(travel, s("1000"));
+    panel->setInForce({1000.0, 1000.0, 10.0, 0.5}, {});
+    QCOMPARE(placesOf(), before);
 }
 
 MB_WINDOW_TEST(TestEnvelopes);

@@ -32,6 +32,8 @@ constexpr std::array<Bound, 4> bounds{{
     {envelopeBounds[3], QT_TRANSLATE_NOOP("mb::EnvelopePanel", "Duty"), Quantity::Duty, "fraction"},
 }};
 
+constexpr int warningLines = 2; ///< so that nothing moves while one types
+
 QString shown(double value, const ShownUnit &unit)
 {
     return formatSignificant(value * unit.scale, 4) + QChar(0x00A0) + unit.text;
@@ -76,8 +78,8 @@ EnvelopePanel::EnvelopePanel(const ThemeSource &theme, QWidget *parent)
     connect(m_saved, &SavedLimits::forgetRequested, this,
         [this](const QString &name) { told(m_book->forget(m_unit, name)); });
     column->addWidget(m_head, 0, Qt::AlignLeft);
-    column->addWidget(m_words);
     column->addWidget(m_box);
+    column->addWidget(m_words); // below what is typed into: it comes and goes with what is typed
     m_box->hide();
     connect(m_head, &QPushButton::toggled, this, [this](bool open) {
         m_box->setVisible(open);
@@ -210,6 +212,7 @@ void EnvelopePanel::say()
     const QString &wrong = m_fault.isEmpty() ? m_missing : m_fault;
     const QString calm = open ? tr("Empty: what the device itself says") : parts.join(QStringLiteral(" · "));
     m_words->setText(wrong.isEmpty() ? calm : wrong);
+    m_words->setMinimumHeight(open ? warningLines * m_words->fontMetrics().lineSpacing() : 0);
     setTone(*m_words, wrong.isEmpty() ? Tone::Dim : Tone::Caution);
 }
 
