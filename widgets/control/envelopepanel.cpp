@@ -212,7 +212,7 @@ void EnvelopePanel::say()
     const QString &wrong = m_fault.isEmpty() ? m_missing : m_fault;
     const QString calm = open ? tr("Empty: what the device itself says") : parts.join(QStringLiteral(" · "));
     m_words->setText(wrong.isEmpty() ? calm : wrong);
-    m_words->setMinimumHeight(open ? warningLines * m_words->fontMetrics().lineSpacing() : 0);
+    m_words->setMinimumHeight(open ? warningLines * (m_words->fontMetrics().lineSpacing() + 1) : 0);
     setTone(*m_words, wrong.isEmpty() ? Tone::Dim : Tone::Caution);
 }
 
