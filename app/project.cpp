@@ -67,7 +67,7 @@ ProjectUnit fromJson(const QJsonObject &object)
     }
     const QJsonObject limits = object.value(QStringLiteral("limits")).toObject();
     for (const EnvelopeBound &bound : envelopeBounds) {
-        if (const QJsonValue value = limits.value(QLatin1String(bound.key)); value.isDouble() && value.toDouble() > 0.0)
+        if (const QJsonValue value = limits.value(QLatin1String(bound.key)); isBound(bound, value.toDouble()))
             unit.limits.*bound.value = value.toDouble();
     }
     return unit;

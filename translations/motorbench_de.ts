@@ -3069,6 +3069,10 @@
         <source>writes a report of what is shown</source>
         <translation>schreibt einen Bericht über das, was zu sehen ist</translation>
     </message>
+    <message>
+        <source>No limit</source>
+        <translation>Keine Grenze</translation>
+    </message>
 </context>
 <context>
     <name>mb::DesignPlots</name>
@@ -3530,6 +3534,10 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>not bounded, %1</source>
         <translation>nicht begrenzt, %1</translation>
+    </message>
+    <message>
+        <source>%1: %2 is no limit. It is more than 0, and at most %3.</source>
+        <translation>%1: %2 ist keine Grenze. Sie ist mehr als 0 und höchstens %3.</translation>
     </message>
 </context>
 <context>

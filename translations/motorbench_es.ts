@@ -3069,6 +3069,10 @@
         <source>DEMO</source>
         <translation>DEMO</translation>
     </message>
+    <message>
+        <source>No limit</source>
+        <translation>Sin límite</translation>
+    </message>
 </context>
 <context>
     <name>mb::DesignPlots</name>
@@ -3530,6 +3534,10 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     <message>
         <source>not bounded, %1</source>
         <translation>sin límite, %1</translation>
+    </message>
+    <message>
+        <source>%1: %2 is no limit. It is more than 0, and at most %3.</source>
+        <translation>%1: %2 no es un límite. Es mayor que 0 y como máximo %3.</translation>
     </message>
 </context>
 <context>

@@ -3069,6 +3069,10 @@
         <source>DEMO</source>
         <translation>DÉMO</translation>
     </message>
+    <message>
+        <source>No limit</source>
+        <translation>Aucune limite</translation>
+    </message>
 </context>
 <context>
     <name>mb::DesignPlots</name>
@@ -3530,6 +3534,10 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     <message>
         <source>not bounded, %1</source>
         <translation>sans borne, %1</translation>
+    </message>
+    <message>
+        <source>%1: %2 is no limit. It is more than 0, and at most %3.</source>
+        <translation>%1&#xa0;: %2 n’est pas une limite. Elle est supérieure à 0 et d’au plus %3.</translation>
     </message>
 </context>
 <context>

@@ -3067,6 +3067,10 @@
         <source>DEMO</source>
         <translation>デモ</translation>
     </message>
+    <message>
+        <source>No limit</source>
+        <translation>制限ではありません</translation>
+    </message>
 </context>
 <context>
     <name>mb::DesignPlots</name>
@@ -3528,6 +3532,10 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>not bounded, %1</source>
         <translation>制限なし、%1</translation>
+    </message>
+    <message>
+        <source>%1: %2 is no limit. It is more than 0, and at most %3.</source>
+        <translation>%1: %2 は制限になりません。0 より大きく、%3 以下です。</translation>
     </message>
 </context>
 <context>

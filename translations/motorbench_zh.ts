@@ -3067,6 +3067,10 @@
         <source>DEMO</source>
         <translation>演示</translation>
     </message>
+    <message>
+        <source>No limit</source>
+        <translation>不是限值</translation>
+    </message>
 </context>
 <context>
     <name>mb::DesignPlots</name>
@@ -3528,6 +3532,10 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>not bounded, %1</source>
         <translation>未限定，%1</translation>
+    </message>
+    <message>
+        <source>%1: %2 is no limit. It is more than 0, and at most %3.</source>
+        <translation>%1：%2 不是限值。应大于 0，且不超过 %3。</translation>
     </message>
 </context>
 <context>

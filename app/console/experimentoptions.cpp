@@ -6,6 +6,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <array>
+
 namespace mb::console {
 
 void ExperimentOptions::declare(CLI::App &arguments, const std::string &slotHelp)
@@ -20,25 +22,19 @@ void ExperimentOptions::declare(CLI::App &arguments, const std::string &slotHelp
 
 Result<ExperimentOptions::Values> ExperimentOptions::parse(const Family &family) const
 {
-    struct Limit {
-        std::string_view name;
-        const std::string &text;
-        double most;
-        std::optional<double> Envelope::*into;
-    };
     Values values;
-    for (const Limit &limit :
-        {Limit{"--travel", travel, anyNumber, &Envelope::travel}, Limit{"--speed", speed, anyNumber, &Envelope::speed},
-            Limit{"--current", current, 1e4, &Envelope::current}, Limit{"--duty", duty, 1.0, &Envelope::duty}}) {
-        if (limit.text.empty())
+    const std::array<const std::string *, envelopeBounds.size()> given{&travel, &speed, &current, &duty};
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        const EnvelopeBound &bound = envelopeBounds[i];
+        if (given[i]->empty())
             continue;
-        const auto number = parseNumber(limit.name, limit.text, 0.0, limit.most);
+        const auto number = parseNumber(std::string("--") + bound.key, *given[i], 0.0, bound.most);
         if (!number)
             return fail(number.error());
         if (*number <= 0.0)
-            return fail(Fault::OutOfRange, say("%1: %2 leaves nothing that could move", limit.name, limit.text),
+            return fail(Fault::OutOfRange, say("--%1: %2 leaves nothing that could move", bound.key, *given[i]),
                 say("a limit is above 0; without the option the device's own serves"));
-        values.limits.*limit.into = *number;
+        values.limits.*bound.value = *number;
     }
     const auto whichAxis = axis.empty() ? Result<int>(1) : parseInteger("--axis", axis, 1, family.capabilities.axes);
     const auto whichSlot

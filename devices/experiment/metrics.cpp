@@ -12,6 +12,7 @@ namespace mb::tuning {
 namespace {
 
 constexpr double band = 0.02;
+constexpr double tailFrom = 0.75;    ///< of all the time, from which on it is where it ends
 constexpr double quiet = 1e-3;       ///< σ of the step below which nothing is smoothed
 constexpr double unreadable = 0.015; ///< σ above which one run tells no settling time …
 constexpr double muchNoise = 0.05;   ///< σ with which one sample says little
@@ -52,7 +53,7 @@ double startOf(const Trace &measured, std::size_t begin)
 std::vector<double> tailOf(const Trace &trace, std::vector<double> *times = nullptr)
 {
     std::vector<double> values;
-    const double from = trace.t.back() * 0.75;
+    const double from = trace.t.back() * tailFrom;
     for (std::size_t i = 0; i < trace.size(); ++i) {
         if (trace.t[i] <= from)
             continue;
@@ -318,6 +319,14 @@ Response readResponse(const Trace &measured, std::optional<double> target, doubl
         metrics.sse = 1.0 - normal.end;
         integrate(metrics, normal);
     }
+    return response;
+}
+
+Response cutShort(Response response, double seconds)
+{
+    const auto settled = response.metrics.settle;
+    if (!settled || *settled > tailFrom * seconds)
+        response.metrics = Metrics();
     return response;
 }
 

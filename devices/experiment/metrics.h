@@ -58,6 +58,10 @@ struct Response {
 [[nodiscard]] Response readResponse(
     const Trace &measured, std::optional<double> target, double leastMove, int repeats = 1);
 
+/// The same of a hold that was cut short after `seconds`: where it would have ended is known only if it had settled before the last
+/// quarter of them; if not, nothing is told that depends on it.
+[[nodiscard]] Response cutShort(Response response, double seconds);
+
 /// Of the step, in which a velocity has settled that is counted over so few edges that one of them leaves a narrower band.
 constexpr double wideBand = 0.05;
 /// Seconds from t = 0 until `response`, on its way from 0 to `target`, stays within wideBand; nothing where it does not.

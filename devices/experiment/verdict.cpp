@@ -33,21 +33,39 @@ struct Reading {
     std::vector<Metrics> runs;
 };
 
-Reading readSteps(const TrialRecorder &recorder, std::string_view key, const Spans &spans, std::optional<double> target,
-    double leastMove)
+/// What went on when the trial was cut short is of no repeat that was whole, and is read only where there was none.
+Reading readSteps(const TrialRecorder &recorder, std::string_view key, const Spans &spans, std::optional<Instant> cut,
+    std::optional<double> target, double leastMove)
 {
     Reading reading;
     std::vector<Trace> traces;
     for (const auto &[edge, end] : spans) {
-        const Trace whole = recorder.trace(key, edge).part(-beforeStep, inSeconds(end - edge));
-        reading.runs.push_back(readResponse(whole, target, leastMove).metrics);
-        traces.push_back(whole);
+        const double seconds = inSeconds(end - edge);
+        const Trace trace = recorder.trace(key, edge).part(-beforeStep, seconds);
+        const Response response = readResponse(trace, target, leastMove);
+        const bool whole = !cut || end < *cut;
+        reading.runs.push_back((whole ? response : cutShort(response, seconds)).metrics);
+        if (whole)
+            traces.push_back(trace);
+        else if (traces.empty())
+            reading.response = cutShort(response, seconds);
     }
     if (traces.empty())
         return reading;
     const auto repeats = static_cast<int>(traces.size());
     reading.response = readResponse(merged(traces), target, leastMove, repeats);
     return reading;
+}
+
+/// When a trial ended before its time; nothing where it did not.
+std::optional<Instant> cutOf(const Trial &trial, const Spans &holds, const Spans &returns)
+{
+    Instant last = holds.back().second;
+    for (const Spans *spans : {&holds, &returns}) {
+        for (const auto &[edge, end] : *spans)
+            last = std::max(last, end);
+    }
+    return trial.has(flag::aborted) ? std::optional(last) : std::nullopt;
 }
 
 void averageEffort(Metrics &into, const std::vector<Metrics> &runs)
@@ -198,8 +216,9 @@ void measure(
     Reading reading;
     Reading back;
     if (steps) { // in what never steps there is no response, and to look for one takes seconds
-        reading = readSteps(recorder, key, holds, target(trial.stimulus.to), leastMove);
-        back = readSteps(recorder, key, returns, target(trial.stimulus.from), leastMove);
+        const auto cut = cutOf(trial, holds, returns);
+        reading = readSteps(recorder, key, holds, cut, target(trial.stimulus.to), leastMove);
+        back = readSteps(recorder, key, returns, cut, target(trial.stimulus.from), leastMove);
     }
     reading.runs.resize(holds.size());
     const double limit = trial.envelope.duty.value_or(1.0);

@@ -24,13 +24,19 @@ struct Envelope {
 struct EnvelopeBound {
     const char *key;
     std::optional<double> Envelope::*value;
+    double most; ///< a larger one bounds nothing, so nobody can give it
 };
 inline constexpr std::array<EnvelopeBound, 4> envelopeBounds{{
-    {"travel", &Envelope::travel},
-    {"speed", &Envelope::speed},
-    {"current", &Envelope::current},
-    {"duty", &Envelope::duty},
+    {"travel", &Envelope::travel, 1e12},
+    {"speed", &Envelope::speed, 1e12},
+    {"current", &Envelope::current, 1e4},
+    {"duty", &Envelope::duty, 1.0},
 }};
+/// Whether this number bounds anything, wherever it was entered or read.
+[[nodiscard]] constexpr bool isBound(const EnvelopeBound &bound, double value)
+{
+    return value > 0.0 && value <= bound.most;
+}
 
 /// A closed loop, and the parameters that make it.
 struct LoopGains {

@@ -209,8 +209,7 @@ private:
             return;
         expect(*limits, "test.limits", {"travel", "speed", "current", "duty"});
         for (const EnvelopeBound &bound : envelopeBounds) {
-            const auto limit = number(
-                *limits, "test.limits", bound.key, 0.0, std::string_view(bound.key) == "duty" ? 1.0 : anyNumber);
+            const auto limit = number(*limits, "test.limits", bound.key, 0.0, bound.most);
             if (limit == 0.0)
                 wrong(pathOf("test.limits", bound.key), say("'%1' must be above 0", bound.key));
             out.limits.*bound.value = limit;

@@ -60,6 +60,43 @@ TEST(Endings, StopThatIsPressedBeforeItsOrderArrivesIsNotDoneAndTheGainsAreAsBef
     EXPECT_EQ(step.inForce(), step.before);
 }
 
+TEST(Endings, WhatAStepThatIsCutShortDidNotShowIsNotTold)
+{
+    StepWithGains step;
+    const Trial trial = step.endedBy([&] { step.bench.bench.session.stopAll(StopCause::User); });
+    ASSERT_FALSE(trial.holds.empty());
+    for (const auto metric : {&Metrics::rise, &Metrics::settle, &Metrics::overshoot, &Metrics::undershoot,
+             &Metrics::sse, &Metrics::iae, &Metrics::itae, &Metrics::noise})
+        EXPECT_FALSE(trial.metrics.*metric) << *(trial.metrics.*metric);
+    EXPECT_TRUE(trial.metrics.peakCurrent); // it flowed
+}
+
+TEST(Endings, RepeatsThatWereWholeAreToldWithoutTheOneThatWasCutShort)
+{
+    StepWithGains step;
+    step.plan.repeat = 3;
+    step.plan.seconds = 1.0;
+    auto task = step.bench.start(step.plan);
+    task.start();
+    auto &clock = step.bench.bench.clock;
+    const auto rises = [&] { return step.bench.simulator()->speed() > 20'000.0; };
+    ASSERT_TRUE(clock.runUntil(rises, 20s));
+    ASSERT_TRUE(clock.runUntil([&] { return step.bench.simulator()->speed() < 10'000.0; }, 20s));
+    ASSERT_TRUE(clock.runUntil(rises, 20s));
+    step.bench.bench.session.stopAll(StopCause::User);
+    ASSERT_TRUE(clock.runUntil([&] { return task.isFinished(); }, 30s));
+    const Trial cut = task.result().value_or(Trial());
+    ASSERT_EQ(cut.holds.size(), 2U);
+    StepWithGains alone;
+    alone.plan.seconds = 1.0;
+    const auto whole = alone.bench.run(alone.plan);
+    ASSERT_TRUE(whole) << whole.error().text();
+    ASSERT_TRUE(whole->metrics.rise && cut.metrics.rise);
+    EXPECT_NEAR(*cut.metrics.rise, *whole->metrics.rise, 0.1 * *whole->metrics.rise);
+    EXPECT_NEAR(cut.metrics.sse.value_or(9.0), whole->metrics.sse.value_or(-9.0), 0.05);
+    EXPECT_FALSE(cut.errors.rise); // of one run
+}
+
 TEST(Endings, WhoeverStopsTheMotorInterruptsTheTrial)
 {
     StepWithGains step;

@@ -305,6 +305,31 @@ TEST(Effort, IsReadOverTheHold)
     EXPECT_EQ(unknown, Metrics());
 }
 
+/// The first `seconds` of a step that would overshoot by 16.3 %.
+Response cutAfter(double seconds)
+{
+    const Trace whole = goldenStep({0.5, 15.0});
+    return cutShort(readResponse(whole.part(-0.3, seconds), 1.0, 0.0), seconds);
+}
+
+TEST(CutShort, OfAStepThatIsCutWhileItRisesNothingIsTold)
+{
+    for (const double seconds : {0.03, 0.06, 0.1, 0.2, 0.4, 0.5}) {
+        SCOPED_TRACE(seconds);
+        EXPECT_EQ(cutAfter(seconds).metrics, Metrics());
+    }
+}
+
+TEST(CutShort, OfAStepThatHadSettledAllIsTold)
+{
+    const Metrics metrics = cutAfter(1.5).metrics;
+    EXPECT_NEAR(metrics.rise.value_or(0.0), 0.1092, 0.0002);
+    EXPECT_NEAR(metrics.overshoot.value_or(0.0), 0.163, 0.0002);
+    EXPECT_NEAR(metrics.settle.value_or(0.0), 0.538, 0.002);
+    EXPECT_NEAR(metrics.iae.value_or(0.0), 0.1142, 0.0002);
+    EXPECT_NEAR(metrics.sse.value_or(1.0), 0.0, 1e-3);
+}
+
 TEST(Effort, OfRepeatsHasAnErrorOnlyWhereAllRunsHaveAValue)
 {
     Metrics one;

@@ -45,6 +45,12 @@ void ColumnsTest::labelsOfTimeThatAreSecondsSaySo()
     QVERIFY(!ticker.showsSeconds());
     QVERIFY(!label(2.0).contains(QLatin1Char(':')));
     QVERIFY(ticker.showsSeconds()); // of the minute
+    QVERIFY(label(2.0).contains(QLatin1Char('.')));
+    const QLocale before;
+    QLocale::setDefault(QLocale(QLocale::German));
+    const QString german = label(2.0);
+    QLocale::setDefault(before);
+    QVERIFY2(german.contains(QLatin1Char(',')), qPrintable(german));
 }
 
 void ColumnsTest::denseColumnsBecomeSpansAndSparseOnesLines()

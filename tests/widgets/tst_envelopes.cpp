@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Limits of experiments: entered once for a unit, kept for the next time, under names too.
+#include "designbench.h"
 #include "support/windowtests.h"
 #include "trialbench.h"
 #include "widgets/control/envelopebook.h"
 #include "widgets/control/envelopepanel.h"
 
 #include <QFile>
+#include <QLabel>
 #include <QSignalSpy>
 #include <QTemporaryDir>
+#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -22,15 +25,33 @@ private Q_SLOTS:
     void limitsGoAlongWhenAUnitTellsItsSerialNumber();
     void anotherFileIsSaidAndLeftAlone();
     void eachUnitHasItsOwn();
+    void whatIsNoLimitIsNotTakenAndNothingRuns_data();
+    void whatIsNoLimitIsNotTakenAndNothingRuns();
+    void nothingIsTunedWithALimitThatIsNone();
+    void whatIsNoLimitInAFileIsNotTaken();
+    void whatIsTypedForOneUnitIsNotOfAnother();
+    void fieldsStayWhereTheyAreWhileTheLineBelowChanges();
 };
 
 namespace {
 
+void typeLimit(QLineEdit *edit, const QString &text)
+{
+    edit->setText(text);
+    Q_EMIT edit->textEdited(edit->text());
+}
+
 void enter(TrialBench &bench, const char *field, const char *text)
 {
-    auto *edit = bench.find<QLineEdit>(field);
-    edit->setText(s(text));
-    Q_EMIT edit->textEdited(edit->text());
+    typeLimit(bench.find<QLineEdit>(field), s(text));
+}
+
+QLineEdit *limitField(const QWidget &place, const char *name)
+{
+    const auto fields = place.findChildren<QLineEdit *>();
+    const auto found = std::find_if(
+        fields.begin(), fields.end(), [name](const QLineEdit *field) { return field->accessibleName() == s(name); });
+    return found == fields.end() ? nullptr : *found;
 }
 
 } // namespace
@@ -85,20 +106,18 @@ void TestEnvelopes::limitsGoAlongWhenAUnitTellsItsSerialNumber()
 {
     const ThemeSource theme(lightTheme());
     EnvelopePanel panel(theme);
-    const auto fields = panel.findChildren<QLineEdit *>();
-    const auto current = std::find_if(fields.begin(), fields.end(),
-        [](const QLineEdit *field) { return field->accessibleName() == s("Envelope: Current"); });
-    QVERIFY(current != fields.end());
+    QLineEdit *const current = limitField(panel, "Envelope: Current");
+    QVERIFY(current);
     QSignalSpy changes(&panel, &EnvelopePanel::changed);
     panel.choose("this place", false);
-    QTest::keyClicks(*current, s("12"));
+    QTest::keyClicks(current, s("12"));
     panel.choose("serial 1", true);
     QCOMPARE(panel.entered().current, std::optional(12.0));
     changes.clear();
     panel.choose("another unit", false);
     QVERIFY(!panel.entered().current);
     QCOMPARE(changes.size(), 1); // what bounds the next experiment is another
-    QVERIFY((*current)->text().isEmpty());
+    QVERIFY(current->text().isEmpty());
 }
 
 void TestEnvelopes::anotherFileIsSaidAndLeftAlone()
@@ -127,6 +146,128 @@ void TestEnvelopes::eachUnitHasItsOwn()
     QVERIFY(book.names("b").isEmpty());
     QCOMPARE(book.names("a"), QStringList{s("far")});
     QCOMPARE(book.named("a", s("far")).travel, std::optional(500.0));
+}
+
+void TestEnvelopes::whatIsNoLimitIsNotTakenAndNothingRuns_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("typed");
+    QTest::newRow("a thousand times all of the duty") << s("Envelope: Duty") << s("100000");
+    QTest::newRow("more than all of the duty") << s("Envelope: Duty") << s("100.1");
+    QTest::newRow("a duty that cannot be read") << s("Envelope: Duty") << s("1e999");
+    QTest::newRow("a travel that cannot be read") << s("Envelope: Travel ±") << s("1e999");
+    QTest::newRow("a travel without an end") << s("Envelope: Travel ±") << s("1e13");
+    QTest::newRow("a current that melts copper") << s("Envelope: Current") << s("10001");
+    QTest::newRow("nothing at all") << s("Envelope: Speed") << s("0");
+    QTest::newRow("two signs") << s("Envelope: Speed") << s("70000,0,");
+}
+
+void TestEnvelopes::whatIsNoLimitIsNotTakenAndNothingRuns()
+{
+    QFETCH(const QString, name);
+    QFETCH(const QString, typed);
+    TrialBench bench;
+    bench.choose(60'000.0);
+    bench.arm();
+    EnvelopePanel &panel = bench.page->column().envelope();
+    panel.setOpen(true);
+    auto *field = bench.find<QLineEdit>(name.toUtf8().constData());
+    QVERIFY(field);
+    for (int length = 1; length <= typed.size(); ++length) // "1" and "1e9" of "1e999" are numbers
+        typeLimit(field, typed.left(length));
+    QCOMPARE(field->property("state").toString(), s("error"));
+    QVERIFY(panel.entered() == Envelope());
+    QVERIFY(panel.book().entered(bench.unit()) == Envelope());
+    QTest::keyClick(bench.page.get(), Qt::Key_F5);
+    bench.page->run();
+    QVERIFY(bench.workbench.given<orders::RunTrial>().empty());
+    const QString words = bench.page->status().remedy;
+    QVERIFY2(words.contains(typed) && words.contains(s("is no limit")), qPrintable(words));
+    const auto lines = panel.findChildren<QLabel *>();
+    QVERIFY(std::any_of(lines.begin(), lines.end(), [&words](const QLabel *line) { return line->text() == words; }));
+    typeLimit(field, {});
+    bench.page->run();
+    QCOMPARE(bench.workbench.given<orders::RunTrial>().size(), 1U);
+}
+
+void TestEnvelopes::nothingIsTunedWithALimitThatIsNone()
+{
+    DesignBench bench;
+    bench.arm();
+    QLineEdit *const duty = limitField(*bench.page, "Envelope: Duty");
+    QVERIFY(duty);
+    typeLimit(duty, s("100000"));
+    bench.page->identify();
+    bench.page->autotune();
+    QVERIFY(bench.workbench.given<orders::RunTuning>().empty());
+    QVERIFY2(bench.page->status().remedy.contains(s("is no limit")), qPrintable(bench.page->status().remedy));
+    typeLimit(duty, s("50"));
+    bench.page->identify();
+    QCOMPARE(bench.workbench.given<orders::RunTuning>().size(), 1U);
+    QCOMPARE(bench.workbench.given<orders::RunTuning>().back().plan.limits.duty, std::optional(0.5));
+}
+
+void TestEnvelopes::whatIsNoLimitInAFileIsNotTaken()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(s("limits.json"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(
+        R"({"motorbench":"experiment limits","units":{"a":{"entered":)"
+        R"({"travel":1e99,"speed":1000,"current":-1,"duty":9.99e96},"named":{"far":{"travel":500,"duty":2}}}}})");
+    file.close();
+    EnvelopeBook book;
+    QVERIFY(book.open(path));
+    QVERIFY(book.entered("a") == Envelope({}, 1000.0, {}, {}));
+    QVERIFY(book.named("a", s("far")) == Envelope({500.0, {}, {}, {}}));
+}
+
+void TestEnvelopes::whatIsTypedForOneUnitIsNotOfAnother()
+{
+    const ThemeSource theme(lightTheme());
+    EnvelopePanel panel(theme);
+    panel.setOpen(true);
+    panel.show();
+    QApplication::setActiveWindow(&panel);
+    QLineEdit *const current = limitField(panel, "Envelope: Current");
+    QVERIFY(current);
+    panel.choose("one", false);
+    current->setFocus();
+    QVERIFY(current->hasFocus());
+    QTest::keyClicks(current, s("1e999"));
+    QVERIFY(!panel.fault().isEmpty());
+    panel.choose("another", false);
+    QVERIFY(current->text().isEmpty());
+    QVERIFY(panel.fault().isEmpty());
+}
+
+void TestEnvelopes::fieldsStayWhereTheyAreWhileTheLineBelowChanges()
+{
+    const ThemeSource theme(lightTheme());
+    QWidget page;
+    page.resize(380, 600);
+    auto *column = new QVBoxLayout(&page);
+    auto *panel = new EnvelopePanel(theme, &page);
+    auto *below = new QLineEdit(&page);
+    column->addWidget(panel);
+    column->addWidget(below);
+    column->addStretch(1);
+    panel->setOpen(true);
+    page.show();
+    QLineEdit *const travel = limitField(*panel, "Envelope: Travel ±");
+    const auto placesOf = [&] {
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+        return QStringLiteral("%1 %2").arg(travel->mapTo(&page, QPoint()).y()).arg(below->mapTo(&page, QPoint()).y());
+    };
+    const QString before = placesOf();
+    panel->setInForce({}, s("Nothing bounds the motor: enter travel, duty, and what else is empty here."));
+    QCOMPARE(placesOf(), before);
+    typeLimit(travel, s("1e999"));
+    QCOMPARE(placesOf(), before);
+    typeLimit(travel, s("1000"));
+    panel->setInForce({1000.0, 1000.0, 10.0, 0.5}, {});
+    QCOMPARE(placesOf(), before);
 }
 
 MB_WINDOW_TEST(TestEnvelopes);

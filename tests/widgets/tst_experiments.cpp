@@ -29,6 +29,7 @@ private Q_SLOTS:
     void theGainsOfATrialComeBackAsEdits();
     void theListSortsFiltersStarsAndNotes();
     void aGuardLatchesTheStopAndSaysItsName();
+    void aPartOfAStepIsNotCalledBetterOrWorse();
     void haltEndsATrialAndStaysArmed();
     void aModeWithoutALoopSendsOneToLive();
     void theJogKeyMovesForAsLongAsItIsHeld();
@@ -242,6 +243,26 @@ void TestExperiments::aGuardLatchesTheStopAndSaysItsName()
     QVERIFY2(problemOf(bench).contains(s("speed guard")), qPrintable(problemOf(bench)));
     bench.page->run();
     QCOMPARE(bench.workbench.given<orders::RunTrial>().size(), 1U);
+}
+
+void TestExperiments::aPartOfAStepIsNotCalledBetterOrWorse()
+{
+    TrialBench bench(lightTheme(), QSize(1600, 800));
+    KeptTrial whole;
+    whole.number = 1;
+    whole.trial.metrics.peakCurrent = 20.0;
+    whole.trial.metrics.rise = 0.1;
+    KeptTrial part = whole;
+    part.number = 2;
+    part.trial.metrics.peakCurrent = 8.0;
+    part.trial.metrics.rise.reset();
+    part.trial.flags = {"aborted"};
+    MetricsPanel &metrics = bench.page->trials().metrics();
+    metrics.setTrials(&whole, &part, {});
+    QCOMPARE(bench.metric(6, 3), s("\u221212.0"));
+    QCOMPARE(bench.metric(3, 3), QString());
+    metrics.setTrials(&part, &whole, {});
+    QCOMPARE(bench.metric(6, 3), s("+12.0"));
 }
 
 void TestExperiments::haltEndsATrialAndStaysArmed()

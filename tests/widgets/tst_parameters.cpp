@@ -5,7 +5,10 @@
 #include "support/windowtests.h"
 #include "widgets/parameters/valuetext.h"
 
+#include <QLocale>
 #include <QTest>
+
+#include <array>
 
 using namespace mb;
 using namespace mb::test;
@@ -40,6 +43,7 @@ private Q_SLOTS:
     void percentagesOfFullOutputAreTaken();
     void refusalNamesFaultRangeAndNearestValue();
     void everyLegalValueSurvivesTheField();
+    void everyLegalValueHasTheSignOfTheLanguageAndSurvives();
     void typingShowsAtOnceAndStagesOnCommit();
     void anEditThatSaysWhatTheDeviceHasIsNone();
     void anEditThatCameTrueIsGone();
@@ -96,6 +100,24 @@ void TestParameters::everyLegalValueSurvivesTheField()
                 QCOMPARE(parseValue(p, valueText(p, raw)).raw.value(), raw);
         }
     }
+}
+
+void TestParameters::everyLegalValueHasTheSignOfTheLanguageAndSurvives()
+{
+    const QLocale before;
+    QLocale::setDefault(QLocale(QLocale::German));
+    everyLegalValueSurvivesTheField();
+    const Parameter &gain = row("slot1.p");
+    const QStringList shown{fieldText(gain, -98304), valueText(gain, -98304),
+        rangeText(gain).section(QLatin1Char(' '), -2, -2), understoodValue(gain, QStringLiteral("1.5")),
+        understoodValue(gain, QStringLiteral("1,5")), parsed("slot1.p", "40000").fault};
+    const std::array both{parsed("slot1.p", "1,5").raw, parsed("slot1.p", "1.5").raw};
+    QLocale::setDefault(before);
+    QCOMPARE(shown,
+        QStringList({QStringLiteral("-1,5"), QStringLiteral("−1,5"), QStringLiteral("32767,99998"),
+            QStringLiteral("= 1,5"), QString(), QStringLiteral("40000 is above 32767,99998.")}));
+    for (const auto &raw : both)
+        QCOMPARE(raw, std::optional<std::int64_t>(98304));
 }
 
 void TestParameters::typingShowsAtOnceAndStagesOnCommit()

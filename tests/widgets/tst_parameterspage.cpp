@@ -248,6 +248,11 @@ void TestParametersPage::copyGivesKeyAndValue()
     QTest::keyClick(&bench.view(), Qt::Key_Down, Qt::ShiftModifier);
     QTest::keyClick(&bench.view(), Qt::Key_C, Qt::ControlModifier);
     QCOMPARE(QApplication::clipboard()->text(), QStringLiteral("slot1.p=1.5\nslot1.i=0"));
+    const QLocale before;
+    QLocale::setDefault(QLocale(QLocale::German)); // what is copied is as in a file
+    QTest::keyClick(&bench.view(), Qt::Key_C, Qt::ControlModifier);
+    QLocale::setDefault(before);
+    QCOMPARE(QApplication::clipboard()->text(), QStringLiteral("slot1.p=1.5\nslot1.i=0"));
 }
 
 void TestParametersPage::everyControlHasAName()

@@ -297,10 +297,13 @@ void TestProduction::theHeadNamesTheRecipeOfTheVerdict()
     others.imageHash = "9f2a41c7d0";
     others.recipe.test = service::SelfTest{};
     others.recipe.test->to = 1500.0;
+    others.recipe.test->accept.push_back({});
+    others.recipe.test->accept.back().key = "peak_current";
     bench.workbench.served.matter = std::make_shared<const service::RecipeMatter>(others);
     bench.show({rowOf(1, service::RowState::Passed, "A1")}, false);
     QVERIFY(named(s("firmware of the queue")));
     QVERIFY(named(s("dmc60c-1.25.hex · version 1.25 · sha 9f2a41c7")));
+    QVERIFY(named(s("velocity, peak current"))); // in words, not by its key
     const auto *motion = bench.page->findChild<QLabel *>(s("motion"));
     QVERIFY(motion->isVisible()
         && motion->text().startsWith(s("The self-test turns the motor: velocity to"))); // before anybody arms it

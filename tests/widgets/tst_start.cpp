@@ -14,6 +14,7 @@
 #include "widgets/start/storycard.h"
 
 #include <QLabel>
+#include <QLocale>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSignalSpy>
@@ -344,6 +345,11 @@ void StartTest::threeLinksStandInOneRowBesideTheInspector()
         QVERIFY(!card->isVisible() || card->mapTo(&page, QPoint(card->width(), 0)).x() <= page.width());
     QCOMPARE(bitrateText(workbench.shot.links[0]), QStringLiteral("1 Mbit/s"));
     QCOMPARE(bitrateText(workbench.shot.links[1]), QStringLiteral("57.6 kbit/s"));
+    const QLocale before;
+    QLocale::setDefault(QLocale(QLocale::German));
+    const QString german = bitrateText(workbench.shot.links[1]);
+    QLocale::setDefault(before);
+    QCOMPARE(german, QStringLiteral("57,6 kbit/s"));
 }
 
 void StartTest::everyStepSaysWhatToDo()

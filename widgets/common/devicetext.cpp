@@ -169,8 +169,8 @@ QString givenName(const DeviceView &device)
 
 QString bitrateText(const LinkView &link)
 {
-    return link.bitrate >= 1'000'000 ? DeviceText::tr("%1 Mbit/s").arg(link.bitrate / 1e6)
-        : link.bitrate > 0           ? DeviceText::tr("%1 kbit/s").arg(link.bitrate / 1e3)
+    return link.bitrate >= 1'000'000 ? DeviceText::tr("%1 Mbit/s").arg(editText(link.bitrate / 1e6))
+        : link.bitrate > 0           ? DeviceText::tr("%1 kbit/s").arg(editText(link.bitrate / 1e3))
                                      : QString();
 }
 

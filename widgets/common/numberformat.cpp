@@ -40,17 +40,21 @@ QString fixed(double value, int decimals)
     return text;
 }
 
-/// A number with a dot as its reader writes it.
-QString local(QString plain)
-{
-    return plain.replace(QLatin1Char('.'), decimalSign());
-}
-
 } // namespace
 
 QChar decimalSign()
 {
     return QLocale().decimalPoint();
+}
+
+QChar foreignSign()
+{
+    return decimalSign() == QLatin1Char(',') ? QLatin1Char('.') : QLatin1Char(',');
+}
+
+QString localNumber(QString plain)
+{
+    return plain.replace(QLatin1Char('.'), decimalSign());
 }
 
 QString formatNumber(double value, int decimals)
@@ -66,7 +70,7 @@ QString formatCount(qint64 value)
 QString formatWritten(const QString &plain)
 {
     const bool isShort = plain.contains(QLatin1Char('e'));
-    return isShort ? local(plain).replace(QLatin1Char('-'), MinusSign) : grouped(plain);
+    return isShort ? localNumber(plain).replace(QLatin1Char('-'), MinusSign) : grouped(plain);
 }
 
 QString formatSignificant(double value, int digits)
@@ -75,7 +79,7 @@ QString formatSignificant(double value, int digits)
         return UnknownMark;
     const double size = std::abs(value);
     if (size > 0 && (size < 1e-4 || size >= 1e9))
-        return local(QString::number(value, 'e', digits - 1)).replace(QLatin1Char('-'), MinusSign);
+        return localNumber(QString::number(value, 'e', digits - 1)).replace(QLatin1Char('-'), MinusSign);
     const int before = size > 0 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
     return formatNumber(value, std::max(0, digits - before));
 }
@@ -129,12 +133,12 @@ QString formatBytes(qint64 bytes)
 
 QString editText(double value)
 {
-    return std::isfinite(value) ? local(QString::number(value, 'g', QLocale::FloatingPointShortest)) : QString();
+    return std::isfinite(value) ? localNumber(QString::number(value, 'g', QLocale::FloatingPointShortest)) : QString();
 }
 
 QString editText(double value, int decimals)
 {
-    return std::isfinite(value) ? local(fixed(value, decimals)) : QString();
+    return std::isfinite(value) ? localNumber(fixed(value, decimals)) : QString();
 }
 
 std::optional<double> parseNumber(const QString &text, std::optional<double> fullScale)
@@ -158,16 +162,15 @@ std::optional<double> parseNumber(const QString &text, std::optional<double> ful
 
 QString asWritten(const QString &typed)
 {
-    return parseNumber(typed, 1.0) ? local(QString(typed).replace(QLatin1Char(','), QLatin1Char('.'))) : typed;
+    return parseNumber(typed, 1.0) ? localNumber(QString(typed).replace(QLatin1Char(','), QLatin1Char('.'))) : typed;
 }
 
 QString understoodText(const QString &typed)
 {
     static const QRegularExpression notation(QStringLiteral("[eExX]"));
-    const QChar foreign = decimalSign() == QLatin1Char(',') ? QLatin1Char('.') : QLatin1Char(',');
     const auto percent = parseNumber(typed, 100.0);
     const auto whole = percent ? std::nullopt : parseInteger(typed);
-    if ((!typed.contains(notation) && !typed.contains(foreign)) || (!percent && !whole))
+    if ((!typed.contains(notation) && !typed.contains(foreignSign())) || (!percent && !whole))
         return {};
     const QString unit = typed.contains(QLatin1Char('%')) ? QStringLiteral(" %") : QString();
     return QStringLiteral("= ") + editText(percent.value_or(static_cast<double>(whole.value_or(0)))) + unit;

@@ -15,6 +15,10 @@ inline constexpr QChar ThinSpace{0x202F};
 /// Of the language of the program (QLocale()): a dot or a comma. Only on screen: files, the clipboard and JSON have a dot. The examples
 /// below have a dot.
 QChar decimalSign();
+/// The one of both that decimalSign() is not; it is understood as well.
+QChar foreignSign();
+/// A number that is written as a file has it, with the sign of the program and nothing else changed.
+QString localNumber(QString plain);
 /// Read-only number with U+2212 and grouped thousands: "−20 480". NaN and infinity give "–".
 QString formatNumber(double value, int decimals = 0);
 QString formatCount(qint64 value);

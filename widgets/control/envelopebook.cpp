@@ -32,13 +32,13 @@ QJsonObject toJson(const Envelope &limits)
     return object;
 }
 
-/// What is no positive number is no limit, and is not taken for one.
+/// What bounds nothing is no limit, and is not taken for one.
 Envelope fromJson(const QJsonObject &object)
 {
     Envelope limits;
     for (const EnvelopeBound &bound : envelopeBounds) {
         const double value = object.value(QLatin1String(bound.key)).toDouble();
-        if (value > 0.0)
+        if (isBound(bound, value))
             limits.*bound.value = value;
     }
     return limits;

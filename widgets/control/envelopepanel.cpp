@@ -17,19 +17,27 @@
 namespace mb {
 namespace {
 
+/// How a bound of envelopeBounds is shown.
 struct Bound {
-    std::optional<double> Envelope::*value;
+    const EnvelopeBound &of;
     const char *name;
     Quantity quantity;
     const char *unit;
 };
 
 constexpr std::array<Bound, 4> bounds{{
-    {&Envelope::travel, QT_TRANSLATE_NOOP("mb::EnvelopePanel", "Travel ±"), Quantity::Position, "counts"},
-    {&Envelope::speed, QT_TRANSLATE_NOOP("mb::EnvelopePanel", "Speed"), Quantity::Velocity, "counts/s"},
-    {&Envelope::current, QT_TRANSLATE_NOOP("mb::EnvelopePanel", "Current"), Quantity::Current, "A"},
-    {&Envelope::duty, QT_TRANSLATE_NOOP("mb::EnvelopePanel", "Duty"), Quantity::Duty, "fraction"},
+    {envelopeBounds[0], QT_TRANSLATE_NOOP("mb::EnvelopePanel", "Travel ±"), Quantity::Position, "counts"},
+    {envelopeBounds[1], QT_TRANSLATE_NOOP("mb::EnvelopePanel", "Speed"), Quantity::Velocity, "counts/s"},
+    {envelopeBounds[2], QT_TRANSLATE_NOOP("mb::EnvelopePanel", "Current"), Quantity::Current, "A"},
+    {envelopeBounds[3], QT_TRANSLATE_NOOP("mb::EnvelopePanel", "Duty"), Quantity::Duty, "fraction"},
 }};
+
+constexpr int warningLines = 2; ///< so that nothing moves while one types
+
+QString shown(double value, const ShownUnit &unit)
+{
+    return formatSignificant(value * unit.scale, 4) + QChar(0x00A0) + unit.text;
+}
 
 } // namespace
 
@@ -55,7 +63,11 @@ EnvelopePanel::EnvelopePanel(const ThemeSource &theme, QWidget *parent)
         grid->addWidget(textLabel(name, TextRole::Body, Tone::Text, m_box), row, 0);
         grid->addWidget(m_rows[i].field, row, 1);
         grid->addWidget(m_rows[i].inForce, row, 2);
-        connect(m_rows[i].field, &QLineEdit::textEdited, this, &EnvelopePanel::read);
+        connect(m_rows[i].field, &QLineEdit::textEdited, this, [this, i] { read(i); });
+        connect(m_rows[i].field, &QLineEdit::editingFinished, this, [this, i] {
+            if (readingOf(i).good)
+                m_rows[i].before = m_entered.*bounds[i].of.value;
+        });
     }
     grid->setColumnStretch(2, 1);
     m_saved = new SavedLimits(theme, m_box);
@@ -66,8 +78,8 @@ EnvelopePanel::EnvelopePanel(const ThemeSource &theme, QWidget *parent)
     connect(m_saved, &SavedLimits::forgetRequested, this,
         [this](const QString &name) { told(m_book->forget(m_unit, name)); });
     column->addWidget(m_head, 0, Qt::AlignLeft);
-    column->addWidget(m_words);
     column->addWidget(m_box);
+    column->addWidget(m_words); // below what is typed into: it comes and goes with what is typed
     m_box->hide();
     connect(m_head, &QPushButton::toggled, this, [this](bool open) {
         m_box->setVisible(open);
@@ -99,16 +111,20 @@ void EnvelopePanel::choose(const std::string &unit, bool sameDevice)
         told(m_book->enter(unit, m_entered));
     m_unit = unit;
     m_saved->setNames(m_book->names(unit));
-    look();
+    look(!sameDevice);
 }
 
-void EnvelopePanel::look()
+/// `all`: of another device, so that what is being typed is not of this one.
+void EnvelopePanel::look(bool all)
 {
-    const Envelope now = m_book->entered(m_unit);
-    if (m_unit.empty() || std::exchange(m_entered, now) == now)
+    if (m_unit.empty())
         return;
-    write();
-    Q_EMIT changed();
+    const Envelope now = m_book->entered(m_unit);
+    const bool other = std::exchange(m_entered, now) != now;
+    if (other || all)
+        write(all);
+    if (other)
+        Q_EMIT changed();
 }
 
 void EnvelopePanel::take(const Envelope &limits)
@@ -126,30 +142,48 @@ void EnvelopePanel::told(const Result<void> &result)
         Q_EMIT failed(errorText(result.error()));
 }
 
-void EnvelopePanel::write()
+void EnvelopePanel::write(bool all)
 {
     for (std::size_t i = 0; i < bounds.size(); ++i) {
-        const auto value = m_entered.*bounds[i].value;
-        setStyleProperty(*m_rows[i].field, "state", QString());
-        if (!m_rows[i].field->hasFocus())
-            m_rows[i].field->setText(
-                value ? editText(std::round(*value * m_rows[i].unit.scale * 1e6) / 1e6) : QString());
+        Row &row = m_rows[i];
+        const auto value = m_entered.*bounds[i].of.value;
+        row.before = value;
+        if (all || !row.field->hasFocus())
+            row.field->setText(value ? editText(std::round(*value * row.unit.scale * 1e6) / 1e6) : QString());
     }
+    judge();
 }
 
-void EnvelopePanel::read()
+/// A field that says no limit leaves what held before it was typed into.
+void EnvelopePanel::read(std::size_t at)
 {
-    for (std::size_t i = 0; i < bounds.size(); ++i) {
-        const QString text = m_rows[i].field->text().trimmed();
-        const auto number = parseNumber(text);
-        const bool good = text.isEmpty() || (number && *number > 0.0);
-        setStyleProperty(*m_rows[i].field, "state", good ? QString() : QStringLiteral("error"));
-        if (good)
-            m_entered.*bounds[i].value
-                = number ? std::optional(*number / m_rows[i].unit.scale) : std::optional<double>();
-    }
+    const Reading typed = readingOf(at);
+    m_entered.*bounds[at].of.value = typed.good ? typed.value : m_rows[at].before;
+    judge();
     told(m_book->enter(m_unit, m_entered));
     Q_EMIT changed();
+}
+
+EnvelopePanel::Reading EnvelopePanel::readingOf(std::size_t at) const
+{
+    const QString text = m_rows[at].field->text().trimmed();
+    const auto number = parseNumber(text);
+    const auto value = number ? std::optional(*number / m_rows[at].unit.scale) : std::nullopt;
+    return {value, text.isEmpty() || (value && isBound(bounds[at].of, *value))};
+}
+
+void EnvelopePanel::judge()
+{
+    m_fault.clear();
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+        const Row &row = m_rows[i];
+        const bool good = readingOf(i).good;
+        setStyleProperty(*row.field, "state", good ? QString() : QStringLiteral("error"));
+        if (!good && m_fault.isEmpty())
+            m_fault = tr("%1: %2 is no limit. It is more than 0, and at most %3.")
+                          .arg(tr(bounds[i].name), row.field->text().trimmed(), shown(bounds[i].of.most, row.unit));
+    }
+    say();
 }
 
 void EnvelopePanel::setInForce(const Envelope &inForce, const QString &missing)
@@ -167,17 +201,19 @@ void EnvelopePanel::say()
 {
     QStringList parts;
     for (std::size_t i = 0; i < bounds.size(); ++i) {
-        const auto value = m_inForce.*bounds[i].value;
+        const auto value = m_inForce.*bounds[i].of.value;
         const ShownUnit &unit = m_rows[i].unit;
-        const QString number
-            = value ? formatSignificant(*value * unit.scale, 4) + QChar(0x00A0) + unit.text : QString();
-        m_rows[i].inForce->setText(value ? tr("%1 holds").arg(number) : tr("not bounded, %1").arg(unit.text));
+        m_rows[i].inForce->setText(
+            value ? tr("%1 holds").arg(shown(*value, unit)) : tr("not bounded, %1").arg(unit.text));
         if (value)
-            parts << number;
+            parts << shown(*value, unit);
     }
-    m_words->setText(m_missing.isEmpty() ? parts.join(QStringLiteral(" · ")) : m_missing);
-    m_words->setVisible(!m_box->isVisibleTo(this) || !m_missing.isEmpty());
-    setTone(*m_words, m_missing.isEmpty() ? Tone::Dim : Tone::Caution);
+    const bool open = m_box->isVisibleTo(this);
+    const QString &wrong = m_fault.isEmpty() ? m_missing : m_fault;
+    const QString calm = open ? tr("Empty: what the device itself says") : parts.join(QStringLiteral(" · "));
+    m_words->setText(wrong.isEmpty() ? calm : wrong);
+    m_words->setMinimumHeight(open ? warningLines * (m_words->fontMetrics().lineSpacing() + 1) : 0);
+    setTone(*m_words, wrong.isEmpty() ? Tone::Dim : Tone::Caution);
 }
 
 } // namespace mb

@@ -32,6 +32,8 @@ public:
     /// else. Limits go along when a unit turns out to have a serial number. Empty: not known who it is.
     void choose(const std::string &unit, bool sameDevice);
     [[nodiscard]] const Envelope &entered() const { return m_entered; }
+    /// What stands in a field and is no limit, for people; entered() is as before it was typed. Empty: nothing.
+    [[nodiscard]] const QString &fault() const { return m_fault; }
     /// What bounds the next experiment; `missing` must be entered before it.
     void setInForce(const Envelope &inForce, const QString &missing);
     void setOpen(bool open);
@@ -46,12 +48,20 @@ private:
         QLineEdit *field = nullptr;
         QLabel *inForce = nullptr;
         ShownUnit unit;
+        std::optional<double> before; ///< what holds while what is typed is no limit
     };
-    void read();
-    void write();
+    /// What is typed into a field: a limit, or none where it is empty, or neither.
+    struct Reading {
+        std::optional<double> value;
+        bool good = false;
+    };
+    [[nodiscard]] Reading readingOf(std::size_t at) const;
+    void read(std::size_t at);
+    void judge();
+    void write(bool all = false);
     void say();
     void take(const Envelope &limits);
-    void look();
+    void look(bool all = false);
     void told(const Result<void> &result);
 
     const ThemeSource &m_theme;
@@ -62,6 +72,7 @@ private:
     Envelope m_entered;
     Envelope m_inForce;
     QString m_missing;
+    QString m_fault;
     std::array<Row, 4> m_rows;
     QPushButton *m_head = nullptr;
     QLabel *m_words = nullptr;

@@ -53,7 +53,8 @@ Envelope ownOf(const DeviceView &device, const ExperimentWish &wish, Instant now
         = tuning::ownLimits(*device.family, *device.parameters, wish.axis, wish.slot, originOf(device, wish, now));
     const Envelope bench = device.link.starts_with("sim:") ? device.family->trials->bench : Envelope();
     Envelope known;
-    for (const auto &[key, bound] : envelopeBounds) {
+    for (const EnvelopeBound &each : envelopeBounds) {
+        const auto bound = each.value;
         const auto asked = wish.limits.*bound;
         const auto its = own.*bound ? own.*bound : bench.*bound;
         known.*bound = asked && own.*bound ? std::min(*asked, *(own.*bound)) : asked ? asked : its;
@@ -146,7 +147,11 @@ ExperimentCheck checkExperiment(
     if (!envelope) {
         check.missing
             = ExperimentText::tr("Nothing bounds the motor: enter travel, duty, and what else is empty here.");
-        check.words = check.missing;
+        check.words = wish.limitsFault.isEmpty() ? check.missing : wish.limitsFault;
+        return check;
+    }
+    if (!wish.limitsFault.isEmpty()) {
+        check.words = wish.limitsFault;
         return check;
     }
     if (!wish.stimulus.to) {

@@ -191,6 +191,12 @@ void MetricsPanel::fillDifference(int row, std::string_view key, Detail detail)
     const double before = a.value_or(0.0);
     const double after = b.value_or(0.0);
     const double change = (after - before) * word.scale;
+    if (m_a->trial.has(tuning::flag::aborted)
+        || m_b->trial.has(tuning::flag::aborted)) { // no judgement of a part of one
+        const bool wordsOnly = detail == Detail::WordsOnly;
+        setCell(row, Difference, wordsOnly ? QString() : formatDifference(change, word.decimals), Tone::Dim, false);
+        return;
+    }
     const double difference = isSigned ? (std::abs(after) - std::abs(before)) * word.scale : change;
     const auto error = tuning::metricOf(m_b->trial.errors, key).value_or(0.0)
         + tuning::metricOf(m_a->trial.errors, key).value_or(0.0);

@@ -44,6 +44,7 @@ ExperimentWish TuneExperiments::wishOf(const DeviceView &view, int axis) const
     wish.slot = chosen.runningSlot;
     wish.stimulus = chosen.stimulus;
     wish.limits = m_parts.column->envelope().entered();
+    wish.limitsFault = m_parts.column->envelope().fault();
     if (axis == m_choices.axis() && chosen.editedSlot == chosen.runningSlot)
         wish.gains = m_parts.column->gainsPanel().toWrite();
     return wish;

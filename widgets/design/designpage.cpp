@@ -117,6 +117,8 @@ PageStatus DesignPage::status() const
         return {GlyphState::Moving, tr("Moving"), tr("Stop the motion before the motor is tuned."), false};
     if (!view->busy.empty())
         return {GlyphState::Busy, tr("Busy"), messageText(view->busy), false};
+    if (const QString fault = m_envelope->fault(); !fault.isEmpty())
+        return {GlyphState::OutOfRange, tr("No limit"), fault, false};
     if (m_arming.isArmed(view->id))
         return {GlyphState::Online, tr("Armed"), tr("The motor will turn both ways."), true};
     return {GlyphState::Gone, tr("Not armed"), tr("Hold the Arm button for 1 s to arm %1.").arg(name), false};

@@ -19,9 +19,7 @@ struct ValueText {
 
 QString screen(std::string_view ascii)
 {
-    QString text = qt(ascii);
-    text.replace(QLatin1Char('-'), MinusSign);
-    return text;
+    return localNumber(qt(ascii)).replace(QLatin1Char('-'), MinusSign);
 }
 
 QString number(double value)
@@ -120,7 +118,7 @@ QString fieldText(const Parameter &parameter, std::int64_t raw)
         if (choice.raw == raw)
             return qt(choice.label);
     }
-    return qt(toText(parameter, raw));
+    return localNumber(qt(toText(parameter, raw)));
 }
 
 QString rawText(const Parameter &parameter, std::int64_t raw)
@@ -172,7 +170,7 @@ QString understoodValue(const Parameter &parameter, const QString &text)
         return {};
     const QString written = fieldText(parameter, *raw);
     const auto typed = parseNumber(text);
-    const bool same = typed && typed == parseNumber(written) && !text.contains(QLatin1Char(','));
+    const bool same = typed && typed == parseNumber(written) && !text.contains(foreignSign());
     return same ? QString() : QStringLiteral("= ") + written;
 }
 

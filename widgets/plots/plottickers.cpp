@@ -91,7 +91,7 @@ QString TimeTicker::text(double key, double step) const
     const QDateTime time = momentOf(key + *m_unixAtZero);
     if (decimals == 0)
         return clockText(time);
-    return time.toString(QStringLiteral("ss.zzz")).left(3 + std::min(decimals, 3));
+    return localNumber(time.toString(QStringLiteral("ss.zzz")).left(3 + std::min(decimals, 3)));
 }
 
 QString TimeTicker::getTickLabel(double tick, const QLocale &, QChar, int)

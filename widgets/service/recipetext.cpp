@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/service/recipetext.h"
 
+#include "service/figuretext.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
 
@@ -56,7 +57,7 @@ QString testText(const service::RecipeMatter *matter)
         return QString(UnknownMark);
     QStringList words{modeText(matter->recipe.test->loop)};
     for (const service::Acceptance &acceptance : matter->recipe.test->accept)
-        words << qt(acceptance.key);
+        words << messageText(service::figureName(acceptance.key));
     return words.join(QStringLiteral(", "));
 }
 
