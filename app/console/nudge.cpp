@@ -35,9 +35,9 @@ std::optional<double> positionOf(const Device &device, int axis)
 }
 
 /// What is known of the motor without its link: nothing.
-Result<void> linkOf(const Device &device)
+Result<void> linkOf(const Device &device, const SetPointStream &stream)
 {
-    if (device.link().state() != LinkState::Lost)
+    if (device.link().state() != LinkState::Lost && stream.end() != SetPointStream::End::LinkLost) // it may be back
         return {};
     return fail(Fault::LinkLost,
         say("the link was lost while the shaft was turned (%1)", device.link().loss().message()),
@@ -58,14 +58,14 @@ Task<double> push(Console &console, Device &device, SetPoint setPoint, Duration 
         co_return fail(started.error());
     Sleep pushing(console.clock(), time);
     co_await pushing;
-    if (auto there = linkOf(device); !there)
+    if (auto there = linkOf(device, stream); !there)
         co_return fail(there.error());
     if (!stream.isRunning() && !console.isInterrupted())
         co_return fail(Fault::Unsafe, say("stopped for safety: %1", stream.reason()));
     stream.stop();
     const Instant limit = console.clock().now() + standLimit;
     while (!device.isSeenStopped()) {
-        if (auto there = linkOf(device); !there)
+        if (auto there = linkOf(device, stream); !there)
             co_return fail(there.error());
         if (console.clock().now() >= limit)
             co_return fail(Fault::Unsafe, say("the stop was not confirmed by %1", device.selector()),

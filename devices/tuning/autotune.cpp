@@ -176,6 +176,7 @@ std::string_view endBetween(Device &device, const Error &error)
     if (error.fault != Fault::Unsafe)
         return {};
     return device.liveness().foreignMaster ? toString(End::ForeignMaster)
+        : device.liveness().restarted      ? toString(End::DeviceRestarted)
         : device.guard().possible()        ? std::string_view()
                                            : toString(End::Unguarded);
 }

@@ -146,7 +146,7 @@ class Tune(ContractTest):
         self.assertEqual(len(told), run.err.count("pushing with "), run.err)
         self.assertGreaterEqual(len(told), 5)
         for _, speed, travel in told:
-            self.assertLessEqual(float(speed), 90000)
+            self.assertLessEqual(float(speed), 110000) # the guard of 90000 lets a fifth more pass: 108000, in two digits
             self.assertLessEqual(float(travel), 400000)
         self.assertLess(min(float(travel) for _, _, travel in told[1:]), 400000, "what is expected, not only its limit")
         self.assertNotIn("e-", run.out.split("noise at rest")[1].split("counts")[0], "a position that stands has no noise")

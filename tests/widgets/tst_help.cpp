@@ -265,7 +265,8 @@ void HelpTest::aLinkToTheEnglishFiguresLeadsThere()
     QCOMPARE(browser.textCursor().block().text(), QStringLiteral("Where it stays behind"));
     QVERIFY(browser.verticalScrollBar()->value() > 0);
     QVERIFY(!list.currentItem());
-    Q_EMIT browser.anchorClicked(QUrl(QStringLiteral("tuning.md"))); // no dead end, and in the language of the window again
+    Q_EMIT browser.anchorClicked(
+        QUrl(QStringLiteral("tuning.md"))); // no dead end, and in the language of the window again
     QCOMPARE(browser.file(), QStringLiteral(":/help/de/tuning.md"));
     QCOMPARE(list.currentItem()->data(Qt::UserRole).toString(), QStringLiteral("tuning"));
 }

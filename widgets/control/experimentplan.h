@@ -16,7 +16,7 @@ struct ExperimentWish {
     int slot = 0;
     StimulusChoice stimulus;
     Envelope limits;
-    QString limitsFault; ///< what is entered for them and is none; nothing runs then
+    QString limitsFault;                ///< what is entered for them and is none; nothing runs then
     std::vector<ParameterChange> gains; ///< staged, written first
 };
 
