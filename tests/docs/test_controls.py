@@ -11,9 +11,9 @@ PAGES = ("first-hour", "connecting", "tuning", "plots", "service", "recipes", "s
          "hardware/supermodified", "hardware/abstractdc", "hardware/quadquad2drv")
 NOT_OURS = {"UDP server"}  # of another program
 NO_CONTROL = {
-    "A real motor", "Where travel is small", "Without a duty command", "A QuadQuad2Drv whose gain scales are not known", "Current loops",
+    "A real motor", "Without a duty command", "A QuadQuad2Drv whose gain scales are not known", "Current loops",
     "A Supermodified held by much friction", "The simulated bench", "The current loop of an Abstract DC Drive",
-    "Velocity of a QuadQuad2Drv", "References", "Notes", "CSV", "MCAP", "Always recording", "Memory", "Drivers are on M1 and M2 only"}  # of what a paragraph begins with
+    "References", "Notes", "CSV", "MCAP", "Always recording", "Memory", "Drivers are on M1 and M2 only"}  # of what a paragraph begins with
 NAME = re.compile(r"(\*{1,2})(?=[A-Z])([^*]+?)(?<=\S)\1")
 
 
