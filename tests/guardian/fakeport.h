@@ -33,7 +33,7 @@ public:
     }
     Bytes read() override
     {
-        const Bytes all = bytes(incoming);
+        Bytes all = bytes(incoming);
         incoming.clear();
         return all;
     }

@@ -92,8 +92,9 @@ QWidget *batteryPage(const ThemeSource &theme)
 {
     auto *bench = new TuneBench(theme.theme());
     armOn(bench->workbench, bench->arming);
-    auto *dialog = new BatteryDialog(bench->arming, theme, nullptr);
-    dialog->setBattery(measured().battery, {1}, QStringLiteral("counts/s"));
+    const auto offer = [] { return BatteryOffer{{1}, measured().battery, QStringLiteral("counts/s"), {}}; };
+    auto *dialog = new BatteryDialog(bench->arming, offer, theme, nullptr);
+    dialog->showOffer();
     dialog->show();
     dialog->run();
     for (const tuning::Trial &step : measured().steps)

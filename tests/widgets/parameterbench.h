@@ -124,7 +124,7 @@ inline bool says(ParameterBench &bench, const QString &part)
 
 inline QString write(const QTemporaryDir &folder, const QString &name, const QByteArray &text)
 {
-    const QString path = folder.filePath(name);
+    QString path = folder.filePath(name);
     QFile file(path);
     [[maybe_unused]] const bool open = file.open(QIODevice::WriteOnly);
     file.write(text);

@@ -219,8 +219,8 @@ void TestEnvelopes::whatIsNoLimitInAFileIsNotTaken()
     file.close();
     EnvelopeBook book;
     QVERIFY(book.open(path));
-    QVERIFY(book.entered("a") == Envelope({}, 1000.0, {}, {}));
-    QVERIFY(book.named("a", s("far")) == Envelope({500.0, {}, {}, {}}));
+    QVERIFY(book.entered("a") == (Envelope{{}, 1000.0, {}, {}}));
+    QVERIFY(book.named("a", s("far")) == (Envelope{500.0, {}, {}, {}}));
 }
 
 void TestEnvelopes::whatIsTypedForOneUnitIsNotOfAnother()
