@@ -43,6 +43,16 @@ protected:
         drive.setPowered(true);
         clock.advance(std::chrono::seconds(1));
     }
+    /// It stands somewhere else afterwards.
+    bool turnsAwayFromZero()
+    {
+        if (!device->command(setPoint(Mode::Duty, 0.3)))
+            return false;
+        clock.advance(std::chrono::seconds(2));
+        device->stop();
+        clock.advance(std::chrono::seconds(2));
+        return true;
+    }
     static SetPoint setPoint(Mode mode, double target)
     {
         SetPoint s;

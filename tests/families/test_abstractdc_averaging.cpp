@@ -91,10 +91,7 @@ TEST_F(AbstractDcController, ACableThatWasOutIsNoPowerCycle)
 {
     add("abstractdc:3");
     open(3, &dialectF);
-    ASSERT_TRUE(device->command(setPoint(Mode::Duty, 0.3)));
-    clock.advance(2s);
-    device->stop();
-    clock.advance(2s);
+    ASSERT_TRUE(turnsAwayFromZero());
     ASSERT_TRUE(write("current.averaging", 50));
     bus.setLoss(1.0);
     clock.advance(2s);

@@ -155,10 +155,7 @@ TEST_F(AbstractDcRestart, TakesWhatWasNotSavedWhileTheLinkWasGone)
 {
     Simulator &unit = add("abstractdc:3");
     open(3, &dialectF);
-    ASSERT_TRUE(device->command(setPoint(Mode::Duty, 0.3)));
-    clock.advance(2s);
-    device->stop();
-    clock.advance(2s);
+    ASSERT_TRUE(turnsAwayFromZero());
     ASSERT_TRUE(write("velocity.p", 5));
     host.close();
     unit.setPowered(false);
@@ -174,10 +171,7 @@ TEST_F(AbstractDcRestart, WhatWasNotSavedStaysWhereTheMotorStillStandsAsItDid)
 {
     add("abstractdc:3");
     open(3, &dialectF);
-    ASSERT_TRUE(device->command(setPoint(Mode::Duty, 0.3)));
-    clock.advance(2s);
-    device->stop();
-    clock.advance(2s);
+    ASSERT_TRUE(turnsAwayFromZero());
     ASSERT_TRUE(write("velocity.p", 5));
     host.close();
     clock.advance(3s);
@@ -191,10 +185,7 @@ TEST_F(AbstractDcRestart, IsNoCableThatWasOut)
 {
     add("abstractdc:3");
     open(3, &dialectF);
-    ASSERT_TRUE(device->command(setPoint(Mode::Duty, 0.3)));
-    clock.advance(2s);
-    device->stop();
-    clock.advance(2s);
+    ASSERT_TRUE(turnsAwayFromZero());
     ASSERT_TRUE(write("velocity.p", 5));
     bus.setLoss(1.0);
     clock.advance(2s);
