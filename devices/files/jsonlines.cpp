@@ -12,19 +12,24 @@ namespace {
 
 constexpr std::string_view atLineLiteral = "line %1: %2";
 
-/// Walks a text that is known to be JSON.
+constexpr int deepest = 1024; // objects and lists within each other, as many as QJsonDocument takes
+
+/// Walks a text that may be none: it ends where the text stops to be JSON.
 class Walk {
 public:
     Walk(const QByteArray &text, JsonLines &lines)
         : m_text(text)
         , m_lines(lines)
+        , m_at(text.startsWith("\xEF\xBB\xBF") ? 3 : 0) // the mark that some editors put before UTF-8
     {
     }
     void value(const std::string &path)
     {
         skip();
         const char c = next();
-        if (c == '{')
+        if (++m_depth > deepest)
+            end();
+        else if (c == '{')
             members(path);
         else if (c == '[')
             elements(path);
@@ -32,6 +37,7 @@ public:
             (void)string();
         else
             word();
+        --m_depth;
     }
 
 private:
@@ -43,10 +49,14 @@ private:
             ++m_at;
         }
     }
+    void end() { m_at = m_text.size(); }
     void word()
     {
+        const int from = m_at;
         while (m_at < m_text.size() && !std::strchr(",]} \t\r\n", next()))
             ++m_at;
+        if (m_at == from)
+            end();
     }
     std::string string()
     {
@@ -65,6 +75,8 @@ private:
                 ++m_at;
                 continue;
             }
+            if (next() != '"')
+                return end();
             const int line = m_line;
             const std::string key = string();
             const std::string inside = path.empty() ? key : path + '.' + key;
@@ -73,7 +85,9 @@ private:
                 m_lines.lines[inside] = line;
             }
             skip();
-            ++m_at; // the colon
+            if (next() != ':')
+                return end();
+            ++m_at;
             value(inside);
         }
         ++m_at;
@@ -96,8 +110,9 @@ private:
 
     const QByteArray &m_text;
     JsonLines &m_lines;
-    int m_at = 0;
+    int m_at;
     int m_line = 1;
+    int m_depth = 0;
 };
 
 } // namespace
@@ -112,6 +127,13 @@ int JsonLines::of(std::string path) const
             return 1;
         path.resize(dot);
     }
+}
+
+Result<void> JsonLines::checkKeys() const
+{
+    if (repeated.empty())
+        return {};
+    return fail(Fault::OutOfRange, atLine(of(repeated), say("the key '%1' is there twice", repeated)));
 }
 
 JsonLines linesOf(const QByteArray &text)

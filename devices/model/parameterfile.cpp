@@ -159,6 +159,8 @@ std::optional<std::string> familyOf(const QByteArray &bytes)
 
 Result<ParameterFile> parseParameterFile(const QByteArray &bytes, const Family &family)
 {
+    if (auto once = linesOf(bytes).checkKeys(); !once)
+        return fail(once.error());
     QJsonParseError error{};
     const QJsonDocument document = QJsonDocument::fromJson(bytes, &error);
     if (!document.isObject()) {
@@ -166,9 +168,6 @@ Result<ParameterFile> parseParameterFile(const QByteArray &bytes, const Family &
                                               : say("no object at the top");
         return fail(Fault::OutOfRange, say("not a parameter file: %1", why));
     }
-    if (const JsonLines lines = linesOf(bytes); !lines.repeated.empty()) // Qt would take the last
-        return fail(
-            Fault::OutOfRange, atLine(lines.of(lines.repeated), say("the key '%1' is there twice", lines.repeated)));
     const QJsonObject object = document.object();
     ParameterFile file;
     file.family = object.value(QLatin1String("family")).toString().toStdString();

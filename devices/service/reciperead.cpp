@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace mb::service {
 namespace {
@@ -34,15 +35,13 @@ std::string listed(const std::vector<std::string_view> &words)
 /// Reads one recipe; stops at the first mistake.
 class Reader {
 public:
-    Reader(const QByteArray &text, std::span<const Family *const> families)
-        : m_lines(linesOf(text))
+    Reader(JsonLines lines, std::span<const Family *const> families)
+        : m_lines(std::move(lines))
         , m_families(families)
     {
     }
     Result<Recipe> read(const QJsonObject &object)
     {
-        if (!m_lines.repeated.empty())
-            wrong(m_lines.repeated, say("the key '%1' is there twice", m_lines.repeated));
         expect(object, {}, {"recipe", "name", "family", "firmware", "parameters", "number", "test"});
         if (number(object, {}, "recipe", 0.0, anyNumber).value_or(0.0) != 1.0)
             wrong("recipe", say("this is no recipe of version 1"), say("it begins with \"recipe\": 1"));
@@ -267,6 +266,9 @@ private:
 
 Result<Recipe> parseRecipe(const QByteArray &text, std::span<const Family *const> families)
 {
+    JsonLines lines = linesOf(text);
+    if (auto once = lines.checkKeys(); !once)
+        return fail(once.error());
     QJsonParseError mistake;
     const QJsonDocument document = QJsonDocument::fromJson(text, &mistake);
     if (document.isNull())
@@ -275,7 +277,7 @@ Result<Recipe> parseRecipe(const QByteArray &text, std::span<const Family *const
             say("a recipe is a JSON object"));
     if (!document.isObject())
         return fail(Fault::OutOfRange, atLine(1, say("a recipe is a JSON object")), say("it begins with {"));
-    return Reader(text, families).read(document.object());
+    return Reader(std::move(lines), families).read(document.object());
 }
 
 } // namespace mb::service
