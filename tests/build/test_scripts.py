@@ -133,6 +133,12 @@ class Tally(Place):
         self.assertEqual(self.tally("a.log", "[==========] 0 tests from 0 test suites ran. (0 ms total)\n[  PASSED  ] 0 tests.\n\nexit status 0\n"), "0 0 0")
         self.assertEqual(self.tally("a.log", "Ran 0 tests in 0.000s\n\nOK\n\nexit status 0\n"), "0 0 0")
 
+    def test_names_the_programs_that_failed(self):
+        xml = self.write("a.xml", JUNIT.format(status="fail", inside="<failure/>", output=""))
+        log = self.write("asan-model-14.log", "[  PASSED  ] 3 tests.\n\nexit status 1\n")
+        fine = self.write("fine.log", "[  PASSED  ] 3 tests.\n\nexit status 0\n")
+        self.assertEqual(self.run_here(SCRIPTS / "tally", "--failed", xml, log, fine), (0, "b\nasan-model-14\n"))
+
     def test_reads_what_ctest_writes(self):
         rows = (("run", "", "[  PASSED  ] 2 tests.", "7 0 0"), ("fail", "<failure/>", "", "5 1 0"),
                 ("notrun", '<skipped message="Unable to find executable"/>', "", "5 1 0"),
@@ -171,9 +177,13 @@ class Test(Place):
             self.program(f"build/asan/bin/test_{area}", says.get(area, one))
         self.program("build/tsan/bin/test_async", one)
 
-    def closing(self, *options):
+    def run_test(self, *options):
         status, output = self.run_here(self.root / "scripts" / "test", *(options or ["--quick"]))
-        return status, output.splitlines()[-1]
+        return status, output.splitlines()
+
+    def closing(self, *options):
+        status, lines = self.run_test(*options)
+        return status, lines[-1]
 
     def test_ends_with_the_numbers(self):
         self.assertEqual(self.closing(), (0, "7 passed, 0 failed"))
@@ -218,6 +228,12 @@ class Test(Place):
     def test_a_failing_test_is_counted_and_told(self):
         self.ctest('<testcase status="fail"><failure/></testcase>', status=8)
         self.assertEqual(self.closing(), (1, "3 passed, 1 failed"))
+
+    def test_what_failed_is_named_before_the_numbers(self):
+        self.sanitized()
+        self.write("scripts/lint", "#!/bin/bash\nexit 1\n")
+        self.program("build/asan/bin/test_model", "[  PASSED  ] $((GTEST_SHARD_INDEX == 0)) tests.", "[ $GTEST_SHARD_INDEX != 14 ]")
+        self.assertEqual(self.run_test("")[1][-3:], ["failed: asan-model-14", "failed: lint", "14 passed, 2 failed"])
 
     def test_a_failing_stage_does_not_hide_the_others(self):
         self.write("scripts/lint", "#!/bin/bash\nexit 1\n")
