@@ -1072,7 +1072,7 @@
     </message>
     <message>
         <source>velocity, set-point dashed</source>
-        <translation>Geschwindigkeit, Sollwert gestrichelt</translation>
+        <translation>Drehzahl, Sollwert gestrichelt</translation>
     </message>
     <message>
         <source>CIM</source>
@@ -1124,7 +1124,7 @@
     </message>
     <message>
         <source>Press %2: the motor steps to a speed and back, and the overshoot is measured.</source>
-        <translation>%2 drücken: der Motor springt auf eine Geschwindigkeit und zurück, das Überschwingen wird gemessen.</translation>
+        <translation>%2 drücken: der Motor springt auf eine Drehzahl und zurück, das Überschwingen wird gemessen.</translation>
     </message>
     <message>
         <source>Press %2 on the page Design: the program finds gains and proves them. Tamed: a step overshoots by 5 % at most.</source>
@@ -1571,11 +1571,11 @@
     </message>
     <message>
         <source>The measured velocity is %1 late; the gains are too lively for that.</source>
-        <translation>Die gemessene Geschwindigkeit kommt %1 zu spät; dafür sind die Verstärkungen zu lebhaft.</translation>
+        <translation>Die gemessene Drehzahl kommt %1 zu spät; dafür sind die Verstärkungen zu lebhaft.</translation>
     </message>
     <message>
         <source>The velocity comes anew every %1 only; a loop cannot be quicker than that.</source>
-        <translation>Die Geschwindigkeit kommt nur alle %1 neu; schneller kann ein Regelkreis nicht sein.</translation>
+        <translation>Die Drehzahl kommt nur alle %1 neu; schneller kann ein Regelkreis nicht sein.</translation>
     </message>
     <message>
         <source>It moved late, at %1 % duty: friction holds it until then.</source>
@@ -2153,7 +2153,7 @@
     </message>
     <message>
         <source>speed at most %1 counts/s</source>
-        <translation>Geschwindigkeit höchstens %1 counts/s</translation>
+        <translation>Drehzahl höchstens %1 counts/s</translation>
     </message>
     <message>
         <source>travel at most %1 counts</source>
@@ -3031,7 +3031,7 @@
     </message>
     <message>
         <source>The motor will turn both ways.</source>
-        <translation>Der Motor wird in beide Richtungen drehen.</translation>
+        <translation>Der Motor wird vor und zurück drehen.</translation>
     </message>
     <message>
         <source>Not armed</source>
@@ -3505,7 +3505,7 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation>Geschwindigkeit</translation>
+        <translation>Drehzahl</translation>
     </message>
     <message>
         <source>Current</source>
@@ -7308,11 +7308,11 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     </message>
     <message>
         <source>Travel at most, counts</source>
-        <translation>Weg höchstens, Zählschritte</translation>
+        <translation>Weg höchstens, counts</translation>
     </message>
     <message>
         <source>Speed at most, counts/s</source>
-        <translation>Geschwindigkeit höchstens, Zählschritte/s</translation>
+        <translation>Drehzahl höchstens, counts/s</translation>
     </message>
     <message>
         <source>Current at most, A</source>
@@ -8130,7 +8130,7 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     </message>
     <message>
         <source>Counts/s per duty</source>
-        <translation>Counts/s je Aussteuerung</translation>
+        <translation>Counts/s je Tastgrad</translation>
     </message>
     <message>
         <source>Phase</source>
@@ -8170,7 +8170,7 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     </message>
     <message>
         <source>Sines of duty around a speed at which it never reverses, the last on %1. Believed and drawn are %2 of %3: ten samples make a swing, and the sine explains 0.9 of the movement at least (coherence).</source>
-        <translation>Sinusse der Aussteuerung um eine Drehzahl, bei der er nie umkehrt, der letzte am %1. Geglaubt und gezeichnet werden %2 von %3: zehn Messwerte je Schwingung, und der Sinus erklärt mindestens 0.9 der Bewegung (Kohärenz).</translation>
+        <translation>Sinusse des Tastgrads um eine Drehzahl, bei der er nie umkehrt, der letzte am %1. Geglaubt und gezeichnet werden %2 von %3: zehn Messwerte je Schwingung, und der Sinus erklärt mindestens 0,9 der Bewegung (Kohärenz).</translation>
     </message>
     <message>
         <source>Load one way kG</source>
@@ -14649,7 +14649,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>allow more speed</source>
-        <translation>mehr Geschwindigkeit erlauben</translation>
+        <translation>mehr Drehzahl erlauben</translation>
     </message>
     <message>
         <source>allow more travel</source>
@@ -14661,7 +14661,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>allow more travel or speed</source>
-        <translation>mehr Weg oder Geschwindigkeit erlauben</translation>
+        <translation>mehr Weg oder Drehzahl erlauben</translation>
     </message>
     <message>
         <source>an Abstract DC Drive cannot exchange directions</source>
@@ -15753,11 +15753,11 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>speed</source>
-        <translation>Geschwindigkeit</translation>
+        <translation>Drehzahl</translation>
     </message>
     <message>
         <source>speed %1 counts/s is above 1.2 × %2 counts/s</source>
-        <translation>Geschwindigkeit %1 counts/s liegt über 1,2 × %2 counts/s</translation>
+        <translation>Drehzahl %1 counts/s liegt über 1,2 × %2 counts/s</translation>
     </message>
     <message>
         <source>speed is 10000 to 10000000 Hz, not &apos;%1&apos;</source>
@@ -15769,7 +15769,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>speed=%1 is no speed</source>
-        <translation>speed=%1 ist keine Geschwindigkeit</translation>
+        <translation>speed=%1 ist keine Drehzahl</translation>
     </message>
     <message>
         <source>spidev links have no option &apos;%1&apos;</source>
@@ -16673,7 +16673,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>velocity is −100000 to 100000 counts/s</source>
-        <translation>die Geschwindigkeit ist −100000 bis 100000 counts/s</translation>
+        <translation>die Drehzahl ist −100000 bis 100000 counts/s</translation>
     </message>
     <message>
         <source>wait until it is heard</source>
@@ -17577,7 +17577,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>left before the station was armed</source>
-        <translation>verlassen, bevor der Platz scharf war</translation>
+        <translation>verlassen, bevor die Station scharf war</translation>
     </message>
     <message>
         <source>look at cable and supply; when it answers again it is served from the beginning</source>
@@ -17585,11 +17585,11 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>the unit was taken off while it waited for the station to be armed</source>
-        <translation>das Gerät wurde abgenommen, während es auf das Scharfschalten des Platzes wartete</translation>
+        <translation>das Gerät wurde abgenommen, während es auf das Scharfschalten der Station wartete</translation>
     </message>
     <message>
         <source>waits until the station is armed</source>
-        <translation>wartet, bis der Platz scharf ist</translation>
+        <translation>wartet auf Scharfschalten</translation>
     </message>
     <message>
         <source>a step of %1 stands in noise of %2, at most %3; the mean of %4 tells it</source>
@@ -17821,7 +17821,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>its loop takes its velocity every %1 ms, every %2 ms was expected</source>
-        <translation>sein Regelkreis bestimmt die Geschwindigkeit alle %1 ms, erwartet waren %2 ms</translation>
+        <translation>sein Regelkreis bestimmt die Drehzahl alle %1 ms, erwartet waren %2 ms</translation>
     </message>
     <message>
         <source>perhaps its D acts the other way round than in the firmware that is known</source>
@@ -17833,7 +17833,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>a regression of mean speeds makes the lag %1, %2 beside what was fitted</source>
-        <translation>eine Regression mittlerer Geschwindigkeiten ergibt als Zeitkonstante %1, %2 neben der Anpassung</translation>
+        <translation>eine Regression mittlerer Drehzahlen ergibt als Zeitkonstante %1, %2 neben der Anpassung</translation>
     </message>
     <message>
         <source>F is 0: in a position loop it would push by where the target lies, not by how far it is</source>
@@ -17969,7 +17969,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>allow more duty, speed or travel</source>
-        <translation>mehr Tastgrad, Geschwindigkeit oder Weg erlauben</translation>
+        <translation>mehr Tastgrad, Drehzahl oder Weg erlauben</translation>
     </message>
     <message>
         <source>it came to %1 of its step while that was held</source>
@@ -18145,7 +18145,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>after a move with a velocity or a profile it is not known from where this distance counts</source>
-        <translation>nach einer Fahrt mit Geschwindigkeit oder Profil ist nicht bekannt, von wo diese Strecke zählt</translation>
+        <translation>nach einer Fahrt mit Drehzahl oder Profil ist nicht bekannt, von wo diese Strecke zählt</translation>
     </message>
     <message>
         <source>avrdude read back all %1 bytes and they are equal, but the port is away</source>
@@ -18229,7 +18229,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>its velocity loop begins with the mean speed since it ran last: from %1 to %2 counts/s, with the speed of now, is so much that with its gains the output would turn to full reverse</source>
-        <translation>sein Geschwindigkeitsregler beginnt mit der mittleren Geschwindigkeit, seit er zuletzt lief: von %1 bis %2 counts/s, mit der jetzigen Geschwindigkeit, ist so viel, dass der Ausgang mit seinen Verstärkungen auf voll rückwärts umschlagen würde</translation>
+        <translation>sein Drehzahlregler beginnt mit der mittleren Drehzahl, seit er zuletzt lief: von %1 bis %2 counts/s, mit der jetzigen Drehzahl, ist so viel, dass der Ausgang mit seinen Verstärkungen auf voll rückwärts umschlagen würde</translation>
     </message>
     <message>
         <source>stop the motor and let it stand for a while, or lower p</source>
