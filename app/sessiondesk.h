@@ -24,7 +24,6 @@ public:
 
     /// For each window that is made; only the first one comes back to where the last session was.
     void attach(MainWindow &window, Welcome &welcome);
-    [[nodiscard]] SessionKeeper *keeper() const { return m_keeper; }
 
 private:
     void offerCrashed(MainWindow &window);

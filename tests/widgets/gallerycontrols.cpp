@@ -51,7 +51,7 @@ Card *deviceCard(const ThemeSource &theme, TraceRole role, std::optional<Tone> e
     for (int i = 0; i < 100; ++i)
         curve.push_back(i > 60 && i < 66 ? std::nan("") : 1500 * (1 - std::exp(-i / 12.0) * std::cos(i / 6.0)));
     spark->setValues(std::move(curve));
-    card->addWide(spark);
+    card->body().addWidget(spark, 1);
     card->foot().addWidget(textLabel(s("120 Hz   lost 0"), TextRole::Caption, Tone::Dim, card));
     card->foot().addStretch();
     card->foot().addWidget(new StateGlyph(theme, GlyphState::Done, card));

@@ -94,12 +94,6 @@ void Card::setFlush(bool flush)
     restyle();
 }
 
-void Card::addWide(QWidget *widget)
-{
-    m_column->setStretchFactor(m_body, 0);
-    m_column->insertWidget(m_column->indexOf(m_body) + 1, widget, 1);
-}
-
 QHBoxLayout &Card::foot()
 {
     if (!m_foot) {

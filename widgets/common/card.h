@@ -34,8 +34,6 @@ public:
     /// Where the content goes. Margins are those of a card; setFlush(true) removes them for tables and plots.
     QVBoxLayout &body() { return *m_body; }
     void setFlush(bool flush);
-    /// Below the body, from edge to edge, taking the rest of the height: a sparkline, a table.
-    void addWide(QWidget *widget);
     /// Left to right; add a stretch for what stands at the right.
     QHBoxLayout &foot();
     /// The frame: empty is neutral, Accent is selected (2 px), Caution and Danger are states.

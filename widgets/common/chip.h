@@ -38,7 +38,6 @@ public:
 
 protected:
     void paintEvent(QPaintEvent *event) override;
-    const ThemeSource &themeSource() const { return m_theme; }
 
 private:
     int partWidth(const Part &part) const;

@@ -25,6 +25,7 @@ struct TrialEnding {
 namespace {
 
 constexpr Duration startTime = std::chrono::seconds(1);
+constexpr std::chrono::minutes armedTime{5}; // without motion
 
 /// A lease that ran out is a word of the program's; what people saw is a window that hung.
 QString endOf(const MotionView &motion, Duration silence)
@@ -162,7 +163,7 @@ void Arming::enter(LampState state, const QString &reason)
     m_started = false;
     m_renewal.keep(state == LampState::Moving ? std::vector{m_device} : std::vector<DeviceId>());
     if (state == LampState::Armed)
-        m_armedUntil = m_workbench.now() + m_armedTime;
+        m_armedUntil = m_workbench.now() + armedTime;
     Q_EMIT changed();
 }
 
@@ -327,7 +328,7 @@ void Arming::follow()
 {
     if (m_state == LampState::Armed && m_workbench.now() >= m_armedUntil) {
         m_workbench.report(Severity::Info, titleIn(m_workbench.snapshot(), m_device),
-            tr("disarmed after %1 min without motion").arg(m_armedTime.count() / 60));
+            tr("disarmed after %1 min without motion").arg(armedTime.count()));
         enter(LampState::Safe);
         return;
     }

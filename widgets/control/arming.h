@@ -64,9 +64,6 @@ public:
     /// Something is moved by this program, an experiment's motor too.
     [[nodiscard]] bool hasMotion() const;
 
-    /// How long arming lasts without motion. For tests.
-    void setArmedTime(std::chrono::seconds time) { m_armedTime = time; }
-
 Q_SIGNALS:
     void changed();
     /// stopAll() or stopMoved() has gone out, whatever the state: what somebody holds to arm or to begin ends for nothing.
@@ -96,7 +93,6 @@ private:
     bool m_started = false; ///< a snapshot has shown the motion running
     Instant m_runAt{};
     Instant m_armedUntil{};
-    std::chrono::seconds m_armedTime{300};
     MotionRenewal m_renewal;
 };
 

@@ -23,7 +23,6 @@ public:
     void setCount(int count);
     [[nodiscard]] int edited() const { return m_edited; }
     [[nodiscard]] int running() const { return m_running; }
-    [[nodiscard]] bool isSplit() const { return m_split; }
     /// Split where they differ. Without a signal.
     void show(int edited, int running);
     /// Edited and running slot change places; where one is both, the next one becomes both. Nothing where there is one only.
