@@ -225,6 +225,15 @@ class Test(Place):
                     self.program(program, "[  PASSED  ] $((GTEST_SHARD_INDEX == 0)) tests.", keep)
                     self.assertEqual(self.closing("--quick" if program == "scripts/package" else "")[0], 1)
 
+    def test_what_ran_twice_is_named(self):
+        self.stand_in("ctest", 'while [ "$1" != --output-junit ]; do shift; done\n'
+                      'echo \'<testsuite><testcase status="run"/></testsuite>\' >"$2"\n'
+                      'printf "      Start  1: slow\\n      Start 12: quick\\n      Start  1: slow\\n"\n')
+        status, lines = self.run_test()
+        self.assertEqual(status, 0)
+        self.assertIn("only at the second attempt, if at all: slow", lines)
+        self.assertFalse([line for line in lines if line.endswith("all: quick")])
+
     def test_a_failing_test_is_counted_and_told(self):
         self.ctest('<testcase status="fail"><failure/></testcase>', status=8)
         self.assertEqual(self.closing(), (1, "3 passed, 1 failed"))

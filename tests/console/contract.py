@@ -111,11 +111,21 @@ def run_alone(test):
         result = unittest.TestResult()
         with ownhome.move_in(), Lateness() as machine:
             unittest.TestSuite([test]).run(result)
-        if (result.wasSuccessful() and not result.unexpectedSuccesses) or counts(machine.worst, left):
+        told = [text for _, text in result.failures + result.errors] + [f"{each}: passes now" for each in result.unexpectedSuccesses]
+        if not told or counts(machine.worst, left, "\n".join(told)):
             break
-    told = [text for _, text in result.failures + result.errors] + [f"{each}: passes now" for each in result.unexpectedSuccesses]
     word = "ERROR" if result.errors else "FAIL" if told else "skipped" if result.skipped else "ok"
     return test.id(), word, "\n".join(told), time.monotonic() - begin
+
+
+def run_beside(together, tests):
+    """So many at a time: what became of each, and its output, by its name."""
+    ended = {}
+    with multiprocessing.get_context("fork").Pool(together, maxtasksperchild=1) as pool:
+        for name, word, text, seconds in pool.imap_unordered(run_alone, tests, chunksize=1):
+            print(f"{seconds:7.2f} s  {word:7}  {name}", flush=True)
+            ended[name] = word, text
+    return ended
 
 
 def main(names):
@@ -124,12 +134,12 @@ def main(names):
     tests = list(every(loader.loadTestsFromNames(names, here) if names else loader.loadTestsFromModule(here)))
     tests.sort(key=lambda test: not hasattr(getattr(test, getattr(test, "_testMethodName", ""), None), "is_long"))
     begin, words, told = time.monotonic(), [], []
-    with multiprocessing.get_context("fork").Pool(TOGETHER, maxtasksperchild=1) as pool:
-        for name, word, text, seconds in pool.imap_unordered(run_alone, tests, chunksize=1):
-            print(f"{seconds:7.2f} s  {word:7}  {name}", flush=True)
-            words.append(word)
-            if text:
-                told.append(f"{'=' * 70}\n{word}: {name}\n{'-' * 70}\n{text}")
+    ended = run_beside(TOGETHER, tests)
+    failed = [test for test in tests if ended[test.id()][1]]
+    for name, (word, text) in {**ended, **run_beside(1, failed)}.items():  # what failed, once more with nothing beside it
+        words.append(word)
+        if text:
+            told.append(f"{'=' * 70}\n{word}: {name}\n{'-' * 70}\n{text}")
     print("\n".join(told), f"{'-' * 70}\nRan {len(tests)} tests in {time.monotonic() - begin:.3f}s\n", sep="\n")
     counts = ", ".join(f"{key}={words.count(word)}" for key, word in (("failures", "FAIL"), ("errors", "ERROR"), ("skipped", "skipped")) if word in words)
     print(("FAILED" if told or not tests else "OK") + (f" ({counts})" if counts else ""))

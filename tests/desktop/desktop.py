@@ -69,8 +69,9 @@ class Missing(AssertionError):
     """What was waited for did not come."""
 
 
-def wait(what, condition, limit=PATIENCE):
-    """The first true value of condition(); accessible events are taken meanwhile."""
+def wait(what, condition, limit=PATIENCE, pause=0.02):
+    """The first true value of condition(); accessible events are taken meanwhile. The window is asked, so what a motor depends on is
+    asked seldom."""
     end = time.monotonic() + limit
     while True:
         settle()
@@ -82,7 +83,7 @@ def wait(what, condition, limit=PATIENCE):
             return value
         if time.monotonic() > end:
             raise Missing(f"{what}: not within {limit:.0f} s")
-        time.sleep(0.02)
+        time.sleep(pause)
 
 
 def settle(limit=0.1):

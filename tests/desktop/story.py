@@ -8,6 +8,7 @@ import subprocess
 from desktop import Missing, wait
 
 TUNING = 240.0  # seconds, of a tuning and its proof of flash on a busy computer
+PAUSE = 0.5  # seconds between two looks at a window that drives a motor
 
 
 def steps(program):
@@ -23,13 +24,13 @@ def await_step(program, name, limit=TUNING):
         if stopped:
             raise Missing(f"step {name} of the story: stopped, {stopped.description}")
         return re.search(rf"\d\. {name}\b", steps(program))
-    wait(f"step {name} of the story", reached, limit)
+    wait(f"step {name} of the story", reached, limit, PAUSE)
 
 
 def await_done(program):
     guide = wait("the end of the story",
                  lambda: next((node for node in program.all() if node.name == "Guide" and node.description.startswith("Done.")), None),
-                 TUNING)
+                 TUNING, PAUSE)
     print(guide.description)
 
 
