@@ -89,6 +89,18 @@ class ContractTest(unittest.TestCase):
         return process.returncode, [json.loads(line) for line in [*out, *rest.splitlines()] if line.strip()], err
 
 
+def heeds(process, number):
+    """Waits until a program that was begun has its own way to end by this signal: before that it would be killed."""
+    end = time.monotonic() + LIMIT
+    while time.monotonic() < end and process.poll() is None:
+        with open(f"/proc/{process.pid}/status", encoding="utf-8") as status:
+            caught = next(int(line.split()[1], 16) for line in status if line.startswith("SigCgt"))
+        if caught >> (number - 1) & 1:
+            return
+        time.sleep(0.02)
+    raise AssertionError(f"{process.args}: no handler for {number}, status {process.poll()}")
+
+
 def long(test):
     """Marks a test of more than ten seconds: it begins before the others, so that nobody waits for it at the end."""
     test.is_long = True

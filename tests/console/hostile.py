@@ -297,6 +297,7 @@ class Hostile(ContractTest):
     def test_a_signal_ends_a_nudge_between_its_pushes_too(self):
         for seconds in (0.8, 1.0, 1.2, 1.5, 2.0):  # it pushes four times, and rests three times as long; all of it takes 3 s
             process = subprocess.Popen([contract.PROGRAM, "identify", "sim:can/abstractdc:3", "--yes"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            contract.heeds(process, signal.SIGINT)
             with self.assertRaises(subprocess.TimeoutExpired):
                 process.wait(timeout=seconds)
             process.send_signal(signal.SIGINT)
@@ -356,6 +357,7 @@ class Hostile(ContractTest):
             process = subprocess.Popen([contract.PROGRAM, "--json", "scan", "sim:can", "sim:serial", "--everything"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
             self.addCleanup(process.communicate)
             self.addCleanup(process.kill)
+            contract.heeds(process, number)
             with self.assertRaises(subprocess.TimeoutExpired):
                 process.wait(timeout=4)
             process.send_signal(number)

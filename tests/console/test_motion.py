@@ -117,6 +117,7 @@ class Motion(ContractTest):
         for verb in (["drive", "--mode", "duty", "--target", "0.1", "--for", "1"], ["watch"], ["step", "--mode", "duty", "--to", "0.1"]):
             words = ["--retries", "1000", verb[0], "sim:can/dmc60c:40", *verb[1:]]
             with subprocess.Popen([contract.PROGRAM, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+                contract.heeds(process, signal.SIGINT)
                 with self.assertRaises(subprocess.TimeoutExpired):
                     process.wait(timeout=1.5)
                 process.send_signal(signal.SIGINT)

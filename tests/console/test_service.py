@@ -162,6 +162,7 @@ class Service(Recipes):
         recipe = self.recipe(firmware={"file": "dmc60c-demo.hex"})
         running = subprocess.Popen([contract.PROGRAM, "--json", "service", recipe, "sim:can"], stdout=subprocess.PIPE,
                                    stderr=subprocess.PIPE, text=True)
+        contract.heeds(running, signal.SIGINT)
         time.sleep(1.5)
         running.send_signal(signal.SIGINT)
         out, err = running.communicate(timeout=contract.LIMIT)

@@ -99,10 +99,11 @@ class Traffic(ContractTest):
                 process = subprocess.Popen([contract.PROGRAM, "decode", path], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
                 self.addCleanup(process.communicate)
                 self.addCleanup(process.kill)
+                contract.heeds(process, number)
                 with self.assertRaises(subprocess.TimeoutExpired):
                     process.wait(timeout=1)
                 process.send_signal(number)
-                self.assertEqual(process.wait(timeout=10), 1)
+                self.assertEqual(process.wait(timeout=contract.LIMIT), 1)
             with subprocess.Popen([contract.PROGRAM, "--json", "decode", path], stdout=subprocess.PIPE, text=True) as process:
                 with open(path, "w", encoding="utf-8") as pipe:
                     pipe.write("(1.5) can0 000#\n")

@@ -17,10 +17,47 @@ protected:
     NoProgress progress;
 };
 
-TEST_F(Dmc60cFlash, HasNothingToProveWhenNothingWasWritten)
+TEST_F(Dmc60cFlash, HasNothingToProveWhenNothingWasWrittenForFifteenSeconds)
 {
+    clock.advance(17s);
+    const auto asked = unit.heard().size();
     EXPECT_EQ(store(), Result<bool>(true));
-    EXPECT_TRUE(unit.heard().empty());
+    EXPECT_EQ(unit.heard().size(), asked);
+}
+
+TEST_F(Dmc60cFlash, WaitsForWhatAnotherProgramMayHaveWrittenJustBeforeItWasOpened)
+{
+    unit.answer(getSequence, {sequence(1)});
+    const Instant begun = clock.now();
+    EXPECT_EQ(store(), Result<bool>(true));
+    EXPECT_GE(clock.now() - begun, 15s) << "whatever waited is written by then";
+    EXPECT_LE(clock.now() - begun, 17s);
+    const Instant again = clock.now();
+    EXPECT_EQ(store(), Result<bool>(true));
+    EXPECT_EQ(clock.now(), again) << "once";
+}
+
+TEST_F(Dmc60cFlash, IsProvedByTheFlashWriteOfAnotherProgramsChange)
+{
+    unit.answer(getSequence, {sequence(1)});
+    clock.arm(clock.now() + 9s, [this] { unit.answer(getSequence, {sequence(2)}); });
+    const Instant begun = clock.now();
+    EXPECT_EQ(store(), Result<bool>(true));
+    EXPECT_LE(clock.now() - begun, 10s);
+}
+
+TEST_F(Dmc60cFlash, FailsWhenTheDeviceRestartsWhileAnotherProgramsChangeMayWait)
+{
+    unit.answer(getSequence, {sequence(1)});
+    clock.arm(clock.now() + 3s, [this] { unit.send("0206FCC5#07000000"); }); // V19
+    const auto result = store();
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().fault, Fault::BadCheck);
+}
+
+TEST_F(Dmc60cFlash, ASilentDeviceIsNotTakenForOneThatHasRested)
+{
+    EXPECT_FALSE(store());
 }
 
 TEST_F(Dmc60cFlash, IsProvedByTheNumberAfterASingleChange)
@@ -86,7 +123,7 @@ TEST_F(Dmc60cFlash, FailsWhenTheDeviceRestartsBeforeTheProof)
 
 TEST(Dmc60cFlashProof, ADeviceThatRestartedWritesTheNextChangeAtOnceSoTheNextTwoWantTwoWrites)
 {
-    FlashProof proof;
+    FlashProof proof(Instant(0s));
     proof.setBaseline(7);
     proof.changed(Instant(30s));
     proof.restarted();

@@ -86,7 +86,7 @@ class Dmc60cFlashWrites : public testing::Test {
 protected:
     void change(Duration at) { proof.changed(watchBegin + at); }
     bool isProved(std::uint32_t sequence, Duration at) { return proof.isProvedBy(sequence, watchBegin + at); }
-    FlashProof proof;
+    FlashProof proof{Instant{}};
 };
 
 TEST_F(Dmc60cFlashWrites, OneChangeAfterARestIsProvedByOneFlashWrite)

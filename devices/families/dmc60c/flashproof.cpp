@@ -26,9 +26,24 @@ void FlashProof::changed(Instant now)
         m_deferred = true;
     }
     m_pending = true;
+    m_isOthers = false;
     m_everChanged = true;
     m_between.reset();
     m_lastChange = now;
+}
+
+void FlashProof::ask(Instant now)
+{
+    if (m_pending || !m_unknownUntil || now - *m_unknownUntil > flashDelay + tolerance)
+        return;
+    m_pending = true;
+    m_isOthers = true;
+    m_lastChange = *m_unknownUntil;
+}
+
+bool FlashProof::hasRested(Instant now) const
+{
+    return m_isOthers && now - m_lastChange > flashDelay + tolerance;
 }
 
 bool FlashProof::isProvedBy(std::uint32_t sequence, Instant now)
@@ -46,6 +61,8 @@ bool FlashProof::isProvedBy(std::uint32_t sequence, Instant now)
 void FlashProof::settle()
 {
     m_pending = false;
+    m_isOthers = false;
+    m_unknownUntil.reset();
     m_baseline.reset();
     m_between.reset();
 }

@@ -18,12 +18,22 @@ public:
     /// Latest after the last change: flash must have been written by then.
     static constexpr Duration limit = std::chrono::seconds(20);
 
+    /// What was changed before `since`, by another program or by this one when it ran last, is not known.
+    explicit FlashProof(Instant since)
+        : m_unknownUntil(since)
+    {
+    }
+
     [[nodiscard]] bool isPending() const { return m_pending; }
     /// The sequence number is wanted before the next change.
     [[nodiscard]] bool wantsBaseline() const { return !m_pending; }
     void setBaseline(std::optional<std::uint32_t> sequence) { m_baseline = sequence; }
     /// A parameter is being changed.
     void changed(Instant now);
+    /// A proof is asked for: pending also for what may have been changed before anybody listened, until it must have been written.
+    void ask(Instant now);
+    /// Nothing but such a change is pending, and 15 s have passed since.
+    [[nodiscard]] bool hasRested(Instant now) const;
     [[nodiscard]] Instant deadline() const { return m_lastChange + limit; }
     /// The number was read at `now`: whether it proves that everything is in flash.
     [[nodiscard]] bool isProvedBy(std::uint32_t sequence, Instant now);
@@ -40,6 +50,8 @@ private:
     std::uint32_t m_expected = 0;            ///< flash writes that the changes cause, if nobody changed anything before
     std::optional<std::uint32_t> m_baseline; ///< before the first change
     std::optional<std::uint32_t> m_between;  ///< after any immediate write, before the deferred one
+    std::optional<Instant> m_unknownUntil;   ///< nothing: whatever was changed before is in flash
+    bool m_isOthers = false;                 ///< what is pending is not of this program
     Instant m_lastChange{};
     bool m_everChanged = false;
 };

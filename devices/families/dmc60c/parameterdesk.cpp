@@ -28,6 +28,7 @@ ParameterDesk::ParameterDesk(const UnitContact &contact, VendorOrders &orders, P
     , m_orders(orders)
     , m_known(known)
     , m_exchange(contact.link, contact.clock)
+    , m_flash(contact.clock.now())
 {
 }
 
@@ -111,6 +112,7 @@ Task<bool> ParameterDesk::store(Progress &progress)
         co_return fail(Fault::BadCheck, say("the device restarted before its flash was proved to be written"),
             say("read it again"));
     const Instant begun = m_contact.clock.now();
+    m_flash.ask(begun);
     const Instant end = std::max(m_flash.deadline(), begun + 1s);
     bool advanced = false;
     while (m_flash.isPending()) {
@@ -121,7 +123,8 @@ Task<bool> ParameterDesk::store(Progress &progress)
             continue; // restarted meanwhile, and so no longer pending
         if (!sequence && sequence.error().fault == Fault::LinkLost)
             co_return fail(sequence.error());
-        if (sequence && m_flash.isProvedBy(*sequence, now))
+        const bool answers = sequence || sequence.error().fault == Fault::Unsupported;
+        if ((sequence && m_flash.isProvedBy(*sequence, now)) || (answers && m_flash.hasRested(now)))
             break;
         advanced = advanced || (sequence && m_flash.hasAdvanced(*sequence));
         if (now >= end) {

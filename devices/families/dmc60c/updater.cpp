@@ -127,13 +127,17 @@ Task<void> Updater::preflight(bool force)
 /// The device writes its flash up to 15 s after a change. What this program has changed is waited for; what others have, nobody knows.
 Task<void> Updater::keepParameters()
 {
-    auto storing = m_device.store(m_progress);
-    const Result<bool> stored = co_await std::move(storing).attempt();
-    if (!stored && stored.error().fault == Fault::LinkLost)
-        co_return fail(stored.error());
-    if (!stored)
-        m_progress.log(
-            Severity::Caution, say("parameters that were changed last may be lost: %1", stored.error().detail));
+    const auto entries = m_device.parameters().entries();
+    if (std::any_of(
+            entries.begin(), entries.end(), [](const auto &each) { return each.state == ParameterState::Ram; })) {
+        auto storing = m_device.store(m_progress);
+        const Result<bool> stored = co_await std::move(storing).attempt();
+        if (!stored && stored.error().fault == Fault::LinkLost)
+            co_return fail(stored.error());
+        if (!stored)
+            m_progress.log(
+                Severity::Caution, say("parameters that were changed last may be lost: %1", stored.error().detail));
+    }
     m_progress.log(Severity::Info,
         say("what another program has changed within the last 15 s is not in the flash of the unit yet, and is lost "
             "with the restart"));
