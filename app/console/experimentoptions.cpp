@@ -58,7 +58,7 @@ Result<int> afterSaving(const Console &console, Result<int> verdict, const Resul
     if (saved)
         return verdict;
     Error why = saved.error();
-    why.fault = Fault::Refused; // the motor has turned: it is no wrong usage
+    why.fault = Fault::NotKept; // the motor has turned: it is no wrong usage
     if (verdict)
         return fail(why);
     console.note(why.text());

@@ -242,7 +242,7 @@ Result<void> keep(Console &console, Device &device, const std::vector<Kept> &all
             console.note(device.identity().detail.english());
     }
     if (!isOnDisk)
-        return fail(Fault::Refused, say("nothing was kept"), say("see to the folder's rights and room"));
+        return fail(Fault::NotKept, say("nothing was kept"), say("see to the folder's rights and room"));
     return {};
 }
 

@@ -9,35 +9,40 @@
 #include "model/unit.h"
 #include "settings/snapshots.h"
 
+#include <algorithm>
+
 namespace mb::console {
 namespace {
 
-/// A unit never says that it is out of range when it is read.
-bool isOfNotebook(const Error &error)
-{
-    return error.fault == Fault::OutOfRange;
-}
-
+/// Refused before the verb begins.
 Error keepsNothing(const Error &trouble)
 {
-    return {Fault::Usage, say("nothing was written, because what is there cannot be kept: %1", trouble.detail),
-        trouble.help()};
+    Error error = settings::keepsNothing(trouble);
+    error.fault = Fault::Usage;
+    return error;
 }
 
 } // namespace
 
+Result<std::unique_ptr<Database>> openNotebook()
+{
+    auto opened = Database::open(databaseFile());
+    if (!opened)
+        return fail(Fault::Usage, opened.error().detail, opened.error().remedy);
+    if (!(*opened)->remark().empty())
+        complain((*opened)->remark());
+    return opened;
+}
+
 Notebook::Notebook(Console &console)
     : m_console(console)
 {
-    auto opened = Database::open(databaseFile());
+    auto opened = openNotebook();
     if (!opened) {
         m_trouble = opened.error();
-        m_trouble->fault = Fault::Usage;
         return;
     }
     m_database = std::move(*opened);
-    if (!m_database->remark().empty())
-        complain(m_database->remark());
     m_book = std::make_unique<TrialBook>(*m_database, console.clock());
     m_settings = std::make_unique<SettingsBook>(*m_database, console.clock(), accountName());
 }
@@ -58,7 +63,7 @@ Task<void> Notebook::keepBefore(Device &device, settings::Occasion occasion)
     if (taken)
         m_console.note("snapshot " + std::to_string(taken->number) + ", " + taken->name + ", has "
             + std::to_string(taken->count) + " values of " + device.selector());
-    else if (isOfNotebook(taken.error()))
+    else if (taken.error().fault == Fault::NotKept)
         co_return fail(keepsNothing(taken.error()));
     else // it is the unit that does not tell: an update may be what mends it
         m_console.note("no snapshot of what was there: " + taken.error().text());

@@ -11,6 +11,9 @@
 
 namespace mb::console {
 
+/// The user's file, before anything is sent: Usage where it cannot be opened. What was wrong with it is told.
+[[nodiscard]] Result<std::unique_ptr<Database>> openNotebook();
+
 /// The user's notebook of trials, snapshots and writes, as a verb uses it. One that cannot be opened ends the verbs that are
 /// about what it keeps (trouble()), and is a note of those that go on without (noteTrouble()).
 class Notebook {
