@@ -16864,10 +16864,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>&apos;%1&apos; muss eine ganze Zahl sein</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; must be above 0</source>
-        <translation>&apos;%1&apos; muss größer als 0 sein</translation>
-    </message>
-    <message>
         <source>a name has no line break, tabulator or other control character</source>
         <translation>ein Name hat keinen Zeilenumbruch, Tabulator und kein anderes Steuerzeichen</translation>
     </message>
@@ -18250,6 +18246,18 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>the notebook may offer to put back what was there before: %1</source>
         <translation>das Versuchsbuch bietet womöglich an, zurückzuschreiben, was vorher da war: %1</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be above 0 and at most %2</source>
+        <translation>&apos;%1&apos; muss größer als 0 und höchstens %2 sein</translation>
+    </message>
+    <message>
+        <source>nothing was written, because what is there cannot be kept: %1</source>
+        <translation>nichts wurde geschrieben, weil das Vorhandene nicht aufbewahrt werden kann: %1</translation>
+    </message>
+    <message>
+        <source>where it is left out the unit&apos;s own limit serves</source>
+        <translation>wo er fehlt, gilt die eigene Grenze des Geräts</translation>
     </message>
 </context>
 </TS>

@@ -13322,10 +13322,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>「%1」は整数でなければなりません</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; must be above 0</source>
-        <translation>「%1」は 0 より大きくなければなりません</translation>
-    </message>
-    <message>
         <source>a name has no line break, tabulator or other control character</source>
         <translation>名前には改行、タブ、その他の制御文字を使えません</translation>
     </message>
@@ -18236,6 +18232,18 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the notebook may offer to put back what was there before: %1</source>
         <translation>以前の値に戻すことをノートが提案する場合があります: %1</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be above 0 and at most %2</source>
+        <translation>「%1」は 0 より大きく %2 以下でなければなりません</translation>
+    </message>
+    <message>
+        <source>nothing was written, because what is there cannot be kept: %1</source>
+        <translation>現在の内容を保存できないため、何も書き込まれませんでした：%1</translation>
+    </message>
+    <message>
+        <source>where it is left out the unit&apos;s own limit serves</source>
+        <translation>省略した場合はユニット自身の制限が使われます</translation>
     </message>
 </context>
 </TS>

@@ -13322,10 +13322,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>“%1”必须是整数</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; must be above 0</source>
-        <translation>“%1”必须大于 0</translation>
-    </message>
-    <message>
         <source>a name has no line break, tabulator or other control character</source>
         <translation>名称中不能有换行符、制表符或其他控制字符</translation>
     </message>
@@ -18236,6 +18232,18 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the notebook may offer to put back what was there before: %1</source>
         <translation>试验记录本可能会提出恢复先前的值：%1</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be above 0 and at most %2</source>
+        <translation>“%1”必须大于 0 且不超过 %2</translation>
+    </message>
+    <message>
+        <source>nothing was written, because what is there cannot be kept: %1</source>
+        <translation>未写入任何内容，因为无法保留现有内容：%1</translation>
+    </message>
+    <message>
+        <source>where it is left out the unit&apos;s own limit serves</source>
+        <translation>省略时采用设备自身的限值</translation>
     </message>
 </context>
 </TS>
