@@ -6,7 +6,7 @@ namespace mb {
 struct Options;
 
 /// Draws the recording of `options.plot` into the picture `options.out`, one pane for each unit, in the theme and size of
-/// the options. Yields the exit status: 0, or 2 after one line on standard error. Needs a QApplication, no screen.
+/// the options. Yields the exit status: 0, or that of refuse() after one line on standard error. Needs a QApplication, no screen.
 [[nodiscard]] int plotFile(const Options &options);
 
 } // namespace mb

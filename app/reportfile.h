@@ -5,7 +5,7 @@ namespace mb {
 
 struct Options;
 
-/// Prints the report that `options.report` holds as HTML into the PDF `options.out`. Yields the exit status: 0, or 2 after one line
+/// Prints the report that `options.report` holds as HTML into the PDF `options.out`. Yields the exit status: 0, or that of refuse() after one line
 /// on standard error. Needs a QApplication, no screen.
 [[nodiscard]] int printReport(const Options &options);
 

@@ -16864,10 +16864,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>&apos;%1&apos; muss eine ganze Zahl sein</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; must be above 0</source>
-        <translation>&apos;%1&apos; muss größer als 0 sein</translation>
-    </message>
-    <message>
         <source>a name has no line break, tabulator or other control character</source>
         <translation>ein Name hat keinen Zeilenumbruch, Tabulator und kein anderes Steuerzeichen</translation>
     </message>
@@ -18254,6 +18250,18 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>turn its shaft until its position is %1 counts away from 0, which shows that it was off, then switch it off and on</source>
         <translation>drehen Sie seine Welle, bis seine Position %1 Schritte von 0 entfernt ist, denn daran ist zu sehen, dass er aus war; schalten Sie ihn dann aus und wieder ein</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be above 0 and at most %2</source>
+        <translation>&apos;%1&apos; muss größer als 0 und höchstens %2 sein</translation>
+    </message>
+    <message>
+        <source>nothing was written, because what is there cannot be kept: %1</source>
+        <translation>nichts wurde geschrieben, weil das Vorhandene nicht aufbewahrt werden kann: %1</translation>
+    </message>
+    <message>
+        <source>where it is left out the unit&apos;s own limit serves</source>
+        <translation>wo er fehlt, gilt die eigene Grenze des Geräts</translation>
     </message>
 </context>
 </TS>

@@ -13336,10 +13336,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>«%1» debe ser un número entero</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; must be above 0</source>
-        <translation>«%1» debe ser mayor que 0</translation>
-    </message>
-    <message>
         <source>a name has no line break, tabulator or other control character</source>
         <translation>un nombre no tiene saltos de línea, tabuladores ni otros caracteres de control</translation>
     </message>
@@ -18254,6 +18250,18 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>turn its shaft until its position is %1 counts away from 0, which shows that it was off, then switch it off and on</source>
         <translation>gire su eje hasta que su posición esté a %1 cuentas de 0, lo que mostrará que estuvo apagado; después apáguelo y enciéndalo</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be above 0 and at most %2</source>
+        <translation>«%1» debe ser mayor que 0 y como máximo %2</translation>
+    </message>
+    <message>
+        <source>nothing was written, because what is there cannot be kept: %1</source>
+        <translation>no se ha escrito nada, porque no se puede conservar lo que hay: %1</translation>
+    </message>
+    <message>
+        <source>where it is left out the unit&apos;s own limit serves</source>
+        <translation>si se omite, rige el límite propio de la unidad</translation>
     </message>
 </context>
 </TS>

@@ -13336,10 +13336,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>«&#xa0;%1&#xa0;» doit être un nombre entier</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; must be above 0</source>
-        <translation>«&#xa0;%1&#xa0;» doit être supérieur à 0</translation>
-    </message>
-    <message>
         <source>a name has no line break, tabulator or other control character</source>
         <translation>un nom n’a ni saut de ligne, ni tabulation, ni autre caractère de contrôle</translation>
     </message>
@@ -18254,6 +18250,18 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>turn its shaft until its position is %1 counts away from 0, which shows that it was off, then switch it off and on</source>
         <translation>tournez son arbre jusqu&apos;à ce que sa position soit à %1 points de 0, ce qui montrera qu&apos;il a été éteint, puis éteignez-le et rallumez-le</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be above 0 and at most %2</source>
+        <translation>«&#xa0;%1&#xa0;» doit être supérieur à 0 et valoir au plus %2</translation>
+    </message>
+    <message>
+        <source>nothing was written, because what is there cannot be kept: %1</source>
+        <translation>rien n’a été écrit, car l’état présent ne peut pas être conservé&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>where it is left out the unit&apos;s own limit serves</source>
+        <translation>s’il est omis, la limite propre de l’appareil s’applique</translation>
     </message>
 </context>
 </TS>

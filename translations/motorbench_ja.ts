@@ -13322,10 +13322,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>「%1」は整数でなければなりません</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; must be above 0</source>
-        <translation>「%1」は 0 より大きくなければなりません</translation>
-    </message>
-    <message>
         <source>a name has no line break, tabulator or other control character</source>
         <translation>名前には改行、タブ、その他の制御文字を使えません</translation>
     </message>
@@ -18240,6 +18236,18 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>turn its shaft until its position is %1 counts away from 0, which shows that it was off, then switch it off and on</source>
         <translation>位置が 0 から %1 カウント離れるまで軸を回してから（電源が切れたことがそれで分かります）、電源を入れ直してください</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be above 0 and at most %2</source>
+        <translation>「%1」は 0 より大きく %2 以下でなければなりません</translation>
+    </message>
+    <message>
+        <source>nothing was written, because what is there cannot be kept: %1</source>
+        <translation>現在の内容を保存できないため、何も書き込まれませんでした：%1</translation>
+    </message>
+    <message>
+        <source>where it is left out the unit&apos;s own limit serves</source>
+        <translation>省略した場合はユニット自身の制限が使われます</translation>
     </message>
 </context>
 </TS>

@@ -13322,10 +13322,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>“%1”必须是整数</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; must be above 0</source>
-        <translation>“%1”必须大于 0</translation>
-    </message>
-    <message>
         <source>a name has no line break, tabulator or other control character</source>
         <translation>名称中不能有换行符、制表符或其他控制字符</translation>
     </message>
@@ -18240,6 +18236,18 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>turn its shaft until its position is %1 counts away from 0, which shows that it was off, then switch it off and on</source>
         <translation>请转动其轴，直到位置离 0 有 %1 个计数（由此可看出它断过电），然后将其断电再上电</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be above 0 and at most %2</source>
+        <translation>“%1”必须大于 0 且不超过 %2</translation>
+    </message>
+    <message>
+        <source>nothing was written, because what is there cannot be kept: %1</source>
+        <translation>未写入任何内容，因为无法保留现有内容：%1</translation>
+    </message>
+    <message>
+        <source>where it is left out the unit&apos;s own limit serves</source>
+        <translation>省略时采用设备自身的限值</translation>
     </message>
 </context>
 </TS>

@@ -3,6 +3,7 @@
 
 #include "app/console/target.h"
 #include "app/console/verb.h"
+#include "async/seconds.h"
 
 #include <algorithm>
 #include <array>
@@ -116,7 +117,7 @@ Result<Options> optionsFrom(const Globals &globals)
         const auto seconds = parseNumber("--timeout", globals.timeout, 0.01, 3600.0);
         if (!seconds)
             return fail(seconds.error());
-        options.patience.timeout = std::chrono::duration_cast<Duration>(std::chrono::duration<double>(*seconds));
+        options.patience.timeout = fromSeconds(*seconds);
     }
     if (!globals.retries.empty()) {
         const auto retries = parseInteger("--retries", globals.retries, 0, 1000);

@@ -3,12 +3,20 @@
 
 #include "app/console/target.h"
 #include "async/outputfile.h"
+#include "experiment/envelope.h"
 
 #include <CLI/CLI.hpp>
 
 #include <array>
+#include <limits>
 
 namespace mb::console {
+namespace {
+
+constexpr double largest = std::numeric_limits<double>::max();
+constexpr double lowest = -largest;
+
+} // namespace
 
 void ExperimentOptions::declare(CLI::App &arguments, const std::string &slotHelp)
 {
@@ -28,12 +36,11 @@ Result<ExperimentOptions::Values> ExperimentOptions::parse(const Family &family)
         const EnvelopeBound &bound = envelopeBounds[i];
         if (given[i]->empty())
             continue;
-        const auto number = parseNumber(std::string("--") + bound.key, *given[i], 0.0, bound.most);
+        const auto number = parseNumber(std::string("--") + bound.key, *given[i], lowest, largest);
         if (!number)
             return fail(number.error());
-        if (*number <= 0.0)
-            return fail(Fault::OutOfRange, say("--%1: %2 leaves nothing that could move", bound.key, *given[i]),
-                say("a limit is above 0; without the option the device's own serves"));
+        if (auto bounds = tuning::checkBound(bound, *number); !bounds)
+            return fail(bounds.error().about(std::string("--") + bound.key));
         values.limits.*bound.value = *number;
     }
     const auto whichAxis = axis.empty() ? Result<int>(1) : parseInteger("--axis", axis, 1, family.capabilities.axes);
@@ -58,7 +65,7 @@ Result<int> afterSaving(const Console &console, Result<int> verdict, const Resul
     if (saved)
         return verdict;
     Error why = saved.error();
-    why.fault = Fault::Refused; // the motor has turned: it is no wrong usage
+    why.fault = Fault::NotKept; // the motor has turned: it is no wrong usage
     if (verdict)
         return fail(why);
     console.note(why.text());

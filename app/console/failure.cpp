@@ -21,6 +21,7 @@ std::string remedyOf(Fault fault, std::string_view verb)
     case Fault::OutOfRange:
         return "'motorbenchctl help" + (verb.empty() ? std::string() : ' ' + std::string(verb))
             + "' tells what is legal";
+    case Fault::NotKept: return "see to the rights and the room of its folder";
     case Fault::Unsupported: return "another family or another link may offer it";
     case Fault::Usage: return "'motorbenchctl help' tells what there is";
     case Fault::Cancelled: return "run it again to finish";
@@ -32,6 +33,8 @@ std::string remedyOf(Fault fault, std::string_view verb)
 /// As JSON spells them (docs/names.md#exit-statuses).
 std::string nameOf(Fault fault)
 {
+    if (fault == Fault::NotKept)
+        return "refused"; // their list is closed
     std::string name(fault == Fault::BadCheck ? "bad check" : toString(fault));
     std::replace(name.begin(), name.end(), ' ', '-');
     return name;
@@ -56,6 +59,7 @@ int exitStatusOf(Fault fault, bool sent)
     case Fault::Refused:
     case Fault::BadReply:
     case Fault::BadCheck:
+    case Fault::NotKept:
     case Fault::Cancelled: return exitDevice;
     case Fault::LinkLost: return exitLink;
     case Fault::OutOfRange:

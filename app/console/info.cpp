@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/notebook.h"
 #include "app/console/pace.h"
 #include "app/console/table.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
+#include "app/folders/userfolders.h"
 #include "async/sleep.h"
 #include "transport/canlink.h"
 #include "transport/linkcatalog.h"
+
+#include <QFile>
 
 #include <algorithm>
 #include <cmath>
@@ -127,7 +131,7 @@ std::string calibrationText(const Device &device, const Calibration &row)
     return text + "; another with --keep";
 }
 
-void printText(Console &console, const Device &device, const Faults &faults)
+void printText(Console &console, const Device &device, const Faults &faults, const std::vector<std::string> &owed)
 {
     const Identity &identity = device.identity();
     Table table({"DEVICE", device.selector()});
@@ -149,6 +153,8 @@ void printText(Console &console, const Device &device, const Faults &faults)
     }
     for (const FaultRecord &fault : faults.value_or(std::vector<FaultRecord>{}))
         table.add({"fault " + fault.key, describe(fault)});
+    for (const std::string &line : owed)
+        table.add({"owed", line});
     for (const StateRow *const condition : conditionsOf(device.family().states, device.states()))
         table.add({"now", std::string(condition->clause)});
     for (std::size_t i = 0; i < device.family().states.size(); ++i) {
@@ -242,8 +248,19 @@ Result<void> keep(Console &console, Device &device, const std::vector<Kept> &all
             console.note(device.identity().detail.english());
     }
     if (!isOnDisk)
-        return fail(Fault::Refused, say("nothing was kept"), say("see to the folder's rights and room"));
+        return fail(Fault::NotKept, say("nothing was kept"), say("see to the folder's rights and room"));
     return {};
+}
+
+/// No notebook is begun for that.
+Task<std::vector<std::string>> owedTo(Console &console, Device &device)
+{
+    const bool isAsked = !device.link().address().isRecording() && device.identity().state == DeviceState::Online;
+    if (!isAsked || !QFile::exists(qt(databaseFile())))
+        co_return std::vector<std::string>();
+    Notebook notebook(console);
+    auto looking = notebook.owedLines(device);
+    co_return co_await std::move(looking);
 }
 
 Task<int> info(Console &console, FactsArguments arguments)
@@ -272,11 +289,16 @@ Task<int> info(Console &console, FactsArguments arguments)
         auto waiting = awaitStates(console, *device);
         co_await std::move(waiting);
     }
+    auto looking = owedTo(console, *device);
+    const std::vector<std::string> owed = co_await std::move(looking);
     device->link().recount();
-    if (console.json())
-        printJson(console, *device, faults);
-    else
-        printText(console, *device, faults);
+    if (!console.json()) {
+        printText(console, *device, faults, owed);
+        co_return exitDone;
+    }
+    for (const std::string &line : owed)
+        console.note(line);
+    printJson(console, *device, faults);
     co_return exitDone;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/notebook.h"
 #include "app/console/table.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
 #include "app/folders/account.h"
-#include "app/folders/userfolders.h"
 #include "storage/servicebook.h"
 #include "storage/visitjson.h"
 #include "wire/number.h"
@@ -54,11 +54,9 @@ Task<int> journal(Console &console, JournalArguments a)
     if (!a.file.empty() && !a.file.ends_with(".csv"))
         co_return fail(
             Fault::Usage, say("--export: '%1' does not end with .csv", a.file), say("the journal is a table"));
-    auto database = Database::open(databaseFile());
+    auto database = openNotebook();
     if (!database)
         co_return fail(database.error());
-    if (!(*database)->remark().empty())
-        complain((*database)->remark());
     ServiceBook book(**database, console.clock(), {}, accountName());
     service::VisitFilter filter;
     filter.since = *since;

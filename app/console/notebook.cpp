@@ -9,35 +9,40 @@
 #include "model/unit.h"
 #include "settings/snapshots.h"
 
+#include <algorithm>
+
 namespace mb::console {
 namespace {
 
-/// A unit never says that it is out of range when it is read.
-bool isOfNotebook(const Error &error)
-{
-    return error.fault == Fault::OutOfRange;
-}
-
+/// Refused before the verb begins.
 Error keepsNothing(const Error &trouble)
 {
-    return {Fault::Usage, say("nothing was written, because what is there cannot be kept: %1", trouble.detail),
-        trouble.help()};
+    Error error = settings::keepsNothing(trouble);
+    error.fault = Fault::Usage;
+    return error;
 }
 
 } // namespace
 
+Result<std::unique_ptr<Database>> openNotebook()
+{
+    auto opened = Database::open(databaseFile());
+    if (!opened)
+        return fail(Fault::Usage, opened.error().detail, opened.error().remedy);
+    if (!(*opened)->remark().empty())
+        complain((*opened)->remark());
+    return opened;
+}
+
 Notebook::Notebook(Console &console)
     : m_console(console)
 {
-    auto opened = Database::open(databaseFile());
+    auto opened = openNotebook();
     if (!opened) {
         m_trouble = opened.error();
-        m_trouble->fault = Fault::Usage;
         return;
     }
     m_database = std::move(*opened);
-    if (!m_database->remark().empty())
-        complain(m_database->remark());
     m_book = std::make_unique<TrialBook>(*m_database, console.clock());
     m_settings = std::make_unique<SettingsBook>(*m_database, console.clock(), accountName());
 }
@@ -58,7 +63,7 @@ Task<void> Notebook::keepBefore(Device &device, settings::Occasion occasion)
     if (taken)
         m_console.note("snapshot " + std::to_string(taken->number) + ", " + taken->name + ", has "
             + std::to_string(taken->count) + " values of " + device.selector());
-    else if (isOfNotebook(taken.error()))
+    else if (taken.error().fault == Fault::NotKept)
         co_return fail(keepsNothing(taken.error()));
     else // it is the unit that does not tell: an update may be what mends it
         m_console.note("no snapshot of what was there: " + taken.error().text());
@@ -87,34 +92,57 @@ Task<void> Notebook::keepReplaced(Device &device, settings::Numbers before, sett
     co_return {};
 }
 
-Task<void> Notebook::noteUnderWay(const Device &device)
+Task<std::vector<tuning::OwedGains>> Notebook::owedTo(Device &device)
 {
+    if (!m_book)
+        co_return std::vector<tuning::OwedGains>();
     auto asking = m_book->owedTo(unitKeyOf(device));
-    const auto owed = co_await std::move(asking).attempt();
-    for (const tuning::OwedGains &debt : owed ? *owed : std::vector<tuning::OwedGains>()) {
+    auto all = co_await std::move(asking).attempt();
+    if (!all)
+        co_return std::vector<tuning::OwedGains>();
+    for (const tuning::OwedGains &debt : *all) {
         if (debt.isUnderWay)
             m_console.note("another program is making trial " + std::to_string(debt.trial)
                 + " with this unit, and puts back what it changed: "
                 + tuning::assignmentsOf(device.family(), debt.values));
     }
-    co_return {};
+    auto looking = tuning::stillOwed(device, *m_book, std::move(*all));
+    const auto owed = co_await std::move(looking).attempt();
+    co_return owed.value_or(std::vector<tuning::OwedGains>());
+}
+
+std::string Notebook::causeOf(const Device &device, const tuning::OwedGains &debt) const
+{
+    const std::string unit = unitKeyOf(device);
+    const std::string caveat(unitCaveatOf(unitByOf(m_settings ? m_settings->resolved(unit) : unit)));
+    return "trial " + std::to_string(debt.trial) + " did not put back what it changed"
+        + (caveat.empty() ? "" : " (" + caveat + ")");
+}
+
+Task<std::vector<std::string>> Notebook::owedLines(Device &device, std::vector<ParameterChange> written)
+{
+    auto looking = owedTo(device);
+    const std::vector<tuning::OwedGains> owed = co_await std::move(looking);
+    std::vector<std::string> lines;
+    for (const tuning::OwedGains &debt : owed) {
+        const bool isReplaced = std::all_of(debt.values.begin(), debt.values.end(), [&](const auto &value) {
+            return std::any_of(written.begin(), written.end(), [&](const ParameterChange &change) {
+                return device.parameters().parameter(change.index).key == value.key;
+            });
+        });
+        if (!isReplaced)
+            lines.push_back(causeOf(device, debt) + "; 'motorbenchctl set " + device.selector() + ' '
+                + tuning::assignmentsOf(device.family(), debt.values) + "' does");
+    }
+    co_return lines;
 }
 
 Task<void> Notebook::settleOwed(Device &device, bool agreed)
 {
-    if (!m_book)
-        co_return {};
-    auto noting = noteUnderWay(device);
-    co_await std::move(noting);
-    auto looking = tuning::lookForOwed(device, *m_book);
-    const auto owed = co_await std::move(looking).attempt();
-    if (!owed)
-        co_return {};
-    const UnitBy by = unitByOf(m_settings ? m_settings->resolved(unitKeyOf(device)) : unitKeyOf(device));
-    const std::string caveat(unitCaveatOf(by));
-    for (const tuning::OwedGains &debt : *owed) {
-        const std::string what = "trial " + std::to_string(debt.trial) + " did not put back what it changed"
-            + (caveat.empty() ? "" : " (" + caveat + ")");
+    auto looking = owedTo(device);
+    const std::vector<tuning::OwedGains> owed = co_await std::move(looking);
+    for (const tuning::OwedGains &debt : owed) {
+        const std::string what = causeOf(device, debt);
         const std::string values = tuning::assignmentsOf(device.family(), debt.values);
         bool puts = agreed;
         if (!puts) {

@@ -11,6 +11,9 @@
 
 namespace mb::console {
 
+/// The user's file, before anything is sent: Usage where it cannot be opened. What was wrong with it is told.
+[[nodiscard]] Result<std::unique_ptr<Database>> openNotebook();
+
 /// The user's notebook of trials, snapshots and writes, as a verb uses it. One that cannot be opened ends the verbs that are
 /// about what it keeps (trouble()), and is a note of those that go on without (noteTrouble()).
 class Notebook {
@@ -35,9 +38,13 @@ public:
     /// What earlier experiments owe to this unit: settled where the unit has it; else put back, with `agreed` or when somebody
     /// at the terminal says so, or named with its remedy.
     [[nodiscard]] Task<void> settleOwed(Device &device, bool agreed);
+    /// The same for who puts nothing back: a line for each trial, with its remedy, but not of what `written` is about to replace.
+    [[nodiscard]] Task<std::vector<std::string>> owedLines(Device &device, std::vector<ParameterChange> written = {});
 
 private:
-    [[nodiscard]] Task<void> noteUnderWay(const Device &device);
+    /// Owed by trials that have ended; a note says what a living program tries.
+    [[nodiscard]] Task<std::vector<tuning::OwedGains>> owedTo(Device &device);
+    [[nodiscard]] std::string causeOf(const Device &device, const tuning::OwedGains &debt) const;
 
     Console &m_console;
     std::optional<Error> m_trouble;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/report.h"
+#include "app/console/notebook.h"
 #include "app/console/optionwords.h"
 #include "app/console/parameterrows.h"
 #include "app/console/progressline.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
 #include "app/console/windowprogram.h"
-#include "app/folders/userfolders.h"
 #include "async/outputfile.h"
 #include "model/unit.h"
 #include "storage/reportmatter.h"
@@ -102,14 +102,9 @@ Task<ReportUnit> readUnit(Console &console, Target target)
     co_return unit;
 }
 
-Result<Report> gather(Console &console, ReportWish wish, std::optional<ReportUnit> unit)
+Result<Report> gather(Console &console, Database &database, ReportWish wish, std::optional<ReportUnit> unit)
 {
-    auto database = Database::open(databaseFile());
-    if (!database)
-        return fail(database.error());
-    if (!(*database)->remark().empty())
-        complain((*database)->remark());
-    TrialBook book(**database, console.clock());
+    TrialBook book(database, console.clock());
     if (unit)
         wish.unit = unit->unit;
     auto units = reportUnits(book, console.families(), wish);
@@ -152,12 +147,15 @@ Task<int> report(Console &console, ReportArguments a)
     auto file = std::make_unique<OutputFile>(a.out);
     if (auto opened = file->open(); !opened) // before anything is asked for
         co_return fail(opened.error());
+    const auto database = openNotebook();
+    if (!database)
+        co_return fail(database.error());
     std::optional<ReportUnit> unit;
     if (wish->target) {
         auto reading = readUnit(console, *wish->target);
         unit = co_await std::move(reading);
     }
-    const auto gathered = gather(console, wish->matter, std::move(unit));
+    const auto gathered = gather(console, **database, wish->matter, std::move(unit));
     if (!gathered)
         co_return fail(gathered.error());
     const bool served = std::any_of(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/servicedesk.h"
 
+#include "app/console/notebook.h"
 #include "app/folders/account.h"
 #include "app/folders/userfolders.h"
 #include "async/sleep.h"
@@ -43,11 +44,9 @@ Result<std::unique_ptr<ServiceDesk>> ServiceDesk::open(
             return fail(parsed.error());
         server = std::move(*parsed);
     }
-    auto opened = Database::open(databaseFile());
+    auto opened = openNotebook();
     if (!opened)
         return fail(opened.error());
-    if (!(*opened)->remark().empty())
-        complain((*opened)->remark());
     if ((*opened)->isReadOnly())
         return fail(Fault::OutOfRange, say("%1 cannot be written, so nothing would be in the journal", databaseFile()),
             say("check the rights of the file and its folder"));

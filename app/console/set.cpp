@@ -111,6 +111,10 @@ Task<int> set(Console &console, SetArguments arguments)
     if (auto ready = needsApplication(*device); !ready)
         co_return fail(ready.error());
     notebook.noteTrouble();
+    auto looking = notebook.owedLines(*device, *changes);
+    const std::vector<std::string> owed = co_await std::move(looking);
+    for (const std::string &line : owed)
+        console.note(line);
     std::vector<TransferOutcome> outcomes;
     {
         ProgressLine progress(console);

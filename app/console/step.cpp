@@ -190,6 +190,8 @@ Task<int> perform(Console &console, Session &session, Device &device, StepPlan p
     }
     auto noting = notebook.keepReplaced(device, before, settings::Origin::Console);
     co_await std::move(noting);
+    if (!trial && trial.error().fault == Fault::NotKept)
+        co_return fail(putsNothingBack(trial.error()));
     if (!trial)
         co_return fail(trial.error());
     printTrial(console, *trial, trial->number);

@@ -2,6 +2,7 @@
 #include "app/console/target.h"
 
 #include "app/console/within.h"
+#include "async/seconds.h"
 #include "model/parametertransfer.h"
 #include "model/registry.h"
 
@@ -242,7 +243,7 @@ Result<std::optional<Duration>> parseSpan(const std::string &text)
     const auto seconds = parseNumber("--for", text, 0.001, 1e8);
     if (!seconds)
         return fail(seconds.error());
-    return std::optional<Duration>(std::chrono::duration_cast<Duration>(std::chrono::duration<double>(*seconds)));
+    return std::optional<Duration>(fromSeconds(*seconds));
 }
 
 } // namespace mb::console

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/notebook.h"
 #include "app/console/target.h"
 #include "app/console/trialtext.h"
 #include "app/console/verb.h"
-#include "app/folders/userfolders.h"
 #include "async/outputfile.h"
 #include "storage/trialfile.h"
 
@@ -79,11 +79,9 @@ Task<int> trials(Console &console, TrialsArguments a)
         co_return fail(wanted.error());
     if (auto writable = a.file.empty() ? Result<void>() : checkWritable(a.file); !writable)
         co_return fail(writable.error());
-    auto database = Database::open(databaseFile());
+    auto database = openNotebook();
     if (!database)
         co_return fail(database.error());
-    if (!(*database)->remark().empty())
-        complain((*database)->remark());
     TrialBook book(**database, console.clock());
     const bool changes = wanted->star || wanted->note || wanted->remove;
     auto changed = changes ? (*database)->transact([&] { return change(book, *wanted, a); }) : Result<void>();

@@ -55,7 +55,7 @@ void Encounters::met(const Operations::Job &job, const Result<settings::Paramete
     const Device *device = m_context.session.find(job.device);
     if (!device)
         return;
-    if (!taken && taken.error().fault != Fault::OutOfRange) // a full disk is told once; others are tried again
+    if (!taken && taken.error().fault != Fault::NotKept) // a full disk is told once; others are tried again
         m_met.erase(job.device);
     else if (!taken)
         m_context.log.tell(

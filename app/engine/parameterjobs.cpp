@@ -110,7 +110,10 @@ Task<void> ParameterJobs::keepBefore(Device &device, settings::Occasion occasion
     if (!m_settings || device.identity().state == DeviceState::Bootloader)
         co_return {};
     auto taking = settings::takeSnapshot(device, occasion, {}, *m_settings, progress);
-    if (const auto taken = co_await std::move(taking).attempt(); !taken)
+    const auto taken = co_await std::move(taking).attempt();
+    if (!taken && taken.error().fault == Fault::NotKept)
+        co_return fail(settings::keepsNothing(taken.error()));
+    if (!taken)
         progress.log(Severity::Caution, say("no snapshot of what was there: %1", taken.error().message()));
     co_return {};
 }

@@ -21,7 +21,8 @@ public:
     /// From now on snapshots are kept and every write is in the history. The log outlives this.
     void setLog(settings::SettingsLog *log) { m_settings = log; }
     [[nodiscard]] settings::SettingsLog *log() const { return m_settings; }
-    /// A snapshot before something that changes much. What falls short of it is told, and no reason to do nothing.
+    /// A snapshot before something that changes much. Where it cannot be kept that fails, and nothing may be written; a unit that does
+    /// not tell its values is a line of the log.
     [[nodiscard]] Task<void> keepBefore(Device &device, settings::Occasion occasion, Progress &progress) const;
 
     void carryOut(const orders::ReadParameters &order, const Finished &finished);

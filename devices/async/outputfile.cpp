@@ -101,9 +101,14 @@ OutputFile::~OutputFile()
         ::unlink(m_temporary.c_str());
 }
 
-tl::unexpected<Error> OutputFile::failure(int number) const
+tl::unexpected<Error> OutputFile::notOpened(int number) const
 {
     return fail(notWritten(Fault::OutOfRange, m_path, number));
+}
+
+tl::unexpected<Error> OutputFile::notKept(int number) const
+{
+    return fail(notWritten(Fault::NotKept, m_path, number));
 }
 
 Result<void> OutputFile::open()
@@ -111,16 +116,16 @@ Result<void> OutputFile::open()
     struct stat status { };
     const bool exists = ::stat(m_path.c_str(), &status) == 0;
     if (m_path.empty() || (!exists && errno != ENOENT))
-        return failure(m_path.empty() ? ENOENT : errno);
+        return notOpened(m_path.empty() ? ENOENT : errno);
     if (exists && S_ISDIR(status.st_mode))
-        return failure(EISDIR);
+        return notOpened(EISDIR);
     if (exists && S_ISBLK(status.st_mode))
-        return failure(ENOTBLK);
+        return notOpened(ENOTBLK);
     if (!exists || S_ISREG(status.st_mode))
         return openBeside();
     m_descriptor = ::open(m_path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
     if (m_descriptor < 0)
-        return failure(errno);
+        return notOpened(errno);
     (void)::fcntl(m_descriptor, F_SETFL, O_WRONLY); // only the opening must not wait
     return {};
 }
@@ -131,17 +136,17 @@ Result<void> OutputFile::openBeside()
     struct stat old { };
     const bool exists = ::stat(m_target.c_str(), &old) == 0;
     if (exists && ::access(m_target.c_str(), W_OK) != 0)
-        return failure(errno);
+        return notOpened(errno);
     for (int i = 0; i < mostNames && m_descriptor < 0; ++i) {
         const std::string name = m_target + '.' + std::to_string(::getpid()) + '-' + std::to_string(i) + ".part";
         m_descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (m_descriptor >= 0)
             m_temporary = name;
         else if (errno != EEXIST)
-            return failure(errno);
+            return notOpened(errno);
     }
     if (m_descriptor < 0)
-        return failure(EEXIST);
+        return notOpened(EEXIST);
     if (exists)
         (void)::fchmod(m_descriptor, old.st_mode & 07777U);
     return {};
@@ -176,14 +181,14 @@ Result<void> OutputFile::commit()
     if (const int error = closeFile(); m_error == 0)
         m_error = error;
     if (m_error != 0)
-        return failure(m_error);
+        return notKept(m_error);
     return syncs ? replace() : Result<void>();
 }
 
 Result<void> OutputFile::replace()
 {
     if (::rename(m_temporary.c_str(), m_target.c_str()) != 0)
-        return failure(errno);
+        return notKept(errno);
     m_temporary.clear();
     syncFolder(m_target);
     return {};

@@ -25,7 +25,7 @@ public:
     [[nodiscard]] Result<void> open();
     /// The first failure is kept for commit().
     void write(std::string_view bytes);
-    /// Everything is on the disk and under its name, or it fails and the old file stands.
+    /// Everything is on the disk and under its name, or it fails, NotKept, and the old file stands.
     [[nodiscard]] Result<void> commit();
 
     [[nodiscard]] const std::string &path() const { return m_path; }
@@ -35,7 +35,8 @@ public:
 private:
     [[nodiscard]] Result<void> openBeside();
     [[nodiscard]] Result<void> replace();
-    [[nodiscard]] tl::unexpected<Error> failure(int number) const;
+    [[nodiscard]] tl::unexpected<Error> notOpened(int number) const;
+    [[nodiscard]] tl::unexpected<Error> notKept(int number) const;
     void drain();
     int closeFile();
 

@@ -29,6 +29,7 @@ std::string_view toString(Fault fault)
     case Fault::BadCheck: return "check failed";
     case Fault::LinkLost: return "link lost";
     case Fault::OutOfRange: return "out of range";
+    case Fault::NotKept: return "not kept";
     case Fault::Usage: return "usage";
     case Fault::Unsupported: return "unsupported";
     case Fault::Cancelled: return "cancelled";

@@ -19,6 +19,7 @@ enum class Fault {
     BadCheck,    ///< a check value or a read-back differs
     LinkLost,    ///< the link cannot be opened, or went away
     OutOfRange,  ///< a value outside its legal range, a file or argument that does not parse
+    NotKept,     ///< this computer could not write what it keeps: a full disk, a notebook that is held or damaged
     Usage,       ///< the call itself is wrong: an unknown word, option or name, or one that is missing
     Unsupported, ///< this device or link has no such thing
     Cancelled,   ///< the user asked for it

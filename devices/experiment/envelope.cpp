@@ -142,6 +142,14 @@ Task<Envelope> readOwnLimits(Device &device, int axis, int slot, double position
     co_return ownLimits(family, device.parameters().entries(), axis, slot, position);
 }
 
+Result<void> checkBound(const EnvelopeBound &bound, double value)
+{
+    if (isBound(bound, value))
+        return {};
+    return fail(Fault::OutOfRange, say("'%1' must be above 0 and at most %2", bound.key, bound.most),
+        say("where it is left out the unit's own limit serves"));
+}
+
 EnvelopeFacts factsOf(const Device &device, int axis)
 {
     return {device.selector(), device.link().address().isSimulated(), hasCurrentScale(device, axis)};

@@ -30,6 +30,9 @@ struct EnvelopeFacts {
 };
 [[nodiscard]] EnvelopeFacts factsOf(const Device &device, int axis);
 
+/// OutOfRange where somebody gives what is no bound: 0 leaves nothing that could move.
+[[nodiscard]] Result<void> checkBound(const EnvelopeBound &bound, double value);
+
 /// What bounds a trial: of what was asked for and the device's own the narrower; on simulated units the bench's figures for
 /// the rest. OutOfRange, naming what must be given, where travel or duty (speed, in a velocity loop) are not known.
 [[nodiscard]] Result<Envelope> resolve(

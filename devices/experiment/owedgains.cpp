@@ -96,6 +96,12 @@ Task<std::vector<OwedGains>> lookForOwed(Device &device, ExperimentJournal &jour
 {
     auto asking = journal.owedTo(unitKeyOf(device));
     std::vector<OwedGains> owed = co_await std::move(asking);
+    auto looking = stillOwed(device, journal, std::move(owed));
+    co_return co_await std::move(looking);
+}
+
+Task<std::vector<OwedGains>> stillOwed(Device &device, ExperimentJournal &journal, std::vector<OwedGains> owed)
+{
     std::vector<OwedGains> rest;
     for (OwedGains &debt : owed) {
         if (debt.isUnderWay)

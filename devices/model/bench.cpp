@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/bench.h"
 
+#include "async/seconds.h"
 #include "wire/number.h"
 
 #include <algorithm>
@@ -143,7 +144,7 @@ std::unique_ptr<Link> Bench::hostLink()
 {
     auto link = m_bus->makeHost(m_address);
     if (m_busOffAt) {
-        const auto at = std::chrono::duration_cast<Duration>(std::chrono::duration<double>(*m_busOffAt));
+        const auto at = fromSeconds(*m_busOffAt);
         m_busOff.startIn(at, [this, host = link.get()] { m_bus->dropOut(*host); });
     }
     return link;

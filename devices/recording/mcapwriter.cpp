@@ -131,7 +131,7 @@ Result<void> McapWriter::flush()
     if (m_error == 0 && std::fflush(m_file.get()) != 0)
         m_error = errno;
     if (m_error != 0)
-        return fail(notWritten(Fault::OutOfRange, m_path, m_error));
+        return fail(notWritten(Fault::NotKept, m_path, m_error));
     return {};
 }
 

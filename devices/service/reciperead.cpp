@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "service/reciperead.h"
 
+#include "experiment/envelope.h"
 #include "experiment/experiment.h"
 #include "experiment/metrics.h"
 #include "files/jsonlines.h"
@@ -23,6 +24,7 @@ namespace {
 constexpr int mostRepeats = 100;
 constexpr double longestTest = 60.0; ///< s
 constexpr double anyNumber = 1e12;
+constexpr double everyNumber = std::numeric_limits<double>::max();
 
 std::string listed(const std::vector<std::string_view> &words)
 {
@@ -208,9 +210,9 @@ private:
             return;
         expect(*limits, "test.limits", {"travel", "speed", "current", "duty"});
         for (const EnvelopeBound &bound : envelopeBounds) {
-            const auto limit = number(*limits, "test.limits", bound.key, 0.0, bound.most);
-            if (limit == 0.0)
-                wrong(pathOf("test.limits", bound.key), say("'%1' must be above 0", bound.key));
+            const auto limit = number(*limits, "test.limits", bound.key, -everyNumber, everyNumber);
+            if (const auto bounds = limit ? tuning::checkBound(bound, *limit) : Result<void>(); !bounds)
+                wrong(pathOf("test.limits", bound.key), bounds.error().detail, bounds.error().remedy);
             out.limits.*bound.value = limit;
         }
     }

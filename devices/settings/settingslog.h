@@ -91,7 +91,7 @@ struct SettingsChange {
 };
 
 /// What is kept of the settings of all units, for good: nothing is ever overwritten. Thread of the session; whoever implements
-/// it waits for a disk in a thread of its own where that matters. Fails with OutOfRange and the cause, such as a full disk.
+/// it waits for a disk in a thread of its own where that matters. Fails with NotKept and the cause, such as a full disk.
 class SettingsLog {
 public:
     virtual ~SettingsLog() = default;

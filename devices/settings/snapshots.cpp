@@ -54,4 +54,10 @@ Task<ParameterSnapshot> takeSnapshot(
     co_return co_await std::move(keeping);
 }
 
+Error keepsNothing(const Error &trouble)
+{
+    return {Fault::NotKept, say("nothing was written, because what is there cannot be kept: %1", trouble.detail),
+        trouble.help()};
+}
+
 } // namespace mb::settings

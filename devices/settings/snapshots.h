@@ -18,4 +18,7 @@ namespace mb::settings {
 [[nodiscard]] Task<ParameterSnapshot> takeSnapshot(
     Device &device, Occasion occasion, std::string name, SettingsLog &log, Progress &progress);
 
+/// Why who replaces many values goes no further: no snapshot of them could be kept (NotKept).
+[[nodiscard]] Error keepsNothing(const Error &trouble);
+
 } // namespace mb::settings

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulation/faultplan.h"
 
+#include "async/seconds.h"
+
 #include <algorithm>
 
 namespace mb {
@@ -9,11 +11,6 @@ namespace {
 constexpr Duration busOffTime = std::chrono::milliseconds(100);
 constexpr double brownoutVolts = 5.0;
 constexpr double nominalVolts = 12.0;
-
-Duration fromSeconds(double seconds)
-{
-    return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(seconds));
-}
 
 } // namespace
 

@@ -90,7 +90,7 @@ Result<std::unique_ptr<Database>> Database::open(const std::string &path)
 {
     const QFileInfo file(qt(path));
     if (!QDir().mkpath(file.absolutePath()))
-        return fail(Fault::OutOfRange, say("%1 cannot be made", file.absolutePath().toStdString()),
+        return fail(Fault::NotKept, say("%1 cannot be made", file.absolutePath().toStdString()),
             say("check the rights of the folder above it"));
     std::unique_ptr<Database> database(new Database(path, nextConnection()));
     auto connected = database->connect();
@@ -113,16 +113,20 @@ Result<void> Database::connect()
     m_readOnly = file.exists() ? !file.isWritable() : !QFileInfo(file.absolutePath()).isWritable();
     if (m_readOnly && !file.exists())
         return fail(
-            Fault::OutOfRange, say("%1 cannot be written", file.absolutePath().toStdString()), say("check its rights"));
+            Fault::NotKept, say("%1 cannot be written", file.absolutePath().toStdString()), say("check its rights"));
     QSqlDatabase made = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), qt(m_connection));
     made.setDatabaseName(m_readOnly ? readOnlyName(file) : qt(m_path));
     made.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=5000")
         + (m_readOnly ? QStringLiteral(";QSQLITE_OPEN_READONLY;QSQLITE_OPEN_URI") : QString()));
     if (!made.open())
-        return fail(Fault::OutOfRange, say("%1 cannot be opened: %2", m_path, made.lastError().text().toStdString()),
+        return fail(Fault::NotKept, say("%1 cannot be opened: %2", m_path, made.lastError().text().toStdString()),
             say("move it away"));
-    if (m_readOnly)
-        return run("SELECT count(*) FROM trial");
+    auto prepared = m_readOnly ? Result<void>() : prepare();
+    return prepared ? run("SELECT 1 FROM trial LIMIT 1") : prepared;
+}
+
+Result<void> Database::prepare()
+{
     for (const char *const setting :
         {"PRAGMA journal_mode = WAL", "PRAGMA synchronous = FULL", "PRAGMA foreign_keys = ON"}) {
         if (auto set = run(setting); !set)
@@ -141,7 +145,7 @@ Result<void> Database::migrate()
             !read)
             return read;
         if (version > newest)
-            return fail(Fault::OutOfRange,
+            return fail(Fault::NotKept,
                 say("%1 was made by a newer version of this program (schema %2, known here is %3)", m_path, version,
                     newest),
                 say("use that one"));
@@ -164,7 +168,7 @@ Result<void> Database::putAside()
     close();
     const QString aside = freeName(qt(m_path));
     if (!QFile::rename(qt(m_path), aside))
-        return fail(Fault::OutOfRange, say("%1 is damaged and cannot be put aside", m_path), say("move it away"));
+        return fail(Fault::NotKept, say("%1 is damaged and cannot be put aside", m_path), say("move it away"));
     for (const char *const part : {"-wal", "-shm"}) // of the damaged one: they must not be taken for the new one's
         QFile::rename(qt(m_path) + QLatin1String(part), aside + QLatin1String(part));
     m_remark = m_path + " was damaged: it was put aside as " + aside.toStdString() + ", and a new one begun";
@@ -185,7 +189,7 @@ Result<void> Database::run(const char *statement, const QVariantList &values, co
     }
     m_lastCode = query.lastError().nativeErrorCode().toInt() & 0xFF; // of an extended code the primary one
     if (!good || query.lastError().isValid())
-        return fail(Fault::OutOfRange, say("%1: %2", m_path, query.lastError().databaseText().toStdString()),
+        return fail(Fault::NotKept, say("%1: %2", m_path, query.lastError().databaseText().toStdString()),
             remedyOf(m_lastCode, m_path));
     m_lastRow = query.lastInsertId().toLongLong();
     m_changed = query.numRowsAffected();

@@ -17,7 +17,7 @@ class Database final : public SqlConnection {
 public:
     /// Makes file and folder where they are missing, and brings an older schema up to date. A file that is damaged is put aside
     /// beside itself, never deleted, and remark() says so. A file that cannot be written is opened for reading, and
-    /// isReadOnly(). OutOfRange with the cause where it can be neither, or was made by a newer version.
+    /// isReadOnly(). NotKept with the cause where it can be neither, or was made by a newer version.
     [[nodiscard]] static Result<std::unique_ptr<Database>> open(const std::string &path);
     Database(const Database &) = delete;
     Database &operator=(const Database &) = delete;
@@ -27,7 +27,7 @@ public:
     [[nodiscard]] const std::string &remark() const { return m_remark; }
     [[nodiscard]] bool isReadOnly() const { return m_readOnly; }
 
-    /// OutOfRange with the cause: a full disk, another program that holds the file for 5 s.
+    /// NotKept with the cause: a full disk, another program that holds the file for 5 s.
     [[nodiscard]] Result<void> run(
         const char *statement, const QVariantList &values = {}, const Row &row = {}) override;
     /// The number of the row that run() has added last.
@@ -40,6 +40,7 @@ private:
     Database(std::string path, std::string connection);
     [[nodiscard]] QSqlDatabase connection() const;
     [[nodiscard]] Result<void> connect();
+    [[nodiscard]] Result<void> prepare();
     [[nodiscard]] Result<void> migrate();
     [[nodiscard]] Result<void> putAside();
     void close();

@@ -9,7 +9,7 @@
 
 namespace mb {
 
-/// The journal of service in the user's own file. Thread of the database, which outlives it. Fails with OutOfRange and the cause
+/// The journal of service in the user's own file. Thread of the database, which outlives it. Fails with NotKept and the cause
 /// on a full disk, or a file that cannot be written; nothing was changed then.
 class ServiceBook final : public service::ServiceJournal {
 public:

@@ -16,7 +16,7 @@ namespace mb {
 /// A row of `trials`: every key of the last line of `step`, and what the notebook adds.
 [[nodiscard]] QJsonObject trialRow(const KeptTrial &kept);
 [[nodiscard]] QJsonArray trialRows(const std::vector<KeptTrial> &trials);
-/// The rows into a file as JSON, or as a table where the name ends with .csv. OutOfRange when it cannot be written.
+/// The rows into a file as JSON, or as a table where the name ends with .csv. OutOfRange when nothing can be written there, NotKept when that fails.
 [[nodiscard]] Result<void> exportTrials(const std::string &path, const std::vector<KeptTrial> &trials);
 /// One trial into a file: the last line of `step` with its signals as JSON, or the samples alone where it ends with .csv.
 [[nodiscard]] Result<void> saveTrial(

@@ -19,7 +19,7 @@ namespace mb {
 [[nodiscard]] QJsonObject visitRow(const service::Visit &visit);
 [[nodiscard]] QJsonArray visitRows(const std::vector<service::Visit> &visits);
 
-/// A table of the rows with everything the journal knows of each unit; OutOfRange when it cannot be written.
+/// A table of the rows with everything the journal knows of each unit; OutOfRange when nothing can be written there, NotKept when that fails.
 [[nodiscard]] Result<void> exportVisits(const std::string &path, const std::vector<service::Visit> &visits);
 
 } // namespace mb

@@ -120,6 +120,10 @@ Task<void> perform(AutotuneRun &run, const TunePlan &plan)
     if (plan.propose) {
         auto reading = readGains(run.device(), plan.loop, plan.axis, plan.slot);
         run.report().before = co_await std::move(reading);
+        if (auto may = run.user().mayGoOn(); !may) {
+            run.report().proposed = {};
+            co_return fail(may.error());
+        }
         run.report().result = TuneResult::Proposed;
         co_return {};
     }

@@ -138,6 +138,22 @@ TEST_F(SettingsCore, ARestoreAndAWriteOfManyValuesKeepFirstWhatIsThere)
     EXPECT_EQ(snapshots().size(), 3U);
 }
 
+TEST_F(SettingsCore, ARestoreIsRefusedWhereWhatIsThereCannotBeKept)
+{
+    ASSERT_TRUE(clock.runUntil([this] { return !snapshots().empty(); }, 10s));
+    const auto before = known("slot0.p");
+    ASSERT_TRUE(database->run(
+        "CREATE TRIGGER full BEFORE INSERT ON snapshot BEGIN SELECT RAISE(ABORT, 'database or disk is full'); END"));
+    core.send(orders::RestoreParameters{id(), {change("slot0.p", 65536)}}, heard());
+    const auto refused = ends();
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().fault, Fault::NotKept);
+    EXPECT_EQ(refused.error().detail.english().find("nothing was written, because what is there cannot be kept: "), 0U)
+        << refused.error().text();
+    EXPECT_EQ(known("slot0.p"), before);
+    EXPECT_TRUE(changes().empty());
+}
+
 TEST_F(SettingsCore, AWiderLimitGoesBackAfterThirtySecondsUnlessSomebodyKeepsIt)
 {
     clock.advance(3s);

@@ -91,6 +91,45 @@ class Backup(Saving):
         self.assertEqual(run.status, 0, run.err + ": a unit in its bootloader has nothing to keep")
 
 
+class FullDisk(Saving):
+    """What cannot be written on this computer: docs/names.md#exit-statuses."""
+
+    def ended(self, words, **how):
+        done = subprocess.run([contract.PROGRAM, "--json", *words], capture_output=True, text=True, check=False, **how)
+        return done.returncode, done.stdout
+
+    def test_a_file_that_fails_is_1_whether_or_not_a_unit_was_asked(self):
+        step = ["step", CIM, "--mode", "velocity", "--to", "2000", "--time", "0.3"]
+        self.run_one(*step)
+        trace = os.path.join(self.folder.name, "trace.csv")
+        with open(trace, "w", encoding="utf-8") as file:
+            file.write(self.run_text("watch", CIM, "--for", "0.2"))
+        trial = self.run_one("trials")["trials"][-1]["trial"]
+        for words, kind in ((["get", CIM, "--file"], "json"), (step + ["--save"], "json"), (["trials", "--export"], "json"), (["journal", "--export"], "csv"),
+                            (["report", CIM, "--out"], "html"), (["report", f"trial:{trial}", "--out"], "html"), (["report", f"trial:{trial}", "--out"], "pdf"), (["plot", trace, "--out"], "png")):
+            full = os.path.join(self.folder.name, "full." + kind)
+            if not os.path.islink(full):
+                os.symlink("/dev/full", full)
+            self.assertEqual(self.ended([*words, full])[0], 1, words)
+            self.assertEqual(self.ended([*words, "/nonexistent/x." + kind])[0], 2, words)
+
+    def test_a_notebook_that_cannot_be_opened_is_2_and_one_that_fails_is_1(self):
+        nowhere = dict(os.environ, XDG_DATA_HOME=self.saved(CIM))
+        self.run_one("snapshot", CIM)
+        step = ["step", CIM, "--mode", "velocity", "--to", "2000", "--time", "0.3", "--set", "slot0.p=0.2"]
+        out = ["--out", os.path.join(self.folder.name, "x.html")]
+        for words in (["snapshot", CIM], ["snapshots"], ["trials"], ["journal"], ["report", CIM, *out], ["rename", "sim:can/abstractdc:3", "x"], step, ["tune", CIM, "--loop", "velocity"]):
+            self.assertEqual(self.ended(words, env=nowhere), (2, ""), words)
+
+        filling = dict(os.environ, XDG_DATA_HOME=self.folder.name)
+        self.assertEqual(self.ended(["trials"], env=filling)[0], 0)
+        with contextlib.closing(sqlite3.connect(os.path.join(self.folder.name, "motorbench", "motorbench.db"))) as notebook, notebook:
+            for table in ("snapshot", "trial"):  # it is opened, and no row finds room
+                notebook.execute(f"CREATE TRIGGER full_{table} BEFORE INSERT ON {table} BEGIN SELECT RAISE(ABORT, 'database or disk is full'); END")
+        self.assertEqual(self.ended(["snapshot", CIM], env=filling), (1, ""))
+        self.assertEqual(self.ended(step, env=filling), (2, ""), "refused, because nothing could be put back")
+
+
 class Diff(Saving):
     def differences(self, a, b):
         rows = self.run_one("diff", a, b, status=1)["differences"]

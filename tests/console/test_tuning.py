@@ -194,6 +194,32 @@ class Tune(ContractTest):
         self.assertIn("disk is full", run.err)
 
 
+class Owed(ContractTest):
+    """Gains that an experiment left on trial, because its program was killed."""
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.environment = dict(os.environ, XDG_DATA_HOME=self.folder.name)
+        self.run_here("step", CIM, "--mode", "velocity", "--to", "2000", "--time", "0.3", "--set", "slot0.p=0.2")
+        with contextlib.closing(sqlite3.connect(os.path.join(self.folder.name, "motorbench", "motorbench.db"))) as notebook, notebook:
+            notebook.execute("INSERT INTO owed (unit, key, trial, raw, tried, put_back, time) SELECT unit, 'slot0.p', id, 65536, NULL, 0, time FROM trial")
+
+    def run_here(self, *words):
+        run = Run(words, environment=self.environment)
+        self.assertEqual(run.status, 0, run.err)
+        return run
+
+    def test_info_tells_what_an_experiment_left_on_trial(self):
+        remedy = f"trial 1 did not put back what it changed; 'motorbenchctl set {CIM} slot0.p=1' does"
+        self.assertIn(remedy, self.run_here("info", CIM).out)
+        self.assertIn(remedy, self.run_here("--json", "info", CIM).err)
+
+    def test_set_tells_it_before_it_writes_others_of_its_values(self):
+        self.assertIn("trial 1 did not put back", self.run_here("set", CIM, "slot0.i=0.001").err)
+        self.assertNotIn("put back", self.run_here("set", CIM, "slot0.p=1").err)
+
+
 class Trouble(ContractTest):
     """What ends a tuning ends it with its word and its status: results of `tune` in docs/tuning.md."""
 

@@ -121,7 +121,8 @@ class Usage(ContractTest):
     def test_a_limit_of_an_experiment_is_above_0(self):
         for verb in (("step", "--mode", "position", "--to", "1500"), ("tune", "--loop", "velocity")):
             for limit in ("--travel", "--speed", "--current", "--duty"):
-                self.assert_error(2, verb[0], "sim:can/dmc60c:60", *verb[1:], limit, "0", says=limit)
+                for value in ("=0", "=-1", "=1e15"):  # in the words of a recipe
+                    self.assert_error(2, verb[0], "sim:can/dmc60c:60", *verb[1:], limit + value, says=f"{limit}: '{limit[2:]}' must be above 0 and at most ")
 
     def test_wrong_files_are_wrong_usage(self):
         for verb in ("restore", "flash"):

@@ -280,7 +280,7 @@ TEST(RollingRecorder, AFullDiskIsOneErrorAndCostsNothing)
         ASSERT_FALSE(first);
         EXPECT_NE(first.error().text().find("greatest size"), std::string::npos) << first.error().text();
         for (int i = 0; i < 10; ++i)
-            EXPECT_EQ(bench.write(recorder).error().fault, Fault::OutOfRange); // no link is lost
+            EXPECT_EQ(bench.write(recorder).error().fault, Fault::NotKept); // no link is lost
         EXPECT_EQ(recorder.samples(), before) << "what is not on the disk is not counted";
     }
     const FullDisk none(RLIM_INFINITY);

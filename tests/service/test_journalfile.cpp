@@ -109,7 +109,7 @@ TEST_F(JournalFiles, AFullDiskFailsTheEntryAndChangesNothing)
         second.steps.push_back({Step::Backup, 0.0, true, Message::verbatim(noise)});
         const auto written = test::run(clock, books.journal->write(passed(second)));
         ASSERT_FALSE(written);
-        EXPECT_EQ(written.error().fault, Fault::OutOfRange);
+        EXPECT_EQ(written.error().fault, Fault::NotKept);
         EXPECT_NE(written.error().text().find("motorbench.db"), std::string::npos) << written.error().text();
     }
     const auto visits = books.visits();
@@ -167,7 +167,7 @@ TEST_F(JournalFiles, AFolderThatCannotBeWrittenIsReadAndTakesNoEntry)
         EXPECT_EQ(visits->front(), visit);
         const auto written = test::run(clock, book.write(passed(visit)));
         ASSERT_FALSE(written);
-        EXPECT_EQ(written.error().fault, Fault::OutOfRange);
+        EXPECT_EQ(written.error().fault, Fault::NotKept);
         EXPECT_EQ(book.list({})->front(), visit);
     }
     QFile::setPermissions(folder, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner); // so that it goes away

@@ -119,11 +119,15 @@ TEST(Recipes, NeedNothingButNameAndFamily)
 TEST(Recipes, EveryMistakeHasItsLine)
 {
     EXPECT_EQ(mistakeIn(whole, "\"first\": 10", "\"frist\": 10"), "line 7: unknown key 'frist'; known are first");
-    EXPECT_EQ(mistakeIn(whole, "\"duty\": 0.6", "\"duty\": 1.6"), "line 10: 'duty' must be a number; from 0 to 1");
+    EXPECT_EQ(mistakeIn(whole, "\"duty\": 0.6", "\"duty\": 1.6"),
+        "line 10: 'duty' must be above 0 and at most 1; where it is left out the unit's own limit serves");
     EXPECT_EQ(mistakeIn(whole, "rev C", "rev\\u001b[2J"),
         "line 3: a name has no line break, tabulator or other control character");
-    EXPECT_EQ(mistakeIn(whole, "\"duty\": 0.6", "\"duty\": 0"), "line 10: 'duty' must be above 0");
-    EXPECT_EQ(mistakeIn(whole, "\"travel\": 40000", "\"travel\": 0.0"), "line 10: 'travel' must be above 0");
+    EXPECT_EQ(mistakeIn(whole, "\"duty\": 0.6", "\"duty\": 0"),
+        "line 10: 'duty' must be above 0 and at most 1; where it is left out the unit's own limit serves");
+    EXPECT_EQ(mistakeIn(whole, "\"travel\": 40000", "\"travel\": 0.0"),
+        "line 10: 'travel' must be above 0 and at most 1000000000000; where it is left out the unit's own limit "
+        "serves");
     EXPECT_EQ(
         mistakeIn(whole, "\"to\": 4000", "\"to\": 0"), "line 9: there is no way from 0 to itself; give another target");
     EXPECT_EQ(mistakeIn(whole, "\"settle\"", "\"setle\"").substr(0, 28), "line 12: unknown key 'setle'");

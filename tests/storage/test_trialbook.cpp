@@ -479,7 +479,7 @@ TEST_F(Notebooks, AFullDiskFailsTheTrialButKeepsTheOthers)
         const test::FullDisk full(300'000);
         const auto failed = test::run(clock, book.complete(*number, large));
         ASSERT_FALSE(failed);
-        EXPECT_EQ(failed.error().fault, Fault::OutOfRange);
+        EXPECT_EQ(failed.error().fault, Fault::NotKept);
         EXPECT_EQ(failed.error().remedy.english(), "look whether its disk is there, has room and is in order");
     }
     EXPECT_EQ(book.find(1)->trial.samples, 4711U);

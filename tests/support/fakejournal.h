@@ -18,7 +18,7 @@ public:
         log.emplace_back("begin");
         begun.push_back(std::move(trial));
         if (isFull)
-            co_return fail(Fault::OutOfRange, say("the disk is full"));
+            co_return fail(Fault::NotKept, say("the disk is full"));
         co_return static_cast<std::int64_t>(begun.size());
     }
     Task<void> owe(std::int64_t, std::string unit, std::vector<tuning::OwedValue> values) override
@@ -45,7 +45,7 @@ public:
     {
         log.emplace_back("release");
         if (releaseFails)
-            co_return fail(Fault::OutOfRange, say("the disk is full"));
+            co_return fail(Fault::NotKept, say("the disk is full"));
         std::erase_if(owed, [&keys](const tuning::OwedValue &value) {
             return std::find(keys.begin(), keys.end(), value.key) != keys.end();
         });

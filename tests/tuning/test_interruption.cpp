@@ -116,6 +116,29 @@ TEST(Interruption, BeforeASearchForScalesEndsTheTuningAtOnce)
     }
 }
 
+TEST(Interruption, WhileAProposalIsOnlyComputedEndsTheTuningToo)
+{
+    TunePlan plan = planOf(Mode::Velocity);
+    plan.propose = true;
+    ExperimentBench whole;
+    const auto report = tune(whole, plan);
+    ASSERT_TRUE(report) << report.error().text();
+    ASSERT_EQ(report->result, TuneResult::Proposed);
+    ExperimentBench bench;
+    auto task = autotune(*bench.device, bench.bench.session.stream(*bench.device), plan, bench.surroundings);
+    task.start();
+    ASSERT_TRUE(bench.bench.clock.runUntil(
+        [&] { return bench.journal.completed.size() == whole.journal.completed.size(); }, 2min));
+    ASSERT_FALSE(task.isFinished());
+    bench.interruption.interrupt();
+    EXPECT_FALSE(drives(bench, task));
+    ASSERT_TRUE(task.result()) << task.result().error().text();
+    EXPECT_EQ(task.result()->result, TuneResult::Stopped);
+    EXPECT_EQ(task.result()->stopReason, "interrupted");
+    EXPECT_TRUE(task.result()->stopped);
+    EXPECT_TRUE(task.result()->proposed.changes.empty());
+}
+
 /// A tuning whose second proof has just stopped its motor.
 struct Proven {
     Proven()

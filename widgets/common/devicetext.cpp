@@ -102,6 +102,7 @@ QString errorText(const Error &error)
     case Fault::BadCheck: return DeviceText::tr("Differs: %1").arg(detail);
     case Fault::LinkLost: return DeviceText::tr("Link lost: %1").arg(detail);
     case Fault::OutOfRange:
+    case Fault::NotKept:
     case Fault::Usage: return detail;
     case Fault::Unsupported: return DeviceText::tr("Not possible: %1").arg(detail);
     case Fault::Cancelled: return DeviceText::tr("Cancelled");

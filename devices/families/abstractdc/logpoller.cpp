@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/abstractdc/logpoller.h"
 
+#include "async/seconds.h"
 #include "families/abstractdc/answertime.h"
 
 #include <algorithm>
@@ -54,8 +55,7 @@ void LogPoller::speak(const Dialect *dialect, int offset)
 void LogPoller::wish(Log log, double hertz)
 {
     Wish &wish = m_wishes.at(at(log));
-    const auto period = hertz > 0.0 ? std::chrono::duration_cast<Duration>(std::chrono::duration<double>(1.0 / hertz))
-                                    : Duration::zero();
+    const auto period = hertz > 0.0 ? fromSeconds(1.0 / hertz) : Duration::zero();
     if (period == wish.period)
         return;
     wish.period = period;

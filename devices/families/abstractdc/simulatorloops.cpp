@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/abstractdc/simulatorloops.h"
 
+#include "async/seconds.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -66,7 +68,7 @@ void Loops::enter(Loop mode, std::int32_t value)
 bool Loops::disturb(std::string_view what, double value)
 {
     if (what == "loop-period")
-        m_period = std::chrono::duration_cast<Duration>(std::chrono::duration<double>(value));
+        m_period = fromSeconds(value);
     else if (what == "derivative-inverted")
         m_derivativeInverted = value != 0.0;
     else

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/quadquad2drv/axistrial.h"
 
+#include "async/seconds.h"
 #include "async/sleep.h"
 #include "families/quadquad2drv/channels.h"
 
@@ -202,7 +203,7 @@ Task<Track> AxisTrial::drive(Run run)
     const bool velocity = run.loop == Loop::Velocity;
     auto moving = move(velocity ? Mode::Velocity : Mode::Position, (velocity ? 0.0 : *m_from) + m_direction * run.aim);
     co_await std::move(moving);
-    auto waiting = wait(std::chrono::duration_cast<Duration>(std::chrono::duration<double>(run.seconds)), run.way);
+    auto waiting = wait(fromSeconds(run.seconds), run.way);
     co_await std::move(waiting);
     Track track = m_track;
     auto resting = rest();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/supermodified/telemetrypolls.h"
 
+#include "async/seconds.h"
 #include "families/supermodified/channels.h"
 
 #include <algorithm>
@@ -53,7 +54,7 @@ Duration TelemetryPolls::periodOf(const Poll &poll) const
         && (!m_knownOff || !m_line.roster().followersOf(m_node.id).empty());
     if (m_paused || forbidden || rate <= 0.0)
         return Duration::zero();
-    return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(1.0 / std::min(rate, mostRate)));
+    return fromSeconds(1.0 / std::min(rate, mostRate));
 }
 
 void TelemetryPolls::apply()
