@@ -17008,8 +17008,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>der Schlüssel &apos;%1&apos; steht zweimal da</translation>
     </message>
     <message>
-        <source>the limit of &apos;%1&apos; must be the greatest value, or [least, greatest]</source>
-        <translation>die Grenze von &apos;%1&apos; muss der größte Wert sein, oder [kleinster, größter]</translation>
+        <source>the limit of &apos;%1&apos; must be the greatest value, 0 or more, or [least, greatest]</source>
+        <translation>die Grenze von &apos;%1&apos; muss der größte Wert sein, 0 oder mehr, oder [kleinster, größter]</translation>
     </message>
     <message>
         <source>the self-test could not go on: %1</source>
@@ -18262,6 +18262,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>where it is left out the unit&apos;s own limit serves</source>
         <translation>wo er fehlt, gilt die eigene Grenze des Geräts</translation>
+    </message>
+    <message>
+        <source>its number holds from its next power cycle on, and nothing proves it before</source>
+        <translation>seine Nummer gilt ab dem nächsten Aus- und Einschalten, und nichts beweist sie vorher</translation>
     </message>
 </context>
 </TS>

@@ -16412,8 +16412,8 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>la longitud de la trama es %1</translation>
     </message>
     <message>
-        <source>the limit of &apos;%1&apos; must be the greatest value, or [least, greatest]</source>
-        <translation>el límite de «%1» debe ser el valor máximo, o [mínimo, máximo]</translation>
+        <source>the limit of &apos;%1&apos; must be the greatest value, 0 or more, or [least, greatest]</source>
+        <translation>el límite de «%1» debe ser el valor máximo, 0 o más, o [mínimo, máximo]</translation>
     </message>
     <message>
         <source>the link is not open</source>
@@ -18262,6 +18262,10 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>where it is left out the unit&apos;s own limit serves</source>
         <translation>si se omite, rige el límite propio de la unidad</translation>
+    </message>
+    <message>
+        <source>its number holds from its next power cycle on, and nothing proves it before</source>
+        <translation>su número rige desde el próximo ciclo de alimentación, y nada lo demuestra antes</translation>
     </message>
 </context>
 </TS>

@@ -16412,8 +16412,8 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>la longueur de la trame est %1</translation>
     </message>
     <message>
-        <source>the limit of &apos;%1&apos; must be the greatest value, or [least, greatest]</source>
-        <translation>la limite de «&#xa0;%1&#xa0;» doit être la valeur maximale, ou [minimum, maximum]</translation>
+        <source>the limit of &apos;%1&apos; must be the greatest value, 0 or more, or [least, greatest]</source>
+        <translation>la limite de «&#xa0;%1&#xa0;» doit être la valeur maximale, 0 ou plus, ou [minimum, maximum]</translation>
     </message>
     <message>
         <source>the link is not open</source>
@@ -18262,6 +18262,10 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>where it is left out the unit&apos;s own limit serves</source>
         <translation>s’il est omis, la limite propre de l’appareil s’applique</translation>
+    </message>
+    <message>
+        <source>its number holds from its next power cycle on, and nothing proves it before</source>
+        <translation>son numéro vaut dès la prochaine remise sous tension, et rien ne le prouve avant</translation>
     </message>
 </context>
 </TS>

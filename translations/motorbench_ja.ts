@@ -16398,8 +16398,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>フレームの長さが %1 です</translation>
     </message>
     <message>
-        <source>the limit of &apos;%1&apos; must be the greatest value, or [least, greatest]</source>
-        <translation>「%1」の制限は最大値、または [最小値, 最大値] でなければなりません</translation>
+        <source>the limit of &apos;%1&apos; must be the greatest value, 0 or more, or [least, greatest]</source>
+        <translation>「%1」の制限は 0 以上の最大値、または [最小値, 最大値] でなければなりません</translation>
     </message>
     <message>
         <source>the link is not open</source>
@@ -18248,6 +18248,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>where it is left out the unit&apos;s own limit serves</source>
         <translation>省略した場合はユニット自身の制限が使われます</translation>
+    </message>
+    <message>
+        <source>its number holds from its next power cycle on, and nothing proves it before</source>
+        <translation>番号は次に電源を入れ直してから有効になり、それまでは何によっても確かめられません</translation>
     </message>
 </context>
 </TS>

@@ -16398,8 +16398,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>帧的长度为 %1</translation>
     </message>
     <message>
-        <source>the limit of &apos;%1&apos; must be the greatest value, or [least, greatest]</source>
-        <translation>“%1”的限值必须是最大值，或 [最小值, 最大值]</translation>
+        <source>the limit of &apos;%1&apos; must be the greatest value, 0 or more, or [least, greatest]</source>
+        <translation>“%1”的限值必须是 0 或更大的最大值，或 [最小值, 最大值]</translation>
     </message>
     <message>
         <source>the link is not open</source>
@@ -18248,6 +18248,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>where it is left out the unit&apos;s own limit serves</source>
         <translation>省略时采用设备自身的限值</translation>
+    </message>
+    <message>
+        <source>its number holds from its next power cycle on, and nothing proves it before</source>
+        <translation>其编号从下次断电重启后生效，此前无法证明</translation>
     </message>
 </context>
 </TS>

@@ -68,12 +68,35 @@ QJsonObject toJson(const Device &device, const std::vector<ParameterIndex> &indi
     return object;
 }
 
+/// Says so where the proof is interrupted: what was written is in force all the same.
+class Unproved {
+public:
+    explicit Unproved(Console &console)
+        : m_console(console)
+    {
+    }
+    Unproved(const Unproved &) = delete;
+    Unproved &operator=(const Unproved &) = delete;
+    ~Unproved()
+    {
+        if (!m_isTold)
+            m_console.note("the values are in force but not proved to be stored");
+    }
+    void told() { m_isTold = true; }
+
+private:
+    Console &m_console;
+    bool m_isTold = false;
+};
+
 /// Yields the error that is to be told besides the values, if any. Fails when nothing is known to print.
 Task<std::optional<Error>> store(Console &console, Device &device)
 {
     ProgressLine progress(console);
+    Unproved unproved(console);
     auto storing = device.store(progress);
     const Result<bool> stored = co_await std::move(storing).attempt();
+    unproved.told();
     if (!stored)
         co_return std::optional<Error>(
             stored.error().about(say("the values are in force but not proved to be stored")));

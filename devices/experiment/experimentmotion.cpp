@@ -181,11 +181,12 @@ Task<void> ExperimentMotion::followProfile(Instant begin, Instant end)
     const Stimulus &stimulus = m_trial.stimulus;
     Clock &clock = m_device.clock();
     const bool endsSettled = stimulus.ends && stimulus.profile == Profile::Step;
-    const auto aim = isClosedLoop(m_plan.mode) ? std::optional(stimulus.to) : std::nullopt;
+    const double start = m_recorder.latest(measuredOf(m_plan.mode)).value_or(stimulus.from);
+    const auto way = isClosedLoop(m_plan.mode) ? std::optional(TrialRecorder::Way{start, stimulus.to}) : std::nullopt;
     const double place = m_recorder.latest("position").value_or(m_origin);
     for (int beat = 0; !isOver() && clock.now() < end; ++beat) {
         setTarget(stimulus.at(inSeconds(clock.now() - begin)));
-        if (hasGoneFar(place) || (endsSettled && m_recorder.hasSettled(begin, leastHold, aim, restWidth())))
+        if (hasGoneFar(place) || (endsSettled && m_recorder.hasSettled(begin, leastHold, way, restWidth())))
             break;
         Sleep nap(clock, std::min(begin + ofSeconds(m_beat * (beat + 1)), end) - clock.now());
         co_await nap;

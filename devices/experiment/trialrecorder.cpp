@@ -18,6 +18,7 @@ constexpr std::size_t fewestStill = 3; ///< positions that tell a standstill
 constexpr double stillCounts = 1.0;
 constexpr double settledShare = 0.5;                       ///< of the time since the edge, over which it rests
 constexpr double besideShare = 0.75;                       ///< the same beside its aim
+constexpr Duration besideLeast = std::chrono::seconds(1);  ///< so that the guard of no motion has had its half second
 constexpr Duration heldUp = std::chrono::milliseconds(20); ///< what came meanwhile is not read yet
 
 } // namespace
@@ -209,12 +210,15 @@ bool TrialRecorder::isSettled(Instant from, Duration least, double share, double
     return spread && *spread <= width;
 }
 
-bool TrialRecorder::hasSettled(Instant from, Duration least, std::optional<double> aim, double width) const
+bool TrialRecorder::hasSettled(Instant from, Duration least, const std::optional<Way> &way, double width) const
 {
     if (!isSettled(from, least, settledShare, width))
         return false;
     const auto now = latest(m_measured);
-    return !aim || (now && std::abs(*now - *aim) <= width / 2.0) || isSettled(from, least, besideShare, width);
+    if (!way || (now && std::abs(*now - way->aim) <= width / 2.0))
+        return true;
+    const bool hasLeft = now && std::abs(*now - way->start) > width / 2.0;
+    return hasLeft && isSettled(from, besideLeast, besideShare, width);
 }
 
 bool TrialRecorder::isStill(Instant from, Duration span) const

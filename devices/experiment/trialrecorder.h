@@ -38,9 +38,15 @@ public:
     [[nodiscard]] double positionPeriod() const;
     /// The measured value stayed within `width` over the last `share` of the time since `from`, which is `least` at least.
     [[nodiscard]] bool isSettled(Instant from, Duration least, double share, double width) const;
-    /// The measured value has come to rest within `width`: at `aim`, if there is one, or beside it, which takes longer to be told from
-    /// a loop that turns round on its way or creeps. `from` is `least` ago at least.
-    [[nodiscard]] bool hasSettled(Instant from, Duration least, std::optional<double> aim, double width) const;
+    /// Where a loop goes: from what was measured to what it is told.
+    struct Way {
+        double start = 0.0;
+        double aim = 0.0;
+    };
+    /// The measured value has come to rest within `width`: at the aim of its way, if it has one, or beside it, which takes longer to be
+    /// told from a loop that turns round, creeps, or has lost its sensor. One that has not left its start has not settled.
+    /// `from` is `least` ago at least.
+    [[nodiscard]] bool hasSettled(Instant from, Duration least, const std::optional<Way> &way, double width) const;
     /// The position was told often enough and moved by a count at most over the last `span`, all of it after `from`.
     [[nodiscard]] bool isStill(Instant from, Duration span) const;
 

@@ -4,6 +4,7 @@
 #include "experiment/envelope.h"
 #include "experiment/experiment.h"
 #include "experiment/metrics.h"
+#include "experiment/seconds.h"
 #include "files/jsonlines.h"
 #include "files/qttext.h"
 #include "model/family.h"
@@ -239,7 +240,7 @@ private:
             if (!value.isBool() || !value.toBool())
                 wrong(path, say("'encoder' is true: it counts both ways"));
             out.accept.push_back({key, std::nullopt, 1.0});
-        } else if (value.isDouble()) {
+        } else if (value.isDouble() && value.toDouble() >= 0.0) {
             const bool isSigned = key == "sse"; // its size counts
             out.accept.push_back(
                 {key, isSigned ? std::optional(-std::abs(value.toDouble())) : std::nullopt, value.toDouble()});
@@ -247,15 +248,27 @@ private:
             && both.at(0).toDouble() <= both.at(1).toDouble()) {
             out.accept.push_back({key, both.at(0).toDouble(), both.at(1).toDouble()});
         } else {
-            wrong(path, say("the limit of '%1' must be the greatest value, or [least, greatest]", key));
+            wrong(path, say("the limit of '%1' must be the greatest value, 0 or more, or [least, greatest]", key));
         }
     }
     void checkPossible(const SelfTest &test)
     {
         if (m_error)
             return;
-        if (auto possible = tuning::checkPlan(*m_recipe.family, planOf(test)); !possible)
-            wrong("test", possible.error().detail, possible.error().remedy);
+        const tuning::ExperimentPlan plan = planOf(test);
+        if (auto possible = tuning::checkPlan(*m_recipe.family, plan); !possible)
+            return wrong("test", possible.error().detail, possible.error().remedy);
+        Envelope limits = test.limits; // those of the unit are known when it is there, and only make them narrower
+        limits.duty = std::min(limits.duty.value_or(1.0), 1.0);
+        if (test.loop == Mode::Position)
+            limits.travel.reset(); // depends on where it stands
+        const auto inside = tuning::Stimulus::make(plan.profile, plan.from.value_or(0.0), plan.to, plan.seconds,
+            tuning::inSeconds(m_recipe.family->capabilities.commandPeriod))
+                                .and_then([&](const tuning::Stimulus &stimulus) {
+                                    return tuning::checkInside(limits, plan.mode, stimulus, plan.repeat, 0.0);
+                                });
+        if (!inside)
+            wrong("test.to", inside.error().detail, inside.error().remedy);
     }
 
     JsonLines m_lines;

@@ -435,6 +435,8 @@ Message UnitRun::proofOf(bool stores, bool stored) const
 {
     const std::size_t blind = unreadable().size();
     Message told = stored ? say("its flash has it") : stores ? say("nothing had to be stored") : say("read back");
+    if (m_visit.number && m_device.identity().address != *m_visit.number)
+        told = joined(told, say("its number holds from its next power cycle on, and nothing proves it before"));
     if (blind == 0)
         return told;
     const Message untold = blind == 1 ? say("1 setting was written and cannot be read back")

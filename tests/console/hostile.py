@@ -305,6 +305,17 @@ class Hostile(ContractTest):
             self.assertEqual((process.returncode, out), (1, ""), err)
             self.assertIn("interrupted before it was done", err)
 
+    def test_a_signal_in_the_proof_of_flash_says_that_the_values_are_in_force(self):
+        process = subprocess.Popen([contract.PROGRAM, "set", CIM, "slot0.p=0.41", "slot0.i=0.001", "--store"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        contract.heeds(process, signal.SIGINT)
+        with self.assertRaises(subprocess.TimeoutExpired):
+            process.wait(timeout=4)
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate(timeout=contract.LIMIT)
+        self.assertEqual((process.returncode, out), (1, ""), err)
+        self.assertIn("the values are in force but not proved to be stored", err)
+        self.assertIn("interrupted before it was done", err)
+
     def test_nothing_is_called_written_on_a_disk_that_is_full(self):
         trace = self.path("trace.csv", self.run_text("watch", CIM, "--for", "0.3"))
         first = self.path("first.png")

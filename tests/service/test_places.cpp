@@ -91,6 +91,9 @@ TEST_F(UnitsByPlace, EachUnitOfAPlaceGetsANumberOfItsOwn)
     ASSERT_EQ(visits.size(), 2U);
     EXPECT_EQ(visits[0].number, 10);
     EXPECT_EQ(visits[1].number, 11);
+    for (const Visit &visit : visits)
+        EXPECT_NE(visit.evidence.english().find("its number holds from its next power cycle on"), std::string::npos)
+            << visit.evidence.english();
 }
 
 TEST_F(UnitsByPlace, AUnitThatComesBackUnderItsNewNumberIsNotServedAgain)

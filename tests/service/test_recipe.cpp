@@ -132,7 +132,13 @@ TEST(Recipes, EveryMistakeHasItsLine)
         mistakeIn(whole, "\"to\": 4000", "\"to\": 0"), "line 9: there is no way from 0 to itself; give another target");
     EXPECT_EQ(mistakeIn(whole, "\"settle\"", "\"setle\"").substr(0, 28), "line 12: unknown key 'setle'");
     EXPECT_EQ(mistakeIn(whole, "[0.1, 0.4]", "[0.4, 0.1]"),
-        "line 14: the limit of 'friction' must be the greatest value, or [least, greatest]");
+        "line 14: the limit of 'friction' must be the greatest value, 0 or more, or [least, greatest]");
+    EXPECT_EQ(mistakeIn(whole, "\"settle\": 0.6", "\"settle\": -1"),
+        "line 12: the limit of 'settle' must be the greatest value, 0 or more, or [least, greatest]");
+    EXPECT_EQ(mistakeIn(whole, "\"to\": 4000", "\"to\": 9001"),
+        "line 9: speed 9001 is outside the envelope, which ends at 9000; take a smaller step or widen it");
+    EXPECT_EQ(mistakeIn(whole, "\"velocity\", \"from\": 0, \"to\": 4000", "\"duty\", \"from\": 0, \"to\": 2"),
+        "line 9: duty 2 is outside the envelope, which ends at 0.6; take a smaller step or widen it");
     EXPECT_EQ(
         mistakeIn(whole, "\"encoder\": true", "\"encoder\": 4096"), "line 15: 'encoder' is true: it counts both ways");
     EXPECT_EQ(mistakeIn(whole, "\"dmc60c\"", "\"dmc60\"").substr(0, 31), "line 4: unknown family 'dmc60';");

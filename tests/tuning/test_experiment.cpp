@@ -65,6 +65,32 @@ TEST(Experiment, AHoldEndsByItselfAlsoWhereALoopRestsBesideItsTarget)
     EXPECT_LE(trial->holds.front().to - trial->holds.front().from, 5.0);
 }
 
+TEST(Experiment, AMotorThatItsIntegralTakesLongToBreakAwayIsWaitedFor)
+{
+    ExperimentBench bench;
+    const auto trial = bench.run(stepTo(Mode::Velocity, 1000.0));
+    expectDone(trial);
+    EXPECT_FALSE(trial->has(flag::didNotMove));
+    EXPECT_NEAR(trial->metrics.sse.value_or(1.0), 0.0, 0.1);
+}
+
+TEST(Experiment, AnEncoderThatDiesInTheStepIsNoLoopThatHasSettled)
+{
+    for (const Mode mode : {Mode::Velocity, Mode::Position}) {
+        ExperimentBench bench;
+        ExperimentPlan plan = stepTo(mode, 20'000.0);
+        plan.slot = mode == Mode::Position ? 1 : 0;
+        expectDone(bench.run(plan)); // its direction is known now
+        auto task = bench.start(plan);
+        task.start();
+        ASSERT_TRUE(bench.bench.clock.runUntil([&] { return bench.simulator()->speed() > 3000.0; }, 10s));
+        ASSERT_TRUE(bench.simulator()->disturb("encoder-dead", 1.0));
+        ASSERT_TRUE(bench.bench.clock.runUntil([&] { return task.isFinished(); }, 20s));
+        ASSERT_TRUE(task.result()) << task.result().error().text();
+        EXPECT_EQ(task.result()->reason, "no motion") << toString(mode);
+    }
+}
+
 TEST(Experiment, APositionStepStartsAtThePresentPositionAndComesBack)
 {
     ExperimentBench bench;
