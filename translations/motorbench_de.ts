@@ -18267,5 +18267,13 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>its number holds from its next power cycle on, and nothing proves it before</source>
         <translation>seine Nummer gilt ab dem nächsten Aus- und Einschalten, und nichts beweist sie vorher</translation>
     </message>
+    <message>
+        <source>put it back first, as &apos;motorbenchctl set %1 %2&apos; does</source>
+        <translation>zuerst zurückstellen, wie es &apos;motorbenchctl set %1 %2&apos; tut</translation>
+    </message>
+    <message>
+        <source>trial %1 did not put back what it changed</source>
+        <translation>Versuch %1 hat nicht zurückgestellt, was er geändert hat</translation>
+    </message>
 </context>
 </TS>

@@ -18267,5 +18267,13 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>its number holds from its next power cycle on, and nothing proves it before</source>
         <translation>su número rige desde el próximo ciclo de alimentación, y nada lo demuestra antes</translation>
     </message>
+    <message>
+        <source>put it back first, as &apos;motorbenchctl set %1 %2&apos; does</source>
+        <translation>restablecerlo primero, como lo hace «motorbenchctl set %1 %2»</translation>
+    </message>
+    <message>
+        <source>trial %1 did not put back what it changed</source>
+        <translation>el ensayo %1 no restableció lo que cambió</translation>
+    </message>
 </context>
 </TS>

@@ -18267,5 +18267,13 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>its number holds from its next power cycle on, and nothing proves it before</source>
         <translation>son numéro vaut dès la prochaine remise sous tension, et rien ne le prouve avant</translation>
     </message>
+    <message>
+        <source>put it back first, as &apos;motorbenchctl set %1 %2&apos; does</source>
+        <translation>le rétablir d’abord, comme le fait « motorbenchctl set %1 %2 »</translation>
+    </message>
+    <message>
+        <source>trial %1 did not put back what it changed</source>
+        <translation>l’essai %1 n’a pas rétabli ce qu’il a changé</translation>
+    </message>
 </context>
 </TS>

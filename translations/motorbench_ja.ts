@@ -18253,5 +18253,13 @@ double click plots it, drag it to a pane or below them</source>
         <source>its number holds from its next power cycle on, and nothing proves it before</source>
         <translation>番号は次に電源を入れ直してから有効になり、それまでは何によっても確かめられません</translation>
     </message>
+    <message>
+        <source>put it back first, as &apos;motorbenchctl set %1 %2&apos; does</source>
+        <translation>まず「motorbenchctl set %1 %2」のようにして元に戻してください</translation>
+    </message>
+    <message>
+        <source>trial %1 did not put back what it changed</source>
+        <translation>試行 %1 は変更したものを元に戻していません</translation>
+    </message>
 </context>
 </TS>

@@ -18253,5 +18253,13 @@ double click plots it, drag it to a pane or below them</source>
         <source>its number holds from its next power cycle on, and nothing proves it before</source>
         <translation>其编号从下次断电重启后生效，此前无法证明</translation>
     </message>
+    <message>
+        <source>put it back first, as &apos;motorbenchctl set %1 %2&apos; does</source>
+        <translation>请先恢复，例如用“motorbenchctl set %1 %2”</translation>
+    </message>
+    <message>
+        <source>trial %1 did not put back what it changed</source>
+        <translation>试验 %1 没有恢复它所改的值</translation>
+    </message>
 </context>
 </TS>

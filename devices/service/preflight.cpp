@@ -2,6 +2,7 @@
 #include "service/preflight.h"
 
 #include "async/sleep.h"
+#include "experiment/owedgains.h"
 
 namespace mb::service {
 namespace {
@@ -42,9 +43,21 @@ Result<void> checkStill(const Device &device)
     return {};
 }
 
+/// Gains that an experiment tried are no state of a unit that could be backed up, or pass.
+Task<void> checkOwed(Device &device, tuning::ExperimentJournal &trials)
+{
+    auto looking = tuning::lookForOwed(device, trials);
+    const std::vector<tuning::OwedGains> owed = co_await std::move(looking);
+    if (owed.empty())
+        co_return {};
+    co_return fail(Fault::Refused, say("trial %1 did not put back what it changed", owed.front().trial),
+        say("put it back first, as 'motorbenchctl set %1 %2' does", device.selector(),
+            tuning::assignmentsOf(device.family(), owed.front().values)));
+}
+
 } // namespace
 
-Task<void> preflight(Device &device, const RecipeMatter &matter, Progress &progress)
+Task<void> preflight(Device &device, const RecipeMatter &matter, tuning::ExperimentJournal *trials, Progress &progress)
 {
     if (auto state = checkState(device, matter.recipe); !state)
         co_return fail(state.error());
@@ -53,6 +66,10 @@ Task<void> preflight(Device &device, const RecipeMatter &matter, Progress &progr
         co_await listening;
         if (auto still = checkStill(device); !still)
             co_return fail(still.error());
+        if (trials) {
+            auto asking = checkOwed(device, *trials);
+            co_await std::move(asking);
+        }
     }
     if (!matter.recipe.firmware)
         co_return {};

@@ -170,7 +170,7 @@ Task<void> QueueBus::check(Row &row)
     NoProgress unseen;
     row.shown.what = say("Preflight");
     m_run.changed().notify();
-    auto looking = preflight(*device, m_run.matter(), unseen);
+    auto looking = preflight(*device, m_run.matter(), m_run.around().trials, unseen);
     const Result<void> looked = co_await std::move(looking).attempt();
     if (looked || looked.error().fault == Fault::LinkLost || looked.error().fault == Fault::Timeout)
         co_return {}; // its turn will tell

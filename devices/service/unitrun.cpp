@@ -180,7 +180,7 @@ Task<Message> UnitRun::look()
 {
     auto meeting = meet();
     co_await std::move(meeting);
-    auto looking = preflight(m_device, m_around.matter, m_progress);
+    auto looking = preflight(m_device, m_around.matter, m_around.experiments.journal, m_progress);
     co_await std::move(looking);
     if (auto same = isSame(); !same)
         co_return fail(same.error());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What of one unit concerns more than that unit, as the journal has it.
+#include "model/unit.h"
 #include "servicebench.h"
 
 namespace mb::service {
@@ -70,6 +71,33 @@ TEST_F(Endings, WhatElseHasChangedMeanwhileIsCountedFromTheFirstSettingOn)
     for (const StepEntry &step : visits[0].steps)
         told += '\n' + step.detail.english();
     EXPECT_NE(told.find("2 settings besides those of the recipe differ from the backup"), std::string::npos) << told;
+}
+
+TEST_F(Endings, AUnitOnWhichAnExperimentLeftItsGainsIsRefusedAndNothingOfItIsKept)
+{
+    UnitRack rack({"dmc60c:5,serial=210334000001"});
+    QueueRun run(rack, *books, load(rack, R"({"recipe":1,"name":"look","family":"dmc60c","number":{"first":10}})"));
+    rack.putOn(0);
+    const auto found = test::run(rack.clock, rack.session->scan(*rack.link));
+    ASSERT_TRUE(found && found->size() == 1);
+    Device *const unit = found->front();
+    tuning::Trial trial;
+    trial.device = unit->selector();
+    trial.unit = unitKeyOf(*unit);
+    const auto number = test::run(rack.clock, books->trials->begin(trial));
+    ASSERT_TRUE(number);
+    const ParameterIndex gain = *findParameter(unit->family().parameters, "slot0.p");
+    const auto tried = test::run(rack.clock, unit->read(gain));
+    ASSERT_TRUE(tried);
+    ASSERT_TRUE(test::run(rack.clock, books->trials->owe(*number, trial.unit, {{"slot0.p", *tried + 7, *tried}})));
+    books->trials->abandon(*number);
+    ASSERT_TRUE(run.run());
+    const auto visits = books->visits();
+    ASSERT_EQ(visits.size(), 1U);
+    EXPECT_EQ(visits[0].outcome, Outcome::Refused);
+    EXPECT_NE(visits[0].cause.english().find("did not put back what it changed"), std::string::npos);
+    EXPECT_NE(visits[0].remedy.english().find("slot0.p="), std::string::npos);
+    EXPECT_FALSE(visits[0].snapshot);
 }
 
 TEST_F(Endings, NoUnitIsBegunAfterTheLastNumber)

@@ -60,7 +60,7 @@ protected:
         UnitInState unit(link, clock, state);
         unit.setLiveness(liveness);
         NoProgress unseen;
-        return test::run(clock, preflight(unit, matter, unseen));
+        return test::run(clock, preflight(unit, matter, nullptr, unseen));
     }
     static std::string why(const Result<void> &looked) { return looked ? "nothing" : looked.error().text(); }
 
@@ -116,7 +116,7 @@ TEST_F(Preflight, AnotherMasterIsListenedForLongEnoughToBeHeard)
         unit.setLiveness(driven);
     });
     NoProgress unseen;
-    EXPECT_EQ(test::run(clock, preflight(unit, matter, unseen)).error().fault, Fault::Unsafe);
+    EXPECT_EQ(test::run(clock, preflight(unit, matter, nullptr, unseen)).error().fault, Fault::Unsafe);
 }
 
 TEST_F(Preflight, FirmwareIsAskedWhetherItWouldGoAndNothingIsWritten)
