@@ -2183,6 +2183,10 @@
         <source>no</source>
         <translation>nein</translation>
     </message>
+    <message>
+        <source>F5 tests again, F8 sets it aside</source>
+        <translation>F5 prüft erneut, F8 legt beiseite</translation>
+    </message>
 </context>
 <context>
     <name>mb::BodePlot</name>
@@ -4624,16 +4628,16 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <source>Time until the values go back</source>
         <translation>Zeit, bis die Werte zurückgehen</translation>
     </message>
-    <message>
-        <source>Keep these values of %1? %2</source>
-        <translation>Diese Werte von %1 behalten? %2</translation>
-    </message>
     <message numerus="yes">
         <source>%1 · %n more change(s) after this one</source>
         <translation>
             <numerusform>%1 · danach noch %n Änderung</numerusform>
             <numerusform>%1 · danach noch %n Änderungen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Keep these values of %1?</source>
+        <translation>Diese Werte von %1 behalten?</translation>
     </message>
 </context>
 <context>
@@ -5170,6 +5174,14 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>The duty was at its limit while I went on; that is paid back as overshoot</source>
         <translation>Der Tastgrad war an seiner Grenze, während I weiterlief; das wird als Überschwingen zurückgezahlt</translation>
+    </message>
+    <message>
+        <source>means of %1 repeats</source>
+        <translation>Mittel aus %1 Läufen</translation>
+    </message>
+    <message>
+        <source>%1= same ±%2</source>
+        <translation>%1= gleich ±%2</translation>
     </message>
 </context>
 <context>
@@ -6764,7 +6776,7 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     </message>
     <message>
         <source>Unit %1 of %2</source>
-        <translation>Einheit %1 von %2</translation>
+        <translation>Gerät %1 von %2</translation>
     </message>
     <message numerus="yes">
         <source>Ended with %n unit(s) to go</source>
@@ -6955,7 +6967,7 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     </message>
     <message>
         <source>Unit</source>
-        <translation>Einheit</translation>
+        <translation>Gerät</translation>
     </message>
     <message>
         <source>Firmware</source>
@@ -7855,7 +7867,7 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     </message>
     <message>
         <source>Unit</source>
-        <translation>Einheit</translation>
+        <translation>Gerät</translation>
     </message>
     <message>
         <source>Gain K</source>
@@ -10933,7 +10945,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>PASS</source>
-        <translation>GUT</translation>
+        <translation>BESTANDEN</translation>
     </message>
     <message>
         <source>FAIL</source>

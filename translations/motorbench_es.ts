@@ -2183,6 +2183,10 @@
         <source>no</source>
         <translation>no</translation>
     </message>
+    <message>
+        <source>F5 tests again, F8 sets it aside</source>
+        <translation>F5 prueba de nuevo, F8 la aparta</translation>
+    </message>
 </context>
 <context>
     <name>mb::BodePlot</name>
@@ -4624,16 +4628,16 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <source>Time until the values go back</source>
         <translation>Tiempo hasta que se restituyan los valores</translation>
     </message>
-    <message>
-        <source>Keep these values of %1? %2</source>
-        <translation>¿Conservar estos valores de %1? %2</translation>
-    </message>
     <message numerus="yes">
         <source>%1 · %n more change(s) after this one</source>
         <translation>
             <numerusform>%1 · queda %n cambio más</numerusform>
             <numerusform>%1 · quedan %n cambios más</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Keep these values of %1?</source>
+        <translation>¿Conservar estos valores de %1?</translation>
     </message>
 </context>
 <context>
@@ -5170,6 +5174,14 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     <message>
         <source>Made on a simulated controller, and marked so for ever</source>
         <translation>Hecho en un controlador simulado, y marcado así para siempre</translation>
+    </message>
+    <message>
+        <source>means of %1 repeats</source>
+        <translation>medias de %1 repeticiones</translation>
+    </message>
+    <message>
+        <source>%1= same ±%2</source>
+        <translation>%1= igual ±%2</translation>
     </message>
 </context>
 <context>

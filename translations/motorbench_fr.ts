@@ -1260,11 +1260,11 @@
     </message>
     <message>
         <source>on</source>
-        <translation>marche</translation>
+        <translation>activé</translation>
     </message>
     <message>
         <source>off</source>
-        <translation>arrêt</translation>
+        <translation>désactivé</translation>
     </message>
     <message>
         <source>off or on</source>
@@ -2182,6 +2182,10 @@
     <message>
         <source>no</source>
         <translation>non</translation>
+    </message>
+    <message>
+        <source>F5 tests again, F8 sets it aside</source>
+        <translation>F5 reteste, F8 met de côté</translation>
     </message>
 </context>
 <context>
@@ -4624,16 +4628,16 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <source>Time until the values go back</source>
         <translation>Temps avant le rétablissement des valeurs</translation>
     </message>
-    <message>
-        <source>Keep these values of %1? %2</source>
-        <translation>Conserver ces valeurs de %1&#x202f;? %2</translation>
-    </message>
     <message numerus="yes">
         <source>%1 · %n more change(s) after this one</source>
         <translation>
             <numerusform>%1 · encore %n modification ensuite</numerusform>
             <numerusform>%1 · encore %n modifications ensuite</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Keep these values of %1?</source>
+        <translation>Conserver ces valeurs de %1 ?</translation>
     </message>
 </context>
 <context>
@@ -5170,6 +5174,14 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     <message>
         <source>Made on a simulated controller, and marked so for ever</source>
         <translation>Obtenu sur un contrôleur simulé, et marqué ainsi pour toujours</translation>
+    </message>
+    <message>
+        <source>means of %1 repeats</source>
+        <translation>moyennes de %1 répétitions</translation>
+    </message>
+    <message>
+        <source>%1= same ±%2</source>
+        <translation>%1= idem ±%2</translation>
     </message>
 </context>
 <context>
@@ -6955,7 +6967,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation>Unité</translation>
+        <translation>Appareil</translation>
     </message>
     <message>
         <source>Firmware</source>
@@ -7867,7 +7879,7 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>Unit</source>
-        <translation>Unité</translation>
+        <translation>Appareil</translation>
     </message>
     <message>
         <source>Gain K</source>
@@ -8301,7 +8313,7 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>Tuning</source>
-        <translation>Réglage en cours</translation>
+        <translation>Réglage</translation>
     </message>
     <message>
         <source>Journal</source>

@@ -2181,6 +2181,10 @@
         <source>no</source>
         <translation>いいえ</translation>
     </message>
+    <message>
+        <source>F5 tests again, F8 sets it aside</source>
+        <translation>F5 で再テスト、F8 でよける</translation>
+    </message>
 </context>
 <context>
     <name>mb::BodePlot</name>
@@ -3185,7 +3189,7 @@
     <name>mb::DeviceModel</name>
     <message>
         <source>lost</source>
-        <translation>切断</translation>
+        <translation>欠落</translation>
     </message>
     <message>
         <source>scanning</source>
@@ -4618,15 +4622,15 @@ Double click or Enter plots it; drag it to a plot.</source>
         <source>Time until the values go back</source>
         <translation>値が元に戻るまでの時間</translation>
     </message>
-    <message>
-        <source>Keep these values of %1? %2</source>
-        <translation>%1 のこれらの値を維持しますか? %2</translation>
-    </message>
     <message numerus="yes">
         <source>%1 · %n more change(s) after this one</source>
         <translation>
             <numerusform>%1 · この後に変更 %n 件</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Keep these values of %1?</source>
+        <translation>%1 のこの値を維持しますか?</translation>
     </message>
 </context>
 <context>
@@ -4990,7 +4994,7 @@ Double click or Enter plots it; drag it to a plot.</source>
     <name>mb::MainWindow</name>
     <message>
         <source>lost</source>
-        <translation>切断</translation>
+        <translation>欠落</translation>
     </message>
     <message>
         <source>%1: %2 frames received, %3 sent, %4 dropped, %5 errors</source>
@@ -5163,6 +5167,14 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>Made on a simulated controller, and marked so for ever</source>
         <translation>シミュレーションのコントローラで得た結果であり、その印は消えません</translation>
+    </message>
+    <message>
+        <source>means of %1 repeats</source>
+        <translation>%1 回の平均</translation>
+    </message>
+    <message>
+        <source>%1= same ±%2</source>
+        <translation>%1= 同じ ±%2</translation>
     </message>
 </context>
 <context>
@@ -5403,7 +5415,7 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
     <message>
         <source>lost</source>
-        <translation>切断</translation>
+        <translation>欠落</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -6946,7 +6958,7 @@ double click or End returns to the present · right click for more</source>
     </message>
     <message>
         <source>Unit</source>
-        <translation>単位</translation>
+        <translation>機器</translation>
     </message>
     <message>
         <source>Firmware</source>
@@ -7858,7 +7870,7 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     </message>
     <message>
         <source>Unit</source>
-        <translation>単位</translation>
+        <translation>機器</translation>
     </message>
     <message>
         <source>Gain K</source>

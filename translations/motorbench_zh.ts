@@ -2181,6 +2181,10 @@
         <source>no</source>
         <translation>否</translation>
     </message>
+    <message>
+        <source>F5 tests again, F8 sets it aside</source>
+        <translation>F5 再次测试，F8 搁置</translation>
+    </message>
 </context>
 <context>
     <name>mb::BodePlot</name>
@@ -4618,15 +4622,15 @@ Double click or Enter plots it; drag it to a plot.</source>
         <source>Time until the values go back</source>
         <translation>距恢复原值的时间</translation>
     </message>
-    <message>
-        <source>Keep these values of %1? %2</source>
-        <translation>保留 %1 的这些值吗？%2</translation>
-    </message>
     <message numerus="yes">
         <source>%1 · %n more change(s) after this one</source>
         <translation>
             <numerusform>%1 · 此后还有 %n 项更改</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Keep these values of %1?</source>
+        <translation>保留 %1 的这些值吗?</translation>
     </message>
 </context>
 <context>
@@ -5163,6 +5167,14 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>Made on a simulated controller, and marked so for ever</source>
         <translation>在仿真控制器上得出，并永久如此标记</translation>
+    </message>
+    <message>
+        <source>means of %1 repeats</source>
+        <translation>%1 次的平均值</translation>
+    </message>
+    <message>
+        <source>%1= same ±%2</source>
+        <translation>%1= 相同 ±%2</translation>
     </message>
 </context>
 <context>
@@ -6946,7 +6958,7 @@ double click or End returns to the present · right click for more</source>
     </message>
     <message>
         <source>Unit</source>
-        <translation>单位</translation>
+        <translation>设备</translation>
     </message>
     <message>
         <source>Firmware</source>
@@ -7858,7 +7870,7 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     </message>
     <message>
         <source>Unit</source>
-        <translation>单位</translation>
+        <translation>设备</translation>
     </message>
     <message>
         <source>Gain K</source>

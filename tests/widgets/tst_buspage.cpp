@@ -32,6 +32,7 @@ private Q_SLOTS:
     void theDetailIsShortUntilAFrameIsSelected();
     void theOrdersStandInOneLineBesideTheDevices();
     void someFramesAreInSightAtTwiceTheFont();
+    void theBusiestIdentifierStandsFirst();
     void aTimeOfTheLogIsWhole();
     void withoutALinkItSaysHowToGetOne();
     void whatALinkLeftStaysWhenItIsClosed();
@@ -261,6 +262,28 @@ void BusPageTest::someFramesAreInSightAtTwiceTheFont()
     QVERIFY(frames->viewport()->height() >= 5 * frames->verticalHeader()->defaultSectionSize());
     const int message = frames->columnViewportPosition(FrameModel::Message) + frames->columnWidth(FrameModel::Message);
     QVERIFY2(message <= frames->viewport()->width(), qPrintable(QString::number(message)));
+}
+
+void BusPageTest::theBusiestIdentifierStandsFirst()
+{
+    BusBench bench;
+    bench.page->hide();
+    bench.traffic.add("023#00"); // once, and of the smallest identifier
+    for (int i = 0; i < 100; ++i) {
+        bench.traffic.add(generalOf7);
+        if (i % 10 == 0)
+            bench.traffic.add(generalOf5);
+    }
+    bench.past = {};
+    bench.publish();
+    bench.page->show();
+    bench.past = {};
+    bench.publish();
+    const auto &model = *bench.named<TrafficView>("Identifiers")->model();
+    QStringList order;
+    for (int row = 0; row < model.rowCount(); ++row)
+        order += model.index(row, IdModel::Id).data().toString();
+    QCOMPARE(order, QStringList({QStringLiteral("02061407"), QStringLiteral("02061405"), QStringLiteral("023")}));
 }
 
 void BusPageTest::withoutALinkItSaysHowToGetOne()

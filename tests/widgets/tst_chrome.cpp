@@ -44,6 +44,7 @@ private Q_SLOTS:
     void aCaptionStandsBesideItsOwnNumber();
     void sparklineRangeIgnoresGaps();
     void sparklineKeepsItsCapacity();
+    void aConstantIsALineAndNoBlock();
     void searchFieldLetsEscThrough();
     void cardOpensByEnterAndNotBySpace();
     void primaryButtonIsAsWideAsItsWidestText();
@@ -308,6 +309,26 @@ void ChromeTest::sparklineKeepsItsCapacity()
     QCOMPARE(line.range()->first, 90.0);
     line.resize(80, 30);
     QVERIFY(line.grab().toImage() != Sparkline(m_theme, TraceRole::Velocity).grab(QRect(0, 0, 80, 30)).toImage());
+}
+
+void ChromeTest::aConstantIsALineAndNoBlock()
+{
+    const auto inked = [this](std::deque<double> values) {
+        Sparkline line(m_theme, TraceRole::Velocity);
+        line.setCapacity(20);
+        line.resize(80, 30);
+        const QImage empty = line.grab().toImage();
+        line.setValues(std::move(values));
+        const QImage drawn = line.grab().toImage();
+        int count = 0;
+        for (int y = 0; y < drawn.height(); ++y)
+            count += drawn.pixel(40, y) != empty.pixel(40, y) ? 1 : 0;
+        return count;
+    };
+    QVERIFY2(inked(std::deque<double>(20, 0.0)) <= 4, "the line alone");
+    std::deque<double> rising(20);
+    std::iota(rising.begin(), rising.end(), 0.0);
+    QVERIFY(inked(rising) > 8);
 }
 
 void ChromeTest::searchFieldLetsEscThrough()

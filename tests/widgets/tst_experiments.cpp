@@ -30,6 +30,7 @@ private Q_SLOTS:
     void theListSortsFiltersStarsAndNotes();
     void aGuardLatchesTheStopAndSaysItsName();
     void aPartOfAStepIsNotCalledBetterOrWorse();
+    void whatIsNoDifferenceTellsTheSpreadThatHidesIt();
     void haltEndsATrialAndStaysArmed();
     void aModeWithoutALoopSendsOneToLive();
     void theJogKeyMovesForAsLongAsItIsHeld();
@@ -263,6 +264,33 @@ void TestExperiments::aPartOfAStepIsNotCalledBetterOrWorse()
     QCOMPARE(bench.metric(3, 3), QString());
     metrics.setTrials(&part, &whole, {});
     QCOMPARE(bench.metric(6, 3), s("+12.0"));
+}
+
+void TestExperiments::whatIsNoDifferenceTellsTheSpreadThatHidesIt()
+{
+    TrialBench bench(lightTheme(), QSize(1280, 800));
+    KeptTrial one;
+    one.number = 1;
+    one.trial.metrics.settle = 0.511;
+    KeptTrial other = one;
+    other.number = 2;
+    other.trial.metrics.settle = 0.808;
+    other.trial.errors.settle = 0.310;
+    other.trial.repeat = 2;
+    MetricsPanel panel(bench.theme);
+    panel.setTrials(&one, &other, {});
+    for (const int width : {200, 800}) {
+        panel.resize(width, 600);
+        panel.show();
+        QTest::qWait(0);
+        const QTableWidgetItem &settle = *panel.table().item(2, 3);
+        QVERIFY2(settle.text().endsWith(s("= same ±310")), qPrintable(settle.text()));
+        QCOMPARE(settle.toolTip(), s("+297 = same ±310"));
+        QStringList words;
+        for (const QLabel *label : panel.findChildren<QLabel *>())
+            words << label->text();
+        QCOMPARE(words.contains(s("± from 2 repeats")), panel.table().item(2, 2)->text().contains(s("±")));
+    }
 }
 
 void TestExperiments::haltEndsATrialAndStaysArmed()

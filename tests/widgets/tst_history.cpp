@@ -100,6 +100,8 @@ private Q_SLOTS:
     void theNewestStateIsComparedFirst();
     void whatIsTickedIsRestored();
     void ticksStayUntilAnotherStateIsChosen();
+    void factoryDefaultsComeUnticked();
+    void aRestoreDoesNotTurnTheComparisonRound();
     void whatBelongsToOneUnitIsCopiedOnlyIfItIsTickedItself();
     void theTimelineTellsWhoWroteWhatFromWhere();
     void anyTwoStatesAreCompared();
@@ -141,6 +143,46 @@ void TestHistory::ticksStayUntilAnotherStateIsChosen()
     }
     QCOMPARE(bench.table()->item(0, 0)->checkState(), Qt::Unchecked);
     QCOMPARE(bench.table()->item(bench.column(1).indexOf(QStringLiteral("slot1.p")), 0)->checkState(), Qt::Checked);
+}
+
+void TestHistory::factoryDefaultsComeUnticked()
+{
+    HistoryBench bench;
+    QTRY_COMPARE(bench.table()->rowCount(), 3);
+    DeviceView &drive = bench.workbench.device(0);
+    drive.parameters.edit()[named("slot1.i").value].raw = 77;
+    ++drive.parameterRevision;
+    bench.workbench.publish();
+    QTRY_COMPARE(bench.table()->rowCount(), 4);
+    auto *const b = bench.boxOf("State B");
+    const int defaults = b->findText(QStringLiteral("factory defaults"));
+    QVERIFY(defaults >= 0);
+    b->setCurrentIndex(defaults);
+    Q_EMIT b->activated(defaults);
+    QVERIFY(bench.table()->rowCount() > 0);
+    for (int row = 0; row < bench.table()->rowCount(); ++row)
+        QVERIFY2(bench.table()->item(row, 0)->checkState() == Qt::Unchecked,
+            qPrintable(bench.table()->item(row, 1)->text()));
+    QVERIFY(!button(bench, QStringLiteral("Restore 0"))->isEnabled());
+}
+
+void TestHistory::aRestoreDoesNotTurnTheComparisonRound()
+{
+    HistoryBench bench;
+    QTRY_COMPARE(bench.table()->rowCount(), 3);
+    const QString chosen = bench.boxOf("State B")->currentText();
+    QVERIFY2(chosen.contains(QStringLiteral("limits for the demo")), qPrintable(chosen));
+    button(bench, QStringLiteral("Restore 2"))->click();
+    DeviceView &drive = bench.workbench.device(0);
+    bench.workbench.archive.kept[drive.unit].snapshots.push_back(
+        HistoryBench::snapshot(3, drive.unit, "before restore", drive));
+    drive.parameters.edit()[named("slot1.p").value].raw = rawOf("slot1.p", 2);
+    drive.parameters.edit()[named("slot1.max_forward").value].raw = 20000;
+    ++drive.parameterRevision;
+    bench.workbench.publish();
+    QTRY_COMPARE(bench.boxOf("State B")->count(), 5);
+    QCOMPARE(bench.boxOf("State B")->currentText(), chosen);
+    QVERIFY(!button(bench, QStringLiteral("Restore 0"))->isEnabled());
 }
 
 void TestHistory::whatBelongsToOneUnitIsCopiedOnlyIfItIsTickedItself()

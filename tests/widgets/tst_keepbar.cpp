@@ -42,6 +42,7 @@ class TestKeepBar : public QObject {
 private Q_SLOTS:
     void thereIsNoneWhileNothingWaits();
     void theTimeIsSaidAndShown();
+    void theTimeIsNeverCut();
     void keepAndPutBackAreOrders();
     void whatGoesFirstIsAskedFirst();
     void theKeyKeepsOnlyWhatIsAsked();
@@ -68,6 +69,22 @@ void TestKeepBar::theTimeIsSaidAndShown()
     QCOMPARE(time->maximum(), 30000);
     QVERIFY(!time->accessibleName().isEmpty());
     QVERIFY(bench.bar.accessibleDescription().contains(QStringLiteral("60 → 80")));
+}
+
+void TestKeepBar::theTimeIsNeverCut()
+{
+    KeepBench bench;
+    bench.wait(4, UnconfirmedView::State::Counting, 17.4);
+    bench.bar.resize(320, 60);
+    QTest::qWait(0);
+    const auto labels = bench.bar.findChildren<QLabel *>();
+    const auto time = std::find_if(labels.begin(), labels.end(),
+        [](const QLabel *label) { return label->text().contains(QStringLiteral("18 s")); });
+    QVERIFY(time != labels.end());
+    const int needed = QFontMetrics((*time)->font()).horizontalAdvance((*time)->text());
+    const int right = (*time)->mapTo(&bench.bar, QPoint(0, 0)).x() + needed;
+    QVERIFY2((*time)->width() >= needed && right <= bench.bar.width(),
+        qPrintable(QStringLiteral("%1 px for %2").arg((*time)->width()).arg(needed)));
 }
 
 void TestKeepBar::keepAndPutBackAreOrders()

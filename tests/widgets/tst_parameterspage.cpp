@@ -7,6 +7,7 @@
 #include "widgets/common/applytheme.h"
 #include "widgets/common/banner.h"
 #include "widgets/common/emptystate.h"
+#include "widgets/parameters/changespanel.h"
 
 #include <QAbstractButton>
 #include <QApplication>
@@ -42,6 +43,7 @@ private Q_SLOTS:
     void namesGetTheRoomThatNoStateNeeds();
     void onAWideScreenAValueStandsBesideItsName();
     void namesThatBeginAlikeDifferWhereTheyAreCut();
+    void longWordsBesideTheTableTakeNoColumnFromIt();
 };
 
 void TestParametersPage::namesGetTheRoomThatNoStateNeeds()
@@ -307,6 +309,21 @@ void TestParametersPage::nothingIsCutAtTwiceTheFont()
     }
     QApplication::setFont(before);
     applyTheme(*qApp, lightTheme());
+}
+
+void TestParametersPage::longWordsBesideTheTableTakeNoColumnFromIt()
+{
+    ParameterBench bench;
+    bench.page->resize(1048, 640);
+    auto *panel = bench.page->findChild<ChangesPanel *>();
+    for (auto *label : panel->findChildren<QLabel *>()) {
+        if (label->wordWrap())
+            label->setText(QString(90, QChar(0x5909))); // as in Japanese: no spaces
+    }
+    bench.page->show();
+    QCoreApplication::processEvents();
+    QVERIFY2(panel->width() <= 300, qPrintable(QString::number(panel->width())));
+    QVERIFY(bench.page->view().columnWidth(ParameterModel::Key) > 0);
 }
 
 MB_WINDOW_TEST(TestParametersPage);

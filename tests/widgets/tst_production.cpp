@@ -157,8 +157,14 @@ void TestProduction::aFailureSaysCauseAndRemedyAndCanBeTestedAgain()
     bench.show({failed});
     const Verdict &verdict = bench.page->verdict().verdict();
     QCOMPARE(verdict.kind, Verdict::Kind::Failed);
-    QVERIFY(verdict.cause.contains(s("0.61")));
-    QVERIFY(!verdict.remedy.isEmpty());
+    QCOMPARE(verdict.cause, s("Friction 0.61 V, at most 0.4")); // sentences
+    QCOMPARE(verdict.remedy, s("Free the shaft"));
+    QVERIFY2(verdict.next.contains(s("F5")) && verdict.next.contains(s("F8")), qPrintable(verdict.next));
+    bench.workbench.served.running = false;
+    bench.show({failed, rowOf(8, service::RowState::Skipped, "B2")});
+    QVERIFY(bench.page->verdict().verdict().next.contains(s("F5")));
+    auto *units = bench.page->findChild<QListWidget *>();
+    QVERIFY(units->item(0)->text().startsWith(s("A1"))); // what was left out is none of the last ten
     QTest::keyClick(bench.page.get(), Qt::Key_F5);
     QCOMPARE(bench.workbench.given<orders::RetryUnit>().at(0).row, 7U);
 }
@@ -252,6 +258,10 @@ void TestProduction::aShiftIsCountedInFigures()
     QCOMPARE(texts.mid(0, 3), (QStringList{s("26 passed"), s("1 failed"), s("0 refused before start")}));
     QVERIFY2(texts.at(3).startsWith(s("21.6")), qPrintable(texts.at(3)));
     QCOMPARE(texts.at(4), s("41 units an hour")); // 27 in 26 × 90 s + 21.6 s
+    auto few = aShift();
+    few.resize(3);
+    bench.show(few);
+    QVERIFY(!bench.page->findChild<CountTiles *>()->texts().at(4).contains(QRegularExpression(s("\\d"))));
 }
 
 void TestProduction::aUnitThatHadEverythingIsNoWork()

@@ -261,6 +261,12 @@ void QueueTest::aUnitWhoseSelfTestTurnsItsMotorIsNotSafeToUnplug()
     const int cell = table.columnWidth(QueueModel::Outcome);
     const int words = table.fontMetrics().horizontalAdvance(bench.cell(0, QueueModel::Outcome));
     QTRY_VERIFY2(words < cell - 8 || table.rowHeight(0) >= 2 * table.fontMetrics().height(), "cut");
+    for (int column = 0; column < QueueModel::Outcome; ++column) {
+        const int needed
+            = table.fontMetrics().horizontalAdvance(bench.cell(0, static_cast<QueueModel::Column>(column)));
+        QVERIFY2(
+            needed < table.columnWidth(column) - 8, qPrintable(bench.cell(0, static_cast<QueueModel::Column>(column))));
+    }
     bench.workbench.served.waits = false;
     bench.workbench.serve({testing});
     QVERIFY(!bench.says(QStringLiteral("Safe to unplug")));

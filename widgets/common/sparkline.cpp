@@ -82,10 +82,11 @@ QSize Sparkline::sizeHint() const
     return {m_theme.theme().u(120), m_theme.theme().u(40)};
 }
 
-void Sparkline::paintRun(QPainter &painter, const QPolygonF &run) const
+/// What is constant has no area: it would look like half of something.
+void Sparkline::paintRun(QPainter &painter, const QPolygonF &run, bool filled) const
 {
     const QColor line = m_theme.theme().trace(m_role);
-    if (run.size() > 1) {
+    if (filled && run.size() > 1) {
         QColor fill = line;
         fill.setAlphaF(0.16);
         QPolygonF area = run;
@@ -115,7 +116,7 @@ void Sparkline::paintEvent(QPaintEvent *)
     QPolygonF run;
     const auto flush = [&] {
         if (!run.isEmpty())
-            paintRun(painter, run);
+            paintRun(painter, run, span > 0);
         run.clear();
     };
     double x = width() - step * static_cast<double>(m_values.size() - 1);

@@ -31,7 +31,7 @@ protected:
 
 private:
     void touched();
-    void paintRun(QPainter &painter, const QPolygonF &run) const;
+    void paintRun(QPainter &painter, const QPolygonF &run, bool filled) const;
 
     const ThemeSource &m_theme;
     TraceRole m_role;

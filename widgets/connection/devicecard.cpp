@@ -166,8 +166,11 @@ void DeviceCard::showSparkline(const DeviceView &device, Instant now)
         values.push_back(point && time - point->time < std::chrono::seconds(1) ? point->value : std::nan(""));
     }
     m_sparkline->setValues(std::move(values));
+    const QString unit = tableText(device.telemetry->channels()[channel->value].unit);
     if (const auto range = m_sparkline->range())
-        m_range->setText(QStringLiteral("%1 … %2").arg(formatNumber(range->first), formatNumber(range->second)));
+        m_range->setText(range->first == range->second
+                ? formatValue(range->first, 0, unit)
+                : QStringLiteral("%1 … %2").arg(formatNumber(range->first), formatValue(range->second, 0, unit)));
     else
         m_range->setText(QString(UnknownMark));
 }

@@ -9,6 +9,8 @@
 #include "widgets/common/numberformat.h"
 #include "widgets/common/valuelabel.h"
 
+#include <algorithm>
+
 namespace mb {
 namespace {
 
@@ -98,8 +100,9 @@ QString DeviceLine::aboutOf(const DeviceView &device) const
     return m_selection.axis() > 0 ? commandOfAxis(device, m_selection.axis()) : axesLine(device);
 }
 
-void DeviceLine::showValues(const DeviceView &device)
+std::vector<ValueLabel *> DeviceLine::showValues(const DeviceView &device)
 {
+    std::vector<ValueLabel *> wanted;
     const Instant now = m_workbench.presentOf(device.link);
     const int axis = m_selection.axis();
     const bool several = hasAxes(*device.family);
@@ -107,7 +110,8 @@ void DeviceLine::showValues(const DeviceView &device)
     const auto show = [&](ValueLabel *label, std::string_view name, double factor, int decimals, int from) {
         const std::string key = axisKey(axis, name);
         const auto row = device.telemetry->find(key);
-        label->setVisible((several ? row.has_value() : label != m_position) && width() > m_theme.theme().u(from));
+        if ((several ? row.has_value() : label != m_position) && width() > m_theme.theme().u(from))
+            wanted.push_back(label);
         if (row && factor == 1.0) // counts, until somebody said what a count is
             label->setUnit(tableText(device.telemetry->channels()[row->value].unit));
         if (const auto value = liveValue(device, key, now))
@@ -121,20 +125,20 @@ void DeviceLine::showValues(const DeviceView &device)
     show(m_duty, "duty", 100.0, 0, 0);
     show(m_bus, "bus_voltage", 1.0, 2, 860);
     show(m_temperature, "temperature", 1.0, 1, 980);
+    return wanted;
 }
 
 /// With large text what has no room is left out whole: a value without its number says nothing.
-void DeviceLine::fitValues()
+void DeviceLine::fitValues(const std::vector<ValueLabel *> &wanted)
 {
     const int gap = m_theme.theme().u(12);
     int room = width() - m_theme.theme().u(16 + 16 + 5 * 8 + 60) // edges, spaces, and something of the name
         - m_glyph->sizeHint().width() - m_title->minimumWidth() - m_faultGlyph->sizeHint().width()
         - m_faults->minimumWidth() - 2 * gap;
     for (ValueLabel *label : {m_current, m_velocity, m_duty, m_position, m_bus, m_temperature}) {
-        if (label->isHidden())
-            continue;
-        room -= label->sizeHint().width() + gap;
-        label->setVisible(room >= 0);
+        const bool isWanted = std::find(wanted.begin(), wanted.end(), label) != wanted.end();
+        room -= isWanted ? label->sizeHint().width() + gap : 0;
+        label->setVisible(isWanted && room >= 0); // once: what is shown only to go again squeezes the others
     }
 }
 
@@ -151,13 +155,13 @@ void DeviceLine::follow()
     const auto known
         = [](const std::string &text) { return text.empty() ? QString(UnknownMark) : QString::fromStdString(text); };
     m_identity->setText(tr("SN %1 · fw %2").arg(known(device->identity->serial), known(device->identity->firmware)));
-    showValues(*device);
+    const auto wanted = showValues(*device);
     const HealthText health = healthOf(*device);
     m_faultGlyph->setState(health.glyph);
     showWhole(*m_faults, health.words);
     setTone(*m_faults, health.tone);
     m_faults->setToolTip(statesText(*device));
-    fitValues();
+    fitValues(wanted);
 }
 
 } // namespace mb

@@ -7,6 +7,8 @@
 
 #include <QWidget>
 
+#include <vector>
+
 class QHBoxLayout;
 class QLabel;
 
@@ -29,8 +31,9 @@ private:
     void buildIdentity(QHBoxLayout &row);
     void buildValues(QHBoxLayout &row);
     void follow();
-    void showValues(const DeviceView &device);
-    void fitValues();
+    /// Those that there are, in the order in which they are shown as long as there is room.
+    std::vector<ValueLabel *> showValues(const DeviceView &device);
+    void fitValues(const std::vector<ValueLabel *> &wanted);
     [[nodiscard]] QString aboutOf(const DeviceView &device) const;
 
     Workbench &m_workbench;

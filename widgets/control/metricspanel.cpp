@@ -132,12 +132,14 @@ void MetricsPanel::fillRows()
     const int least = fillAll(Detail::WordsOnly);
     const QMargins around = layout()->contentsMargins();
     const int room = width() - around.left() - around.right(); // the table follows later
-    if (fillAll(Detail::All) > room && fillAll(Detail::WithoutError) > room)
+    const bool whole = fillAll(Detail::All) <= room;
+    if (!whole && fillAll(Detail::WithoutError) > room)
         fillAll(Detail::WordsOnly);
     for (int column = ValueA; column < ColumnCount; ++column)
         m_table->setColumnWidth(column, widthOf(column));
     const int repeats = m_b ? m_b->trial.repeat : 1;
-    m_repeats->setText(repeats > 1 ? tr("± from %1 repeats").arg(repeats) : QString());
+    m_repeats->setText(
+        repeats > 1 ? (whole ? tr("± from %1 repeats") : tr("means of %1 repeats")).arg(repeats) : QString());
     if (std::exchange(m_least, least + around.left() + around.right() + m_theme.theme().u(14)) != m_least)
         Q_EMIT leastWidthChanged();
 }
@@ -172,43 +174,41 @@ void MetricsPanel::fillRow(int row, std::string_view key, Detail detail)
     setCell(row, Name, QStringLiteral("%1, %2").arg(word.name, word.unit), Tone::Text, false);
     setCell(row, ValueA, textOf(m_a, key, word, false), Tone::Text, false);
     setCell(row, ValueB, textOf(m_b, key, word, detail == Detail::All), Tone::Text, true);
-    fillDifference(row, key, detail);
+    const auto [difference, tone] = differenceOf(key, detail);
+    setCell(row, Difference, difference, tone, false);
     for (int column = Name; column < ColumnCount; ++column)
-        m_table->item(row, column)
-            ->setToolTip(column == ValueB ? textOf(m_b, key, word, true) : m_table->item(row, column)->text());
+        m_table->item(row, column)->setToolTip(m_table->item(row, column)->text());
+    m_table->item(row, ValueA)->setToolTip(textOf(m_a, key, word, true));
+    m_table->item(row, ValueB)->setToolTip(textOf(m_b, key, word, true));
+    m_table->item(row, Difference)->setToolTip(differenceOf(key, Detail::All).first);
 }
 
-void MetricsPanel::fillDifference(int row, std::string_view key, Detail detail)
+std::pair<QString, Tone> MetricsPanel::differenceOf(std::string_view key, Detail detail) const
 {
     const MetricWord word = metricWord(key);
     const auto a = m_a ? tuning::metricOf(m_a->trial.metrics, key) : std::nullopt;
     const auto b = m_b ? tuning::metricOf(m_b->trial.metrics, key) : std::nullopt;
-    if (!a || !b) {
-        setCell(row, Difference, QString(), Tone::Dim, false);
-        return;
-    }
-    const bool isSigned = key == "sse"; // what counts is how far it is from the set-point
+    if (!a || !b)
+        return {QString(), Tone::Dim};
+    const bool wordsOnly = detail == Detail::WordsOnly;
     const double before = a.value_or(0.0);
     const double after = b.value_or(0.0);
     const double change = (after - before) * word.scale;
-    if (m_a->trial.has(tuning::flag::aborted)
-        || m_b->trial.has(tuning::flag::aborted)) { // no judgement of a part of one
-        const bool wordsOnly = detail == Detail::WordsOnly;
-        setCell(row, Difference, wordsOnly ? QString() : formatDifference(change, word.decimals), Tone::Dim, false);
-        return;
-    }
+    const QString changed = formatDifference(change, word.decimals);
+    if (m_a->trial.has(tuning::flag::aborted) || m_b->trial.has(tuning::flag::aborted)) // no judgement of a part of one
+        return {wordsOnly ? QString() : changed, Tone::Dim};
+    const QString number = wordsOnly ? QString() : changed + QLatin1Char(' ');
+    const bool isSigned = key == "sse"; // what counts is how far it is from the set-point
     const double difference = isSigned ? (std::abs(after) - std::abs(before)) * word.scale : change;
-    const auto error = tuning::metricOf(m_b->trial.errors, key).value_or(0.0)
-        + tuning::metricOf(m_a->trial.errors, key).value_or(0.0);
-    const bool same = std::abs(difference) < std::max(word.same, error * word.scale);
-    const QString number
-        = detail == Detail::WordsOnly ? QString() : formatDifference(change, word.decimals) + QLatin1Char(' ');
-    if (same)
-        setCell(row, Difference, tr("%1= same").arg(number), Tone::Dim, false);
-    else if (difference < 0.0)
-        setCell(row, Difference, QStringLiteral("%1▼ %2").arg(number, word.less), Tone::Ok, false);
-    else
-        setCell(row, Difference, QStringLiteral("%1▲ %2").arg(number, word.more), Tone::Caution, false);
+    const auto errorOf = [&](const KeptTrial &kept) { return tuning::metricOf(kept.trial.errors, key).value_or(0.0); };
+    const double error = (errorOf(*m_a) + errorOf(*m_b)) * word.scale;
+    if (std::abs(difference) < word.same)
+        return {tr("%1= same").arg(number), Tone::Dim};
+    if (std::abs(difference) < error) // 511 and 808 are not the same to anyone who is not told why
+        return {tr("%1= same ±%2").arg(number, formatNumber(error, word.decimals)), Tone::Dim};
+    if (difference < 0.0)
+        return {QStringLiteral("%1▼ %2").arg(number, word.less), Tone::Ok};
+    return {QStringLiteral("%1▲ %2").arg(number, word.more), Tone::Caution};
 }
 
 void MetricsPanel::setCell(int row, int column, const QString &text, Tone tone, bool strong)

@@ -6,6 +6,8 @@
 
 #include <QWidget>
 
+#include <utility>
+
 class QLabel;
 class QTableWidget;
 
@@ -34,13 +36,14 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
-    /// What a row shows; where there is little room ± and the difference as a number give way, words and shape never.
+    /// What a row shows; where there is little room ± and the difference as a number give way to the tooltip, words and
+    /// shape never, nor the ± that makes a difference none.
     enum class Detail { All, WithoutError, WordsOnly };
 
     void fill();
     void fillRows();
     void fillRow(int row, std::string_view key, Detail detail);
-    void fillDifference(int row, std::string_view key, Detail detail);
+    [[nodiscard]] std::pair<QString, Tone> differenceOf(std::string_view key, Detail detail) const;
     [[nodiscard]] int widthOf(int column) const;
     [[nodiscard]] int tableWidth() const;
     void setCell(int row, int column, const QString &text, Tone tone, bool strong);

@@ -13,10 +13,15 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
-#include <array>
+#include <algorithm>
 
 namespace mb {
 namespace {
+
+constexpr int edges = 22; ///< units around a text
+constexpr int boxAndShape = 48;
+constexpr int bar = 34;
+constexpr int leastStep = 60;
 
 /// Whatever it says, its row stays as high; of a serial number or an address the end tells more than the middle.
 class OneLine : public QStyledItemDelegate {
@@ -37,6 +42,7 @@ protected:
 
 QueueTable::QueueTable(const ThemeSource &source, QWidget *parent)
     : QWidget(parent)
+    , m_theme(source)
 {
     const Theme &theme = source.theme();
     auto *column = layoutIn<QVBoxLayout>(this, 0);
@@ -78,11 +84,49 @@ void QueueTable::buildView(const ThemeSource &source)
     titles->setHighlightSections(false);
     titles->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     titles->setStretchLastSection(true);
-    constexpr std::array<int, QueueModel::Columns> widths{160, 60, 100, 120, 92, 60, 100};
     // A cause has as many lines as it needs in the room that there is now.
     connect(titles, &QHeaderView::sectionResized, m_view, &QTableView::resizeRowsToContents);
-    for (int i = 0; i < QueueModel::Columns; ++i)
-        m_view->setColumnWidth(i, theme.u(widths.at(static_cast<std::size_t>(i))));
+    connect(m_model, &QAbstractItemModel::dataChanged, this, &QueueTable::fitColumns);
+    connect(m_model, &QAbstractItemModel::modelReset, this, &QueueTable::fitColumns);
+    m_view->viewport()->installEventFilter(this);
+    fitColumns();
+}
+
+bool QueueTable::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::Resize || event->type() == QEvent::FontChange)
+        fitColumns();
+    return QWidget::eventFilter(watched, event);
+}
+
+/// Every column has what its texts have needed so far; where that is too much, the step gives way to what is to be done.
+void QueueTable::fitColumns()
+{
+    const Theme &theme = m_theme.theme();
+    int rest = m_view->viewport()->width();
+    for (int column = 0; column < QueueModel::Columns; ++column) {
+        int &needed = m_needed.at(static_cast<std::size_t>(column));
+        const auto widen = [&](const QString &text, const QFont &font, int around) {
+            needed = std::max(needed, QFontMetrics(font).horizontalAdvance(text) + theme.u(around));
+        };
+        const QHeaderView &titles = *m_view->horizontalHeader();
+        widen(m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString(), titles.font(), edges);
+        for (int row = 0; row < m_model->rowCount(); ++row) {
+            const QModelIndex index = m_model->index(row, column);
+            const QVariant own = index.data(Qt::FontRole);
+            widen(index.data().toString(), own.isValid() ? own.value<QFont>() : m_view->font(),
+                column == QueueModel::Serial      ? edges + boxAndShape
+                    : column == QueueModel::Share ? edges + bar
+                                                  : edges);
+        }
+        rest -= column == QueueModel::Outcome || column == QueueModel::StepNow ? 0 : needed;
+    }
+    const int outcome = m_needed[QueueModel::Outcome];
+    for (int column = 0; column < QueueModel::Outcome; ++column) {
+        const int needed = m_needed.at(static_cast<std::size_t>(column));
+        const int step = std::min(needed, std::max(rest - outcome, rest / 2));
+        m_view->setColumnWidth(column, column == QueueModel::StepNow ? std::max(step, theme.u(leastStep)) : needed);
+    }
 }
 
 const QueueLine *QueueTable::chosen() const

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/firmware/queuemodel.h"
+
 #include <QWidget>
+
+#include <array>
 
 class QCheckBox;
 class QTableView;
 
 namespace mb {
 
-class QueueModel;
 class ThemeSource;
-struct QueueLine;
 
 /// The units of a queue, one line each, below a box that ticks all of them. GUI thread.
 class QueueTable : public QWidget {
@@ -30,9 +32,15 @@ public:
 Q_SIGNALS:
     void chosenChanged();
 
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
 private:
     void buildView(const ThemeSource &theme);
+    void fitColumns();
 
+    const ThemeSource &m_theme;
+    std::array<int, QueueModel::Columns> m_needed{}; ///< pixels; never less, so that nothing moves to and fro
     QCheckBox *m_every = nullptr;
     QueueModel *m_model = nullptr;
     QTableView *m_view = nullptr;

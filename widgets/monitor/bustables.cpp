@@ -41,25 +41,33 @@ BusTables::BusTables(const ThemeSource &theme, FrameModel &frames, IdModel &ids,
 void BusTables::build()
 {
     m_lower = new QSplitter(Qt::Horizontal, this);
-    m_frames = new TrafficView(m_theme, tr("Frames"), {88, 66, 54, 88, 132, 42, 240, 208}, FrameModel::Decoded, this);
-    m_frames->setSpare({FrameModel::Data, FrameModel::Delta});
+    m_frames = new TrafficView(m_theme, tr("Frames"), {88, 66, 54, 88, 132, 42, 200, 208}, FrameModel::Decoded, this);
+    m_frames->setSpare({FrameModel::Delta, FrameModel::Data});
     m_frames->setMinimumHeight(m_theme.theme().u(leastFrames)); // some lines, before the page scrolls
     m_frames->setModel(&m_model);
     m_frames->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_idTable = new TrafficView(
-        m_theme, tr("Identifiers"), {88, 46, 122, 42, 62, 72, 66, 208, 118, 96}, IdModel::Value, m_lower);
+        m_theme, tr("Identifiers"), {88, 44, 108, 42, 62, 72, 66, 208, 118, 80}, IdModel::Value, m_lower);
     m_idTable->setSpare({IdModel::Data});
     m_idTable->setSharing(IdModel::Spark);
     m_idTable->setModel(&m_ids);
     m_idTable->setSelectionMode(QAbstractItemView::SingleSelection);
     m_idTable->setContextMenuPolicy(Qt::CustomContextMenu);
-    m_idTable->horizontalHeader()->setSortIndicator(IdModel::Id, Qt::AscendingOrder);
+    m_idTable->horizontalHeader()->setSortIndicator(IdModel::Rate, Qt::DescendingOrder);
     m_idTable->setSortingEnabled(true);
     addWidget(m_frames);
     addWidget(m_lower);
     setStretchFactor(0, 3);
     setStretchFactor(1, 2);
     setChildrenCollapsible(true);
+}
+
+/// While somebody looks no row moves by itself; who comes finds the busiest first.
+void BusTables::showEvent(QShowEvent *event)
+{
+    QSplitter::showEvent(event);
+    const QHeaderView &heads = *m_idTable->horizontalHeader();
+    m_ids.sort(heads.sortIndicatorSection(), heads.sortIndicatorOrder());
 }
 
 void BusTables::toEnd()

@@ -36,6 +36,9 @@ Q_SIGNALS:
     /// Somebody scrolled: away from the newest frame, or to it.
     void scrolled(bool back);
 
+protected:
+    void showEvent(QShowEvent *event) override;
+
 private:
     void build();
     void chooseField(const QPoint &at);

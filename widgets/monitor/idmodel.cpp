@@ -21,6 +21,15 @@ bool isNumber(int column)
         || column == IdModel::Count;
 }
 
+/// Of what comes no more it says nothing.
+std::optional<double> jitterOf(const TrafficRow &traffic, Instant now)
+{
+    constexpr double latePeriods = 2.0;
+    const double silent = std::chrono::duration<double>(now - traffic.last.time).count();
+    const bool comes = traffic.rate > 0.0 || silent < latePeriods * traffic.period.value_or(0.0);
+    return comes ? traffic.jitter : std::nullopt;
+}
+
 QString millisecondsText(const std::optional<double> &seconds, int decimals)
 {
     return seconds ? formatNumber(*seconds * 1000.0, decimals) : QString(UnknownMark);
@@ -138,7 +147,7 @@ bool IdModel::before(std::size_t a, std::size_t b) const
             return known ? known->frame.address : -1;
         });
     case Rate: return by([this](std::size_t i) { return m_rows[i].traffic.rate; });
-    case Jitter: return by([this](std::size_t i) { return m_rows[i].traffic.jitter.value_or(-1.0); });
+    case Jitter: return by([this](std::size_t i) { return jitterOf(m_rows[i].traffic, m_now).value_or(-1.0); });
     case Count: return by([this](std::size_t i) { return m_rows[i].traffic.count; });
     default: return left.key < right.key;
     }
@@ -236,7 +245,8 @@ QString IdModel::text(const Row &row, int column) const
         return known ? addressText(known->frame) : QString(UnknownMark);
     }
     case Rate: return formatNumber(traffic.rate, 0);
-    case Jitter: return millisecondsText(traffic.jitter, traffic.jitter.value_or(0.0) < wholeJitterFrom ? 2 : 0);
+    case Jitter:
+        return millisecondsText(jitterOf(traffic, m_now), traffic.jitter.value_or(0.0) < wholeJitterFrom ? 2 : 0);
     case Count: return formatCount(static_cast<qint64>(traffic.count));
     case Data: return hexBytes(traffic.last);
     case Value: return valueText(row);

@@ -9,6 +9,11 @@
 #include <algorithm>
 
 namespace mb {
+namespace {
+
+constexpr int aroundHead = 12; ///< units
+
+} // namespace
 
 TrafficView::TrafficView(
     const ThemeSource &theme, const QString &name, std::vector<int> widths, int stretching, QWidget *parent)
@@ -55,19 +60,24 @@ void TrafficView::layOut()
     const Theme &theme = m_theme.theme();
     verticalHeader()->setMinimumSectionSize(theme.u(18));
     verticalHeader()->setDefaultSectionSize(theme.u(25));
+    const QFontMetrics head(horizontalHeader()->font());
+    const auto widthOf = [&](std::size_t i) { // a head in another language may be longer than what is below it
+        const QString text = model()->headerData(static_cast<int>(i), Qt::Horizontal).toString();
+        return std::max(theme.u(m_widths[i]), head.horizontalAdvance(text) + theme.u(aroundHead));
+    };
     int rest = viewport()->width();
     for (std::size_t i = 0; i < m_widths.size(); ++i)
-        rest -= static_cast<int>(i) == m_stretching ? 0 : theme.u(m_widths[i]);
+        rest -= static_cast<int>(i) == m_stretching ? 0 : widthOf(i);
     const int least = theme.u(m_widths[static_cast<std::size_t>(m_stretching)]);
     for (const int column : m_spare) {
         const bool spared = rest < least;
         setColumnHidden(column, spared);
-        rest += spared ? theme.u(m_widths[static_cast<std::size_t>(column)]) : 0;
+        rest += spared ? widthOf(static_cast<std::size_t>(column)) : 0;
     }
     const int shared = m_sharing >= 0 ? std::max(0, rest - least) / 2 : 0;
     for (std::size_t i = 0; i < m_widths.size(); ++i) {
         const int column = static_cast<int>(i);
-        const int own = theme.u(m_widths[i]) + (column == m_sharing ? shared : 0);
+        const int own = widthOf(i) + (column == m_sharing ? shared : 0);
         setColumnWidth(column, column == m_stretching ? std::max(rest - shared, least) : own);
     }
 }

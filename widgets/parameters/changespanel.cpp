@@ -49,6 +49,11 @@ ChangesPanel::ChangesPanel(
     m_all->addWidget(m_foot);
 }
 
+QSize ChangesPanel::sizeHint() const
+{
+    return {std::max(minimumWidth(), minimumSizeHint().width()), QWidget::sizeHint().height()};
+}
+
 QWidget *ChangesPanel::buildHead()
 {
     const Theme &t = m_theme.theme();

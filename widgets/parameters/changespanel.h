@@ -31,6 +31,8 @@ public:
     void setCompact(bool compact);
     /// Something is staged, in RAM only, or being done.
     [[nodiscard]] bool isFilled() const { return m_filled; }
+    /// As wide as it must be: what it says breaks, and the table has the rest.
+    [[nodiscard]] QSize sizeHint() const override;
 
 Q_SIGNALS:
     void filled(bool filled);

@@ -101,12 +101,15 @@ ColumnWidths columnWidthsFor(
 {
     ColumnWidths natural = naturalWidths(model, delegate, theme, body);
     ColumnWidths widths = leastWidths(natural, theme);
-    for (const int column : {ParameterModel::Raw, ParameterModel::Key, ParameterModel::Reference}) {
-        if (sum(widths) > room)
-            widths[at(column)] = natural[at(column)] = 0;
-    }
     widths[at(ParameterModel::State)]
         = std::min(widths[at(ParameterModel::State)], leastState(model, delegate, theme, body));
+    const int wholeKeys = natural[at(ParameterModel::Key)] - widths[at(ParameterModel::Key)];
+    for (const int column : {ParameterModel::Raw, ParameterModel::Key, ParameterModel::Reference}) {
+        const int more
+            = column == ParameterModel::Raw ? wholeKeys : 0; // keys are copied, raw numbers stand in the tooltip
+        if (sum(widths) + more > room)
+            widths[at(column)] = natural[at(column)] = 0;
+    }
     squeeze(widths, room, theme);
     int spare = room - sum(widths);
     const auto widen = [&](int column, int wish) {

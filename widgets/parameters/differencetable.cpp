@@ -68,8 +68,9 @@ void DifferenceTable::keepTicks()
     }
 }
 
-void DifferenceTable::forgetTicks()
+void DifferenceTable::forgetTicks(bool on)
 {
+    m_comeTicked = on;
     setRowCount(0);
     m_ticks.clear();
 }
@@ -109,7 +110,7 @@ void DifferenceTable::addRow(const Family &family, const settings::SideDifferenc
         if (column == NameColumn && writable) {
             item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
             const auto kept = m_ticks.find(difference.index.value);
-            const bool on = kept == m_ticks.end() ? !parameter.belongsToUnit : kept->second;
+            const bool on = kept == m_ticks.end() ? m_comeTicked && !parameter.belongsToUnit : kept->second;
             item->setCheckState(on ? Qt::Checked : Qt::Unchecked);
         }
         if (column == NameColumn && parameter.belongsToUnit)

@@ -23,8 +23,9 @@ public:
     };
     /// `everything`: also what is the same on both sides.
     Counts show(const Family &family, const settings::Side &a, const settings::Side &b, bool everything);
-    /// Another A or B: what somebody ticked was meant for the values of the one before.
-    void forgetTicks();
+    /// Another A or B: what somebody ticked was meant for the values of the one before. `on`: rows come ticked, but for what
+    /// belongs to one unit.
+    void forgetTicks(bool on);
     /// The values of B that are ticked, in the order of the table.
     [[nodiscard]] std::vector<ParameterChange> ticked() const;
     void setNarrow(bool narrow);
@@ -36,6 +37,7 @@ private:
 
     const ThemeSource &m_theme;
     std::map<std::uint16_t, bool> m_ticks; ///< by parameter, of rows that were shown
+    bool m_comeTicked = true;
 };
 
 } // namespace mb

@@ -90,8 +90,10 @@ QWidget *HistoryPanel::buildFoot()
     row->addWidget(m_ticked, 1);
     row->addWidget(m_restore);
     connect(m_restore, &QPushButton::clicked, this, [this] {
-        if (mayWrite())
-            Q_EMIT restoreRequested();
+        if (!mayWrite())
+            return;
+        m_chose = true; // the snapshot that is taken before is the contrary
+        Q_EMIT restoreRequested();
     });
     return foot;
 }
@@ -181,7 +183,7 @@ void HistoryPanel::compareChosen()
     m_line->mark(m_a->currentIndex(), m_b->currentIndex());
     const Compared now{m_unit, m_states.at(m_a->currentIndex()).number, m_states.at(m_b->currentIndex()).number};
     if (std::exchange(m_compared, now) != now)
-        m_table->forgetTicks();
+        m_table->forgetTicks(now.b != UnitStates::defaults); // nobody loses all gains by one click
     const auto counts = m_table->show(*m_states.family(), m_states.at(m_a->currentIndex()).side,
         m_states.at(m_b->currentIndex()).side, m_which->current() == 1);
     m_which->setText(0, tr("Only differences %1").arg(counts.differences));

@@ -41,6 +41,7 @@ KeepBar::KeepBar(Workbench &workbench, const ThemeSource &theme, QWidget *parent
     , m_workbench(workbench)
     , m_theme(theme)
     , m_question(new ElidedLabel({}, this))
+    , m_countdown(textLabel({}, TextRole::Emphasis, Tone::Caution, this))
     , m_values(new ElidedLabel({}, this))
     , m_time(new QProgressBar(this))
     , m_keep(new CommandButton(theme, tr("Keep"), this))
@@ -50,8 +51,12 @@ KeepBar::KeepBar(Workbench &workbench, const ThemeSource &theme, QWidget *parent
     setProperty("banner", QStringLiteral("caution"));
     setTextRole(*m_question, TextRole::Emphasis);
     setTone(*m_values, Tone::Dim);
-    for (ElidedLabel *words : {m_question, m_values})
-        words->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_values->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    auto *sentence = new QHBoxLayout; // what is left of the time is never cut, rather the name
+    sentence->setSpacing(theme.theme().u(6));
+    sentence->addWidget(m_question);
+    sentence->addWidget(m_countdown);
+    sentence->addStretch(1);
     m_time->setTextVisible(false);
     m_time->setRange(0, static_cast<int>(settings::confirmTime / std::chrono::milliseconds(1)));
     m_time->setAccessibleName(tr("Time until the values go back"));
@@ -64,7 +69,7 @@ KeepBar::KeepBar(Workbench &workbench, const ThemeSource &theme, QWidget *parent
     grid->setHorizontalSpacing(edge);
     auto *glyph = new StateGlyph(theme, GlyphState::Waiting, this);
     grid->addWidget(glyph, 0, 0, 2, 1);
-    grid->addWidget(m_question, 0, 1, 1, 2);
+    grid->addLayout(sentence, 0, 1, 1, 2);
     grid->addWidget(m_time, 1, 1);
     grid->addWidget(m_values, 1, 2);
     grid->setColumnStretch(1, 1);
@@ -102,7 +107,7 @@ void KeepBar::placeButtons()
 
 QString KeepBar::question() const
 {
-    return isHidden() ? QString() : m_question->text();
+    return isHidden() ? QString() : m_question->text() + QLatin1Char(' ') + m_countdown->text();
 }
 
 const UnconfirmedView *KeepBar::first() const
@@ -129,13 +134,16 @@ void KeepBar::showChange(const UnconfirmedView &view, int more)
     const DeviceView *device = m_workbench.snapshot().device(view.device);
     m_device = view.device;
     m_change = view.change;
-    m_question->setText(tr("Keep these values of %1? %2").arg(device ? titleOf(*device) : QString(), stateText(view)));
+    m_question->setText(tr("Keep these values of %1?").arg(device ? titleOf(*device) : QString()));
+    m_question->setToolTip(m_question->text());
+    m_countdown->setText(stateText(view));
+    m_countdown->setMinimumWidth(m_countdown->sizeHint().width());
     const QString values = messageText(view.text).replace(QStringLiteral("->"), QStringLiteral("→"));
     m_values->setText(more > 0 ? tr("%1 · %n more change(s) after this one", nullptr, more).arg(values) : values);
     m_values->setToolTip(m_values->text());
     m_time->setVisible(view.state == State::Counting || view.state == State::AwaitsRestart);
     m_time->setValue(static_cast<int>(view.left * 1000.0));
-    setSpoken(*this, m_question->text(), m_values->text());
+    setSpoken(*this, question(), m_values->text());
 }
 
 void KeepBar::keep()

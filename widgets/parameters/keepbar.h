@@ -8,6 +8,7 @@
 #include <optional>
 
 class QGridLayout;
+class QLabel;
 class QProgressBar;
 
 namespace mb {
@@ -41,6 +42,7 @@ private:
     DeviceId m_device;
     std::int64_t m_change = 0; ///< whose words stand there
     ElidedLabel *m_question;
+    QLabel *m_countdown;
     ElidedLabel *m_values;
     QProgressBar *m_time;
     CommandButton *m_keep;

@@ -71,6 +71,7 @@ AgainstView::AgainstView(PlotStack &stack, PlotBoard &board, const ThemeSource &
 {
     m_across->setAccessibleName(tr("Signal across"));
     m_upwards->setAccessibleName(tr("Signal upwards"));
+    m_plot->setSurroundings({.legend = false}); // the axes name the one curve
     auto *row = new QHBoxLayout;
     row->setContentsMargins(theme.theme().u(12), theme.theme().u(4), theme.theme().u(12), theme.theme().u(4));
     row->addWidget(m_upwards);

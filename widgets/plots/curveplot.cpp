@@ -7,6 +7,7 @@
 
 #include <QKeyEvent>
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -51,6 +52,10 @@ CurvePlot::CurvePlot(const ThemeSource &theme, const QString &accessibleName, QW
     m_plot->yAxis->setTicker(QSharedPointer<NumberTicker>::create());
     m_words = new QCPTextElement(m_plot, QString());
     m_plot->plotLayout()->addElement(1, 0, m_words);
+    m_plot->axisRect()->insetLayout()->take(m_plot->legend);
+    m_plot->legend->setBorderPen(Qt::NoPen);
+    m_plot->legend->setBrush(Qt::NoBrush);
+    m_plot->legend->setVisible(false);
     m_mark = new QCPItemText(m_plot);
     m_mark->position->setType(QCPItemPosition::ptAxisRectRatio);
     m_mark->position->setCoords(0.5, 0.5);
@@ -80,6 +85,7 @@ void CurvePlot::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
     showNote();
+    showLegend();
 }
 
 void CurvePlot::showNote()
@@ -105,8 +111,6 @@ void CurvePlot::restyle()
     }
     m_plot->legend->setFont(caption);
     m_plot->legend->setTextColor(theme.text);
-    m_plot->legend->setBrush(theme.panel);
-    m_plot->legend->setBorderPen(QPen(theme.outline, 1));
     m_words->setFont(caption);
     m_words->setTextColor(theme.dim);
     showNote();
@@ -188,7 +192,7 @@ void CurvePlot::setCurves(const std::vector<Curve> &curves)
         addCurve(curve);
     for (const Curve &curve : m_curves)
         addCurve(curve);
-    m_plot->legend->setVisible(m_around.legend && m_curves.size() > 0);
+    showLegend();
     showLabels();
     if (!m_fitted && !m_curves.empty())
         fit();
@@ -201,6 +205,31 @@ void CurvePlot::showLabels()
 {
     m_plot->xAxis->setTickLabels(m_around.xLabels && !m_curves.empty());
     m_plot->yAxis->setTickLabels(!m_curves.empty());
+}
+
+/// Above the axes, as many names in a row as have room: nothing of a curve is behind it.
+void CurvePlot::showLegend()
+{
+    const bool shown = m_around.legend && !m_curves.empty();
+    QCPLayoutGrid &rows = *m_plot->plotLayout();
+    QCPLegend &legend = *m_plot->legend;
+    legend.setVisible(shown);
+    if (shown && legend.layout() != &rows) {
+        rows.insertRow(0);
+        rows.addElement(0, 0, &legend);
+        rows.setRowStretchFactor(0, 0.001);
+    } else if (!shown && legend.layout() == &rows) {
+        rows.take(&legend);
+        rows.simplify();
+    }
+    int widest = 1;
+    for (int i = 0; i < legend.itemCount(); ++i) { // the last row may have empty places
+        if (const QCPAbstractLegendItem *item = legend.item(i))
+            widest = std::max(widest, item->minimumOuterSizeHint().width() + legend.columnSpacing());
+    }
+    const int room = m_plot->width() - legend.margins().left() - legend.margins().right();
+    legend.setWrap(std::max(1, room / widest));
+    legend.setFillOrder(QCPLayoutGrid::foColumnsFirst, true);
 }
 
 void CurvePlot::setBehind(std::vector<Curve> curves)
@@ -218,7 +247,7 @@ void CurvePlot::setMarks(std::vector<CurveMark> marks)
 void CurvePlot::setSurroundings(const Surroundings &surroundings)
 {
     m_around = surroundings;
-    m_plot->legend->setVisible(m_around.legend && !m_curves.empty());
+    showLegend();
     showLabels();
     QCPAxisRect &frame = *m_plot->axisRect();
     frame.setAutoMargins(m_around.left > 0 ? QCP::msTop | QCP::msRight | QCP::msBottom : QCP::msAll);

@@ -23,8 +23,8 @@ struct Curve {
     bool hollow = false; ///< and only their outline
 };
 
-/// Values against something else than time: a spectrum, one signal against another. One plot, named axes, a legend, a
-/// line of words under it. Wheel and drag zoom and move; 0 or a double click fits.
+/// Values against something else than time: a spectrum, one signal against another. One plot, named axes, a legend
+/// above it, a line of words under it. Wheel and drag zoom and move; 0 or a double click fits.
 class CurvePlot : public QWidget {
     Q_OBJECT
 public:
@@ -69,6 +69,7 @@ private:
     void setAxis(QCPAxis &axis, const QString &label, bool logarithmic);
     void replotSoon();
     void showLabels();
+    void showLegend();
     void showNote();
     void restyle();
 

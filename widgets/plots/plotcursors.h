@@ -14,9 +14,12 @@ struct PlotCursorRow {
     QString name;
     QString value;
     bool strong = false;
+    int strip = 0;
+    QString brief{}; ///< in the box of a strip whose head tells the rest of the name; empty: the name
 };
 
-/// Two vertical lines A and B through all strips, their flags, and a box with the differences beside B.
+/// Two vertical lines A and B through all strips, their flags, and in each strip a box with its differences: beside B, or
+/// where it hides less of the curves.
 class PlotCursors : public QCPAbstractItem {
     Q_OBJECT
 public:
@@ -30,6 +33,8 @@ public:
     void setKey(bool second, double key) { (second ? m_b : m_a) = key; }
     /// Which cursor lies within a few pixels of x: false A, true B.
     std::optional<bool> hit(double x) const;
+    /// Where the boxes were drawn.
+    const std::vector<QRectF> &boxes() const { return m_boxes; }
     double selectTest(const QPointF &, bool, QVariant * = nullptr) const override { return -1; }
 
 protected:
@@ -38,11 +43,14 @@ protected:
 private:
     double pixel(double key) const;
     void drawLine(QCPPainter &painter, double key, const QString &flag) const;
-    void drawBox(QCPPainter &painter) const;
+    void drawBox(QCPPainter &painter, std::size_t strip);
+    [[nodiscard]] QRectF boxFor(const QSizeF &size, std::size_t strip);
 
     const ThemeSource &m_theme;
     std::vector<QCPAxisRect *> m_rects;
     std::vector<Row> m_rows;
+    std::vector<QRectF> m_boxes;
+    std::vector<std::size_t> m_places; ///< of each strip's box, so that it stays where it is while the curves pass
     double m_a = 0.0;
     double m_b = 0.0;
 };

@@ -123,7 +123,9 @@ void PlotFeed::updateFoot() const
     }
     const QString right = feet.size() == 1 ? feet.first() : named.join(QStringLiteral("  ·  "));
     const QString length = formatDuration(m_view.span());
-    const QString state = m_view.isLive() ? tr("live, %1").arg(length) : tr("paused, %1").arg(length);
+    const QString state = m_strips.traces().empty() ? QString()
+        : m_view.isLive()                           ? tr("live, %1").arg(length)
+                                                    : tr("paused, %1").arg(length);
     const QString shown = m_view.isLive() && !m_stateText.isEmpty() ? m_stateText : state;
     m_strips.foot()->setTexts(m_footNote.isEmpty() ? shown : m_footNote, right, loss);
 }

@@ -103,11 +103,12 @@ public:
         , m_theme(theme)
         , m_caption(caption)
         , m_metrics(caption)
+        , m_rect(rect)
     {
         for (const GapLabel &gap : gapLabels(decor, m_keys, m_box, m_metrics, theme))
             m_taken.push_back(gap.place);
         for (const TracePlottable *curve : decor.curves)
-            layOut(*curve);
+            layOut(*curve, m_left);
     }
     std::vector<StripWord> words()
     {
@@ -139,14 +140,14 @@ private:
         m_words.push_back({kind, index, *place});
     }
     /// What is drawn of a curve, as boxes of a pixel column or so.
-    void layOut(const TracePlottable &curve)
+    void layOut(const TracePlottable &curve, const QCPAxis &values)
     {
         const std::vector<PlotPoint> &points = curve.points();
         for (std::size_t i = 1; i < points.size(); ++i) {
             const PlotPoint &a = points[i - 1];
             const PlotPoint &b = points[i];
-            const QRectF box(QPointF(m_keys.coordToPixel(a.key), m_left.coordToPixel(a.value)),
-                QPointF(m_keys.coordToPixel(b.key), m_left.coordToPixel(b.value)));
+            const QRectF box(QPointF(m_keys.coordToPixel(a.key), values.coordToPixel(a.value)),
+                QPointF(m_keys.coordToPixel(b.key), values.coordToPixel(b.value)));
             if (std::isfinite(box.top()) && std::isfinite(box.bottom()))
                 m_drawn.push_back(box.normalized().adjusted(-2, -2, 2, 2));
         }
@@ -178,22 +179,42 @@ private:
         }
         return best;
     }
-    /// Above or below a line, at its right end or at its left.
+    [[nodiscard]] std::vector<QRectF> allCurves()
+    {
+        std::vector<QRectF> boxes;
+        m_drawn.swap(boxes);
+        for (const QCPAbstractPlottable *plottable : m_rect.plottables()) {
+            const auto *curve = qobject_cast<const TracePlottable *>(plottable);
+            if (curve && curve->realVisibility())
+                layOut(*curve, *curve->valueAxis());
+        }
+        m_drawn.swap(boxes);
+        return boxes;
+    }
+    /// Above or below a line, at its right end or at its left or between them: where no curve runs through the words.
     void beside(StripWord::Kind kind, std::size_t index, const QString &text, double y, bool rightFirst)
     {
         const QSizeF size = sizeOf(text);
         const double left = m_box.left() + m_theme.u(14);
-        const double right = m_box.right() - m_theme.u(4) - size.width();
-        for (const double x : {rightFirst ? right : left, rightFirst ? left : right}) {
+        const double room = m_box.right() - m_theme.u(4) - size.width() - left;
+        const std::vector<QRectF> curves = allCurves();
+        std::optional<QRectF> best;
+        std::ptrdiff_t least = 0;
+        for (const double share : {0.0, 1.0, 0.25, 0.5, 0.75}) {
             for (const double top : {y - size.height() - 1, y + 1}) {
-                const QRectF place(QPointF(x, top), size);
+                const QRectF place(QPointF(left + (rightFirst ? 1.0 - share : share) * room, top), size);
                 const bool inside = place.top() >= m_box.top() && place.bottom() <= m_box.bottom();
-                if (inside && freePlace(place, place, m_taken)) {
-                    take(kind, index, place);
-                    return;
+                if (!inside || !freePlace(place, place, m_taken))
+                    continue;
+                const auto hidden = std::count_if(
+                    curves.begin(), curves.end(), [&](const QRectF &curve) { return curve.intersects(place); });
+                if (!best || hidden < least) {
+                    best = place;
+                    least = hidden;
                 }
             }
         }
+        take(kind, index, best);
     }
     void marks()
     {
@@ -276,6 +297,7 @@ private:
     const Theme &m_theme;
     const QFont m_caption;
     const QFontMetrics m_metrics;
+    const QCPAxisRect &m_rect;
     std::vector<QRectF> m_taken;
     std::vector<QRectF> m_drawn; ///< curves that words keep clear of
     std::vector<StripWord> m_words;

@@ -121,13 +121,20 @@ std::vector<PlotCursorRow> PlotReadings::cursorRows() const
     int last = 0;
     for (const auto &[id, trace] : m_strips.traces()) {
         const double difference = valueAt(id, b) - valueAt(id, a);
-        if (!trace.visible || !std::isfinite(difference) || rows.size() >= 9)
+        if (!trace.visible || !std::isfinite(difference))
             continue;
+        const int strip = trace.style.strip;
+        const bool alone
+            = std::count_if(m_strips.traces().begin(), m_strips.traces().end(),
+                  [strip](const auto &other) { return other.second.visible && other.second.style.strip == strip; })
+            == 1;
         if (m_bothValues)
             rows.push_back({trace.style.name,
-                tr("%1 → %2").arg(valueText(trace.style, valueAt(id, a)), valueText(trace.style, valueAt(id, b)))});
+                tr("%1 → %2").arg(valueText(trace.style, valueAt(id, a)), valueText(trace.style, valueAt(id, b))),
+                false, strip});
         else
-            rows.push_back({tr("Δ %1").arg(trace.style.name), valueText(trace.style, difference)});
+            rows.push_back({tr("Δ %1").arg(trace.style.name), valueText(trace.style, difference), false, strip,
+                alone ? tr("Δ %1").arg(QString()).trimmed() : QString()});
         measured += trace.style.role != TraceRole::Setpoint ? 1 : 0;
         last = trace.style.role != TraceRole::Setpoint ? id : last;
     }
@@ -144,11 +151,12 @@ void PlotReadings::addStatistics(std::vector<PlotCursorRow> &rows, int id) const
         return;
     const auto [a, b] = cursorKeys();
     const double slope = std::abs(b - a) > 1e-9 ? (valueAt(id, b) - valueAt(id, a)) / (b - a) : 0.0;
-    rows.push_back({tr("mean A…B"), valueText(of, found->mean)});
-    rows.push_back({tr("min … max"), tr("%1 … %2").arg(valueText(of, found->low), valueText(of, found->high))});
-    rows.push_back({tr("σ, %1 samples").arg(formatCount(static_cast<qint64>(found->count))),
-        formatSignificant(found->deviation, 4) + QChar(QChar::Nbsp) + of.unit});
-    rows.push_back({tr("slope"), formatSignificant(slope, 4) + QChar(QChar::Nbsp) + of.unit + tr("/s")});
+    const auto add = [&](const QString &name, const QString &value) { rows.push_back({name, value, false, of.strip}); };
+    add(tr("mean A…B"), valueText(of, found->mean));
+    add(tr("min … max"), tr("%1 … %2").arg(valueText(of, found->low), valueText(of, found->high)));
+    add(tr("σ, %1 samples").arg(formatCount(static_cast<qint64>(found->count))),
+        formatSignificant(found->deviation, 4) + QChar(QChar::Nbsp) + of.unit);
+    add(tr("slope"), formatSignificant(slope, 4) + QChar(QChar::Nbsp) + of.unit + tr("/s"));
 }
 
 QStringList PlotReadings::cursorWords() const

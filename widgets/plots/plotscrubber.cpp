@@ -130,7 +130,7 @@ void PlotScrubber::drawTimes(QPainter &painter) const
         const double key = m_first + (m_now - m_first) * i / places;
         const QString text = ticker.text(m_unixAtZero ? key : key - m_now, 1.0);
         const double wide = metrics.horizontalAdvance(text);
-        const double left = withinRoom(x(key) - wide / 2, 2.0, width() - wide - 2);
+        const double left = withinRoom(x(key) - wide / 2, 1.0 * theme.u(8), width() - wide - theme.u(8));
         painter.drawText(QPointF(left, height() - theme.u(5)), text);
     }
 }

@@ -29,7 +29,7 @@ TracePanel::TracePanel(
     setMinimumWidth(u(sideWidth));
     auto *column = layoutIn<QVBoxLayout>(this, 0);
     auto *head = new QHBoxLayout;
-    head->setContentsMargins(u(12), u(8), u(12), u(8));
+    head->setContentsMargins(u(12), u(8), u(20), u(8)); // as the rows beside their scroll bar
     head->addWidget(new SectionLabel(tr("Traces"), this));
     head->addStretch(1);
     head->addWidget(textLabel(tr("rate      lost"), TextRole::Caption, Tone::Dim, this));
@@ -38,8 +38,10 @@ TracePanel::TracePanel(
     buildLists();
     auto *foot = new QHBoxLayout;
     foot->setContentsMargins(u(12), u(6), u(12), u(8));
-    foot->addWidget(
-        textLabel(tr("L cursors · 0 fits · + − zooms · P pauses · N note"), TextRole::Caption, Tone::Dim, this));
+    QLabel *const keys
+        = textLabel(tr("L cursors · 0 fits · + − zooms · P pauses · N note"), TextRole::Caption, Tone::Dim, this);
+    keys->setWordWrap(true);
+    foot->addWidget(keys);
     column->addWidget(separatorLine(Qt::Horizontal, this));
     column->addLayout(foot);
     connect(&theme, &ThemeSource::changed, this, [this] { setMinimumWidth(m_theme.theme().u(sideWidth)); });

@@ -105,9 +105,10 @@ UnitList::UnitList(const ThemeSource &theme, QWidget *parent)
 void UnitList::follow(const ServiceView &view)
 {
     clear();
-    const int count = static_cast<int>(view.rows.size());
-    for (int i = count - 1; i >= std::max(0, count - shown); --i) {
+    for (int i = static_cast<int>(view.rows.size()) - 1; i >= 0 && this->count() < shown; --i) {
         const service::QueueRow &row = view.rows[static_cast<std::size_t>(i)];
+        if (row.state == service::RowState::Skipped) // nothing was done to it
+            continue;
         const QString number = row.visit.number ? QStringLiteral("#%1").arg(*row.visit.number) : QString();
         auto *item = new QListWidgetItem(
             QStringList{nameOf(row), number, wordOf(row), lineOf(row)}.join(QLatin1Char(' ')).simplified(), this);

@@ -22,10 +22,19 @@ struct BenchText {
 };
 
 constexpr std::size_t mostFacts = 6;
+constexpr int fewestForARate = 5; ///< units; three that are done in a minute say nothing of an hour
 
 bool hasEnded(RowState state)
 {
     return state == RowState::Passed || state == RowState::Failed || state == RowState::Refused;
+}
+
+/// A cause begins small where it stands behind the name of a unit; alone it is a sentence.
+QString asSentence(QString text)
+{
+    if (!text.isEmpty())
+        text.front() = text.front().toUpper();
+    return text;
 }
 
 QString boundsOf(const service::TestValue &value)
@@ -159,12 +168,13 @@ Verdict verdictOf(const ServiceView &view, const std::vector<std::uint32_t> &set
                                                    : BenchText::tr("Do not unplug");
         return verdict;
     }
-    verdict.cause = messageText(row->visit.cause);
-    verdict.remedy = messageText(row->visit.remedy);
-    if (!view.running)
-        return verdict;
-    verdict.next = BenchText::tr("Unplug, connect next");
-    verdict.hint = BenchText::tr("It starts by itself when it answers on %1.").arg(linksOf(view));
+    verdict.cause = asSentence(messageText(row->visit.cause));
+    verdict.remedy = asSentence(messageText(row->visit.remedy));
+    verdict.next = verdict.kind == Verdict::Kind::Failed ? BenchText::tr("F5 tests again, F8 sets it aside")
+        : view.running                                   ? BenchText::tr("Unplug, connect next")
+                                                         : BenchText::tr("Safe to unplug");
+    if (view.running && verdict.kind != Verdict::Kind::Failed)
+        verdict.hint = BenchText::tr("It starts by itself when it answers on %1.").arg(linksOf(view));
     return verdict;
 }
 
@@ -218,7 +228,7 @@ std::optional<double> unitsAnHour(const ServiceView &view)
         last = std::max(last, row.visit.time + row.visit.seconds);
         ++ended;
     }
-    return ended > 1 && last > first ? std::optional(ended * hour / (last - first)) : std::nullopt;
+    return ended >= fewestForARate && last > first ? std::optional(ended * hour / (last - first)) : std::nullopt;
 }
 
 std::optional<double> meanSeconds(const ServiceView &view)

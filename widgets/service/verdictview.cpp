@@ -240,7 +240,8 @@ int VerdictView::paintCause(QPainter &painter, const QRect &box) const
         if (line.isEmpty())
             continue;
         QFont words = theme.font(TextRole::Title, font());
-        words.setPointSizeF(theme.bodyPointSize * (&line == &m_verdict.cause || y == 0 ? 1.8 : 1.4));
+        words.setPointSizeF(theme.bodyPointSize * (y == 0 ? 1.8 : 1.4));
+        words.setBold(y == 0);
         painter.setFont(words);
         painter.setPen(y == 0 ? theme.text : theme.dim);
         const QRect place = box.adjusted(0, y, 0, 0);
