@@ -164,7 +164,7 @@ void DoctorTest::absentInterfacesAreNoNewsWhileALinkIsOpen()
     bench.shot.links.clear();
     DoctorCard all(bench, m_theme, true);
     all.follow();
-    QVERIFY(texts(all).contains(QStringLiteral("this kernel has no CAN support")));
+    QVERIFY(texts(all).contains(QStringLiteral("this kernel has no CAN support; load it")));
     QVERIFY2(!texts(all).contains(QStringLiteral("socketcan:")), "an address that names nothing");
 }
 
