@@ -63,7 +63,7 @@ void Conditions::follow()
     else
         m_banners.clear(QLatin1String(mayTurnKey));
     if (m_arming.state() == LampState::Stopped)
-        m_banners.post(QStringLiteral("stopped"), m_arming.isStoppedByHand() ? BannerKind::Info : BannerKind::Danger,
+        m_banners.post(QStringLiteral("stopped"), m_arming.isStoppedByHand() ? BannerKind::Ended : BannerKind::Danger,
             tr("Stopped: %1").arg(m_arming.reason()), tr("Hold the Arm button for 1 s to arm again."));
     else
         m_banners.clear(QStringLiteral("stopped"));
@@ -106,9 +106,10 @@ void Conditions::followUpdates()
         standing.insert(key);
         m_banners.post(key, status.mayInterrupt ? BannerKind::Info : BannerKind::Caution,
             tr("Firmware is being written to %1").arg(placeOf(shot, *update)),
-            status.total == 0         ? messageText(status.step)
-                : status.mayInterrupt ? tr("%1 of %2. Keep power on.").arg(status.done).arg(status.total)
-                                      : tr("%1 of %2. It must not be cut now.").arg(status.done).arg(status.total));
+            status.total == 0 ? messageText(status.step)
+                : status.mayInterrupt
+                ? tr("%1 of %2. Safe to unplug: the update can be run again.").arg(status.done).arg(status.total)
+                : tr("%1 of %2. It must not be cut now.").arg(status.done).arg(status.total));
     }
     for (const QString &over : m_updates) {
         if (standing.count(over) == 0)

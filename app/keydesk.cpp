@@ -18,10 +18,10 @@ void noteFixedKeys(PageKeys &window)
 {
     window.note({Qt::Key_Escape, Qt::Key_Pause}, KeyDesk::tr("stop every motor"));
     window.note({Qt::Key_Space}, KeyDesk::tr("stops every motor, unless words can be typed where the focus is"));
-    window.note({Qt::Key_Return}, KeyDesk::tr("presses the button or ticks the box that has the focus"));
+    window.note({Qt::Key_Return, Qt::Key_Enter}, KeyDesk::tr("presses the button or ticks the box that has the focus"));
     window.note({QKeySequence(QStringLiteral("Ctrl+Shift+F12"))},
         KeyDesk::tr("held for 1 s: arms; let go early it does nothing"));
-    window.note({QKeySequence(QStringLiteral("Ctrl+Return"))},
+    window.note({QKeySequence(QStringLiteral("Ctrl+Return")), QKeySequence(QStringLiteral("Ctrl+Enter"))},
         KeyDesk::tr("keeps values that go back by themselves otherwise"));
 }
 

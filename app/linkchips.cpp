@@ -4,6 +4,7 @@
 #include "widgets/common/demostripe.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/headerbar.h"
+#include "widgets/common/linkload.h"
 #include "widgets/common/losses.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/monitor/recordstrip.h"
@@ -11,6 +12,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace mb {
@@ -25,8 +27,8 @@ LinkStatus chipOf(const LinkView &link, const Snapshot &shot)
     chip.state = open ? chip.healthy ? GlyphState::Online : GlyphState::Warning : GlyphState::Fault;
     if (!open)
         chip.word = QCoreApplication::translate("mb::MainWindow", "lost");
-    else
-        chip.load = link.load;
+    else if (const double load = loadOf(link); !std::isnan(load))
+        chip.load = load;
     chip.lost = static_cast<qint64>(samplesOn(shot, link.address).lost);
     const QString counts = link.kind == LinkKind::Can
         ? QCoreApplication::translate("mb::MainWindow", "%1: %2 frames received, %3 sent, %4 dropped, %5 errors")

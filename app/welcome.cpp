@@ -115,8 +115,9 @@ void Welcome::offer()
         return;
     const Story &story = stories().front();
     const bool here = Guide::deviceOf(story, m_workbench.snapshot());
+    m_begun = m_begun || Guide::isBegun(story, m_workbench.snapshot());
     const bool asked = m_settings.isDismissed(QStringLiteral("story"));
-    m_offer->offer(here && !asked ? &story : nullptr);
+    m_offer->offer(here && !asked && !m_begun ? &story : nullptr);
 }
 
 } // namespace mb

@@ -41,6 +41,7 @@ private:
     GuideStrip *m_offer = nullptr; ///< on the overview, where it moves nothing else
     GuideStrip *m_strip = nullptr;
     FirmwareShelf *m_shelf = nullptr;
+    bool m_begun = false; ///< the story that is offered
 };
 
 } // namespace mb

@@ -787,6 +787,18 @@
         <source>A board with four geared motors.</source>
         <translation>Eine Platine mit vier Getriebemotoren.</translation>
     </message>
+    <message>
+        <source>Serial port</source>
+        <translation>Serieller Anschluss</translation>
+    </message>
+    <message>
+        <source>SPI device</source>
+        <translation>SPI-Gerät</translation>
+    </message>
+    <message>
+        <source>CAN interface</source>
+        <translation>CAN-Schnittstelle</translation>
+    </message>
 </context>
 <context>
     <name>PlotFeed</name>
@@ -934,6 +946,14 @@
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
 </context>
 <context>
     <name>QShortcut</name>
@@ -948,6 +968,14 @@
     <message>
         <source>Space</source>
         <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
     </message>
 </context>
 <context>
@@ -2148,10 +2176,6 @@
         <translation>%1 bis %2</translation>
     </message>
     <message>
-        <source>duty at most %1</source>
-        <translation>Tastgrad höchstens %1</translation>
-    </message>
-    <message>
         <source>speed at most %1 counts/s</source>
         <translation>Drehzahl höchstens %1 counts/s</translation>
     </message>
@@ -2186,6 +2210,10 @@
     <message>
         <source>F5 tests again, F8 sets it aside</source>
         <translation>F5 prüft erneut, F8 legt beiseite</translation>
+    </message>
+    <message>
+        <source>duty at most %1 %</source>
+        <translation>Tastgrad höchstens %1 %</translation>
     </message>
 </context>
 <context>
@@ -2442,6 +2470,10 @@
         <source>%1 is not open</source>
         <translation>%1 ist nicht offen</translation>
     </message>
+    <message>
+        <source>load %1 &amp;nbsp; bytes/s %2</source>
+        <translation>Last %1 &amp;nbsp; Bytes/s %2</translation>
+    </message>
 </context>
 <context>
     <name>mb::BusSide</name>
@@ -2688,6 +2720,10 @@
         <comment>page: command</comment>
         <translation>%1: %2</translation>
     </message>
+    <message>
+        <source>No command begins so</source>
+        <translation>Kein Befehl beginnt so</translation>
+    </message>
 </context>
 <context>
     <name>mb::ComparedText</name>
@@ -2798,10 +2834,6 @@
         <translation>In %1 wird Firmware geschrieben</translation>
     </message>
     <message>
-        <source>%1 of %2. Keep power on.</source>
-        <translation>%1 von %2. Versorgung eingeschaltet lassen.</translation>
-    </message>
-    <message>
         <source>%1 of %2. It must not be cut now.</source>
         <translation>%1 von %2. Jetzt nicht unterbrechen.</translation>
     </message>
@@ -2832,6 +2864,10 @@
     <message>
         <source>They were not saved before its power went. This program knows what was last written.</source>
         <translation>Sie waren nicht gespeichert, als die Versorgung wegfiel. Dieses Programm weiß, was zuletzt geschrieben wurde.</translation>
+    </message>
+    <message>
+        <source>%1 of %2. Safe to unplug: the update can be run again.</source>
+        <translation>%1 von %2. Trennen erlaubt: die Aktualisierung lässt sich wiederholen.</translation>
     </message>
 </context>
 <context>
@@ -3196,10 +3232,6 @@
     <message>
         <source>scanning</source>
         <translation>sucht</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
     </message>
     <message>
         <source>%1 of %2: %3, now %4
@@ -5914,10 +5946,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>schreibt, was vorgemerkt ist</translation>
     </message>
     <message>
-        <source>makes it again</source>
-        <translation>macht sie wieder</translation>
-    </message>
-    <message>
         <source>undoes the last edit, or else the last write to the unit</source>
         <translation>nimmt die letzte Änderung zurück, sonst das letzte Schreiben ins Gerät</translation>
     </message>
@@ -5928,6 +5956,10 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>shows the history of the unit, or its values</source>
         <translation>zeigt den Verlauf des Geräts oder seine Werte</translation>
+    </message>
+    <message>
+        <source>redoes the last edit or write</source>
+        <translation>stellt die letzte Änderung oder das letzte Schreiben wieder her</translation>
     </message>
 </context>
 <context>
@@ -7255,6 +7287,10 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
         <source>No mistake in the recipe</source>
         <translation>Kein Fehler im Rezept</translation>
     </message>
+    <message>
+        <source>Give the recipe a name.</source>
+        <translation>Dem Rezept einen Namen geben.</translation>
+    </message>
 </context>
 <context>
     <name>mb::RecipeForm</name>
@@ -7365,6 +7401,15 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     <message>
         <source>such as %1</source>
         <translation>etwa %1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>field, unit</comment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>0 to 1</source>
+        <translation>0 bis 1</translation>
     </message>
 </context>
 <context>
@@ -10336,10 +10381,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>zeigt das Gerät: es blinkt</translation>
     </message>
     <message>
-        <source>does it again</source>
-        <translation>macht sie wieder</translation>
-    </message>
-    <message>
         <source>held: moves the armed motor gently forwards or backwards</source>
         <translation>gehalten: bewegt den scharfen Motor sanft vorwärts oder rückwärts</translation>
     </message>
@@ -10358,6 +10399,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>undoes the last edit of gains, or else the last write to the unit</source>
         <translation>nimmt die letzte Änderung der Verstärkungen zurück, sonst das letzte Schreiben in das Gerät</translation>
+    </message>
+    <message>
+        <source>redoes the last edit or write</source>
+        <translation>stellt die letzte Änderung oder das letzte Schreiben wieder her</translation>
     </message>
 </context>
 <context>
@@ -16376,14 +16421,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>das Statusbit ist bei beiden Polaritäten gleich und sagt daher nichts aus</translation>
     </message>
     <message>
-        <source>the steps in both directions did what was predicted; the gains were written and read back</source>
-        <translation>die Sprünge in beide Richtungen taten, was vorhergesagt war; die Verstärkungen wurden geschrieben und zurückgelesen</translation>
-    </message>
-    <message>
-        <source>the steps in both directions did what was predicted; the gains were written, which this family cannot read back</source>
-        <translation>die Sprünge in beide Richtungen taten, was vorhergesagt war; die Verstärkungen wurden geschrieben, diese Familie lässt sie nicht zurücklesen</translation>
-    </message>
-    <message>
         <source>the steps met the end of the output</source>
         <translation>die Sprünge trafen das Ende des Ausgangs</translation>
     </message>
@@ -17676,10 +17713,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>die Verstärkungen, die da waren, lassen vielleicht ebenso wenig Fehler; jetzt diese</translation>
     </message>
     <message>
-        <source>the steps in both directions did what was predicted; the gains are as they were</source>
-        <translation>die Sprünge in beide Richtungen taten, was vorhergesagt war; die Verstärkungen sind, wie sie waren</translation>
-    </message>
-    <message>
         <source>their largest sensitivity is %1, at most %2 are allowed, and %3 with more gain and delay</source>
         <translation>ihre größte Empfindlichkeit ist %1, erlaubt sind höchstens %2, und %3 mit mehr Verstärkung und Totzeit</translation>
     </message>
@@ -18286,6 +18319,22 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>trial %1 did not put back what it changed</source>
         <translation>Versuch %1 hat nicht zurückgestellt, was er geändert hat</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must not be empty</source>
+        <translation>&apos;%1&apos; darf nicht leer sein</translation>
+    </message>
+    <message>
+        <source>the steps in both directions kept their limits; the gains are as they were</source>
+        <translation>die Sprünge in beide Richtungen hielten ihre Grenzen ein; die Verstärkungen sind, wie sie waren</translation>
+    </message>
+    <message>
+        <source>the steps in both directions kept their limits; the gains were written and read back</source>
+        <translation>die Sprünge in beide Richtungen hielten ihre Grenzen ein; die Verstärkungen wurden geschrieben und zurückgelesen</translation>
+    </message>
+    <message>
+        <source>the steps in both directions kept their limits; the gains were written, which this family cannot read back</source>
+        <translation>die Sprünge in beide Richtungen hielten ihre Grenzen ein; die Verstärkungen wurden geschrieben, diese Familie lässt sie nicht zurücklesen</translation>
     </message>
 </context>
 </TS>

@@ -787,6 +787,18 @@
         <source>Without hardware</source>
         <translation>Sin hardware</translation>
     </message>
+    <message>
+        <source>Serial port</source>
+        <translation>Puerto serie</translation>
+    </message>
+    <message>
+        <source>SPI device</source>
+        <translation>Dispositivo SPI</translation>
+    </message>
+    <message>
+        <source>CAN interface</source>
+        <translation>Interfaz CAN</translation>
+    </message>
 </context>
 <context>
     <name>PlotFeed</name>
@@ -934,6 +946,14 @@
         <source>Cancel</source>
         <translation>Cancelar</translation>
     </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Ayuda</translation>
+    </message>
 </context>
 <context>
     <name>QShortcut</name>
@@ -948,6 +968,14 @@
     <message>
         <source>Space</source>
         <translation>Espacio</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Intro</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Intro</translation>
     </message>
 </context>
 <context>
@@ -2148,10 +2176,6 @@
         <translation>%1 a %2</translation>
     </message>
     <message>
-        <source>duty at most %1</source>
-        <translation>ciclo de trabajo: máximo %1</translation>
-    </message>
-    <message>
         <source>speed at most %1 counts/s</source>
         <translation>velocidad: máximo %1 counts/s</translation>
     </message>
@@ -2186,6 +2210,10 @@
     <message>
         <source>F5 tests again, F8 sets it aside</source>
         <translation>F5 prueba de nuevo, F8 la aparta</translation>
+    </message>
+    <message>
+        <source>duty at most %1 %</source>
+        <translation>ciclo de trabajo: máximo %1 %</translation>
     </message>
 </context>
 <context>
@@ -2442,6 +2470,10 @@
         <source>%1 is not open</source>
         <translation>%1 no está abierto</translation>
     </message>
+    <message>
+        <source>load %1 &amp;nbsp; bytes/s %2</source>
+        <translation>carga %1 &amp;nbsp; bytes/s %2</translation>
+    </message>
 </context>
 <context>
     <name>mb::BusSide</name>
@@ -2688,6 +2720,10 @@
         <comment>page: command</comment>
         <translation>%1: %2</translation>
     </message>
+    <message>
+        <source>No command begins so</source>
+        <translation>Ninguna orden empieza así</translation>
+    </message>
 </context>
 <context>
     <name>mb::ComparedText</name>
@@ -2778,10 +2814,6 @@
         <translation>Se está escribiendo firmware en %1</translation>
     </message>
     <message>
-        <source>%1 of %2. Keep power on.</source>
-        <translation>%1 de %2. Mantenga la alimentación.</translation>
-    </message>
-    <message>
         <source>%1 of %2. It must not be cut now.</source>
         <translation>%1 de %2. Ahora no debe interrumpirse.</translation>
     </message>
@@ -2832,6 +2864,10 @@
     <message>
         <source>They were not saved before its power went. This program knows what was last written.</source>
         <translation>No se habían guardado cuando se fue la alimentación. Este programa sabe lo último que se escribió.</translation>
+    </message>
+    <message>
+        <source>%1 of %2. Safe to unplug: the update can be run again.</source>
+        <translation>%1 de %2. Se puede desconectar: la actualización puede repetirse.</translation>
     </message>
 </context>
 <context>
@@ -3196,10 +3232,6 @@
     <message>
         <source>scanning</source>
         <translation>buscando</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
     </message>
     <message>
         <source>%1 of %2: %3, now %4
@@ -5890,10 +5922,6 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <translation>deshace la última edición o, si no la hay, la última escritura en el equipo</translation>
     </message>
     <message>
-        <source>makes it again</source>
-        <translation>la rehace</translation>
-    </message>
-    <message>
         <source>takes a snapshot</source>
         <translation>toma una instantánea</translation>
     </message>
@@ -5928,6 +5956,10 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     <message>
         <source>Compare with a parameter file</source>
         <translation>Comparar con un archivo de parámetros</translation>
+    </message>
+    <message>
+        <source>redoes the last edit or write</source>
+        <translation>rehace la última edición o escritura</translation>
     </message>
 </context>
 <context>
@@ -7255,6 +7287,10 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
         <source>No mistake in the recipe</source>
         <translation>Ningún error en la receta</translation>
     </message>
+    <message>
+        <source>Give the recipe a name.</source>
+        <translation>Dé un nombre a la receta.</translation>
+    </message>
 </context>
 <context>
     <name>mb::RecipeForm</name>
@@ -7365,6 +7401,15 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
     <message>
         <source>such as %1</source>
         <translation>por ejemplo, %1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>field, unit</comment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>0 to 1</source>
+        <translation>0 a 1</translation>
     </message>
 </context>
 <context>
@@ -10344,10 +10389,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>deshace la última edición de ganancias o, si no la hay, la última escritura en el equipo</translation>
     </message>
     <message>
-        <source>does it again</source>
-        <translation>lo rehace</translation>
-    </message>
-    <message>
         <source>writes a report of the trials that are shown</source>
         <translation>escribe un informe de los ensayos mostrados</translation>
     </message>
@@ -10358,6 +10399,10 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>on a gain&apos;s slider: 2 %, with Shift 0.2 %, with Ctrl 20 %; the wheel does the same by 2 %</source>
         <translation>en el deslizador de una ganancia: 2 %, con Mayús 0,2 %, con Ctrl 20 %; la rueda hace lo mismo con 2 %</translation>
+    </message>
+    <message>
+        <source>redoes the last edit or write</source>
+        <translation>rehace la última edición o escritura</translation>
     </message>
 </context>
 <context>
@@ -16720,14 +16765,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>el bit de estado es igual con ambas polaridades, así que no indica nada</translation>
     </message>
     <message>
-        <source>the steps in both directions did what was predicted; the gains were written and read back</source>
-        <translation>los escalones en ambos sentidos hicieron lo previsto; las ganancias se escribieron y se releyeron</translation>
-    </message>
-    <message>
-        <source>the steps in both directions did what was predicted; the gains were written, which this family cannot read back</source>
-        <translation>los escalones en ambos sentidos hicieron lo previsto; las ganancias se escribieron, pero esta familia no permite releerlas</translation>
-    </message>
-    <message>
         <source>the steps met the end of the output</source>
         <translation>los escalones alcanzaron el tope de la salida</translation>
     </message>
@@ -17676,10 +17713,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>las ganancias que había quizá dejen igual de poco error; ahora esas</translation>
     </message>
     <message>
-        <source>the steps in both directions did what was predicted; the gains are as they were</source>
-        <translation>los escalones en ambos sentidos hicieron lo previsto; las ganancias están como estaban</translation>
-    </message>
-    <message>
         <source>their largest sensitivity is %1, at most %2 are allowed, and %3 with more gain and delay</source>
         <translation>su mayor sensibilidad es %1, se permite %2 como máximo, y %3 con más ganancia y retardo</translation>
     </message>
@@ -18286,6 +18319,22 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>trial %1 did not put back what it changed</source>
         <translation>el ensayo %1 no restableció lo que cambió</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must not be empty</source>
+        <translation>«%1» no debe estar vacío</translation>
+    </message>
+    <message>
+        <source>the steps in both directions kept their limits; the gains are as they were</source>
+        <translation>los escalones en ambos sentidos respetaron sus límites; las ganancias están como estaban</translation>
+    </message>
+    <message>
+        <source>the steps in both directions kept their limits; the gains were written and read back</source>
+        <translation>los escalones en ambos sentidos respetaron sus límites; las ganancias se escribieron y se releyeron</translation>
+    </message>
+    <message>
+        <source>the steps in both directions kept their limits; the gains were written, which this family cannot read back</source>
+        <translation>los escalones en ambos sentidos respetaron sus límites; las ganancias se escribieron, pero esta familia no permite releerlas</translation>
     </message>
 </context>
 </TS>

@@ -787,6 +787,18 @@
         <source>Without hardware</source>
         <translation>Sans matériel</translation>
     </message>
+    <message>
+        <source>Serial port</source>
+        <translation>Port série</translation>
+    </message>
+    <message>
+        <source>SPI device</source>
+        <translation>Périphérique SPI</translation>
+    </message>
+    <message>
+        <source>CAN interface</source>
+        <translation>Interface CAN</translation>
+    </message>
 </context>
 <context>
     <name>PlotFeed</name>
@@ -934,6 +946,14 @@
         <source>Cancel</source>
         <translation>Annuler</translation>
     </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Aide</translation>
+    </message>
 </context>
 <context>
     <name>QShortcut</name>
@@ -948,6 +968,14 @@
     <message>
         <source>Space</source>
         <translation>Espace</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Entrée</translation>
     </message>
 </context>
 <context>
@@ -2148,10 +2176,6 @@
         <translation>%1 à %2</translation>
     </message>
     <message>
-        <source>duty at most %1</source>
-        <translation>rapport cyclique %1 au plus</translation>
-    </message>
-    <message>
         <source>speed at most %1 counts/s</source>
         <translation>vitesse %1 counts/s au plus</translation>
     </message>
@@ -2186,6 +2210,10 @@
     <message>
         <source>F5 tests again, F8 sets it aside</source>
         <translation>F5 reteste, F8 met de côté</translation>
+    </message>
+    <message>
+        <source>duty at most %1 %</source>
+        <translation>rapport cyclique %1 % au plus</translation>
     </message>
 </context>
 <context>
@@ -2442,6 +2470,10 @@
         <source>%1 is not open</source>
         <translation>%1 n’est pas ouvert</translation>
     </message>
+    <message>
+        <source>load %1 &amp;nbsp; bytes/s %2</source>
+        <translation>charge %1 &amp;nbsp; octets/s %2</translation>
+    </message>
 </context>
 <context>
     <name>mb::BusSide</name>
@@ -2688,6 +2720,10 @@
         <comment>page: command</comment>
         <translation>%1&#xa0;: %2</translation>
     </message>
+    <message>
+        <source>No command begins so</source>
+        <translation>Aucune commande ne commence ainsi</translation>
+    </message>
 </context>
 <context>
     <name>mb::ComparedText</name>
@@ -2778,10 +2814,6 @@
         <translation>Écriture du firmware dans %1</translation>
     </message>
     <message>
-        <source>%1 of %2. Keep power on.</source>
-        <translation>%1 sur %2. Laissez sous tension.</translation>
-    </message>
-    <message>
         <source>%1 of %2. It must not be cut now.</source>
         <translation>%1 sur %2. Ne pas interrompre maintenant.</translation>
     </message>
@@ -2832,6 +2864,10 @@
     <message>
         <source>They were not saved before its power went. This program knows what was last written.</source>
         <translation>Ils n’étaient pas mémorisés quand l’alimentation a disparu. Ce programme sait ce qui a été écrit en dernier.</translation>
+    </message>
+    <message>
+        <source>%1 of %2. Safe to unplug: the update can be run again.</source>
+        <translation>%1 sur %2. Débranchement autorisé : la mise à jour peut être relancée.</translation>
     </message>
 </context>
 <context>
@@ -3196,10 +3232,6 @@
     <message>
         <source>scanning</source>
         <translation>recherche</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
     </message>
     <message>
         <source>%1 of %2: %3, now %4
@@ -4637,7 +4669,7 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     </message>
     <message>
         <source>Keep these values of %1?</source>
-        <translation>Conserver ces valeurs de %1 ?</translation>
+        <translation>Conserver ces valeurs de %1&#xa0;?</translation>
     </message>
 </context>
 <context>
@@ -5890,10 +5922,6 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <translation>annule la dernière modification, sinon la dernière écriture dans l’appareil</translation>
     </message>
     <message>
-        <source>makes it again</source>
-        <translation>la refait</translation>
-    </message>
-    <message>
         <source>takes a snapshot</source>
         <translation>prend un instantané</translation>
     </message>
@@ -5928,6 +5956,10 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     <message>
         <source>Compare with a parameter file</source>
         <translation>Comparer avec un fichier de paramètres</translation>
+    </message>
+    <message>
+        <source>redoes the last edit or write</source>
+        <translation>rétablit la dernière modification ou écriture</translation>
     </message>
 </context>
 <context>
@@ -7255,6 +7287,10 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
         <source>No mistake in the recipe</source>
         <translation>Aucune erreur dans la recette</translation>
     </message>
+    <message>
+        <source>Give the recipe a name.</source>
+        <translation>Donnez un nom à la recette.</translation>
+    </message>
 </context>
 <context>
     <name>mb::RecipeForm</name>
@@ -7365,6 +7401,15 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     <message>
         <source>such as %1</source>
         <translation>par exemple %1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>field, unit</comment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>0 to 1</source>
+        <translation>0 à 1</translation>
     </message>
 </context>
 <context>
@@ -10344,10 +10389,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>annule la dernière modification des gains, sinon la dernière écriture dans l’appareil</translation>
     </message>
     <message>
-        <source>does it again</source>
-        <translation>la refait</translation>
-    </message>
-    <message>
         <source>writes a report of the trials that are shown</source>
         <translation>écrit un rapport des essais affichés</translation>
     </message>
@@ -10358,6 +10399,10 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>on a gain&apos;s slider: 2 %, with Shift 0.2 %, with Ctrl 20 %; the wheel does the same by 2 %</source>
         <translation>sur le curseur d’un gain&#xa0;: 2 %, avec Maj 0,2 %, avec Ctrl 20 %&#x202f;; la molette fait de même par 2 %</translation>
+    </message>
+    <message>
+        <source>redoes the last edit or write</source>
+        <translation>rétablit la dernière modification ou écriture</translation>
     </message>
 </context>
 <context>
@@ -16720,14 +16765,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>le bit d’état est le même avec les deux polarités, il n’indique donc rien</translation>
     </message>
     <message>
-        <source>the steps in both directions did what was predicted; the gains were written and read back</source>
-        <translation>les échelons dans les deux sens ont fait ce qui était prédit&#x202f;; les gains ont été écrits et relus</translation>
-    </message>
-    <message>
-        <source>the steps in both directions did what was predicted; the gains were written, which this family cannot read back</source>
-        <translation>les échelons dans les deux sens ont fait ce qui était prédit&#x202f;; les gains ont été écrits, mais cette famille ne permet pas de les relire</translation>
-    </message>
-    <message>
         <source>the steps met the end of the output</source>
         <translation>les échelons ont atteint la butée de la sortie</translation>
     </message>
@@ -17676,10 +17713,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>les gains qui étaient là laissent peut-être aussi peu d&apos;erreur&#x202f;; maintenant ceux-ci</translation>
     </message>
     <message>
-        <source>the steps in both directions did what was predicted; the gains are as they were</source>
-        <translation>les échelons dans les deux sens ont fait ce qui était prédit&#x202f;; les gains sont restés comme ils étaient</translation>
-    </message>
-    <message>
         <source>their largest sensitivity is %1, at most %2 are allowed, and %3 with more gain and delay</source>
         <translation>leur plus grande sensibilité est %1, au plus %2 est permis, et %3 avec plus de gain et de retard</translation>
     </message>
@@ -18286,6 +18319,22 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>trial %1 did not put back what it changed</source>
         <translation>l’essai %1 n’a pas rétabli ce qu’il a changé</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must not be empty</source>
+        <translation>« %1 » ne doit pas être vide</translation>
+    </message>
+    <message>
+        <source>the steps in both directions kept their limits; the gains are as they were</source>
+        <translation>les échelons dans les deux sens ont respecté leurs limites ; les gains sont restés comme ils étaient</translation>
+    </message>
+    <message>
+        <source>the steps in both directions kept their limits; the gains were written and read back</source>
+        <translation>les échelons dans les deux sens ont respecté leurs limites ; les gains ont été écrits et relus</translation>
+    </message>
+    <message>
+        <source>the steps in both directions kept their limits; the gains were written, which this family cannot read back</source>
+        <translation>les échelons dans les deux sens ont respecté leurs limites ; les gains ont été écrits, mais cette famille ne permet pas de les relire</translation>
     </message>
 </context>
 </TS>

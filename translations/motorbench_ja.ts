@@ -787,6 +787,18 @@
         <source>Without hardware</source>
         <translation>ハードウェアなし</translation>
     </message>
+    <message>
+        <source>Serial port</source>
+        <translation>シリアルポート</translation>
+    </message>
+    <message>
+        <source>SPI device</source>
+        <translation>SPI デバイス</translation>
+    </message>
+    <message>
+        <source>CAN interface</source>
+        <translation>CAN インターフェース</translation>
+    </message>
 </context>
 <context>
     <name>PlotFeed</name>
@@ -933,6 +945,14 @@
         <source>Cancel</source>
         <translation>キャンセル</translation>
     </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>ヘルプ</translation>
+    </message>
 </context>
 <context>
     <name>QShortcut</name>
@@ -947,6 +967,14 @@
     <message>
         <source>Space</source>
         <translation>Space</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
     </message>
 </context>
 <context>
@@ -2146,10 +2174,6 @@
         <translation>%1 ～ %2</translation>
     </message>
     <message>
-        <source>duty at most %1</source>
-        <translation>デューティ最大 %1</translation>
-    </message>
-    <message>
         <source>speed at most %1 counts/s</source>
         <translation>速度最大 %1 counts/s</translation>
     </message>
@@ -2184,6 +2208,10 @@
     <message>
         <source>F5 tests again, F8 sets it aside</source>
         <translation>F5 で再テスト、F8 でよける</translation>
+    </message>
+    <message>
+        <source>duty at most %1 %</source>
+        <translation>デューティ最大 %1 %</translation>
     </message>
 </context>
 <context>
@@ -2440,6 +2468,10 @@
         <source>%1 is not open</source>
         <translation>%1 は開いていません</translation>
     </message>
+    <message>
+        <source>load %1 &amp;nbsp; bytes/s %2</source>
+        <translation>負荷 %1 &amp;nbsp; バイト/s %2</translation>
+    </message>
 </context>
 <context>
     <name>mb::BusSide</name>
@@ -2686,6 +2718,10 @@
         <comment>page: command</comment>
         <translation>%1: %2</translation>
     </message>
+    <message>
+        <source>No command begins so</source>
+        <translation>この文字で始まるコマンドはありません</translation>
+    </message>
 </context>
 <context>
     <name>mb::ComparedText</name>
@@ -2776,10 +2812,6 @@
         <translation>%1 にファームウェアを書込み中</translation>
     </message>
     <message>
-        <source>%1 of %2. Keep power on.</source>
-        <translation>%1/%2。電源を切らないでください。</translation>
-    </message>
-    <message>
         <source>%1 of %2. It must not be cut now.</source>
         <translation>%1/%2。今は中断しないでください。</translation>
     </message>
@@ -2830,6 +2862,10 @@
     <message>
         <source>They were not saved before its power went. This program knows what was last written.</source>
         <translation>電源が切れる前に保存されていませんでした。最後に書き込んだ値は、このプログラムが知っています。</translation>
+    </message>
+    <message>
+        <source>%1 of %2. Safe to unplug: the update can be run again.</source>
+        <translation>%1/%2。取り外し可：更新はやり直せます。</translation>
     </message>
 </context>
 <context>
@@ -3194,10 +3230,6 @@
     <message>
         <source>scanning</source>
         <translation>スキャン中</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
     </message>
     <message>
         <source>%1 of %2: %3, now %4
@@ -5883,10 +5915,6 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>直前の編集、なければ機器への直前の書込みを元に戻します</translation>
     </message>
     <message>
-        <source>makes it again</source>
-        <translation>やり直します</translation>
-    </message>
-    <message>
         <source>takes a snapshot</source>
         <translation>スナップショットを取得します</translation>
     </message>
@@ -5921,6 +5949,10 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>Compare with a parameter file</source>
         <translation>パラメータファイルと比較</translation>
+    </message>
+    <message>
+        <source>redoes the last edit or write</source>
+        <translation>直前の編集または書込みをやり直します</translation>
     </message>
 </context>
 <context>
@@ -7246,6 +7278,10 @@ double click or End returns to the present · right click for more</source>
         <source>No mistake in the recipe</source>
         <translation>レシピに誤りはありません</translation>
     </message>
+    <message>
+        <source>Give the recipe a name.</source>
+        <translation>レシピに名前を付けてください。</translation>
+    </message>
 </context>
 <context>
     <name>mb::RecipeForm</name>
@@ -7356,6 +7392,15 @@ double click or End returns to the present · right click for more</source>
     <message>
         <source>such as %1</source>
         <translation>例: %1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>field, unit</comment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>0 to 1</source>
+        <translation>0～1</translation>
     </message>
 </context>
 <context>
@@ -10330,10 +10375,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>ゲインの直前の編集、なければ機器への直前の書込みを元に戻します</translation>
     </message>
     <message>
-        <source>does it again</source>
-        <translation>やり直します</translation>
-    </message>
-    <message>
         <source>writes a report of the trials that are shown</source>
         <translation>表示中の試行のレポートを書き出します</translation>
     </message>
@@ -10344,6 +10385,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>on a gain&apos;s slider: 2 %, with Shift 0.2 %, with Ctrl 20 %; the wheel does the same by 2 %</source>
         <translation>ゲインのスライダ上: 2 %、Shift 併用で 0.2 %、Ctrl 併用で 20 %。ホイールでも 2 % 変わります</translation>
+    </message>
+    <message>
+        <source>redoes the last edit or write</source>
+        <translation>直前の編集または書込みをやり直します</translation>
     </message>
 </context>
 <context>
@@ -16706,14 +16751,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>状態ビットが両方の極性で同じため、判定できません</translation>
     </message>
     <message>
-        <source>the steps in both directions did what was predicted; the gains were written and read back</source>
-        <translation>両方向のステップが予測どおりでした。ゲインを書き込み、読み戻しました</translation>
-    </message>
-    <message>
-        <source>the steps in both directions did what was predicted; the gains were written, which this family cannot read back</source>
-        <translation>両方向のステップが予測どおりでした。ゲインを書き込みましたが、このファミリでは読み戻せません</translation>
-    </message>
-    <message>
         <source>the steps met the end of the output</source>
         <translation>ステップが出力の上限に達しました</translation>
     </message>
@@ -17662,10 +17699,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>元のゲインでも誤差は同じくらい小さいかもしれません。次はそれを試します</translation>
     </message>
     <message>
-        <source>the steps in both directions did what was predicted; the gains are as they were</source>
-        <translation>両方向のステップが予測どおりでした。ゲインは元のままです</translation>
-    </message>
-    <message>
         <source>their largest sensitivity is %1, at most %2 are allowed, and %3 with more gain and delay</source>
         <translation>最大感度は %1 です。許容は最大 %2、ゲインとむだ時間が増えた場合は %3 です</translation>
     </message>
@@ -18272,6 +18305,22 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>trial %1 did not put back what it changed</source>
         <translation>試行 %1 は変更したものを元に戻していません</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must not be empty</source>
+        <translation>「%1」は空にできません</translation>
+    </message>
+    <message>
+        <source>the steps in both directions kept their limits; the gains are as they were</source>
+        <translation>両方向のステップが限度内でした。ゲインは元のままです</translation>
+    </message>
+    <message>
+        <source>the steps in both directions kept their limits; the gains were written and read back</source>
+        <translation>両方向のステップが限度内でした。ゲインを書き込み、読み戻しました</translation>
+    </message>
+    <message>
+        <source>the steps in both directions kept their limits; the gains were written, which this family cannot read back</source>
+        <translation>両方向のステップが限度内でした。ゲインを書き込みましたが、このファミリでは読み戻せません</translation>
     </message>
 </context>
 </TS>

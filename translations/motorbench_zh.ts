@@ -787,6 +787,18 @@
         <source>Without hardware</source>
         <translation>无需硬件</translation>
     </message>
+    <message>
+        <source>Serial port</source>
+        <translation>串口</translation>
+    </message>
+    <message>
+        <source>SPI device</source>
+        <translation>SPI 设备</translation>
+    </message>
+    <message>
+        <source>CAN interface</source>
+        <translation>CAN 接口</translation>
+    </message>
 </context>
 <context>
     <name>PlotFeed</name>
@@ -933,6 +945,14 @@
         <source>Cancel</source>
         <translation>取消</translation>
     </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>帮助</translation>
+    </message>
 </context>
 <context>
     <name>QShortcut</name>
@@ -947,6 +967,14 @@
     <message>
         <source>Space</source>
         <translation>空格</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
     </message>
 </context>
 <context>
@@ -2146,10 +2174,6 @@
         <translation>%1 至 %2</translation>
     </message>
     <message>
-        <source>duty at most %1</source>
-        <translation>占空比最大 %1</translation>
-    </message>
-    <message>
         <source>speed at most %1 counts/s</source>
         <translation>速度最大 %1 counts/s</translation>
     </message>
@@ -2184,6 +2208,10 @@
     <message>
         <source>F5 tests again, F8 sets it aside</source>
         <translation>F5 再次测试，F8 搁置</translation>
+    </message>
+    <message>
+        <source>duty at most %1 %</source>
+        <translation>占空比最大 %1 %</translation>
     </message>
 </context>
 <context>
@@ -2440,6 +2468,10 @@
         <source>%1 is not open</source>
         <translation>%1 未打开</translation>
     </message>
+    <message>
+        <source>load %1 &amp;nbsp; bytes/s %2</source>
+        <translation>负载 %1 &amp;nbsp; 字节/s %2</translation>
+    </message>
 </context>
 <context>
     <name>mb::BusSide</name>
@@ -2686,6 +2718,10 @@
         <comment>page: command</comment>
         <translation>%1：%2</translation>
     </message>
+    <message>
+        <source>No command begins so</source>
+        <translation>没有以此开头的命令</translation>
+    </message>
 </context>
 <context>
     <name>mb::ComparedText</name>
@@ -2776,10 +2812,6 @@
         <translation>正在向 %1 写入固件</translation>
     </message>
     <message>
-        <source>%1 of %2. Keep power on.</source>
-        <translation>%1 / %2。请保持通电。</translation>
-    </message>
-    <message>
         <source>%1 of %2. It must not be cut now.</source>
         <translation>%1 / %2。此时不得中断。</translation>
     </message>
@@ -2830,6 +2862,10 @@
     <message>
         <source>They were not saved before its power went. This program knows what was last written.</source>
         <translation>断电之前没有保存。本程序知道最后写入的值。</translation>
+    </message>
+    <message>
+        <source>%1 of %2. Safe to unplug: the update can be run again.</source>
+        <translation>%1 / %2。可以拔出：更新可以重新进行。</translation>
     </message>
 </context>
 <context>
@@ -3194,10 +3230,6 @@
     <message>
         <source>scanning</source>
         <translation>正在扫描</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
     </message>
     <message>
         <source>%1 of %2: %3, now %4
@@ -5883,10 +5915,6 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>撤销上一次编辑，否则撤销上一次写入设备的操作</translation>
     </message>
     <message>
-        <source>makes it again</source>
-        <translation>重做</translation>
-    </message>
-    <message>
         <source>takes a snapshot</source>
         <translation>建立快照</translation>
     </message>
@@ -5921,6 +5949,10 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>Compare with a parameter file</source>
         <translation>与参数文件比较</translation>
+    </message>
+    <message>
+        <source>redoes the last edit or write</source>
+        <translation>重做上一次编辑或写入</translation>
     </message>
 </context>
 <context>
@@ -7246,6 +7278,10 @@ double click or End returns to the present · right click for more</source>
         <source>No mistake in the recipe</source>
         <translation>配方没有错误</translation>
     </message>
+    <message>
+        <source>Give the recipe a name.</source>
+        <translation>请为配方命名。</translation>
+    </message>
 </context>
 <context>
     <name>mb::RecipeForm</name>
@@ -7356,6 +7392,15 @@ double click or End returns to the present · right click for more</source>
     <message>
         <source>such as %1</source>
         <translation>例如 %1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>field, unit</comment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>0 to 1</source>
+        <translation>0 至 1</translation>
     </message>
 </context>
 <context>
@@ -10330,10 +10375,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>撤销上一次增益编辑，否则撤销上一次写入设备的操作</translation>
     </message>
     <message>
-        <source>does it again</source>
-        <translation>重做</translation>
-    </message>
-    <message>
         <source>writes a report of the trials that are shown</source>
         <translation>为所显示的试验生成报告</translation>
     </message>
@@ -10344,6 +10385,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>on a gain&apos;s slider: 2 %, with Shift 0.2 %, with Ctrl 20 %; the wheel does the same by 2 %</source>
         <translation>在增益滑块上：2 %，按 Shift 为 0.2 %，按 Ctrl 为 20 %；滚轮同样每次 2 %</translation>
+    </message>
+    <message>
+        <source>redoes the last edit or write</source>
+        <translation>重做上一次编辑或写入</translation>
     </message>
 </context>
 <context>
@@ -16706,14 +16751,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>两种极性下状态位相同，因此无法说明任何问题</translation>
     </message>
     <message>
-        <source>the steps in both directions did what was predicted; the gains were written and read back</source>
-        <translation>两个方向的阶跃均与预测相符；增益已写入并回读</translation>
-    </message>
-    <message>
-        <source>the steps in both directions did what was predicted; the gains were written, which this family cannot read back</source>
-        <translation>两个方向的阶跃均与预测相符；增益已写入，此系列无法回读</translation>
-    </message>
-    <message>
         <source>the steps met the end of the output</source>
         <translation>阶跃达到输出的极限</translation>
     </message>
@@ -17662,10 +17699,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>原有的增益也许误差同样小；现在试用它们</translation>
     </message>
     <message>
-        <source>the steps in both directions did what was predicted; the gains are as they were</source>
-        <translation>两个方向的阶跃均与预测相符；增益保持原样</translation>
-    </message>
-    <message>
         <source>their largest sensitivity is %1, at most %2 are allowed, and %3 with more gain and delay</source>
         <translation>其最大灵敏度为 %1，最多允许 %2，增益和时延更大时为 %3</translation>
     </message>
@@ -18272,6 +18305,22 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>trial %1 did not put back what it changed</source>
         <translation>试验 %1 没有恢复它所改的值</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must not be empty</source>
+        <translation>“%1”不能为空</translation>
+    </message>
+    <message>
+        <source>the steps in both directions kept their limits; the gains are as they were</source>
+        <translation>两个方向的阶跃均在限值之内；增益保持原样</translation>
+    </message>
+    <message>
+        <source>the steps in both directions kept their limits; the gains were written and read back</source>
+        <translation>两个方向的阶跃均在限值之内；增益已写入并回读</translation>
+    </message>
+    <message>
+        <source>the steps in both directions kept their limits; the gains were written, which this family cannot read back</source>
+        <translation>两个方向的阶跃均在限值之内；增益已写入，此系列无法回读</translation>
     </message>
 </context>
 </TS>

@@ -100,8 +100,8 @@ void DeviceStop::lookAtOpenLine()
     const Duration since = now - m_toldAt;
     const bool heard = m_device.liveness().heard;
     if (m_state == StopState::Stopping && since >= (heard ? coastLimit : noSignLimit)) {
-        if (!m_forMotion) {
-            enter(StopState::Silent);
+        if (!m_forMotion) { // one that cannot be told is owed no answer
+            enter(m_device.mayStop() ? StopState::Silent : StopState::None);
             return;
         }
         enter(!heard && m_device.hasWatchdog() ? StopState::ByWatchdog : StopState::Unconfirmed);

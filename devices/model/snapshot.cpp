@@ -3,6 +3,7 @@
 
 #include "model/unit.h"
 #include "transport/seriallink.h"
+#include "transport/spilink.h"
 
 #include <algorithm>
 
@@ -92,6 +93,10 @@ LinkView viewOf(const Link &link, Instant now)
         view.bitrate = serial.baudrate();
         view.load = serial.load(now);
         view.roundTrip = serial.roundTrip();
+    } else {
+        const auto &spi = static_cast<const SpiLink &>(link);
+        view.bitrate = spi.clockRate();
+        view.load = spi.load(now);
     }
     if (const auto *replay = dynamic_cast<const ReplayLink *>(&link))
         view.replay = replay->replay();

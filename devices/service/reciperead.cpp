@@ -87,8 +87,10 @@ private:
         const QJsonValue value = object.value(QLatin1String(key));
         if (value.isUndefined() && !needed)
             return {};
-        if (!value.isString() || value.toString().trimmed().isEmpty())
+        if (!value.isString())
             wrong(pathOf(path, key), say("'%1' must be a text", key));
+        else if (value.toString().trimmed().isEmpty())
+            wrong(pathOf(path, key), say("'%1' must not be empty", key));
         return value.toString().trimmed().toStdString();
     }
     std::optional<double> number(

@@ -84,6 +84,7 @@ void SpiLink::finishTransfer(Result<Bytes> miso)
     const auto job = std::exchange(m_current, nullptr);
     if (!job)
         return;
+    m_load.count(m_clock.now(), job->mosi.size() * 8); // both ways at once
     if (miso)
         passed(Traffic{m_clock.now(), Direction::Received, nullptr, *miso});
     else

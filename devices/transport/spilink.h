@@ -4,6 +4,7 @@
 #include "async/clock.h"
 #include "async/task.h"
 #include "async/turns.h"
+#include "transport/lineload.h"
 #include "transport/link.h"
 
 #include <coroutine>
@@ -57,13 +58,19 @@ public:
     /// Keeps an eye on the line even while nobody waits; a period of 0 ends that.
     void watchReady(Duration period);
 
+    /// Hz of the bus clock, 0 when the link does not know.
+    [[nodiscard]] int clockRate() const { return m_clockRate; }
+    /// Fraction of the clock in use over the last second of transfers; 0 when its rate is not known.
+    [[nodiscard]] double load(Instant now) const { return m_load.fraction(now, m_clockRate); }
+
     /// Pulls the reset line low for 1 ms. Unsupported without the line.
     Result<void> pulseReset();
 
 protected:
-    SpiLink(LinkAddress address, Clock &clock)
+    SpiLink(LinkAddress address, Clock &clock, int clockRate = 0)
         : Link(std::move(address), LinkKind::Spi)
         , m_clock(clock)
+        , m_clockRate(clockRate)
         , m_turns(clock)
         , m_poll(clock)
     {
@@ -94,6 +101,8 @@ private:
     static void conclude(const std::shared_ptr<Job> &job, Result<Bytes> result);
 
     Clock &m_clock;
+    int m_clockRate;
+    LineLoad m_load;
     Turns m_turns;
     std::deque<std::shared_ptr<Job>> m_jobs;
     std::shared_ptr<Job> m_current;

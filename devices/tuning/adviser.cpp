@@ -140,10 +140,11 @@ void adviseOnVelocity(const Evidence &seen, std::vector<Advice> &all)
         return;
     const auto hold = seen.velocityHold();
     const auto late = seen.velocityDelay();
-    const Changes changes = seen.overshoot() >= notableOvershoot ? scaled(seen, calmer) : Changes();
+    const bool lively = seen.overshoot() >= notableOvershoot;
+    const Changes changes = lively ? scaled(seen, calmer) : Changes();
     if (hold && *hold > latestVelocity)
         add(all, Cause::BlockVelocity, *hold, *hold / latestVelocity, changes);
-    else if (late && *late > latestVelocity)
+    else if (late && *late > latestVelocity && lively) // of a loop that does not overshoot it explains nothing
         add(all, Cause::FilterDelay, *late, *late / latestVelocity, changes);
 }
 

@@ -314,11 +314,10 @@ Task<void> TuneProof::keep()
     report.result = TuneResult::Kept;
     const Capabilities &can = m_run.device().family().capabilities;
     report.evidence = m_design.isFormer()
-        ? say("the steps in both directions did what was predicted; the gains are as they were")
+        ? say("the steps in both directions kept their limits; the gains are as they were")
         : can.readback
-        ? say("the steps in both directions did what was predicted; the gains were written and read back")
-        : say("the steps in both directions did what was predicted; the gains were written, which this family cannot "
-              "read "
+        ? say("the steps in both directions kept their limits; the gains were written and read back")
+        : say("the steps in both directions kept their limits; the gains were written, which this family cannot read "
               "back");
     if (const Message story = m_design.story(); !story.empty())
         report.evidence = joined(report.evidence, story);

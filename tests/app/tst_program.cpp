@@ -68,6 +68,7 @@ private Q_SLOTS:
     void anotherLanguageIsSpokenAtOnceOnTheSamePageAndDevice_data();
     void anotherLanguageIsSpokenAtOnceOnTheSamePageAndDevice();
     void theLanguagesAreThoseThatAreTranslatedEachInItsOwnWord();
+    void theWordsOfQtAreInTheLanguageToo();
     void unitsAndSoundsAreThePersonsChoice();
     void preferencesNameTheFoldersWhereThingsAreKept();
     void theGuardianIsChecked();
@@ -130,6 +131,16 @@ void ProgramTest::theLanguagesAreThoseThatAreTranslatedEachInItsOwnWord()
     QVERIFY(!refused);
     QCOMPARE(QString::fromStdString(refused.error().detail.english()),
         QStringLiteral("--language takes one of de, en, es, fr, ja, zh"));
+}
+
+void ProgramTest::theWordsOfQtAreInTheLanguageToo()
+{
+    WindowBench bench(1.0, QStringLiteral("de"));
+    const QDialogButtonBox buttons(QDialogButtonBox::Close | QDialogButtonBox::Help);
+    QCOMPARE(buttons.button(QDialogButtonBox::Close)->text().remove(QLatin1Char('&')), QStringLiteral("Schließen"));
+    QCOMPARE(buttons.button(QDialogButtonBox::Help)->text().remove(QLatin1Char('&')), QStringLiteral("Hilfe"));
+    const QString enter = QKeySequence(Qt::CTRL | Qt::Key_Return).toString(QKeySequence::NativeText);
+    QCOMPARE(enter, QStringLiteral("Strg+Enter"));
 }
 
 void ProgramTest::unitsAndSoundsAreThePersonsChoice()

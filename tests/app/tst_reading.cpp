@@ -3,6 +3,7 @@
 #include "app/focusorder.h"
 #include "app/productionface.h"
 #include "app/windowmenu.h"
+#include "support/longwords.h"
 #include "support/windowtests.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
@@ -23,7 +24,6 @@
 #include <QScrollBar>
 #include <QSlider>
 #include <QTabBar>
-#include <QTranslator>
 
 using namespace mb;
 using namespace mb::test;
@@ -35,22 +35,6 @@ constexpr int target = 32; ///< px at 96 dpi and a font of 10 pt
 constexpr int slack = 3;
 constexpr int mostControls = 400; ///< more than any page has
 constexpr int leastRows = 4;      ///< of parameters, in sight
-
-/// Words of another language, which take more room: two fifths more.
-class LongWords : public QTranslator {
-public:
-    QString translate(const char *, const char *source, const char *, int) const override
-    {
-        QString text = QString::fromUtf8(source);
-        const int letters
-            = static_cast<int>(std::count_if(text.begin(), text.end(), [](QChar c) { return c.isLetter(); }));
-        const int more = (2 * letters + 4) / 5;
-        for (int i = 0; i < more; ++i) // words of four letters, so that lines can be broken
-            text += i % 5 == 0 && letters > 8 ? QLatin1Char(' ') : QLatin1Char('o');
-        return text;
-    }
-    bool isEmpty() const override { return false; }
-};
 
 QString nameOf(const QWidget &widget)
 {

@@ -229,6 +229,18 @@ TEST(Stop, OfTheUserGoesToADeviceThatIsSilentAndEndsWithAWord)
     EXPECT_EQ(bench.device(7)->stopping().state(), StopState::Silent);
 }
 
+TEST(Stop, OfADeviceThatCannotBeToldIsNotSaidToHaveGotNoAnswer)
+{
+    test::SimulatedSession bench;
+    bench.scan();
+    Device *loading = bench.device(9);
+    ASSERT_NE(loading, nullptr);
+    ASSERT_FALSE(loading->mayStop());
+    loading->stop(); // as an update does it before it begins
+    bench.clock.advance(2s);
+    EXPECT_EQ(loading->stopping().state(), StopState::None);
+}
+
 TEST(Stop, OfTheUserGoesToBothUnitsOfADuplicateNumber)
 {
     SimulatedSession bench("sim:can?fault=duplicate");

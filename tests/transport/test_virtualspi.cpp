@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "async/virtualclock.h"
+#include "model/snapshot.h"
 #include "transport/backends/virtualspi.h"
 
 #include <gtest/gtest.h>
@@ -55,6 +56,18 @@ TEST_F(VirtualSpi, AByteTakes16MicrosecondsAt500Kilohertz)
     ASSERT_TRUE(clock.runUntil([&] { return task.isFinished(); }, 1s));
     EXPECT_EQ(clock.now() - begin, 48us);
     EXPECT_EQ(*task.result(), (Bytes{0xFE, 0xFD, 0xFC}));
+}
+
+TEST_F(VirtualSpi, ItsLoadIsTheShareOfTheClockThatTransfersTake)
+{
+    for (int i = 0; i < 300; ++i) { // 40 bytes of 16 us every 10 ms
+        Task<Bytes> task = transfer(link, Bytes(40));
+        task.start();
+        clock.advance(10ms);
+    }
+    const LinkView view = viewOf(link, clock.now());
+    EXPECT_EQ(view.bitrate, 500'000);
+    EXPECT_NEAR(view.load, 0.064, 0.002);
 }
 
 TEST_F(VirtualSpi, TransfersTakePlaceOneAfterTheOther)

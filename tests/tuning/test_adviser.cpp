@@ -235,6 +235,13 @@ TEST(Adviser, AVelocityThatIsLateIsNamedWithItsDelay)
     EXPECT_EQ(find(all, Cause::BlockVelocity), nullptr);
 }
 
+TEST(Adviser, ALateVelocityIsNoCauseOfATrialThatIsSluggish)
+{
+    Trial trial = velocityStep(0.05);
+    trial.metrics.overshoot = 0.002;
+    EXPECT_EQ(find(adviseOn(trial), Cause::FilterDelay), nullptr);
+}
+
 TEST(Adviser, AVelocityInBlocksIsNamedWithTheirLength)
 {
     Trial trial = velocityStep();

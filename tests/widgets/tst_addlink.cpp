@@ -68,6 +68,7 @@ class AddLinkTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void everyKindIsListedWithItsState();
+    void noRowIsWithoutAName();
     void whatCanBeOpenedIsChosenFirst();
     void anInterfaceThatIsDownShowsItsCommand();
     void aSerialPortGetsItsRate();
@@ -93,6 +94,15 @@ void AddLinkTest::everyKindIsListedWithItsState()
     QCOMPARE(bench.row(s("Simulated CAN bus"))->text(1), s("open"));
     auto *list = bench.dialog.findChild<QTreeWidget *>();
     QCOMPARE(list->topLevelItemCount(), 5);
+}
+
+void AddLinkTest::noRowIsWithoutAName()
+{
+    const Diagnosis none{Ailment::NotThere, say("there is no CAN interface"), say("plug in an adapter"), {}};
+    const std::vector<LinkListing> absent{
+        {{"socketcan", {}, {}}, LinkKind::Can, "absent", none.message(), false, none, false}};
+    for (const LinkChoice &choice : linkChoices(absent, {}))
+        QVERIFY2(!choice.name.isEmpty(), qPrintable(choice.words));
 }
 
 void AddLinkTest::whatCanBeOpenedIsChosenFirst()

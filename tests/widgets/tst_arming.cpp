@@ -16,6 +16,7 @@ class TestArming : public QObject {
 private Q_SLOTS:
     void init();
     void stopIsOfTheUserAndGoesOutFirst();
+    void aStopWhereNothingMovesIsNoCaution();
     void stopForAnotherCauseIsOfTheProgram();
     void aStopIsNotShownAsDoneBeforeItIsSeen();
     void aMotorThatMayStillTurnIsNamedUntilItIsSeen();
@@ -52,6 +53,23 @@ void TestArming::stopIsOfTheUserAndGoesOutFirst()
     QCOMPARE(m_bench->workbench.stops.front().ordersBefore, std::size_t{0});
     QVERIFY(m_bench->workbench.stops.front().cause == StopCause::User);
     QCOMPARE(m_bench->arming.state(), LampState::Stopped);
+}
+
+/// Esc closes a dialog, too; the stop goes out all the same.
+void TestArming::aStopWhereNothingMovesIsNoCaution()
+{
+    FakeWorkbench &workbench = m_bench->workbench;
+    m_bench->arming.stopAll(QStringLiteral("Esc"));
+    QVERIFY(workbench.lines.back().severity == Severity::Caution); // it was armed
+    m_bench->arming.disarm();
+    m_bench->arming.stopAll(QStringLiteral("Esc"));
+    QCOMPARE(workbench.stops.size(), std::size_t{2});
+    QCOMPARE(workbench.lines.back().text, QStringLiteral("STOP: Esc"));
+    QVERIFY(workbench.lines.back().severity == Severity::Info);
+    m_bench->device().liveness.moving = true; // by another program, or by itself
+    workbench.publish();
+    m_bench->arming.stopAll(QStringLiteral("Esc"));
+    QVERIFY(workbench.lines.back().severity == Severity::Caution);
 }
 
 void TestArming::stopForAnotherCauseIsOfTheProgram()

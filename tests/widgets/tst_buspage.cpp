@@ -18,6 +18,18 @@
 using namespace mb;
 using namespace mb::test;
 
+namespace {
+
+QString stateOf(const BusBench &bench)
+{
+    QString state;
+    for (const QLabel *label : bench.page->bar().findChildren<QLabel *>())
+        state += label->text();
+    return state;
+}
+
+} // namespace
+
 class BusPageTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
@@ -28,6 +40,8 @@ private Q_SLOTS:
     void selectedFramesAreCopiedAsCandumpText();
     void exportReportsWhatItDid();
     void stateShowsLoadAndLoss();
+    void aLineOfBytesIsNotCountedInFrames();
+    void aLoadThatIsNotKnownIsNotZero();
     void theDetailMovesBesideTheIdentifiersWhenNarrow();
     void theDetailIsShortUntilAFrameIsSelected();
     void theOrdersStandInOneLineBesideTheDevices();
@@ -169,11 +183,32 @@ void BusPageTest::stateShowsLoadAndLoss()
     bench.traffic.add(generalOf5);
     bench.traffic.now += 5s;
     bench.publish();
-    QString state;
-    for (const QLabel *label : bench.page->bar().findChildren<QLabel *>())
-        state += label->text();
+    const QString state = stateOf(bench);
     QVERIFY2(state.contains(QString::fromUtf8(">6\u00A0%<")), qPrintable(state));
     QVERIFY2(state.contains(QStringLiteral(">7<")), qPrintable(state));
+}
+
+void BusPageTest::aLineOfBytesIsNotCountedInFrames()
+{
+    BusBench bench;
+    bench.workbench.shot.links[0].kind = LinkKind::Spi;
+    bench.traffic.now += 5s;
+    bench.publish();
+    const QString state = stateOf(bench);
+    QVERIFY2(!state.contains(QStringLiteral("frames/s")), qPrintable(state));
+    QVERIFY2(state.contains(QStringLiteral("bytes/s")), qPrintable(state));
+}
+
+void BusPageTest::aLoadThatIsNotKnownIsNotZero()
+{
+    BusBench bench;
+    bench.workbench.shot.links[0].kind = LinkKind::Spi;
+    bench.workbench.shot.links[0].bitrate = 0; // as of a socket
+    bench.workbench.shot.links[0].load = 0.0;
+    bench.traffic.now += 5s;
+    bench.publish();
+    const QString state = stateOf(bench);
+    QVERIFY2(!state.contains(QStringLiteral("%")), qPrintable(state));
 }
 
 void BusPageTest::theDetailMovesBesideTheIdentifiersWhenNarrow()

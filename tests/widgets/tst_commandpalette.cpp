@@ -71,7 +71,10 @@ void CommandPaletteTest::nothingRunsWhereNothingMatches()
     palette->open();
     auto *text = palette->findChild<QLineEdit *>();
     text->setText(QStringLiteral("zzz"));
-    QCOMPARE(palette->findChild<QListWidget *>()->count(), 0);
+    const auto *list = palette->findChild<QListWidget *>();
+    QCOMPARE(list->count(), 1); // it says so
+    QCOMPARE(list->item(0)->text(), QStringLiteral("No command begins so"));
+    QVERIFY(!(list->item(0)->flags() & Qt::ItemIsSelectable));
     QTest::keyClick(text, Qt::Key_Return);
     QCoreApplication::processEvents();
     QCOMPARE(runs, 0);

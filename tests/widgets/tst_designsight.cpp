@@ -146,7 +146,7 @@ void TestDesignSight::theModelIsToldInTheWordsOfTheReport()
     QCOMPARE(figures.size(), std::size_t(9));
     for (const ModelFigure &figure : figures)
         QVERIFY2(said.contains(figure.name + QLatin1Char('|')), qPrintable(figure.name));
-    for (const char *word : {"1.230|± 0.45|", "352 000", "348 000", "0.37|counts", "13.7|ms", "491 000 counts/s²"}) {
+    for (const char *word : {"1.23|± 0.45|", "352 000", "348 000", "0.37|counts", "13.7|ms", "491 000 counts/s²"}) {
         const QString plain
             = QString(said).replace(ThinSpace, QLatin1Char(' ')).replace(QChar(0x00A0), QLatin1Char(' '));
         QVERIFY2(plain.contains(QString::fromUtf8(word)), qPrintable(plain));

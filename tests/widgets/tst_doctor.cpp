@@ -161,6 +161,11 @@ void DoctorTest::absentInterfacesAreNoNewsWhileALinkIsOpen()
     DoctorCard card(bench, m_theme, false);
     card.follow();
     QVERIFY(card.isHidden());
+    bench.shot.links.clear();
+    DoctorCard all(bench, m_theme, true);
+    all.follow();
+    QVERIFY(texts(all).contains(QStringLiteral("this kernel has no CAN support; load it")));
+    QVERIFY2(!texts(all).contains(QStringLiteral("socketcan:")), "an address that names nothing");
 }
 
 MB_WINDOW_TEST(DoctorTest);

@@ -15,6 +15,7 @@ class FirmwareTest : public QObject {
 private Q_SLOTS:
     void anotherRowStillShowsWhatIsWrittenAndWhere();
     void nothingIsCalledSafeWhileAnotherUnitIsWritten();
+    void whenNothingIsWrittenNothingIsSaidOfACut();
     void aSecondUpdateOnTheBusIsRefusedWithWords();
     void anotherBusMayBeUpdatedMeanwhile();
     void withoutADeviceNothingIsSaidOfAMotor();
@@ -105,6 +106,19 @@ void FirmwareTest::nothingIsCalledSafeWhileAnotherUnitIsWritten()
     bench.selection.select({2});
     QVERIFY(!bench.says(QStringLiteral("Nothing is written now")));
     QVERIFY(bench.says(QStringLiteral("Do not unplug: DMC60C #5 on sim:can")));
+}
+
+void FirmwareTest::whenNothingIsWrittenNothingIsSaidOfACut()
+{
+    FirmwareBench bench;
+    const QString cut = tableText(updateWords(dmc60c()).cut);
+    QVERIFY(!bench.says(cut));
+    bench.writing();
+    QVERIFY(bench.says(cut));
+    bench.workbench.shot.operations.front().status.state = OperationStatus::State::Done;
+    bench.workbench.publish();
+    QVERIFY(bench.says(QStringLiteral("Nothing is written now")));
+    QVERIFY(!bench.says(cut));
 }
 
 void FirmwareTest::aSecondUpdateOnTheBusIsRefusedWithWords()

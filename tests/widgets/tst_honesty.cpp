@@ -11,6 +11,7 @@
 #include "widgets/connection/devicetree.h"
 #include "widgets/control/arming.h"
 #include "widgets/plots/autorange.h"
+#include "widgets/plots/displayunits.h"
 #include "widgets/plots/fixedtrace.h"
 #include "widgets/plots/plotlabels.h"
 #include "widgets/plots/plotstack.h"
@@ -27,6 +28,7 @@ class HonestyTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void noiseDoesNotFillTheStrip();
+    void noMoreDigitsAreSaidThanMeanSomething();
     void aStripHasTwoLabelsAtLeast();
     void gapLabelsMergeInsteadOfOverlapping();
     void wordsGiveWayToWords();
@@ -79,6 +81,26 @@ void HonestyTest::noiseDoesNotFillTheStrip()
     QVERIFY(span(TraceRole::Current, -5e-5, 5e-5) >= 0.1);
     QVERIFY(span(TraceRole::Position, 1e6, 1e6 + 100) < 1000); // a step far from zero stays a step
     QVERIFY(span(TraceRole::Velocity, 0, 60000) < 80000);
+    QVERIFY(span(TraceRole::Duty, 0.0, 0.0) >= 1.0); // in %, as it is shown
+}
+
+void HonestyTest::noMoreDigitsAreSaidThanMeanSomething()
+{
+    ThemeSource theme{darkTheme()};
+    PlotStack stack(theme);
+    stack.resize(600, 300);
+    stack.show();
+    const auto still = std::make_shared<FixedTrace>(std::vector<PlotPoint>{{0, 0}, {3, 0}});
+    TraceStyle counts{s("position"), s("counts"), TraceRole::Position, 0};
+    counts.mostDecimals = mostDecimals(Quantity::Position, shownUnit(Quantity::Position, "counts", {}));
+    TraceStyle duty{s("duty"), s("%"), TraceRole::Duty, 1};
+    duty.mostDecimals = mostDecimals(Quantity::Duty, shownUnit(Quantity::Duty, "fraction", {}));
+    stack.strips().addTrace(counts, still);
+    stack.strips().addTrace(duty, still);
+    stack.view().setRange(0, 3);
+    stack.refresh(0);
+    QCOMPARE(stack.readings().valueText(counts, 0.0), QString::fromUtf8("0\u00A0counts"));
+    QCOMPARE(stack.readings().valueText(duty, 0.0), QString::fromUtf8("0.0\u00A0%"));
 }
 
 void HonestyTest::aStripHasTwoLabelsAtLeast()

@@ -11,12 +11,16 @@
 #include "widgets/plots/tracelist.h"
 #include "widgets/plots/tracepanel.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QListWidget>
+#include <QMenu>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QStackedWidget>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 
 using namespace mb;
 using namespace mb::test;
@@ -74,6 +78,7 @@ private Q_SLOTS:
     void nothingIsDrawnWhileHidden();
     void keysPauseAndFit();
     void whatIsVisibleCanBeExported();
+    void theButtonExportsAndNothingElse();
     void withoutDevicesThePageSaysWhatToDo();
     void scrollingShowsWhatAFreshLookWouldShow();
 };
@@ -241,6 +246,34 @@ void TestPlotsPage::whatIsVisibleCanBeExported()
     const QByteArray table = file.readAll();
     QVERIFY2(table.contains("#5 velocity"), table.left(200));
     QVERIFY2(table.count('\n') > 150, QByteArray::number(table.count('\n')) + table.right(60));
+}
+
+void TestPlotsPage::theButtonExportsAndNothingElse()
+{
+    PlotsBench bench;
+    QPushButton *found = nullptr;
+    for (auto *button : bench.page->findChildren<QPushButton *>()) {
+        if (button->text() == s("Export"))
+            found = button;
+    }
+    QVERIFY(found);
+    QStringList entries;
+    QTimer::singleShot(0, bench.page.get(), [&entries] {
+        auto *menu = qobject_cast<QMenu *>(QApplication::activePopupWidget());
+        if (!menu)
+            return;
+        for (const QAction *action : menu->actions()) {
+            if (!action->isSeparator())
+                entries << action->text();
+        }
+        menu->close();
+    });
+    found->click();
+    QTRY_VERIFY(!entries.isEmpty());
+    QVERIFY2(entries.contains(s("Export samples…")) && entries.contains(s("Copy picture")),
+        qPrintable(entries.join(QLatin1Char('|'))));
+    for (const QString &entry : entries)
+        QVERIFY2(entry.startsWith(s("Export")) || entry.startsWith(s("Copy")), qPrintable(entry));
 }
 
 void TestPlotsPage::withoutDevicesThePageSaysWhatToDo()

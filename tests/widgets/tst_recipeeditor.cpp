@@ -16,6 +16,7 @@
 #include <QDir>
 #include <QFile>
 #include <QGroupBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPlainTextEdit>
@@ -24,6 +25,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalSpy>
+#include <QStyleOptionGroupBox>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
@@ -147,6 +149,9 @@ class RecipeEditorTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void whatIsFilledInIsARecipe();
+    void anUntouchedRecipeIsNoMistake();
+    void theBoxThatLetsTheMotorTurnIsSeen();
+    void aSetPointHasTheUnitOfItsLoop();
     void aMistakeHasItsLineAndIsNeverSaved();
     void aFileThatIsNotThereHasTheLineThatNamesIt();
     void aRecipeIsOpenedChangedAndSavedInItsPlace();
@@ -182,6 +187,56 @@ void RecipeEditorTest::whatIsFilledInIsARecipe()
     QCOMPARE(*recipe.test->limits.duty, 0.9);
     QVERIFY(!recipe.test->limits.speed);
     QCOMPARE(recipe.test->accept.size(), std::size_t(3));
+}
+
+void RecipeEditorTest::anUntouchedRecipeIsNoMistake()
+{
+    const EditorBench bench;
+    const auto marks = [&bench] {
+        return bench.named<QPlainTextEdit>("The file that is saved, line by line").extraSelections().size();
+    };
+    QCOMPARE(bench.editor->problem(), QStringLiteral("Give the recipe a name."));
+    QCOMPARE(marks(), 0);
+    QVERIFY(!bench.editor->canSave());
+    bench.editor->save(); // a try
+    QVERIFY2(bench.editor->problem().contains(QStringLiteral("'name' must not be empty")),
+        qPrintable(bench.editor->problem()));
+    QCOMPARE(marks(), 1);
+    bench.type("Name", "drive-base");
+    QVERIFY2(bench.editor->canSave(), qPrintable(bench.editor->problem()));
+}
+
+void RecipeEditorTest::theBoxThatLetsTheMotorTurnIsSeen()
+{
+    struct Opened : QGroupBox {
+        using QGroupBox::initStyleOption;
+    };
+    const EditorBench bench;
+    auto *group = bench.editor->findChild<QGroupBox *>();
+    QStyleOptionGroupBox option;
+    (group->*&Opened::initStyleOption)(&option);
+    const QRect box = group->style()->subControlRect(QStyle::CC_GroupBox, &option, QStyle::SC_GroupBoxCheckBox, group);
+    const QImage picture = group->grab().toImage();
+    const QColor ground = picture.pixelColor(box.left() - 2, box.center().y());
+    double best = 0.0;
+    for (int x = box.left(); x <= box.right(); ++x)
+        best = std::max(best, contrast(picture.pixelColor(x, box.center().y()), ground));
+    QVERIFY2(best >= 3.0, qPrintable(QString::number(best)));
+}
+
+void RecipeEditorTest::aSetPointHasTheUnitOfItsLoop()
+{
+    const EditorBench bench;
+    const auto labelled = [&bench](const QString &text) {
+        const auto labels = bench.editor->findChildren<QLabel *>();
+        return std::any_of(labels.begin(), labels.end(), [&](const QLabel *label) { return label->text() == text; });
+    };
+    auto &loop = bench.named<QComboBox>("Loop");
+    loop.setCurrentIndex(loop.findData(QStringLiteral("velocity")));
+    QVERIFY(labelled(QStringLiteral("From, counts/s")));
+    QVERIFY(labelled(QStringLiteral("To, counts/s")));
+    loop.setCurrentIndex(loop.findData(QStringLiteral("position")));
+    QVERIFY(labelled(QStringLiteral("To, counts")));
 }
 
 void RecipeEditorTest::aMistakeHasItsLineAndIsNeverSaved()
@@ -301,7 +356,8 @@ void RecipeEditorTest::aSavedRecipeIsClosedWithoutAQuestion()
 
 void RecipeEditorTest::theMarkedLineFollowsTheTheme()
 {
-    EditorBench bench; // its recipe has no name
+    EditorBench bench;
+    bench.editor->save(); // its recipe has no name
     const auto colour = [&bench] {
         const auto marks = bench.named<QPlainTextEdit>("The file that is saved, line by line").extraSelections();
         return marks.size() == 1 ? marks.front().format.foreground().color() : QColor();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The start page, its stories, and the unit that is selected first.
 #include "support/fakeworkbench.h"
+#include "support/longwords.h"
 #include "support/windowtests.h"
 #include "tunebench.h"
 #include "widgets/common/applytheme.h"
@@ -144,6 +145,7 @@ private Q_SLOTS:
     void aMotorHasArrivedWhenItRestsAtItsTarget();
     void aStoryThatIsDismissedLeavesNothing();
     void theOfferIsMadeOnceAndNotInTheMiddleOfAStory();
+    void whoHasTriedTheMotorHasBegun();
     void theOffersButtonsLieOverNothingInItsFirstPicture();
     void aUnitThatNobodyNamedIsNotCalledByItsFamilyTwice();
     void threeLinksStandInOneRowBesideTheInspector();
@@ -263,6 +265,8 @@ void StartTest::theOfferIsMadeOnceAndNotInTheMiddleOfAStory()
     QVERIFY(strip.isVisibleTo(nullptr));
     const auto buttons = strip.findChildren<QPushButton *>();
     QCOMPARE(buttons.at(0)->text(), QStringLiteral("Begin"));
+    for (const QPushButton *button : buttons)
+        QCOMPARE(button->accessibleName(), button->text());
     buttons.at(0)->click();
     QCOMPARE(wanted.count(), 1);
     bench.guide.begin(taming());
@@ -271,6 +275,18 @@ void StartTest::theOfferIsMadeOnceAndNotInTheMiddleOfAStory()
     buttons.at(1)->click();
     QCOMPARE(refused.count(), 1);
     QVERIFY(!strip.isVisibleTo(nullptr));
+}
+
+void StartTest::whoHasTriedTheMotorHasBegun()
+{
+    GuideBench bench;
+    QVERIFY(!Guide::isBegun(taming(), bench.workbench.shot));
+    OperationView operation = ended(4, bench.workbench.device(0).id);
+    operation.status.kind = OperationKind::Trial;
+    bench.workbench.shot.operations = {operation};
+    QVERIFY(!Guide::isBegun(taming(), bench.workbench.shot)); // another unit
+    bench.workbench.shot.operations.front().device = bench.seven().id;
+    QVERIFY(Guide::isBegun(taming(), bench.workbench.shot));
 }
 
 /// The picture is taken without a turn of the event loop: as it is seen first.
@@ -434,15 +450,21 @@ void StartTest::nothingIsCutAtTwiceTheFont_data()
 {
     QTest::addColumn<double>("points");
     QTest::addColumn<int>("width");
-    QTest::newRow("100 %, 1280") << 10.0 << 1072;
-    QTest::newRow("200 %, 1280") << 20.0 << 1000;
-    QTest::newRow("100 %, 640") << 10.0 << 640;
+    QTest::addColumn<bool>("longer");
+    QTest::newRow("100 %, 1280") << 10.0 << 1072 << false;
+    QTest::newRow("200 %, 1280") << 20.0 << 1000 << false;
+    QTest::newRow("100 %, 640") << 10.0 << 640 << false;
+    QTest::newRow("longer words") << 10.0 << 1072 << true;
 }
 
 void StartTest::nothingIsCutAtTwiceTheFont()
 {
     QFETCH(double, points);
     QFETCH(int, width);
+    QFETCH(bool, longer);
+    LongWords words;
+    if (longer)
+        QCoreApplication::installTranslator(&words);
     const QFont before = QApplication::font();
     QFont font = before;
     font.setPointSizeF(points);
@@ -462,10 +484,6 @@ void StartTest::nothingIsCutAtTwiceTheFont()
         scroll.setWidget(page);
         scroll.resize(width, 700);
         scroll.show();
-        if (qEnvironmentVariableIsSet("MOTORBENCH_PICTURES"))
-            for (const QWidget *part : page->findChildren<QWidget *>())
-                if (part->minimumSizeHint().width() > width / 2)
-                    qDebug() << part << part->minimumSizeHint() << part->accessibleName();
         QTRY_VERIFY(page->width() <= scroll.viewport()->width());
         QTRY_COMPARE(cutTexts(*page), QStringList());
         const QString folder = qEnvironmentVariable("MOTORBENCH_PICTURES");
@@ -473,6 +491,7 @@ void StartTest::nothingIsCutAtTwiceTheFont()
             scroll.grab().save(folder + QStringLiteral("/start-%1-%2.png").arg(points).arg(width));
     }
     QApplication::setFont(before);
+    QCoreApplication::removeTranslator(&words);
 }
 
 MB_WINDOW_TEST(StartTest);

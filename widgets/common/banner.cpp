@@ -24,6 +24,7 @@ QString kindWord(BannerKind kind)
     case BannerKind::Danger: return QStringLiteral("danger");
     case BannerKind::Ok: return QStringLiteral("ok");
     case BannerKind::Info: return QStringLiteral("info");
+    case BannerKind::Ended: return QStringLiteral("ended");
     }
     return {};
 }
@@ -35,6 +36,7 @@ GlyphState kindGlyph(BannerKind kind)
     case BannerKind::Danger: return GlyphState::Fault;
     case BannerKind::Ok: return GlyphState::Done;
     case BannerKind::Info: return GlyphState::Busy;
+    case BannerKind::Ended: return GlyphState::Fault;
     }
     return GlyphState::Warning;
 }
@@ -128,7 +130,9 @@ void Banner::paintEvent(QPaintEvent *event)
 {
     QFrame::paintEvent(event);
     const Theme &theme = m_theme.theme();
-    const QColor color = m_kind == BannerKind::Info ? theme.accent : glyphColor(kindGlyph(m_kind), theme);
+    const QColor color = m_kind == BannerKind::Info ? theme.accent
+        : m_kind == BannerKind::Ended               ? theme.dim
+                                                    : glyphColor(kindGlyph(m_kind), theme);
     const double side = theme.u(18);
     QPainter painter(this);
     paintGlyph(painter, QRectF(theme.u(12), (height() - side) / 2, side, side), kindGlyph(m_kind), color);

@@ -10,7 +10,7 @@ class QHBoxLayout;
 
 namespace mb {
 
-enum class BannerKind { Caution, Danger, Ok, Info };
+enum class BannerKind { Caution, Danger, Ok, Info, Ended };
 
 /// A condition, in one line (two where the window is narrow for the size of the text): glyph, bold cause with its
 /// number, dim remedy, at most one button, Dismiss. What has no room is in the tooltip.

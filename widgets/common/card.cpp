@@ -51,6 +51,7 @@ void Card::setTitle(const QString &title, const QString &subtitle)
     ensureHead();
     m_title->setText(title);
     m_subtitle->setText(subtitle);
+    m_subtitle->setMinimumWidth(subtitle.isEmpty() ? 1 : 0); // 0: what it needs
     setSpoken(*this, subtitle.isEmpty() ? title : title + QLatin1Char(' ') + subtitle, accessibleDescription());
 }
 

@@ -138,7 +138,7 @@ bool CommandPalette::eventFilter(QObject *watched, QEvent *event)
         return QDialog::eventFilter(watched, event);
     const int key = static_cast<QKeyEvent *>(event)->key();
     const int step = key == Qt::Key_Down ? 1 : key == Qt::Key_Up ? -1 : 0;
-    if (step == 0 || m_list->count() == 0)
+    if (step == 0 || !m_list->currentItem())
         return QDialog::eventFilter(watched, event);
     m_list->setCurrentRow(std::clamp(m_list->currentRow() + step, 0, m_list->count() - 1));
     return true;
@@ -161,13 +161,18 @@ void CommandPalette::list(const QString &typed)
         auto *item = new QListWidgetItem(text, m_list);
         item->setData(Qt::UserRole, place);
     }
+    if (found.empty()) {
+        auto *item = new QListWidgetItem(tr("No command begins so"), m_list);
+        item->setFlags(Qt::NoItemFlags);
+        return;
+    }
     m_list->setCurrentRow(0);
 }
 
 /// After this dialog has gone: the command may open one of its own.
 void CommandPalette::run(const QListWidgetItem *item)
 {
-    if (!item)
+    if (!item || !(item->flags() & Qt::ItemIsSelectable))
         return;
     const auto order = m_commands[static_cast<std::size_t>(item->data(Qt::UserRole).toInt())].run;
     close();

@@ -132,6 +132,7 @@ QString PageKeys::textOf(const Row &row)
     QStringList texts;
     for (const QKeySequence &key : row.keys)
         texts << key.toString(QKeySequence::NativeText);
+    texts.removeDuplicates(); // two keys that have one name
     return texts.join(QStringLiteral(", "));
 }
 

@@ -4,6 +4,7 @@
 #include "model/axis.h"
 #include "widgets/common/axistext.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/linkload.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/plots/displayunits.h"
 
@@ -341,7 +342,7 @@ QVariant DeviceModel::linkData(const LinkView &link, int role) const
         return QString::fromStdString(link.address)
             + (link.reason.empty() ? QString() : QLatin1Char('\n') + messageText(link.reason));
     case LineRole: return link.state == LinkState::Lost ? tr("lost") : bitrateText(link);
-    case DetailRole: return link.scanning ? tr("scanning") : tr("%1 %").arg(qRound(link.load * 100));
+    case DetailRole: return link.scanning ? tr("scanning") : formatValue(loadOf(link) * 100, 0, QStringLiteral("%"));
     case DeviceRole: return 0U;
     default: return {};
     }

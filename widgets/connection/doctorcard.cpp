@@ -53,7 +53,8 @@ std::vector<DoctorCard::Row> DoctorCard::rows() const
         // What is wrong with the other ports is told where links are added.
         if (!m_all && listing.link.scheme != "socketcan")
             continue;
-        rows.push_back({listing.link.text(), listing.detail, listing.diagnosis, false});
+        const std::string address = listing.link.path.empty() ? std::string() : listing.link.text();
+        rows.push_back({address, listing.detail, listing.diagnosis, false});
     }
     return rows;
 }

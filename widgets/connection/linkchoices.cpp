@@ -24,6 +24,16 @@ LinkChoice::Kind kindOfListing(const LinkListing &listing)
     return LinkChoice::Kind::Can;
 }
 
+/// Of what is not there: it has no name of its own.
+QString kindWord(LinkChoice::Kind kind)
+{
+    switch (kind) {
+    case LinkChoice::Kind::Serial: return LinkChoices::tr("Serial port");
+    case LinkChoice::Kind::Spi: return LinkChoices::tr("SPI device");
+    default: return LinkChoices::tr("CAN interface");
+    }
+}
+
 QString stateWord(const std::string &state)
 {
     if (state == "up")
@@ -44,7 +54,7 @@ LinkChoice choiceOf(const LinkListing &listing)
     LinkChoice choice;
     choice.kind = kindOfListing(listing);
     choice.address = listing.link.path.empty() ? std::string() : listing.link.text();
-    const QString path = qt(listing.link.shortName());
+    const QString path = listing.link.path.empty() ? kindWord(choice.kind) : qt(listing.link.shortName());
     const bool told = listing.openable && choice.kind == LinkChoice::Kind::Serial && !listing.detail.empty();
     choice.name = told ? LinkChoices::tr("%1 · %2").arg(path, messageText(listing.detail)) : path;
     choice.state = stateWord(listing.state);

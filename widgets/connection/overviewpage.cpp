@@ -4,6 +4,7 @@
 #include "widgets/common/card.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/layoutin.h"
+#include "widgets/common/linkload.h"
 #include "widgets/common/losses.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/valuelabel.h"
@@ -17,6 +18,8 @@
 
 #include <algorithm>
 #include <utility>
+
+#include <cmath>
 
 namespace mb {
 namespace {
@@ -161,7 +164,10 @@ void OverviewPage::followLinks(const Snapshot &shot)
         card.card->setEdge(link.state == LinkState::Open ? ailing : std::optional<Tone>(Tone::Danger));
         card.unknown->setValue(formatCount(static_cast<qint64>(link.unknown)));
         card.unknown->setVisible(link.kind == LinkKind::Can);
-        card.load->setValue(formatNumber(link.load * 100, 0));
+        if (const double load = loadOf(link); std::isnan(load))
+            card.load->clear();
+        else
+            card.load->setValue(formatNumber(load * 100, 0));
         card.roundTrip->setVisible(link.kind == LinkKind::Serial);
         if (link.roundTrip)
             card.roundTrip->setValue(

@@ -14,7 +14,7 @@
 namespace mb {
 namespace {
 
-constexpr int sideWidth = 300;   ///< of the column at the right
+constexpr int sideWidth = 312;   ///< of the column at the right
 constexpr int roomForSide = 900; ///< below it the column stands under the rest
 constexpr int storyWidth = 216;  ///< least of a story
 
@@ -105,7 +105,7 @@ QWidget *StartPage::buildFirst(QWidget *parent)
 {
     auto *card = new Card(m_theme, tr("First time here?"), parent);
     card->setAccessibleName(tr("First time here?"));
-    card->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    card->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred); // as high as its words at this width
     auto *text
         = textLabel(tr("STOP works on key press, everywhere, also while you type (use Esc then). It is software: "
                        "keep a hardware stop in the supply."),

@@ -63,6 +63,14 @@ QString whyNotArmed(const Arming &arming, const Snapshot &shot, const DeviceView
     return turning.isEmpty() ? QString() : Arming::tr("%1 may still turn").arg(turning);
 }
 
+bool isAnyMoving(const Snapshot &shot)
+{
+    return !namesThatMayTurn(shot).isEmpty()
+        || std::any_of(shot.devices.begin(), shot.devices.end(), [](const DeviceView &device) {
+               return device.motion.running || device.liveness.moving || device.stop == StopState::Stopping;
+           });
+}
+
 TrialEnding endingOf(const tuning::Trial &trial)
 {
     return {trial.reason, trial.detail};
@@ -314,8 +322,11 @@ void Arming::stop(StopCause cause, const QString &reason)
     m_workbench.stopAll(cause); // first, before anything that could take time
     const bool live = m_state == LampState::Armed || m_state == LampState::Moving;
     m_leftOut = cause == StopCause::User ? namesLeftOut(m_workbench.snapshot()) : QString();
-    m_workbench.report(Severity::Caution, {},
-        m_leftOut.isEmpty() ? tr("STOP: %1").arg(reason) : tr("STOP: %1; not sent to %2").arg(reason, m_leftOut));
+    // Where nothing moves the key had another purpose, such as to close a dialog.
+    const bool idle = !live && !isAnyMoving(m_workbench.snapshot());
+    m_workbench.report(idle ? Severity::Info : Severity::Caution, {},
+        idle || m_leftOut.isEmpty() ? tr("STOP: %1").arg(reason)
+                                    : tr("STOP: %1; not sent to %2").arg(reason, m_leftOut));
     Q_EMIT stopSent();
     if (!live)
         return;

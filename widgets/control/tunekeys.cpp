@@ -81,7 +81,7 @@ PageKeys *makeTuneKeys(QWidget &page, const TuneKeyOrders &orders)
     keys->add({QKeySequence::Undo}, TuneKeys::tr("undoes the last edit of gains, or else the last write to the unit"),
         [gains = orders.gains] { gains->undo(false); });
     keys->add({QKeySequence(QStringLiteral("Ctrl+Y")), QKeySequence(QStringLiteral("Ctrl+Shift+Z"))},
-        TuneKeys::tr("does it again"), [gains = orders.gains] { gains->undo(true); });
+        TuneKeys::tr("redoes the last edit or write"), [gains = orders.gains] { gains->undo(true); });
     keys->add({QKeySequence::Print}, TuneKeys::tr("writes a report of the trials that are shown"),
         [experiments = orders.experiments] { experiments->writeReport(); });
     keys->note({Qt::Key_J, Qt::Key_K}, TuneKeys::tr("held: moves the armed motor gently forwards or backwards"));

@@ -202,6 +202,7 @@ bool TunePlot::addTrace(const DeviceView &device, std::string_view channel, int 
     style.name = nameOf(row, axis);
     style.unit = unit.text;
     style.role = roleOf(row.quantity);
+    style.mostDecimals = mostDecimals(row.quantity, unit);
     if (!m_beside.empty())
         style.colour = axisColour(axis);
     style.strip = strip;

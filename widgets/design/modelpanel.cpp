@@ -9,6 +9,7 @@
 #include "widgets/control/wrappedlabel.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mb {
 namespace {
@@ -30,6 +31,23 @@ QString withUnit(double value, const char *unit)
 }
 
 /// Those that a loop is designed on, by their letters.
+int digitsBeforePoint(double value)
+{
+    return value == 0.0 ? 1 : static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
+}
+
+/// As far as its ± reaches: the last digit is one of those that the ± has.
+QString valueText(const ModelFigure &figure)
+{
+    constexpr int digitsOfError = 2;
+    constexpr int mostDigits = 6;
+    const double error = figure.error.value_or(0.0);
+    if (!(error >= 1e-4) || !std::isfinite(figure.value))
+        return formatSignificant(figure.value, figure.digits);
+    const int meant = std::max(0, digitsOfError - digitsBeforePoint(error));
+    return formatNumber(figure.value, std::min(meant, std::max(0, mostDigits - digitsBeforePoint(figure.value))));
+}
+
 QString lineText(const std::vector<ModelFigure> &figures)
 {
     QStringList words;
@@ -95,8 +113,7 @@ void ModelPanel::addFigure(const ModelFigure &figure)
         setTone(*label, tone);
         return label;
     };
-    m_grid->addWidget(number(formatSignificant(figure.value, figure.digits), TextRole::Emphasis, Tone::Text), row,
-        ValueColumn, Qt::AlignRight);
+    m_grid->addWidget(number(valueText(figure), TextRole::Emphasis, Tone::Text), row, ValueColumn, Qt::AlignRight);
     if (figure.error)
         m_grid->addWidget(number(QStringLiteral("± ") + formatSignificant(*figure.error, 2), TextRole::Body, Tone::Dim),
             row, ErrorColumn);

@@ -77,6 +77,7 @@ void UpdateSide::showSafety(Safety safety, const QString &place, const UpdateWor
         title += QStringLiteral(": ") + place;
     m_title->setText(title);
     setTone(*m_title, critical ? Tone::Danger : turns ? Tone::Caution : Tone::Ok);
+    m_text->setVisible(safety != Safety::Nothing);
     m_text->setText(safety == Safety::WaitsToTurn ? tr("The motor turns as soon as Arm in the header is held.")
             : turns                               ? tr("The self-test turns the motor.")
                     : tableText(critical && !words.fatalCut.empty() ? words.fatalCut : words.cut));

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace mb {
 
@@ -41,14 +42,15 @@ void BusLoadView::setLoads(const std::deque<double> &loads)
 
 double BusLoadView::peak() const
 {
-    return m_loads.empty() ? 0.0 : *std::max_element(m_loads.begin(), m_loads.end());
+    return m_loads.empty() ? std::numeric_limits<double>::quiet_NaN()
+                           : *std::max_element(m_loads.begin(), m_loads.end());
 }
 
 int BusLoadView::top() const
 {
     static constexpr std::array steps{10, 20, 40, 60, 80};
-    const auto *const fits
-        = std::find_if(steps.begin(), steps.end(), [this](int step) { return peak() * 100.0 <= step; });
+    const auto *const fits = std::find_if(
+        steps.begin(), steps.end(), [this](int step) { return m_loads.empty() || peak() * 100.0 <= step; });
     return fits == steps.end() ? 100 : *fits;
 }
 

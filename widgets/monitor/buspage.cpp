@@ -6,6 +6,7 @@
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
+#include "widgets/common/linkload.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/pagekeys.h"
 #include "widgets/common/replaybar.h"
@@ -242,9 +243,10 @@ void BusPage::showState(const LinkView &link)
     };
     const Theme &theme = m_theme.theme();
     const auto count = [](std::uint64_t number) { return formatCount(static_cast<qint64>(number)); };
-    QString state = tr("load %1 &nbsp; frames/s %2")
-                        .arg(bold(formatValue(link.load * 100.0, 0, QStringLiteral("%")), theme.text),
-                            bold(formatNumber(m_rate.of(link, m_workbench.now()), 0), theme.text));
+    const QString rates
+        = link.kind == LinkKind::Can ? tr("load %1 &nbsp; frames/s %2") : tr("load %1 &nbsp; bytes/s %2");
+    QString state = rates.arg(bold(formatValue(loadOf(link) * 100.0, 0, QStringLiteral("%")), theme.text),
+        bold(formatNumber(m_rate.of(link, m_workbench.now()), 0), theme.text));
     const bool narrow = width() < theme.u(losslessBelow); // then what is 0 is not said
     if (!narrow || link.counters.lost + link.counters.errors > 0)
         state += QStringLiteral(" &nbsp; ")

@@ -4,6 +4,7 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
+#include "widgets/common/linkload.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/monitor/busloadview.h"
 #include "widgets/monitor/framedetail.h"
@@ -11,6 +12,8 @@
 #include "widgets/monitor/idmodel.h"
 
 #include <QScrollBar>
+
+#include <cmath>
 
 namespace mb {
 namespace {
@@ -67,7 +70,10 @@ bool BusSide::keepLoads(const Snapshot &snapshot)
     m_keptAt = snapshot.time;
     for (const LinkView &link : snapshot.links) {
         std::deque<double> &loads = m_loads[link.address];
-        loads.push_back(link.load);
+        const double load = loadOf(link);
+        if (std::isnan(load))
+            continue;
+        loads.push_back(load);
         if (loads.size() > BusLoadView::points)
             loads.pop_front();
     }

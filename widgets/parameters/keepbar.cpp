@@ -62,7 +62,7 @@ KeepBar::KeepBar(Workbench &workbench, const ThemeSource &theme, QWidget *parent
     m_time->setAccessibleName(tr("Time until the values go back"));
     m_time->setFixedHeight(theme.theme().u(8));
     m_keep->setPrimary(true);
-    m_keep->setKeyHint(QStringLiteral("Ctrl+Return"));
+    m_keep->setKeyHint(QStringLiteral("Ctrl+Enter"));
     auto *grid = m_grid = new QGridLayout(this);
     const int edge = theme.theme().u(12);
     grid->setContentsMargins(edge, theme.theme().u(6), edge, theme.theme().u(6));
@@ -77,9 +77,11 @@ KeepBar::KeepBar(Workbench &workbench, const ThemeSource &theme, QWidget *parent
     connect(m_keep, &QPushButton::clicked, this, &KeepBar::keep);
     connect(m_back, &QPushButton::clicked, this, &KeepBar::putBack);
     connect(&workbench, &Workbench::changed, this, &KeepBar::follow);
-    auto *key = new QShortcut(QKeySequence(QStringLiteral("Ctrl+Return")), this);
-    key->setContext(Qt::WindowShortcut);
-    connect(key, &QShortcut::activated, this, &KeepBar::keep);
+    for (const char *keys : {"Ctrl+Return", "Ctrl+Enter"}) { // of the letters, and of the numbers
+        auto *key = new QShortcut(QKeySequence(QLatin1String(keys)), this);
+        key->setContext(Qt::WindowShortcut);
+        connect(key, &QShortcut::activated, this, &KeepBar::keep);
+    }
     hide();
     placeButtons();
     follow();

@@ -145,7 +145,7 @@ void ParametersPage::buildKeys()
     keys->add({QKeySequence(QStringLiteral("Ctrl+Z"))}, tr("undoes the last edit, or else the last write to the unit"),
         [this] { undo(false); });
     keys->add({QKeySequence(QStringLiteral("Ctrl+Y")), QKeySequence(QStringLiteral("Ctrl+Shift+Z"))},
-        tr("makes it again"), [this] { undo(true); });
+        tr("redoes the last edit or write"), [this] { undo(true); });
     keys->add({QKeySequence(QStringLiteral("Ctrl+Shift+S"))}, tr("takes a snapshot"), [this] { takeSnapshot(); });
     keys->add({QKeySequence(QStringLiteral("Ctrl+H"))}, tr("shows the history of the unit, or its values"),
         [this] { showHistory(!m_head->isHistoryChosen()); });

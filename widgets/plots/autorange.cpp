@@ -26,7 +26,7 @@ double leastSpan(TraceRole role, double magnitude)
     case TraceRole::Position: return 4.0; // a step is a step, wherever it is
     case TraceRole::Velocity: return std::max(1.0, noise * std::abs(magnitude));
     case TraceRole::Current: return std::max(0.1, noise * std::abs(magnitude));
-    case TraceRole::Duty: return 0.01;
+    case TraceRole::Duty: return 1.0; // %
     case TraceRole::Temperature: return 1.0;
     default: return 0.0;
     }

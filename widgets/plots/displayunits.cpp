@@ -73,4 +73,17 @@ TraceRole roleOf(Quantity quantity)
     return TraceRole::Neutral;
 }
 
+int mostDecimals(Quantity quantity, const ShownUnit &unit)
+{
+    constexpr int whatever = 6; // of what is measured here nothing is known
+    switch (quantity) {
+    case Quantity::Position:
+    case Quantity::Velocity:
+    case Quantity::Duty:
+    case Quantity::Current:
+    case Quantity::Voltage: return unit.decimals;
+    default: return whatever;
+    }
+}
+
 } // namespace mb

@@ -30,5 +30,7 @@ struct DisplayUnits {
 /// The quantity that a mode commands; Other where there is none.
 [[nodiscard]] Quantity quantityOf(Mode mode);
 [[nodiscard]] TraceRole roleOf(Quantity quantity);
+/// Decimals of a value of this quantity beyond which nothing is meant, however near somebody looks.
+[[nodiscard]] int mostDecimals(Quantity quantity, const ShownUnit &unit);
 
 } // namespace mb

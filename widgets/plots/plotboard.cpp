@@ -148,6 +148,7 @@ void PlotBoard::dress(Trace &trace)
     trace.style.name = m_book.nameOf(trace.signal);
     trace.style.unit = unit.text;
     trace.style.role = roleOf(row.quantity);
+    trace.style.mostDecimals = mostDecimals(row.quantity, unit);
     trace.style.secondAxis = trace.second;
     trace.style.strip = stripOf(trace.pane, unit.text);
     dressAxis(trace, axisOf(row.key), m_traces);

@@ -97,7 +97,9 @@ std::optional<TraceSource::Statistics> PlotReadings::selection(int trace) const
 QString PlotReadings::valueText(const TraceStyle &style, double value) const
 {
     const QCPAxis &axis = m_strips.at(style.strip).axis(style.secondAxis);
-    return formatValue(value, style.decimals >= 0 ? style.decimals : decimalsFor(axis.range().size()), style.unit);
+    return formatValue(value,
+        style.decimals >= 0 ? style.decimals : std::min(decimalsFor(axis.range().size()), style.mostDecimals),
+        style.unit);
 }
 
 QString PlotReadings::tagText(const TraceStyle &style, double value) const

@@ -68,6 +68,13 @@ double beginOf(const PlotBoard &board, double now)
     return first;
 }
 
+void addSamplesEntry(QMenu &menu, QWidget &page, PlotStack &stack, ExportBar &bar)
+{
+    menu.addAction(PlotsPage::tr("Export samples…"), &page, [&page, &stack, &bar] {
+        askExport(page, stack.cursorsShown(), [&bar](const ExportChoice &choice) { bar.exportSamples(choice); });
+    });
+}
+
 } // namespace
 
 PlotsPage::PlotsPage(Workbench &workbench, Selection &selection, const ThemeSource &theme, QWidget *parent)
@@ -312,8 +319,8 @@ void PlotsPage::fillExportMenu(QMenu &menu)
     if (m_plots->currentWidget() != m_stack)
         return mb::fillExportMenu(
             menu, curves(m_plots->currentWidget() == m_against ? View::Against : View::Spectrum), m_workbench);
-    m_stack->fillMenu(menu);
-    addMenuEntries(menu, m_stack->view().range().second);
+    m_stack->exporter().fillMenu(menu);
+    addSamplesEntry(menu, *this, *m_stack, *m_exportBar);
 }
 
 void PlotsPage::addMenuEntries(QMenu &menu, double key)
@@ -328,10 +335,7 @@ void PlotsPage::addMenuEntries(QMenu &menu, double key)
     menu.addAction(tr("X-Y"), this, [this] { showView(View::Against); });
     menu.addAction(
         tr("Trigger: stands still at an edge or a level") + QStringLiteral("\tT"), m_bar, &PlotsBar::toggleTrigger);
-    menu.addAction(tr("Export samples…"), this, [this] {
-        askExport(
-            *this, m_stack->cursorsShown(), [this](const ExportChoice &choice) { m_exportBar->exportSamples(choice); });
-    });
+    addSamplesEntry(menu, *this, *m_stack, *m_exportBar);
 }
 
 void PlotsPage::newDerived()

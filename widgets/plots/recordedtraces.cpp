@@ -27,6 +27,7 @@ std::vector<int> showRecording(PlotStack &stack, const LoadedRecording &recordin
             = std::make_shared<TelemetrySource>(recording.telemetry, ChannelIndex{i}, TelemetrySource::Foot::WhenLossy);
         source->setScale(unit.scale);
         TraceStyle style{qt(row.label), unit.text, roleOf(row.quantity), static_cast<int>(panes.indexOf(unit.text))};
+        style.mostDecimals = mostDecimals(row.quantity, unit);
         chooseColour(style, used);
         used.push_back(style.look());
         traces.push_back(stack.strips().addTrace(style, source));

@@ -33,7 +33,7 @@
 namespace mb {
 namespace {
 
-constexpr int listWidth = 380; ///< units
+constexpr int reportsWidth = 380; ///< units
 constexpr int previewWidth = 700;
 constexpr int pageWidth = 860;
 constexpr int previewBesideFrom = 760;
@@ -71,7 +71,7 @@ ReportsPage::ReportsPage(
     both->addWidget(buildList());
     both->addWidget(buildPreview());
     both->setStretchFactor(1, 1);
-    both->setSizes({theme.theme().u(listWidth), theme.theme().u(previewWidth)});
+    both->setSizes({theme.theme().u(reportsWidth), theme.theme().u(previewWidth)});
     m_states->addWidget(both);
     auto *column = layoutIn<QVBoxLayout>(this);
     column->addWidget(m_states);

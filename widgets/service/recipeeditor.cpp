@@ -206,7 +206,7 @@ void RecipeEditor::tell(const std::optional<Error> &problem)
 void RecipeEditor::mark()
 {
     QList<QTextEdit::ExtraSelection> marks;
-    if (const auto line = m_problem ? lineOf(m_problem->detail) : std::nullopt) {
+    if (const auto line = m_problem && !isUntouched() ? lineOf(m_problem->detail) : std::nullopt) {
         QTextEdit::ExtraSelection mark;
         mark.cursor = QTextCursor(m_text->document()->findBlockByNumber(*line - 1));
         mark.format.setProperty(QTextFormat::FullWidthSelection, true);
@@ -220,8 +220,9 @@ void RecipeEditor::mark()
 
 void RecipeEditor::speak(const std::optional<Error> &problem)
 {
-    m_words->setText(problem ? errorText(*problem) : QString());
-    setTone(*m_words, problem ? Tone::Danger : Tone::Text);
+    const bool untouched = problem && isUntouched(); // nobody has made a mistake yet
+    m_words->setText(untouched ? tr("Give the recipe a name.") : problem ? errorText(*problem) : QString());
+    setTone(*m_words, untouched ? Tone::Dim : problem ? Tone::Danger : Tone::Text);
     setSpoken(*m_words, problem ? m_words->text() : tr("No mistake in the recipe"), {});
 }
 
@@ -232,8 +233,9 @@ QString RecipeEditor::problem() const
 
 void RecipeEditor::save()
 {
+    m_tried = true;
     if (!canSave())
-        return;
+        return tell(m_problem);
     if (m_path.isEmpty())
         ask();
     else

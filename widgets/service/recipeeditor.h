@@ -54,6 +54,7 @@ private:
     void buildBody();
     void buildFoot();
     void check();
+    [[nodiscard]] bool isUntouched() const { return m_path.isEmpty() && !m_tried && !isUnsaved(); }
     void tell(const std::optional<Error> &problem);
     void mark();
     void speak(const std::optional<Error> &problem);
@@ -65,8 +66,9 @@ private:
     std::span<const Family *const> m_families;
     const ThemeSource &m_theme;
     QString m_folder;
-    QString m_path;    ///< empty: of no file yet
-    QByteArray m_kept; ///< as it was opened or saved last
+    QString m_path;       ///< empty: of no file yet
+    QByteArray m_kept;    ///< as it was opened or saved last
+    bool m_tried = false; ///< to save it
     std::optional<Error> m_problem;
     RecipeForm *m_form = nullptr;
     QPlainTextEdit *m_text = nullptr;

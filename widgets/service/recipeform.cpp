@@ -8,6 +8,7 @@
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/numberfield.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/plots/displayunits.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -20,6 +21,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QLabel>
 #include <QSignalBlocker>
 #include <QTableWidget>
 
@@ -136,7 +138,10 @@ QWidget *RecipeForm::buildTest()
     add(*form, tr("Duty at most, 0 to 1"), "test.limits.duty", Kind::Number);
     form->addRow(buildAccept(m_test));
     connect(m_test, &QGroupBox::toggled, this, &RecipeForm::changed);
-    connect(m_loop, qOverload<int>(&QComboBox::currentIndexChanged), this, &RecipeForm::changed);
+    connect(m_loop, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] {
+        followLoop();
+        Q_EMIT changed();
+    });
     return m_test;
 }
 
@@ -174,17 +179,19 @@ void RecipeForm::add(QFormLayout &form, const QString &label, const char *path, 
 {
     QLineEdit *const edit = kind == Kind::Number ? new NumberField(this) : new QLineEdit(this);
     edit->setAccessibleName(label);
-    m_fields.push_back({QLatin1String(path), kind, edit});
+    auto *name = new QLabel(label, this);
+    m_fields.push_back({QLatin1String(path), kind, edit, name});
     connect(edit, &QLineEdit::textChanged, this, &RecipeForm::changed);
     if (kind != Kind::File) {
-        form.addRow(label, edit);
+        name->setBuddy(edit);
+        form.addRow(name, edit);
         return;
     }
     auto *row = new QHBoxLayout;
     auto *choose = new IconButton(m_theme, Symbol::Folder, tr("Choose: %1").arg(label), this);
     row->addWidget(edit, 1);
     row->addWidget(choose);
-    form.addRow(label, row);
+    form.addRow(name, row);
     connect(choose, &QToolButton::clicked, this, [this, edit] { browse(*edit); });
 }
 
@@ -220,6 +227,7 @@ void RecipeForm::followFamily()
         const QVariant wanted = before.isValid() ? before : QVariant(qt(toString(Mode::Velocity)));
         m_loop->setCurrentIndex(std::max(0, m_loop->findData(wanted)));
     }
+    followLoop();
     for (const Field &field : m_fields) {
         if (field.path == QLatin1String("firmware.via"))
             field.edit->setPlaceholderText(chosen->routes.empty()
@@ -227,6 +235,23 @@ void RecipeForm::followFamily()
                     : tr("such as %1").arg(qt(chosen->routes.front().example)));
     }
     Q_EMIT changed();
+}
+
+/// From and to are in what the loop controls.
+void RecipeForm::followLoop()
+{
+    const Family *const chosen = family();
+    if (!chosen || m_loop->currentIndex() < 0)
+        return;
+    const Mode mode = chosen->modes[static_cast<std::size_t>(m_loop->currentIndex())]; // in their order
+    const QString unit = mode == Mode::Duty ? tr("0 to 1") : shownUnit(mode, {}).text;
+    for (const Field &field : m_fields) {
+        if (field.path != QLatin1String("test.from") && field.path != QLatin1String("test.to"))
+            continue;
+        field.label->setText(unit.isEmpty() ? field.edit->accessibleName()
+                                            : tr("%1, %2", "field, unit").arg(field.edit->accessibleName(), unit));
+        field.edit->setAccessibleDescription(unit);
+    }
 }
 
 bool RecipeForm::isYesOrNo(int row) const

@@ -12,6 +12,7 @@ class QCheckBox;
 class QComboBox;
 class QFormLayout;
 class QGroupBox;
+class QLabel;
 class QLineEdit;
 class QTableWidget;
 class QVBoxLayout;
@@ -43,6 +44,7 @@ private:
         QString path; ///< "test.limits.travel"
         Kind kind;
         QLineEdit *edit;
+        QLabel *label;
     };
     [[nodiscard]] QFormLayout &newForm(QWidget *parent) const;
     void buildUnit(QVBoxLayout &column);
@@ -51,6 +53,7 @@ private:
     void add(QFormLayout &form, const QString &label, const char *path, Kind kind);
     void browse(QLineEdit &edit);
     void followFamily();
+    void followLoop();
     [[nodiscard]] const Family *family() const;
     [[nodiscard]] bool isYesOrNo(int row) const;
     [[nodiscard]] QJsonValue accepted(int row) const;

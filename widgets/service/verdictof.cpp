@@ -249,7 +249,7 @@ QString motionOf(const service::SelfTest &test)
     const QString unit = QLatin1Char(' ') + qt(unitOf(test.loop));
     QStringList words{BenchText::tr("%1 to %2").arg(modeText(test.loop), formatSignificant(test.to, 4) + unit)};
     if (test.limits.duty)
-        words << BenchText::tr("duty at most %1").arg(formatSignificant(*test.limits.duty, 2));
+        words << BenchText::tr("duty at most %1 %").arg(formatSignificant(*test.limits.duty * 100.0, 2));
     if (test.limits.speed)
         words << BenchText::tr("speed at most %1 counts/s").arg(formatSignificant(*test.limits.speed, 4));
     if (test.limits.travel)

@@ -61,6 +61,14 @@ const DeviceView *Guide::deviceOf(const Story &story, const Snapshot &shot)
     return found == shot.devices.end() ? nullptr : &*found;
 }
 
+bool Guide::isBegun(const Story &story, const Snapshot &shot)
+{
+    const DeviceView *unit = deviceOf(story, shot);
+    return unit && std::any_of(shot.operations.begin(), shot.operations.end(), [unit](const OperationView &operation) {
+        return operation.device == unit->id && operation.status.kind == OperationKind::Trial;
+    });
+}
+
 const DeviceView *Guide::device() const
 {
     return m_story ? deviceOf(*m_story, m_workbench.snapshot()) : nullptr;

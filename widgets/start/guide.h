@@ -35,6 +35,8 @@ public:
     /// The unit of the story; nullptr while it is not found.
     [[nodiscard]] const DeviceView *device() const;
     [[nodiscard]] static const DeviceView *deviceOf(const Story &story, const Snapshot &shot);
+    /// Something was tried on its unit already: it is no story for the first minute any more.
+    [[nodiscard]] static bool isBegun(const Story &story, const Snapshot &shot);
 
 Q_SIGNALS:
     void changed();

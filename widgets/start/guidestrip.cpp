@@ -107,9 +107,8 @@ void GuideStrip::showOffer()
     m_steps->hide(); // an empty line would stand below the title
     setWords(storyText(*m_offer, m_offer->words) + QLatin1Char(' ')
         + tr("Simulated: nothing real moves. A guide says each step and waits until it has happened."));
-    m_act->setText(tr("Begin"));
     m_act->show();
-    m_leave->setText(tr("Not now"));
+    setOrders(tr("Begin"), tr("Not now"));
 }
 
 void GuideStrip::showSteps()
@@ -142,9 +141,16 @@ void GuideStrip::showSteps()
     if (const QString result = m_guide.result(); !result.isEmpty())
         words += QLatin1Char(' ') + tr("Measured: %1.").arg(result);
     setWords(words);
-    m_act->setText(tr("Show me where"));
     m_act->setVisible(!done);
-    m_leave->setText(done ? tr("Close") : tr("Dismiss"));
+    setOrders(tr("Show me where"), done ? tr("Close") : tr("Dismiss"));
+}
+
+void GuideStrip::setOrders(const QString &act, const QString &leave)
+{
+    m_act->setText(act);
+    m_act->setAccessibleName(act);
+    m_leave->setText(leave);
+    m_leave->setAccessibleName(leave);
 }
 
 void GuideStrip::setWords(const QString &words)

@@ -43,6 +43,7 @@ private:
     void build();
     QWidget *buildButtons();
     void setWords(const QString &words);
+    void setOrders(const QString &act, const QString &leave);
     void follow();
     void showOffer();
     void showSteps();

@@ -62,7 +62,7 @@ Result<std::unique_ptr<SpidevLink>> SpidevLink::make(const LinkAddress &address,
 }
 
 SpidevLink::SpidevLink(LinkAddress address, Clock &clock, int hertz)
-    : SpiLink(std::move(address), clock)
+    : SpiLink(std::move(address), clock, hertz)
     , m_hertz(hertz)
     , m_released(clock)
 {

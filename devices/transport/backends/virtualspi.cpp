@@ -11,7 +11,7 @@ void VirtualSpiSlaveLink::doReadyChanged()
 
 VirtualSpiLink::VirtualSpiLink(
     LinkAddress address, Clock &clock, VirtualSpiSlaveLink &board, int hertz, std::uint64_t seed)
-    : SpiLink(std::move(address), clock)
+    : SpiLink(std::move(address), clock, hertz)
     , m_board(board)
     , m_hertz(hertz)
     , m_random(seed)

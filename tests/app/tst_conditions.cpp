@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The notices that stand until their condition is over say nothing but what is so.
+#include "support/fakeworkbench.h"
+#include "support/windowtests.h"
+
+#include "app/conditions.h"
+#include "model/registry.h"
+#include "widgets/common/banner.h"
+
+#include <QImage>
+#include <QTest>
+
+#include <algorithm>
+
+using namespace mb;
+using namespace mb::test;
+
+class ConditionsTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void anUpdateThatMayBeCutIsNotSaidToNeedItsPower();
+    void whatWasStoppedByHandIsNotDrawnAsWhatRuns();
+};
+
+namespace {
+
+struct Notices {
+    FakeWorkbench workbench;
+    Arming arming{workbench};
+    ThemeSource theme{darkTheme()};
+    BannerStack stack{theme};
+    Conditions conditions{workbench, arming, stack, nullptr};
+
+    Notices()
+    {
+        DeviceView device;
+        device.id = {1};
+        device.family = findFamily(families(), "dmc60c");
+        device.identity.edit().address = 5;
+        device.link = "sim:can";
+        device.liveness.heard = true;
+        workbench.shot.devices.push_back(device);
+        stack.resize(800, 40);
+        stack.show();
+    }
+    void write(bool mayInterrupt)
+    {
+        OperationView operation;
+        operation.id = {3};
+        operation.device = {1};
+        operation.status.kind = OperationKind::UpdateFirmware;
+        operation.status.done = 15;
+        operation.status.total = 31;
+        operation.status.mayInterrupt = mayInterrupt;
+        workbench.shot.operations = {operation};
+        follow();
+    }
+    void follow()
+    {
+        workbench.publish();
+        conditions.follow();
+    }
+    [[nodiscard]] Banner &standing() const
+    {
+        for (Banner *banner : stack.findChildren<Banner *>()) {
+            if (banner->isVisible())
+                return *banner;
+        }
+        qFatal("no notice stands");
+    }
+    [[nodiscard]] QImage glyph() const
+    {
+        const Banner &banner = standing();
+        return const_cast<Banner &>(banner).grab(QRect(0, 0, 36, banner.height())).toImage();
+    }
+};
+
+} // namespace
+
+void ConditionsTest::anUpdateThatMayBeCutIsNotSaidToNeedItsPower()
+{
+    Notices notices;
+    notices.write(true);
+    QCOMPARE(notices.standing().accessibleDescription(),
+        QStringLiteral("15 of 31. Safe to unplug: the update can be run again."));
+    notices.write(false);
+    QCOMPARE(notices.standing().accessibleDescription(), QStringLiteral("15 of 31. It must not be cut now."));
+}
+
+void ConditionsTest::whatWasStoppedByHandIsNotDrawnAsWhatRuns()
+{
+    Notices notices;
+    notices.write(true);
+    const QImage runs = notices.glyph();
+    notices.workbench.shot.operations.clear();
+    notices.arming.arm({1});
+    QCOMPARE(notices.arming.state(), LampState::Armed);
+    notices.arming.stopAll(QStringLiteral("Esc"));
+    notices.follow();
+    QCOMPARE(notices.standing().cause(), QStringLiteral("Stopped: Esc"));
+    QVERIFY(notices.glyph() != runs);
+}
+
+MB_WINDOW_TEST(ConditionsTest);
+#include "tst_conditions.moc"
