@@ -142,6 +142,37 @@ TEST_F(AbstractDcLead, AFirstTargetOfAVelocityStaysWithinReachOfTheMeanThatItMea
     stream.stop();
 }
 
+/// It measures the mean since it was switched on, which this program has not seen.
+TEST_F(AbstractDcLead, AFirstTargetStaysWithinReachOfTheMeanAlsoWhereAnotherRunOfTheProgramDroveItThere)
+{
+    Simulator &drive = add("abstractdc:3,gains=default,load=60");
+    open(3, &dialectF);
+    gains("velocity", 20, 0);
+    {
+        SetPointStream duty(*device, clock);
+        ASSERT_TRUE(duty.start(setPoint(Mode::Duty, 0.6), 60s));
+        clock.advance(3s);
+        duty.stop();
+        clock.advance(20s);
+    }
+    ASSERT_NEAR(drive.speed(), 0.0, 1.0);
+    DeviceProfile kept = device->knowledge().profile();
+    device.reset();
+    device = family.open(host, clock, identityOf(3, &dialectF));
+    device->knowledge().setProfile(std::move(kept));
+    clock.advance(500ms);
+    SetPointStream stream(*device, clock);
+    const auto refused = stream.start(setPoint(Mode::Velocity, -3000.0), 60s);
+    EXPECT_LE(fastest(drive, 1s), 50.0) << "-1600 is too far from what it measures";
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().fault, Fault::Unsafe);
+    clock.advance(20s); // the mean becomes less
+    ASSERT_TRUE(stream.start(setPoint(Mode::Velocity, -3000.0), 60s));
+    EXPECT_LE(fastest(drive, 1s), 50.0);
+    EXPECT_LT(drive.speed(), -400.0) << stream.reason().english();
+    stream.stop();
+}
+
 TEST_F(AbstractDcLead, AWeakVelocityLoopTakesOverAFastDuty)
 {
     Simulator &drive = add("abstractdc:3,gains=tuned");

@@ -151,7 +151,9 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
     if (m_logs.output().hasWrapped())
         return fail(Fault::Unsafe, say("the output of its loop passed 32767, where it turns to full reverse"),
             say("lower the gains or the steps"));
-    if (command->loop == Loop::Position && !m_logs.motion().position())
+    const bool beginsFromPosition = command->loop == Loop::Position
+        || (command->loop == Loop::Velocity && m_logs.loop() != Loop::Velocity); // README.md#first-pass
+    if (beginsFromPosition && !m_logs.motion().position())
         return fail(Fault::Unsafe, say("its position is not known yet"),
             say("a step from the wrong place could be far too large"));
     const Instant now = clock().now();
