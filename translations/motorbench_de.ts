@@ -18251,5 +18251,9 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>the notebook may offer to put back what was there before: %1</source>
         <translation>das Versuchsbuch bietet womöglich an, zurückzuschreiben, was vorher da war: %1</translation>
     </message>
+    <message>
+        <source>turn its shaft until its position is %1 counts away from 0, which shows that it was off, then switch it off and on</source>
+        <translation>drehen Sie seine Welle, bis seine Position %1 Schritte von 0 entfernt ist, denn daran ist zu sehen, dass er aus war; schalten Sie ihn dann aus und wieder ein</translation>
+    </message>
 </context>
 </TS>

@@ -18251,5 +18251,9 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>the notebook may offer to put back what was there before: %1</source>
         <translation>es posible que el cuaderno ofrezca restablecer lo que había antes: %1</translation>
     </message>
+    <message>
+        <source>turn its shaft until its position is %1 counts away from 0, which shows that it was off, then switch it off and on</source>
+        <translation>gire su eje hasta que su posición esté a %1 cuentas de 0, lo que mostrará que estuvo apagado; después apáguelo y enciéndalo</translation>
+    </message>
 </context>
 </TS>

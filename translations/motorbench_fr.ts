@@ -18251,5 +18251,9 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>the notebook may offer to put back what was there before: %1</source>
         <translation>le carnet proposera peut-être de rétablir ce qui était là avant&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>turn its shaft until its position is %1 counts away from 0, which shows that it was off, then switch it off and on</source>
+        <translation>tournez son arbre jusqu&apos;à ce que sa position soit à %1 points de 0, ce qui montrera qu&apos;il a été éteint, puis éteignez-le et rallumez-le</translation>
+    </message>
 </context>
 </TS>

@@ -18237,5 +18237,9 @@ double click plots it, drag it to a pane or below them</source>
         <source>the notebook may offer to put back what was there before: %1</source>
         <translation>以前の値に戻すことをノートが提案する場合があります: %1</translation>
     </message>
+    <message>
+        <source>turn its shaft until its position is %1 counts away from 0, which shows that it was off, then switch it off and on</source>
+        <translation>位置が 0 から %1 カウント離れるまで軸を回してから（電源が切れたことがそれで分かります）、電源を入れ直してください</translation>
+    </message>
 </context>
 </TS>

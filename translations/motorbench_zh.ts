@@ -18237,5 +18237,9 @@ double click plots it, drag it to a pane or below them</source>
         <source>the notebook may offer to put back what was there before: %1</source>
         <translation>试验记录本可能会提出恢复先前的值：%1</translation>
     </message>
+    <message>
+        <source>turn its shaft until its position is %1 counts away from 0, which shows that it was off, then switch it off and on</source>
+        <translation>请转动其轴，直到位置离 0 有 %1 个计数（由此可看出它断过电），然后将其断电再上电</translation>
+    </message>
 </context>
 </TS>

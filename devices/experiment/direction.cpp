@@ -6,7 +6,9 @@
 #include "model/axis.h"
 #include "model/family.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace mb::tuning {
 namespace {
@@ -66,6 +68,39 @@ tl::unexpected<Error> wrong(Device &device, int axis, std::optional<Trip> &trip,
     device.knowledge().setVerdict(verdictKey(device, axis), guard == Guard::NoMotion ? "no motion" : "reversed");
     trip = Trip{guard, detail, device.clock().now()};
     return fail(Fault::Unsafe, std::move(detail));
+}
+
+/// Where an axis was seen, and since when.
+struct Place {
+    ChannelIndex channel;
+    std::optional<double> counts{};
+    Instant since{};
+    Instant told{};
+
+    [[nodiscard]] bool rests() const { return counts && told - since >= restSpan; }
+    /// Nothing of what was told before `begin`.
+    void look(const Telemetry &telemetry, Instant begin)
+    {
+        const auto now = telemetry.latest(channel);
+        if (!now || now->time < begin)
+            return;
+        told = now->time;
+        if (counts && std::abs(now->value - *counts) <= restCounts)
+            return;
+        counts = now->value;
+        since = told;
+    }
+};
+
+std::vector<Place> placesOf(const Device &device)
+{
+    std::vector<Place> places;
+    const auto channels = device.telemetry()->channels();
+    for (std::uint16_t i = 0; i < channels.size(); ++i) {
+        if (channels[i].key == axisKey(axisOf(channels[i].key), "position"))
+            places.push_back({ChannelIndex{i}});
+    }
+    return places;
 }
 
 } // namespace
@@ -169,6 +204,22 @@ Task<bool> untilAtRest(Device &device, const TrialRecorder &recorder)
             place = now;
             since = clock.now();
         }
+    }
+    co_return true;
+}
+
+Task<bool> untilAtRest(Device &device)
+{
+    Clock &clock = device.clock();
+    const Instant begin = clock.now();
+    std::vector<Place> places = placesOf(device);
+    while (!std::all_of(places.begin(), places.end(), [](const Place &place) { return place.rests(); })) {
+        if (clock.now() >= begin + restLimit || device.link().state() != LinkState::Open)
+            co_return false;
+        Sleep nap(clock, glancePeriod);
+        co_await nap;
+        for (Place &place : places)
+            place.look(*device.telemetry(), begin);
     }
     co_return true;
 }

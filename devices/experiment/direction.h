@@ -43,5 +43,7 @@ private:
 [[nodiscard]] Task<bool> confirmStop(Device &device);
 /// Waits until its position stands, at most 5 s; whether it does.
 [[nodiscard]] Task<bool> untilAtRest(Device &device, const TrialRecorder &recorder);
+/// The same outside of experiments, of every axis; one that tells no position is not seen to stand.
+[[nodiscard]] Task<bool> untilAtRest(Device &device);
 
 } // namespace mb::tuning

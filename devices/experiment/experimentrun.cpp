@@ -140,6 +140,7 @@ Task<void> ExperimentRun::zero()
         co_return {};
     if (auto may = m_user.mayGoOn(); !may)
         co_return fail(may.error());
+    m_stoppedForZero = true;
     auto zeroing = m_device.zeroPosition();
     co_await std::move(zeroing);
     co_return {};
@@ -301,7 +302,7 @@ Task<void> ExperimentRun::conclude(std::optional<Error> error)
         m_stream.stop();
     m_recorder.unguard();
     classifyEnding(error);
-    if (m_user.isRequested())
+    if (m_user.isRequested() || (m_stoppedForZero && !m_moved))
         m_device.stop(); // whoever calls for a stop is told whether the motor stands, whatever moved it
     if (hasResult()) {
         auto confirming = confirmStop(m_device);

@@ -52,8 +52,9 @@ private:
     std::optional<Trip> m_trip;
     std::optional<std::int64_t> m_number;
     std::vector<OwedValue> m_owed;
-    bool m_wrote = false;   ///< some of its gains at least
-    bool m_inForce = false; ///< all of them
+    bool m_wrote = false;          ///< some of its gains at least
+    bool m_inForce = false;        ///< all of them
+    bool m_stoppedForZero = false; ///< and nobody knows what became of the order that made its place 0
     bool m_moved = false;
     bool m_concluded = false; ///< the journal has its result
     bool m_stands = true;     ///< the motor was seen to stand after that

@@ -3,6 +3,7 @@
 
 #include "experiment/trace.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -25,6 +26,30 @@ struct Parabola {
 /// Least squares through the samples of `trace` in [centre − half, centre + half] from number `begin` on, x = t − centre;
 /// nothing for fewer than three of them.
 [[nodiscard]] std::optional<Parabola> fitParabola(const Trace &trace, double centre, double half, std::size_t begin);
+
+/// The same around centres that only grow: a sample comes once and goes once, however wide it is.
+class MovingParabola {
+public:
+    /// The trace outlives it.
+    MovingParabola(const Trace &trace, double half, std::size_t begin);
+    [[nodiscard]] std::optional<Parabola> fit(double centre);
+    /// How often it has looked at a sample.
+    [[nodiscard]] std::size_t looks() const { return m_looks; }
+
+private:
+    void add(std::size_t from, std::size_t to, double sign);
+    void shift(double by);
+
+    const Trace &m_trace;
+    const double m_half;
+    double m_centre = 0.0;
+    std::size_t m_from;
+    std::size_t m_to;        ///< behind the last
+    std::size_t m_moves = 0; ///< since the sums were made
+    std::size_t m_looks = 0;
+    std::array<double, 5> m_s{}; ///< Σ x^0 … Σ x^4, x in half widths
+    std::array<double, 3> m_r{}; ///< Σ y x^0 … Σ y x^2
+};
 
 /// The values of a trace, those from number `begin` on by a local parabola of this half width; it never looks before `begin`.
 [[nodiscard]] std::vector<double> smoothed(const Trace &trace, std::size_t begin, double half);

@@ -125,7 +125,9 @@ Task<std::vector<OwedGains>> lookForOwed(Device &device, ExperimentJournal &jour
 Task<void> payOwed(Device &device, ExperimentJournal &journal, OwedGains owed)
 {
     auto confirming = confirmStop(device);
-    if (!co_await std::move(confirming))
+    const bool isOff = co_await std::move(confirming);
+    auto resting = untilAtRest(device);
+    if (!isOff || !co_await std::move(resting))
         co_return fail(
             Fault::Unsafe, say("the motor was not seen to stand"), say("stop it before its gains are put back"));
     auto writing = writeGains(device, changesOf(device.family(), owed.values));

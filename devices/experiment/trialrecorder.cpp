@@ -73,6 +73,8 @@ void TrialRecorder::take(const Sample &sample)
         return;
     ++m_samples;
     recorded->points.push_back({sample.time, sample.value});
+    if (recorded->key == m_measured)
+        m_extremes.add(sample.time, sample.value);
     if (m_guards && m_stream.isRunning())
         ended(show(recorded->key, sample));
     else if (m_guards)
@@ -200,18 +202,11 @@ double TrialRecorder::stopsAt(double lag) const
 
 bool TrialRecorder::isSettled(Instant from, Duration least, double share, double width) const
 {
-    const Recorded *recorded = find(m_measured);
     const Instant now = m_device.clock().now();
-    if (!recorded || now - from < least)
+    if (now - from < least)
         return false;
-    const Instant since = now - std::chrono::duration_cast<Duration>((now - from) * share);
-    std::optional<double> low;
-    std::optional<double> high;
-    for (auto point = recorded->points.rbegin(); point != recorded->points.rend() && point->time >= since; ++point) {
-        low = std::min(low.value_or(point->value), point->value);
-        high = std::max(high.value_or(point->value), point->value);
-    }
-    return low && *high - *low <= width;
+    const auto spread = m_extremes.spread(now - std::chrono::duration_cast<Duration>((now - from) * share));
+    return spread && *spread <= width;
 }
 
 bool TrialRecorder::hasSettled(Instant from, Duration least, std::optional<double> aim, double width) const

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "experiment/guards.h"
+#include "experiment/recentextremes.h"
 #include "experiment/trial.h"
 #include "model/setpointstream.h"
 
@@ -63,6 +64,7 @@ private:
     bool m_isOpen;                ///< there is no error: what is ordered is the duty
     bool m_ordersAreDuty = false; ///< and the device does not tell it
     std::vector<Recorded> m_recorded;
+    RecentExtremes<Instant, double> m_extremes; ///< of the measured channel
     std::optional<Guards> m_guards;
     std::optional<double> m_target;
     std::optional<Trip> m_trip;

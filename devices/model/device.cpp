@@ -12,6 +12,13 @@ namespace {
 
 constexpr Duration inputsToldEvery = std::chrono::milliseconds(50);
 
+/// Of an order that failed so nobody knows whether the device obeyed it.
+bool mayHaveCome(Fault fault)
+{
+    return fault == Fault::Timeout || fault == Fault::LinkLost || fault == Fault::BadReply || fault == Fault::BadCheck
+        || fault == Fault::Cancelled;
+}
+
 } // namespace
 
 Device::Device(const Family &family, Link &link, Clock &clock, Identity identity)
@@ -91,13 +98,13 @@ Task<std::int64_t> Device::write(ParameterIndex index, std::int64_t raw)
     const Parameter &parameter = m_parameters.parameter(index);
     if (parameter.access == Access::ReadOnly)
         co_return fail(Fault::OutOfRange, say("%1 is read-only", parameter.key));
-    const bool wasOpen = m_link.state() == LinkState::Open;
+    UnsettledWrite unsettled = m_knowledge.writing(index);
+    if (parameter.access != Access::WriteOnly || m_link.state() != LinkState::Open)
+        unsettled.settle();
     auto task = doWrite(index, raw);
     const Result<std::int64_t> inForce = co_await std::move(task).attempt();
-    const bool isOpenWhich // of the two values: the order may have come
-        = !inForce && wasOpen && (inForce.error().fault == Fault::Timeout || inForce.error().fault == Fault::LinkLost);
-    if (isOpenWhich && parameter.access == Access::WriteOnly)
-        m_knowledge.doubt(index, ParameterState::Failed);
+    if (inForce || !mayHaveCome(inForce.error().fault))
+        unsettled.settle();
     const bool forgotten = !family().capabilities.keepsSettings && parameter.nature == Nature::Setting;
     if (inForce && (parameter.access == Access::WriteOnly || forgotten))
         m_knowledge.assume(index, *inForce);

@@ -19,6 +19,18 @@ const DialectChoice *dialectOf(const Family &family, std::string_view key)
 
 } // namespace
 
+UnsettledWrite::UnsettledWrite(std::weak_ptr<DeviceKnowledge *> knowledge, ParameterIndex index)
+    : m_knowledge(std::move(knowledge))
+    , m_index(index)
+{
+}
+
+UnsettledWrite::~UnsettledWrite()
+{
+    if (const auto knowledge = m_knowledge.lock())
+        (*knowledge)->doubt(m_index, ParameterState::Failed);
+}
+
 DeviceKnowledge::DeviceKnowledge(const Family &family, ParameterStore &parameters, const Identity &identity)
     : m_family(family)
     , m_parameters(parameters)
@@ -57,6 +69,12 @@ Identity DeviceKnowledge::shown(Identity probed) const
 void DeviceKnowledge::setProfile(DeviceProfile profile)
 {
     m_profile.edit() = std::move(profile);
+    reassume();
+    m_applied.notify();
+}
+
+void DeviceKnowledge::reassume()
+{
     for (const auto &[key, raw] : m_profile->written) {
         const auto index = findParameter(m_family.parameters, key);
         if (!index || !isLegal(m_parameters.parameter(*index), raw) || m_profile->lost.contains(key))
@@ -64,7 +82,6 @@ void DeviceKnowledge::setProfile(DeviceProfile profile)
         if (m_parameters.parameter(*index).access == Access::WriteOnly)
             m_parameters.setWritten(*index, raw);
     }
-    m_applied.notify();
 }
 
 Result<void> DeviceKnowledge::calibrate(std::string_view key, std::optional<double> value)

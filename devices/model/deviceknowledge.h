@@ -7,6 +7,7 @@
 #include "model/parameterstore.h"
 #include "model/shared.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,6 +15,24 @@
 namespace mb {
 
 struct Family;
+class DeviceKnowledge;
+
+/// An order to set what cannot be read back, from when it is given: ended without settle(), whoever gave it was cut, and nobody knows
+/// whether it had gone out, so that the value is in doubt. May outlive the knowledge.
+class UnsettledWrite {
+public:
+    UnsettledWrite() = default;
+    UnsettledWrite(std::weak_ptr<DeviceKnowledge *> knowledge, ParameterIndex index);
+    UnsettledWrite(const UnsettledWrite &) = delete;
+    UnsettledWrite &operator=(const UnsettledWrite &) = delete;
+    ~UnsettledWrite();
+
+    void settle() { m_knowledge.reset(); }
+
+private:
+    std::weak_ptr<DeviceKnowledge *> m_knowledge;
+    ParameterIndex m_index{};
+};
 
 /// What this program knows of a device that the device cannot tell: its profile, and what follows from it. Engine thread.
 class DeviceKnowledge {
@@ -28,6 +47,8 @@ public:
     [[nodiscard]] const Shared<DeviceProfile> &sharedProfile() const { return m_profile.shared(); }
     /// What a file kept. Write-only parameters become assumed, those that a reset took stay unknown.
     void setProfile(DeviceProfile profile);
+    /// For a store that was forgotten: what was written and is not lost is assumed again.
+    void reassume();
     /// A number that only its user knows, in the unit of the row (Family::calibrations); nothing makes it unknown again.
     [[nodiscard]] Result<void> calibrate(std::string_view key, std::optional<double> value);
     /// Speaks this dialect (Family::dialects) whatever the scan found; empty: as the scan finds it.
@@ -40,6 +61,8 @@ public:
     void assume(ParameterIndex index, std::int64_t raw);
     /// It may have another value now: a restart took what was not saved, or an order had no answer. It is lost until it is written again.
     void doubt(ParameterIndex index, ParameterState state = ParameterState::Unknown);
+    /// Keep it while the device is told another value.
+    [[nodiscard]] UnsettledWrite writing(ParameterIndex index) { return {m_self, index}; }
     /// For devices that keep nothing: something was written that is believed to be in force.
     [[nodiscard]] bool holdsSettings() const { return m_profile->lost.size() < m_profile->written.size(); }
     /// The same: a reset was noticed. Everything is unknown, what was written is lost until it is written again.
@@ -62,6 +85,7 @@ private:
     Message m_probedDetail;
     Listeners<> m_changed;
     Listeners<> m_applied;
+    std::shared_ptr<DeviceKnowledge *> m_self = std::make_shared<DeviceKnowledge *>(this); ///< for what may outlive it
 };
 
 } // namespace mb

@@ -104,8 +104,8 @@ public:
     void close();
     /// A closed link becomes a lost one: whoever opens those again opens it too.
     void closedFor(Message reason);
-    /// Asks the backend for losses that are told on request only, so that counters() holds every one up to now. Some
-    /// microseconds; not for every frame.
+    /// Asks the backend for losses that are told on request only, so that counters() holds every one up to now; where a driver may
+    /// hold the answer up and a background was given, a moment later. Some microseconds; not for every frame.
     virtual void recount() { }
 
     [[nodiscard]] Listeners<LinkState> &stateChanged() { return m_stateChanged; }

@@ -46,12 +46,14 @@ protected:
     /// It stands somewhere else afterwards.
     bool turnsAwayFromZero()
     {
-        if (!device->command(setPoint(Mode::Duty, 0.3)))
-            return false;
-        clock.advance(std::chrono::seconds(2));
+        for (int i = 0; i < 100; ++i) { // it is led there
+            if (!device->command(setPoint(Mode::Duty, 0.6)))
+                return false;
+            clock.advance(std::chrono::milliseconds(20));
+        }
         device->stop();
-        clock.advance(std::chrono::seconds(2));
-        return true;
+        clock.advance(std::chrono::seconds(5));
+        return std::abs(latest("position")) > 1000.0;
     }
     static SetPoint setPoint(Mode mode, double target)
     {

@@ -41,6 +41,7 @@ TEST_F(AbstractDcController, ALoweredAveragingNeedsTheDriveSwitchedOffOnce)
 {
     Simulator &drive = add("abstractdc:3");
     open(3, &dialectF);
+    ASSERT_TRUE(turnsAwayFromZero());
     ASSERT_TRUE(write("current.averaging", 500));
     ASSERT_TRUE(write("current.averaging", 10));
     EXPECT_FALSE(device->mayMove());
@@ -54,6 +55,7 @@ TEST_F(AbstractDcController, AnAveragingThatNobodyKnowsIsTakenForAGreaterOne)
 {
     Simulator &drive = add("abstractdc:3");
     open(3, &dialectF);
+    ASSERT_TRUE(turnsAwayFromZero());
     ASSERT_TRUE(write("current.averaging", 50));
     EXPECT_EQ(sentOf("0CB").back(), "0CB#02") << "saved, so that it is in force after the power cycle";
     EXPECT_NE(device->mayMove().error().text().find("switch it off"), std::string::npos);
@@ -65,6 +67,7 @@ TEST_F(AbstractDcController, AnAveragingThatOnlyAFileTellsIsTakenForAGreaterOneT
 {
     Simulator &drive = add("abstractdc:3");
     open(3, &dialectF);
+    ASSERT_TRUE(turnsAwayFromZero());
     device->knowledge().assume(*findParameter(family.parameters, "current.averaging"), 10);
     ASSERT_TRUE(write("current.averaging", 60)) << "the drive may have 500";
     EXPECT_FALSE(device->mayMove());
@@ -76,6 +79,7 @@ TEST_F(AbstractDcController, AnotherRunOfTheProgramKnowsThatThePowerCycleIsOwed)
 {
     Simulator &drive = add("abstractdc:3");
     open(3, &dialectF);
+    ASSERT_TRUE(turnsAwayFromZero());
     ASSERT_TRUE(write("current.averaging", 50));
     const DeviceProfile kept = device->knowledge().profile();
     open(3, &dialectF);
@@ -100,6 +104,44 @@ TEST_F(AbstractDcController, ACableThatWasOutIsNoPowerCycle)
     clock.advance(2s);
     ASSERT_TRUE(device->liveness().heard);
     EXPECT_FALSE(device->mayMove());
+}
+
+TEST_F(AbstractDcController, ARestartThatIsSeenWhileItAnswersPaysThePowerCycleToo)
+{
+    Simulator &drive = add("abstractdc:3");
+    open(3, &dialectF);
+    ASSERT_TRUE(turnsAwayFromZero());
+    ASSERT_TRUE(write("current.averaging", 50));
+    powerCycle(drive, 20ms);
+    ASSERT_TRUE(device->liveness().restarted);
+    ASSERT_TRUE(test::run(clock, device->refresh()));
+    EXPECT_TRUE(device->mayMove());
+}
+
+/// Its position is 0 before and after, with its power and without.
+TEST_F(AbstractDcController, AGapOfTheBusNearZeroIsNoPowerCycleAndWhatWouldShowOneIsSaid)
+{
+    Simulator &drive = add("abstractdc:3");
+    open(3, &dialectF);
+    ASSERT_TRUE(write("velocity.p", 5));
+    ASSERT_TRUE(write("current.averaging", 50));
+    EXPECT_NE(device->mayMove().error().remedy.english().find("300 counts away from 0"), std::string::npos);
+    bus.setLoss(1.0);
+    clock.advance(2s);
+    ASSERT_FALSE(device->liveness().heard);
+    bus.setLoss(0.0);
+    clock.advance(2s);
+    ASSERT_TRUE(device->liveness().heard);
+    EXPECT_FALSE(device->mayMove());
+    EXPECT_FALSE(device->parameters().entry(index("velocity.p")).raw) << "it may have been one";
+    ASSERT_TRUE(drive.disturb("load-torque", -5.0));
+    clock.advance(500ms);
+    ASSERT_TRUE(drive.disturb("load-torque", 0.0));
+    clock.advance(20s);
+    ASSERT_GT(std::abs(latest("position")), 300.0);
+    EXPECT_EQ(device->mayMove().error().remedy.english(), "switch it off and on");
+    powerCycle(drive, 500ms);
+    EXPECT_TRUE(device->mayMove());
 }
 
 TEST_F(AbstractDcController, AParameterThatCannotBeReadIsNoEndOfReadingAndARefusedOneEndsWriting)

@@ -253,6 +253,58 @@ TEST_F(AbstractDcController, WhatWasSentButNotAnsweredLeavesASettingUnknown)
     EXPECT_EQ(device->parameters().entry(index("velocity.p")).raw, 6) << "nothing was sent";
 }
 
+TEST_F(AbstractDcController, AWriteThatIsCutWhileASilentDriveIsWaitedForLeavesASettingUnknown)
+{
+    Simulator &drive = add("abstractdc:3");
+    open(3, &dialectF);
+    ASSERT_TRUE(write("velocity.p", 5));
+    drive.setPowered(false);
+    clock.advance(1s);
+    DeviceProfile kept;
+    const Subscription keeping = device->knowledge().changed().add([&] { kept = device->knowledge().profile(); });
+    sent.clear();
+    auto writing = device->write(index("velocity.p"), 6);
+    writing.start();
+    clock.advance(1ms);
+    ASSERT_FALSE(writing.isFinished());
+    ASSERT_FALSE(sentOf("0CB#").empty()) << "it may have come";
+    writing.cancel();
+    EXPECT_FALSE(device->parameters().entry(index("velocity.p")).raw) << "5 or 6";
+    EXPECT_EQ(device->parameters().entry(index("velocity.p")).state, ParameterState::Failed);
+    EXPECT_TRUE(kept.lost.contains("velocity.p"));
+}
+
+TEST_F(AbstractDcController, AWriteThatWasAnsweredIsNotDoubtedByItsEnd)
+{
+    add("abstractdc:3");
+    open(3, &dialectF);
+    {
+        auto writing = device->write(index("velocity.p"), 6);
+        writing.start();
+        clock.advance(1s);
+        ASSERT_TRUE(writing.isFinished());
+    }
+    {
+        const auto neverBegun = device->write(index("velocity.p"), 7);
+    }
+    EXPECT_EQ(device->parameters().entry(index("velocity.p")).raw, 6);
+    EXPECT_EQ(device->parameters().entry(index("velocity.p")).state, ParameterState::Assumed);
+}
+
+TEST_F(AbstractDcController, AWriteThatOutlivesItsDeviceEndsWithNothing)
+{
+    Simulator &drive = add("abstractdc:3");
+    open(3, &dialectF);
+    ASSERT_TRUE(write("velocity.p", 5));
+    drive.setPowered(false);
+    auto writing = device->write(index("velocity.p"), 6);
+    writing.start();
+    clock.advance(1ms);
+    device.reset();
+    writing.cancel();
+    EXPECT_FALSE(writing.isValid());
+}
+
 TEST_F(AbstractDcController, ASaveThatWasNotAnsweredIsStillOwed)
 {
     test::FakeUnit unit(bus, clock);

@@ -5,6 +5,7 @@
 #include "families/abstractdc/outputwatch.h"
 #include "families/abstractdc/parameters.h"
 #include "families/abstractdc/powercycledebt.h"
+#include "families/abstractdc/restartsense.h"
 
 #include <gtest/gtest.h>
 
@@ -122,73 +123,90 @@ TEST_F(AbstractDcOutput, WrapsFrom32768OnAndTellsOfItOnceUntilItIsReleased)
     EXPECT_TRUE(watch.hasWrapped()) << "a count that is cleared drives nothing";
 }
 
-// The power cycle that it owes: abstractdc/README.md#averaging
+// Whether it has restarted: abstractdc/README.md#restarts
 
-class AbstractDcDebt : public testing::Test {
+class AbstractDcRestartSense : public testing::Test {
 protected:
-    /// Owed, silent at `before`, heard at `after`: whether it is owed still.
-    bool isOwedStill(std::optional<std::int64_t> before, std::int32_t after, bool linkOpen = true)
+    /// Silent at `before`, heard at `after`.
+    Restart heardAt(std::optional<std::int64_t> before, std::int32_t after, bool lineOpen = true, bool stood = true)
     {
-        debt.incur();
-        debt.silent(linkOpen, before);
-        debt.heard(after);
-        return debt.isOwed();
+        sense.silent(lineOpen, before, stood);
+        return sense.heard(after);
     }
-
-    DeviceProfile profile;
-    int kept = 0;
-    PowerCycleDebt debt{profile, [this](std::int64_t owed) {
-                            ++kept;
-                            profile.counters[std::string(counter::powerCycle)] = owed;
-                        }};
+    RestartSense sense;
 };
 
-TEST_F(AbstractDcDebt, IsPaidByAPositionThatBeginsAnewWithinAHundredCounts)
+TEST_F(AbstractDcRestartSense, IsProvenByAPositionThatBeginsAnewFarFromWhereItStood)
 {
-    EXPECT_FALSE(debt.isOwed());
     for (const std::int32_t near : {100, -100, 1, 0})
-        EXPECT_FALSE(isOwedStill(5000, near)) << near;
+        EXPECT_EQ(heardAt(5000, near), Restart::Proven) << near;
     for (const std::int32_t far : {101, -101, 5000, std::numeric_limits<std::int32_t>::min()})
-        EXPECT_TRUE(isOwedStill(5000, far)) << far;
-    EXPECT_FALSE(isOwedStill(std::nullopt, 3)) << "nobody knows where it was";
+        EXPECT_EQ(heardAt(5000, far), Restart::No) << far;
+    EXPECT_EQ(heardAt(300, 0), Restart::Proven);
+    EXPECT_EQ(heardAt(-300, 0), Restart::Proven);
+    EXPECT_EQ(heardAt(5000, 0, true, false), Restart::Maybe) << "it turned, and may have come there";
 }
 
-TEST_F(AbstractDcDebt, IsNotPaidByADriveThatStandsWhereItStoodUnlessThatIsItsBeginning)
+TEST_F(AbstractDcRestartSense, IsNotProvenByASilenceAloneWhereItStoodNearZeroOrNobodyKnowsWhere)
 {
-    EXPECT_TRUE(isOwedStill(7, 7)) << "its cable was out";
-    EXPECT_FALSE(isOwedStill(7, 8));
-    EXPECT_FALSE(isOwedStill(0, 0));
+    EXPECT_EQ(heardAt(7, 7), Restart::No) << "its cable was out";
+    EXPECT_EQ(heardAt(7, 8), Restart::Maybe);
+    EXPECT_EQ(heardAt(0, 0), Restart::Maybe);
+    EXPECT_EQ(heardAt(299, 0), Restart::Maybe);
+    EXPECT_EQ(heardAt(std::nullopt, 3), Restart::Maybe);
 }
 
-TEST_F(AbstractDcDebt, IsPaidOnlyByTheFirstPositionAfterASilenceOnAnOpenLink)
+TEST_F(AbstractDcRestartSense, IsProvenOnlyByTheFirstPositionAfterASilenceOnAnOpenLine)
 {
-    EXPECT_TRUE(isOwedStill(5000, 0, false)) << "the link was closed: nobody listened";
-    debt.heard(0);
-    EXPECT_TRUE(debt.isOwed());
-    debt.silent(true, 5000);
-    debt.heard(5000);
-    debt.heard(0);
-    EXPECT_TRUE(debt.isOwed()) << "that was a motion";
-    debt.silent(true, 5000);
-    debt.silent(false, std::nullopt); // the link is closed meanwhile: it was silent all the same
-    debt.heard(0);
+    EXPECT_EQ(heardAt(5000, 0, false), Restart::Maybe) << "the link was closed: nobody listened";
+    EXPECT_EQ(sense.heard(0), Restart::No);
+    EXPECT_EQ(heardAt(5000, 5000), Restart::No);
+    EXPECT_EQ(sense.heard(0), Restart::No) << "that was a motion";
+    sense.silent(true, 5000, true);
+    sense.silent(false, std::nullopt, false); // the link is closed meanwhile: it was silent all the same
+    EXPECT_EQ(sense.heard(0), Restart::Proven);
+}
+
+TEST_F(AbstractDcRestartSense, APositionFromBeforeAnEarlierSilenceProvesNothing)
+{
+    EXPECT_EQ(heardAt(7, 7), Restart::No);
+    EXPECT_EQ(heardAt(std::nullopt, 7), Restart::Maybe);
+    EXPECT_EQ(heardAt(5000, 5000), Restart::No);
+    EXPECT_EQ(heardAt(std::nullopt, 0), Restart::Maybe);
+}
+
+TEST_F(AbstractDcRestartSense, IsMaybeTheFirstTimeThatItIsHeardNearZero)
+{
+    EXPECT_EQ(sense.heard(3), Restart::Maybe);
+}
+
+TEST_F(AbstractDcRestartSense, IsSeenWhereNoShaftGetsToZeroSoFast)
+{
+    EXPECT_EQ(RestartSense::between(5000, 200, 200), Restart::Seen);
+    EXPECT_EQ(RestartSense::between(5000, 201, 200), Restart::No) << "not near 0";
+    EXPECT_EQ(RestartSense::between(250, 50, 200), Restart::No) << "it may have turned there";
+    EXPECT_EQ(RestartSense::between(251, 50, 200), Restart::Seen);
+}
+
+// The power cycle that it owes: abstractdc/README.md#averaging
+
+TEST(AbstractDcDebt, IsKeptUntilItIsPaidAndNotWrittenWhereNoneIsOwed)
+{
+    DeviceProfile profile;
+    int kept = 0;
+    PowerCycleDebt debt(profile, [&](std::int64_t owed) {
+        ++kept;
+        profile.counters[std::string(counter::powerCycle)] = owed;
+    });
     EXPECT_FALSE(debt.isOwed());
-}
-
-TEST_F(AbstractDcDebt, ThatIsNotOwedIsNotWritten)
-{
-    debt.silent(true, 5000);
-    debt.heard(0);
+    debt.pay();
     EXPECT_EQ(kept, 0);
     EXPECT_TRUE(profile.isEmpty());
-}
-
-TEST_F(AbstractDcDebt, APositionFromBeforeAnEarlierSilenceProvesNothing)
-{
-    EXPECT_TRUE(isOwedStill(7, 7));
-    debt.silent(true, std::nullopt);
-    debt.heard(7);
+    debt.incur();
+    EXPECT_TRUE(debt.isOwed());
+    debt.pay();
     EXPECT_FALSE(debt.isOwed());
+    EXPECT_EQ(kept, 2);
 }
 
 // Its shaft: abstractdc/README.md#position

@@ -111,6 +111,18 @@ TEST_F(Knowledge, WhatIsAssumedIsWrittenUntilAResetAndAgainOnceItIsWritten)
     EXPECT_EQ(knowledge.profile().lost, std::set<std::string>{"secret"});
 }
 
+TEST_F(Knowledge, WhatAStoreHasForgottenIsAssumedAgainButNotWhatIsLostAndNobodyIsTold)
+{
+    knowledge.assume(knownGain, 5);
+    knowledge.assume(knownSecret, 6);
+    knowledge.doubt(knownSecret);
+    motor.parameters().forgetAll();
+    expectTold("reassuming", 0, 0, [this] { knowledge.reassume(); });
+    EXPECT_EQ(motor.parameters().entry(knownGain).raw, 5);
+    EXPECT_EQ(motor.parameters().entry(knownGain).state, ParameterState::Assumed);
+    EXPECT_FALSE(motor.parameters().entry(knownSecret).raw);
+}
+
 TEST_F(Knowledge, OfAFileOnlyLegalValuesOfWriteOnlyParametersThatNoResetTookAreBelieved)
 {
     DeviceProfile file;

@@ -97,23 +97,28 @@ TEST_F(Interfaces, ComingGoingAndSwitchingIsToldByTheKernel)
     EXPECT_EQ(told, 0) << "what is not CAN is not told";
 }
 
-TEST_F(Interfaces, WhatADriverDropsIsCountedAsLost)
+/// No frame: the driver takes it from the queue, and drops it.
+void dropInDriver(int count, const char *interface = "vcan0")
 {
-    SocketCanLink link({"socketcan", "vcan0", {}}, loop.clock());
-    ASSERT_TRUE(link.open());
-    // No frame: the driver takes it from the queue, and drops it.
     const int packets = ::socket(AF_PACKET, SOCK_RAW | SOCK_CLOEXEC, htons(0x000C));
     ASSERT_GE(packets, 0);
     sockaddr_ll where{};
     where.sll_family = AF_PACKET;
     where.sll_protocol = htons(0x000C); // ETH_P_CAN
-    where.sll_ifindex = static_cast<int>(::if_nametoindex("vcan0"));
+    where.sll_ifindex = static_cast<int>(::if_nametoindex(interface));
     can_frame broken{};
     broken.can_dlc = 15;
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < count; ++i)
         ASSERT_EQ(::sendto(packets, &broken, sizeof broken, 0, reinterpret_cast<sockaddr *>(&where), sizeof where),
             ssize_t(sizeof broken));
     ::close(packets);
+}
+
+TEST_F(Interfaces, WhatADriverDropsIsCountedAsLost)
+{
+    SocketCanLink link({"socketcan", "vcan0", {}}, loop.clock());
+    ASSERT_TRUE(link.open());
+    dropInDriver(3);
     link.recount();
     EXPECT_EQ(link.counters().lost, 3U);
     link.recount();
@@ -137,6 +142,42 @@ TEST_F(Interfaces, AreAskedForInTheBackgroundWhileALinkIsOpen)
     EXPECT_TRUE(loop.runUntil([&] { return background.waiting() == 1; }));
     link.close();
     background.release();
+}
+
+/// A driver may hold the kernel up, and an experiment counts again and again while its motor turns.
+TEST_F(Interfaces, AreAskedForInTheBackgroundAlsoWhereLossesAreCountedNow)
+{
+    test::HeldBackground background;
+    SocketCanLink link({"socketcan", "vcan0", {}}, loop.clock());
+    link.settings().background = &background;
+    ASSERT_TRUE(link.open());
+    dropInDriver(3);
+    link.recount();
+    EXPECT_EQ(link.counters().lost, 0U) << "nobody has asked yet";
+    EXPECT_EQ(background.waiting(), 1U);
+    link.recount();
+    EXPECT_EQ(background.waiting(), 1U) << "not asked again while the kernel hangs";
+    background.release();
+    EXPECT_EQ(link.counters().lost, 3U);
+    link.recount();
+    link.close();
+    background.release();
+    EXPECT_EQ(link.counters().lost, 3U);
+}
+
+TEST_F(Interfaces, WhatWasDroppedBeforeALinkIsLostIsCountedWhenTheKernelHasAnswered)
+{
+    test::HeldBackground background;
+    SocketCanLink link({"socketcan", "vcan1", {}}, loop.clock());
+    link.settings().background = &background;
+    ASSERT_TRUE(link.open());
+    dropInDriver(2, "vcan1");
+    shell("ip link set vcan1 down");
+    ASSERT_TRUE(loop.runUntil([&] { return link.state() == LinkState::Lost; }));
+    EXPECT_EQ(background.waiting(), 1U);
+    background.release();
+    EXPECT_EQ(link.counters().lost, 2U);
+    shell("ip link set vcan1 up");
 }
 
 TEST_F(Interfaces, LossesSurviveTheReturnOfAnInterface)

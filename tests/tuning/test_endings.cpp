@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What an experiment says of its end, and what it leaves in force, when others than its guards end it.
+#include "families/supermodifiedvectors.h"
 #include "model/bench.h"
 #include "tests/tuning/experimentbench.h"
 #include "tests/tuning/realunit.h"
@@ -153,6 +154,33 @@ TEST(Endings, BeforeItsMotionSayWhatIsNotPutBack)
     ASSERT_FALSE(task.result());
     EXPECT_NE(task.result().error().text().find("the gains were not put back"), std::string::npos)
         << task.result().error().text();
+}
+
+/// The motor was stopped for that; whatever became of the order, nobody leaves it without a stop behind it.
+TEST(Endings, BetweenItsZeroAndItsFirstPushStopTheMotor)
+{
+    using supermodified::Command;
+    ExperimentBench bench("sim:serial", "supermodified", 4);
+    std::vector<std::uint8_t> sent;
+    const auto find = [&sent](Command command, std::size_t from) {
+        const auto frames = supermodified::test::framesIn(sent);
+        while (from < frames.size() && !frames[from].is(command))
+            ++from;
+        return from < frames.size() ? std::optional(from) : std::nullopt;
+    };
+    const Subscription tap = bench.bench.link->traffic().add([&](const Traffic &traffic) {
+        if (traffic.direction == Direction::Sent)
+            sent.insert(sent.end(), traffic.bytes.begin(), traffic.bytes.end());
+    });
+    ExperimentPlan plan = stepTo(Mode::Position, 300.0);
+    plan.slot = 0;
+    auto task = bench.start(plan);
+    task.start();
+    ASSERT_TRUE(bench.bench.clock.runUntil([&] { return find(Command::ResetPosition, 0).has_value(); }, 20s));
+    bench.simulator()->setPowered(false);
+    ASSERT_TRUE(bench.bench.clock.runUntil([&] { return task.isFinished(); }, 30s));
+    ASSERT_FALSE(task.result());
+    EXPECT_TRUE(find(Command::Stop, *find(Command::ResetPosition, 0)));
 }
 
 /// Its targets reach farther than the device counts.

@@ -85,6 +85,26 @@ TEST(KeptGains, ThatCouldNotAllBeWrittenAreTakenBack)
     EXPECT_TRUE(tuned.bench.journal.owed.empty());
 }
 
+TEST(KeptGains, AreNotTakenBackFromAMotorThatIsSeenToTurn)
+{
+    Tuned tuned;
+    tuned.bench.surroundings.note = [&](const Message &text) {
+        if (text.english().find("could not be written") == std::string::npos)
+            return;
+        tuned.bench.simulator()->setPowered(true);
+        tuned.bench.simulator()->disturb("load-torque", -0.5);
+    };
+    tuned.task = autotune(*tuned.bench.device, tuned.bench.bench.session.stream(*tuned.bench.device),
+        planOf(Mode::Velocity), tuned.bench.surroundings);
+    tuned.runUntilHalfIsWritten();
+    tuned.bench.simulator()->setPowered(false);
+    ASSERT_TRUE(tuned.bench.bench.clock.runUntil([&] { return tuned.task.isFinished(); }, 2min));
+    ASSERT_TRUE(tuned.task.result());
+    ASSERT_GT(std::abs(tuned.bench.simulator()->speed()), 1000.0);
+    EXPECT_FALSE(tuned.task.result()->notPutBack.empty());
+    EXPECT_EQ(tuned.owed("slot0.p"), tuned.before);
+}
+
 TEST(KeptGains, AreOwedByNobodyOnceAllAreWritten)
 {
     Tuned tuned;

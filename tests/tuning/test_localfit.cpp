@@ -131,5 +131,43 @@ TEST(LocalFit, ATopNoFartherAboveItsSamplesThanTheyLieApartIsOne)
     EXPECT_TRUE(vertexNear(flat, 1, 0, 1.0));
 }
 
+/// Of a slow and noisy response, which is smoothed over a share of its length.
+Trace longHold(std::size_t samples)
+{
+    Trace trace;
+    for (std::size_t i = 0; i < samples; ++i) {
+        const double time = 1e-3 * static_cast<double>(i);
+        trace.add(time, 1.0 - std::exp(-3.0 * time) + 0.05 * std::sin(static_cast<double>(i * i % 97)));
+    }
+    return trace;
+}
+
+TEST(LocalFit, AMovingParabolaLooksAtASampleOfALongHoldAFewTimesHoweverWideItIs)
+{
+    for (const std::size_t samples : {4'000U, 40'000U}) {
+        const Trace hold = longHold(samples);
+        MovingParabola moving(hold, 0.3 * hold.t.back(), 0);
+        for (const double time : hold.t)
+            (void)moving.fit(time);
+        EXPECT_LE(moving.looks(), 4 * samples);
+    }
+}
+
+TEST(LocalFit, AMovingParabolaIsTheOneThatIsFittedAlone)
+{
+    const Trace hold = longHold(5'000);
+    for (const double half : {0.05, 0.2, 1.4}) {
+        MovingParabola moving(hold, half, 100);
+        for (std::size_t i = 100; i < hold.size(); i += i % 7 == 0 ? 13 : 1) {
+            const auto moved = moving.fit(hold.t[i]);
+            const auto alone = fitParabola(hold, hold.t[i], half, 100);
+            ASSERT_TRUE(moved && alone);
+            ASSERT_NEAR(moved->a, alone->a, 1e-9);
+            ASSERT_NEAR(moved->b, alone->b, 1e-7);
+            ASSERT_NEAR(moved->c, alone->c, 1e-6);
+        }
+    }
+}
+
 } // namespace
 } // namespace mb::tuning

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an experiment owes to a real unit that stores by itself, later: a DMC60C on a CAN interface, in virtual time.
+// What an experiment owes to a unit: to a real one that stores by itself, later, a DMC60C on a CAN interface; and when it may be paid. In
+// virtual time.
+#include "tests/tuning/experimentbench.h"
 #include "tests/tuning/realunit.h"
 
 namespace mb::tuning {
@@ -59,6 +61,53 @@ TEST(OwedGains, ThatWereNeverPutBackAreAskedForWhateverTheUnitHas)
         run(unit.clock, unit.journal.owe(1, unitKeyOf(*unit.device), {{"slot0.p", unit.before, unit.before / 2}})));
     ASSERT_TRUE(run(unit.clock, writeGains(*unit.device, {{unit.gain, unit.before + 1000}})));
     EXPECT_EQ(unit.askedAbout(), 1U);
+}
+
+/// Its output is off, and something else turns it.
+TEST(OwedGains, AreNotPutBackWhileTheShaftIsSeenToTurn)
+{
+    test::ExperimentBench bench;
+    auto &clock = bench.bench.clock;
+    const ParameterChange tried = bench.change("slot0.p", 0.25);
+    const std::int64_t before = run(clock, bench.device->read(tried.index)).value_or(-1);
+    ASSERT_TRUE(run(clock, bench.journal.begin({})));
+    ASSERT_TRUE(run(clock, bench.journal.owe(1, unitKeyOf(*bench.device), {{"slot0.p", before, tried.raw}})));
+    ASSERT_TRUE(run(clock, writeGains(*bench.device, {tried})));
+    bench.device->stop();
+    bench.simulator()->disturb("load-torque", -0.5);
+    clock.advance(2s);
+    ASSERT_TRUE(bench.device->isSeenStopped()) << "nothing drives it";
+    ASSERT_GT(std::abs(bench.simulator()->speed()), 1000.0);
+    const auto refused = run(clock, payOwed(*bench.device, bench.journal, {1, 0.0, bench.journal.owed}));
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().fault, Fault::Unsafe);
+    EXPECT_EQ(run(clock, bench.device->read(tried.index)).value_or(-1), tried.raw);
+    EXPECT_FALSE(bench.journal.owed.empty());
+    bench.simulator()->disturb("load-torque", 0.0);
+    clock.advance(20s);
+    ASSERT_TRUE(run(clock, payOwed(*bench.device, bench.journal, {1, 0.0, bench.journal.owed})));
+    EXPECT_EQ(run(clock, bench.device->read(tried.index)).value_or(-1), before);
+}
+
+TEST(OwedGains, ArePutBackInEveryFamilyWhoseMotorStands)
+{
+    const std::vector<std::array<std::string, 3>> all{{"sim:can", "dmc60c", "slot0.p"},
+        {"sim:can", "abstractdc", "velocity.p"}, {"sim:serial", "supermodified", "gain.p"},
+        {"sim:spi", "quadquad2drv", "ch1.velocity.p"}};
+    for (const auto &[link, family, key] : all) {
+        test::SimulatedSession bench(link);
+        bench.scan();
+        ASSERT_FALSE(bench.devices(family).empty()) << family;
+        Device &device = *bench.devices(family).front();
+        bench.clock.advance(1s);
+        const auto index = findParameter(device.parameters().table(), key);
+        ASSERT_TRUE(index) << family;
+        test::FakeJournal journal;
+        ASSERT_TRUE(run(bench.clock, device.write(*index, 7)));
+        const auto paid = run(bench.clock, payOwed(device, journal, {1, 0.0, {{key, 9, 7}}}));
+        EXPECT_TRUE(paid) << family << ": " << (paid ? "" : paid.error().text());
+        EXPECT_EQ(device.parameters().entry(*index).raw, 9) << family;
+    }
 }
 
 } // namespace

@@ -63,12 +63,8 @@ Controller::Controller(const Family &family, CanLink &link, Clock &clock, Identi
 LogSense::Owner Controller::owner()
 {
     return {
-        .located =
-            [this](std::int32_t position) {
-                if (m_debt.heard(position))
-                    m_desk.restarted();
-            },
-        .restarted = [this] { onRestart(); },
+        .located = [this](std::int32_t position) { onRestart(m_restarts.heard(position)); },
+        .restarted = [this] { onRestart(Restart::Seen); },
         .wrapped =
             [this] {
                 if (m_ours)
@@ -108,12 +104,16 @@ Result<void> Controller::doMayMove() const
         return fail(Fault::Unsafe, say("a drive of dialect LL has no code for stop"), say("only its power stops it"));
     if (auto alone = m_logs.isAddressedAlone(); !alone)
         return alone;
-    if (m_debt.isOwed())
-        return fail(Fault::Unsafe,
-            say("its averaging was lowered, as far as can be known, and until it has lost its power once it may "
-                "overwrite its own memory"),
-            say("switch it off and on"));
-    return {};
+    if (!m_debt.isOwed())
+        return {};
+    const bool isNear = std::abs(m_logs.motion().position().value_or(0)) < RestartSense::provesPower;
+    return fail(Fault::Unsafe,
+        say("its averaging was lowered, as far as can be known, and until it has lost its power once it may "
+            "overwrite its own memory"),
+        isNear ? say("turn its shaft until its position is %1 counts away from 0, which shows that it was off, then "
+                     "switch it off and on",
+            RestartSense::provesPower)
+               : say("switch it off and on"));
 }
 
 Result<void> Controller::check(const SetPoint &setPoint) const
@@ -282,21 +282,29 @@ void Controller::onSent(const CanFrame &frame)
 
 void Controller::onSilence()
 {
-    m_debt.silent(m_can.state() == LinkState::Open, m_logs.motion().position());
+    m_restarts.silent(
+        m_can.state() == LinkState::Open, m_logs.motion().position(), m_logs.motion().standsSince(Instant::min()));
     m_logs.forget();
     enter(std::nullopt, clock().now());
     breakLines();
     updateLiveness();
 }
 
-/// It is off, and counts from 0: what it was driven to is not there any more (README.md#restarts).
-void Controller::onRestart()
+/// What was not saved is not in force. One that is seen is off, and counts from 0: what it was driven to is not there any more
+/// (README.md#restarts).
+void Controller::onRestart(Restart restart)
 {
-    breakLines();
-    if (m_can.address().isRecording())
+    if (restart == Restart::Seen)
+        breakLines();
+    const bool isOfRecording = restart == Restart::Seen && m_can.address().isRecording();
+    if (restart == Restart::No || isOfRecording)
+        return;
+    m_desk.restarted();
+    if (restart != Restart::Maybe)
+        m_debt.pay();
+    if (restart != Restart::Seen)
         return;
     m_restarted = true;
-    m_desk.restarted();
     if (m_ours)
         sendStop();
     else
@@ -338,8 +346,7 @@ Task<void> Controller::refresh()
         known.descriptors.emplace_back(std::move(saves));
     setIdentity(std::move(known));
     if (m_restarted)
-        knowledge().setProfile(
-            DeviceProfile(knowledge().profile())); // who forgets everything knows again what was saved
+        knowledge().reassume(); // what was saved
     m_restarted = false;
     updateLiveness();
     co_return {};

@@ -4,6 +4,7 @@
 #include "families/abstractdc/leadprobe.h"
 #include "families/abstractdc/logsense.h"
 #include "families/abstractdc/powercycledebt.h"
+#include "families/abstractdc/restartsense.h"
 #include "families/abstractdc/setpoints.h"
 #include "families/abstractdc/settingsdesk.h"
 
@@ -52,12 +53,13 @@ private:
     void onFrame(const CanFrame &frame, bool ours);
     void onSent(const CanFrame &frame);
     void onSilence();
-    void onRestart();
+    void onRestart(Restart restart);
     void breakLines();
     void updateLiveness();
 
     CanLink &m_can;
     LogSense m_logs;
+    RestartSense m_restarts;
     PowerCycleDebt m_debt;
     SettingsDesk m_desk;
     TargetLead m_lead;

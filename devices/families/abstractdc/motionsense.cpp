@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/abstractdc/motionsense.h"
 
+#include "families/abstractdc/restartsense.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -67,8 +69,7 @@ bool MotionSense::isAnew(std::int32_t position, Instant time) const
         return false;
     const Seen &last = m_seen.back();
     const double reach = turnedAtOnce + 2.0 * m_fastest * seconds(time - last.time);
-    const double here = position;
-    return std::abs(here) <= reach && std::abs(here - last.position) > reach;
+    return RestartSense::between(last.position, position, reach) == Restart::Seen;
 }
 
 void MotionSense::take(const Seen &seen)

@@ -200,16 +200,26 @@ void SocketCanLink::look()
     m_look.startIn(lookPeriod, [this] { look(); });
     if (!m_queue.isEmpty())
         flush();
-    if (settings().background && m_interface.index > 0)
-        askKernel(*settings().background);
-    else
-        recount();
+    recount();
 }
 
-void SocketCanLink::askKernel(Background &background)
+void SocketCanLink::recount()
 {
+    if (m_descriptor < 0 || state() != LinkState::Open)
+        return;
     if (const auto drops = droppedFrames(m_descriptor))
         noteDrops(*drops);
+    if (m_interface.index <= 0)
+        return;
+    if (settings().background)
+        askKernel(*settings().background);
+    else if (const auto now = canInterface(m_interface.index))
+        takeInterface(*now);
+}
+
+/// A driver may hold it up. The answer counts after the link is lost, too: of what was dropped nobody else tells.
+void SocketCanLink::askKernel(Background &background)
+{
     if (std::exchange(*m_asked, true))
         return;
     const auto found = std::make_shared<std::optional<CanInterface>>();
@@ -220,26 +230,16 @@ void SocketCanLink::askKernel(Background &background)
             if (!own)
                 return; // it was closed meanwhile
             *own = false;
-            if (*found && state() == LinkState::Open)
+            if (*found)
                 takeInterface(**found);
         });
-}
-
-void SocketCanLink::recount()
-{
-    if (m_descriptor < 0 || state() != LinkState::Open)
-        return;
-    if (const auto drops = droppedFrames(m_descriptor))
-        noteDrops(*drops);
-    if (const auto now = m_interface.index > 0 ? canInterface(m_interface.index) : std::nullopt)
-        takeInterface(*now);
 }
 
 void SocketCanLink::takeInterface(const CanInterface &now)
 {
     m_interface = now;
     countInterface();
-    if (now.kind == CanInterface::Kind::Controller)
+    if (now.kind == CanInterface::Kind::Controller && state() == LinkState::Open)
         updateHealth(now.state, now.transmitErrors, now.receiveErrors);
 }
 

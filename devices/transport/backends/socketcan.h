@@ -21,7 +21,7 @@ namespace mb {
 /// are never in the future. Frames that do not fit the kernel's queue wait here, in order, urgent ones first; none is
 /// dropped while the link is open, and past thousands of them send() refuses. Urgent frames also overtake what waits in the kernel (pfifo_fast, the usual queue of
 /// CAN). `lost` counts what the kernel dropped because it was not read in time, what the interface and its driver dropped (looked at
-/// twice a second, and by recount()), and overruns that the controller reports.
+/// twice a second, and by recount(); in the background where there is one), and overruns that the controller reports.
 class SocketCanLink final : public CanLink {
 public:
     /// The interface that the path of the address names.

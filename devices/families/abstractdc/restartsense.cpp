@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/abstractdc/restartsense.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+namespace mb::abstractdc {
+namespace {
+
+constexpr std::int64_t turnedByHand = 100; ///< counts, between switching on and the first question
+
+} // namespace
+
+void RestartSense::silent(bool lineOpen, std::optional<std::int64_t> position, bool stood)
+{
+    m_wasUnheard = true;
+    m_wasSilent = m_wasSilent || lineOpen;
+    if (position)
+        m_before = Place{*position, stood};
+}
+
+Restart RestartSense::heard(std::int32_t position)
+{
+    if (!std::exchange(m_wasUnheard, false))
+        return Restart::No;
+    const bool wasSilent = std::exchange(m_wasSilent, false);
+    const auto before = std::exchange(m_before, std::nullopt);
+    const bool startsAnew = std::abs(std::int64_t{position}) <= turnedByHand;
+    const bool unmoved = before && before->position == position && position != 0;
+    if (!startsAnew || unmoved)
+        return Restart::No;
+    const bool isFar = before && before->stood && std::abs(before->position) >= provesPower;
+    return wasSilent && isFar ? Restart::Proven : Restart::Maybe;
+}
+
+Restart RestartSense::between(double before, double position, double reach)
+{
+    return std::abs(position) <= reach && std::abs(position - before) > reach ? Restart::Seen : Restart::No;
+}
+
+} // namespace mb::abstractdc
