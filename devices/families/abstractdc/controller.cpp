@@ -46,6 +46,8 @@ Controller::Controller(const Family &family, CanLink &link, Clock &clock, Identi
     : Device(family, link, clock, std::move(identity))
     , m_can(link)
     , m_logs(link, clock, telemetry(), knowledge().profile(), owner())
+    , m_places(knowledge().profile(),
+          [this](const std::string &key, std::int64_t value) { knowledge().setCounter(key, value); })
     , m_debt(knowledge().profile(),
           [this](std::int64_t owed) { knowledge().setCounter(std::string(counter::powerCycle), owed); })
     , m_desk(*this, link, m_logs, m_debt,
@@ -63,7 +65,7 @@ Controller::Controller(const Family &family, CanLink &link, Clock &clock, Identi
 LogSense::Owner Controller::owner()
 {
     return {
-        .located = [this](std::int32_t position) { onRestart(m_restarts.heard(position)); },
+        .located = [this](std::int32_t position) { onPosition(position); },
         .restarted = [this] { onRestart(Restart::Seen); },
         .wrapped =
             [this] {
@@ -72,7 +74,11 @@ LogSense::Owner Controller::owner()
             },
         .output = [this](std::int32_t output, Instant time) { m_probe.heard(output, time); },
         .silent = [this] { onSilence(); },
-        .heard = [this] { updateLiveness(); },
+        .heard =
+            [this] {
+                updateLiveness();
+                keepPlace();
+            },
     };
 }
 
@@ -288,6 +294,21 @@ void Controller::onSilence()
     enter(std::nullopt, clock().now());
     breakLines();
     updateLiveness();
+}
+
+void Controller::onPosition(std::int32_t position)
+{
+    const bool isFirst = !m_logs.motion().position();
+    if (const auto passed = isFirst ? m_places.passed(position, clock().now()) : std::nullopt)
+        m_logs.entry().recall(*passed);
+    onRestart(m_restarts.heard(position, m_places.place()));
+}
+
+void Controller::keepPlace()
+{
+    const MotionSense &motion = m_logs.motion();
+    if (!m_can.address().isRecording() && !m_logs.isDriven() && motion.standsSince(Instant::min()))
+        m_places.stands(*motion.position(), m_logs.entry().lastPass());
 }
 
 /// What was not saved is not in force. One that is seen is off, and counts from 0: what it was driven to is not there any more

@@ -3,6 +3,7 @@
 
 #include "families/abstractdc/leadprobe.h"
 #include "families/abstractdc/logsense.h"
+#include "families/abstractdc/placememory.h"
 #include "families/abstractdc/powercycledebt.h"
 #include "families/abstractdc/restartsense.h"
 #include "families/abstractdc/setpoints.h"
@@ -53,12 +54,15 @@ private:
     void onFrame(const CanFrame &frame, bool ours);
     void onSent(const CanFrame &frame);
     void onSilence();
+    void onPosition(std::int32_t position);
     void onRestart(Restart restart);
+    void keepPlace();
     void breakLines();
     void updateLiveness();
 
     CanLink &m_can;
     LogSense m_logs;
+    PlaceMemory m_places;
     RestartSense m_restarts;
     PowerCycleDebt m_debt;
     SettingsDesk m_desk;

@@ -33,6 +33,19 @@ void EntrySpeed::forget()
     m_known = false;
 }
 
+void EntrySpeed::recall(const Seen &passed)
+{
+    m_passed = passed;
+    m_known = true;
+}
+
+std::optional<EntrySpeed::Seen> EntrySpeed::lastPass() const
+{
+    if (m_known || !m_first)
+        return m_known ? m_passed : std::nullopt;
+    return Seen{0.0, m_first->time};
+}
+
 EntrySpeed::Range EntrySpeed::range(double now) const
 {
     Range range{now, now};

@@ -20,6 +20,11 @@ public:
         [[nodiscard]] double halfWidth() const { return (high - low) / 2.0; }
     };
 
+    struct Seen {
+        double position = 0.0;
+        Instant time{};
+    };
+
     /// A position, counts; `passing`: the velocity loop has the motor.
     void located(double position, Instant time, bool passing);
     /// It counts from 0 since then.
@@ -29,11 +34,12 @@ public:
     /// With `now`, the speed that the next pass measures.
     [[nodiscard]] Range range(double now) const;
 
+    /// It passed last there, as an earlier run has seen.
+    void recall(const Seen &passed);
+    /// Where it passed last, or the worst that is taken for it; nothing before it is heard.
+    [[nodiscard]] std::optional<Seen> lastPass() const;
+
 private:
-    struct Seen {
-        double position = 0.0;
-        Instant time{};
-    };
     /// Nothing where that is the place and the moment of now.
     [[nodiscard]] std::optional<double> meanSince(const Seen &seen) const;
 
