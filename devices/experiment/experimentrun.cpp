@@ -166,9 +166,9 @@ Task<void> ExperimentRun::writeDown()
     if (owes) {
         auto owing = m_around.journal->owe(*m_number, m_trial.unit, m_owed);
         co_await std::move(owing);
+        m_owes = true;
     }
     if (!m_plan.gains.empty()) {
-        m_wrote = owes; // what is owed is put back, or found in force: either settles it
         if (auto may = m_user.mayGoOn(); !may)
             co_return fail(may.error());
         m_wrote = true;
@@ -246,6 +246,10 @@ Task<void> ExperimentRun::releaseKept()
 
 Task<void> ExperimentRun::putBack()
 {
+    if (!m_wrote && m_owes) { // as before, whatever its motor does
+        auto settling = m_around.journal->settle(*m_number);
+        (void)co_await std::move(settling).attempt();
+    }
     if (!m_wrote)
         co_return {};
     if (m_plan.keep == Keep::Always && !m_inForce)
