@@ -166,7 +166,6 @@ Task<void> ExperimentRun::writeDown()
     if (owes) {
         auto owing = m_around.journal->owe(*m_number, m_trial.unit, m_owed);
         co_await std::move(owing);
-        m_owes = true;
     }
     if (!m_plan.gains.empty()) {
         if (auto may = m_user.mayGoOn(); !may)
@@ -246,7 +245,8 @@ Task<void> ExperimentRun::releaseKept()
 
 Task<void> ExperimentRun::putBack()
 {
-    if (!m_wrote && m_owes) { // as before, whatever its motor does
+    const bool owes = m_number && !m_owed.empty() && m_plan.keep != Keep::Always;
+    if (!m_wrote && owes) { // as before, whatever its motor does
         auto settling = m_around.journal->settle(*m_number);
         (void)co_await std::move(settling).attempt();
     }

@@ -52,7 +52,6 @@ private:
     std::optional<Trip> m_trip;
     std::optional<std::int64_t> m_number;
     std::vector<OwedValue> m_owed;
-    bool m_owes = false;           ///< its journal has what is put back
     bool m_wrote = false;          ///< some of its gains at least
     bool m_inForce = false;        ///< all of them
     bool m_stoppedForZero = false; ///< and nobody knows what became of the order that made its place 0

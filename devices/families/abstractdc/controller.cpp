@@ -65,7 +65,13 @@ Controller::Controller(const Family &family, CanLink &link, Clock &clock, Identi
 LogSense::Owner Controller::owner()
 {
     return {
-        .located = [this](std::int32_t position) { onPosition(position); },
+        .located =
+            [this](std::int32_t position) {
+                const bool isFirst = !m_logs.motion().position();
+                if (const auto passed = isFirst ? m_places.passed(position, clock().now()) : std::nullopt)
+                    m_logs.entry().recall(*passed);
+                onRestart(m_restarts.heard(position, m_places.place()));
+            },
         .restarted = [this] { onRestart(Restart::Seen); },
         .wrapped =
             [this] {
@@ -77,7 +83,9 @@ LogSense::Owner Controller::owner()
         .heard =
             [this] {
                 updateLiveness();
-                keepPlace();
+                const MotionSense &motion = m_logs.motion();
+                if (!m_can.address().isRecording() && !m_logs.isDriven() && motion.standsSince(Instant::min()))
+                    m_places.stands(*motion.position(), m_logs.entry().lastPass());
             },
     };
 }
@@ -294,21 +302,6 @@ void Controller::onSilence()
     enter(std::nullopt, clock().now());
     breakLines();
     updateLiveness();
-}
-
-void Controller::onPosition(std::int32_t position)
-{
-    const bool isFirst = !m_logs.motion().position();
-    if (const auto passed = isFirst ? m_places.passed(position, clock().now()) : std::nullopt)
-        m_logs.entry().recall(*passed);
-    onRestart(m_restarts.heard(position, m_places.place()));
-}
-
-void Controller::keepPlace()
-{
-    const MotionSense &motion = m_logs.motion();
-    if (!m_can.address().isRecording() && !m_logs.isDriven() && motion.standsSince(Instant::min()))
-        m_places.stands(*motion.position(), m_logs.entry().lastPass());
 }
 
 /// What was not saved is not in force. One that is seen is off, and counts from 0: what it was driven to is not there any more

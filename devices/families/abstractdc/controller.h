@@ -54,9 +54,7 @@ private:
     void onFrame(const CanFrame &frame, bool ours);
     void onSent(const CanFrame &frame);
     void onSilence();
-    void onPosition(std::int32_t position);
     void onRestart(Restart restart);
-    void keepPlace();
     void breakLines();
     void updateLiveness();
 
