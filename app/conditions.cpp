@@ -137,14 +137,22 @@ void Conditions::followReset(const DeviceView &device)
         return;
     }
     const auto failure = m_failures.find(device.id);
-    m_banners.post(key, BannerKind::Caution,
-        lost == 1 ? tr("%1 was reset: 1 setting is unknown").arg(titleOf(device))
-                  : tr("%1 was reset: %2 settings are unknown").arg(titleOf(device)).arg(lost),
+    m_banners.post(key, BannerKind::Caution, resetTitle(device, lost),
         failure == m_failures.end() ? (device.family->capabilities.keepsSettings
-                ? tr("They were not saved before its power went. This program knows what was last written.")
+                ? tr("Nothing shows that it still has what was not saved. This program knows what was last written.")
                 : tr("The board keeps nothing without power. This program knows what was last written."))
                                     : failure->second,
         tr("Write them again"));
+}
+
+/// Of a unit that keeps what is saved no restart is known for sure: an order without an answer leaves a setting unknown, too.
+QString Conditions::resetTitle(const DeviceView &device, int lost) const
+{
+    if (device.family->capabilities.keepsSettings)
+        return lost == 1 ? tr("%1 may have been reset: 1 setting is unknown").arg(titleOf(device))
+                         : tr("%1 may have been reset: %2 settings are unknown").arg(titleOf(device)).arg(lost);
+    return lost == 1 ? tr("%1 was reset: 1 setting is unknown").arg(titleOf(device))
+                     : tr("%1 was reset: %2 settings are unknown").arg(titleOf(device)).arg(lost);
 }
 
 void Conditions::endReset(DeviceId device)

@@ -26,6 +26,7 @@ private:
     void followDevice(const DeviceView &device);
     void followUpdates();
     void followReset(const DeviceView &device);
+    [[nodiscard]] QString resetTitle(const DeviceView &device, int lost) const;
     void endReset(DeviceId device);
     void followOwed();
     void payOwed(const QString &key);

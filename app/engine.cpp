@@ -95,6 +95,7 @@ public:
     void publish()
     {
         tick.startIn(snapshotPeriod, [this] { publish(); });
+        engine.m_stopLane.follow(core.session()); // what was driven since
         if (engine.m_snapshotUnderWay.exchange(true))
             return;
         auto picture = std::make_shared<Picture>(
@@ -205,7 +206,7 @@ bool Engine::end(std::chrono::milliseconds limit)
     }
     const QDeadlineTimer until(limit);
     if (!m_thread->wait(QDeadlineTimer(std::min(limit, stopPatience))) && !m_stoppedAtTheEnd)
-        m_stopLane.press();
+        m_stopLane.press(StopCause::Program);
     const bool ended = m_thread->wait(until);
     return m_store.end(std::max(storeLimit, std::chrono::milliseconds(until.remainingTime()))) && ended;
 }
@@ -284,7 +285,7 @@ VisitArchive &Engine::visits()
 void Engine::stopAll(StopCause cause)
 {
     if (cause == StopCause::User)
-        m_stopLane.press();
+        m_stopLane.press(cause);
     m_toEngine.postUrgent([this, cause] {
         m_worker->core.stopAll(cause);
         if (cause == StopCause::User)

@@ -37,11 +37,11 @@ bool StopOutlet::send(const guardian::Bytes &message)
     return m_aside ? m_aside(message) : m_port->send(message) != guardian::Port::Sent::Later;
 }
 
-void StopLane::press()
+void StopLane::press(StopCause cause)
 {
     m_courses.clear();
     for (const StopOrders &orders : m_orders)
-        m_courses.push_back({orders});
+        m_courses.push_back({orders.outlet, cause == StopCause::User ? orders.steps : orders.own});
     m_due.startIn(patience, [this] { proceed(); });
 }
 
@@ -57,7 +57,7 @@ void StopLane::proceed()
         if (course.notBefore <= m_clock.now())
             proceed(course);
     }
-    std::erase_if(m_courses, [](const Course &course) { return course.next == course.orders.steps.size(); });
+    std::erase_if(m_courses, [](const Course &course) { return course.next == course.steps.size(); });
     const auto next = std::min_element(
         m_courses.begin(), m_courses.end(), [](const Course &a, const Course &b) { return a.notBefore < b.notBefore; });
     if (next != m_courses.end())
@@ -67,13 +67,13 @@ void StopLane::proceed()
 /// As far as the line takes it. Its end is where no step wants another round.
 void StopLane::proceed(Course &course)
 {
-    const guardian::Script &steps = course.orders.steps;
+    const guardian::Script &steps = course.steps;
     std::chrono::milliseconds rest{0};
     for (; course.next < steps.size(); ++course.next) {
         const guardian::Step &step = steps[course.next];
         if (step.attempts <= course.round || step.bytes.empty())
             continue;
-        if (!course.orders.outlet->send(step.bytes)) {
+        if (!course.outlet->send(step.bytes)) {
             course.notBefore = m_clock.now() + std::chrono::milliseconds(1);
             return;
         }
@@ -97,11 +97,14 @@ std::vector<StopOrders> stopOrdersOf(const Session &session, const std::vector<S
         if (!way.isInheritable() || !wordOf(way.form))
             continue;
         StopOrders orders;
-        for (const Device *device : session.devices()) {
+        for (Device *device : session.devices()) {
             if (&device->link() != link || !device->mayStop())
                 continue;
-            for (guardian::Step &step : wireScript(device->stopScript(), way.form))
+            for (guardian::Step &step : wireScript(device->stopScript(), way.form)) {
+                if (device->stopping().hasMoved())
+                    orders.own.push_back(step);
                 orders.steps.push_back(std::move(step));
+            }
         }
         const auto served = std::find_if(
             known.begin(), known.end(), [&](const StopOrders &other) { return other.outlet->serves(*link, way); });

@@ -34,6 +34,7 @@ private:
 struct StopOrders {
     std::shared_ptr<StopOutlet> outlet;
     guardian::Script steps;
+    guardian::Script own; ///< those of devices that this program has moved
 };
 
 /// STOP past an engine thread that is blocked: when the engine has not come to a STOP within `patience`, all orders are sent from
@@ -50,7 +51,8 @@ public:
         , m_due(clock)
     {
     }
-    void press();
+    /// By the user all are stopped, by the program what it has moved.
+    void press(StopCause cause = StopCause::User);
     /// The engine has stopped all.
     void served();
     void setOrders(std::vector<StopOrders> orders) { m_orders = std::move(orders); }
@@ -58,7 +60,8 @@ public:
 private:
     /// One link on its way through all steps, as often as the one with the most attempts wants.
     struct Course {
-        StopOrders orders;
+        std::shared_ptr<StopOutlet> outlet;
+        guardian::Script steps;
         int round = 0;
         std::size_t next = 0;
         Instant notBefore{};

@@ -32,10 +32,10 @@ void StopThread::run()
     m_orders.close();
 }
 
-void StopThread::press()
+void StopThread::press(StopCause cause)
 {
     m_pressed = true;
-    m_orders.postUrgent([this] { m_lane->press(); });
+    m_orders.postUrgent([this, cause] { m_lane->press(cause); });
 }
 
 void StopThread::served()
@@ -48,8 +48,9 @@ void StopThread::follow(const Session &session)
 {
     std::vector<StopOrders> now = stopOrdersOf(session, m_known);
     const bool same = now.size() == m_known.size()
-        && std::equal(now.begin(), now.end(), m_known.begin(),
-            [](const StopOrders &a, const StopOrders &b) { return a.outlet == b.outlet && a.steps == b.steps; });
+        && std::equal(now.begin(), now.end(), m_known.begin(), [](const StopOrders &a, const StopOrders &b) {
+               return a.outlet == b.outlet && a.steps == b.steps && a.own == b.own;
+           });
     if (same)
         return;
     m_known = std::move(now);

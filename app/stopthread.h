@@ -17,7 +17,7 @@ public:
     ~StopThread() override;
 
     /// Any thread: STOP. Waits for nothing.
-    void press();
+    void press(StopCause cause);
     /// Engine thread: it has stopped all.
     void served();
     /// True from press() to served().

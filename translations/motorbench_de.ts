@@ -2862,8 +2862,16 @@
         <translation>Zurückgeben</translation>
     </message>
     <message>
-        <source>They were not saved before its power went. This program knows what was last written.</source>
-        <translation>Sie waren nicht gespeichert, als die Versorgung wegfiel. Dieses Programm weiß, was zuletzt geschrieben wurde.</translation>
+        <source>%1 may have been reset: 1 setting is unknown</source>
+        <translation>%1 wurde vielleicht zurückgesetzt: 1 Einstellung ist unbekannt</translation>
+    </message>
+    <message>
+        <source>%1 may have been reset: %2 settings are unknown</source>
+        <translation>%1 wurde vielleicht zurückgesetzt: %2 Einstellungen sind unbekannt</translation>
+    </message>
+    <message>
+        <source>Nothing shows that it still has what was not saved. This program knows what was last written.</source>
+        <translation>Nichts zeigt, dass es noch hat, was nicht gespeichert war. Dieses Programm weiß, was zuletzt geschrieben wurde.</translation>
     </message>
     <message>
         <source>%1 of %2. Safe to unplug: the update can be run again.</source>

@@ -2862,8 +2862,16 @@
         <translation>Escritura cancelada; lo que falta se puede escribir después.</translation>
     </message>
     <message>
-        <source>They were not saved before its power went. This program knows what was last written.</source>
-        <translation>No se habían guardado cuando se fue la alimentación. Este programa sabe lo último que se escribió.</translation>
+        <source>%1 may have been reset: 1 setting is unknown</source>
+        <translation>Puede que %1 se haya reiniciado: 1 ajuste es desconocido</translation>
+    </message>
+    <message>
+        <source>%1 may have been reset: %2 settings are unknown</source>
+        <translation>Puede que %1 se haya reiniciado: %2 ajustes son desconocidos</translation>
+    </message>
+    <message>
+        <source>Nothing shows that it still has what was not saved. This program knows what was last written.</source>
+        <translation>Nada muestra que aún tenga lo que no se guardó. Este programa sabe lo último que se escribió.</translation>
     </message>
     <message>
         <source>%1 of %2. Safe to unplug: the update can be run again.</source>

@@ -2862,8 +2862,16 @@
         <translation>Écriture annulée&#x202f;; ce qui manque pourra être écrit plus tard.</translation>
     </message>
     <message>
-        <source>They were not saved before its power went. This program knows what was last written.</source>
-        <translation>Ils n’étaient pas mémorisés quand l’alimentation a disparu. Ce programme sait ce qui a été écrit en dernier.</translation>
+        <source>%1 may have been reset: 1 setting is unknown</source>
+        <translation>%1 a peut-être redémarré&#xa0;: 1 réglage est inconnu</translation>
+    </message>
+    <message>
+        <source>%1 may have been reset: %2 settings are unknown</source>
+        <translation>%1 a peut-être redémarré&#xa0;: %2 réglages sont inconnus</translation>
+    </message>
+    <message>
+        <source>Nothing shows that it still has what was not saved. This program knows what was last written.</source>
+        <translation>Rien ne montre qu’il a encore ce qui n’était pas mémorisé. Ce programme sait ce qui a été écrit en dernier.</translation>
     </message>
     <message>
         <source>%1 of %2. Safe to unplug: the update can be run again.</source>

@@ -2860,8 +2860,16 @@
         <translation>書込みをキャンセルしました。残りは後で書き込めます。</translation>
     </message>
     <message>
-        <source>They were not saved before its power went. This program knows what was last written.</source>
-        <translation>電源が切れる前に保存されていませんでした。最後に書き込んだ値は、このプログラムが知っています。</translation>
+        <source>%1 may have been reset: 1 setting is unknown</source>
+        <translation>%1 はリセットされた可能性があります: 1 個の設定が不明です</translation>
+    </message>
+    <message>
+        <source>%1 may have been reset: %2 settings are unknown</source>
+        <translation>%1 はリセットされた可能性があります: %2 個の設定が不明です</translation>
+    </message>
+    <message>
+        <source>Nothing shows that it still has what was not saved. This program knows what was last written.</source>
+        <translation>保存していなかった値がまだ残っているかどうかは分かりません。最後に書き込んだ値は、このプログラムが知っています。</translation>
     </message>
     <message>
         <source>%1 of %2. Safe to unplug: the update can be run again.</source>

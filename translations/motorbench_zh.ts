@@ -2860,8 +2860,16 @@
         <translation>写入已取消；缺少的可稍后写入。</translation>
     </message>
     <message>
-        <source>They were not saved before its power went. This program knows what was last written.</source>
-        <translation>断电之前没有保存。本程序知道最后写入的值。</translation>
+        <source>%1 may have been reset: 1 setting is unknown</source>
+        <translation>%1 可能已复位：1 项设置未知</translation>
+    </message>
+    <message>
+        <source>%1 may have been reset: %2 settings are unknown</source>
+        <translation>%1 可能已复位：%2 项设置未知</translation>
+    </message>
+    <message>
+        <source>Nothing shows that it still has what was not saved. This program knows what was last written.</source>
+        <translation>无法确认未保存的值是否仍在。本程序知道最后写入的值。</translation>
     </message>
     <message>
         <source>%1 of %2. Safe to unplug: the update can be run again.</source>

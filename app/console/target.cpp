@@ -91,7 +91,7 @@ std::string rewritingCommand(const Device &device, const std::vector<ParameterCh
         const Parameter &parameter = device.parameters().parameter(change.index);
         command += ' ' + std::string(parameter.key) + '=' + toText(parameter, change.raw);
     }
-    return command;
+    return command + " --store";
 }
 
 Task<void> noteReset(Console &console, Device &device)
@@ -104,9 +104,10 @@ Task<void> noteReset(Console &console, Device &device)
     }
     const std::vector<ParameterChange> lost = lostSettings(device.family(), device.knowledge().profile());
     if (!lost.empty())
-        console.note(device.selector() + " was reset: " + std::to_string(lost.size())
-            + " settings that were written to it are unknown; write them again with '" + rewritingCommand(device, lost)
-            + "'");
+        console.note(device.selector()
+            + (device.family().capabilities.keepsSettings ? " may have been reset: " : " was reset: ")
+            + std::to_string(lost.size()) + " settings that were written to it are unknown; write them again with '"
+            + rewritingCommand(device, lost) + "'");
     co_return {};
 }
 

@@ -168,7 +168,6 @@ Task<void> ExperimentRun::writeDown()
         co_await std::move(owing);
     }
     if (!m_plan.gains.empty()) {
-        m_wrote = owes; // what is owed is put back, or found in force: either settles it
         if (auto may = m_user.mayGoOn(); !may)
             co_return fail(may.error());
         m_wrote = true;
@@ -246,6 +245,11 @@ Task<void> ExperimentRun::releaseKept()
 
 Task<void> ExperimentRun::putBack()
 {
+    const bool owes = m_number && !m_owed.empty() && m_plan.keep != Keep::Always;
+    if (!m_wrote && owes) { // as before, whatever its motor does
+        auto settling = m_around.journal->settle(*m_number);
+        (void)co_await std::move(settling).attempt();
+    }
     if (!m_wrote)
         co_return {};
     if (m_plan.keep == Keep::Always && !m_inForce)

@@ -40,6 +40,8 @@ Reading readSteps(const TrialRecorder &recorder, std::string_view key, const Spa
     Reading reading;
     std::vector<Trace> traces;
     for (const auto &[edge, end] : spans) {
+        if (end <= edge)
+            continue; // it was cut before
         const double seconds = inSeconds(end - edge);
         const Trace trace = recorder.trace(key, edge).part(-beforeStep, seconds);
         const Response response = readResponse(trace, target, leastMove);

@@ -30,10 +30,24 @@ std::string keyOf(const Device &device)
         + (session == std::string::npos ? std::string() : selector.substr(session));
 }
 
-/// What an earlier build kept under the name of the link, where nothing is kept of the place.
+/// What an earlier build kept under the name of the link, where nothing is kept of the place. Taken over once: another adapter may have
+/// that name tomorrow.
 Result<DeviceProfile> kept(const ProfileBook &book, const Device &device, const std::string &key)
 {
-    return QFile::exists(qt(book.pathOf(key))) ? book.load(key) : book.load(device.selector());
+    if (QFile::exists(qt(book.pathOf(key))))
+        return book.load(key);
+    auto earlier = book.load(device.selector());
+    if (!earlier || earlier->isEmpty())
+        return earlier;
+    if (auto saved = book.save(key, *earlier); !saved)
+        return fail(saved.error());
+    const QString path = qt(book.pathOf(device.selector()));
+    QFile::remove(path + QStringLiteral(".moved"));
+    if (QFile::rename(path, path + QStringLiteral(".moved")))
+        return earlier;
+    if (auto emptied = book.save(device.selector(), {}); !emptied)
+        return fail(emptied.error());
+    return earlier;
 }
 
 /// Whoever answered takes the place of what was known under its address; a complete scan takes the place of all.

@@ -56,7 +56,7 @@ bool FaultPlan::failsWithFrame()
 bool FaultPlan::failsWithPage(int page)
 {
     const auto fault = std::find_if(m_faults.begin(), m_faults.end(),
-        [page](const SimulatedFault &f) { return f.kind == "power-page" && static_cast<int>(f.at) == page; });
+        [page](const SimulatedFault &f) { return f.kind == "power-page" && f.at == static_cast<double>(page); });
     if (fault == m_faults.end())
         return false;
     m_faults.erase(fault);

@@ -104,6 +104,14 @@ TEST_F(Lane, EndsOnceTheEngineHasComeToIt)
     EXPECT_EQ(sent.size(), 2U);
 }
 
+TEST_F(Lane, ByTheProgramSendsOnlyWhatStopsThatWhichItHasMoved)
+{
+    lane.setOrders({{outlet, {{{1, 2}, {}, {}, 20ms, 1}, {{3}, {}, {}, 20ms, 1}}, {{{3}, {}, {}, 20ms, 1}}}});
+    lane.press(StopCause::Program);
+    clock.advance(10s);
+    EXPECT_EQ(sent, (std::vector<guardian::Bytes>{{3}}));
+}
+
 TEST_F(Lane, LeavesOutLinksWhoseMotorsStandWithTheEngine)
 {
     EXPECT_TRUE(stopOrdersOf(bus, {}).empty());
@@ -118,19 +126,41 @@ protected:
         block();
     }
     ~BlockedEngine() override { release(); }
-    void block()
+    void block(const std::function<void(EngineCore &)> &before = {})
     {
+        m_released = std::promise<void>();
+        m_isReleased = false;
         auto begun = std::make_shared<std::promise<void>>();
-        engine.post([begun, until = m_released.get_future().share()](EngineCore &) {
+        engine.post([before, begun, until = m_released.get_future().share()](EngineCore &core) {
+            if (before)
+                before(core);
             begun->set_value();
             until.wait();
         });
         begun->get_future().wait();
     }
+    void drivesAndIsBlocked()
+    {
+        release();
+        block([](EngineCore &core) {
+            Device &motor = *core.session().devices().front();
+            motor.stopping().driven();
+            motor.changed().notify();
+        });
+    }
     void release()
     {
         if (!std::exchange(m_isReleased, true))
             m_released.set_value();
+    }
+    [[nodiscard]] bool hasHeard(std::string_view line)
+    {
+        pollfd source{terminal.descriptor(), POLLIN, 0};
+        if (::poll(&source, 1, 0) == 1) {
+            const auto bytes = terminal.read();
+            m_heard.append(bytes.begin(), bytes.end());
+        }
+        return m_heard.find(line) != std::string::npos;
     }
     /// Waits for a line; false when none came for twenty seconds.
     [[nodiscard]] bool hears(std::string_view line)
@@ -162,12 +192,21 @@ TEST_F(BlockedEngine, StopOfTheUserReachesTheLineAllTheSame)
     release();
 }
 
-TEST_F(BlockedEngine, TheEndWaitsForAnEngineThatHangsOnlyUntilItsLimitAndStopsPastIt)
+TEST_F(BlockedEngine, TheEndWaitsForAnEngineThatHangsOnlyUntilItsLimitAndStopsPastItWhatThisProgramMoved)
 {
+    drivesAndIsBlocked();
     EXPECT_FALSE(engine.end(std::chrono::milliseconds(200)));
     EXPECT_TRUE(hears(test::textStop)) << "although the engine has not come to it";
     release();
     EXPECT_TRUE(engine.end(std::chrono::seconds(20))) << "it came to itself";
+}
+
+TEST_F(BlockedEngine, TheEndOfAnEngineThatHangsLeavesAloneWhatAnotherMasterDrives)
+{
+    EXPECT_FALSE(engine.end(std::chrono::milliseconds(500)));
+    EXPECT_FALSE(hasHeard(test::textStop)) << "this program has moved nothing";
+    release();
+    EXPECT_TRUE(engine.end(std::chrono::seconds(20)));
 }
 
 TEST_F(BlockedEngine, StopIsServedBeforeOrdersThatWaitedLonger)

@@ -142,6 +142,62 @@ TEST_F(AbstractDcLead, AFirstTargetOfAVelocityStaysWithinReachOfTheMeanThatItMea
     stream.stop();
 }
 
+/// It measures the mean since it was switched on, which this program has not seen: another one drove it there.
+TEST_F(AbstractDcLead, AFirstTargetStaysWithinReachOfTheMeanAlsoWhereThisProgramDidNotSeeItComeThere)
+{
+    Simulator &drive = add("abstractdc:3,gains=default,load=60");
+    open(3, &dialectF);
+    gains("velocity", 20, 0);
+    {
+        SetPointStream duty(*device, clock);
+        ASSERT_TRUE(duty.start(setPoint(Mode::Duty, 0.6), 60s));
+        clock.advance(3s);
+        duty.stop();
+        clock.advance(20s);
+    }
+    ASSERT_NEAR(drive.speed(), 0.0, 1.0);
+    DeviceProfile known; // which is all that it knows
+    known.written = device->knowledge().profile().written;
+    device.reset();
+    device = family.open(host, clock, identityOf(3, &dialectF));
+    device->knowledge().setProfile(std::move(known));
+    clock.advance(500ms);
+    SetPointStream stream(*device, clock);
+    const auto refused = stream.start(setPoint(Mode::Velocity, -3000.0), 60s);
+    EXPECT_LE(fastest(drive, 1s), 50.0) << "-1600 is too far from what it measures";
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().fault, Fault::Unsafe);
+    clock.advance(20s); // the mean becomes less
+    ASSERT_TRUE(stream.start(setPoint(Mode::Velocity, -3000.0), 60s));
+    EXPECT_LE(fastest(drive, 1s), 50.0);
+    EXPECT_LT(drive.speed(), -400.0) << stream.reason().english();
+    stream.stop();
+}
+
+/// What a run has seen, the next one knows, as long as the motor stands where it stood.
+TEST_F(AbstractDcLead, AnotherRunOfTheProgramKnowsWhereTheVelocityPassedLast)
+{
+    add("abstractdc:3,gains=default,load=60");
+    open(3, &dialectF);
+    gains("velocity", 20, 0);
+    for (int run = 0; run < 3; ++run) {
+        {
+            SetPointStream stream(*device, clock);
+            ASSERT_TRUE(stream.start(setPoint(Mode::Velocity, 1500.0), 60s)) << "run " << run;
+            clock.advance(3s);
+            ASSERT_TRUE(stream.isRunning()) << stream.reason().english();
+            stream.stop();
+            clock.advance(3s);
+        }
+        ASSERT_GT(std::abs(latest("position")), 1000.0);
+        DeviceProfile kept = device->knowledge().profile();
+        device.reset();
+        device = family.open(host, clock, identityOf(3, &dialectF));
+        device->knowledge().setProfile(std::move(kept));
+        clock.advance(300ms);
+    }
+}
+
 TEST_F(AbstractDcLead, AWeakVelocityLoopTakesOverAFastDuty)
 {
     Simulator &drive = add("abstractdc:3,gains=tuned");

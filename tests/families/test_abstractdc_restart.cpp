@@ -135,11 +135,34 @@ TEST_F(AbstractDcRestart, TakesWhatAnotherRunWroteAndWhatAnotherMasterWrote)
     EXPECT_FALSE(device->parameters().entry(index("position.p")).raw);
 }
 
-/// Nobody saw it: the power went while this program did not run, or had no link. Near 0 it may have been so.
+/// Another run of the program, which each call of the console is: near 0 nothing shows that its power went.
+TEST_F(AbstractDcRestart, IsNotTakenForGrantedByAnotherRunWhereTheMotorHasNotTurned)
+{
+    add("abstractdc:3");
+    open(3, &dialectF);
+    ASSERT_TRUE(write("velocity.p", 5));
+    for (int run = 0; run < 2; ++run) {
+        const DeviceProfile kept = device->knowledge().profile();
+        device.reset();
+        device = family.open(host, clock, identityOf(3, &dialectF));
+        device->knowledge().setProfile(kept);
+        clock.advance(500ms);
+        EXPECT_EQ(device->parameters().entry(index("velocity.p")).raw, 5);
+        EXPECT_EQ(device->parameters().entry(index("velocity.p")).state, ParameterState::Assumed);
+    }
+    host.close();
+    clock.advance(3s);
+    ASSERT_TRUE(host.open());
+    clock.advance(2s);
+    EXPECT_EQ(device->parameters().entry(index("velocity.p")).raw, 5) << "its line was gone";
+}
+
+/// Nobody saw it: the power went while this program did not run, or had no link.
 TEST_F(AbstractDcRestart, TakesWhatWasNotSavedWhileThisProgramDidNotRun)
 {
     Simulator &unit = add("abstractdc:3");
     open(3, &dialectF);
+    ASSERT_TRUE(turnsAwayFromZero());
     ASSERT_TRUE(write("velocity.p", 5));
     const DeviceProfile kept = device->knowledge().profile();
     device.reset();

@@ -175,9 +175,17 @@ TEST_F(AbstractDcRestartSense, APositionFromBeforeAnEarlierSilenceProvesNothing)
     EXPECT_EQ(heardAt(std::nullopt, 0), Restart::Maybe);
 }
 
-TEST_F(AbstractDcRestartSense, IsMaybeTheFirstTimeThatItIsHeardNearZero)
+TEST_F(AbstractDcRestartSense, IsMaybeTheFirstTimeThatItIsHeardNearZeroWhereItWasKnownToBeAway)
 {
-    EXPECT_EQ(sense.heard(3), Restart::Maybe);
+    EXPECT_EQ(sense.heard(3, 5000), Restart::Maybe);
+    EXPECT_EQ(heardAt(5000, 3, false), Restart::Maybe);
+}
+
+TEST_F(AbstractDcRestartSense, IsNoneWhereItWasNearZeroWhenItWasLastHeardAndNobodySawItSilent)
+{
+    EXPECT_EQ(sense.heard(3), Restart::No);
+    EXPECT_EQ(heardAt(0, 0, false), Restart::No) << "its line was gone";
+    EXPECT_EQ(heardAt(0, 0, true), Restart::Maybe) << "it was silent while its line was open";
 }
 
 TEST_F(AbstractDcRestartSense, IsSeenWhereNoShaftGetsToZeroSoFast)

@@ -338,6 +338,30 @@ TEST_F(SessionLines, WhatAnEarlierBuildKeptOfADeviceIsFoundUntilSomethingIsKeptO
     EXPECT_EQ(motorOn(*links[0]).knowledge().profile().counters.at("saves"), 8);
 }
 
+TEST_F(SessionLines, WhatAnEarlierBuildKeptOfADeviceIsNotThatOfTheNextAdapterWithTheName)
+{
+    const std::string profiles = folder.path().toStdString() + "/profiles";
+    memory.keepProfiles(profiles);
+    DeviceProfile before;
+    before.counters["saves"] = 7;
+    const std::string old = links[0]->address().text() + "/wired:3";
+    ASSERT_TRUE(ProfileBook(profiles).save(old, before));
+    EXPECT_EQ(motorOn(*links[0]).knowledge().profile(), before);
+    EXPECT_TRUE(QFile::exists(QString::fromStdString(ProfileBook(profiles).pathOf(old) + ".moved")));
+    close(*links[0]);
+    close(*links[1]);
+    unplug(0);
+    unplug(1);
+    plug(1, 0);
+    links[0] = openLine(0);
+    EXPECT_TRUE(motorOn(*links[0]).knowledge().profile().isEmpty()) << "of another adapter";
+    close(*links[0]);
+    unplug(0);
+    plug(0, 0);
+    links[0] = openLine(0);
+    EXPECT_EQ(motorOn(*links[0]).knowledge().profile(), before) << "of its own place";
+}
+
 TEST_F(SessionLines, OfTwoDevicesWithOneNumberEachHasItsOwnProfile)
 {
     memory.keepProfiles(folder.path().toStdString() + "/profiles");

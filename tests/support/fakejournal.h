@@ -4,6 +4,7 @@
 #include "tuning/autotune.h"
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,6 +25,8 @@ public:
     Task<void> owe(std::int64_t, std::string unit, std::vector<tuning::OwedValue> values) override
     {
         log.emplace_back("owe");
+        if (whenOwed)
+            whenOwed();
         noteTime();
         debtor = std::move(unit);
         if (std::exchange(isPutBack, false))
@@ -89,6 +92,7 @@ public:
     }
 
     std::vector<std::string> log;
+    std::function<void()> whenOwed; ///< while it is written down
     std::vector<tuning::OwedValue> owed;
     const Clock *clock = nullptr; ///< of `owedAt`; nullptr: 0
     double owedAt = 0.0;          ///< Unix, s

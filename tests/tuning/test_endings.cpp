@@ -72,6 +72,16 @@ TEST(Endings, WhatAStepThatIsCutShortDidNotShowIsNotTold)
     EXPECT_TRUE(trial.metrics.peakCurrent); // it flowed
 }
 
+TEST(Endings, ASquareThatIsCutInItsFirstHalfHasMoved)
+{
+    StepWithGains step;
+    step.plan.profile = Profile::Square;
+    const Trial trial = step.endedBy([&] { step.bench.bench.session.stopAll(StopCause::User); });
+    ASSERT_GT(trial.holds.size(), 1U);
+    EXPECT_TRUE(trial.has(flag::aborted));
+    EXPECT_FALSE(trial.has(flag::didNotMove));
+}
+
 TEST(Endings, RepeatsThatWereWholeAreToldWithoutTheOneThatWasCutShort)
 {
     StepWithGains step;

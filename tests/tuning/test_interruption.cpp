@@ -74,6 +74,24 @@ TEST(Interruption, BeforeTheGainsOfAnExperimentLeavesThemAsTheyAre)
     EXPECT_TRUE(bench.journal.owed.empty());
 }
 
+TEST(Interruption, BeforeTheGainsAreWrittenOwesNothingWhateverTheMotorDoes)
+{
+    ExperimentBench bench;
+    const std::int64_t before = rawOf(bench, "slot0.p");
+    ExperimentPlan plan = stepTo(Mode::Velocity, 60'000.0);
+    plan.gains = {{bench.bench.index(*bench.device, "slot0.p"), before / 2}};
+    bench.journal.whenOwed = [&bench] {
+        bench.interruption.interrupt();
+        bench.simulator()->setPowered(false);
+    };
+    const auto trial = bench.run(plan);
+    ASSERT_TRUE(trial) << trial.error().text();
+    EXPECT_EQ(trial->reason, "interrupted");
+    EXPECT_FALSE(trial->stopped) << "nobody hears it";
+    EXPECT_TRUE(trial->notPutBack.empty()) << trial->notPutBack.english();
+    EXPECT_TRUE(bench.journal.owed.empty());
+}
+
 /// Its board begins the zero of a position with an order that gives its motor a current.
 TEST(Interruption, BeforeAPositionIsZeroedLeavesTheMotorAlone)
 {

@@ -46,6 +46,8 @@ Controller::Controller(const Family &family, CanLink &link, Clock &clock, Identi
     : Device(family, link, clock, std::move(identity))
     , m_can(link)
     , m_logs(link, clock, telemetry(), knowledge().profile(), owner())
+    , m_places(knowledge().profile(),
+          [this](const std::string &key, std::int64_t value) { knowledge().setCounter(key, value); })
     , m_debt(knowledge().profile(),
           [this](std::int64_t owed) { knowledge().setCounter(std::string(counter::powerCycle), owed); })
     , m_desk(*this, link, m_logs, m_debt,
@@ -63,7 +65,13 @@ Controller::Controller(const Family &family, CanLink &link, Clock &clock, Identi
 LogSense::Owner Controller::owner()
 {
     return {
-        .located = [this](std::int32_t position) { onRestart(m_restarts.heard(position)); },
+        .located =
+            [this](std::int32_t position) {
+                const bool isFirst = !m_logs.motion().position();
+                if (const auto passed = isFirst ? m_places.passed(position, clock().now()) : std::nullopt)
+                    m_logs.entry().recall(*passed);
+                onRestart(m_restarts.heard(position, m_places.place()));
+            },
         .restarted = [this] { onRestart(Restart::Seen); },
         .wrapped =
             [this] {
@@ -72,7 +80,13 @@ LogSense::Owner Controller::owner()
             },
         .output = [this](std::int32_t output, Instant time) { m_probe.heard(output, time); },
         .silent = [this] { onSilence(); },
-        .heard = [this] { updateLiveness(); },
+        .heard =
+            [this] {
+                updateLiveness();
+                const MotionSense &motion = m_logs.motion();
+                if (!m_can.address().isRecording() && !m_logs.isDriven() && motion.standsSince(Instant::min()))
+                    m_places.stands(*motion.position(), m_logs.entry().lastPass());
+            },
     };
 }
 
@@ -151,7 +165,9 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
     if (m_logs.output().hasWrapped())
         return fail(Fault::Unsafe, say("the output of its loop passed 32767, where it turns to full reverse"),
             say("lower the gains or the steps"));
-    if (command->loop == Loop::Position && !m_logs.motion().position())
+    const bool beginsFromPosition = command->loop == Loop::Position
+        || (command->loop == Loop::Velocity && m_logs.loop() != Loop::Velocity); // README.md#first-pass
+    if (beginsFromPosition && !m_logs.motion().position())
         return fail(Fault::Unsafe, say("its position is not known yet"),
             say("a step from the wrong place could be far too large"));
     const Instant now = clock().now();

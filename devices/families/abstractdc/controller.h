@@ -3,6 +3,7 @@
 
 #include "families/abstractdc/leadprobe.h"
 #include "families/abstractdc/logsense.h"
+#include "families/abstractdc/placememory.h"
 #include "families/abstractdc/powercycledebt.h"
 #include "families/abstractdc/restartsense.h"
 #include "families/abstractdc/setpoints.h"
@@ -59,6 +60,7 @@ private:
 
     CanLink &m_can;
     LogSense m_logs;
+    PlaceMemory m_places;
     RestartSense m_restarts;
     PowerCycleDebt m_debt;
     SettingsDesk m_desk;

@@ -52,6 +52,7 @@ public:
     /// What the loop regulates: counts/s or counts; nothing for other loops, and while it is not known. Where the drive's own
     /// speed and that of its positions differ, the one further from `target`: its own may be older than is known.
     [[nodiscard]] std::optional<double> feedback(Loop loop, double target) const;
+    [[nodiscard]] EntrySpeed &entry() { return m_entry; }
     /// What the velocity loop measures until it has passed twice.
     [[nodiscard]] EntrySpeed::Range entrySpeed() const
     {

@@ -11,7 +11,10 @@ namespace mb::abstractdc {
 /// DeviceProfile::counters besides those of savings.
 namespace counter {
 constexpr std::string_view powerCycle
-    = "averaging.power_cycle";                   ///< 1: owed, before it may be driven (README.md#averaging)
+    = "averaging.power_cycle";                           ///< 1: owed, before it may be driven (README.md#averaging)
+constexpr std::string_view place = "place.position";     ///< counts; where it was seen to stand last, 0: nobody knows
+constexpr std::string_view passed = "place.passed";      ///< counts; where its velocity loop passed last
+constexpr std::string_view passedAt = "place.passed_ms"; ///< when, on the time line of the clock
 constexpr std::string_view unsaved = "unsaved."; ///< and the key of a setting. 1: written since its loop was saved
 } // namespace counter
 

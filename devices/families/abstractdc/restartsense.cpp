@@ -6,12 +6,6 @@
 #include <utility>
 
 namespace mb::abstractdc {
-namespace {
-
-constexpr std::int64_t turnedByHand = 100; ///< counts, between switching on and the first question
-
-} // namespace
-
 void RestartSense::silent(bool lineOpen, std::optional<std::int64_t> position, bool stood)
 {
     m_wasUnheard = true;
@@ -20,15 +14,18 @@ void RestartSense::silent(bool lineOpen, std::optional<std::int64_t> position, b
         m_before = Place{*position, stood};
 }
 
-Restart RestartSense::heard(std::int32_t position)
+Restart RestartSense::heard(std::int32_t position, std::optional<std::int64_t> kept)
 {
     if (!std::exchange(m_wasUnheard, false))
         return Restart::No;
     const bool wasSilent = std::exchange(m_wasSilent, false);
-    const auto before = std::exchange(m_before, std::nullopt);
+    auto before = std::exchange(m_before, std::nullopt);
+    if (!before && kept)
+        before = Place{*kept, false};
     const bool startsAnew = std::abs(std::int64_t{position}) <= turnedByHand;
     const bool unmoved = before && before->position == position && position != 0;
-    if (!startsAnew || unmoved)
+    const bool wasAway = before && std::abs(before->position) > turnedByHand;
+    if (!startsAnew || unmoved || (!wasSilent && !wasAway))
         return Restart::No;
     const bool isFar = before && before->stood && std::abs(before->position) >= provesPower;
     return wasSilent && isFar ? Restart::Proven : Restart::Maybe;
