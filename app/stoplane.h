@@ -34,7 +34,7 @@ private:
 struct StopOrders {
     std::shared_ptr<StopOutlet> outlet;
     guardian::Script steps;
-    guardian::Script own; ///< those of devices that this program has moved
+    guardian::Script own{}; ///< those of devices that this program has moved
 };
 
 /// STOP past an engine thread that is blocked: when the engine has not come to a STOP within `patience`, all orders are sent from

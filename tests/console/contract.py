@@ -94,8 +94,8 @@ def heeds(process, number):
     end = time.monotonic() + LIMIT
     while time.monotonic() < end and process.poll() is None:
         with open(f"/proc/{process.pid}/status", encoding="utf-8") as status:
-            caught = next(int(line.split()[1], 16) for line in status if line.startswith("SigCgt"))
-        if caught >> (number - 1) & 1:
+            heeded = [int(line.split()[1], 16) for line in status if line.startswith(("SigCgt", "SigBlk"))]  # by a handler, or read
+        if any(signals >> (number - 1) & 1 for signals in heeded):
             return
         time.sleep(0.02)
     raise AssertionError(f"{process.args}: no handler for {number}, status {process.poll()}")

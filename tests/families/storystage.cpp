@@ -132,6 +132,7 @@ StoryStage::~StoryStage()
         close(*m_devices.back().device);
     flushSamples();
     m_taps.clear();
+    m_host.reset(); // it lets go of the boards, which are ends of the same bus
 }
 
 Simulator &StoryStage::unit(std::string_view notation)

@@ -81,7 +81,7 @@ struct ProductionBench {
 const QByteArray plain = R"({"recipe":1,"name":"drive-base rev C","family":"dmc60c"})";
 const QByteArray moving
     = R"({"recipe":1,"name":"drive-base rev C","family":"dmc60c","test":{"loop":"velocity","to":1500,
-"limits":{"travel":5000,"speed":2000,"duty":0.3},"accept":{"overshoot":0.4}}})";
+"limits":{"travel":50000,"speed":2000,"duty":0.3},"accept":{"overshoot":0.4}}})";
 
 } // namespace
 
@@ -190,7 +190,7 @@ void TestProduction::armingShowsFirstWhatWillMove()
     QVERIFY(bench.page->armButton().isHoldNeeded());
     bool said = false;
     for (const auto *label : bench.page->findChildren<QLabel *>())
-        said = said || (label->text().contains(s("0.3")) && label->text().contains(s("5")));
+        said = said || (label->text().contains(s("30")) && label->text().contains(s("50")));
     QVERIFY(said);
     bench.show({});
     Q_EMIT bench.page->armButton().activated();

@@ -17,7 +17,7 @@ namespace {
 
 const QByteArray handsRecipe
     = R"({"recipe":1,"name":"drive-base rev C","family":"dmc60c","test":{"loop":"velocity","to":1500,
-"limits":{"travel":5000,"speed":2000,"duty":0.3},"accept":{"overshoot":0.4}}})";
+"limits":{"travel":50000,"speed":2000,"duty":0.3},"accept":{"overshoot":0.4}}})";
 
 service::QueueRow failedRow(std::uint32_t id, service::RowState state, const char *serial)
 {

@@ -44,7 +44,7 @@ void QueueRecipeTest::aRecipeSaysWhatItDoes()
 {
     QueueBench bench;
     const QString path = bench.write(R"({"recipe":1,"name":"drive-base rev C","family":"dmc60c","number":{"first":10},
-"test":{"loop":"velocity","to":1500,"limits":{"travel":5000,"speed":2000,"duty":0.3},"accept":{"overshoot":0.4}}})");
+"test":{"loop":"velocity","to":1500,"limits":{"travel":50000,"speed":2000,"duty":0.3},"accept":{"overshoot":0.4}}})");
     QVERIFY(bench.board().openRecipe(path));
     QVERIFY(bench.says(QStringLiteral("drive-base rev C")));
     QVERIFY(bench.says(QStringLiteral("next free from 10")));
