@@ -105,7 +105,8 @@ QRectF PlotCursors::boxFor(const QSizeF &size, std::size_t strip)
     const QCPAxisRect &of = *m_rects[strip];
     const QRectF area = QRectF(of.rect()).adjusted(theme.u(4), theme.u(2), -theme.u(4), -theme.u(2));
     const double aside = theme.u(12);
-    const auto [left, right] = std::minmax(pixel(m_a), pixel(m_b));
+    const double left = std::min(pixel(m_a), pixel(m_b));
+    const double right = std::max(pixel(m_a), pixel(m_b));
     std::vector<QRectF> places;
     for (const double x : {right + aside, left - aside - size.width(), (left + right - size.width()) / 2})
         for (const double y : {area.center().y() - size.height() / 2, area.top(), area.bottom() - size.height()})
