@@ -8,6 +8,8 @@
 #include "widgets/common/stateglyph.h"
 #include "widgets/control/wrappedlabel.h"
 
+#include <QPushButton>
+
 #include <algorithm>
 #include <cmath>
 

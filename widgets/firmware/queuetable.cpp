@@ -6,6 +6,7 @@
 #include "widgets/firmware/queuemodel.h"
 
 #include <QCheckBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QSignalBlocker>
