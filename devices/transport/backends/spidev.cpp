@@ -63,7 +63,6 @@ Result<std::unique_ptr<SpidevLink>> SpidevLink::make(const LinkAddress &address,
 
 SpidevLink::SpidevLink(LinkAddress address, Clock &clock, int hertz)
     : SpiLink(std::move(address), clock, hertz)
-    , m_hertz(hertz)
     , m_released(clock)
 {
 }
@@ -93,7 +92,7 @@ Result<void> SpidevLink::openDevice()
         return lost(errno, path);
     std::uint8_t mode = SPI_MODE_1;
     std::uint8_t bits = 8;
-    auto speed = static_cast<std::uint32_t>(m_hertz);
+    auto speed = static_cast<std::uint32_t>(clockRate());
     const bool good = ::ioctl(m_descriptor, SPI_IOC_WR_MODE, &mode) == 0
         && ::ioctl(m_descriptor, SPI_IOC_WR_BITS_PER_WORD, &bits) == 0
         && ::ioctl(m_descriptor, SPI_IOC_WR_MAX_SPEED_HZ, &speed) == 0;

@@ -38,7 +38,6 @@ private:
     void work();
     void transferred(Bytes miso, int error);
 
-    int m_hertz;
     int m_descriptor = -1;
     GpioLine m_readyLine;
     GpioLine m_resetLine;

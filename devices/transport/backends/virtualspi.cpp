@@ -13,7 +13,6 @@ VirtualSpiLink::VirtualSpiLink(
     LinkAddress address, Clock &clock, VirtualSpiSlaveLink &board, int hertz, std::uint64_t seed)
     : SpiLink(std::move(address), clock, hertz)
     , m_board(board)
-    , m_hertz(hertz)
     , m_random(seed)
     , m_done(clock)
     , m_ready(clock)
@@ -53,7 +52,7 @@ void VirtualSpiLink::unplug()
 
 void VirtualSpiLink::doTransfer(const Bytes &mosi)
 {
-    const auto wire = Duration(std::chrono::seconds(1)) * (8 * static_cast<std::int64_t>(mosi.size())) / m_hertz;
+    const auto wire = Duration(std::chrono::seconds(1)) * (8 * static_cast<std::int64_t>(mosi.size())) / clockRate();
     m_done.startIn(wire, [this, mosi] {
         Bytes miso(mosi.size());
         if (SpiSlave *slave = m_board.slave())

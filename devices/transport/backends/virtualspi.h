@@ -47,7 +47,6 @@ private:
     void sampleReady();
 
     VirtualSpiSlaveLink &m_board;
-    int m_hertz;
     double m_loss = 0.0;
     std::mt19937_64 m_random;
     Timer m_done;
