@@ -3,6 +3,7 @@
 import json
 import multiprocessing
 import os
+import signal
 import subprocess
 import sys
 import time
@@ -87,6 +88,19 @@ class ContractTest(unittest.TestCase):
             process.send_signal(number)
             rest, err = process.communicate(timeout=LIMIT)
         return process.returncode, [json.loads(line) for line in [*out, *rest.splitlines()] if line.strip()], err
+
+    def cut(self, seconds, *arguments, number=signal.SIGINT):
+        """Sends a signal to a run that heeds it and still goes on after so long; yields the status and both outputs."""
+        with subprocess.Popen([PROGRAM, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+            try:
+                heeds(process, number)
+                with self.assertRaises(subprocess.TimeoutExpired):
+                    process.wait(timeout=seconds)
+                process.send_signal(number)
+                out, err = process.communicate(timeout=LIMIT)
+            finally:
+                process.kill()
+        return process.returncode, out, err
 
 
 def heeds(process, number):

@@ -296,23 +296,13 @@ class Hostile(ContractTest):
 
     def test_a_signal_ends_a_nudge_between_its_pushes_too(self):
         for seconds in (0.8, 1.0, 1.2, 1.5, 2.0):  # it pushes four times, and rests three times as long; all of it takes 3 s
-            process = subprocess.Popen([contract.PROGRAM, "identify", "sim:can/abstractdc:3", "--yes"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-            contract.heeds(process, signal.SIGINT)
-            with self.assertRaises(subprocess.TimeoutExpired):
-                process.wait(timeout=seconds)
-            process.send_signal(signal.SIGINT)
-            out, err = process.communicate(timeout=contract.LIMIT)
-            self.assertEqual((process.returncode, out), (1, ""), err)
+            status, out, err = self.cut(seconds, "identify", "sim:can/abstractdc:3", "--yes")
+            self.assertEqual((status, out), (1, ""), err)
             self.assertIn("interrupted before it was done", err)
 
     def test_a_signal_in_the_proof_of_flash_says_that_the_values_are_in_force(self):
-        process = subprocess.Popen([contract.PROGRAM, "set", CIM, "slot0.p=0.41", "slot0.i=0.001", "--store"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        contract.heeds(process, signal.SIGINT)
-        with self.assertRaises(subprocess.TimeoutExpired):
-            process.wait(timeout=4)
-        process.send_signal(signal.SIGINT)
-        out, err = process.communicate(timeout=contract.LIMIT)
-        self.assertEqual((process.returncode, out), (1, ""), err)
+        status, out, err = self.cut(4, "set", CIM, "slot0.p=0.41", "slot0.i=0.001", "--store")
+        self.assertEqual((status, out), (1, ""), err)
         self.assertIn("the values are in force but not proved to be stored", err)
         self.assertIn("interrupted before it was done", err)
 
@@ -365,15 +355,8 @@ class Hostile(ContractTest):
 
     def test_a_signal_ends_a_long_scan_with_what_it_has_found(self):
         for number in (signal.SIGINT, signal.SIGTERM):
-            process = subprocess.Popen([contract.PROGRAM, "--json", "scan", "sim:can", "sim:serial", "--everything"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-            self.addCleanup(process.communicate)
-            self.addCleanup(process.kill)
-            contract.heeds(process, number)
-            with self.assertRaises(subprocess.TimeoutExpired):
-                process.wait(timeout=4)
-            process.send_signal(number)
-            out, err = process.communicate(timeout=contract.LIMIT)
-            self.assertEqual(process.returncode, 0, err)
+            status, out, err = self.cut(4, "--json", "scan", "sim:can", "sim:serial", "--everything", number=number)
+            self.assertEqual(status, 0, err)
             found = json.loads(out)
             self.assertIn(CIM, [row["device"] for row in found["devices"]])
             self.assertEqual({row["link"] for row in found["links"]}, {"sim:can", "sim:serial"})

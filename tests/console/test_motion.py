@@ -116,13 +116,8 @@ class Motion(ContractTest):
     def test_a_signal_ends_the_search_for_a_device(self):
         for verb in (["drive", "--mode", "duty", "--target", "0.1", "--for", "1"], ["watch"], ["step", "--mode", "duty", "--to", "0.1"]):
             words = ["--retries", "1000", verb[0], "sim:can/dmc60c:40", *verb[1:]]
-            with subprocess.Popen([contract.PROGRAM, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
-                contract.heeds(process, signal.SIGINT)
-                with self.assertRaises(subprocess.TimeoutExpired):
-                    process.wait(timeout=1.5)
-                process.send_signal(signal.SIGINT)
-                out, err = process.communicate(timeout=contract.LIMIT)
-            self.assertEqual((process.returncode, out), (1, ""), err)
+            status, out, err = self.cut(1.5, *words)
+            self.assertEqual((status, out), (1, ""), err)
             self.assertIn("interrupted before it was done", err)
 
     def test_a_hang_up_that_nohup_ignores_ends_nothing(self):

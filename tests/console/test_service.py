@@ -9,7 +9,6 @@ import signal
 import subprocess
 import sys
 import tempfile
-import time
 
 import contract
 from contract import ContractTest, Run
@@ -160,13 +159,8 @@ class Service(Recipes):
 
     def test_an_interrupt_ends_it_and_says_how_to_go_on(self):
         recipe = self.recipe(firmware={"file": "dmc60c-demo.hex"})
-        running = subprocess.Popen([contract.PROGRAM, "--json", "service", recipe, "sim:can"], stdout=subprocess.PIPE,
-                                   stderr=subprocess.PIPE, text=True)
-        contract.heeds(running, signal.SIGINT)
-        time.sleep(1.5)
-        running.send_signal(signal.SIGINT)
-        out, err = running.communicate(timeout=contract.LIMIT)
-        self.assertEqual(running.returncode, 1, err)
+        status, out, err = self.cut(1.5, "--json", "service", recipe, "sim:can")
+        self.assertEqual(status, 1, err)
         self.assertIn("summary", out.splitlines()[-1])
         self.assertIn("--resume", err)
 
