@@ -38,7 +38,7 @@ struct StopOrders {
 };
 
 /// STOP past an engine thread that is blocked: when the engine has not come to a STOP within `patience`, all orders are sent from
-/// here. The engine sends them again, properly, once it can, and drives nothing before that (Device::setStopGate). Lives in one
+/// here. The engine sends them again, properly, once it can, and drives nothing before that (MotionGate::setStopGate). Lives in one
 /// thread (StopThread) and knows it not, so that tests drive it in virtual time.
 ///
 /// Left out are simulated links: their bus, their motors and their time live in the engine thread, and stand while it does.

@@ -16,8 +16,8 @@ namespace mb::tuning {
 /// Whatever ends it, the motor was told to stop at once; the trial says why, and whether it was seen stopped.
 ///
 /// The stream is of the same device, idle, and its lease (1 s) is the caller's to renew while the task runs. Fails, and nothing
-/// has moved, with OutOfRange (the remedy in the text), Unsafe, Refused, Unsupported, Timeout or LinkLost. Deterministic for a
-/// simulated device on a virtual clock.
+/// has moved, with OutOfRange (the remedy in the text), Unsafe, Refused, Unsupported, Timeout, LinkLost, or NotKept (the notebook). Deterministic
+/// for a simulated device on a virtual clock.
 [[nodiscard]] Task<Trial> runExperiment(
     Device &device, SetPointStream &stream, ExperimentPlan plan, ExperimentSurroundings surroundings);
 

@@ -72,7 +72,7 @@ public:
     /// One control frame, now. Unsafe while a guard is needed and does not stand. Must be repeated within the device's watchdog time: SetPointStream does.
     [[nodiscard]] Result<void> command(const SetPoint &setPoint);
     /// Starts the buffered moves of every device on this link at the same moment (Capabilities::bufferedMoves). Unsafe while a
-    /// guard is needed and does not stand. It knows of this device only: Session::releaseMoves() looks at the others.
+    /// guard is needed and does not stand. It knows of this device only: SessionStops::releaseMoves() looks at the others.
     [[nodiscard]] Result<void> releaseMoves();
     /// Stop, now, without waiting for anything; before everything that is queued on the link. Always allowed. stopping() follows
     /// it up.

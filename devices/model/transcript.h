@@ -17,7 +17,7 @@ struct Transcript {
 
 [[nodiscard]] Transcript transcriptOf(
     const std::string &folder, const Device &device, const OperationStatus &status, const UpdateReport &report);
-/// Any thread. Yields its path; OutOfRange when it cannot be written.
+/// Any thread. Yields its path; OutOfRange when it cannot be made, NotKept when writing fails.
 [[nodiscard]] Result<std::string> save(const Transcript &transcript);
 
 } // namespace mb

@@ -20,7 +20,7 @@ struct McapChannel {
 
 /// Writes samples as an MCAP file that PlotJuggler and Foxglove open: one topic a channel, messages of protocol buffers
 /// with their description inside. Neither chunked nor compressed: what has been flushed can be read, whatever happens
-/// afterwards. Without finish() the file has no summary and no end, which readers call truncated, and readMcap() takes.
+/// afterwards. Without finish() the file has no summary and no end, which readers call truncated, and McapReader takes.
 /// One thread.
 class McapWriter {
 public:
@@ -37,7 +37,7 @@ public:
     void write(std::uint16_t channel, std::int64_t nanoseconds, double value, std::uint64_t lost, bool gap);
     /// Named facts, such as the parameters of a device. The same name may come again; the last one counts.
     void metadata(const std::string &name, const mcap::Map &facts);
-    /// Hands everything to the kernel: it survives the end of this process. OutOfRange when the disk is full.
+    /// Hands everything to the kernel: it survives the end of this process. NotKept when the disk is full.
     [[nodiscard]] Result<void> flush();
     /// Summary and end. Nothing may be written afterwards.
     [[nodiscard]] Result<void> finish();

@@ -32,7 +32,7 @@ public:
     /// What there is now. Channels that went away stay in the files that have them, and are let go of once all of theirs is there;
     /// one in another unit is another channel.
     void follow(const std::vector<ExportChannel> &channels, std::vector<std::pair<std::string, mcap::Map>> about);
-    /// Writes what has been recorded since and hands it to the kernel. OutOfRange with path and cause; nothing is lost as
+    /// Writes what has been recorded since and hands it to the kernel. NotKept with path and cause; nothing is lost as
     /// long as the histories have it: files end with their last whole sample, and the next call goes on behind it, in a new one.
     /// A folder that was taken away, or its disk, is told once, and made anew with what was in it, as far as the histories have that.
     /// Unix time is `unixOffset` of the first call: a clock that is set meanwhile leaves neither gaps nor times that go back.

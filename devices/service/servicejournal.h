@@ -39,7 +39,7 @@ public:
 
     /// A new visit: it with its id, the present time, station and person.
     [[nodiscard]] virtual Task<Visit> open(Visit visit) = 0;
-    /// What is known of a visit by now, in place of what was; its last step gets the present time. OutOfRange with the cause,
+    /// What is known of a visit by now, in place of what was; its last step gets the present time. NotKept with the cause,
     /// such as a full disk.
     [[nodiscard]] virtual Task<Visit> write(Visit visit) = 0;
     /// Oldest first.

@@ -7,7 +7,7 @@
 
 namespace mb {
 
-/// Snapshots of units and every write to them, kept for good. Thread of the database, which outlives it. Fails with OutOfRange
+/// Snapshots of units and every write to them, kept for good. Thread of the database, which outlives it. Fails with NotKept
 /// and the cause on a full disk, or a file that cannot be written; nothing was changed then.
 class SettingsBook final : public settings::SettingsLog {
 public:

@@ -12,8 +12,8 @@
 namespace mb {
 
 /// The notebook: every experiment, kept for good, also those that nobody saw end. A row is there before its experiment begins.
-/// Thread of the database, which outlives it. Every function but list() and find() fails on a full disk, a file that cannot be
-/// written, or a number that is not there (OutOfRange, the cause in the text), and then nothing was changed.
+/// Thread of the database, which outlives it. Every function but list() and find() fails on a full disk or a file that cannot
+/// be written (NotKept), or a number that is not there (OutOfRange), the cause in the text, and then nothing was changed.
 class TrialBook final : public tuning::ExperimentJournal {
 public:
     /// The clock gives the time of day.

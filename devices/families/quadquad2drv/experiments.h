@@ -15,7 +15,7 @@ namespace mb::quadquad2drv {
 [[nodiscard]] Task<ExperimentReport> findInputReading(
     Device &device, SetPointStream &stream, ExperimentOptions options, Progress &progress);
 
-/// Sets the scales of calibration.h. The shaft turns to and fro, freely, some turns each way, for one to two minutes and never
+/// Sets the scales of calibrations.h. The shaft turns to and fro, freely, some turns each way, for one to two minutes and never
 /// with more than `options.power`.
 [[nodiscard]] Task<ExperimentReport> findGainScales(
     Device &device, SetPointStream &stream, ExperimentOptions options, Progress &progress);

@@ -14,8 +14,8 @@ namespace mb::supermodified {
 /// Address 1…127, the node id. Options: `dialect=D1|D2|D3` (D1), `motor` and `load` (simulation/motormodel.h; a 25d whose output
 /// turns the encoder), `gains=tuned|default` (what is stored; tuned), `baud` (its rate; the link's own where the address of
 /// the link fixes one, else 115200, or 57600 for D3 and on simulated links), `mask` (1…255), `level=0|1` (D1, D2), `halfpacket=0|1` (the newest
-/// firmware, which drops half a frame after 50 ms), `hang=0|1` (1: asking the encoder of a started D1 or D2 can hang it, trap
-/// 18), `serial` (accepted, not on the wire). Anything else: OutOfRange.
+/// firmware, which drops half a frame after 50 ms), `hang=0|1` (1: asking the encoder of a started D1 or D2 can hang it,
+/// README.md#hang), `serial` (accepted, not on the wire). Anything else: OutOfRange.
 ///
 /// Faults count the frames the device sends (`drop`, `corrupt`, `delay`, and `silent`: nothing from that frame on), or those
 /// addressed to it (`power`: the supply goes before the N-th is acted upon), or seconds from the start (`reset`,
