@@ -282,7 +282,7 @@ private:
         const Family &family = *m_recipe.family;
         VirtualClock clock;
         const auto bus = makeSimulatedBus(family.links.front(), clock, 0, 1);
-        const auto end = bus ? (*bus)->makeEnd({"sim", std::string(toString(family.links.front())), {}}) : nullptr;
+        const auto end = bus ? (*bus)->makeHost({"sim", std::string(toString(family.links.front())), {}}) : nullptr;
         if (!end)
             return;
         Identity identity;
