@@ -186,7 +186,7 @@ class Traffic(ContractTest):
         self.assert_error(2, "decode", text="LOGG\0\0\n", says="BLF")
 
     def test_decode_names_the_line_that_it_does_not_understand(self):
-        for line in ("rubbish", "(1.0) can0", "(1.0) can0 02061405", "(1.0) can0 02061405#0", "(x) can0 123#00", "(1.0) can0 123##100", "\0", "x" * 100000):
+        for line in ("rubbish", "(1.0) can0", "(1.0) can0 02061405", "(1.0) can0 02061405#0", "(x) can0 123#00", "(1.0) can0 123##10", "\0", "x" * 100000):
             self.assert_error(2, "decode", text=LOG + line + "\n", says="line 5")
         self.assert_error(2, "decode", "--dialect", "X", text=LOG)
         self.assertEqual(self.run_json("decode", text=""), [])
