@@ -14453,10 +14453,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Schreiben rückgängig machen</translation>
     </message>
     <message>
-        <source>a CAN FD frame, and only classic CAN is read</source>
-        <translation>ein CAN-FD-Frame, gelesen wird nur klassisches CAN</translation>
-    </message>
-    <message>
         <source>a DMC60C has a number from 0 to 63, not %1</source>
         <translation>ein DMC60C hat eine Nummer von 0 bis 63, nicht %1</translation>
     </message>
@@ -18343,6 +18339,46 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>the steps in both directions kept their limits; the gains were written, which this family cannot read back</source>
         <translation>die Sprünge in beide Richtungen hielten ihre Grenzen ein; die Verstärkungen wurden geschrieben, diese Familie lässt sie nicht zurücklesen</translation>
+    </message>
+    <message>
+        <source>%1 CAN FD frames are left out, because only classic CAN is read</source>
+        <translation>%1 CAN-FD-Frames sind ausgelassen, denn gelesen wird nur klassisches CAN</translation>
+    </message>
+    <message>
+        <source>1 CAN FD frame is left out, because only classic CAN is read</source>
+        <translation>1 CAN-FD-Frame ist ausgelassen, denn gelesen wird nur klassisches CAN</translation>
+    </message>
+    <message>
+        <source>a simulated board&apos;s socket has no option &apos;%1&apos;</source>
+        <translation>der Socket einer simulierten Platine hat keine Option „%1“</translation>
+    </message>
+    <message>
+        <source>it has pace</source>
+        <translation>sie hat pace</translation>
+    </message>
+    <message>
+        <source>leave one of the two out</source>
+        <translation>lassen Sie eine der beiden weg</translation>
+    </message>
+    <message>
+        <source>legal are 0 and 1</source>
+        <translation>zulässig sind 0 und 1</translation>
+    </message>
+    <message>
+        <source>link option &apos;%1&apos; is there twice</source>
+        <translation>die Option „%1“ der Verbindung steht zweimal da</translation>
+    </message>
+    <message>
+        <source>pace=%1 is no choice</source>
+        <translation>pace=%1 ist keine Auswahl</translation>
+    </message>
+    <message>
+        <source>the last line has no end, so its frame may be cut short</source>
+        <translation>die letzte Zeile hat kein Ende, ihr Frame kann also gekürzt sein</translation>
+    </message>
+    <message>
+        <source>the last line is cut off, and left out</source>
+        <translation>die letzte Zeile ist abgeschnitten und ausgelassen</translation>
     </message>
 </context>
 </TS>

@@ -13921,10 +13921,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>&quot;via&quot; debe indicar el otro acceso, como &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>a CAN FD frame, and only classic CAN is read</source>
-        <translation>una trama CAN FD, y solo se lee CAN clásico</translation>
-    </message>
-    <message>
         <source>a DMC60C has a number from 0 to 63, not %1</source>
         <translation>un DMC60C tiene un número de 0 a 63, no %1</translation>
     </message>
@@ -18343,6 +18339,46 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>the steps in both directions kept their limits; the gains were written, which this family cannot read back</source>
         <translation>los escalones en ambos sentidos respetaron sus límites; las ganancias se escribieron, pero esta familia no permite releerlas</translation>
+    </message>
+    <message>
+        <source>%1 CAN FD frames are left out, because only classic CAN is read</source>
+        <translation>se omiten %1 tramas CAN FD, porque solo se lee CAN clásico</translation>
+    </message>
+    <message>
+        <source>1 CAN FD frame is left out, because only classic CAN is read</source>
+        <translation>se omite 1 trama CAN FD, porque solo se lee CAN clásico</translation>
+    </message>
+    <message>
+        <source>a simulated board&apos;s socket has no option &apos;%1&apos;</source>
+        <translation>el socket de una placa simulada no tiene la opción «%1»</translation>
+    </message>
+    <message>
+        <source>it has pace</source>
+        <translation>tiene pace</translation>
+    </message>
+    <message>
+        <source>leave one of the two out</source>
+        <translation>omita una de las dos</translation>
+    </message>
+    <message>
+        <source>legal are 0 and 1</source>
+        <translation>se admiten 0 y 1</translation>
+    </message>
+    <message>
+        <source>link option &apos;%1&apos; is there twice</source>
+        <translation>la opción «%1» del enlace aparece dos veces</translation>
+    </message>
+    <message>
+        <source>pace=%1 is no choice</source>
+        <translation>pace=%1 no es una opción</translation>
+    </message>
+    <message>
+        <source>the last line has no end, so its frame may be cut short</source>
+        <translation>la última línea no tiene fin, así que su trama puede estar cortada</translation>
+    </message>
+    <message>
+        <source>the last line is cut off, and left out</source>
+        <translation>la última línea está cortada y se omite</translation>
     </message>
 </context>
 </TS>

@@ -13921,10 +13921,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>«&#xa0;via&#xa0;» doit nommer l’autre accès, par exemple «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
-        <source>a CAN FD frame, and only classic CAN is read</source>
-        <translation>une trame CAN FD, et seul le CAN classique est lu</translation>
-    </message>
-    <message>
         <source>a DMC60C has a number from 0 to 63, not %1</source>
         <translation>un DMC60C a un numéro de 0 à 63, pas %1</translation>
     </message>
@@ -18343,6 +18339,46 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>the steps in both directions kept their limits; the gains were written, which this family cannot read back</source>
         <translation>les échelons dans les deux sens ont respecté leurs limites ; les gains ont été écrits, mais cette famille ne permet pas de les relire</translation>
+    </message>
+    <message>
+        <source>%1 CAN FD frames are left out, because only classic CAN is read</source>
+        <translation>%1 trames CAN FD sont omises, car seul le CAN classique est lu</translation>
+    </message>
+    <message>
+        <source>1 CAN FD frame is left out, because only classic CAN is read</source>
+        <translation>1 trame CAN FD est omise, car seul le CAN classique est lu</translation>
+    </message>
+    <message>
+        <source>a simulated board&apos;s socket has no option &apos;%1&apos;</source>
+        <translation>le socket d’une carte simulée n’a pas d’option « %1 »</translation>
+    </message>
+    <message>
+        <source>it has pace</source>
+        <translation>elle a pace</translation>
+    </message>
+    <message>
+        <source>leave one of the two out</source>
+        <translation>omettez l’une des deux</translation>
+    </message>
+    <message>
+        <source>legal are 0 and 1</source>
+        <translation>0 et 1 sont admis</translation>
+    </message>
+    <message>
+        <source>link option &apos;%1&apos; is there twice</source>
+        <translation>l’option « %1 » de la liaison figure deux fois</translation>
+    </message>
+    <message>
+        <source>pace=%1 is no choice</source>
+        <translation>pace=%1 n’est pas un choix</translation>
+    </message>
+    <message>
+        <source>the last line has no end, so its frame may be cut short</source>
+        <translation>la dernière ligne n’a pas de fin, sa trame peut donc être tronquée</translation>
+    </message>
+    <message>
+        <source>the last line is cut off, and left out</source>
+        <translation>la dernière ligne est coupée et omise</translation>
     </message>
 </context>
 </TS>

@@ -13907,10 +13907,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>&quot;via&quot; にはもう一方の接続経路を指定します (例: &quot;%1&quot;)</translation>
     </message>
     <message>
-        <source>a CAN FD frame, and only classic CAN is read</source>
-        <translation>CAN FD フレームです。読み込めるのはクラシック CAN だけです</translation>
-    </message>
-    <message>
         <source>a DMC60C has a number from 0 to 63, not %1</source>
         <translation>DMC60C の番号は 0 ～ 63 です。%1 は使えません</translation>
     </message>
@@ -18329,6 +18325,46 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the steps in both directions kept their limits; the gains were written, which this family cannot read back</source>
         <translation>両方向のステップが限度内でした。ゲインを書き込みましたが、このファミリでは読み戻せません</translation>
+    </message>
+    <message>
+        <source>%1 CAN FD frames are left out, because only classic CAN is read</source>
+        <translation>CAN FD フレーム %1 個は省かれています。読み込めるのはクラシック CAN だけです</translation>
+    </message>
+    <message>
+        <source>1 CAN FD frame is left out, because only classic CAN is read</source>
+        <translation>CAN FD フレーム 1 個は省かれています。読み込めるのはクラシック CAN だけです</translation>
+    </message>
+    <message>
+        <source>a simulated board&apos;s socket has no option &apos;%1&apos;</source>
+        <translation>シミュレートされた基板のソケットにオプション「%1」はありません</translation>
+    </message>
+    <message>
+        <source>it has pace</source>
+        <translation>あるのは pace です</translation>
+    </message>
+    <message>
+        <source>leave one of the two out</source>
+        <translation>どちらか一方を省いてください</translation>
+    </message>
+    <message>
+        <source>legal are 0 and 1</source>
+        <translation>使えるのは 0 と 1 です</translation>
+    </message>
+    <message>
+        <source>link option &apos;%1&apos; is there twice</source>
+        <translation>リンクのオプション「%1」が 2 回あります</translation>
+    </message>
+    <message>
+        <source>pace=%1 is no choice</source>
+        <translation>pace=%1 は選べません</translation>
+    </message>
+    <message>
+        <source>the last line has no end, so its frame may be cut short</source>
+        <translation>最後の行に行末がないので、そのフレームは途中で切れているかもしれません</translation>
+    </message>
+    <message>
+        <source>the last line is cut off, and left out</source>
+        <translation>最後の行は途中で切れているため、省かれています</translation>
     </message>
 </context>
 </TS>

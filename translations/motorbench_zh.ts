@@ -13907,10 +13907,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>&quot;via&quot; 必须指定另一种接入途径，例如 &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>a CAN FD frame, and only classic CAN is read</source>
-        <translation>这是 CAN FD 帧，只能读取经典 CAN</translation>
-    </message>
-    <message>
         <source>a DMC60C has a number from 0 to 63, not %1</source>
         <translation>DMC60C 的编号为 0 到 63，而非 %1</translation>
     </message>
@@ -18329,6 +18325,46 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the steps in both directions kept their limits; the gains were written, which this family cannot read back</source>
         <translation>两个方向的阶跃均在限值之内；增益已写入，此系列无法回读</translation>
+    </message>
+    <message>
+        <source>%1 CAN FD frames are left out, because only classic CAN is read</source>
+        <translation>略去了 %1 个 CAN FD 帧，因为只能读取经典 CAN</translation>
+    </message>
+    <message>
+        <source>1 CAN FD frame is left out, because only classic CAN is read</source>
+        <translation>略去了 1 个 CAN FD 帧，因为只能读取经典 CAN</translation>
+    </message>
+    <message>
+        <source>a simulated board&apos;s socket has no option &apos;%1&apos;</source>
+        <translation>仿真板的套接字没有选项“%1”</translation>
+    </message>
+    <message>
+        <source>it has pace</source>
+        <translation>它有 pace</translation>
+    </message>
+    <message>
+        <source>leave one of the two out</source>
+        <translation>请去掉其中一个</translation>
+    </message>
+    <message>
+        <source>legal are 0 and 1</source>
+        <translation>允许 0 和 1</translation>
+    </message>
+    <message>
+        <source>link option &apos;%1&apos; is there twice</source>
+        <translation>链路选项“%1”出现了两次</translation>
+    </message>
+    <message>
+        <source>pace=%1 is no choice</source>
+        <translation>pace=%1 不是可选值</translation>
+    </message>
+    <message>
+        <source>the last line has no end, so its frame may be cut short</source>
+        <translation>最后一行没有行尾，因此其帧可能被截短</translation>
+    </message>
+    <message>
+        <source>the last line is cut off, and left out</source>
+        <translation>最后一行被截断，已略去</translation>
     </message>
 </context>
 </TS>

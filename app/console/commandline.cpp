@@ -206,7 +206,7 @@ Result<CommandLine> parseVerb(const Verb &verb, std::vector<std::string> argumen
     try {
         app.parse(arguments);
     } catch (const CLI::CallForHelp &) {
-        return CommandLine{{}, {}, app.help()};
+        return CommandLine{{}, {}, app.help(), "help", app.help()};
     } catch (const CLI::ExtrasError &) {
         return unexpectedArgument(app, verb);
     } catch (const CLI::Error &error) {
@@ -223,7 +223,7 @@ Result<CommandLine> parseVerb(const Verb &verb, std::vector<std::string> argumen
 }
 
 /// The words in front of the verb; yields how many there are, or what only prints something.
-Result<std::size_t> parseFront(const std::vector<std::string> &arguments, Globals &globals, std::string &text)
+Result<std::size_t> parseFront(const std::vector<std::string> &arguments, Globals &globals, CommandLine &printed)
 {
     std::size_t used = 0;
     for (; used < arguments.size() && arguments[used].starts_with('-'); ++used) {
@@ -237,9 +237,9 @@ Result<std::size_t> parseFront(const std::vector<std::string> &arguments, Global
         else if (word == "--quiet")
             globals.quiet = true;
         else if (word == "--help" || word == "-h")
-            text = overview();
+            printed = {{}, {}, overview(), "help", overview()};
         else if (word == "--version")
-            text = "motorbenchctl " MOTORBENCH_VERSION "\n";
+            printed = {{}, {}, "motorbenchctl " MOTORBENCH_VERSION "\n", "version", MOTORBENCH_VERSION};
         else if (value && equals == 9)
             *value = word.substr(equals + 1);
         else if (value && word.size() == 9 && used + 1 < arguments.size())
@@ -249,7 +249,7 @@ Result<std::size_t> parseFront(const std::vector<std::string> &arguments, Global
                 say("there stand --json, --quiet, --timeout S, --retries N, --help and --version"));
         if (value && value->empty())
             return emptyValue("motorbenchctl", word.substr(0, 9));
-        if (!text.empty())
+        if (!printed.text.empty())
             break;
     }
     return used;
@@ -294,12 +294,12 @@ std::vector<OptionRow> optionsOf(std::string_view name)
 Result<CommandLine> parseCommandLine(std::vector<std::string> arguments)
 {
     Globals globals;
-    std::string text;
-    const auto used = parseFront(arguments, globals, text);
+    CommandLine printed;
+    const auto used = parseFront(arguments, globals, printed);
     if (!used)
         return fail(used.error());
-    if (!text.empty())
-        return CommandLine{{}, {}, text};
+    if (!printed.text.empty())
+        return printed;
     if (*used == arguments.size())
         return fail(Fault::Usage, say("a verb is missing"), say("'motorbenchctl help' lists them"));
     const auto verb = knownVerb(arguments[*used]);

@@ -13,6 +13,8 @@ struct CommandLine {
     Options options;
     Job job;          ///< none when only `text` is to be printed
     std::string text; ///< of --help and --version
+    std::string key;  ///< what that is in JSON: "help" …
+    std::string value;
 };
 
 /// `arguments` without the program's name. Usage with cause and remedy for everything that is not understood.

@@ -35,7 +35,8 @@ struct DecodeArguments {
 class LogReader {
 public:
     LogReader(Console &console, std::string name, std::string dialect)
-        : m_name(std::move(name))
+        : m_console(console)
+        , m_name(std::move(name))
         , m_lines(console, std::move(dialect))
     {
     }
@@ -57,22 +58,28 @@ public:
     Result<void> finish(bool prints = true)
     {
         const std::string last = std::exchange(m_rest, {});
-        if (auto parsed = parse(last); !parsed)
+        if (auto parsed = parse(last, true); !parsed)
             return parsed;
         print(prints);
-        if (prints)
-            m_lines.finish();
+        if (!prints)
+            return {};
+        m_lines.finish();
+        if (const Message remark = m_parser.remark(); !remark.empty())
+            m_console.note(m_name + ": " + remark.english());
         return {};
     }
 
 private:
-    Result<void> parse(std::string_view text)
+    /// `isLast`: what follows the last end of a line.
+    Result<void> parse(std::string_view text, bool isLast = false)
     {
         if (auto bytes = parseByteLine(text)) {
             m_parsed.emplace_back(std::move(*bytes));
             text = {}; // counted, and nothing to see for the other
+            if (isLast)
+                m_parser.leaveOpen();
         }
-        auto frame = m_parser.parse(text);
+        auto frame = isLast ? m_parser.parseLast(text) : m_parser.parse(text);
         if (!frame)
             return fail(frame.error().about(m_name));
         if (*frame)
@@ -96,6 +103,7 @@ private:
         return line.direction == LogDirection::Sent ? Direction::Sent : Direction::Received;
     }
 
+    Console &m_console;
     std::string m_name;
     std::string m_rest;
     FrameLogParser m_parser;

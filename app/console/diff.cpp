@@ -2,9 +2,9 @@
 #include "app/console/namedsettings.h"
 #include "app/console/notebook.h"
 #include "app/console/parameterrows.h"
-#include "app/console/progressline.h"
 #include "app/console/table.h"
 #include "app/console/verb.h"
+#include "files/jsonlines.h"
 #include "model/parameterfile.h"
 #include "model/unit.h"
 #include "settings/comparison.h"
@@ -37,8 +37,7 @@ Task<void> readDevice(Console &console, Part &part)
     console.onlyAsk();
     if (auto ready = needsApplication(*device); !ready)
         co_return fail(ready.error());
-    ProgressLine progress(console);
-    auto reading = readParameters(*device, readable(*device), progress);
+    auto reading = readKept(console, *device, readable(*device));
     const std::vector<TransferOutcome> outcomes = co_await std::move(reading);
     if (const auto error = firstError(*device, outcomes))
         co_return fail(*error);
@@ -54,6 +53,8 @@ Result<void> load(Console &console, Part &part, Notebook &notebook, const std::s
     auto file = loadSettings(part.named, &notebook, unit);
     if (!file)
         return fail(file.error());
+    if (auto once = linesOf(*file).checkKeys(); !once)
+        return fail(once.error().about(part.named.text));
     const auto family = familyOf(*file);
     if (!family)
         return fail(Fault::OutOfRange, say("%1 is no parameter file", part.named.text),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/notebook.h"
 #include "app/console/parameterrows.h"
-#include "app/console/progressline.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
 #include "async/outputfile.h"
@@ -87,12 +87,8 @@ Task<int> get(Console &console, GetArguments arguments)
         co_return fail(ready.error());
     if (arguments.keys.empty())
         *indices = readable(*device);
-    std::vector<TransferOutcome> outcomes;
-    {
-        ProgressLine progress(console);
-        auto reading = readParameters(*device, *indices, progress);
-        outcomes = co_await std::move(reading);
-    }
+    auto reading = readKept(console, *device, *indices);
+    const std::vector<TransferOutcome> outcomes = co_await std::move(reading);
     const auto error = firstError(*device, outcomes);
     const bool any = std::any_of(
         outcomes.begin(), outcomes.end(), [](const TransferOutcome &outcome) { return outcome.raw.has_value(); });

@@ -79,9 +79,9 @@ Task<void> awaitStates(Console &console, const Device &device)
     co_return {};
 }
 
-void printJson(Console &console, const Device &device, const Faults &faults)
+void printJson(Console &console, const Device &device, const std::string &name, const Faults &faults)
 {
-    QJsonObject object = scanRow(device);
+    QJsonObject object = scanRow(device, name);
     QJsonObject descriptors;
     for (const auto &[key, text] : device.identity().descriptors)
         descriptors.insert(qt(key), qt(text));
@@ -131,14 +131,15 @@ std::string calibrationText(const Device &device, const Calibration &row)
     return text + "; another with --keep";
 }
 
-void printText(Console &console, const Device &device, const Faults &faults, const std::vector<std::string> &owed)
+void printText(Console &console, const Device &device, const std::string &name, const Faults &faults,
+    const std::vector<std::string> &owed)
 {
     const Identity &identity = device.identity();
     Table table({"DEVICE", device.selector()});
     table.add({"state", std::string(toString(identity.state))});
     if (identity.session)
         table.add({"session", std::to_string(*identity.session)});
-    table.add({"name", identity.name});
+    table.add({"name", name});
     table.add({"serial", identity.serial});
     table.add({"firmware", identity.firmware});
     table.add({"bootloader", identity.bootloader});
@@ -292,13 +293,14 @@ Task<int> info(Console &console, FactsArguments arguments)
     auto looking = owedTo(console, *device);
     const std::vector<std::string> owed = co_await std::move(looking);
     device->link().recount();
+    const std::string name = UnitNames(console).of(*device);
     if (!console.json()) {
-        printText(console, *device, faults, owed);
+        printText(console, *device, name, faults, owed);
         co_return exitDone;
     }
     for (const std::string &line : owed)
         console.note(line);
-    printJson(console, *device, faults);
+    printJson(console, *device, name, faults);
     co_return exitDone;
 }
 

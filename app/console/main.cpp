@@ -9,6 +9,8 @@
 #include "transport/qtclock.h"
 
 #include <QCoreApplication>
+#include <QJsonDocument>
+#include <QJsonObject>
 
 #include <algorithm>
 #include <cerrno>
@@ -113,6 +115,13 @@ void occupyStandardStreams()
     }
 }
 
+/// What --help and --version print, with --json.
+std::string jsonOf(const CommandLine &line)
+{
+    return QJsonDocument(QJsonObject{{qt(line.key), qt(line.value)}}).toJson(QJsonDocument::Compact).toStdString()
+        + '\n';
+}
+
 /// Before there is an event loop. A reader that has gone is no error.
 int print(const std::string &text, const Options &options)
 {
@@ -150,7 +159,7 @@ int main(int argc, char **argv)
         return exitUsage;
     }
     if (!line->job)
-        return print(line->text, before);
+        return print(before.json ? jsonOf(*line) : line->text, before);
     QCoreApplication application(argc, argv);
     std::setlocale(LC_NUMERIC, "C");  // a number has a dot whatever the locale
     std::setlocale(LC_MESSAGES, "C"); // and what the system says of an error is English, as all around it

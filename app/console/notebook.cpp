@@ -8,6 +8,9 @@
 #include "experiment/owedgains.h"
 #include "model/unit.h"
 #include "settings/snapshots.h"
+#include "settings/storing.h"
+
+#include <QFile>
 
 #include <algorithm>
 
@@ -32,6 +35,61 @@ Result<std::unique_ptr<Database>> openNotebook()
     if (!(*opened)->remark().empty())
         complain((*opened)->remark());
     return opened;
+}
+
+namespace {
+
+/// Of a unit that stores by itself a while after a write, where there is one.
+void beginHistory(Console &console, const Device &device, std::optional<Notebook> &notebook)
+{
+    if (device.family().capabilities.storesAfter > std::chrono::seconds(0) && QFile::exists(qt(databaseFile())))
+        notebook.emplace(console);
+}
+
+} // namespace
+
+Task<std::vector<TransferOutcome>> readKept(Console &console, Device &device, std::vector<ParameterIndex> indices)
+{
+    std::optional<Notebook> notebook;
+    beginHistory(console, device, notebook);
+    if (notebook && notebook->trouble())
+        console.note("what was written a moment ago may be called stored before it is: " + notebook->trouble()->text());
+    ProgressLine progress(console);
+    auto reading = settings::readKept(device, std::move(indices), notebook ? notebook->settings() : nullptr, progress);
+    co_return co_await std::move(reading);
+}
+
+Task<void> keepStored(Console &console, const Device &device)
+{
+    std::optional<Notebook> notebook;
+    beginHistory(console, device, notebook);
+    if (!notebook || !notebook->settings())
+        co_return {};
+    auto keeping = settings::keepStored(device, settings::Origin::Console, *notebook->settings());
+    (void)co_await std::move(keeping).attempt();
+    co_return {};
+}
+
+UnitNames::UnitNames(Console &console)
+    : m_console(console)
+{
+}
+
+UnitNames::~UnitNames() = default;
+
+std::string UnitNames::of(const Device &device)
+{
+    const bool isTagged = device.identity().name.empty() && !device.family().capabilities.rename
+        && unitByOf(unitKeyOf(device)) == UnitBy::Place && !device.link().address().isRecording();
+    if (!isTagged || (!m_notebook && !QFile::exists(qt(databaseFile()))))
+        return device.identity().name;
+    if (!m_notebook) {
+        m_notebook = std::make_unique<Notebook>(m_console);
+        if (m_notebook->trouble())
+            m_console.note("names that are kept on this computer are not shown: " + m_notebook->trouble()->text());
+    }
+    SettingsBook *const book = m_notebook->settings();
+    return book ? std::string(unitTagIn(book->resolved(unitKeyOf(device)))) : std::string();
 }
 
 Notebook::Notebook(Console &console)

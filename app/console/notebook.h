@@ -11,8 +11,29 @@
 
 namespace mb::console {
 
+class Notebook;
+
 /// The user's file, before anything is sent: Usage where it cannot be opened. What was wrong with it is told.
 [[nodiscard]] Result<std::unique_ptr<Database>> openNotebook();
+
+/// readParameters() beside the history (settings/storing.h); no notebook is begun for that.
+[[nodiscard]] Task<std::vector<TransferOutcome>> readKept(
+    Console &console, Device &device, std::vector<ParameterIndex> indices);
+/// Into the history, where there is one: what a unit has after its restart is in its flash.
+[[nodiscard]] Task<void> keepStored(Console &console, const Device &device);
+
+/// What units are called: by themselves, or by what `rename` keeps on this computer for those that store no name. No notebook is
+/// begun for that.
+class UnitNames {
+public:
+    explicit UnitNames(Console &console);
+    ~UnitNames();
+    [[nodiscard]] std::string of(const Device &device);
+
+private:
+    Console &m_console;
+    std::unique_ptr<Notebook> m_notebook;
+};
 
 /// The user's notebook of trials, snapshots and writes, as a verb uses it. One that cannot be opened ends the verbs that are
 /// about what it keeps (trouble()), and is a note of those that go on without (noteTrouble()).

@@ -10,8 +10,6 @@
 namespace mb::console {
 namespace {
 
-constexpr int highest = 65535; // of any family; the device's own range is checked by its family
-
 struct NumberArguments {
     std::string device;
     std::string number;
@@ -46,12 +44,12 @@ Task<int> renumber(Console &console, NumberArguments arguments)
     const auto target = parseTarget(console, arguments.device);
     if (!target)
         co_return fail(target.error());
-    const auto number = parseInteger("NEW", arguments.number, 0, highest);
-    if (!number)
-        co_return fail(number.error());
     if (!target->family->capabilities.renumber)
         co_return fail(Fault::Unsupported, say("%1 has no number that can be changed", target->family->key),
             say("its place on the link is fixed"));
+    const auto number = parseInteger("NEW", arguments.number, 1, target->family->capabilities.lastAddress);
+    if (!number)
+        co_return fail(number.error());
     auto connecting = connect(console, *target);
     Device *const device = co_await std::move(connecting);
     console.onlyAsk(); // a number that is refused for its range or its owner is refused before anything is told

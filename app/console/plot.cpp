@@ -24,7 +24,10 @@ Task<int> plot(Console &console, PlotArguments a)
     if (console.json())
         words.emplace_back("--json");
     struct stat status { };
-    if (::stat(a.file.c_str(), &status) == 0 && (S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode)))
+    const bool isThere = ::stat(a.file.c_str(), &status) == 0;
+    if (isThere && S_ISDIR(status.st_mode))
+        co_return fail(Fault::OutOfRange, say("%1 is a folder", a.file), say("name a recording"));
+    if (isThere && (S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode)))
         co_return fail(Fault::OutOfRange, say("%1 is a device and has no end", a.file), say("name a recording"));
     if (a.file.empty() || a.out.empty())
         co_return fail(

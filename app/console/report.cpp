@@ -3,7 +3,6 @@
 #include "app/console/notebook.h"
 #include "app/console/optionwords.h"
 #include "app/console/parameterrows.h"
-#include "app/console/progressline.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
 #include "app/console/windowprogram.h"
@@ -90,8 +89,7 @@ Task<ReportUnit> readUnit(Console &console, Target target)
     unit.unit = unitKeyOf(*device);
     unit.simulated = device->link().address().isSimulated();
     if (needsApplication(*device)) {
-        ProgressLine progress(console);
-        auto reading = readParameters(*device, readable(*device), progress);
+        auto reading = readKept(console, *device, readable(*device));
         const std::vector<TransferOutcome> outcomes = co_await std::move(reading);
         if (const auto error = firstError(*device, outcomes))
             co_return fail(*error);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/notebook.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
 
@@ -19,6 +20,8 @@ Task<int> restart(Console &console, std::string text)
     Device *const device = co_await std::move(connecting);
     auto restarting = device->restart();
     co_await std::move(restarting);
+    auto keeping = keepStored(console, *device);
+    co_await std::move(keeping);
     if (console.json())
         console.out().json({{QStringLiteral("device"), qt(device->selector())},
             {QStringLiteral("result"), QStringLiteral("restarted")}});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/linkrows.h"
+#include "app/console/notebook.h"
 #include "app/console/progressline.h"
 #include "app/console/table.h"
 #include "app/console/target.h"
@@ -140,6 +141,8 @@ Result<Opened> openNamed(Console &console, const std::vector<std::string> &names
             opened.links.push_back(*link);
             continue;
         }
+        if (link.error().fault == Fault::OutOfRange) // the words are wrong, not the link
+            return fail(link.error());
         opened.listings.push_back({address, kindOf(address), "absent", link.error().message(), false, {}, false});
         if (!opened.error)
             opened.error = link.error();
@@ -168,12 +171,12 @@ Opened openListed(Console &console)
     return opened;
 }
 
-void print(Console &console, const std::vector<Device *> &devices)
+void print(Console &console, const std::vector<Device *> &devices, UnitNames &names)
 {
     Table table({"DEVICE", "STATE", "NAME", "SERIAL", "FIRMWARE", "BOOTLOADER", "DIALECT", "DETAIL"});
     for (const Device *device : devices) {
         const Identity &identity = device->identity();
-        table.add({device->selector(), std::string(toString(identity.state)), identity.name, identity.serial,
+        table.add({device->selector(), std::string(toString(identity.state)), names.of(*device), identity.serial,
             identity.firmware, identity.bootloader, identity.dialect, identity.detail.english()});
     }
     if (devices.empty())
@@ -219,18 +222,21 @@ Task<int> scan(Console &console, std::vector<std::string> names, bool everything
     const std::optional<Error> error = round->error ? round->error : opened.error;
     const bool anyScanned = round->scanned() > 0;
     round.reset(); // nothing is drawn any more
+    for (Link *const link : opened.links)
+        noteRemark(console, *link);
     if (error && !names.empty() && !anyScanned)
         co_return fail(*error);
     if (error && names.empty())
         console.note(lineOf(*error, console.options().verb));
     refreshListings(console, opened);
+    UnitNames units(console);
     if (console.json()) {
         QJsonArray rows;
         for (const Device *device : devices)
-            rows.append(scanRow(*device));
+            rows.append(scanRow(*device, units.of(*device)));
         console.out().json({{QStringLiteral("devices"), rows}, {QStringLiteral("links"), toJson(opened.listings)}});
     } else {
-        print(console, devices);
+        print(console, devices, units);
     }
     co_return error && !names.empty() ? console.fails(*error) : exitDone;
 }

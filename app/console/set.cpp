@@ -5,6 +5,7 @@
 #include "app/console/progressline.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
+#include "settings/storing.h"
 #include "settings/writing.h"
 
 #include <algorithm>
@@ -90,11 +91,11 @@ private:
 };
 
 /// Yields the error that is to be told besides the values, if any. Fails when nothing is known to print.
-Task<std::optional<Error>> store(Console &console, Device &device)
+Task<std::optional<Error>> store(Console &console, Device &device, settings::SettingsLog *log)
 {
     ProgressLine progress(console);
     Unproved unproved(console);
-    auto storing = device.store(progress);
+    auto storing = settings::storeKept(device, settings::Origin::Console, log, progress);
     const Result<bool> stored = co_await std::move(storing).attempt();
     unproved.told();
     if (!stored)
@@ -151,7 +152,7 @@ Task<int> set(Console &console, SetArguments arguments)
     if (error && error->fault != Fault::BadCheck)
         co_return console.fails(*error); // judged now: what is polled meanwhile was not sent by this verb
     if (arguments.store && !error) {
-        auto storing = store(console, *device);
+        auto storing = store(console, *device, notebook.settings());
         error = co_await std::move(storing);
     }
     show(console, *device, *changes, outcomes, error.has_value());

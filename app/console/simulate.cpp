@@ -5,6 +5,7 @@
 #include "app/console/verb.h"
 #include "simulation/simulatedbus.h"
 #include "transport/backends/ptyline.h"
+#include "transport/backends/unixspiserver.h"
 
 #include <QJsonArray>
 
@@ -61,6 +62,10 @@ Result<void> addGroup(Console &console, const std::vector<std::string> &group, s
     if (link->isSimulated())
         return fail(Fault::Usage, say("--on needs a real link, and %1 lives inside one program", link->text()),
             say("use it directly"));
+    if (link->scheme == "unix") {
+        if (auto good = UnixSpiServer::create(*link, console.clock()); !good)
+            return fail(good.error());
+    }
     if (group.size() < 2)
         return fail(Fault::Usage, say("--on %1 names no device", link->text()), say("add one such as dmc60c:5"));
     if (link->scheme == "pty") {
@@ -118,8 +123,14 @@ Task<int> simulate(Console &console, SimulateArguments arguments)
     }
     units.watch(ending);
     QJsonArray links;
-    for (const LinkAddress &link : plan->links)
+    for (const LinkAddress &link : plan->links) {
         links.append(qt(link.text()));
+        for (const PlannedUnit &unit : plan->units) {
+            const auto second = unit.unit.option("boot"); // the serial line of a board's bootloader
+            if (second && unit.link == link)
+                links.append(qt(std::string(*second)));
+        }
+    }
     console.out().json({{QStringLiteral("ready"), true}, {QStringLiteral("links"), links}});
     console.out().flush();
     ending.after(plan->time);

@@ -50,7 +50,7 @@ Result<Link *> SimulatedUnits::endOf(const LinkAddress &address)
 Result<std::unique_ptr<Link>> SimulatedUnits::makeEnd(const LinkAddress &address)
 {
     if (address.scheme == "unix")
-        return std::make_unique<UnixSpiServer>(address, m_console.clock());
+        return UnixSpiServer::create(address, m_console.clock());
     if (address.scheme != "pty")
         return createLink(address, m_console.clock());
     const auto same = [&address](const Terminal &terminal) { return terminal.address == address; };

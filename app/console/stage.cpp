@@ -4,6 +4,7 @@
 #include "app/console/pace.h"
 #include "app/console/simulationclock.h"
 #include "async/sleep.h"
+#include "experiment/gains.h"
 
 namespace mb::console {
 Stage::Stage(Console &console, const LinkAddress &link)
@@ -36,6 +37,14 @@ Task<Device *> Stage::find(Target target)
 
 namespace {
 
+/// What a window has a box for is an option here.
+Error inWordsOfTheConsole(Error error)
+{
+    if (error.remedy == tuning::writeOrKeep())
+        error.remedy = say("write the gains of this loop once, or give --keep");
+    return error;
+}
+
 Task<int> performOnDevice(Stage &stage, Target target, const Performance &performance)
 {
     auto finding = stage.find(std::move(target));
@@ -54,6 +63,8 @@ Task<int> performOn(Console &console, Target target, Performance performance)
     const Result<int> performed = co_await std::move(performing).attempt();
     Sleep leaving(console.clock(), Duration::zero()); // a session is never ended from inside its own work
     co_await leaving;
+    if (!performed)
+        co_return fail(inWordsOfTheConsole(performed.error()));
     co_return performed;
 }
 

@@ -3,8 +3,10 @@
 
 #include "app/console/within.h"
 #include "async/seconds.h"
+#include "model/linkbook.h"
 #include "model/parametertransfer.h"
 #include "model/registry.h"
+#include "transport/backends/replay.h"
 
 #include <algorithm>
 #include <cmath>
@@ -147,6 +149,7 @@ Task<Device *> connectIn(Console &console, Session &session, Target target)
         co_return fail(Fault::Usage, device.error().detail, device.error().remedy); // the words fit several
     if (!device)
         co_return fail(device.error());
+    noteRemark(console, (*device)->link());
     (*device)->link().settings().patience = console.options().patience;
     auto noting = noteReset(console, **device);
     co_await std::move(noting);
@@ -165,7 +168,15 @@ Result<void> needsApplication(const Device &device)
         say("update its firmware with 'motorbenchctl flash' first"));
 }
 
-QJsonObject scanRow(const Device &device)
+void noteRemark(Console &console, Link &link)
+{
+    const ReplayLink *const recording = replayOf(link);
+    const Message remark = recording ? recording->remark() : Message();
+    if (!remark.empty())
+        console.note(link.address().path + ": " + remark.english());
+}
+
+QJsonObject scanRow(const Device &device, const std::string &name)
 {
     const Identity &identity = device.identity();
     return {
@@ -173,7 +184,7 @@ QJsonObject scanRow(const Device &device)
         {QStringLiteral("family"), qt(identity.family)},
         {QStringLiteral("address"), identity.address},
         {QStringLiteral("session"), identity.session ? QJsonValue(*identity.session) : QJsonValue()},
-        {QStringLiteral("name"), textOrNull(identity.name)},
+        {QStringLiteral("name"), textOrNull(name)},
         {QStringLiteral("serial"), textOrNull(identity.serial)},
         {QStringLiteral("state"), qt(toString(identity.state))},
         {QStringLiteral("firmware"), textOrNull(identity.firmware)},

@@ -33,8 +33,10 @@ struct Target {
 /// Refused while the device waits in its bootloader, where it has neither parameters nor a motor.
 [[nodiscard]] Result<void> needsApplication(const Device &device);
 
-/// A row of `scan`.
-[[nodiscard]] QJsonObject scanRow(const Device &device);
+/// Says what of a recording is left out, or may not be whole.
+void noteRemark(Console &console, Link &link);
+/// A row of `scan`; `name`: UnitNames.
+[[nodiscard]] QJsonObject scanRow(const Device &device, const std::string &name);
 
 /// "did you mean X?" when one of `known` is near, else `otherwise`, which lists them.
 [[nodiscard]] Message suggestion(

@@ -146,10 +146,10 @@ Result<int> verdictOf(const TuneReport &report)
 }
 
 /// Waits until the unit has it for good; what it says about that is added to the evidence. Why that is not proved, else.
-Task<std::optional<Error>> storeGains(Console &console, Device &device, TuneReport &report)
+Task<std::optional<Error>> storeGains(Console &console, Device &device, TuneReport &report, settings::SettingsLog *log)
 {
     ProgressLine progress(console);
-    auto storing = device.store(progress);
+    auto storing = settings::storeKept(device, settings::Origin::Tuning, log, progress);
     const Result<bool> proven = co_await std::move(storing).attempt();
     if (!proven) {
         const Error why = proven.error().about(say("the values are in force but not proved to be stored"));
@@ -175,7 +175,7 @@ Task<int> perform(Console &console, Session &session, Device &device, TuneOrder 
     }
     Result<int> verdict = verdictOf(*report);
     if (plan.store && report->result == TuneResult::Kept) {
-        auto storing = storeGains(console, device, *report);
+        auto storing = storeGains(console, device, *report, notebook.settings());
         if (const std::optional<Error> unproved = co_await std::move(storing); unproved && verdict)
             verdict = fail(*unproved);
     }

@@ -5,6 +5,7 @@
 #include "model/unit.h"
 #include "settings/history.h"
 #include "settings/snapshots.h"
+#include "settings/storing.h"
 
 #include <algorithm>
 
@@ -54,7 +55,9 @@ void ParameterJobs::carryOut(const orders::ReadParameters &order, const Finished
 {
     m_context.operations.begin<Outcomes>(
         order.device, {say("Read parameters"), OperationKind::ReadParameters},
-        [](Device &device, Progress &progress) { return mb::readParameters(device, readable(device), progress); },
+        [this](Device &device, Progress &progress) {
+            return settings::readKept(device, readable(device), m_settings, progress);
+        },
         [this, finished](Operations::Job &job, const Result<Outcomes> &outcomes) { finished(tellRead(job, outcomes)); },
         finished);
 }
@@ -81,7 +84,10 @@ Result<void> ParameterJobs::tellRead(Operations::Job &job, const Result<Outcomes
 void ParameterJobs::carryOut(const orders::StoreParameters &order, const Finished &finished)
 {
     m_context.operations.begin<bool>(
-        order.device, say("Store to flash"), [](Device &device, Progress &progress) { return device.store(progress); },
+        order.device, say("Store to flash"),
+        [this](Device &device, Progress &progress) {
+            return settings::storeKept(device, settings::Origin::Window, m_settings, progress);
+        },
         [this, finished](Operations::Job &job, const Result<bool> &proved) {
             if (proved)
                 m_context.log.tell(*proved ? Severity::Good : Severity::Caution, job.device,

@@ -76,8 +76,11 @@ void Recordings::forget(Link &link)
 void Recordings::playWhenKnown(Link &link)
 {
     ReplayLink *const replay = replayOf(link);
-    if (replay && !std::exchange(m_kept[&link].played, true))
-        replay->play();
+    if (!replay || std::exchange(m_kept[&link].played, true))
+        return;
+    if (const Message remark = replay->remark(); !remark.empty())
+        m_context.log.tell(Severity::Caution, link.address().shortName(), remark);
+    replay->play();
 }
 
 void Recordings::describe(const Link &link, LinkView &view) const

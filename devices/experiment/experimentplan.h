@@ -42,6 +42,7 @@ struct ExperimentPlan {
     Keep keep = Keep::Never;            ///< and afterwards
     /// What it may make of the motor is said before it moves (announcement.h); its counts/s per duty at most, 0 where nobody knows.
     std::optional<double> announced;
+    Message intent{};         ///< what it is, for people: said when nothing can refuse it any more
     Envelope limits;          ///< what the caller allows
     std::optional<Mode> loop; ///< that it is made for, whose limits must be known, too; nothing: its mode
 };

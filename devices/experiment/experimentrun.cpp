@@ -121,6 +121,8 @@ Task<void> ExperimentRun::perform()
     co_await std::move(zeroing);
     auto raising = m_rates.raise(m_plan.axis, rate(), m_around);
     co_await std::move(raising);
+    if (!m_plan.intent.empty())
+        note(m_plan.intent);
     announce(m_device, m_around, m_plan, m_trial, m_origin);
     auto finding = findDirection();
     co_await std::move(finding);

@@ -21,14 +21,22 @@ bool isKnown(const Device &device, ParameterIndex index)
     return entry.raw && entry.state != ParameterState::Unknown && entry.state != ParameterState::Failed;
 }
 
+} // namespace
+
+Message writeOrKeep()
+{
+    return say("write the gains of this loop once, or keep what is tried");
+}
+
+namespace {
+
 /// Of one that cannot be read.
 Result<void> checkWritten(const Device &device, ParameterIndex index)
 {
     const std::string key(device.parameters().parameter(index).key);
     if (isKnown(device, index) && !device.knowledge().profile().lost.contains(key))
         return {};
-    return fail(Fault::OutOfRange, say("%1 cannot be read, so it could not be put back", key),
-        say("write the gains of this loop once, or keep what is tried"));
+    return fail(Fault::OutOfRange, say("%1 cannot be read, so it could not be put back", key), writeOrKeep());
 }
 
 } // namespace

@@ -8,6 +8,8 @@
 namespace mb::tuning {
 
 /// OutOfRange for a parameter that is no part of an experiment: read-only, live, or named so by the family.
+/// The remedy where gains could not be put back because they cannot be read.
+[[nodiscard]] Message writeOrKeep();
 [[nodiscard]] Result<void> checkTried(const Family &family, ParameterIndex index);
 
 /// Values of the loop's parameters, read where they can be; nothing for what is not known.

@@ -2,6 +2,7 @@
 #include "model/deviceprofile.h"
 
 #include "files/filebytes.h"
+#include "files/jsonlines.h"
 #include "files/qttext.h"
 
 #include <QDir>
@@ -104,6 +105,8 @@ QJsonArray arrayOf(const std::set<std::string> &values)
 
 std::optional<DeviceProfile> parse(const QByteArray &bytes)
 {
+    if (!linesOf(bytes).checkKeys())
+        return std::nullopt;
     const QJsonDocument document = QJsonDocument::fromJson(bytes);
     if (!document.isObject())
         return std::nullopt;

@@ -153,6 +153,8 @@ QJsonObject parametersToJson(const Device &device, std::span<const ParameterInde
 
 std::optional<std::string> familyOf(const QByteArray &bytes)
 {
+    if (!linesOf(bytes).checkKeys())
+        return std::nullopt;
     const QJsonValue family = QJsonDocument::fromJson(bytes).object().value(QLatin1String("family"));
     return family.isString() ? std::optional(family.toString().toStdString()) : std::nullopt;
 }

@@ -2,6 +2,7 @@
 #include "model/scanbook.h"
 
 #include "files/filebytes.h"
+#include "files/jsonlines.h"
 #include "files/qttext.h"
 #include "model/deviceprofile.h"
 
@@ -49,6 +50,8 @@ std::optional<Identity> identityIn(const QJsonValue &value)
 
 std::optional<std::vector<Identity>> parse(const QByteArray &bytes, std::string_view link)
 {
+    if (!linesOf(bytes).checkKeys())
+        return std::nullopt;
     const QJsonObject object = QJsonDocument::fromJson(bytes).object();
     const QJsonValue rows = object.value(QStringLiteral("devices"));
     if (object.value(QStringLiteral("link")).toString() != qt(link) || !rows.isArray())

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "service/reciperead.h"
 
+#include "async/virtualclock.h"
 #include "experiment/envelope.h"
 #include "experiment/experiment.h"
 #include "experiment/metrics.h"
 #include "experiment/seconds.h"
 #include "files/jsonlines.h"
 #include "files/qttext.h"
+#include "model/device.h"
 #include "model/family.h"
 #include "model/registry.h"
+#include "simulation/simulatedbus.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -271,6 +274,30 @@ private:
                                 });
         if (!inside)
             wrong("test.to", inside.error().detail, inside.error().remedy);
+        checkReach(test);
+    }
+    /// By a unit that nobody has found: what it would refuse is refused before anything is written to a real one.
+    void checkReach(const SelfTest &test)
+    {
+        const Family &family = *m_recipe.family;
+        VirtualClock clock;
+        const auto bus = makeSimulatedBus(family.links.front(), clock, 0, 1);
+        const auto end = bus ? (*bus)->makeHost({"sim", std::string(toString(family.links.front())), {}}) : nullptr;
+        if (!end)
+            return;
+        Identity identity;
+        identity.family = family.key;
+        identity.address = 1;
+        const auto unit = family.open(*end, clock, identity);
+        SetPoint setPoint;
+        setPoint.mode = test.loop;
+        setPoint.axis = test.axis;
+        setPoint.slot = test.slot;
+        for (const auto &[key, target] : {std::pair("from", test.from.value_or(0.0)), std::pair("to", test.to)}) {
+            setPoint.target = target;
+            if (const auto legal = unit->check(setPoint); !legal && legal.error().fault == Fault::OutOfRange)
+                wrong(pathOf("test", key), legal.error().detail, legal.error().remedy);
+        }
     }
 
     JsonLines m_lines;

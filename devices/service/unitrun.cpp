@@ -6,6 +6,7 @@
 #include "service/goldenband.h"
 #include "service/preflight.h"
 #include "settings/snapshots.h"
+#include "settings/storing.h"
 #include "settings/writing.h"
 
 #include <algorithm>
@@ -449,7 +450,7 @@ Task<Message> UnitRun::prove()
     const bool stores = storesByItself();
     bool stored = false;
     if (stores) {
-        auto storing = m_device.store(m_progress);
+        auto storing = settings::storeKept(m_device, settings::Origin::Recipe, m_around.settings, m_progress);
         stored = co_await std::move(storing);
     }
     auto refreshing = m_device.refresh();

@@ -15,7 +15,8 @@ constexpr std::array<std::string_view, 6> names{QT_TRANSLATE_NOOP("table", "by h
     QT_TRANSLATE_NOOP("table", "before import"), QT_TRANSLATE_NOOP("table", "before tuning"),
     QT_TRANSLATE_NOOP("table", "before update")};
 constexpr std::array<std::string_view, 5> origins{"window", "console", "tune", "recipe", "elsewhere"};
-constexpr std::array<std::string_view, 7> purposes{"write", "restore", "undo", "redo", "revert", "provisional", "keep"};
+constexpr std::array<std::string_view, 8> purposes{
+    "write", "restore", "undo", "redo", "revert", "provisional", "keep", "store"};
 constexpr std::array<std::string_view, 5> proofs{"open", "equal", "blind", "differs", "refused"};
 
 template <class E, std::size_t N> std::string_view textOf(const std::array<std::string_view, N> &texts, E value)

@@ -53,6 +53,7 @@ enum class Purpose {
     Revert,      ///< a provisional change went back: SettingsChange::of
     Provisional, ///< goes back unless somebody keeps it (confirmation.h)
     Keep,        ///< somebody kept that of SettingsChange::of; writes nothing
+    Store,       ///< seen to be stored, whatever was written before; writes nothing
 };
 [[nodiscard]] std::string_view toString(Purpose purpose);
 [[nodiscard]] Purpose purposeFromString(std::string_view text);

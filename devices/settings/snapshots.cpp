@@ -4,6 +4,7 @@
 #include "model/family.h"
 #include "model/parameterfile.h"
 #include "model/unit.h"
+#include "settings/storing.h"
 
 #include <QJsonDocument>
 
@@ -44,7 +45,7 @@ Task<ParameterSnapshot> takeSnapshot(
     Device &device, Occasion occasion, std::string name, SettingsLog &log, Progress &progress)
 {
     const std::vector<ParameterIndex> indices = readable(device);
-    auto reading = readParameters(device, indices, progress);
+    auto reading = readKept(device, indices, &log, progress);
     const std::vector<TransferOutcome> outcomes = co_await std::move(reading);
     const bool any = std::any_of(
         outcomes.begin(), outcomes.end(), [](const TransferOutcome &outcome) { return outcome.raw.has_value(); });

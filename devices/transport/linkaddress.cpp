@@ -7,6 +7,8 @@
 namespace mb {
 namespace {
 
+constexpr std::string_view repeatable = "fault"; ///< several may happen to a simulated link
+
 constexpr std::array schemes{"sim", "socketcan", "qtcan", "serial", "spidev", "unix", "replay", "pty"};
 
 Result<void> parseOptions(std::string_view text, std::vector<std::pair<std::string, std::string>> &out)
@@ -17,7 +19,13 @@ Result<void> parseOptions(std::string_view text, std::vector<std::pair<std::stri
         const auto equals = item.find('=');
         if (equals == std::string_view::npos || equals == 0 || equals + 1 == item.size())
             return fail(Fault::OutOfRange, say("link option '%1' is not KEY=VALUE", item));
-        out.emplace_back(item.substr(0, equals), item.substr(equals + 1));
+        const std::string_view key = item.substr(0, equals);
+        const bool isThere
+            = std::any_of(out.begin(), out.end(), [key](const auto &option) { return option.first == key; });
+        if (isThere && key != repeatable)
+            return fail(
+                Fault::OutOfRange, say("link option '%1' is there twice", key), say("leave one of the two out"));
+        out.emplace_back(key, item.substr(equals + 1));
     }
     return {};
 }

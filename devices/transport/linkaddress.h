@@ -20,9 +20,9 @@ enum class LinkKind { Can, Serial, Spi };
 struct LinkAddress {
     std::string scheme;
     std::string path;
-    std::vector<std::pair<std::string, std::string>> options; ///< in the order given; a key may repeat
+    std::vector<std::pair<std::string, std::string>> options; ///< in the order given; `fault` may repeat
 
-    /// Fails with OutOfRange: no scheme, unknown scheme, empty path where one is needed, an option without a value.
+    /// Fails with OutOfRange: no scheme, unknown scheme, empty path where one is needed, an option without a value, or one that is there twice (but `fault`).
     [[nodiscard]] static Result<LinkAddress> parse(std::string_view text);
     [[nodiscard]] std::string text() const;
     /// The part people read: `sim:can`, `can0`, `ttyUSB0`.

@@ -117,9 +117,7 @@ Result<std::optional<LoggedFrame>> RecordingFile::read(Cursor &cursor, std::uint
             return fail(text.error());
         if (!*text)
             return std::optional<LoggedFrame>();
-        auto frame = cursor.place.parser.parse(**text);
-        if (!frame && cut && cursor.place.parser.lines() > 1)
-            return std::optional<LoggedFrame>(); // whoever wrote it was interrupted
+        auto frame = cut ? cursor.place.parser.parseLast(**text) : cursor.place.parser.parse(**text);
         if (!frame)
             return fail(located(frame.error()));
         if (!*frame || (!m_interface.empty() && (*frame)->link != m_interface))

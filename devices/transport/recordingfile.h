@@ -32,6 +32,8 @@ public:
     /// Reads on for one piece, from where the last call ended, and shows every frame; true once the end is reached. A damaged
     /// line is an error that names it, and the recording ends there. A last line that was cut off is its end, and no error.
     [[nodiscard]] Result<bool> survey(const std::function<void(const LoggedFrame &)> &seen);
+    /// What survey() has seen that is left out, or may not be whole, for people; empty: nothing.
+    [[nodiscard]] Message remark() const { return m_surveyor.place.parser.remark(); }
     /// next() stopped before the end that survey() had seen: somebody changed the file meanwhile.
     [[nodiscard]] bool isCutShort() const { return m_surveyed && m_player.place.time < m_end; }
     [[nodiscard]] double surveyedFraction() const; ///< 0…1

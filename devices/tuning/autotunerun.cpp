@@ -137,11 +137,10 @@ Task<Trial> AutotuneRun::push(Push push)
     if (const double rate = m_device.family().trials->currentRate; m_plan.loop == Mode::Current && rate > 0.0)
         plan.rate = rate;
     const double seconds = std::round(push.seconds * 100.0) / 100.0;
-    note(push.grows      ? say("pushing with a duty that grows to %1 in %2 s", percentText(push.duty), seconds)
-            : push.relay ? say("swinging with %1 duty to and fro", percentText(push.duty))
-            : push.repeat > 1
-            ? say("pushing with %1 duty for %2 s, %3 times", percentText(push.duty), seconds, push.repeat)
-            : say("pushing with %1 duty for %2 s", percentText(push.duty), seconds));
+    plan.intent = push.grows ? say("pushing with a duty that grows to %1 in %2 s", percentText(push.duty), seconds)
+        : push.relay         ? say("swinging with %1 duty to and fro", percentText(push.duty))
+        : push.repeat > 1 ? say("pushing with %1 duty for %2 s, %3 times", percentText(push.duty), seconds, push.repeat)
+                          : say("pushing with %1 duty for %2 s", percentText(push.duty), seconds);
     return run(std::move(plan));
 }
 

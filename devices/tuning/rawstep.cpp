@@ -31,7 +31,8 @@ ExperimentPlan rawStep(const AutotuneRun &run, RawGains gains, double counts, do
         if (const auto index = parameterOf(family, Mode::Position, run.plan().axis, run.plan().slot, role))
             plan.gains.push_back({*index, static_cast<std::int64_t>(value)});
     }
-    run.note(say("a step of %1 counts with P %2, D %3", std::round(counts), std::round(gains.p), std::round(gains.d)));
+    plan.intent
+        = say("a step of %1 counts with P %2, D %3", std::round(counts), std::round(gains.p), std::round(gains.d));
     return plan;
 }
 

@@ -59,7 +59,7 @@ ExperimentPlan asItIs(const AutotuneRun &run, double counts, double seconds)
     plan.slot = run.plan().slot;
     plan.to = counts;
     plan.seconds = seconds;
-    run.note(say("a step of %1 counts with the gains as they are", std::round(counts)));
+    plan.intent = say("a step of %1 counts with the gains as they are", std::round(counts));
     return plan;
 }
 

@@ -176,8 +176,10 @@ Result<std::optional<LoggedFrame>> AscParser::readEvent(std::string_view time, W
     if (auto read = readTime(time); !read)
         return fail(read.error());
     const std::string_view where = words.take();
-    if (equalsAnyCase(where, "canfd"))
-        return malformed(say("a CAN FD frame, and only classic CAN is read"));
+    if (equalsAnyCase(where, "canfd")) {
+        ++m_fdFrames;
+        return none;
+    }
     const auto channel = number(where, 10);
     if (!channel)
         return none;

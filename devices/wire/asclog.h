@@ -23,9 +23,11 @@ public:
     /// Whether a log of this kind may begin with this line.
     [[nodiscard]] static bool begins(std::string_view line);
 
-    /// Nothing when the line has no frame in it. OutOfRange for a malformed one, a CAN FD frame, a frame with a name in
-    /// the place of its identifier: what is wrong, in one clause.
+    /// Nothing when the line has no frame in it. OutOfRange for a malformed one, a frame with a name in the place of its
+    /// identifier: what is wrong, in one clause.
     [[nodiscard]] Result<std::optional<LoggedFrame>> parse(std::string_view line);
+    /// CAN FD frames so far, in which it looks for nothing.
+    [[nodiscard]] std::uint64_t fdFrames() const { return m_fdFrames; }
 
 private:
     struct Words;
@@ -41,6 +43,7 @@ private:
     bool m_hex = true;
     bool m_relative = false;
     bool m_directions = true; ///< Rx and Tx tell who sent it
+    std::uint64_t m_fdFrames = 0;
     Duration m_start{};
     Duration m_last{};                ///< of the event before, since the start
     std::vector<std::string> m_names; ///< of channel 1, 2, … where the log tells

@@ -4,11 +4,13 @@
 #include "wire/decimaltime.h"
 
 #include <algorithm>
+#include <cctype>
 
 namespace mb {
 namespace {
 
 constexpr std::string_view blanks = " \t";
+constexpr std::size_t mostFdBytes = 64;
 constexpr std::size_t secondDigits = 10; // zeros in front, as candump does
 
 /// Takes the first word off `rest`, blanks before it passed over.
@@ -20,9 +22,15 @@ std::string_view takeWord(std::string_view &rest)
     return word;
 }
 
-} // namespace
+/// The parts of a line, not looked into.
+struct Parts {
+    Duration time{};
+    std::string_view link;
+    std::string_view frame;
+    std::string_view direction;
+};
 
-std::optional<CandumpLine> parseCandumpLine(std::string_view text)
+std::optional<Parts> partsOf(std::string_view text)
 {
     if (const auto end = text.find_last_not_of(" \t\r\n"); end != std::string_view::npos)
         text = text.substr(0, end + 1);
@@ -31,17 +39,47 @@ std::optional<CandumpLine> parseCandumpLine(std::string_view text)
         return std::nullopt;
     const auto time = parseSeconds(text.substr(1, close - 1));
     std::string_view rest = text.substr(close + 1);
-    const std::string_view link = takeWord(rest);
-    const auto frame = canFrameFromText(takeWord(rest));
-    const std::string_view direction = takeWord(rest);
+    Parts parts;
+    parts.link = takeWord(rest);
+    parts.frame = takeWord(rest);
+    parts.direction = takeWord(rest);
     const bool printable
-        = std::none_of(link.begin(), link.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; });
-    if (!time || !frame || !printable || !rest.empty() || (!direction.empty() && direction != "R" && direction != "T"))
+        = std::none_of(parts.link.begin(), parts.link.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; });
+    const bool known = parts.direction.empty() || parts.direction == "R" || parts.direction == "T";
+    if (!time || !printable || !rest.empty() || !known)
         return std::nullopt;
-    return CandumpLine{*time, std::string(link), *frame,
-        direction.empty()      ? LogDirection::Unknown
-            : direction == "R" ? LogDirection::Received
-                               : LogDirection::Sent};
+    parts.time = *time;
+    return parts;
+}
+
+bool isHex(std::string_view text)
+{
+    return std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isxdigit(c) != 0; });
+}
+
+} // namespace
+
+std::optional<CandumpLine> parseCandumpLine(std::string_view text)
+{
+    const auto parts = partsOf(text);
+    const auto frame = parts ? canFrameFromText(parts->frame) : std::nullopt;
+    if (!frame)
+        return std::nullopt;
+    return CandumpLine{parts->time, std::string(parts->link), *frame,
+        parts->direction.empty()      ? LogDirection::Unknown
+            : parts->direction == "R" ? LogDirection::Received
+                                      : LogDirection::Sent};
+}
+
+bool isCandumpFdLine(std::string_view text)
+{
+    const auto parts = partsOf(text);
+    const auto mark = parts ? parts->frame.find("##") : std::string_view::npos;
+    if (mark != 3 && mark != 8) // digits of an identifier
+        return false;
+    const std::string_view flagsAndData = parts->frame.substr(mark + 2);
+    return isHex(parts->frame.substr(0, mark)) && isHex(flagsAndData) && flagsAndData.size() % 2 == 1
+        && flagsAndData.size() <= 1 + 2 * mostFdBytes;
 }
 
 std::string toCandumpLine(Duration time, std::string_view link, const CanFrame &frame)

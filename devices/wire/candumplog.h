@@ -16,6 +16,9 @@ using CandumpLine = LoggedFrame;
 /// after the point, a malformed frame.
 [[nodiscard]] std::optional<CandumpLine> parseCandumpLine(std::string_view text);
 
+/// A whole line of a CAN FD frame: `(1436509052.249713) vcan0 044##1AABB`. Only classic CAN is read.
+[[nodiscard]] bool isCandumpFdLine(std::string_view text);
+
 /// Without the end of the line. Microseconds, as candump writes them: finer parts are cut off.
 [[nodiscard]] std::string toCandumpLine(Duration time, std::string_view link, const CanFrame &frame);
 [[nodiscard]] std::string toCandumpLine(const CandumpLine &line);

@@ -63,14 +63,45 @@ Result<std::optional<LoggedFrame>> FrameLogParser::parse(std::string_view line)
     }
     if (*m_format == LogFormat::Candump) {
         auto frame = parseCandumpLine(line);
-        if (!frame)
+        if (!frame && !isCandumpFdLine(line))
             return fail(malformed(m_lines));
+        m_fdFrames += frame ? 0U : 1U;
         return frame;
     }
     auto parsed = m_asc.parse(line);
     if (!parsed)
         return fail(malformed(m_lines, parsed.error().detail));
     return parsed;
+}
+
+Result<std::optional<LoggedFrame>> FrameLogParser::parseLast(std::string_view line)
+{
+    const std::uint64_t fdFrames = m_fdFrames;
+    auto parsed = parse(line);
+    const bool mayBeOne = m_format != LogFormat::Candump || line.starts_with('(');
+    if (!parsed && m_lines > 1 && mayBeOne) {
+        m_end = End::Cut;
+        return std::optional<LoggedFrame>();
+    }
+    const bool hasFrame = parsed && (*parsed || m_fdFrames > fdFrames);
+    const bool tellsDirection = parsed && *parsed && (*parsed)->direction != LogDirection::Unknown;
+    if (hasFrame && !tellsDirection && m_format == LogFormat::Candump) // which counts no bytes
+        m_end = End::Open;
+    return parsed;
+}
+
+Message FrameLogParser::remark() const
+{
+    Message end;
+    if (m_end == End::Cut)
+        end = say("the last line is cut off, and left out");
+    else if (m_end == End::Open)
+        end = say("the last line has no end, so its frame may be cut short");
+    Message left;
+    if (const std::uint64_t count = m_fdFrames + m_asc.fdFrames(); count > 0)
+        left = count == 1 ? say("1 CAN FD frame is left out, because only classic CAN is read")
+                          : say("%1 CAN FD frames are left out, because only classic CAN is read", count);
+    return joined(left, end);
 }
 
 void FrameLogWriter::write(const LoggedFrame &frame, std::string &out)

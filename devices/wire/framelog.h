@@ -20,6 +20,13 @@ public:
     /// Nothing when there is no frame in the line. OutOfRange for a malformed line: its number, what is wrong, how such
     /// a line reads.
     [[nodiscard]] Result<std::optional<LoggedFrame>> parse(std::string_view line);
+    /// The same of a last line that has no end: whoever wrote the log may have been interrupted. One that cannot be read is left
+    /// out then, unless there is no other, or it cannot be the beginning of a line.
+    [[nodiscard]] Result<std::optional<LoggedFrame>> parseLast(std::string_view line);
+    /// The last line was something else than a frame, and has no end.
+    void leaveOpen() { m_end = End::Open; }
+    /// What of the log is left out, or may not be whole, for people; empty: nothing.
+    [[nodiscard]] Message remark() const;
     /// The same error for the line after the last one.
     [[nodiscard]] Error tooLong() const;
     /// Known from the first line that is not blank.
@@ -29,7 +36,11 @@ public:
 private:
     [[nodiscard]] Error malformed(std::uint64_t line, const Message &cause = {}) const;
 
+    enum class End { Whole, Open, Cut };
+
     std::uint64_t m_lines = 0;
+    std::uint64_t m_fdFrames = 0; ///< of candump
+    End m_end = End::Whole;
     std::optional<LogFormat> m_format;
     AscParser m_asc;
 };

@@ -100,6 +100,22 @@ TEST_F(SettingsCore, EachUnitIsKeptAsItWasFoundOnceARun)
     EXPECT_TRUE(snapshots(9).empty()) << "it waits in its bootloader";
 }
 
+TEST_F(SettingsCore, WhatAnEarlierRunWroteIsReadAsInRamUntilItIsProved)
+{
+    clock.advance(20s);
+    const auto read = [this] {
+        device(7)->parameters().forgetAll();
+        core.send(orders::ReadParameters{id()}, heard());
+        EXPECT_TRUE(ends());
+        return device(7)->parameters().entry(change("slot0.p", 0).index).state;
+    };
+    ASSERT_TRUE(write({change("slot0.p", 65536)}));
+    EXPECT_EQ(read(), ParameterState::Ram);
+    core.send(orders::StoreParameters{id()}, heard());
+    ASSERT_TRUE(ends());
+    EXPECT_EQ(read(), ParameterState::Stored);
+}
+
 TEST_F(SettingsCore, AWriteIsUndoneAndDoneAgainByNewWrites)
 {
     clock.advance(3s);

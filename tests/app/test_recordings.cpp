@@ -157,6 +157,16 @@ TEST(EngineRecordings, SayOnceWhyTheyFail)
     EXPECT_EQ(told, 1);
 }
 
+TEST(EngineRecordings, TellWhatOfOneIsLeftOut)
+{
+    EngineBench bench;
+    const auto cut = bench.folder.write(
+        "cut.log", "(1.000000) can0 02061405#0040110000000000\n(1.500000) can0 123##311223344\n(2.0");
+    ASSERT_TRUE(bench.open("replay:" + cut));
+    EXPECT_TRUE(bench.wasTold("1 CAN FD frame is left out, because only classic CAN is read"));
+    EXPECT_TRUE(bench.wasTold("the last line is cut off, and left out"));
+}
+
 TEST(EngineRecordings, EndOnceWhenTheDiskIsFull)
 {
     EngineBench bench;

@@ -26,7 +26,8 @@ class BoardTest(ContractTest):
         self.addCleanup(process.stdout.close)
         self.addCleanup(process.wait, contract.LIMIT)
         self.addCleanup(process.terminate)
-        self.assertEqual(json.loads(process.stdout.readline()), {"ready": True, "links": ["unix:" + self.socket]})
+        second = ["pty:" + self.boot] if "boot=" in options else []  # every link that is served
+        self.assertEqual(json.loads(process.stdout.readline()), {"ready": True, "links": ["unix:" + self.socket, *second]})
         return process
 
     def test_scan_names_the_board(self):

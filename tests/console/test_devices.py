@@ -217,7 +217,9 @@ class DeviceVerbs(ContractTest):
         self.assertEqual(self.run_one("number", CIM, "6"), {"device": "sim:can/dmc60c:6", "old": 5, "new": 6, "verified": True})
         self.assertEqual(self.run_one("rename", CIM, "Left arm"), {"device": CIM, "old": "DMC60C", "new": "Left arm", "verified": True})
         self.assert_error(2, "number", CIM, "7", says="taken")
-        self.assert_error(2, "number", CIM, "64")
+        for number in ("64", "-1", "0"):
+            self.assert_error(2, "number", CIM, number, says="legal is 1 … 63")
+        self.assert_error(2, "number", "sim:serial/supermodified:4", "128", says="legal is 1 … 127")
         run = Run(["--json", "rename", CIM, "a name of more than 28 characters"])
         self.assertEqual((run.status, run.err.count("\n")), (0, 1))
 

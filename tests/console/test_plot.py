@@ -64,6 +64,7 @@ class Plot(ContractTest):
         self.assertTrue(Run(["plot", str(bad), "--out", str(out)]).err.startswith("motorbenchctl: "))
         self.assert_error(2, "plot", "/nonexistent.mcap", "--out", str(out), says="/nonexistent.mcap")
         self.assert_error(2, "plot", "/dev/null", "--out", str(out))
+        self.assert_error(2, "plot", ".", "--out", str(out), says="is a folder")
         self.assert_error(2, "plot", self.recording(), "--out", str(self.path / "c.gif"), says="c.gif")
         self.assert_error(2, "plot", self.recording(), "--out", "/nonexistent/c.png", says="/nonexistent/c.png")
         self.assert_error(2, "plot", self.recording(), "--out", str(out), "--size", "0x0", says="--size")

@@ -73,6 +73,13 @@ class Service(Recipes):
         self.assertTrue(all(row["settle"] and row["image_hash"] for row in rows))
         self.assertIn(serial, self.run_text("journal"))
 
+    def test_a_target_that_no_unit_can_have_is_told_with_its_line_before_anything_is_written(self):
+        for loop, to in (("velocity", 1e12), ("current", 1e9), ("position", 1e7)):
+            recipe = self.recipe(firmware={"file": "dmc60c-demo.hex"}, test={"loop": loop, "to": to})
+            with open(recipe, encoding="utf-8") as file:
+                line = 1 + [number for number, text in enumerate(file) if '"to"' in text][0]
+            self.assert_error(2, "service", recipe, "sim:can", says=f"line {line}: {loop}")
+
     def test_what_fails_has_cause_and_status(self):
         strict = dict(TEST, accept={"settle": 0.001})
         run = Run(["--json", "service", self.recipe(number={"first": 20}, test=strict), "sim:can"])

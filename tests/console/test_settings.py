@@ -205,6 +205,15 @@ class Tags(ContractTest):
         self.assertIn("left arm", self.run_text("snapshots", place))
         self.assertEqual(self.run_one("restore", place, f"snapshot:{number}"), {"changes": []})
         self.assertEqual(self.run_one("rename", place, "right arm")["old"], "left arm")
+        self.assertEqual(self.run_one("info", place)["name"], "right arm")
+        self.assertIn("right arm", self.run_text("info", place))
+        rows = {row["device"]: row["name"] for row in self.run_one("scan", "sim:serial", "sim:can")["devices"]}
+        self.assertEqual((rows[place], rows["sim:serial/supermodified:4"], rows[CIM]), ("right arm", None, "DMC60C"))
+        self.assertIn("right arm", self.run_text("scan", "sim:serial"))
+
+    def test_no_notebook_is_begun_to_look_for_a_name(self):
+        self.assertIsNone(self.run_one("info", "sim:serial/supermodified:5")["name"])
+        self.assertFalse(os.path.exists(os.path.join(os.environ["XDG_DATA_HOME"], "motorbench", "motorbench.db")))
 
 
 class Line(ContractTest):
@@ -230,6 +239,43 @@ class Line(ContractTest):
                 bench.send_signal(signal.SIGINT)
                 bench.wait(timeout=30)
                 bench.stdout.close()
+
+
+class Flash(ContractTest):
+    """A DMC60C, which stores by itself 15 s after a write, on a bus of its own."""
+
+    def setUp(self):
+        self.bus = f"qtcan:virtualcan:tcp://127.0.0.1:{20000 + os.getpid() % 20000}/can0"
+        bench = subprocess.Popen([contract.PROGRAM, "simulate", "--on", self.bus, "dmc60c:5"], stdout=subprocess.PIPE, text=True)
+        self.addCleanup(bench.stdout.close)
+        self.addCleanup(bench.wait, contract.LIMIT)
+        self.addCleanup(bench.terminate)
+        self.assertTrue(json.loads(bench.stdout.readline())["ready"])
+        self.device = self.bus + "/dmc60c:5"
+
+    def gain(self):
+        row = self.run_one("get", self.device, "slot0.p")["parameters"]["slot0.p"]
+        return row["value"], row["state"]
+
+    @contract.long
+    def test_what_an_earlier_call_wrote_is_in_ram_until_it_is_seen_stored(self):
+        self.run_one("set", self.device, "slot0.p=0.41")
+        self.run_one("set", self.device, "slot0.p=0.42")
+        self.assertEqual((round(self.gain()[0], 3), self.gain()[1]), (0.42, "ram"))
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "saved.json")
+            self.run_text("get", self.device, "--file", path)
+            with open(path, encoding="utf-8") as file:
+                states = {key: row["state"] for key, row in json.load(file)["parameters"].items()}
+        self.assertEqual((states["slot0.p"], states["slot0.i"]), ("ram", "stored"))
+        self.assertTrue(self.run_one("set", self.device, "slot0.p=0.42", "--store")["verified"])
+        self.assertEqual(self.gain()[1], "stored")
+
+    @contract.long
+    def test_what_a_unit_has_after_its_restart_is_stored(self):
+        self.run_one("set", self.device, "slot0.p=0.41")
+        self.run_one("restart", self.device)
+        self.assertEqual((round(self.gain()[0], 3), self.gain()[1]), (0.41, "stored"))
 
 
 if __name__ == "__main__":

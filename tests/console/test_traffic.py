@@ -138,6 +138,31 @@ class Traffic(ContractTest):
             self.assert_error(2, "decode", path, says="line 5")
         self.assert_error(2, "decode", "/nonexistent/file")
 
+    def decoded(self, text):
+        """What is told beside the rows, by a file and by standard input, and what a replay of it tells."""
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "can.log")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(text)
+            runs = Run(["--json", "decode", path]), Run(["--json", "decode"], text), Run(["--json", "scan", "replay:" + path])
+        self.assertEqual([run.status for run in runs], [0, 0, 0], [run.err for run in runs])
+        told = {run.err.rsplit(": ", 1)[-1].rstrip("\n") for run in runs}
+        self.assertEqual(len(told), 1, told)
+        self.assertEqual(runs[0].out, runs[1].out)
+        return len(runs[0].objects()), told.pop()
+
+    def test_what_a_recording_loses_at_its_end_and_frames_of_can_fd_are_told_and_lose_no_good_line(self):
+        self.assertEqual(self.decoded(LOG), (4, ""))
+        fd = "(1436509052.250000) can0 123##311223344\n"
+        self.assertEqual(self.decoded(fd + LOG), (4, "1 CAN FD frame is left out, because only classic CAN is read"))
+        self.assertEqual(self.decoded(LOG + fd + fd + "(14365"), (4, "2 CAN FD frames are left out, because only classic CAN is read; "
+                                                                    "the last line is cut off, and left out"))
+        for cut in ("(14365", "(1436509053.000001) vca", "(1436509053.000001) can0 12", "(1436509053.000001) can0 123#0"):
+            self.assertEqual(self.decoded(LOG + cut), (4, "the last line is cut off, and left out"))
+        self.assertEqual(self.decoded(LOG + "(1436509053.000001) can0 123#01"), (5, "the last line has no end, so its frame may be cut short"))
+        run = Run(["decode"], "(1.0) tty0 rx 0102\n(1.1) tty0 tx 03")
+        self.assertIn("may be cut short", run.err)
+
     def test_decode_reads_a_pipe_that_is_named_as_it_comes(self):
         reads, writes = os.pipe()
         with os.fdopen(writes, "w") as pipe:
@@ -161,7 +186,7 @@ class Traffic(ContractTest):
         self.assert_error(2, "decode", text="LOGG\0\0\n", says="BLF")
 
     def test_decode_names_the_line_that_it_does_not_understand(self):
-        for line in ("rubbish", "(1.0) can0", "(1.0) can0 02061405", "(1.0) can0 02061405#0", "(x) can0 123#00", "(1.0) can0 123##100", "\0", "x" * 100000):
+        for line in ("rubbish", "(1.0) can0", "(1.0) can0 02061405", "(1.0) can0 02061405#0", "(x) can0 123#00", "(1.0) can0 123##10", "\0", "x" * 100000):
             self.assert_error(2, "decode", text=LOG + line + "\n", says="line 5")
         self.assert_error(2, "decode", "--dialect", "X", text=LOG)
         self.assertEqual(self.run_json("decode", text=""), [])

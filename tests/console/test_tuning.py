@@ -288,9 +288,19 @@ class Refused(ContractTest):
 
     def test_a_tuning_that_is_refused_at_once_takes_no_snapshot(self):
         for device in ("sim:spi/quadquad2drv:0", "sim:can/abstractdc:3"):
-            self.assert_error(2, "tune", device, "--loop", "velocity", says="could not be put back")
+            self.assert_error(2, "tune", device, "--loop", "velocity", says="write the gains of this loop once, or give --keep")
+        self.assert_error(2, "step", "sim:spi/quadquad2drv:0", "--mode", "velocity", "--to", "300", "--set", "ch1.velocity.p=10", says="or give --keep")
         self.assertEqual(self.run_one("snapshots"), {"snapshots": []})
         self.assertEqual(self.run_one("trials"), {"trials": []})
+
+    def test_nothing_is_announced_that_the_notebook_then_refuses(self):
+        self.run_one("snapshots")
+        path = os.path.join(os.environ["XDG_DATA_HOME"], "motorbench", "motorbench.db")
+        with contextlib.closing(sqlite3.connect(path)) as database, database:
+            database.execute("CREATE TRIGGER full BEFORE INSERT ON snapshot BEGIN SELECT RAISE(ABORT, 'database or disk is full'); END")
+        for device, loop in ((CIM, "velocity"), ("sim:serial/supermodified:4", "position")):
+            run = Run(["tune", device, "--loop", loop])
+            self.assertEqual((run.status, run.out, run.err.count("\n")), (2, "", 1), run.err)
 
     def test_the_search_for_scales_is_refused_too_where_gains_could_not_be_put_back(self):
         self.assert_error(2, "tune", "sim:spi/quadquad2drv:0", "--loop", "velocity", "--propose", says="could not be put back")

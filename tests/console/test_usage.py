@@ -22,6 +22,14 @@ class Usage(ContractTest):
             self.assertIn(f"\n  {verb} ", text)
         self.assertRegex(self.run_text("--version"), r"^motorbenchctl \d+\.\d+\.\d+\n$")
 
+    def test_with_json_help_and_version_are_json(self):
+        self.assertEqual(self.run_one("--help"), self.run_one("help"))
+        self.assertEqual(Run(["--help", "--json"]).objects(), [self.run_one("help")])
+        self.assertEqual(self.run_one("scan", "--help"), self.run_one("help", "scan"))
+        version = self.run_one("--version")
+        self.assertEqual("motorbenchctl " + version.pop("version") + "\n", self.run_text("--version"))
+        self.assertEqual(version, {})
+
     def test_help_of_every_verb_succeeds(self):
         for verb in VERBS:
             with self.subTest(verb):
@@ -52,6 +60,17 @@ class Usage(ContractTest):
         for link in ("can0", "bogus:x", "sim:lin", "sim:can?loss", "sim:can?loss=2", "sim:can?loss=0,1", "sim:can?loss=nan", "sim:can?seed=1.5", "sim:can?fault=drop@1,5", "sim:can?frob=1", "sim:can?fault=frob", "socketcan:", ":", ""):
             self.assert_error(2, "scan", link)
             self.assert_error(2, "monitor", link, "--for", "1")
+
+    def test_an_option_of_a_link_that_is_no_value_or_there_twice_is_wrong_usage(self):
+        for link, says in (("sim:can?seed=1&seed=2", "twice"), ("socketcan:can0?bitrate=1&bitrate=1", "twice"), ("replay:a.log?speed=0", "speed=0"),
+                           ("unix:a?pace=2", "option 'pace'"), ("sim:can?bitrate=0", "bitrate=0")):
+            for call in (("scan", link), ("scan", "sim:can", link), ("monitor", link, "--for", "1")):
+                self.assert_error(2, *call, says=says)
+        self.assert_error(2, "watch", "replay:a.log?speed=0/dmc60c:5", says="speed=0")
+        self.assert_error(2, "get", "sim:can?loss=0&loss=0/dmc60c:5", says="twice")
+        self.assert_error(2, "simulate", "--on", "unix:a?pace=2", "quadquad2drv:0", says="pace=2")
+        self.assert_error(2, "simulate", "--on", "unix:a?speed=1", "quadquad2drv:0", says="no option 'speed'")
+        self.assert_error(2, "simulate", "--on", "pty:a?baud=9600&baud=9600", "supermodified:4", says="twice")
 
     def test_wrong_devices_are_wrong_usage(self):
         for device in ("5", "dmc60c:5", "sim:can/dmc60c", "sim:can/dmc60c:", "sim:can/dmc60c:x", "sim:can/dmc60c:-1", "sim:can/:5", "sim:can/dmc60c:5@xyz",

@@ -66,9 +66,9 @@ TEST_F(Profiles, AWholeNumberIsKeptExactlyOrNotAtAll)
 
 TEST_F(Profiles, ADamagedFileIsPutAsideAndTold)
 {
-    for (const char *text :
-        {"", "{", "[]", R"({"calibration": 3})", R"({"written": {"a": "b"}})", R"({"counters": {"a": 1.5}})",
-            R"({"lost": {"a": 1}})", R"({"lost": [1]})", R"({"verdicts": {"direction": 1}})"}) {
+    for (const char *text : {"", "{", "[]", R"({"calibration": 3})", R"({"written": {"a": "b"}})",
+             R"({"counters": {"a": 1.5}})", R"({"lost": {"a": 1}})", R"({"lost": [1]})",
+             R"({"calibration": {"a": 1, "a": 2}})", R"({"verdicts": {"direction": 1}})"}) {
         ASSERT_TRUE(book.save(selector, {}));
         QFile file(QString::fromStdString(book.pathOf(selector)));
         ASSERT_TRUE(file.open(QIODevice::WriteOnly | QIODevice::Truncate));

@@ -131,6 +131,7 @@ TEST(ParameterFile, RefusesWhatIsNoParameterFileOfThisFamily)
     EXPECT_EQ(familyOf(file("", "supermodified")), "supermodified");
     EXPECT_FALSE(familyOf("{\"family\":5}"));
     EXPECT_FALSE(familyOf("nonsense"));
+    EXPECT_FALSE(familyOf("{\"family\":\"supermodified\",\"family\":\"dmc60c\"}")) << "one of the two";
 }
 
 TEST(ParameterFile, ComesBackAsItWasSaved)

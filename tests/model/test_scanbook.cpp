@@ -61,7 +61,8 @@ TEST_F(Scans, ADamagedFileIsToldAndReplacedByTheNextScan)
              "{\"link\": \"serial:/dev/ttyUSB0\", \"devices\": [{\"family\": \"x\", \"address\": -1}]}",
              "{\"link\": \"serial:/dev/ttyUSB0\", \"devices\": [{\"family\": \"x\", \"address\": 65537}]}",
              "{\"link\": \"serial:/dev/ttyUSB0\", \"devices\": [{\"address\": 1}]}",
-             "{\"link\": \"another\", \"devices\": []}"}) {
+             "{\"link\": \"another\", \"devices\": []}",
+             "{\"link\": \"another\", \"link\": \"serial:/dev/ttyUSB0\", \"devices\": []}"}) {
         spoil(link, text);
         const auto loaded = book.load(link);
         ASSERT_FALSE(loaded) << text;

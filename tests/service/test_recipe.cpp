@@ -152,6 +152,28 @@ TEST(Recipes, EveryMistakeHasItsLine)
     EXPECT_EQ(mistakeIn("[1]", "1", "2").substr(0, 7), "line 1:");
 }
 
+TEST(Recipes, ATargetThatNoUnitOfTheFamilyCanHaveIsAMistake)
+{
+    const auto mistake = [](const char *family, const char *test) {
+        const QByteArray text
+            = QByteArray("{\"recipe\":1,\"name\":\"n\",\"family\":\"") + family + "\",\n\"test\":{" + test + "}}";
+        const auto parsed = parse(text);
+        return parsed ? std::string() : parsed.error().text();
+    };
+    EXPECT_EQ(
+        mistake("dmc60c", "\"loop\":\"velocity\",\n\"to\":1e12").substr(0, 34), "line 3: velocity 1000000000000 is ");
+    EXPECT_EQ(mistake("dmc60c", "\"loop\":\"current\",\n\"to\":1e9").substr(0, 26), "line 3: current 1000000000");
+    EXPECT_EQ(mistake("dmc60c", "\"loop\":\"current\",\"to\":5,\n\"from\":-101").substr(0, 20), "line 3: current -101");
+    EXPECT_EQ(mistake("dmc60c", "\"loop\":\"position\",\n\"to\":1e7").substr(0, 25), "line 3: position 10000000");
+    EXPECT_EQ(mistake("abstractdc", "\"loop\":\"velocity\",\n\"to\":1e11").substr(0, 16), "line 3: velocity");
+    EXPECT_EQ(mistake("quadquad2drv", "\"loop\":\"velocity\",\n\"to\":100001").substr(0, 16), "line 3: velocity");
+    EXPECT_EQ(mistake("dmc60c", "\"loop\":\"velocity\",\"to\":80000"), "");
+    EXPECT_EQ(mistake("dmc60c", "\"loop\":\"current\",\"to\":100"), "");
+    EXPECT_EQ(mistake("abstractdc", "\"loop\":\"position\",\"to\":2000000"), "");
+    EXPECT_EQ(mistake("quadquad2drv", "\"loop\":\"velocity\",\"to\":100000,\"axis\":4"), "");
+    EXPECT_EQ(mistake("supermodified", "\"loop\":\"position\",\"to\":2000"), "");
+}
+
 TEST(Recipes, TheLineOfAMistakeIsFoundAgain)
 {
     const Message mistake = say("unknown key '%1'", "nmae");

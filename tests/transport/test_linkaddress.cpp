@@ -56,7 +56,8 @@ TEST(LinkAddress, KeepsRepeatedOptionsInOrderAndFindsTheFirst)
 TEST(LinkAddress, RefusesWhatIsNoLinkAndQuotesIt)
 {
     for (const char *text : {"", ":", "can0", "usb:can0", "SIM:can", "socketcan:", "serial:?baud=9600", "sim:usb",
-             "sim:can?loss", "sim:can?=1", "sim:can?loss=", "sim:can?a=1&&b=2"}) {
+             "sim:can?loss", "sim:can?=1", "sim:can?loss=", "sim:can?a=1&&b=2", "sim:can?seed=1&seed=2",
+             "serial:/dev/ttyUSB0?baud=9600&rs485=1&baud=57600"}) {
         const auto address = LinkAddress::parse(text);
         ASSERT_FALSE(address) << text;
         EXPECT_EQ(address.error().fault, Fault::OutOfRange) << text;

@@ -92,8 +92,7 @@ TEST(Replay, PlaysFramesAtTheirTimesAndStandsAtTheEnd)
 
 TEST(Replay, HasItsSpeedFromTheAddress)
 {
-    for (const auto &[option, seconds] :
-        {std::pair{"?speed=2", 5.0}, {"?speed=0.5", 20.0}, {"?speed=max", 0.0}, {"?speed=0", 0.0}}) {
+    for (const auto &[option, seconds] : {std::pair{"?speed=2", 5.0}, {"?speed=0.5", 20.0}, {"?speed=max", 0.0}}) {
         Replay replay(log, option);
         ASSERT_TRUE(replay.opened);
         replay.link->play();
@@ -268,7 +267,7 @@ TEST(Replay, SaysWhyAFileCannotBePlayed)
     EXPECT_NE(refusal(here + "/text.log").text().find("line 1 is neither"), std::string::npos);
     replay.folder.write("zeros.log", std::string(1 << 20, '\0'));
     EXPECT_NE(refusal(here + "/zeros.log").text().find("line 1 is neither"), std::string::npos);
-    for (const char *option : {"?speed=-1", "?speed=fast", "?speed=0.001", "?speed=1e9", "?pace=1"})
+    for (const char *option : {"?speed=-1", "?speed=0", "?speed=fast", "?speed=0.001", "?speed=1e9", "?pace=1"})
         EXPECT_EQ(refusal("replay:" + replay.path + option).fault, Fault::OutOfRange) << option;
     if (::geteuid() != 0) {
         std::filesystem::permissions(replay.path, std::filesystem::perms::none);
@@ -280,11 +279,13 @@ TEST(Replay, NamesADamagedLineAndEndsThere)
 {
     Replay replay("(1.000000) can0 001#\n(2.000000) can0 002#\n(3.0000", "?speed=max");
     EXPECT_TRUE(replay.survey()) << "a last line that was cut off is the end of the recording";
+    EXPECT_EQ(replay.link->remark().english(), "the last line is cut off, and left out");
     EXPECT_EQ(replay.link->replay().length, 1s);
 
     Replay whole("(1.000000) can0 001#\n(2.000000) can0 002#", "?speed=max");
     EXPECT_TRUE(whole.survey());
     EXPECT_EQ(whole.link->replay().length, 1s) << "a last line without its end is a line";
+    EXPECT_EQ(whole.link->remark().english(), "the last line has no end, so its frame may be cut short");
     whole.folder.write("one.log", "(1.0000");
     const auto one = whole.open("replay:" + whole.folder.path() + "/one.log");
     ASSERT_FALSE(one) << "a first line that is cut could be anything";
@@ -300,6 +301,15 @@ TEST(Replay, NamesADamagedLineAndEndsThere)
     damaged.clock.advance(1s);
     EXPECT_EQ(damaged.frames.size(), 1U);
     EXPECT_EQ(damaged.ends, 1);
+}
+
+TEST(Replay, PassesCanFdFramesOverAndSaysHowMany)
+{
+    Replay replay("(1.000000) can0 001#\n(1.500000) can0 123##311223344\n(2.000000) can0 002#\n", "?speed=max");
+    ASSERT_TRUE(replay.opened);
+    EXPECT_TRUE(replay.survey());
+    EXPECT_EQ(replay.link->replay().length, 1s);
+    EXPECT_EQ(replay.link->remark().english(), "1 CAN FD frame is left out, because only classic CAN is read");
 }
 
 TEST(Replay, IsReadInPieces)

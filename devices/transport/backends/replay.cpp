@@ -25,7 +25,7 @@ Result<double> parsePace(std::string_view text)
     if (text == "max")
         return 0.0;
     const auto pace = numberFrom(text);
-    if (!pace || !isPace(*pace))
+    if (!pace || *pace == 0.0 || !isPace(*pace))
         return wrongPace(std::string(text));
     return *pace;
 }
@@ -174,6 +174,11 @@ Result<bool> ReplayLink::survey(const std::function<void(const LoggedFrame &)> &
     if (!m_file)
         return fail(notOpen());
     return m_file->survey(seen);
+}
+
+Message ReplayLink::remark() const
+{
+    return m_file ? m_file->remark() : Message();
 }
 
 /// A damaged line ends the replay: survey() has named it.

@@ -42,7 +42,7 @@ struct ReplayTime {
 
 } // namespace detail
 
-/// A recording (RecordingFile) as a link: `replay:FILE`, options `speed` (0.01…1000, `max` or 0 as fast as possible)
+/// A recording (RecordingFile) as a link: `replay:FILE`, options `speed` (0.01…1000, `max`: as fast as possible)
 /// and `interface` (only frames of this one). It opens standing at its first frame; who has found the devices in it, by
 /// survey(), lets it play().
 ///
@@ -71,6 +71,8 @@ public:
     [[nodiscard]] Result<void> seek(Duration position);
     /// See RecordingFile::survey().
     [[nodiscard]] Result<bool> survey(const std::function<void(const LoggedFrame &)> &seen);
+    /// What survey() has seen that is left out, or may not be whole, for people; empty: nothing.
+    [[nodiscard]] Message remark() const;
 
     /// The last frame has been delivered; time stands.
     [[nodiscard]] Listeners<> &ended() { return m_ended; }

@@ -37,6 +37,18 @@ UnixSpiServer::UnixSpiServer(LinkAddress address, Clock &clock)
 {
 }
 
+Result<std::unique_ptr<UnixSpiServer>> UnixSpiServer::create(const LinkAddress &address, Clock &clock)
+{
+    for (const auto &[key, value] : address.options) {
+        if (key != "pace")
+            return fail(
+                Fault::OutOfRange, say("a simulated board's socket has no option '%1'", key), say("it has pace"));
+        if (value != "0" && value != "1")
+            return fail(Fault::OutOfRange, say("pace=%1 is no choice", value), say("legal are 0 and 1"));
+    }
+    return std::make_unique<UnixSpiServer>(address, clock);
+}
+
 UnixSpiServer::~UnixSpiServer()
 {
     close();

@@ -14,6 +14,9 @@ namespace mb {
 /// take the time that they take at 500 kHz.
 class UnixSpiServer final : public SpiSlaveLink {
 public:
+    /// OutOfRange for an option that it does not have, or that has no such value.
+    [[nodiscard]] static Result<std::unique_ptr<UnixSpiServer>> create(const LinkAddress &address, Clock &clock);
+    /// Of an address whose options are good.
     UnixSpiServer(LinkAddress address, Clock &clock);
     ~UnixSpiServer() override;
 
