@@ -150,13 +150,6 @@ std::vector<Debt> DebtBook::read() const
     return debts;
 }
 
-bool DebtBook::has(std::string_view name) const
-{
-    const std::vector<Debt> debts = read();
-    return std::any_of(
-        debts.begin(), debts.end(), [name](const Debt &known) { return unitOf(known.name) == unitOf(name); });
-}
-
 /// A new file in place of the old one, so that nobody reads half of it.
 bool DebtBook::write(const std::vector<Debt> &debts) const
 {
@@ -196,7 +189,7 @@ bool DebtBook::add(const Debt &debt)
     if (!isOurs(m_folder))
         return false;
     return change([&debt](std::vector<Debt> &debts) {
-        std::erase_if(debts, [&debt](const Debt &known) { return known.name == debt.name; });
+        std::erase_if(debts, [&debt](const Debt &known) { return unitOf(known.name) == unitOf(debt.name); });
         debts.push_back(debt);
     });
 }

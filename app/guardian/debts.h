@@ -35,9 +35,7 @@ public:
     /// Something is owed. Cheap.
     [[nodiscard]] bool exists() const;
     [[nodiscard]] std::vector<Debt> read() const;
-    /// Nobody has seen this device stand, whether it is still tried or was given up.
-    [[nodiscard]] bool has(std::string_view name) const;
-    /// One of this name is replaced. False when it cannot be kept.
+    /// One of the same unit is replaced. False when it cannot be kept.
     bool add(const Debt &debt);
     void remove(std::string_view name);
 

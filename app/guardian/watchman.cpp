@@ -75,12 +75,12 @@ void Watchman::ended(const Runner::Outcome &outcome, Time now)
                                             : "TRIED IN VAIN to stop, cut its power: ")
         + stopped.name + stopped.cause);
     m_voice.report({Report::Kind::Acted, outcome.id, outcome.confirmed, outcome.proved});
-    if (outcome.confirmed)
-        return;
     stopped.since = now;
-    if (m_voice.debt)
-        m_voice.debt(stopped, true);
-    m_owed[outcome.id] = std::move(stopped);
+    if (m_voice.debt
+        && outcome.confirmed == outcome.proved) // what is only sent stays owed where its program wrote it down
+        m_voice.debt(stopped, !outcome.confirmed);
+    if (!outcome.confirmed)
+        m_owed[outcome.id] = std::move(stopped);
 }
 
 void Watchman::dropOldDebts(Time now)

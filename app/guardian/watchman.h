@@ -28,7 +28,7 @@ public:
     struct Voice {
         std::function<void(const Report &)> report;
         std::function<void(const std::string &)> log;        ///< one line about what was done
-        std::function<void(const Owed &, bool owed)> debt{}; ///< a stop is owed from now on, or was confirmed at last
+        std::function<void(const Owed &, bool owed)> debt{}; ///< a stop is owed from now on, or was confirmed
     };
 
     Watchman(Port &port, Voice voice);

@@ -264,7 +264,12 @@ void ExperimentMotion::tellMeasured() const
     Trial sofar = m_trial;
     sofar.samples = m_recorder.samples();
     sofar.lost = m_recorder.lost();
-    measure(sofar, m_device.family(), m_recorder, {m_holds.end() - newest, m_holds.end()}, {});
+    const auto first = m_holds.end() - newest;
+    Span within
+        = TrialRecorder::everything; // from where the hold before ended: how long this takes is no matter of repeats
+    if (first != m_holds.begin())
+        within.from = inSeconds((first - 1)->second - first->first);
+    measure(sofar, m_device.family(), m_recorder, {first, m_holds.end()}, {}, within);
     m_around.measured(sofar);
 }
 

@@ -142,22 +142,28 @@ std::optional<double> TrialRecorder::latest(std::string_view key) const
     return recorded->points.back().value;
 }
 
-Trace TrialRecorder::trace(std::string_view key, Instant zero) const
+Trace TrialRecorder::trace(std::string_view key, Instant zero, const Span &within) const
 {
     Trace trace;
     const Recorded *recorded = find(key);
-    for (std::size_t i = 0; recorded && i < recorded->points.size(); ++i)
-        trace.add(inSeconds(recorded->points[i].time - zero), recorded->points[i].value);
+    if (!recorded)
+        return trace;
+    const auto timeOf = [zero](const Point &point) { return inSeconds(point.time - zero); };
+    const std::vector<Point> &points = recorded->points;
+    auto point = std::partition_point(
+        points.begin(), points.end(), [&](const Point &each) { return timeOf(each) < within.from; });
+    for (; point != points.end() && timeOf(*point) <= within.to; ++point)
+        trace.add(timeOf(*point), point->value);
     return trace;
 }
 
-std::vector<Signal> TrialRecorder::signals(Instant zero) const
+std::vector<Signal> TrialRecorder::signals(Instant zero, const Span &within) const
 {
     std::vector<Signal> signals;
     for (const Recorded &recorded : m_recorded) {
         const Channel &channel = m_device.telemetry()->channels()[recorded.channel.value];
         if (!recorded.points.empty())
-            signals.push_back({std::string(channel.key), std::string(channel.unit), trace(recorded.key, zero)});
+            signals.push_back({std::string(channel.key), std::string(channel.unit), trace(recorded.key, zero, within)});
     }
     return signals;
 }

@@ -27,9 +27,10 @@ public:
     [[nodiscard]] Instant stoppedAt() const { return m_stoppedAt; }
     /// Newest value of the measured channel, or of another of this axis.
     [[nodiscard]] std::optional<double> latest(std::string_view key) const;
-    /// Seconds since `zero`.
-    [[nodiscard]] Trace trace(std::string_view key, Instant zero) const;
-    [[nodiscard]] std::vector<Signal> signals(Instant zero) const;
+    static constexpr Span everything{-1e9, 1e9};
+    /// Seconds since `zero`, and only what is within a stretch of them.
+    [[nodiscard]] Trace trace(std::string_view key, Instant zero, const Span &within = everything) const;
+    [[nodiscard]] std::vector<Signal> signals(Instant zero, const Span &within = everything) const;
     [[nodiscard]] std::uint64_t samples() const { return m_samples; }
     [[nodiscard]] std::uint64_t lost() const;
     /// Counts where the motor would come to rest by what its last positions say, in `lag` seconds; 0 while there are too few.

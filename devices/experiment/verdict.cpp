@@ -43,7 +43,7 @@ Reading readSteps(const TrialRecorder &recorder, std::string_view key, const Spa
         if (end <= edge)
             continue; // it was cut before
         const double seconds = inSeconds(end - edge);
-        const Trace trace = recorder.trace(key, edge).part(-beforeStep, seconds);
+        const Trace trace = recorder.trace(key, edge, {-beforeStep, seconds});
         const Response response = readResponse(trace, target, leastMove);
         const bool whole = !cut || end < *cut;
         reading.runs.push_back((whole ? response : cutShort(response, seconds)).metrics);
@@ -205,8 +205,8 @@ std::string_view endingLabel(std::string_view reason)
     return row == labels.end() ? std::string_view() : row->second;
 }
 
-void measure(
-    Trial &trial, const Family &family, const TrialRecorder &recorder, const Spans &holds, const Spans &returns)
+void measure(Trial &trial, const Family &family, const TrialRecorder &recorder, const Spans &holds,
+    const Spans &returns, const Span &within)
 {
     if (holds.empty())
         return;
@@ -226,8 +226,8 @@ void measure(
     const double limit = trial.envelope.duty.value_or(1.0);
     for (std::size_t i = 0; i < holds.size(); ++i) {
         const double hold = inSeconds(holds[i].second - holds[i].first);
-        readEffort(reading.runs[i], recorder.trace("current", holds[i].first), recorder.trace("duty", holds[i].first),
-            hold, limit);
+        readEffort(reading.runs[i], recorder.trace("current", holds[i].first, {0.0, hold}),
+            recorder.trace("duty", holds[i].first, {0.0, hold}), hold, limit);
         if (trial.envelope.current == std::nullopt)
             reading.runs[i].peakCurrent.reset(); // its channel has no scale
     }
@@ -241,8 +241,8 @@ void measure(
     const Instant zero = holds.front().first;
     trial.holds = spansOf(holds, zero);
     trial.returns = spansOf(returns, zero);
-    trial.signals = recorder.signals(zero);
-    addFlags(trial, family, reading.response, back.response, recorder.trace(key, zero));
+    trial.signals = recorder.signals(zero, within);
+    addFlags(trial, family, reading.response, back.response, recorder.trace(key, zero, within));
 }
 
 } // namespace mb::tuning

@@ -27,8 +27,10 @@ void nameEnding(Trial &trial, const Ending &ending);
 /// What Trial::reason is called in front of people, a label of the table: "direction" of "wrong direction";
 /// empty: not a reason that is known here.
 [[nodiscard]] std::string_view endingLabel(std::string_view reason);
-/// Metrics with their errors, signals and flags, from the steps to Y (edge and end) and the ways back.
+/// Metrics with their errors, signals and flags, from the steps to Y (edge and end) and the ways back; of what was recorded within a
+/// stretch around the first edge.
 void measure(Trial &trial, const Family &family, const TrialRecorder &recorder,
-    const std::vector<std::pair<Instant, Instant>> &holds, const std::vector<std::pair<Instant, Instant>> &returns);
+    const std::vector<std::pair<Instant, Instant>> &holds, const std::vector<std::pair<Instant, Instant>> &returns,
+    const Span &within = TrialRecorder::everything);
 
 } // namespace mb::tuning

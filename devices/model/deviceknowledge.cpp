@@ -151,9 +151,10 @@ void DeviceKnowledge::settingsLost()
     m_changed.notify();
 }
 
-void DeviceKnowledge::setCounter(const std::string &key, std::int64_t value)
+void DeviceKnowledge::setCounters(const std::map<std::string, std::int64_t> &values)
 {
-    m_profile.edit().counters[key] = value;
+    for (const auto &[key, value] : values)
+        m_profile.edit().counters[key] = value;
     m_changed.notify();
 }
 

@@ -7,6 +7,8 @@
 #include "model/parameterstore.h"
 #include "model/shared.h"
 
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -55,7 +57,9 @@ public:
     [[nodiscard]] Result<void> setDialect(std::string_view key);
     /// Keeps what a check of this device found out, such as "direction"; shown, never relied on.
     void setVerdict(const std::string &key, std::string verdict);
-    void setCounter(const std::string &key, std::int64_t value);
+    void setCounter(const std::string &key, std::int64_t value) { setCounters({{key, value}}); }
+    /// The same of several that belong together: told, and kept on the disk, once.
+    void setCounters(const std::map<std::string, std::int64_t> &values);
 
     /// A write-only parameter is known to have been set to this, by us or by somebody we heard.
     void assume(ParameterIndex index, std::int64_t raw);

@@ -51,10 +51,16 @@ void DeviceStop::told()
     enter(cut ? StopState::Owed : StopState::Stopping);
 }
 
-void DeviceStop::inherit()
+void DeviceStop::inherit(Instant since)
 {
     m_forMotion = true;
-    m_device.stop();
+    if (m_device.clock().now() - since < debtLimit) {
+        m_device.stop();
+        return;
+    }
+    m_toldAt = since;
+    m_look.startIn(confirmEvery, [this] { look(); });
+    enter(StopState::Unconfirmed);
 }
 
 void DeviceStop::dismiss()

@@ -57,8 +57,9 @@ public:
     void driven();
     // For Session: the link is open again. A stop that is due goes out at once.
     void linkIsBack();
-    /// For Session: a stop that an earlier opening of the link, or an earlier run of the program, has left.
-    void inherit();
+    /// A stop that an earlier opening of the link, or an earlier run of the program, has left. Told again unless it is too old: then
+    /// it is only shown until the device is seen to stand.
+    void inherit(Instant since);
 
 private:
     void look();

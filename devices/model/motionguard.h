@@ -8,19 +8,17 @@
 #include "transport/link.h"
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace mb {
 
-/// A stop that a link still owes to a device that is not there to be told.
+/// A stop that a line owes to a device which nobody has seen stand.
 struct OwedStop {
     std::string line;   ///< linkIdentity()
     std::string device; ///< selector, as of when it was driven
     StopScript script;
     Instant since{};
-    bool isWithGuardians = false; ///< they owe it too, and will have sent it if they do not owe it any more
 };
 
 /// A guardian's watch over one device. Destroying it without release() makes the guardian stop the motor.
@@ -71,21 +69,18 @@ public:
     [[nodiscard]] virtual Result<std::unique_ptr<GuardWatch>> watch(
         Link &link, const StopScript &script, const std::string &name)
         = 0;
-    /// Before the first frame on a link that was just opened: what guardians of programs that are gone owe there, or have given
-    /// up. They leave the line to this program until it leaves it. Nothing while somebody else has it: ask again.
-    [[nodiscard]] virtual std::optional<std::vector<OwedStop>> takeOver(Link & /*link*/, Instant /*now*/)
-    {
-        return std::vector<OwedStop>();
-    }
+    /// Before the first frame on a link that was just opened: guardians leave what is owed on its line to this program until it
+    /// leaves the line. False while somebody else has it: ask again.
+    [[nodiscard]] virtual bool own(Link & /*link*/) { return true; }
     /// The link was closed or lost: what is owed there is the guardians' again, under whatever name the line comes back.
     virtual void leave(const std::string & /*line*/) { }
+    /// The book of every line that own() was asked for: what this program and guardians, of programs that are gone too, owe there or
+    /// have given up; not once it was confirmed or settled.
+    [[nodiscard]] virtual std::vector<OwedStop> owed(Instant /*now*/) const { return {}; }
+    /// Into that book. False where there is none, or it cannot be written.
+    virtual bool owe(const OwedStop & /*stop*/, Instant /*now*/) { return false; }
     /// A device was seen to stand, or is not to be told any more: its stop is not owed on this line, whoever has it.
     virtual void settle(const std::string & /*line*/, const std::string & /*device*/) { }
-    /// They owe it, or have given it up; not once it was confirmed or settled.
-    [[nodiscard]] virtual bool isOwed(const std::string & /*line*/, const std::string & /*device*/) const
-    {
-        return false;
-    }
     /// What became of the stop that a guardian sent.
     enum class Verdict {
         Confirmed, ///< the device answered

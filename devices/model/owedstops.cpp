@@ -18,117 +18,112 @@ std::string_view unitOf(std::string_view selector)
     return selector.substr(selector.rfind('/') + 1);
 }
 
-bool isSameUnit(const OwedStop &owed, std::string_view line, std::string_view selector)
+bool isOf(const OwedStop &owed, std::string_view line, std::string_view selector)
 {
     return owed.line == line && unitOf(owed.device) == unitOf(selector);
 }
 
+/// The device itself shows what became of its motor, and tells it to stop.
+bool follows(Device &device)
+{
+    return device.stopping().hasMoved() || device.stopping().isForMotion();
+}
+
 } // namespace
 
-OwedStops::OwedStops(Clock &clock, MotionGuard *guard)
+OwedStops::OwedStops(Clock &clock, DeviceBook &devices, MotionGuard *guard)
     : m_clock(clock)
+    , m_devices(devices)
     , m_guard(guard)
     , m_look(clock)
 {
 }
 
-bool OwedStops::isDue(const OwedStop &owed) const
+std::vector<OwedStop> OwedStops::unseen() const
 {
-    return m_clock.now() - owed.since < DeviceStop::debtLimit;
+    std::vector<OwedStop> unseen = m_owed;
+    std::erase_if(unseen, [this](const OwedStop &owed) { return isFollowed(owed); });
+    return unseen;
+}
+
+bool OwedStops::isFollowed(const OwedStop &owed) const
+{
+    const std::vector<Device *> all = m_devices.all();
+    return std::any_of(all.begin(), all.end(),
+        [&owed](Device *device) { return isOf(owed, device->link().line(), device->selector()) && follows(*device); });
 }
 
 void OwedStops::pay(Link &link)
 {
-    (void)takeOver(link);
-    sendDue(link);
-    lookAtBooks();
-}
-
-bool OwedStops::takeOver(Link &link)
-{
-    if (!m_guard)
-        return false;
-    auto taken = m_guard->takeOver(link, m_clock.now());
     std::erase(m_withOthers, &link);
-    if (!taken) {
+    const bool isOurs = !m_guard || m_guard->own(link);
+    if (!isOurs)
         m_withOthers.push_back(&link);
-        return false;
-    }
-    for (OwedStop &owed : *taken) {
-        const bool known = std::any_of(m_owed.begin(), m_owed.end(),
-            [&owed](const OwedStop &other) { return isSameUnit(other, owed.line, owed.device); });
-        if (!known)
-            m_owed.push_back(std::move(owed));
-    }
-    return true;
+    look();
+    if (isOurs)
+        sendDue(link);
 }
 
 void OwedStops::sendDue(Link &link) const
 {
     for (const OwedStop &owed : m_owed) {
-        if (owed.line == link.line() && isDue(owed))
+        if (owed.line == link.line() && m_clock.now() - owed.since < DeviceStop::debtLimit && !isFollowed(owed))
             sendScript(link, owed.script);
     }
 }
 
-/// Guardians pay where no program has the line open.
-void OwedStops::lookAtBooks()
+/// Guardians pay where no program has the line open, and one may have been in the middle of a try when a link was opened.
+void OwedStops::look()
 {
-    if (!m_guard || (m_owed.empty() && m_withOthers.empty()))
-        return;
-    const std::size_t before = m_owed.size();
-    std::erase_if(m_owed, [this](OwedStop &owed) {
-        const bool isThere = m_guard->isOwed(owed.line, owed.device);
-        return std::exchange(owed.isWithGuardians, isThere) && !isThere;
-    });
-    m_look.startIn(lookPeriod, [this] { lookAgain(); });
-    if (m_owed.size() != before)
-        m_changed.notify();
-}
-
-/// A guardian may have been in the middle of a try when the link was opened.
-void OwedStops::lookAgain()
-{
-    bool isMore = false;
-    for (Link *const link : std::vector(m_withOthers)) {
-        if (!takeOver(*link))
-            continue;
+    const auto theirs
+        = std::partition(m_withOthers.begin(), m_withOthers.end(), [this](Link *link) { return !m_guard->own(*link); });
+    const std::vector<Link *> ours(theirs, m_withOthers.end());
+    m_withOthers.erase(theirs, m_withOthers.end());
+    const auto before = std::exchange(m_owed, m_unbooked);
+    const std::vector<OwedStop> booked = m_guard ? m_guard->owed(m_clock.now()) : std::vector<OwedStop>();
+    m_owed.insert(m_owed.end(), booked.begin(), booked.end());
+    if (!m_owed.empty() || !m_withOthers.empty())
+        m_look.startIn(lookPeriod, [this] { look(); });
+    for (Link *const link : ours)
         sendDue(*link);
-        isMore = true;
-    }
-    lookAtBooks();
-    if (isMore)
-        m_changed.notify();
+    if (std::equal(before.begin(), before.end(), m_owed.begin(), m_owed.end(),
+            [](const OwedStop &a, const OwedStop &b) { return isOf(a, b.line, b.device); }))
+        return;
+    for (Device *device : m_devices.all())
+        passTo(*device);
+    m_devices.changed().notify();
 }
 
 void OwedStops::add(Device &device)
 {
     const DeviceStop &stop = device.stopping();
-    if (!(stop.isDue() || stop.mayTurn()) || !stop.isForMotion() || device.link().address().isSimulated())
+    const StopScript script = device.stopScript();
+    if (!(stop.isDue() || stop.mayTurn()) || !stop.isForMotion() || device.link().address().isSimulated()
+        || device.family().capabilities.watchdog || script.isEmpty())
         return;
-    if (const StopScript script = device.stopScript(); !script.isEmpty() && !device.family().capabilities.watchdog)
-        m_owed.push_back({device.link().line(), device.selector(), script, stop.toldAt()});
-    lookAtBooks();
+    const OwedStop owed{device.link().line(), device.selector(), script, stop.toldAt()};
+    if (!m_guard || !m_guard->owe(owed, m_clock.now())) {
+        std::erase_if(m_unbooked, [&owed](const OwedStop &other) { return isOf(other, owed.line, owed.device); });
+        m_unbooked.push_back(owed);
+    }
+    look();
 }
 
 void OwedStops::passTo(Device &device)
 {
-    if (!device.mayStop())
-        return;
     const auto owed = std::find_if(m_owed.begin(), m_owed.end(),
-        [&](const OwedStop &known) { return isSameUnit(known, device.link().line(), device.selector()); });
-    if (owed == m_owed.end())
-        return;
-    const bool due = isDue(*owed);
-    m_owed.erase(owed);
-    if (due)
-        device.stopping().inherit();
+        [&device](const OwedStop &one) { return isOf(one, device.link().line(), device.selector()); });
+    if (owed != m_owed.end() && !follows(device) && device.mayStop())
+        device.stopping().inherit(owed->since);
 }
 
-void OwedStops::settle(const Device &device)
+void OwedStops::settle(const std::string &line, const std::string &device)
 {
+    const auto isMeant = [&](const OwedStop &owed) { return isOf(owed, line, device); };
+    std::erase_if(m_unbooked, isMeant);
+    std::erase_if(m_owed, isMeant);
     if (m_guard)
-        m_guard->settle(device.link().line(), device.selector());
+        m_guard->settle(line, device);
 }
 
 void OwedStops::leave(const std::string &line)
@@ -140,11 +135,8 @@ void OwedStops::leave(const std::string &line)
 
 void OwedStops::dismiss()
 {
-    for (const OwedStop &owed : m_owed) {
-        if (m_guard)
-            m_guard->settle(owed.line, owed.device);
-    }
-    m_owed.clear();
+    for (const OwedStop &owed : unseen())
+        settle(owed.line, owed.device);
 }
 
 } // namespace mb

@@ -1,54 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/device.h"
+#include "model/devicebook.h"
 #include "model/motionguard.h"
 
-#include <list>
 #include <string>
 #include <vector>
 
 namespace mb {
 
-/// Stops that are owed to devices nobody sees now: their link was closed before they were seen to stand, or another run of the
-/// program left them. Sent when their line is open again, for DeviceStop::debtLimit; each ends when its device is found and has taken
-/// it over, when a guardian has stopped it, or when its user has looked. Thread of the session.
+/// Stops that are owed to motors which nobody has seen stand: their link was closed before, or another run of the program left them.
+/// They are in the guardians' book of their line, which every program sees; what no book takes is kept here. Sent when their line is
+/// open again, for DeviceStop::debtLimit; each ends when its device was seen to stand, when a guardian has stopped it, or when its
+/// user has looked. Thread of the session.
 class OwedStops {
 public:
-    /// Without a guard nothing is taken over from other runs.
-    OwedStops(Clock &clock, MotionGuard *guard);
+    /// All of them outlive it. Without a guard nothing is known of other runs.
+    OwedStops(Clock &clock, DeviceBook &devices, MotionGuard *guard);
 
-    [[nodiscard]] const std::list<OwedStop> &all() const { return m_owed; }
-    /// A guardian has stopped one, or they were taken over from somebody who had the line when it was opened.
-    [[nodiscard]] Listeners<> &changed() { return m_changed; }
-    /// A link was opened: what guardians of programs that are gone owe on its line is ours now, and everything owed there is sent,
-    /// before anything else.
+    /// Those whose device does not show its own stop or motion. As of the last change of ours, or of the last second.
+    [[nodiscard]] std::vector<OwedStop> unseen() const;
+    /// A link was opened: what is owed on its line is this program's business, and is sent before anything else.
     void pay(Link &link);
     /// The link of a device is closed while nobody has seen its motor stand: the stop stays.
     void add(Device &device);
-    /// To a device that was found, or whose link is back: from now on its own stop follows it up.
+    /// To a device that was found, or whose link is back: from now on its own stop follows it up. One that this program has driven
+    /// since is not told: the newer order counts, and its own stop settles the debt.
     void passTo(Device &device);
     /// The device was seen to stand.
-    void settle(const Device &device);
+    void settle(const Device &device) { settle(device.link().line(), device.selector()); }
     /// The link to this line (linkIdentity) was closed or lost: what is owed there is the guardians' again.
     void leave(const std::string &line);
     /// The user has looked at the motors: nothing is owed any more.
     void dismiss();
 
 private:
-    /// False while somebody else has the line.
-    bool takeOver(Link &link);
+    void look();
     void sendDue(Link &link) const;
-    void lookAtBooks();
-    void lookAgain();
-    [[nodiscard]] bool isDue(const OwedStop &owed) const;
+    void settle(const std::string &line, const std::string &device);
+    [[nodiscard]] bool isFollowed(const OwedStop &owed) const;
 
     Clock &m_clock;
+    DeviceBook &m_devices;
     MotionGuard *m_guard;
-    std::list<OwedStop> m_owed;
+    std::vector<OwedStop> m_unbooked;
+    std::vector<OwedStop> m_owed;     ///< those and what is in the books
     std::vector<Link *> m_withOthers; ///< open, and somebody else's business when they were opened
     Timer m_look;
-    Listeners<> m_changed;
 };
 
 } // namespace mb

@@ -14,12 +14,11 @@ constexpr Duration owingRetry
 SessionStops::SessionStops(Clock &clock, LinkBook &links, DeviceBook &devices, MotionGuard *guard)
     : m_links(links)
     , m_devices(devices)
-    , m_owed(clock, guard)
+    , m_owed(clock, devices, guard)
     , m_retry(clock)
     , m_opened(links.opened().add([this](Link &link) { linkOpened(link); }))
     , m_lost(links.lost().add([this](Link &link) { linkLost(link); }))
     , m_added(devices.added().add([this](Device &device) { m_owed.passTo(device); }))
-    , m_owedChanged(m_owed.changed().add([this] { owedChanged(); }))
     , m_stopChanged(devices.stopChanged().add([this](Device &device) { stopChanged(device); }))
 {
 }
@@ -89,14 +88,6 @@ void SessionStops::linkOpened(Link &link)
         device->stopping().linkIsBack();
         m_owed.passTo(*device);
     }
-}
-
-/// What was taken over late is of devices that were found before.
-void SessionStops::owedChanged()
-{
-    for (Device *device : m_devices.all())
-        m_owed.passTo(*device);
-    m_devices.changed().notify();
 }
 
 /// Its line may be back under a name that is no link of ours, while another one has this name: the guardians look for it everywhere.

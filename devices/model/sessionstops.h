@@ -23,7 +23,8 @@ public:
     void beforeClose(const Link &link);
     /// Its devices are gone: what is owed on this line is the guardians' again.
     void leave(const std::string &line) { m_owed.leave(line); }
-    [[nodiscard]] const std::list<OwedStop> &owed() const { return m_owed.all(); }
+    /// To motors of which no device of the session shows what became of them.
+    [[nodiscard]] std::vector<OwedStop> owed() const { return m_owed.unseen(); }
     /// The user has looked at the motors: nothing is owed any more.
     void dismiss();
     /// Starts the buffered moves of every device on the link of `lead` at the same moment. Unsafe when one of them is not
@@ -33,7 +34,6 @@ public:
 private:
     void linkOpened(Link &link);
     void linkLost(const Link &link);
-    void owedChanged();
     void stopChanged(Device &device);
     void retryOwing();
     [[nodiscard]] bool isOwing(const Link &link) const;
@@ -45,7 +45,6 @@ private:
     Subscription m_opened;
     Subscription m_lost;
     Subscription m_added;
-    Subscription m_owedChanged;
     Subscription m_stopChanged;
 };
 

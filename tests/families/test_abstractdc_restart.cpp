@@ -276,6 +276,20 @@ TEST_F(AbstractDcController, WhatWasSentButNotAnsweredLeavesASettingUnknown)
     EXPECT_EQ(device->parameters().entry(index("velocity.p")).raw, 6) << "nothing was sent";
 }
 
+/// Each time is a file on the disk.
+TEST_F(AbstractDcRestart, KeepsWhereItStandsAndWhereItPassedOnce)
+{
+    add("abstractdc:3");
+    open(3, &dialectF);
+    int kept = 0;
+    const Subscription keeping = device->knowledge().changed().add([&kept] { ++kept; });
+    ASSERT_TRUE(turnsAwayFromZero());
+    EXPECT_EQ(kept, 1);
+    const auto &counters = device->knowledge().profile().counters;
+    EXPECT_EQ(counters.at("place.position"), std::lround(latest("position")));
+    EXPECT_TRUE(counters.contains("place.passed_ms"));
+}
+
 TEST_F(AbstractDcController, AWriteThatIsCutWhileASilentDriveIsWaitedForLeavesASettingUnknown)
 {
     Simulator &drive = add("abstractdc:3");

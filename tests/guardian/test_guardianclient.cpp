@@ -5,6 +5,7 @@
 #include "model/owedstops.h"
 #include "support/loosemotor.h"
 
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -45,6 +46,10 @@ protected:
 
     std::string folder;
     VirtualClock clock;
+    std::array<const Family *, 1> families{&test::looseFamily};
+    LinkBook links{clock, families};
+    SessionMemory memory;
+    DeviceBook devices{clock, links, memory, nullptr};
     test::LoggedLink link{clock, {Outlet::Form::CanSocket, 7}};
     test::LooseMotor motor{link, clock};
     std::unique_ptr<DebtBook> book;
@@ -54,52 +59,52 @@ TEST_F(GuardianBooks, AnAgedDebtIsShownAndNotSentUntilSomebodyHasLooked)
 {
     owe(11min);
     GuardianClient client("nowhere", folder + "/run");
-    OwedStops owed(clock, &client);
+    OwedStops owed(clock, devices, &client);
     owed.pay(link);
     EXPECT_EQ(link.sent, Frames{});
-    EXPECT_EQ(owed.all().size(), 1U);
+    EXPECT_EQ(owed.unseen().size(), 1U);
     clock.advance(3s);
-    EXPECT_EQ(owed.all().size(), 1U);
+    EXPECT_EQ(owed.unseen().size(), 1U);
     EXPECT_TRUE(book->exists()) << "for every other program";
     owed.dismiss();
-    EXPECT_TRUE(owed.all().empty());
+    EXPECT_TRUE(owed.unseen().empty());
     EXPECT_FALSE(book->exists());
 }
 
 TEST_F(GuardianBooks, ALinkThatIsOpenedAgainLeavesWhatItOwesInSight)
 {
     GuardianClient client("nowhere", folder + "/run");
-    OwedStops owed(clock, &client);
+    OwedStops owed(clock, devices, &client);
     owed.add(motor);
     owe(11min);
     clock.advance(2s);
-    ASSERT_EQ(owed.all().size(), 1U);
+    ASSERT_EQ(owed.unseen().size(), 1U);
     owed.pay(link);
     clock.advance(2s);
-    EXPECT_EQ(owed.all().size(), 1U) << "given up is not stopped";
+    EXPECT_EQ(owed.unseen().size(), 1U) << "given up is not stopped";
 }
 
 TEST_F(GuardianBooks, ASecondProgramThatOpensTheLineEndsNothingForTheFirst)
 {
     GuardianClient first("nowhere", folder + "/run");
-    OwedStops shown(clock, &first);
+    OwedStops shown(clock, devices, &first);
     shown.add(motor);
     owe(11min);
     clock.advance(2s);
     GuardianClient second("nowhere", folder + "/run");
-    OwedStops elsewhere(clock, &second);
+    OwedStops elsewhere(clock, devices, &second);
     elsewhere.pay(link);
     clock.advance(2s);
-    EXPECT_EQ(shown.all().size(), 1U);
+    EXPECT_EQ(shown.unseen().size(), 1U);
     elsewhere.dismiss();
     clock.advance(2s);
-    EXPECT_TRUE(shown.all().empty()) << "somebody has looked";
+    EXPECT_TRUE(shown.unseen().empty()) << "somebody has looked";
 }
 
 TEST_F(GuardianBooks, WhatIsDismissedWhileTheLineIsGoneIsNotStoppedWhenItIsBack)
 {
     GuardianClient client("nowhere", folder + "/run");
-    OwedStops owed(clock, &client);
+    OwedStops owed(clock, devices, &client);
     owed.pay(link);
     owed.add(motor);
     owe(0s);
@@ -109,7 +114,7 @@ TEST_F(GuardianBooks, WhatIsDismissedWhileTheLineIsGoneIsNotStoppedWhenItIsBack)
     link.sent.clear();
     owed.pay(link);
     EXPECT_EQ(link.sent, Frames{});
-    EXPECT_TRUE(owed.all().empty());
+    EXPECT_TRUE(owed.unseen().empty());
 }
 
 } // namespace

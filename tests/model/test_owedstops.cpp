@@ -5,6 +5,7 @@
 #include "support/fakeguard.h"
 #include "support/loosemotor.h"
 
+#include <array>
 #include <optional>
 
 namespace mb {
@@ -56,20 +57,24 @@ protected:
 
     VirtualClock clock;
     test::FakeGuard guard;
+    std::array<const Family *, 1> families{&test::looseFamily};
+    LinkBook links{clock, families};
+    SessionMemory memory;
+    DeviceBook devices{clock, links, memory, &guard};
     test::LoggedLink link{clock, {Outlet::Form::CanSocket, 7}};
     test::LoggedLink otherLink{clock, {Outlet::Form::CanSocket, 7}};
     std::optional<test::LooseMotor> motor;
-    OwedStops owed{clock, &guard};
+    OwedStops owed{clock, devices, &guard};
 };
 
 TEST_F(Owed, AMotorThatNobodySawStandIsOwedItsStop)
 {
     owed.add(make());
-    ASSERT_EQ(owed.all().size(), 1U);
-    EXPECT_EQ(owed.all().front().line, owedLine);
-    EXPECT_EQ(owed.all().front().device, motor->selector());
-    EXPECT_EQ(owed.all().front().since, clock.now());
-    EXPECT_EQ(owed.all().front().script.steps.size(), 1U);
+    ASSERT_EQ(owed.unseen().size(), 1U);
+    EXPECT_EQ(owed.unseen().front().line, owedLine);
+    EXPECT_EQ(owed.unseen().front().device, motor->selector());
+    EXPECT_EQ(owed.unseen().front().since, clock.now());
+    EXPECT_EQ(owed.unseen().front().script.steps.size(), 1U);
 }
 
 TEST_F(Owed, WhatStandsOrNobodyMovedOrStopsByItselfIsOwedNothing)
@@ -80,16 +85,16 @@ TEST_F(Owed, WhatStandsOrNobodyMovedOrStopsByItselfIsOwedNothing)
         return family;
     }();
     owed.add(make(watched));
-    EXPECT_TRUE(owed.all().empty()) << "a watchdog";
+    EXPECT_TRUE(owed.unseen().empty()) << "a watchdog";
     owed.add(make(test::looseFamily, false));
-    EXPECT_TRUE(owed.all().empty()) << "no motion";
+    EXPECT_TRUE(owed.unseen().empty()) << "no motion";
     make().script = {};
     owed.add(*motor);
-    EXPECT_TRUE(owed.all().empty()) << "no script";
+    EXPECT_TRUE(owed.unseen().empty()) << "no script";
     make().seenStopped = true;
     clock.advance(1s);
     owed.add(*motor);
-    EXPECT_TRUE(owed.all().empty()) << "it stands";
+    EXPECT_TRUE(owed.unseen().empty()) << "it stands";
 }
 
 TEST_F(Owed, GoesOutOnItsOwnLineOnlyAndAgainWithEachOpening)
@@ -107,12 +112,16 @@ TEST_F(Owed, ForTenMinutesAndNotLonger)
     EXPECT_EQ(paid(link), Frames{owedStopFrame});
     clock.advance(1ns);
     EXPECT_EQ(paid(link), Frames{});
-    EXPECT_EQ(owed.all().size(), 1U) << "nobody has seen it stand";
+    EXPECT_EQ(owed.unseen().size(), 1U) << "nobody has seen it stand";
     motor.emplace(link, clock);
     link.sent.clear();
     owed.passTo(*motor);
+    EXPECT_TRUE(motor->stopping().mayTurn()) << "shown with its device";
+    clock.advance(5s);
     EXPECT_TRUE(link.sent.empty());
-    EXPECT_TRUE(owed.all().empty()) << "whether it turns is seen from now on";
+    motor->seenStopped = true;
+    clock.advance(1s);
+    EXPECT_EQ(motor->stopping().state(), StopState::Seen);
 }
 
 TEST_F(Owed, TheTimeCountsFromWhenTheMotorWasToldNotFromWhenItsLinkWasClosed)
@@ -133,56 +142,45 @@ TEST_F(Owed, AMotorThatMayStillTurnStaysShownWhenItsLinkIsClosedAfterTenMinutes)
     clock.advance(DeviceStop::debtLimit + 1min);
     ASSERT_TRUE(motor->stopping().mayTurn());
     owed.add(*motor);
-    EXPECT_EQ(owed.all().size(), 1U);
+    EXPECT_EQ(owed.unseen().size(), 1U);
     ASSERT_TRUE(link.open());
     EXPECT_EQ(paid(link), Frames{}) << "it is not sent any more";
-    EXPECT_EQ(owed.all().size(), 1U);
+    EXPECT_EQ(owed.unseen().size(), 1U);
 }
 
 TEST_F(Owed, EndsWhenAGuardianHasStoppedItAndNotWhenItIsGivenUp)
 {
     owed.add(make());
     int told = 0;
-    const auto listening = owed.changed().add([&told] { ++told; });
-    clock.advance(3s);
-    EXPECT_EQ(owed.all().size(), 1U) << "no guardian owes it";
-    guard.books = {owedLine + ' ' + motor->selector()};
+    const auto listening = devices.changed().add([&told] { ++told; });
     clock.advance(1h);
-    EXPECT_EQ(owed.all().size(), 1U);
+    EXPECT_EQ(owed.unseen().size(), 1U);
     EXPECT_EQ(told, 0);
-    guard.books.clear();
+    guard.book.clear();
     clock.advance(1s);
-    EXPECT_TRUE(owed.all().empty());
+    EXPECT_TRUE(owed.unseen().empty());
     EXPECT_EQ(told, 1);
 }
 
-TEST_F(Owed, WhatEarlierProgramsOweIsTakenOverOnce)
+TEST_F(Owed, WhatEarlierProgramsOweIsSentOnItsLine)
 {
-    guard.owing = {stopOf("socketcan:can0/loose:3", 0x300), stopOf("socketcan:can0/loose:4", 0x400, otherOwedLine)};
-    EXPECT_EQ(paid(link), Frames{"00000300#00"});
-    EXPECT_EQ(owed.all().size(), 2U);
-    guard.owing = {stopOf("socketcan:can1/loose:3", 0x301)}; // the same unit behind another name
-    EXPECT_EQ(paid(link), Frames{"00000300#00"});
-    EXPECT_EQ(owed.all().size(), 2U);
-    guard.owing = {stopOf("socketcan:can1/loose:5", 0x500), stopOf("socketcan:can1/loose:3", 0x302, "usb-1.4")};
-    EXPECT_EQ(paid(link), (Frames{"00000300#00", "00000500#00"})) << "another unit, and one of this number elsewhere";
-    EXPECT_EQ(owed.all().size(), 4U);
+    guard.book = {stopOf("socketcan:can0/loose:3", 0x300), stopOf("socketcan:can0/loose:4", 0x400, otherOwedLine),
+        stopOf("socketcan:can1/loose:5", 0x500), stopOf("socketcan:can1/loose:3", 0x302, "usb-1.4")};
+    EXPECT_EQ(paid(link), (Frames{"00000300#00", "00000500#00"})) << "whatever the line was called";
+    EXPECT_EQ(owed.unseen().size(), 4U);
 }
 
 TEST_F(Owed, OnALineThatAGuardianHadWhenItWasOpenedIsTakenOverAsSoonAsThatLetsGo)
 {
-    guard.owing = {stopOf("socketcan:can0/loose:3", 0x300)};
+    guard.book = {stopOf("socketcan:can0/loose:3", 0x300)};
     guard.isWithOthers = true;
     EXPECT_EQ(paid(link), Frames{});
     clock.advance(5s);
     EXPECT_EQ(link.sent, Frames{});
-    int told = 0;
-    const auto listening = owed.changed().add([&told] { ++told; });
     guard.isWithOthers = false;
     clock.advance(1s);
     EXPECT_EQ(link.sent, Frames{"00000300#00"});
-    EXPECT_EQ(owed.all().size(), 1U);
-    EXPECT_EQ(told, 1) << "its device may be here";
+    EXPECT_EQ(owed.unseen().size(), 1U);
     const int asked = guard.asked;
     clock.advance(5s);
     EXPECT_EQ(guard.asked, asked) << "once";
@@ -210,29 +208,30 @@ TEST_F(Owed, IsPassedToItsDeviceWhichIsToldAtOnce)
     owed.passTo(*motor);
     EXPECT_EQ(link.sent, Frames{owedStopFrame});
     EXPECT_TRUE(motor->stopping().isForMotion());
-    EXPECT_TRUE(owed.all().empty());
     link.sent.clear();
     owed.passTo(*motor);
     EXPECT_TRUE(link.sent.empty()) << "once";
+    owed.settle(*motor);
+    EXPECT_TRUE(owed.unseen().empty());
 }
 
 TEST_F(Owed, IsNotPassedToAnotherUnitOrToOneThatMayNotBeTold)
 {
-    guard.owing = {stopOf("socketcan:can7/loose:3", 0x300)};
+    guard.book = {stopOf("socketcan:can7/loose:3", 0x300)};
     (void)paid(link);
     motor.emplace(link, clock);
     link.sent.clear();
     owed.passTo(*motor);
     EXPECT_TRUE(link.sent.empty()) << "number 0 is not number 3";
-    EXPECT_EQ(owed.all().size(), 1U);
+    EXPECT_EQ(owed.unseen().size(), 1U);
 
-    guard.owing = {stopOf(motor->selector(), 0x100)};
+    guard.book.push_back(stopOf(motor->selector(), 0x100));
     (void)paid(link);
     motor->gate().setBusy(say("its firmware is written"));
     link.sent.clear();
     owed.passTo(*motor);
     EXPECT_TRUE(link.sent.empty());
-    EXPECT_EQ(owed.all().size(), 2U) << "it stays owed";
+    EXPECT_EQ(owed.unseen().size(), 2U) << "it stays owed";
 }
 
 TEST_F(Owed, TheGuardiansHearWhatIsSettledAndWhatIsLeftToThem)
@@ -243,21 +242,27 @@ TEST_F(Owed, TheGuardiansHearWhatIsSettledAndWhatIsLeftToThem)
     EXPECT_EQ(guard.left, Frames{otherOwedLine});
     guard.settled.clear();
     owed.add(*motor);
+    guard.settled.clear();
     owed.dismiss();
     EXPECT_EQ(guard.settled, Frames{owedLine + ' ' + motor->selector()});
-    EXPECT_TRUE(owed.all().empty());
+    EXPECT_TRUE(owed.unseen().empty());
 }
 
 TEST_F(Owed, WithoutGuardiansEverythingElseIsTheSame)
 {
-    OwedStops alone(clock, nullptr);
+    OwedStops alone(clock, devices, nullptr);
     alone.add(make());
     alone.pay(link);
     EXPECT_EQ(link.sent, Frames{owedStopFrame});
-    alone.settle(*motor);
     alone.leave(owedLine);
+    EXPECT_EQ(alone.unseen().size(), 1U);
+    alone.settle(*motor);
+    EXPECT_TRUE(alone.unseen().empty());
+    alone.add(*motor);
+    alone.add(*motor);
+    EXPECT_EQ(alone.unseen().size(), 1U);
     alone.dismiss();
-    EXPECT_TRUE(alone.all().empty());
+    EXPECT_TRUE(alone.unseen().empty());
 }
 
 } // namespace

@@ -13,6 +13,7 @@
 #include <QFile>
 #include <QTemporaryDir>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 
@@ -101,6 +102,11 @@ protected:
         identity.family = "wired";
         identity.address = number;
         return static_cast<WiredMotor &>(devices.adopt(link, wiredFamily, identity, {}));
+    }
+    /// As a guardian of an earlier program writes it down.
+    [[nodiscard]] OwedStop owedTo(const Device &motor, Duration ago = {}) const
+    {
+        return {motor.link().line(), motor.selector(), {{{{}, {scriptByte}, {}, {}, 5ms, 1}}}, clock.now() - ago};
     }
     void run(Device &motor)
     {
@@ -194,10 +200,69 @@ TEST_F(SessionLines, WhatIsTakenOverLateStillReachesADeviceThatWasFoundBefore)
     links[0] = openLine(0);
     WiredMotor &found = motorOn(*links[0]);
     guard.isWithOthers = false;
-    guard.owing = {{links[0]->line(), found.selector(), {{{{}, {scriptByte}, {}, {}, 5ms, 1}}}, clock.now()}};
+    guard.book = {owedTo(found)};
     clock.advance(1100ms);
     EXPECT_EQ(heard(0, 2), (Bytes{scriptByte, stopByte}));
     EXPECT_TRUE(found.stopping().isForMotion());
+    EXPECT_TRUE(stops.owed().empty());
+}
+
+TEST_F(SessionLines, WhatIsTakenOverLateIsNotSentIntoAMotionOfThisProgramWhoseOwnStopSettlesIt)
+{
+    close(*links[0]);
+    guard.isWithOthers = true;
+    links[0] = openLine(0);
+    WiredMotor &found = motorOn(*links[0]);
+    run(found);
+    guard.isWithOthers = false;
+    guard.book = {owedTo(found)};
+    Bytes sent;
+    const auto tap = links[0]->traffic().add(
+        [&sent](const Traffic &traffic) { sent.insert(sent.end(), traffic.bytes.begin(), traffic.bytes.end()); });
+    clock.advance(2s);
+    EXPECT_EQ(std::count(sent.begin(), sent.end(), driveByte), std::ssize(sent));
+    EXPECT_TRUE(devices.stream(found).isRunning());
+    EXPECT_TRUE(stops.owed().empty()) << "it is seen to turn, and driven";
+    EXPECT_EQ(guard.book.size(), 1U) << "as long as nobody has seen it stand";
+    devices.stream(found).stop();
+    found.seen = true;
+    clock.advance(1s);
+    EXPECT_TRUE(guard.book.empty());
+}
+
+TEST_F(SessionLines, AnAgedDebtIsShownWithItsDeviceUntilThatIsSeenToStand)
+{
+    clock.advance(1h);
+    WiredMotor &found = motorOn(*links[0]);
+    guard.book = {owedTo(found, 11min)};
+    close(*links[0]);
+    links[0] = openLine(0);
+    EXPECT_EQ(stops.owed().size(), 1U);
+    WiredMotor &again = motorOn(*links[0]);
+    clock.advance(5s);
+    EXPECT_TRUE(again.stopping().mayTurn());
+    EXPECT_TRUE(stops.owed().empty()) << "its device shows it";
+    EXPECT_EQ(guard.book.size(), 1U);
+    again.seen = true;
+    clock.advance(1s);
+    EXPECT_FALSE(again.stopping().mayTurn());
+    EXPECT_TRUE(guard.book.empty()) << "it does not come again";
+}
+
+TEST_F(SessionLines, AnAgedDebtOfADeviceThatWasFoundIsDismissedForGood)
+{
+    clock.advance(1h);
+    guard.book = {owedTo(motorOn(*links[0]), 11min)};
+    close(*links[0]);
+    links[0] = openLine(0);
+    WiredMotor &found = motorOn(*links[0]);
+    ASSERT_TRUE(found.stopping().mayTurn());
+    stops.dismiss();
+    EXPECT_FALSE(found.stopping().mayTurn());
+    clock.advance(5s);
+    close(*links[0]);
+    links[0] = openLine(0);
+    EXPECT_FALSE(motorOn(*links[0]).stopping().mayTurn());
     EXPECT_TRUE(stops.owed().empty());
 }
 

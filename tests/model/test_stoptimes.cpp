@@ -269,7 +269,7 @@ TEST_F(StopTimes, WhatIsDismissedOrDrivenAgainIsNotToldAnyMore)
 TEST_F(StopTimes, AnInheritedStopIsForAMotionAndGoesOutAtOnce)
 {
     told.emplace(link, clock, false);
-    told->stopping.inherit();
+    told->stopping.inherit(clock.now());
     EXPECT_EQ(told->stops, 1);
     EXPECT_TRUE(told->stopping.isForMotion());
     EXPECT_EQ(told->stopping.state(), StopState::Stopping);

@@ -27,16 +27,23 @@ public:
             present->become(GuardWatch::State::Standing);
         return watch;
     }
-    std::optional<std::vector<OwedStop>> takeOver(Link &, Instant) override
+    bool own(Link &) override
     {
         ++asked;
-        return isWithOthers ? std::nullopt : std::optional(owing);
+        return !isWithOthers;
     }
-    [[nodiscard]] bool isOwed(const std::string &line, const std::string &device) const override
+    [[nodiscard]] std::vector<OwedStop> owed(Instant) const override { return book; }
+    bool owe(const OwedStop &stop, Instant) override
     {
-        return std::find(books.begin(), books.end(), line + ' ' + device) != books.end();
+        settle(stop.line, stop.device);
+        book.push_back(stop);
+        return true;
     }
-    void settle(const std::string &line, const std::string &device) override { settled.push_back(line + ' ' + device); }
+    void settle(const std::string &line, const std::string &device) override
+    {
+        settled.push_back(line + ' ' + device);
+        std::erase_if(book, [&](const OwedStop &one) { return one.line == line && one.device == device; });
+    }
     void leave(const std::string &line) override { left.push_back(line); }
     void become(GuardWatch::State state, std::string reason = {})
     {
@@ -53,10 +60,9 @@ public:
     int abandoned = 0; ///< destroyed without release(): the motor would be stopped
     StopScript lastScript;
     std::string lastName;
-    int asked = 0;                    ///< what is owed on a line
+    int asked = 0;                    ///< for a line
     bool isWithOthers = false;        ///< somebody else has every line
-    std::vector<OwedStop> owing;      ///< what earlier programs owe
-    std::vector<std::string> books;   ///< what guardians owe, or have given up; "line device"
+    std::vector<OwedStop> book;       ///< of every line
     std::vector<std::string> settled; ///< "line device"
     std::vector<std::string> left;    ///< lines
 

@@ -312,13 +312,21 @@ TEST(Endings, OfAHoldTellWhatItsOwnRepeatHasMeasured)
 {
     ExperimentBench bench;
     std::vector<std::size_t> holds;
-    bench.surroundings.measured = [&](const Trial &trial) { holds.push_back(trial.holds.size()); };
+    std::vector<std::size_t> samples;
+    bench.surroundings.measured = [&](const Trial &trial) {
+        holds.push_back(trial.holds.size());
+        samples.push_back(trial.signals.empty() ? 0 : trial.signals.front().trace.size());
+    };
     ExperimentPlan plan = stepTo(Mode::Velocity, 60'000.0);
     plan.repeat = 3;
     const Result<Trial> trial = bench.run(plan);
     ASSERT_TRUE(trial);
     EXPECT_EQ(holds, (std::vector<std::size_t>{1, 1, 1}));
     EXPECT_EQ(trial->holds.size(), 3U);
+    ASSERT_EQ(samples.size(), 3U);
+    EXPECT_GT(samples[0], 100U);
+    EXPECT_LT(samples[2], samples[1] + samples[1] / 2);
+    EXPECT_GT(trial->signals.front().trace.size(), 2 * samples[2]) << "all of it in the end";
 }
 
 /// Of a ramp, a sine, a chirp or bits nothing is a step response: what is read out of one is only looked for where there is one.

@@ -366,6 +366,22 @@ TEST(Trips, OfTheTimeComesWhenTheStoryIsHeldUp)
     std::printf("| dmc60c | time | the story is held up | %.0f | 25 | – |\n", inSeconds(after) * 1e3);
 }
 
+TEST(Recorded, StretchesAreThoseOfTheWholeTrace)
+{
+    ExperimentBench bench;
+    SetPointStream &stream = bench.bench.session.stream(*bench.device);
+    const TrialRecorder recorder(*bench.device, stream, Mode::Velocity, 1);
+    bench.bench.clock.advance(3s);
+    const Instant zero = bench.device->clock().now() - 2s;
+    const Trace whole = recorder.trace("velocity", zero);
+    ASSERT_GT(whole.size(), 25U);
+    for (const Span within : {Span{-0.25, 1.0}, Span{whole.t[7], whole.t[20]}, Span{0.5, 0.2}, Span{2.5, 3.0}})
+        EXPECT_EQ(recorder.trace("velocity", zero, within), whole.part(within.from, within.to)) << within.from;
+    EXPECT_TRUE(recorder.trace("nothing", zero, {0.0, 1.0}).isEmpty());
+    EXPECT_EQ(recorder.signals(zero, {0.0, 1.0}).front().trace.size(),
+        recorder.signals(zero).front().trace.part(0.0, 1.0).size());
+}
+
 /// The story moves the target of a sine by itself: that says nothing of whoever watches it.
 TEST(Trips, OfALeaseThatNobodyRenewsComeDuringEveryProfile)
 {

@@ -22,6 +22,12 @@ namespace {
 
 constexpr int mostUnanswered = 10; // renewals, ten a second
 
+/// Books outlive every other clock.
+std::chrono::seconds present()
+{
+    return std::chrono::duration_cast<std::chrono::seconds>(std::chrono::system_clock::now().time_since_epoch());
+}
+
 } // namespace
 
 /// One guardian process, and the link it can send on. Lives as long as a watch of it.
@@ -220,8 +226,8 @@ Result<std::shared_ptr<GuardianClient::Post>> GuardianClient::postAt(Link &link)
             return post;
     }
     const std::string &line = link.line();
-    if (const auto book = m_books.find(line); book != m_books.end())
-        (void)book->second->own(); // a guardian may have been about to pay when the link was opened
+    if (const auto account = m_accounts.find(line); account != m_accounts.end())
+        (void)account->second.book.own(); // a guardian may have been about to pay when the link was opened
     // a terminal or socket by its whole path: the guardian has another working directory
     const std::string name = line.starts_with('/') ? link.address().path : line.substr(line.find(':') + 1);
     const auto process = startGuardian(m_program, {link.outlet(), m_folder, line, name});
@@ -240,34 +246,47 @@ void GuardianClient::acted(const Post &post, const std::string &name, Verdict ve
         m_acting, [&post](const std::shared_ptr<Post> &one) { return one.get() == &post && !one->isAwaiting(); });
 }
 
-std::optional<std::vector<OwedStop>> GuardianClient::takeOver(Link &link, Instant now)
+bool GuardianClient::own(Link &link)
 {
-    std::vector<OwedStop> owed;
-    if (!link.outlet().isInheritable())
-        return owed;
-    const std::string &line = link.line();
-    auto &book = m_books[line];
-    if (!book)
-        book = std::make_unique<guardian::DebtBook>(m_folder, line);
-    if (!book->own())
-        return std::nullopt;
-    const auto present = std::chrono::duration_cast<std::chrono::seconds>(
-        std::chrono::system_clock::now().time_since_epoch()); // books outlive every other clock
-    for (const guardian::Debt &debt : book->read()) {
-        const auto age = std::max(present - std::chrono::seconds(debt.since), std::chrono::seconds(0));
-        owed.push_back({line, debt.name, scriptFromWire(debt.script, link.outlet().form), now - age, true});
+    const Outlet outlet = link.outlet();
+    if (!outlet.isInheritable())
+        return true;
+    Account &account = m_accounts.try_emplace(link.line(), m_folder, link.line()).first->second;
+    account.form = outlet.form;
+    return account.book.own();
+}
+
+void GuardianClient::leave(const std::string &line)
+{
+    if (const auto account = m_accounts.find(line); account != m_accounts.end())
+        account->second.book.disown();
+}
+
+std::vector<OwedStop> GuardianClient::owed(Instant now) const
+{
+    std::vector<OwedStop> all;
+    for (const auto &[line, account] : m_accounts) {
+        if (!account.book.exists())
+            continue;
+        for (const guardian::Debt &debt : account.book.read()) {
+            const auto age = std::max(present() - std::chrono::seconds(debt.since), std::chrono::seconds(0));
+            all.push_back({line, debt.name, scriptFromWire(debt.script, account.form), now - age});
+        }
     }
-    return owed;
+    return all;
+}
+
+bool GuardianClient::owe(const OwedStop &stop, Instant now)
+{
+    const auto account = m_accounts.find(stop.line);
+    const auto since = present() - std::chrono::floor<std::chrono::seconds>(now - stop.since);
+    return account != m_accounts.end()
+        && account->second.book.add({stop.device, wireScript(stop.script, account->second.form), since.count()});
 }
 
 void GuardianClient::settle(const std::string &line, const std::string &device)
 {
     guardian::DebtBook(m_folder, line).remove(device);
-}
-
-bool GuardianClient::isOwed(const std::string &line, const std::string &device) const
-{
-    return guardian::DebtBook(m_folder, line).has(device);
 }
 
 std::vector<pid_t> GuardianClient::processes() const

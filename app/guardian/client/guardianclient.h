@@ -7,7 +7,6 @@
 
 #include <map>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace mb {
@@ -23,10 +22,11 @@ public:
 
     [[nodiscard]] Result<std::unique_ptr<GuardWatch>> watch(
         Link &link, const StopScript &script, const std::string &name) override;
-    [[nodiscard]] std::optional<std::vector<OwedStop>> takeOver(Link &link, Instant now) override;
-    void leave(const std::string &line) override { m_books.erase(line); }
+    [[nodiscard]] bool own(Link &link) override;
+    void leave(const std::string &line) override;
+    [[nodiscard]] std::vector<OwedStop> owed(Instant now) const override;
+    bool owe(const OwedStop &stop, Instant now) override;
     void settle(const std::string &line, const std::string &device) override;
-    [[nodiscard]] bool isOwed(const std::string &line, const std::string &device) const override;
 
     /// Processes that serve a link now. For tests.
     [[nodiscard]] std::vector<pid_t> processes() const;
@@ -34,13 +34,21 @@ public:
 private:
     class Post;
     class Watch;
+    struct Account {
+        Account(const std::string &folder, const std::string &line)
+            : book(folder, line)
+        {
+        }
+        guardian::DebtBook book; ///< with the lock while the line is open here
+        Outlet::Form form = Outlet::Form::None;
+    };
 
     [[nodiscard]] Result<std::shared_ptr<Post>> postAt(Link &link);
     void acted(const Post &post, const std::string &name, Verdict verdict);
 
     std::string m_program;
     std::string m_folder;
-    std::map<std::string, std::unique_ptr<guardian::DebtBook>> m_books; ///< with the locks of lines that are open
+    std::map<std::string, Account> m_accounts;   ///< by line
     std::vector<std::shared_ptr<Post>> m_acting; ///< kept until they have said what became of a watch that was given up
     std::vector<std::weak_ptr<Post>> m_posts;
     std::shared_ptr<std::vector<pid_t>> m_ended; ///< to be reaped

@@ -46,8 +46,7 @@ Controller::Controller(const Family &family, CanLink &link, Clock &clock, Identi
     : Device(family, link, clock, std::move(identity))
     , m_can(link)
     , m_logs(link, clock, telemetry(), knowledge().profile(), owner())
-    , m_places(knowledge().profile(),
-          [this](const std::string &key, std::int64_t value) { knowledge().setCounter(key, value); })
+    , m_places(knowledge().profile(), [this](const PlaceMemory::Counters &values) { knowledge().setCounters(values); })
     , m_debt(knowledge().profile(),
           [this](std::int64_t owed) { knowledge().setCounter(std::string(counter::powerCycle), owed); })
     , m_desk(*this, link, m_logs, m_debt,

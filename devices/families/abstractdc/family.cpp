@@ -25,7 +25,7 @@ constexpr std::array modes{Mode::Duty, Mode::Velocity, Mode::Position, Mode::Cur
 constexpr std::array<std::string_view, 3> bench{
     "abstractdc:3,dialect=F,motor=25d",
     "abstractdc:4,dialect=L,motor=n20",
-    "abstractdc:5,dialect=D,motor=rs775",
+    "abstractdc:5,dialect=D,motor=25dlp",
 };
 
 constexpr std::array<DialectChoice, 4> dialectChoices{{

@@ -16,8 +16,7 @@ constexpr std::int64_t sameCounts = 2; ///< of a shaft that stands
 
 } // namespace
 
-PlaceMemory::PlaceMemory(
-    const DeviceProfile &profile, std::function<void(const std::string &key, std::int64_t value)> count)
+PlaceMemory::PlaceMemory(const DeviceProfile &profile, std::function<void(const Counters &values)> count)
     : m_profile(profile)
     , m_count(std::move(count))
 {
@@ -46,22 +45,16 @@ void PlaceMemory::stands(std::int32_t position, const std::optional<EntrySpeed::
     const std::int64_t from = isFar ? std::llround(passed->position) : 0;
     if (std::abs(place - counted(counter::place)) <= sameCounts && (!isFar || from == counted(counter::passed)))
         return;
-    keep(counter::passed, from);
-    keep(counter::passedAt,
-        isFar ? std::chrono::ceil<std::chrono::milliseconds>(passed->time.time_since_epoch()).count() : 0);
-    keep(counter::place, place);
+    const auto passedAt = isFar ? std::chrono::ceil<std::chrono::milliseconds>(passed->time.time_since_epoch())
+                                : std::chrono::milliseconds(0);
+    m_count({{std::string(counter::passed), from}, {std::string(counter::passedAt), passedAt.count()},
+        {std::string(counter::place), place}});
 }
 
 std::int64_t PlaceMemory::counted(std::string_view key) const
 {
     const auto found = m_profile.counters.find(std::string(key));
     return found == m_profile.counters.end() ? 0 : found->second;
-}
-
-void PlaceMemory::keep(std::string_view key, std::int64_t value)
-{
-    if (value != counted(key))
-        m_count(std::string(key), value);
 }
 
 } // namespace mb::abstractdc

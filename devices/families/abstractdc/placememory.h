@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -15,8 +16,10 @@ namespace mb::abstractdc {
 /// this program finds there has neither restarted nor been moved (README.md#restarts, README.md#first-pass). Engine thread.
 class PlaceMemory {
 public:
-    /// `count` writes DeviceProfile::counters; the profile outlives this.
-    PlaceMemory(const DeviceProfile &profile, std::function<void(const std::string &key, std::int64_t value)> count);
+    using Counters = std::map<std::string, std::int64_t>;
+
+    /// `count` writes DeviceProfile::counters, and the profile to the disk; the profile outlives this.
+    PlaceMemory(const DeviceProfile &profile, std::function<void(const Counters &values)> count);
 
     /// Counts; nothing where nobody knows, and where a drive that was just switched on may be, too.
     [[nodiscard]] std::optional<std::int64_t> place() const;
@@ -27,10 +30,9 @@ public:
 
 private:
     [[nodiscard]] std::int64_t counted(std::string_view key) const;
-    void keep(std::string_view key, std::int64_t value);
 
     const DeviceProfile &m_profile;
-    std::function<void(const std::string &, std::int64_t)> m_count;
+    std::function<void(const Counters &)> m_count;
 };
 
 } // namespace mb::abstractdc

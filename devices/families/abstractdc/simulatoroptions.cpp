@@ -73,9 +73,11 @@ std::array<Record, 3> storedGains(const UnitOptions &options)
     const double closed = 2.0 * delay;
     const double velocityP = harder * lag / (speed * (closed + delay));
     const double velocityI = harder * velocityP / std::min(lag, 4.0 * (closed + delay));
-    const double natural = 0.25 / delay;
-    const double positionP = harder * lag * natural * natural / speed * 1.2;
-    const double positionD = std::max(0.0, (2.0 * natural * lag - 1.0) / speed);
+    // Friction holds the motor where P times the error is below it; a heavy load would be at full power all the way.
+    const double natural = 0.54 / delay * std::sqrt(std::min(1.0, 0.125 / lag));
+    const double damping = 0.9;
+    const double positionP = harder * lag * natural * natural / speed;
+    const double positionD = std::max(0.0, (2.0 * damping * natural * lag - 1.0) / speed);
     const double perPwm = motor.stallCurrent * countsPerAmpere / fullPwm;
     const double currentI = 0.25 / (perPwm * 0.02);
     const auto scale = static_cast<std::int32_t>(divisor);

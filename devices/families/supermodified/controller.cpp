@@ -47,7 +47,7 @@ Controller::Controller(const Family &family, SerialLink &link, Clock &clock, Ide
               [this](std::uint8_t levels) { setLiveness(liveness(), statesOf(levels), this->clock().now()); }})
     , m_settings(*m_line, m_node, parameters(), [this](std::span<const std::uint8_t> codes) { onCodes(codes); })
     , m_presence(*m_line, m_node, {[this] { m_motion.doubt(); }, [this] { updateLiveness(); }})
-    , m_followerStop(*m_line, m_node, [this] { stopping().inherit(); })
+    , m_followerStop(*m_line, m_node, [this] { stopping().inherit(this->clock().now()); })
     , m_linkState(link.stateChanged().add([this](LinkState state) {
         if (state != LinkState::Open) {
             setHeard(false);
