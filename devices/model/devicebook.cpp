@@ -123,6 +123,7 @@ void DeviceBook::recognise(Entry &entry)
     if (entry.isStreaming())
         entry.stream->stop();
     device.parameters().forgetAll();
+    device.telemetry()->clear();
 }
 
 void DeviceBook::renew(Link &link)

@@ -20,9 +20,9 @@ public:
     }
     [[nodiscard]] double feed(double time, double value)
     {
-        if (std::isnan(value)) {
+        if (!std::isfinite(value)) {
             restart();
-            return value;
+            return std::numeric_limits<double>::quiet_NaN();
         }
         switch (m_kind) {
         case Kind::Derivative: return derivative(time, value);

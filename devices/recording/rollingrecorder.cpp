@@ -91,6 +91,11 @@ void RollingRecorder::follow(
         });
         if (known != m_tracked.end() && known->channel.unit == channel.unit) {
             known->gone = false;
+            if (known->channel.device != channel.device) { // it has another number now
+                known->channel = channel;
+                if (m_writer)
+                    addToFile(*known);
+            }
             continue;
         }
         if (known != m_tracked.end())

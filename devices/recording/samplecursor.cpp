@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "recording/samplecursor.h"
 
+#include <utility>
+
 namespace mb {
 namespace {
 
@@ -12,14 +14,16 @@ SampleCursor::SampleCursor(std::shared_ptr<const Telemetry> telemetry, ChannelIn
     : m_telemetry(std::move(telemetry))
     , m_channel(channel)
     , m_from(from)
+    , m_generation(m_telemetry->generation(channel))
 {
 }
 
 const Point *SampleCursor::peek(Instant to)
 {
     if (m_place >= m_block.size()) {
-        const std::size_t size = m_telemetry->size(m_channel);
-        if (m_index > size || (!m_begun && m_index == 0 && m_from != Instant::min()))
+        const std::uint64_t generation = m_telemetry->generation(m_channel);
+        const bool isNew = std::exchange(m_generation, generation) != generation;
+        if (isNew || (!m_begun && m_index == 0 && m_from != Instant::min()))
             m_index = m_from == Instant::min() ? 0 : m_telemetry->lowerBound(m_channel, m_from);
         m_blockBegin = m_index;
         m_index = m_telemetry->read(m_channel, m_index, Instant::max(), blockSize, m_block);
@@ -39,9 +43,12 @@ const Point *SampleCursor::peek(Instant to)
 
 void SampleCursor::rewind(Place place)
 {
+    if (place.generation != m_telemetry->generation(m_channel))
+        place = {0, 0, place.begun, m_telemetry->generation(m_channel)};
     m_begun = place.begun;
     m_blockBegin = place.block;
     m_place = place.point;
+    m_generation = place.generation;
     m_index = m_telemetry->read(m_channel, place.block, Instant::max(), blockSize, m_block);
 }
 

@@ -8,7 +8,7 @@
 namespace mb {
 
 /// Reads one channel from a time on, sample by sample, in blocks, so that the lock is never held long; goes on later
-/// where it was when more has been recorded. Any thread, one at a time.
+/// where it was when more has been recorded, and at the beginning where that was forgotten. Any thread, one at a time.
 class SampleCursor {
 public:
     SampleCursor(std::shared_ptr<const Telemetry> telemetry, ChannelIndex channel, Instant from = Instant::min());
@@ -21,8 +21,9 @@ public:
         std::size_t block = 0; ///< number of the sample that it begins with
         std::size_t point = 0;
         bool begun = false;
+        std::uint64_t generation = 0;
     };
-    [[nodiscard]] Place place() const { return {m_blockBegin, m_place, m_begun}; }
+    [[nodiscard]] Place place() const { return {m_blockBegin, m_place, m_begun, m_generation}; }
     /// Goes back to a place where it was: what came since is read again.
     void rewind(Place place);
     [[nodiscard]] const Telemetry &telemetry() const { return *m_telemetry; }
@@ -34,6 +35,7 @@ private:
     std::shared_ptr<const Telemetry> m_telemetry;
     ChannelIndex m_channel;
     Instant m_from;
+    std::uint64_t m_generation; ///< of the samples that it counts
     std::size_t m_index = 0;
     std::size_t m_blockBegin = 0;
     bool m_begun = false;

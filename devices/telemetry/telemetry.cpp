@@ -21,6 +21,7 @@ Telemetry::Telemetry(std::span<const Channel> channels)
     : m_table(channels.data())
     , m_live(channels.size())
     , m_histories(channels.size())
+    , m_generations(channels.size())
 {
     m_pending.reserve(pendingMost);
 }
@@ -35,6 +36,7 @@ void Telemetry::useTable(std::span<const Channel> channels)
             if (before[i].unit == channels[i].unit)
                 continue;
             m_histories[i].clear();
+            ++m_generations[i];
             m_live[i] = Live();
         }
         m_table.store(channels.data(), std::memory_order_release);
@@ -205,8 +207,16 @@ void Telemetry::clear()
         const std::lock_guard lock(m_mutex);
         for (History &history : m_histories)
             history.clear();
+        for (std::uint64_t &generation : m_generations)
+            ++generation;
     }
     m_revision.fetch_add(1, std::memory_order_release);
+}
+
+std::uint64_t Telemetry::generation(ChannelIndex channel) const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_generations[channel.value];
 }
 
 std::size_t Telemetry::lowerBound(ChannelIndex channel, Instant from) const

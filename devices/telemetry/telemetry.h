@@ -82,6 +82,8 @@ public:
         ChannelIndex channel, std::size_t index, Instant to, std::size_t most, std::vector<Point> &out) const;
     /// Forgets the recordings. What is latest, and the rates, stay.
     void clear();
+    /// Of a channel: another once what was recorded was forgotten, and numbers of samples begin anew.
+    [[nodiscard]] std::uint64_t generation(ChannelIndex channel) const;
     /// @}
 
 private:
@@ -115,6 +117,7 @@ private:
 
     mutable std::mutex m_mutex; ///< guards m_histories
     std::vector<History> m_histories;
+    std::vector<std::uint64_t> m_generations; ///< guarded, too
     std::atomic<std::uint64_t> m_revision{0};
 };
 

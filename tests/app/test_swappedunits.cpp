@@ -112,6 +112,18 @@ TEST_F(SwappedUnits, AnotherSerialNumberIsAnotherDeviceAndTheFormerOneIsItselfAg
     EXPECT_EQ(core->session().find(second), nullptr);
 }
 
+TEST_F(SwappedUnits, WhatTheFormerSentIsNotShownAsItsOwn)
+{
+    const auto position = *device()->telemetry()->find("position");
+    clock.advance(1s);
+    const Instant out = clock.now();
+    swap(0, 1);
+    meet(right);
+    device()->telemetry()->commit();
+    ASSERT_TRUE(device()->telemetry()->first(position));
+    EXPECT_GT(device()->telemetry()->first(position)->time, out);
+}
+
 TEST_F(SwappedUnits, APowerCycleIsNoOtherUnit)
 {
     const DeviceId first = id();

@@ -56,6 +56,15 @@ TEST(Expression, AverageForgetsWhatIsOlderThanItsTime)
     EXPECT_NEAR(last, 1e9, 1e-3);
 }
 
+TEST(Expression, ValuesThatAreNotFiniteAreAGapForWhatRemembers)
+{
+    auto expression = Expression::parse("average(1 / a, 0.3)", names);
+    ASSERT_TRUE(expression);
+    EXPECT_DOUBLE_EQ(expression->evaluate(0.0, std::vector{0.5}), 2.0);
+    EXPECT_TRUE(std::isnan(expression->evaluate(0.1, std::vector{0.0})));
+    EXPECT_DOUBLE_EQ(expression->evaluate(0.2, std::vector{0.25}), 4.0);
+}
+
 TEST(Expression, IntegralAddsTrapezoids)
 {
     auto expression = Expression::parse("integral(a)", names);

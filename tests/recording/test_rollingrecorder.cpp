@@ -361,6 +361,52 @@ TEST(RollingRecorder, AnotherUnitIsAnotherChannel)
     EXPECT_EQ(file.telemetry->last({1})->value, 1.5);
 }
 
+TEST(RollingRecorder, AUnitThatGotAnotherNumberIsRecordedUnderIt)
+{
+    const Folder folder;
+    const auto recording = telemetry();
+    RollingRecorder recorder(rolling(folder, "run"));
+    recorder.follow({{recording, velocity, "sim:can/dmc60c:0", "dmc60c", "velocity", "counts/s", {}, true}}, {});
+    put(*recording, velocity, 10, 1.0);
+    ASSERT_TRUE(recorder.writeAll(ms(100), unixOffset));
+    const auto next = telemetry(); // has the number that the first one had
+    recorder.follow({{recording, velocity, "sim:can/dmc60c:17", "dmc60c", "velocity", "counts/s", {}, true},
+                        {next, velocity, "sim:can/dmc60c:0", "dmc60c", "velocity", "counts/s", {}, true}},
+        {});
+    put(*recording, velocity, 110, 2.0);
+    put(*recording, velocity, 120, 2.0);
+    put(*next, velocity, 115, 3.0);
+    ASSERT_TRUE(recorder.writeAll(ms(200), unixOffset));
+    ASSERT_TRUE(recorder.save(folder.file("kept.mcap"), {}));
+    const auto loaded = loadRecording(folder.file("kept.mcap"));
+    ASSERT_TRUE(loaded);
+    const LoadedRecording &file = **loaded;
+    ASSERT_EQ(file.table.size(), 2U);
+    EXPECT_EQ(file.telemetry->size({0}), 2U);
+    EXPECT_EQ(file.telemetry->last({0})->value, 3.0);
+    EXPECT_EQ(file.telemetry->size({1}), 2U);
+    EXPECT_EQ(file.telemetry->last({1})->value, 2.0);
+}
+
+TEST(RollingRecorder, WhatBeganAnewIsRecordedFromItsFirstSampleThoughItHasOutgrownWhatWasForgotten)
+{
+    const Folder folder;
+    const auto recording = telemetry();
+    RollingRecorder recorder(rolling(folder, "run"));
+    recorder.follow({{recording, velocity, "sim:can/dmc60c:5", "dmc60c", "velocity", "counts/s", {}, true}}, {});
+    put(*recording, velocity, 10, 1.0);
+    put(*recording, velocity, 20, 1.0);
+    ASSERT_TRUE(recorder.writeAll(ms(100), unixOffset));
+    recording->clear();
+    for (int i = 0; i < 5; ++i)
+        put(*recording, velocity, 110 + i, 2.0);
+    ASSERT_TRUE(recorder.writeAll(ms(200), unixOffset));
+    ASSERT_TRUE(recorder.save(folder.file("kept.mcap"), {}));
+    const auto loaded = loadRecording(folder.file("kept.mcap"));
+    ASSERT_TRUE(loaded);
+    EXPECT_EQ((*loaded)->telemetry->size({0}), 7U);
+}
+
 TEST(Export, ChannelsHaveTheUnitsOfTheirDeviceNotOfItsFamily)
 {
     static constexpr std::array<Channel, 3> inCounts{

@@ -27,6 +27,8 @@ private Q_SLOTS:
     void oneSignalAgainstAnother();
     void anotherUnitOfAChannelIsFollowed();
     void aDerivedSignalGoesOnWhereItsDeviceBeginsAnew();
+    void aDerivedSignalStaysWithItsDeviceThoughAnotherLinkHasOneOfTheSameNumber();
+    void aCursorReadsTheSampleAndNotWhatAColumnDraws();
     void aCaughtEventStaysWhenAReferenceIsKept();
     void theTriggerStaysOnItsSignalWhateverItIsCalled();
     void devicesOfOneNumberAreToldApart();
@@ -323,6 +325,48 @@ void TestPlotBoard::aDerivedSignalGoesOnWhereItsDeviceBeginsAnew()
     bench.workbench.publish();
     bench.pass(0.1, 60000.0);
     QTRY_COMPARE(bench.trace("twice").source->telemetry().size({0}), std::size_t{50});
+}
+
+void TestPlotBoard::aDerivedSignalStaysWithItsDeviceThoughAnotherLinkHasOneOfTheSameNumber()
+{
+    PlotBench bench;
+    Recording far{bench.workbench.time};
+    DeviceView twin = tunableDrive(far.telemetry(), 3, 5);
+    twin.selector = "socketcan:can1/dmc60c:5";
+    bench.workbench.shot.devices.push_back(twin);
+    bench.pass(1.0, 60000.0);
+    QVERIFY(bench.board().addDerived(s("twice"), s("counts/s"), s("2 * d5_velocity")));
+    bench.pass(0.1, 60000.0);
+    const DeviceView own = bench.workbench.shot.devices[0];
+    bench.workbench.shot.devices.erase(bench.workbench.shot.devices.begin()); // its link was closed
+    far.run(1.0, 100.0);
+    bench.workbench.publish();
+    bench.pass(0.1, 60000.0);
+    const SignalBook::Derived &derived = bench.board().book().derived().front();
+    QVERIFY(&derived.signal->input(0) == own.telemetry.get());
+    bench.workbench.shot.devices.push_back(own); // and is open again, behind the other
+    bench.workbench.publish();
+    bench.pass(0.1, 60000.0);
+    QVERIFY(&derived.signal->input(0) == own.telemetry.get());
+}
+
+void TestPlotBoard::aCursorReadsTheSampleAndNotWhatAColumnDraws()
+{
+    const PlotBench bench;
+    const auto telemetry = std::make_shared<Telemetry>(bench.workbench.shot.devices[0].family->channels);
+    const ChannelIndex velocity = *telemetry->find("velocity");
+    const auto at = [](int i) { return Instant(std::chrono::milliseconds(i)); };
+    for (int i = 0; i < 1000; ++i)
+        telemetry->append({velocity, at(i), i % 2 == 0 ? 100.0 : -100.0});
+    telemetry->breakLine(velocity);
+    telemetry->append({velocity, at(2000), 7.0});
+    telemetry->commit();
+    const TelemetrySource source(telemetry, velocity);
+    QCOMPARE(*source.valueAt(plotKey(at(500))), 100.0);
+    QCOMPARE(*source.valueAt(plotKey(at(501))), -100.0);
+    QVERIFY(std::abs(*source.valueAt(0.5005)) < 1.0);
+    QVERIFY(std::isnan(*source.valueAt(1.5)));
+    QVERIFY(std::isnan(*source.valueAt(2.5)));
 }
 
 void TestPlotBoard::aCaughtEventStaysWhenAReferenceIsKept()

@@ -32,9 +32,14 @@ QByteArray PlotLayout::toJson() const
         shown.append(QJsonObject{{key("device"), trace.device}, {key("key"), trace.key}, {key("pane"), trace.pane},
             {key("second"), trace.second}});
     QJsonArray formulas;
-    for (const Derived &signal : derived)
-        formulas.append(
-            QJsonObject{{key("name"), signal.name}, {key("unit"), signal.unit}, {key("formula"), signal.formula}});
+    for (const Derived &signal : derived) {
+        QJsonArray meanings;
+        for (const Meaning &meaning : signal.meanings)
+            meanings.append(
+                QJsonObject{{key("name"), meaning.name}, {key("device"), meaning.device}, {key("key"), meaning.key}});
+        formulas.append(QJsonObject{{key("name"), signal.name}, {key("unit"), signal.unit},
+            {key("formula"), signal.formula}, {key("meanings"), meanings}});
+    }
     return QJsonDocument(QJsonObject{{key("motorbench"), key("plot layout")}, {key("window"), window},
                              {key("traces"), shown}, {key("derived"), formulas}})
         .toJson();
@@ -60,6 +65,11 @@ Result<PlotLayout> PlotLayout::fromJson(const QByteArray &json)
         const QJsonObject signal = value.toObject();
         layout.derived.push_back({signal.value(key("name")).toString(), signal.value(key("unit")).toString(),
             signal.value(key("formula")).toString()});
+        for (const QJsonValue said : signal.value(key("meanings")).toArray()) {
+            const QJsonObject meaning = said.toObject();
+            layout.derived.back().meanings.push_back({meaning.value(key("name")).toString(),
+                meaning.value(key("device")).toString(), meaning.value(key("key")).toString()});
+        }
     }
     return layout;
 }

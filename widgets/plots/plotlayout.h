@@ -20,10 +20,19 @@ struct PlotLayout {
 
         friend bool operator==(const Trace &, const Trace &) = default;
     };
+    /// What a name in a formula means: the selector of a device, the key of its channel.
+    struct Meaning {
+        QString name;
+        QString device;
+        QString key;
+
+        friend bool operator==(const Meaning &, const Meaning &) = default;
+    };
     struct Derived {
         QString name;
         QString unit;
         QString formula;
+        std::vector<Meaning> meanings{}; ///< empty: the devices of its formula were never there together
 
         friend bool operator==(const Derived &, const Derived &) = default;
     };

@@ -79,8 +79,12 @@ PlotLayout PlotLayoutBook::current() const
     PlotLayout layout;
     layout.window = m_stack.view().window();
     for (const SignalBook::Derived &derived : m_board.book().derived()) {
-        if (!derived.name.isEmpty())
-            layout.derived.push_back({derived.name, derived.unit, derived.formula});
+        if (derived.name.isEmpty())
+            continue;
+        layout.derived.push_back({derived.name, derived.unit, derived.formula});
+        for (const SignalBook::Meaning &meaning : derived.meanings)
+            layout.derived.back().meanings.push_back(
+                {meaning.name, qt(meaning.address.device), qt(meaning.address.key)});
     }
     for (const PlotBoard::Trace *trace : m_board.wished())
         layout.traces.push_back({qt(trace->address.device), qt(trace->address.key), trace->pane, trace->second});
@@ -108,8 +112,12 @@ std::vector<PlotBoard::Trace> PlotLayoutBook::tracesOf(const PlotLayout &layout,
 void PlotLayoutBook::apply(const PlotLayout &layout)
 {
     m_stack.view().setWindow(layout.window);
-    for (const PlotLayout::Derived &derived : layout.derived)
-        m_board.book().ensure(derived.name, derived.unit, derived.formula);
+    for (const PlotLayout::Derived &derived : layout.derived) {
+        std::vector<SignalBook::Meaning> meanings;
+        for (const PlotLayout::Meaning &meaning : derived.meanings)
+            meanings.push_back({meaning.name, {meaning.device.toStdString(), meaning.key.toStdString()}});
+        m_board.book().ensure(derived.name, derived.unit, derived.formula, std::move(meanings));
+    }
     m_board.setTraces(tracesOf(layout, m_selection.device()), true);
 }
 

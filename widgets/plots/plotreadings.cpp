@@ -66,7 +66,8 @@ double PlotReadings::valueAt(int trace, double key) const
     // Beyond the last point the trace holds its value for a moment: half a percent of the window.
     if (!points.empty() && key > points.back().key && key - points.back().key < m_view.span() * 0.005)
         return points.back().value;
-    return mb::valueAt(points, key);
+    const auto exact = found->source ? found->source->valueAt(key - found->shift(m_view.origin())) : std::nullopt;
+    return exact ? *exact : mb::valueAt(points, key);
 }
 
 std::optional<double> PlotReadings::middleOf(int trace) const

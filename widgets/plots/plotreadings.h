@@ -23,7 +23,7 @@ public:
     {
     }
 
-    /// Value of a trace at a key, from what is drawn; NaN outside and in a gap.
+    /// Value of a trace at a key, between its samples (TraceSource::valueAt), else from what is drawn; NaN outside and in a gap.
     [[nodiscard]] double valueAt(int trace, double key) const;
     /// The middle of what is seen of a trace.
     [[nodiscard]] std::optional<double> middleOf(int trace) const;

@@ -98,31 +98,50 @@ std::optional<Signal> SignalBook::find(const SignalAddress &address) const
     return std::nullopt;
 }
 
+/// Where nothing is settled yet, all that there is now.
+std::vector<SignalBook::Meaning> SignalBook::meaningsOf(const Derived &derived) const
+{
+    if (!derived.meanings.empty())
+        return derived.meanings;
+    std::vector<Meaning> all;
+    for (const Variable &variable : variables())
+        all.push_back({variable.name, addressOf(variable.signal)});
+    return all;
+}
+
 /// False, and nothing is changed, while a device of the formula is not there.
 bool SignalBook::compile(Derived &derived) const
 {
-    const auto all = variables();
+    const std::vector<Meaning> all = meaningsOf(derived);
     std::vector<std::string> names;
-    for (const Variable &variable : all)
-        names.push_back(variable.name.toStdString());
+    for (const Meaning &meaning : all)
+        names.push_back(meaning.name.toStdString());
     auto expression = Expression::parse(derived.formula.toStdString(), names);
     if (!expression)
         return false;
+    Derived found{derived.name, derived.unit, derived.formula};
     std::vector<DerivedSignal::Input> inputs;
-    derived.inputs.clear();
     for (const std::size_t used : expression->used()) {
-        inputs.push_back({telemetryOf(all[used].signal), all[used].signal.channel});
-        derived.inputs.push_back(all[used].signal);
+        const auto signal = find(all[used].address);
+        if (!signal)
+            return false;
+        inputs.push_back({telemetryOf(*signal), signal->channel});
+        found.meanings.push_back(all[used]);
+        found.inputs.push_back(*signal);
+        found.rows.push_back(rowOf(*signal));
     }
-    derived.signal = std::make_shared<DerivedSignal>(
+    found.signal = std::make_shared<DerivedSignal>(
         derived.name.toStdString(), derived.unit.toStdString(), std::move(*expression), inputs);
+    derived = std::move(found);
     return true;
 }
 
 bool SignalBook::isOfNow(const Derived &derived) const
 {
     for (std::size_t i = 0; derived.signal && i < derived.inputs.size(); ++i) {
-        if (telemetryOf(derived.inputs[i]).get() != &derived.signal->input(i))
+        const Signal &input = derived.inputs[i];
+        if (telemetryOf(input).get() != &derived.signal->input(i) || rowOf(input) != derived.rows[i]
+            || addressOf(input) != derived.meanings[i].address)
             return false;
     }
     return derived.signal != nullptr;
@@ -153,13 +172,13 @@ Result<Signal> SignalBook::add(const QString &name, const QString &unit, const Q
     return Signal{derivedDevice, {static_cast<std::uint16_t>(m_derived.size() - 1)}};
 }
 
-void SignalBook::ensure(const QString &name, const QString &unit, const QString &formula)
+void SignalBook::ensure(const QString &name, const QString &unit, const QString &formula, std::vector<Meaning> meanings)
 {
     const bool known
         = std::any_of(m_derived.begin(), m_derived.end(), [&](const Derived &derived) { return derived.name == name; });
     if (known || name.isEmpty())
         return;
-    m_derived.push_back({name, unit, formula});
+    m_derived.push_back({name, unit, formula, std::move(meanings)});
     (void)compile(m_derived.back());
 }
 

@@ -22,12 +22,19 @@ struct SignalAddress {
 class SignalBook {
     Q_DECLARE_TR_FUNCTIONS(mb::SignalBook)
 public:
+    /// What a name in a formula means: settled once, whatever other devices come.
+    struct Meaning {
+        QString name;
+        SignalAddress address;
+    };
     struct Derived {
         QString name;
         QString unit;
         QString formula;
-        std::vector<Signal> inputs{};
-        std::shared_ptr<DerivedSignal> signal{}; ///< nothing until every device of its formula was there
+        std::vector<Meaning> meanings{}; ///< nothing until every device of its formula was there
+        std::vector<Signal> inputs{};    ///< as many, with their rows: another row is another unit
+        std::vector<const Channel *> rows{};
+        std::shared_ptr<DerivedSignal> signal{}; ///< nothing until then
     };
     /// A signal as formulas call it: d5_velocity.
     struct Variable {
@@ -57,7 +64,7 @@ public:
     /// Yields what is wrong with the formula, or the new signal.
     [[nodiscard]] Result<Signal> add(const QString &name, const QString &unit, const QString &formula);
     /// As add(), unless there is one of this name.
-    void ensure(const QString &name, const QString &unit, const QString &formula);
+    void ensure(const QString &name, const QString &unit, const QString &formula, std::vector<Meaning> meanings = {});
     void remove(const Signal &signal);
     /// Devices have come, or have begun anew: whether a formula is computed from others now.
     [[nodiscard]] bool complete();
@@ -66,6 +73,7 @@ public:
 
 private:
     bool compile(Derived &derived) const;
+    [[nodiscard]] std::vector<Meaning> meaningsOf(const Derived &derived) const;
     [[nodiscard]] bool isOfNow(const Derived &derived) const;
 
     Workbench &m_workbench;

@@ -2,6 +2,7 @@
 #include "widgets/plots/telemetrysource.h"
 
 #include "widgets/common/numberformat.h"
+#include "widgets/plots/columnpath.h"
 
 #include <QCoreApplication>
 
@@ -63,6 +64,19 @@ std::optional<TraceSource::Statistics> TelemetrySource::statistics(double from, 
     const auto [low, high] = std::minmax({found->low * m_scale, found->high * m_scale});
     return Statistics{
         found->count, found->lost, found->mean * m_scale, found->deviation * size, found->rms * size, low, high};
+}
+
+std::optional<double> TelemetrySource::valueAt(double key) const
+{
+    const std::size_t after = m_telemetry->lowerBound(m_channel, instantOf(key));
+    std::vector<Point> around; // with the gaps before each
+    (void)m_telemetry->read(m_channel, after > 0 ? after - 1 : after, Instant::max(), 2, around);
+    std::vector<PlotPoint> points;
+    for (const Point &point : around) {
+        if (point.time >= m_since)
+            points.push_back({plotKey(point.time), point.value * m_scale});
+    }
+    return mb::valueAt(points, key);
 }
 
 QString TelemetrySource::foot() const

@@ -50,6 +50,7 @@ public:
     [[nodiscard]] std::optional<double> latest() const override;
     [[nodiscard]] QString foot() const override;
     [[nodiscard]] std::optional<Statistics> statistics(double from, double to) const override;
+    [[nodiscard]] std::optional<double> valueAt(double key) const override;
     [[nodiscard]] bool lossy() const override { return lost() > 0; }
 
 private:

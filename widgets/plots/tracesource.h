@@ -41,6 +41,9 @@ public:
         double high = 0.0;
     };
     virtual std::optional<Statistics> statistics(double, double) const { return {}; }
+    /// On the line between the samples on either side of a key: not a number in a gap and beyond both ends. Nothing where the
+    /// source keeps only what it draws.
+    virtual std::optional<double> valueAt(double) const { return {}; }
     /// Samples are missing: the foot line turns to caution.
     virtual bool lossy() const { return false; }
 };
