@@ -361,8 +361,8 @@ Task<Message> UnitRun::test()
 Task<int> UnitRun::reserve()
 {
     const Family &family = m_device.family();
-    NumberWish wish{std::string(family.key) + ' ' + m_visit.recipe, isPlace(m_visit) ? m_visit.id : m_visit.unit,
-        m_visit.id, m_around.matter.recipe.number->first, family.capabilities.lastAddress, m_around.taken};
+    NumberWish wish{numberScopeOf(m_visit), numberOwnerOf(m_visit), m_visit.id, m_around.matter.recipe.number->first,
+        family.capabilities.lastAddress, m_around.taken};
     bool hasWaited = false;
     for (;;) {
         auto asking = m_around.journal.number(wish);
