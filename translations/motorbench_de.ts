@@ -8293,6 +8293,14 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
         <source>its place; another unit may stand there</source>
         <translation>seinen Platz; dort kann ein anderes Gerät stehen</translation>
     </message>
+    <message>
+        <source>Friction, share of duty</source>
+        <translation>Reibung, Anteil der Aussteuerung</translation>
+    </message>
+    <message>
+        <source>Gain, counts/s at full duty</source>
+        <translation>Verstärkung, Counts/s bei voller Aussteuerung</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -18343,6 +18351,30 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>the steps in both directions kept their limits; the gains were written, which this family cannot read back</source>
         <translation>die Sprünge in beide Richtungen hielten ihre Grenzen ein; die Verstärkungen wurden geschrieben, diese Familie lässt sie nicht zurücklesen</translation>
+    </message>
+    <message>
+        <source>nothing proves that its flash has what was written</source>
+        <translation>nichts beweist, dass in seinem Flash steht, was geschrieben wurde</translation>
+    </message>
+    <message>
+        <source>switch its supply off and on, then do it again: what is read then comes from its flash</source>
+        <translation>die Versorgung aus- und einschalten, dann noch einmal: was dann gelesen wird, kommt aus seinem Flash</translation>
+    </message>
+    <message>
+        <source>take it out of the recipe&apos;s parameters, or serve such units by a recipe of their own</source>
+        <translation>ihn aus den Parametern des Rezepts nehmen oder solche Geräte nach einem eigenen Rezept bedienen</translation>
+    </message>
+    <message>
+        <source>take one of them off, then test the other again</source>
+        <translation>eines davon abnehmen, dann das andere noch einmal prüfen</translation>
+    </message>
+    <message>
+        <source>this unit does not have %1 of the recipe</source>
+        <translation>dieses Gerät hat %1 des Rezepts nicht</translation>
+    </message>
+    <message>
+        <source>two units tell the serial number %1</source>
+        <translation>zwei Geräte melden die Seriennummer %1</translation>
     </message>
 </context>
 </TS>

@@ -8293,6 +8293,14 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
         <source>its place; another unit may stand there</source>
         <translation>su lugar; allí puede haber otro equipo</translation>
     </message>
+    <message>
+        <source>Friction, share of duty</source>
+        <translation>Fricción, fracción del ciclo</translation>
+    </message>
+    <message>
+        <source>Gain, counts/s at full duty</source>
+        <translation>Ganancia, counts/s a ciclo pleno</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -18343,6 +18351,30 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>the steps in both directions kept their limits; the gains were written, which this family cannot read back</source>
         <translation>los escalones en ambos sentidos respetaron sus límites; las ganancias se escribieron, pero esta familia no permite releerlas</translation>
+    </message>
+    <message>
+        <source>nothing proves that its flash has what was written</source>
+        <translation>nada prueba que su flash tenga lo que se escribió</translation>
+    </message>
+    <message>
+        <source>switch its supply off and on, then do it again: what is read then comes from its flash</source>
+        <translation>apague y encienda su alimentación y repítalo: lo que se lea entonces viene de su flash</translation>
+    </message>
+    <message>
+        <source>take it out of the recipe&apos;s parameters, or serve such units by a recipe of their own</source>
+        <translation>quítelo de los parámetros de la receta o atienda esas unidades con una receta propia</translation>
+    </message>
+    <message>
+        <source>take one of them off, then test the other again</source>
+        <translation>retire una de ellas y vuelva a probar la otra</translation>
+    </message>
+    <message>
+        <source>this unit does not have %1 of the recipe</source>
+        <translation>esta unidad no tiene %1 de la receta</translation>
+    </message>
+    <message>
+        <source>two units tell the serial number %1</source>
+        <translation>dos unidades indican el número de serie %1</translation>
     </message>
 </context>
 </TS>

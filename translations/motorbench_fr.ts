@@ -8293,6 +8293,14 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
         <source>its place; another unit may stand there</source>
         <translation>sa place ; un autre appareil peut s&apos;y trouver</translation>
     </message>
+    <message>
+        <source>Friction, share of duty</source>
+        <translation>Frottement, fraction du rapport cyclique</translation>
+    </message>
+    <message>
+        <source>Gain, counts/s at full duty</source>
+        <translation>Gain, counts/s à plein rapport cyclique</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -18343,6 +18351,30 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>the steps in both directions kept their limits; the gains were written, which this family cannot read back</source>
         <translation>les échelons dans les deux sens ont respecté leurs limites ; les gains ont été écrits, mais cette famille ne permet pas de les relire</translation>
+    </message>
+    <message>
+        <source>nothing proves that its flash has what was written</source>
+        <translation>rien ne prouve que sa flash contient ce qui a été écrit</translation>
+    </message>
+    <message>
+        <source>switch its supply off and on, then do it again: what is read then comes from its flash</source>
+        <translation>coupez et rétablissez son alimentation, puis recommencez : ce qui est lu alors vient de sa flash</translation>
+    </message>
+    <message>
+        <source>take it out of the recipe&apos;s parameters, or serve such units by a recipe of their own</source>
+        <translation>retirez-le des paramètres de la recette, ou traitez ces unités avec une recette à elles</translation>
+    </message>
+    <message>
+        <source>take one of them off, then test the other again</source>
+        <translation>retirez l’une d’elles, puis testez l’autre à nouveau</translation>
+    </message>
+    <message>
+        <source>this unit does not have %1 of the recipe</source>
+        <translation>cette unité n’a pas %1 de la recette</translation>
+    </message>
+    <message>
+        <source>two units tell the serial number %1</source>
+        <translation>deux unités annoncent le numéro de série %1</translation>
     </message>
 </context>
 </TS>

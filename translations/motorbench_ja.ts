@@ -8283,6 +8283,14 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <source>its place; another unit may stand there</source>
         <translation>場所による。別のユニットがそこにある場合もあります</translation>
     </message>
+    <message>
+        <source>Friction, share of duty</source>
+        <translation>摩擦（デューティ比）</translation>
+    </message>
+    <message>
+        <source>Gain, counts/s at full duty</source>
+        <translation>ゲイン（全デューティでの counts/s）</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -18329,6 +18337,30 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the steps in both directions kept their limits; the gains were written, which this family cannot read back</source>
         <translation>両方向のステップが限度内でした。ゲインを書き込みましたが、このファミリでは読み戻せません</translation>
+    </message>
+    <message>
+        <source>nothing proves that its flash has what was written</source>
+        <translation>書き込んだ内容がフラッシュにあることを証明するものがありません</translation>
+    </message>
+    <message>
+        <source>switch its supply off and on, then do it again: what is read then comes from its flash</source>
+        <translation>電源を切って入れ直し、もう一度行ってください。そのとき読まれる値はフラッシュのものです</translation>
+    </message>
+    <message>
+        <source>take it out of the recipe&apos;s parameters, or serve such units by a recipe of their own</source>
+        <translation>レシピのパラメータから外すか、このようなユニットには専用のレシピを使ってください</translation>
+    </message>
+    <message>
+        <source>take one of them off, then test the other again</source>
+        <translation>一方を外し、もう一方を再度テストしてください</translation>
+    </message>
+    <message>
+        <source>this unit does not have %1 of the recipe</source>
+        <translation>このユニットにはレシピの %1 がありません</translation>
+    </message>
+    <message>
+        <source>two units tell the serial number %1</source>
+        <translation>2 台のユニットがシリアル番号 %1 を返しています</translation>
     </message>
 </context>
 </TS>

@@ -8283,6 +8283,14 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <source>its place; another unit may stand there</source>
         <translation>其位置；那里可能是另一台设备</translation>
     </message>
+    <message>
+        <source>Friction, share of duty</source>
+        <translation>摩擦（占空比份额）</translation>
+    </message>
+    <message>
+        <source>Gain, counts/s at full duty</source>
+        <translation>增益（满占空比时的 counts/s）</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -18329,6 +18337,30 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the steps in both directions kept their limits; the gains were written, which this family cannot read back</source>
         <translation>两个方向的阶跃均在限值之内；增益已写入，此系列无法回读</translation>
+    </message>
+    <message>
+        <source>nothing proves that its flash has what was written</source>
+        <translation>无法证明所写内容已存入其闪存</translation>
+    </message>
+    <message>
+        <source>switch its supply off and on, then do it again: what is read then comes from its flash</source>
+        <translation>请断电再上电，然后重做：那时读到的就是其闪存中的内容</translation>
+    </message>
+    <message>
+        <source>take it out of the recipe&apos;s parameters, or serve such units by a recipe of their own</source>
+        <translation>请将其从配方的参数中去掉，或为此类设备使用单独的配方</translation>
+    </message>
+    <message>
+        <source>take one of them off, then test the other again</source>
+        <translation>请取下其中一台，然后再次测试另一台</translation>
+    </message>
+    <message>
+        <source>this unit does not have %1 of the recipe</source>
+        <translation>此设备没有配方中的 %1</translation>
+    </message>
+    <message>
+        <source>two units tell the serial number %1</source>
+        <translation>两台设备报告相同的序列号 %1</translation>
     </message>
 </context>
 </TS>

@@ -292,6 +292,8 @@ Task<Message> UnitRun::setParameters()
 {
     auto reading = readAll();
     co_await std::move(reading);
+    if (auto offered = checkOffered(m_device, m_around.matter); !offered) // an update may have changed what it has
+        co_return fail(offered.error());
     const std::vector<ParameterChange> blind = unreadable();
     std::vector<ParameterChange> changes = missing();
     std::erase_if(changes, [this](const ParameterChange &change) { return isUnreadable(change); });
@@ -431,10 +433,11 @@ Task<Message> UnitRun::giveNumber()
 }
 
 /// What proves it, and what nothing can prove.
-Message UnitRun::proofOf(bool stores, bool stored) const
+Message UnitRun::proofOf(bool stores) const
 {
     const std::size_t blind = unreadable().size();
-    Message told = stored ? say("its flash has it") : stores ? say("nothing had to be stored") : say("read back");
+    const bool isChanged = m_wrote || m_earlier > 0.0; // what was cut off may have written
+    Message told = !stores ? say("read back") : isChanged ? say("its flash has it") : say("nothing had to be stored");
     if (m_visit.number && m_device.identity().address != *m_visit.number)
         told = joined(told, say("its number holds from its next power cycle on, and nothing proves it before"));
     if (blind == 0)
@@ -447,10 +450,11 @@ Message UnitRun::proofOf(bool stores, bool stored) const
 Task<Message> UnitRun::prove()
 {
     const bool stores = storesByItself();
-    bool stored = false;
     if (stores) {
         auto storing = m_device.store(m_progress);
-        stored = co_await std::move(storing);
+        if (!co_await std::move(storing))
+            co_return fail(Fault::BadCheck, say("nothing proves that its flash has what was written"),
+                say("switch its supply off and on, then do it again: what is read then comes from its flash"));
     }
     auto refreshing = m_device.refresh();
     co_await std::move(refreshing);
@@ -469,7 +473,7 @@ Task<Message> UnitRun::prove()
         co_return fail(Fault::BadCheck,
             say("the unit answers with firmware %1, the image is %2", m_visit.to, m_around.matter.imageVersion),
             say("do it again"));
-    const Message told = proofOf(stores, stored);
+    const Message told = proofOf(stores);
     const int changed = others();
     co_return changed == 0
         ? told
