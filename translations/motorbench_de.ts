@@ -8295,11 +8295,11 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     </message>
     <message>
         <source>Friction, share of duty</source>
-        <translation>Reibung, Anteil der Aussteuerung</translation>
+        <translation>Reibung, Anteil des Tastgrads</translation>
     </message>
     <message>
         <source>Gain, counts/s at full duty</source>
-        <translation>Verstärkung, Counts/s bei voller Aussteuerung</translation>
+        <translation>Verstärkung, counts/s bei vollem Tastgrad</translation>
     </message>
 </context>
 <context>

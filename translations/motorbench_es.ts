@@ -8295,11 +8295,11 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
     </message>
     <message>
         <source>Friction, share of duty</source>
-        <translation>Fricción, fracción del ciclo</translation>
+        <translation>Fricción, fracción del ciclo de trabajo</translation>
     </message>
     <message>
         <source>Gain, counts/s at full duty</source>
-        <translation>Ganancia, counts/s a ciclo pleno</translation>
+        <translation>Ganancia, counts/s con ciclo de trabajo pleno</translation>
     </message>
 </context>
 <context>
@@ -18362,19 +18362,19 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
     <message>
         <source>take it out of the recipe&apos;s parameters, or serve such units by a recipe of their own</source>
-        <translation>quítelo de los parámetros de la receta o atienda esas unidades con una receta propia</translation>
+        <translation>quítelo de los parámetros de la receta o atienda esos equipos con una receta propia</translation>
     </message>
     <message>
         <source>take one of them off, then test the other again</source>
-        <translation>retire una de ellas y vuelva a probar la otra</translation>
+        <translation>retire uno de ellos y vuelva a probar el otro</translation>
     </message>
     <message>
         <source>this unit does not have %1 of the recipe</source>
-        <translation>esta unidad no tiene %1 de la receta</translation>
+        <translation>este equipo no tiene %1 de la receta</translation>
     </message>
     <message>
         <source>two units tell the serial number %1</source>
-        <translation>dos unidades indican el número de serie %1</translation>
+        <translation>dos equipos indican el número de serie %1</translation>
     </message>
 </context>
 </TS>

@@ -18362,19 +18362,19 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>take it out of the recipe&apos;s parameters, or serve such units by a recipe of their own</source>
-        <translation>retirez-le des paramètres de la recette, ou traitez ces unités avec une recette à elles</translation>
+        <translation>retirez-le des paramètres de la recette, ou traitez ces appareils avec une recette à eux</translation>
     </message>
     <message>
         <source>take one of them off, then test the other again</source>
-        <translation>retirez l’une d’elles, puis testez l’autre à nouveau</translation>
+        <translation>retirez l’un d’eux, puis testez l’autre à nouveau</translation>
     </message>
     <message>
         <source>this unit does not have %1 of the recipe</source>
-        <translation>cette unité n’a pas %1 de la recette</translation>
+        <translation>cet appareil n’a pas %1 de la recette</translation>
     </message>
     <message>
         <source>two units tell the serial number %1</source>
-        <translation>deux unités annoncent le numéro de série %1</translation>
+        <translation>deux appareils annoncent le numéro de série %1</translation>
     </message>
 </context>
 </TS>

@@ -8285,7 +8285,7 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     </message>
     <message>
         <source>Friction, share of duty</source>
-        <translation>摩擦（デューティ比）</translation>
+        <translation>摩擦（デューティの割合）</translation>
     </message>
     <message>
         <source>Gain, counts/s at full duty</source>
@@ -18348,7 +18348,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>take it out of the recipe&apos;s parameters, or serve such units by a recipe of their own</source>
-        <translation>レシピのパラメータから外すか、このようなユニットには専用のレシピを使ってください</translation>
+        <translation>レシピのパラメータから外すか、このような機器には専用のレシピを使ってください</translation>
     </message>
     <message>
         <source>take one of them off, then test the other again</source>
@@ -18356,11 +18356,11 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>this unit does not have %1 of the recipe</source>
-        <translation>このユニットにはレシピの %1 がありません</translation>
+        <translation>この機器にはレシピの %1 がありません</translation>
     </message>
     <message>
         <source>two units tell the serial number %1</source>
-        <translation>2 台のユニットがシリアル番号 %1 を返しています</translation>
+        <translation>2 台の機器がシリアル番号 %1 を返しています</translation>
     </message>
 </context>
 </TS>

@@ -11,7 +11,8 @@ namespace mb::service {
 /// A number that a unit is to get.
 struct NumberWish {
     std::string scope; ///< numberScopeOf()
-    std::string unit;  ///< numberOwnerOf(): it gets the same number whenever it asks again, at any station of the journal
+    std::string
+        unit; ///< numberOwnerOf(): it gets the same number whenever it asks again, at any station of the journal
     std::string visit;
     int first = 1;
     int last = 63;       ///< of the family

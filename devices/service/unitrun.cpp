@@ -3,6 +3,7 @@
 
 #include "async/sleep.h"
 #include "model/unit.h"
+#include "service/busydevice.h"
 #include "service/goldenband.h"
 #include "service/preflight.h"
 #include "settings/snapshots.h"
@@ -20,22 +21,6 @@ constexpr Duration numberAgain = 2s;
 constexpr Duration takenOff = 2s;
 constexpr Duration lookForUnit = 100ms;
 constexpr int mostTests = 3;
-
-/// Nothing else talks to a unit while its firmware is written.
-class Busy {
-public:
-    Busy(Device &device, const Message &why)
-        : m_device(device)
-    {
-        device.gate().setBusy(why);
-    }
-    Busy(const Busy &) = delete;
-    Busy &operator=(const Busy &) = delete;
-    ~Busy() { m_device.gate().setBusy({}); }
-
-private:
-    Device &m_device;
-};
 
 /// Nobody can tell its unit from another in the same place.
 bool isPlace(const Visit &visit)
@@ -208,7 +193,7 @@ Task<Message> UnitRun::backUp()
 
 Task<UpdateReport> UnitRun::runUpdate()
 {
-    const Busy busy(m_device, say("firmware update"));
+    const BusyDevice busy(m_device, say("firmware update"));
     auto updating = m_device.family().update(
         m_device, m_around.matter.image, updateOptionsOf(*m_around.matter.recipe.firmware), m_progress);
     co_return co_await std::move(updating).attempt();

@@ -89,8 +89,7 @@ Result<void> JournalServer::prepare() const
     return {};
 }
 
-Result<void> JournalServer::deliver(
-    const std::vector<KeptVisit> &visits, const std::vector<GivenNumber> &numbers) const
+Result<void> JournalServer::deliver(const std::vector<KeptVisit> &visits, const std::vector<GivenNumber> &numbers) const
 {
     const auto connection = connect();
     if (!connection)

@@ -92,8 +92,9 @@ Result<std::unique_ptr<ServerConnection>> ServerConnection::open(const ServerAdd
         return fail(Fault::Timeout,
             say("%1 does not answer: %2", server.url, database.lastError().databaseText().trimmed().toStdString()),
             say("see that the server runs; entries wait here until it does"));
-    for (const char *const setting : {"SET client_min_messages TO WARNING", "SET statement_timeout = 5000",
-             "SET lock_timeout = 3000", "SET idle_in_transaction_session_timeout = 10000", "SET synchronous_commit = on"}) {
+    for (const char *const setting :
+        {"SET client_min_messages TO WARNING", "SET statement_timeout = 5000", "SET lock_timeout = 3000",
+            "SET idle_in_transaction_session_timeout = 10000", "SET synchronous_commit = on"}) {
         if (auto set = made->run(setting); !set)
             return fail(set.error());
     }
@@ -115,10 +116,9 @@ Result<void> ServerConnection::run(const char *statement, const QVariantList &va
     }
     if (!good || query.lastError().isValid()) { // the server may end a query between two rows
         const std::string code = query.lastError().nativeErrorCode().toStdString();
-        const bool silent
-            = code.empty() || std::any_of(passing.begin(), passing.end(), [&code](std::string_view each) {
-                  return code.starts_with(each);
-              });
+        const bool silent = code.empty() || std::any_of(passing.begin(), passing.end(), [&code](std::string_view each) {
+            return code.starts_with(each);
+        });
         return fail(silent ? Fault::Timeout : Fault::OutOfRange,
             say("the journal's server: %1", query.lastError().databaseText().trimmed().toStdString()));
     }

@@ -89,8 +89,7 @@ Task<void> SharedJournal::deliver()
 }
 
 /// In the background, which outlives a server that hangs.
-template <class Answer>
-Task<Answer> SharedJournal::askServer(std::function<Result<Answer>(const JournalServer &)> what)
+template <class Answer> Task<Answer> SharedJournal::askServer(std::function<Result<Answer>(const JournalServer &)> what)
 {
     if (!m_background)
         co_return what(m_server);
@@ -180,9 +179,8 @@ Task<std::optional<int>> SharedJournal::number(NumberWish wish)
         if (!token)
             co_return fail(token.error());
         auto taking = askServer<NumberBlock>(
-            [token = *token, wish, station = m_book.station(), time = m_book.now()](const JournalServer &server) {
-                return server.take(token, wish, station, time);
-            });
+            [token = *token, wish, station = m_book.station(), time = m_book.now()](
+                const JournalServer &server) { return server.take(token, wish, station, time); });
         const Result<NumberBlock> block = co_await std::move(taking).attempt();
         if (!block)
             co_return fail(block.error());

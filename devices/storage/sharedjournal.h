@@ -38,7 +38,8 @@ public:
 
 private:
     [[nodiscard]] Task<void> deliverBatch(std::vector<KeptVisit> batch);
-    template <class Answer> [[nodiscard]] Task<Answer> askServer(std::function<Result<Answer>(const JournalServer &)> what);
+    template <class Answer>
+    [[nodiscard]] Task<Answer> askServer(std::function<Result<Answer>(const JournalServer &)> what);
     [[nodiscard]] Task<std::optional<int>> recalled(service::NumberWish wish, std::string here);
     [[nodiscard]] std::string hereOf(const std::string &scope) const;
     [[nodiscard]] Result<std::string> tokenFor(const std::string &scope);
