@@ -71,6 +71,8 @@ double secondsOf(Duration time)
 
 TimeOrigin::TimeOrigin(const Clock &clock, const LinkAddress &link)
     : m_offset(link.isSimulated() ? -clock.now().time_since_epoch() : clock.unixOffset())
+    , m_awake(link.isSimulated() ? nullptr : &clock)
+    , m_slept(clock.slept())
 {
 }
 

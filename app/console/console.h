@@ -76,11 +76,16 @@ using Job = std::function<Task<int>(Console &)>;
 class TimeOrigin {
 public:
     TimeOrigin(const Clock &clock, const LinkAddress &link);
-    [[nodiscard]] Duration of(Instant time) const { return time.time_since_epoch() + m_offset; }
+    [[nodiscard]] Duration of(Instant time) const
+    {
+        return time.time_since_epoch() + m_offset + (m_awake ? m_awake->slept() - m_slept : Duration{});
+    }
     [[nodiscard]] double seconds(Instant time) const { return secondsOf(of(time)); }
 
 private:
     Duration m_offset;
+    const Clock *m_awake; ///< stands still while the computer sleeps; nullptr: nobody asks for the time of day
+    Duration m_slept;
 };
 
 } // namespace mb::console

@@ -108,14 +108,8 @@ Result<Report> gather(Console &console, Database &database, ReportWish wish, std
     auto units = reportUnits(book, console.families(), wish);
     if (!units)
         return fail(units.error());
-    if (unit && !units->empty()) {
-        ReportUnit &found = units->front();
-        unit->tunings = std::move(found.tunings);
-        unit->trials = std::move(found.trials);
-        unit->history = std::move(found.history);
-        unit->visits = std::move(found.visits);
-        found = std::move(*unit);
-    }
+    if (unit && !units->empty())
+        units->front().describe(*unit);
     Report report;
     report.time = std::chrono::duration<double>(console.clock().now().time_since_epoch() + console.clock().unixOffset())
                       .count();

@@ -103,6 +103,7 @@ void ServiceJobs::followLinks()
     leave();
     last.running = false;
     last.armed = false;
+    last.permitted = false;
     m_last = std::move(last);
     m_changed.notify();
 }
@@ -228,7 +229,7 @@ void ServiceJobs::carryOut(const orders::RenewService &, const Finished &finishe
 void ServiceJobs::ended(const service::Visit &visit)
 {
     if (visit.outcome == service::Outcome::Failed)
-        arm(false);
+        m_permit.disarmNext();
     m_permit.restart();
     m_unitEnded.notify(visit);
     m_changed.notify();
@@ -241,6 +242,7 @@ ServiceView ServiceJobs::view() const
     ServiceView view;
     view.links = m_links.addresses();
     view.armed = m_permit.isArmed();
+    view.permitted = m_permit.isPermitted();
     view.armedUntil = m_permit.armedUntil();
     view.announces = m_permit.isAnnouncing();
     view.waits = m_permit.isWaitedFor();

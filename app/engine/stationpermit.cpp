@@ -37,8 +37,16 @@ void StationPermit::arm(bool on)
 {
     m_armings += on && !m_isArmed;
     m_isArmed = on;
+    m_isPermitted = on;
     restart();
     m_changed.notify();
+}
+
+void StationPermit::disarmNext()
+{
+    const bool permitted = m_isPermitted;
+    arm(false);
+    m_isPermitted = permitted;
 }
 
 void StationPermit::restart()

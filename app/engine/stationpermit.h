@@ -15,12 +15,16 @@ public:
     explicit StationPermit(Clock &clock);
 
     void arm(bool on);
+    /// No other motor: a self-test that runs elsewhere goes on.
+    void disarmNext();
     /// A unit has come or gone: the five minutes begin anew.
     void restart();
     /// Nobody will arm any more: units that wait for it are cut off; until the next queue begins.
     void setLeaving(bool on) { m_isLeaving = on; }
 
     [[nodiscard]] bool isArmed() const { return m_isArmed; }
+    /// What was let turn may do so still.
+    [[nodiscard]] bool isPermitted() const { return m_isPermitted; }
     /// Of it, without a unit.
     [[nodiscard]] Instant armedUntil() const { return m_end; }
     /// The motor of a unit turns in a moment.
@@ -44,6 +48,7 @@ private:
 
     Clock &m_clock;
     bool m_isArmed = false;
+    bool m_isPermitted = false;
     int m_armings = 0;
     Instant m_end{};
     int m_announcing = 0;

@@ -11,13 +11,15 @@
 #include <filesystem>
 #include <sys/file.h>
 #include <unistd.h>
+#include <utility>
 
 namespace mb {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr Duration settling = std::chrono::milliseconds(100); ///< channels of a device are committed together
+constexpr Duration settling = std::chrono::milliseconds(100);     ///< channels of a device are committed together
+constexpr Duration shortestSleep = std::chrono::milliseconds(10); ///< below it two clocks were read one after the other
 constexpr const char *lockName = "lock";
 constexpr const char *lastName = "last-session";
 
@@ -204,27 +206,44 @@ void RollingRecorder::writeSamples(Instant horizon)
             earliest->cursor.pop();
         }
         const std::uint64_t lost = gap ? lostBefore(earliest->channel, point.time) : 0;
-        m_writer->write(earliest->id, unixNanoseconds(point.time, *m_unixOffset), point.value, lost, gap);
+        const bool isApart = std::exchange(earliest->isAfterSleep, false) || gap;
+        m_writer->write(earliest->id, unixNanoseconds(point.time, *m_unixOffset), point.value, lost, isApart);
         segment.last = std::max(segment.last, point.time);
         ++segment.samples;
     }
 }
 
-Result<void> RollingRecorder::write(Instant now, Duration unixOffset)
+Result<void> RollingRecorder::write(Instant now, Duration unixOffset, Duration slept)
 {
-    return writeUntil(now, now - settling, unixOffset);
+    follow(unixOffset, slept);
+    return writeUntil(now, now - settling);
 }
 
-Result<void> RollingRecorder::writeAll(Instant now, Duration unixOffset)
+Result<void> RollingRecorder::writeAll(Instant now, Duration unixOffset, Duration slept)
 {
-    return writeUntil(now, now, unixOffset);
+    follow(unixOffset, slept);
+    return writeUntil(now, now);
 }
 
-Result<void> RollingRecorder::writeUntil(Instant now, Instant horizon, Duration unixOffset)
+/// Time stamps stand still while the computer sleeps, and the time of day does not.
+void RollingRecorder::follow(Duration unixOffset, Duration slept)
+{
+    if (!m_unixOffset)
+        m_slept = slept;
+    m_unixOffset = m_unixOffset.value_or(unixOffset);
+    if (slept - m_slept < shortestSleep)
+        return;
+    *m_unixOffset += slept - m_slept;
+    m_slept = slept;
+    for (Tracked &tracked : m_tracked)
+        tracked.isAfterSleep = true;
+    (void)endSegment(); // what it could not write is written to the next
+}
+
+Result<void> RollingRecorder::writeUntil(Instant now, Instant horizon)
 {
     if (m_tracked.empty() && !m_writer)
         return {};
-    m_unixOffset = m_unixOffset.value_or(unixOffset);
     auto missed = missWhatIsGone();
     auto written = writeSegment(now, horizon);
     m_failure = written ? std::nullopt : std::optional(written.error());

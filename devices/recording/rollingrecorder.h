@@ -36,9 +36,10 @@ public:
     /// long as the histories have it: files end with their last whole sample, and the next call goes on behind it, in a new one.
     /// A folder that was taken away, or its disk, is told once, and made anew with what was in it, as far as the histories have that.
     /// Unix time is `unixOffset` of the first call: a clock that is set meanwhile leaves neither gaps nor times that go back.
-    [[nodiscard]] Result<void> write(Instant now, Duration unixOffset);
+    /// What the computer has slept since (Clock::slept()) is added, and a gap in a file of its own.
+    [[nodiscard]] Result<void> write(Instant now, Duration unixOffset, Duration slept = {});
     /// The same with what is still settling: samples of several channels may be in another order than their times.
-    [[nodiscard]] Result<void> writeAll(Instant now, Duration unixOffset);
+    [[nodiscard]] Result<void> writeAll(Instant now, Duration unixOffset, Duration slept = {});
     /// A note for the file.
     void note(Instant time, const std::string &text);
 
@@ -65,6 +66,7 @@ private:
         std::uint16_t id = 0;       ///< in the file that is being written
         SampleCursor::Place safe{}; ///< everything before it is in a file
         bool gone = false;          ///< nothing comes any more
+        bool isAfterSleep = false;  ///< what comes next is the first since the computer slept
     };
     struct Segment {
         std::string path;
@@ -77,7 +79,8 @@ private:
     };
     [[nodiscard]] Result<void> beginSegment(Instant now);
     [[nodiscard]] Result<void> endSegment();
-    [[nodiscard]] Result<void> writeUntil(Instant now, Instant horizon, Duration unixOffset);
+    [[nodiscard]] Result<void> writeUntil(Instant now, Instant horizon);
+    void follow(Duration unixOffset, Duration slept);
     [[nodiscard]] Result<void> writeSegment(Instant now, Instant horizon);
     void addToFile(Tracked &tracked);
     void settle();
@@ -92,13 +95,13 @@ private:
     int m_lock = -1;
     std::list<Tracked> m_tracked;
     std::vector<std::pair<std::string, mcap::Map>> m_about;
-    std::vector<std::pair<std::string, mcap::Map>> m_notes;
     std::vector<TimedNote> m_newNotes;
     std::unique_ptr<McapWriter> m_writer;
     std::list<Segment> m_segments;  ///< oldest first; the last is being written
     Segment m_safe;                 ///< of the last: what a full disk cannot take any more
     std::optional<Error> m_failure; ///< of the last write
     std::optional<Duration> m_unixOffset;
+    Duration m_slept{};
     std::size_t m_number = 0;
     std::size_t m_trackedEver = 0;
     bool m_keeping = false;

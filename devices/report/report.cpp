@@ -117,6 +117,16 @@ QString cardOf(const ReportUnit &unit, const Report &report, bool first)
 
 } // namespace
 
+void ReportUnit::describe(const ReportUnit &who)
+{
+    family = who.family;
+    identity = who.identity;
+    unit = who.unit;
+    selector = who.selector;
+    simulated = who.simulated;
+    parameters = who.parameters;
+}
+
 bool Report::isSimulated() const
 {
     return std::any_of(units.begin(), units.end(), [](const ReportUnit &unit) { return unit.simulated; });

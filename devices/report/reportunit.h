@@ -30,6 +30,9 @@ struct ReportUnit {
     std::vector<KeptTrial> sines;                  ///< of a frequency response, the newest, with signals
     std::vector<KeptTrial> history;                ///< every trial of the unit, one line each
     std::vector<service::Visit> visits;            ///< every service of it, oldest first
+
+    /// Who it is and what it tells of itself, as a unit that answers does; what the notebook has of it stays.
+    void describe(const ReportUnit &who);
 };
 
 /// What a report is to be about: trials by number, or all that matters of one unit (Trial::unit).

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/visitsection.h"
 
+#include "model/family.h"
 #include "report/htmltext.h"
 #include "report/metricwords.h"
 #include "service/recipe.h"
@@ -15,15 +16,16 @@ using service::Outcome;
 using service::TestValue;
 using service::Visit;
 
-/// What the key of a self-test is called, and its unit.
-QString keyText(const std::string &key)
+/// What the key of a self-test is called, and its unit: without a bus voltage everything is measured in shares of the duty.
+QString keyText(const std::string &key, const Family *family)
 {
+    const bool volts = !family || findChannel(family->channels, "bus_voltage");
     if (key == "resistance")
         return ReportText::tr("Resistance R, Ω");
     if (key == "friction")
-        return ReportText::tr("Friction, V");
+        return volts ? ReportText::tr("Friction, V") : ReportText::tr("Friction, share of duty");
     if (key == "gain")
-        return ReportText::tr("Gain 1/Ke, counts/s per V");
+        return volts ? ReportText::tr("Gain 1/Ke, counts/s per V") : ReportText::tr("Gain, counts/s at full duty");
     if (key == "encoder")
         return ReportText::tr("Encoder counts both ways");
     return escaped(metricWords(key).name);
@@ -79,8 +81,9 @@ QString testHtml(const ReportUnit &unit)
         QString change = value.key == "encoder" ? QString() : changeText(value.value, before);
         if (!change.isEmpty())
             change = ReportText::tr("%1 since %2").arg(change, timeText(earlier->time).left(10));
-        table.add({keyText(value.key), value.passed ? valueText(value) : strong(valueText(value), "danger"),
-            limitsText(value), before && value.key != "encoder" ? figureOf(value.key, before) : QString(), change});
+        table.add(
+            {keyText(value.key, unit.family), value.passed ? valueText(value) : strong(valueText(value), "danger"),
+                limitsText(value), before && value.key != "encoder" ? figureOf(value.key, before) : QString(), change});
     }
     return table.isEmpty() ? QString() : table.html();
 }

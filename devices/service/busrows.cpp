@@ -43,6 +43,7 @@ void BusRows::take(const std::vector<Device *> &found, const Row *serving)
         addMissing();
     }
     markAbsent(serving);
+    markTwins();
     m_isFirstLook = false;
 }
 
@@ -66,14 +67,16 @@ void BusRows::notice(const Device &device)
     known->shown.device = m_session.idOf(device);
 }
 
-/// By the number that was given here first, however long it was gone; else by its name, while it was not gone.
+/// By the number that was given here first, however long it was gone; else by its name, while it was not gone. One that another
+/// has taken in this look is no longer free.
 BusRows::Row *BusRows::rowOf(const Device &device, const std::string &unit)
 {
     Row *known = nullptr;
     for (Row &row : m_rows) {
         if (isMoved(row.shown.visit, device))
             return &row;
-        if (row.shown.visit.unit == unit && !row.gone && !row.moved)
+        if (row.shown.visit.unit == unit && !row.gone && !row.moved && !row.seen
+            && (!known || known->shown.device != m_session.idOf(device)))
             known = &row;
     }
     return known;
@@ -168,6 +171,23 @@ void BusRows::markAbsent(const Row *serving)
         m_rows.remove_if([serving](const Row &row) {
             return &row != serving && row.gone && row.shown.state == RowState::Waiting && row.shown.visit.id.empty();
         });
+}
+
+std::multiset<std::string> BusRows::serials() const
+{
+    std::multiset<std::string> units;
+    for (const Row &row : m_rows) {
+        if (row.seen && unitByOf(row.shown.visit.unit) == UnitBy::Serial)
+            units.insert(row.shown.visit.unit);
+    }
+    return units;
+}
+
+void BusRows::markTwins()
+{
+    const auto units = serials();
+    for (Row &row : m_rows)
+        row.twin = row.seen && units.count(row.shown.visit.unit) > 1;
 }
 
 bool BusRows::hasWaiting() const

@@ -25,7 +25,7 @@ std::optional<Band> bandOf(const std::vector<Visit> &passed, const std::string &
     for (const Visit &visit : passed) {
         for (const TestValue &value : visit.test) {
             if (value.key == key && value.value && visit.outcome == Outcome::Passed)
-                byUnit[visit.unit] = *value.value;
+                byUnit[numberOwnerOf(visit)] = *value.value;
         }
     }
     if (byUnit.size() < static_cast<std::size_t>(fewestForBand))

@@ -71,8 +71,11 @@ Task<void> preflight(Device &device, const RecipeMatter &matter, tuning::Experim
             co_await std::move(asking);
         }
     }
-    if (!matter.recipe.firmware)
+    if (!matter.recipe.firmware) {
+        if (auto offered = checkOffered(device, matter); !offered)
+            co_return fail(offered.error());
         co_return {};
+    }
     UpdateOptions options = updateOptionsOf(*matter.recipe.firmware);
     options.dryRun = true;
     auto looking = device.family().update(device, matter.image, options, progress);
@@ -81,6 +84,17 @@ Task<void> preflight(Device &device, const RecipeMatter &matter, tuning::Experim
         co_return {};
     const Fault fault = report.outcome == UpdateOutcome::Refused ? Fault::Unsafe : Fault::Refused;
     co_return fail(report.fault.value_or(fault), report.evidence, report.remedy);
+}
+
+Result<void> checkOffered(const Device &device, const RecipeMatter &matter)
+{
+    for (const ParameterChange &change : matter.parameters) {
+        if (!device.offers(change.index))
+            return fail(Fault::Refused,
+                say("this unit does not have %1 of the recipe", device.parameters().parameter(change.index).key),
+                say("take it out of the recipe's parameters, or serve such units by a recipe of their own"));
+    }
+    return {};
 }
 
 UpdateOptions updateOptionsOf(const FirmwareRule &rule)

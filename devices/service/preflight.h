@@ -13,6 +13,9 @@ namespace mb::service {
 [[nodiscard]] Task<void> preflight(
     Device &device, const RecipeMatter &matter, tuning::ExperimentJournal *trials, Progress &progress);
 
+/// Refused where this unit, as it is now, does not have a setting of the recipe: it names the first.
+[[nodiscard]] Result<void> checkOffered(const Device &device, const RecipeMatter &matter);
+
 /// What an update by this rule is told.
 [[nodiscard]] UpdateOptions updateOptionsOf(const FirmwareRule &rule);
 

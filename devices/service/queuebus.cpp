@@ -124,6 +124,7 @@ Task<void> QueueBus::look()
     auto scanning = m_session.scan(m_link);
     const std::vector<Device *> found = co_await std::move(scanning);
     m_rows.take(found, m_serving);
+    m_run.setPresent(this, m_rows.serials());
     m_run.changed().notify();
     co_return {};
 }
@@ -171,7 +172,9 @@ Task<void> QueueBus::check(Row &row)
     row.shown.what = say("Preflight");
     m_run.changed().notify();
     auto looking = preflight(*device, m_run.matter(), m_run.around().trials, unseen);
-    const Result<void> looked = co_await std::move(looking).attempt();
+    Result<void> looked = co_await std::move(looking).attempt();
+    if (looked)
+        looked = isAlone(row);
     if (looked || looked.error().fault == Fault::LinkLost || looked.error().fault == Fault::Timeout)
         co_return {}; // its turn will tell
     auto refusing = refuse(row, *device, looked.error());
@@ -179,10 +182,22 @@ Task<void> QueueBus::check(Row &row)
     co_return {};
 }
 
+/// What tells two units apart tells them nothing of each other: what one was given would be taken for the other's.
+Result<void> QueueBus::isAlone(const Row &row) const
+{
+    if (!row.twin && !m_run.isElsewhere(this, row.shown.visit.unit))
+        return {};
+    return fail(Fault::Refused, say("two units tell the serial number %1", row.shown.visit.serial),
+        say("take one of them off, then test the other again"));
+}
+
 Task<void> QueueBus::refuse(Row &row, const Device &device, Error error)
 {
-    auto opening = openVisit(row, device);
-    Visit visit = co_await std::move(opening);
+    Visit visit = row.shown.visit;
+    if (visit.id.empty()) {
+        auto opening = openVisit(row, device);
+        visit = co_await std::move(opening);
+    }
     visit.outcome = Outcome::Refused;
     visit.cause = error.detail;
     visit.remedy = error.help();
@@ -252,31 +267,47 @@ Task<void> QueueBus::serve(Row &row)
     row.shown.parts.clear();
     ++row.shown.tries;
     m_run.changed().notify();
-    Visit visit = row.shown.visit;
-    if (visit.id.empty()) {
-        auto opening = openVisit(row, *device);
-        visit = co_await std::move(opening);
-    }
-    if (m_wantsSkip) { // while the journal took its time
-        leftOut(row);
+    auto working = serveHere(row, *device);
+    const Result<void> served = co_await std::move(working).attempt();
+    if (served)
         co_return {};
-    }
-    auto performing = perform(row, *device, std::move(visit));
-    const Result<Visit> result = co_await std::move(performing).attempt();
-    if (!result && result.error().fault == Fault::Cancelled) {
-        leftOut(row);
-        co_return {};
-    }
-    if (!result)
-        co_return fail(result.error());
-    ended(row, *result);
+    const bool isSkipped = served.error().fault == Fault::Cancelled;
+    leftOut(row,
+        isSkipped ? Error{Fault::Cancelled, say("left out; it goes on where it was when it is tested again"), {}}
+                  : served.error());
+    if (!isSkipped) // the journal
+        co_return fail(served.error());
     co_return {};
 }
 
-void QueueBus::leftOut(Row &row)
+Task<void> QueueBus::serveHere(Row &row, Device &device)
+{
+    if (auto alone = isAlone(row); !alone) {
+        auto refusing = refuse(row, device, alone.error());
+        co_await std::move(refusing);
+        co_return {};
+    }
+    Visit visit = row.shown.visit;
+    if (visit.id.empty()) {
+        auto opening = openVisit(row, device);
+        visit = co_await std::move(opening);
+    }
+    if (m_wantsSkip) // while the journal took its time
+        co_return fail(Fault::Cancelled);
+    auto performing = perform(row, device, std::move(visit));
+    const Visit result = co_await std::move(performing);
+    ended(row, result);
+    co_return {};
+}
+
+/// Its visit is open still.
+void QueueBus::leftOut(Row &row, const Error &why)
 {
     row.shown.state = RowState::Skipped;
-    row.shown.visit.cause = say("left out; it goes on where it was when it is tested again");
+    row.shown.what = {};
+    row.shown.mayInterrupt = true;
+    row.shown.visit.cause = why.detail;
+    row.shown.visit.remedy = why.help();
     m_run.changed().notify();
 }
 

@@ -42,12 +42,14 @@ private:
     [[nodiscard]] Task<void> check(Row &row);
     class Serving;
     [[nodiscard]] Task<void> serve(Row &row);
+    [[nodiscard]] Task<void> serveHere(Row &row, Device &device);
+    [[nodiscard]] Result<void> isAlone(const Row &row) const;
     [[nodiscard]] Task<Visit> openVisit(Row &row, const Device &device);
     [[nodiscard]] Task<Visit> perform(Row &row, Device &device, Visit visit);
     [[nodiscard]] Task<void> refuse(Row &row, const Device &device, Error error);
     [[nodiscard]] Task<void> giveUpMissing();
     void ended(Row &row, const Visit &visit);
-    void leftOut(Row &row);
+    void leftOut(Row &row, const Error &why);
     [[nodiscard]] ServiceSurroundings surroundings(Row &row, Telling &telling);
 
     QueueRun &m_run;

@@ -84,6 +84,12 @@ bool QueueRun::mayBegin() const
         && (!m_options.units || *m_options.units == 0 || m_counts.ended() + m_serving < *m_options.units);
 }
 
+bool QueueRun::isElsewhere(const void *bus, const std::string &unit) const
+{
+    return std::any_of(m_present.begin(), m_present.end(),
+        [&](const auto &other) { return other.first != bus && other.second.contains(unit); });
+}
+
 void QueueRun::setTrouble(const Error &error)
 {
     if (!m_trouble)

@@ -7,7 +7,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -72,6 +74,10 @@ public:
     [[nodiscard]] bool isPausing() const { return m_isPausing; }
     void finish();
     [[nodiscard]] bool isFinishing() const { return m_isFinishing; }
+    /// Who is on a bus, by its serial number, as its last look found.
+    void setPresent(const void *bus, std::multiset<std::string> units) { m_present[bus] = std::move(units); }
+    [[nodiscard]] bool isElsewhere(const void *bus, const std::string &unit) const;
+
     /// A bus has taken a unit in hand, or let go of it.
     void serving(int by) { m_serving += by; }
     [[nodiscard]] bool isServing() const { return m_serving > 0; }
@@ -80,6 +86,8 @@ public:
 
     /// The first one counts.
     void setTrouble(const Error &error);
+    /// It goes on.
+    void forgetTrouble() { m_trouble.reset(); }
     [[nodiscard]] const std::optional<Error> &trouble() const { return m_trouble; }
 
     [[nodiscard]] Listeners<> &changed() { return m_changed; }
@@ -96,6 +104,7 @@ private:
     std::vector<Visit> m_earlier;
     QueueCounts m_counts;
     std::optional<Error> m_trouble;
+    std::map<const void *, std::multiset<std::string>> m_present;
     std::uint32_t m_lastRow = 0;
     int m_serving = 0;
     bool m_isPausing = false;

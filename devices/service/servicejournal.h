@@ -10,9 +10,9 @@ namespace mb::service {
 
 /// A number that a unit is to get.
 struct NumberWish {
-    std::string scope; ///< numbers are given once in it: "dmc60c drive-base rev C"
+    std::string scope; ///< numberScopeOf()
     std::string
-        unit; ///< it gets the same number whenever it asks again: Visit::unit, or Visit::id of one known by its place
+        unit; ///< numberOwnerOf(): it gets the same number whenever it asks again, at any station of the journal
     std::string visit;
     int first = 1;
     int last = 63;       ///< of the family

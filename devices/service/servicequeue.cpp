@@ -40,7 +40,8 @@ void ServiceQueue::startLane(QueueBus &bus)
     if (bus.isInLane())
         return;
     bus.setInLane(true);
-    ++m_lanes;
+    if (m_lanes++ == 0)
+        m_run.forgetTrouble();
     m_scope.spawn<void>(bus.run(), [this, &bus](Result<void> result) { laneEnded(bus, result); });
 }
 

@@ -3,6 +3,7 @@
 
 #include "async/sleep.h"
 #include "model/unit.h"
+#include "service/busydevice.h"
 #include "service/goldenband.h"
 #include "service/preflight.h"
 #include "settings/snapshots.h"
@@ -21,22 +22,6 @@ constexpr Duration numberAgain = 2s;
 constexpr Duration takenOff = 2s;
 constexpr Duration lookForUnit = 100ms;
 constexpr int mostTests = 3;
-
-/// Nothing else talks to a unit while its firmware is written.
-class Busy {
-public:
-    Busy(Device &device, const Message &why)
-        : m_device(device)
-    {
-        device.gate().setBusy(why);
-    }
-    Busy(const Busy &) = delete;
-    Busy &operator=(const Busy &) = delete;
-    ~Busy() { m_device.gate().setBusy({}); }
-
-private:
-    Device &m_device;
-};
 
 /// Nobody can tell its unit from another in the same place.
 bool isPlace(const Visit &visit)
@@ -209,7 +194,7 @@ Task<Message> UnitRun::backUp()
 
 Task<UpdateReport> UnitRun::runUpdate()
 {
-    const Busy busy(m_device, say("firmware update"));
+    const BusyDevice busy(m_device, say("firmware update"));
     auto updating = m_device.family().update(
         m_device, m_around.matter.image, updateOptionsOf(*m_around.matter.recipe.firmware), m_progress);
     co_return co_await std::move(updating).attempt();
@@ -293,6 +278,8 @@ Task<Message> UnitRun::setParameters()
 {
     auto reading = readAll();
     co_await std::move(reading);
+    if (auto offered = checkOffered(m_device, m_around.matter); !offered) // an update may have changed what it has
+        co_return fail(offered.error());
     const std::vector<ParameterChange> blind = unreadable();
     std::vector<ParameterChange> changes = missing();
     std::erase_if(changes, [this](const ParameterChange &change) { return isUnreadable(change); });
@@ -362,8 +349,8 @@ Task<Message> UnitRun::test()
 Task<int> UnitRun::reserve()
 {
     const Family &family = m_device.family();
-    NumberWish wish{std::string(family.key) + ' ' + m_visit.recipe, isPlace(m_visit) ? m_visit.id : m_visit.unit,
-        m_visit.id, m_around.matter.recipe.number->first, family.capabilities.lastAddress, m_around.taken};
+    NumberWish wish{numberScopeOf(m_visit), numberOwnerOf(m_visit), m_visit.id, m_around.matter.recipe.number->first,
+        family.capabilities.lastAddress, m_around.taken};
     bool hasWaited = false;
     for (;;) {
         auto asking = m_around.journal.number(wish);
@@ -432,10 +419,11 @@ Task<Message> UnitRun::giveNumber()
 }
 
 /// What proves it, and what nothing can prove.
-Message UnitRun::proofOf(bool stores, bool stored) const
+Message UnitRun::proofOf(bool stores) const
 {
     const std::size_t blind = unreadable().size();
-    Message told = stored ? say("its flash has it") : stores ? say("nothing had to be stored") : say("read back");
+    const bool isChanged = m_wrote || m_earlier > 0.0; // what was cut off may have written
+    Message told = !stores ? say("read back") : isChanged ? say("its flash has it") : say("nothing had to be stored");
     if (m_visit.number && m_device.identity().address != *m_visit.number)
         told = joined(told, say("its number holds from its next power cycle on, and nothing proves it before"));
     if (blind == 0)
@@ -448,10 +436,11 @@ Message UnitRun::proofOf(bool stores, bool stored) const
 Task<Message> UnitRun::prove()
 {
     const bool stores = storesByItself();
-    bool stored = false;
     if (stores) {
         auto storing = settings::storeKept(m_device, settings::Origin::Recipe, m_around.settings, m_progress);
-        stored = co_await std::move(storing);
+        if (!co_await std::move(storing))
+            co_return fail(Fault::BadCheck, say("nothing proves that its flash has what was written"),
+                say("switch its supply off and on, then do it again: what is read then comes from its flash"));
     }
     auto refreshing = m_device.refresh();
     co_await std::move(refreshing);
@@ -470,7 +459,7 @@ Task<Message> UnitRun::prove()
         co_return fail(Fault::BadCheck,
             say("the unit answers with firmware %1, the image is %2", m_visit.to, m_around.matter.imageVersion),
             say("do it again"));
-    const Message told = proofOf(stores, stored);
+    const Message told = proofOf(stores);
     const int changed = others();
     co_return changed == 0
         ? told

@@ -49,7 +49,7 @@ private:
     [[nodiscard]] std::vector<ParameterChange> missing() const;
     [[nodiscard]] bool isUnreadable(const ParameterChange &change) const;
     [[nodiscard]] std::vector<ParameterChange> unreadable() const;
-    [[nodiscard]] Message proofOf(bool stores, bool stored) const;
+    [[nodiscard]] Message proofOf(bool stores) const;
     [[nodiscard]] int others() const;
 
     Device &m_device;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "service/visit.h"
 
+#include "model/unit.h"
+
 #include <algorithm>
 #include <array>
 
@@ -48,6 +50,16 @@ std::string_view toString(Ending ending)
 Ending endingFromString(std::string_view text)
 {
     return static_cast<Ending>(placeOf(endings, text));
+}
+
+std::string numberScopeOf(const Visit &visit)
+{
+    return visit.family + ' ' + visit.recipe;
+}
+
+std::string numberOwnerOf(const Visit &visit)
+{
+    return unitByOf(visit.unit) == UnitBy::Place ? visit.id : visit.unit;
 }
 
 } // namespace mb::service

@@ -71,43 +71,57 @@ Result<JournalServer> JournalServer::parse(const std::string &url)
     return JournalServer(std::move(*address));
 }
 
-Result<void> JournalServer::prepare() const
+Result<std::unique_ptr<ServerConnection>> JournalServer::connect() const
 {
-    const auto connection = ServerConnection::open(m_address);
+    auto connection = ServerConnection::open(m_address);
     if (!connection)
-        return fail(connection.error());
-    return makeTables(**connection);
+        return connection;
+    if (auto made = makeTables(**connection); !made)
+        return fail(made.error());
+    return connection;
 }
 
-Result<void> JournalServer::deliver(const std::vector<KeptVisit> &visits) const
+Result<void> JournalServer::prepare() const
 {
-    const auto connection = ServerConnection::open(m_address);
+    const auto connection = connect();
     if (!connection)
         return fail(connection.error());
-    if (auto made = makeTables(**connection); !made)
-        return made;
+    return {};
+}
+
+Result<void> JournalServer::deliver(const std::vector<KeptVisit> &visits, const std::vector<GivenNumber> &numbers) const
+{
+    const auto connection = connect();
+    if (!connection)
+        return fail(connection.error());
+    if (auto put = putNumbers(**connection, numbers); !put)
+        return put;
     return putVisits(**connection, visits);
 }
 
 Result<std::vector<KeptVisit>> JournalServer::visits(const service::VisitFilter &filter) const
 {
-    const auto connection = ServerConnection::open(m_address);
+    const auto connection = connect();
     if (!connection)
         return fail(connection.error());
-    if (auto made = makeTables(**connection); !made)
-        return fail(made.error());
     return getVisits(**connection, filter);
 }
 
 Result<NumberBlock> JournalServer::take(
     const std::string &token, const service::NumberWish &wish, const std::string &station, double time) const
 {
-    const auto connection = ServerConnection::open(m_address);
+    const auto connection = connect();
     if (!connection)
         return fail(connection.error());
-    if (auto made = makeTables(**connection); !made)
-        return fail(made.error());
     return takeBlock(**connection, token, wish, numbersInBlock, station, time);
+}
+
+Result<std::optional<int>> JournalServer::numberOf(const service::NumberWish &wish) const
+{
+    const auto connection = connect();
+    if (!connection)
+        return fail(connection.error());
+    return mb::numberOf(**connection, wish);
 }
 
 } // namespace mb

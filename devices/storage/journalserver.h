@@ -26,14 +26,21 @@ public:
 
     /// Makes the tables where there are none. OutOfRange when they are of a newer version.
     [[nodiscard]] Result<void> prepare() const;
-    /// In place of what is there, unless that is newer: the same again changes nothing.
-    [[nodiscard]] Result<void> deliver(const std::vector<KeptVisit> &visits) const;
+    /// In place of what is there, unless that is newer: the same again changes nothing. With the numbers that they were given.
+    [[nodiscard]] Result<void> deliver(
+        const std::vector<KeptVisit> &visits, const std::vector<GivenNumber> &numbers = {}) const;
     [[nodiscard]] Result<std::vector<KeptVisit>> visits(const service::VisitFilter &filter) const;
     /// takeBlock() there.
     [[nodiscard]] Result<NumberBlock> take(
         const std::string &token, const service::NumberWish &wish, const std::string &station, double time) const;
 
+    /// numberOf() there.
+    [[nodiscard]] Result<std::optional<int>> numberOf(const service::NumberWish &wish) const;
+    [[nodiscard]] const std::string &url() const { return m_address.url; }
+
 private:
+    [[nodiscard]] Result<std::unique_ptr<ServerConnection>> connect() const;
+
     ServerAddress m_address;
 };
 

@@ -72,43 +72,95 @@ Result<NumberBlock> takeBlock(SqlConnection &sql, const std::string &token, cons
 
 Result<void> keepBlock(SqlConnection &sql, const std::string &scope, const NumberBlock &block)
 {
-    return sql.transact([&]() -> Result<void> {
-        for (int number = block.first; number <= block.last; ++number) {
-            auto kept = sql.run("INSERT INTO service_number (scope, number, unit, visit) VALUES (?, ?, '', '') "
-                                "ON CONFLICT (scope, number) DO NOTHING",
-                {qt(scope), number});
-            if (!kept)
-                return kept;
-        }
-        return {};
-    });
+    std::vector<GivenNumber> numbers;
+    for (int number = block.first; number <= block.last; ++number)
+        numbers.push_back({scope, number, {}, {}});
+    return putNumbers(sql, numbers);
+}
+
+Result<std::optional<int>> numberOf(SqlConnection &sql, const NumberWish &wish)
+{
+    std::optional<int> number;
+    auto read = sql.run("SELECT number FROM service_number WHERE scope = ? AND unit = ? ORDER BY number DESC",
+        {qt(wish.scope), qt(wish.unit)}, [&](const QSqlQuery &row) {
+            const int each = row.value(0).toInt();
+            if (each >= wish.first && each <= wish.last && !wish.taken.contains(each))
+                number = each;
+        });
+    if (!read)
+        return fail(read.error());
+    return number;
 }
 
 Result<std::optional<int>> giveNumber(SqlConnection &sql, const NumberWish &wish)
 {
     std::optional<int> given;
     auto done = sql.transact([&]() -> Result<void> {
-        std::vector<int> free;
-        auto read
-            = sql.run("SELECT number, unit FROM service_number WHERE scope = ? AND unit IN ('', ?) ORDER BY number",
-                {qt(wish.scope), qt(wish.unit)}, [&](const QSqlQuery &row) {
-                    const int number = row.value(0).toInt();
-                    if (number < wish.first || number > wish.last || wish.taken.contains(number))
-                        return;
-                    if (row.value(1).toString().isEmpty())
-                        free.push_back(number);
-                    else if (!given)
-                        given = number;
-                });
-        if (!read || given || free.empty())
-            return read;
-        given = free.front();
-        return sql.run("UPDATE service_number SET unit = ?, visit = ? WHERE scope = ? AND number = ?",
+        NumberWish free = wish;
+        free.unit.clear();
+        for (const NumberWish &each : {wish, free}) {
+            const auto number = numberOf(sql, each);
+            if (!number)
+                return fail(number.error());
+            given = *number;
+            if (given)
+                break;
+        }
+        if (!given)
+            return {};
+        return sql.run("UPDATE service_number SET unit = ?, visit = ? WHERE scope = ? AND number = ? AND unit = ''",
             {qt(wish.unit), qt(wish.visit), qt(wish.scope), *given});
     });
     if (!done)
         return fail(done.error());
     return given;
+}
+
+Result<void> putNumbers(SqlConnection &sql, const std::vector<GivenNumber> &numbers)
+{
+    return sql.transact([&]() -> Result<void> {
+        for (const GivenNumber &given : numbers) {
+            auto put = sql.run("INSERT INTO service_number (scope, number, unit, visit) VALUES (?, ?, ?, ?) "
+                               "ON CONFLICT (scope, number) DO NOTHING",
+                {qt(given.scope), given.number, qt(given.unit), qt(given.visit)});
+            if (!put)
+                return put;
+        }
+        return {};
+    });
+}
+
+Result<std::vector<GivenNumber>> numbersOf(
+    SqlConnection &sql, const std::vector<KeptVisit> &visits, const std::string &suffix)
+{
+    std::vector<GivenNumber> numbers;
+    for (const KeptVisit &kept : visits) {
+        const service::Visit &visit = kept.visit;
+        if (!visit.number)
+            continue;
+        const GivenNumber given{numberScopeOf(visit), *visit.number, numberOwnerOf(visit), visit.id};
+        auto read = sql.run("SELECT 1 FROM service_number WHERE scope = ? AND number = ? AND unit = ?",
+            {qt(given.scope + suffix), given.number, qt(given.unit)},
+            [&](const QSqlQuery &) { numbers.push_back(given); });
+        if (!read)
+            return fail(read.error());
+    }
+    return numbers;
+}
+
+Result<void> moveBlocks(SqlConnection &sql, const std::string &scope, const std::string &other)
+{
+    return sql.transact([&]() -> Result<void> {
+        Result<void> moved;
+        for (const char *const statement : {"UPDATE service_number SET scope = ? WHERE scope = ? AND NOT EXISTS "
+                                            "(SELECT 1 FROM service_scope WHERE service_scope.scope = ?)",
+                 "UPDATE service_block SET scope = ? WHERE scope = ? AND NOT EXISTS "
+                 "(SELECT 1 FROM service_scope WHERE service_scope.scope = ?)"}) {
+            if (moved)
+                moved = sql.run(statement, {qt(other), qt(scope), qt(scope)});
+        }
+        return moved;
+    });
 }
 
 } // namespace mb

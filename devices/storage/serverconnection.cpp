@@ -9,6 +9,8 @@
 #include <QSqlQuery>
 #include <QUrl>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 
 namespace mb {
@@ -16,6 +18,9 @@ namespace {
 
 const QString driver = QStringLiteral("QPSQL");
 constexpr std::string_view scheme = "postgresql://";
+/// Classes of errors that another try may not meet: broken connection, transaction of another state (a standby takes no writes),
+/// conflict of two, full tables, somebody else's lock, ended by its operator or by a time-out.
+constexpr std::array<std::string_view, 6> passing{"08", "25", "40", "53", "55", "57"};
 
 tl::unexpected<Error> badUrl(const std::string &text)
 {
@@ -87,8 +92,9 @@ Result<std::unique_ptr<ServerConnection>> ServerConnection::open(const ServerAdd
         return fail(Fault::Timeout,
             say("%1 does not answer: %2", server.url, database.lastError().databaseText().trimmed().toStdString()),
             say("see that the server runs; entries wait here until it does"));
-    for (const char *const setting : {"SET client_min_messages TO WARNING", "SET statement_timeout = 5000",
-             "SET lock_timeout = 3000", "SET synchronous_commit = on"}) {
+    for (const char *const setting :
+        {"SET client_min_messages TO WARNING", "SET statement_timeout = 5000", "SET lock_timeout = 3000",
+            "SET idle_in_transaction_session_timeout = 10000", "SET synchronous_commit = on"}) {
         if (auto set = made->run(setting); !set)
             return fail(set.error());
     }
@@ -110,7 +116,9 @@ Result<void> ServerConnection::run(const char *statement, const QVariantList &va
     }
     if (!good || query.lastError().isValid()) { // the server may end a query between two rows
         const std::string code = query.lastError().nativeErrorCode().toStdString();
-        const bool silent = code.empty() || code.starts_with("08") || code.starts_with("57");
+        const bool silent = code.empty() || std::any_of(passing.begin(), passing.end(), [&code](std::string_view each) {
+            return code.starts_with(each);
+        });
         return fail(silent ? Fault::Timeout : Fault::OutOfRange,
             say("the journal's server: %1", query.lastError().databaseText().trimmed().toStdString()));
     }

@@ -88,22 +88,35 @@ Task<void> SharedJournal::deliver()
     }
 }
 
-Task<void> SharedJournal::deliverBatch(std::vector<KeptVisit> batch)
+/// In the background, which outlives a server that hangs.
+template <class Answer> Task<Answer> SharedJournal::askServer(std::function<Result<Answer>(const JournalServer &)> what)
 {
     if (!m_background)
-        co_return m_server.deliver(batch);
-    auto working = inBackground<bool>(
-        *m_background, m_clock, lane, serverLimit,
-        [server = m_server, batch = std::move(batch)]() -> Result<bool> {
-            if (auto delivered = server.deliver(batch); !delivered)
-                return fail(delivered.error());
-            return true;
-        },
+        co_return what(m_server);
+    auto working = inBackground<Answer>(
+        *m_background, m_clock, lane, serverLimit, [server = m_server, what = std::move(what)] { return what(server); },
         WhenLate::Finish);
-    const Result<bool> delivered = co_await std::move(working).attempt();
+    co_return co_await std::move(working).attempt();
+}
+
+Task<void> SharedJournal::deliverBatch(std::vector<KeptVisit> batch)
+{
+    const auto numbers = numbersOf(m_book.database(), batch, hereOf({}));
+    if (!numbers)
+        co_return fail(numbers.error());
+    auto delivering = askServer<bool>([batch = std::move(batch), numbers = *numbers](const JournalServer &server) {
+        return server.deliver(batch, numbers).map([] { return true; });
+    });
+    const Result<bool> delivered = co_await std::move(delivering).attempt();
     if (!delivered)
         co_return fail(delivered.error());
     co_return {};
+}
+
+/// Where numbers of this server lie in the station's file: those that the file gives by itself are other ones.
+std::string SharedJournal::hereOf(const std::string &scope) const
+{
+    return scope + '@' + m_server.url();
 }
 
 /// What is asked for is written down before: an answer that was lost is asked for again by the same name.
@@ -126,38 +139,54 @@ Result<std::string> SharedJournal::tokenFor(const std::string &scope)
     return token;
 }
 
-Task<NumberBlock> SharedJournal::take(std::string token, NumberWish wish)
+/// That this unit has, here or by another station; without the server it is what is known here.
+Task<std::optional<int>> SharedJournal::recalled(NumberWish wish, std::string here)
 {
-    if (!m_background)
-        co_return m_server.take(token, wish, m_book.station(), m_book.now());
-    auto working = inBackground<NumberBlock>(
-        *m_background, m_clock, lane, serverLimit,
-        [server = m_server, token, wish, station = m_book.station(), time = m_book.now()] {
-            return server.take(token, wish, station, time);
-        },
-        WhenLate::Finish);
-    co_return co_await std::move(working).attempt();
+    SqlConnection &sql = m_book.database();
+    NumberWish local = wish;
+    local.scope = here;
+    const auto known = numberOf(sql, local);
+    if (!known)
+        co_return fail(known.error());
+    if (*known)
+        co_return *known;
+    auto asking = askServer<std::optional<int>>([wish](const JournalServer &server) { return server.numberOf(wish); });
+    const Result<std::optional<int>> told = co_await std::move(asking).attempt();
+    if (!told || !*told)
+        co_return std::nullopt;
+    if (auto kept = putNumbers(sql, {{here, **told, wish.unit, wish.visit}}); !kept)
+        co_return fail(kept.error());
+    co_return *told;
 }
 
 Task<std::optional<int>> SharedJournal::number(NumberWish wish)
 {
     SqlConnection &sql = m_book.database();
+    NumberWish local = wish;
+    local.scope = hereOf(wish.scope);
+    if (auto moved = moveBlocks(sql, wish.scope, local.scope); !moved) // of a program that did not tell them apart
+        co_return fail(moved.error());
+    auto recalling = recalled(wish, local.scope);
+    if (const std::optional<int> known = co_await std::move(recalling))
+        co_return *known;
     for (;;) {
-        const auto given = giveNumber(sql, wish);
+        const auto given = giveNumber(sql, local);
         if (!given)
             co_return fail(given.error());
         if (*given)
             co_return *given;
-        const auto token = tokenFor(wish.scope);
+        const auto token = tokenFor(local.scope);
         if (!token)
             co_return fail(token.error());
-        auto taking = take(*token, wish);
+        auto taking = askServer<NumberBlock>(
+            [token = *token, wish, station = m_book.station(), time = m_book.now()](
+                const JournalServer &server) { return server.take(token, wish, station, time); });
         const Result<NumberBlock> block = co_await std::move(taking).attempt();
         if (!block)
             co_return fail(block.error());
         if (block->isEmpty())
             co_return std::nullopt;
-        auto kept = keepBlock(sql, wish.scope, *block); // again after a cut: the token is still asked for then
+        auto kept = keepBlock(sql, local.scope, *block); // again after a cut: the token is still asked for then
         if (kept)
             kept = sql.run("UPDATE service_block SET first = ?, last = ? WHERE token = ?",
                 {block->first, block->last, qt(*token)});

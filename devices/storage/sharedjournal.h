@@ -7,6 +7,8 @@
 #include "storage/journalserver.h"
 #include "storage/servicebook.h"
 
+#include <functional>
+
 namespace mb {
 
 /// The journal of a station that shares it with others: every entry is in the station's own file first, and goes to the server as
@@ -36,7 +38,10 @@ public:
 
 private:
     [[nodiscard]] Task<void> deliverBatch(std::vector<KeptVisit> batch);
-    [[nodiscard]] Task<NumberBlock> take(std::string token, service::NumberWish wish);
+    template <class Answer>
+    [[nodiscard]] Task<Answer> askServer(std::function<Result<Answer>(const JournalServer &)> what);
+    [[nodiscard]] Task<std::optional<int>> recalled(service::NumberWish wish, std::string here);
+    [[nodiscard]] std::string hereOf(const std::string &scope) const;
     [[nodiscard]] Result<std::string> tokenFor(const std::string &scope);
 
     ServiceBook &m_book;

@@ -10,6 +10,7 @@
 #include <QSqlQuery>
 
 #include <algorithm>
+#include <map>
 
 namespace mb {
 namespace {
@@ -128,15 +129,18 @@ Result<std::vector<KeptVisit>> select(SqlConnection &sql, const std::string &res
     std::vector<KeptVisit> visits;
     auto read = sql.run(("SELECT " + std::string(visitColumns) + " FROM service_visit " + rest).c_str(), values,
         [&visits](const QSqlQuery &row) { visits.push_back(visitFrom(row)); });
-    for (KeptVisit &kept : visits) {
-        if (!read)
-            break;
-        read = sql.run("SELECT step, time, ended, detail FROM service_step WHERE visit = ? ORDER BY place",
-            {qt(kept.visit.id)}, [&kept](const QSqlQuery &row) {
-                kept.visit.steps.push_back({service::stepFromString(textAt(row, 0)), row.value(1).toDouble(),
+    std::map<std::string, Visit *> byId;
+    for (KeptVisit &kept : visits)
+        byId[kept.visit.id] = &kept.visit;
+    const std::string steps = "SELECT step, time, ended, detail, visit FROM service_step WHERE visit IN "
+                              "(SELECT id FROM service_visit "
+        + rest + ") ORDER BY visit, place";
+    if (read && !visits.empty())
+        read = sql.run(steps.c_str(), values, [&byId](const QSqlQuery &row) {
+            if (const auto found = byId.find(textAt(row, 4)); found != byId.end())
+                found->second->steps.push_back({service::stepFromString(textAt(row, 0)), row.value(1).toDouble(),
                     row.value(2).toInt() != 0, messageFrom(textAt(row, 3))});
-            });
-    }
+        });
     if (!read)
         return fail(read.error());
     return visits;

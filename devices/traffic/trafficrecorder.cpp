@@ -7,6 +7,7 @@ namespace mb {
 namespace {
 
 constexpr Duration tickTime = std::chrono::milliseconds(100);
+constexpr Duration shortestSleep = std::chrono::milliseconds(10); ///< below it two clocks were read one after the other
 
 } // namespace
 
@@ -29,7 +30,9 @@ Result<std::unique_ptr<TrafficRecorder>> TrafficRecorder::start(
 }
 
 TrafficRecorder::TrafficRecorder(Link &link, Clock &clock, Duration unixOffset, std::unique_ptr<BackgroundFile> file)
-    : m_file(std::move(file))
+    : m_clock(clock)
+    , m_slept(clock.slept())
+    , m_file(std::move(file))
     , m_writer(formatOfName(m_file->path()))
     , m_unixOffset(unixOffset)
     , m_linkLostBefore(link.counters().lost)
@@ -40,6 +43,7 @@ TrafficRecorder::TrafficRecorder(Link &link, Clock &clock, Duration unixOffset, 
         m_linkLostBefore = std::min(m_linkLostBefore, link.counters().lost);
     }))
     , m_batch(link.batchEnded().add([this, &link] {
+        followSleep();
         m_linkLost += link.counters().lost - m_linkLostBefore;
         m_linkLostBefore = link.counters().lost;
     }))
@@ -68,6 +72,16 @@ void TrafficRecorder::take(const Traffic &traffic)
     append();
 }
 
+/// Time stamps stand still while the computer sleeps, and the time of day does not.
+void TrafficRecorder::followSleep()
+{
+    const Duration slept = m_clock.slept();
+    if (slept - m_slept < shortestSleep)
+        return;
+    m_unixOffset += slept - m_slept;
+    m_slept = slept;
+}
+
 void TrafficRecorder::append()
 {
     if (m_file->append(m_text))
@@ -77,6 +91,7 @@ void TrafficRecorder::append()
 void TrafficRecorder::tick()
 {
     m_tick.startIn(tickTime, [this] { tick(); });
+    followSleep();
     m_file->flush();
     const BackgroundFile::Status status = m_file->status();
     const bool news = status.finished || (!m_told && !status.problem.empty());

@@ -52,7 +52,10 @@ private:
     void take(const Traffic &traffic);
     void append();
     void tick();
+    void followSleep();
 
+    Clock &m_clock;
+    Duration m_slept;
     std::shared_ptr<BackgroundFile> m_file;
     FrameLogWriter m_writer;
     Duration m_unixOffset;

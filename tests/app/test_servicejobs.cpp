@@ -187,6 +187,30 @@ TEST_F(Served, WhoWaitsForArmingGoesOnByItselfAndWhoComesAfterAFailWaits)
     }
 }
 
+TEST_F(Served, AFailOnOneBusEndsNoSelfTestOnAnother)
+{
+    core->send(orders::OpenLink{*LinkAddress::parse("sim:can?seed=2")});
+    clock.advance(5s);
+    ASSERT_TRUE(serve({recipe(failing), {"sim:can", "sim:can?seed=2"}, std::nullopt}));
+    core->send(orders::ArmService{true});
+    EXPECT_TRUE(clock.runUntil(
+        [this] {
+            if (view().armed || view().permitted) // as the page does
+                core->send(orders::RenewService{});
+            if (!view().armed && view().counts.failed % 2 == 0)
+                core->send(orders::ArmService{true});
+            return view().counts.failed >= 4;
+        },
+        10min));
+    for (const service::QueueRow &row : view().rows) {
+        if (row.state == service::RowState::Failed) {
+            EXPECT_NE(row.visit.cause.english().find("settle"), std::string::npos) << row.visit.cause.english();
+        }
+    }
+    core->send(orders::ArmService{false});
+    EXPECT_FALSE(view().permitted) << "whoever disarms ends what runs, too";
+}
+
 TEST_F(Served, DisarmedInTheLastThreeSecondsItWaitsAgain)
 {
     ASSERT_TRUE(serve({recipe(moving), {"sim:can"}, std::nullopt}));

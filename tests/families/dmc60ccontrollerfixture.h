@@ -25,6 +25,7 @@ inline const FakeUnit::Frames versionsReply{"0206FCC5#00000600", "0206FC85#00001
 inline const std::string getVersions = "0206FC05#3412610000000000";                        // V10
 inline const std::string getDescriptors = "0206FC05#3412600000000000";                     // V5
 inline const std::string getSequence = "0206FC05#3412620000000000";
+inline const std::string softReset = "0206FC05#3412F10000000000"; // V18
 inline const FakeUnit::Frames descriptors{"0206FCC5#00002700", "0206FC85#0106444D43363043", "0206FC85#030F446967696C65",
     "0206FC85#6E7420444D433630", "0206FC85#43060C3231303333", "0206FC85#34334137394632"};
 

@@ -102,6 +102,49 @@ TEST_F(Dmc60cFlash, FailsAfterTwentySecondsWithoutAFlashWrite)
     EXPECT_GE(clock.now() - begun, 19s);
     EXPECT_LE(clock.now() - begun, 21s);
     EXPECT_EQ(device->parameters().entry(index("slot0.p")).state, ParameterState::Ram);
+    const auto again = store();
+    ASSERT_FALSE(again) << "asking once more proves nothing";
+    EXPECT_EQ(again.error().text(), result.error().text());
+    EXPECT_EQ(device->parameters().entry(index("slot0.p")).state, ParameterState::Ram);
+    unit.answer(getSequence, {sequence(2)});
+    EXPECT_EQ(store(), Result<bool>(true)) << "it was late";
+}
+
+TEST_F(Dmc60cFlash, ThatWasNotProvedIsByTheWriteOfTheNextChange)
+{
+    unit.answer(getSequence, {sequence(1)});
+    change("slot0.p", "0A", 3);
+    ASSERT_FALSE(store());
+    unit.answer(getSequence, {sequence(1), sequence(2)});
+    change("slot0.i", "0B", 4);
+    EXPECT_EQ(store(), Result<bool>(true));
+    EXPECT_EQ(device->parameters().entry(index("slot0.p")).state, ParameterState::Stored);
+}
+
+TEST_F(Dmc60cFlash, ThatWasNotProvedKeepsTheDeviceFromARestart)
+{
+    unit.answer(getSequence, {sequence(1)});
+    change("slot0.p", "0A", 3);
+    unit.answer(softReset, {{"0206FCC5#00000000"}});
+    const auto restarted = run(device->restart());
+    ASSERT_FALSE(restarted);
+    EXPECT_EQ(restarted.error().fault, Fault::BadCheck);
+    const auto heard = unit.heard();
+    EXPECT_EQ(std::count(heard.begin(), heard.end(), softReset), 0);
+}
+
+TEST_F(Dmc60cFlash, ThatWasLostBeforeARestartOnOrderIsToldAfterIt)
+{
+    unit.answer(getSequence, {sequence(1)});
+    change("slot0.p", "0A", 3);
+    unit.send("0206FCC5#07000000"); // V19
+    clock.advance(1s);
+    unit.answer(softReset, {{"0206FCC5#07000000"}});
+    unit.answer(getVersions, {versionsReply});
+    unit.answer(getDescriptors, {mb::dmc60c::descriptors});
+    EXPECT_TRUE(run(device->restart()));
+    EXPECT_FALSE(store());
+    EXPECT_TRUE(store()) << "once";
 }
 
 TEST_F(Dmc60cFlash, CannotProveWhereTheNumberIsNotSupported)
@@ -109,6 +152,7 @@ TEST_F(Dmc60cFlash, CannotProveWhereTheNumberIsNotSupported)
     unit.answer(getSequence, {{"0206FCC5#01000000"}});
     change("slot0.p", "0A", 3);
     EXPECT_EQ(store(), Result<bool>(false));
+    EXPECT_EQ(store(), Result<bool>(false)) << "nor the second time";
 }
 
 TEST_F(Dmc60cFlash, FailsWhenTheDeviceRestartsBeforeTheProof)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "async/virtualclock.h"
+#include "support/freezingclock.h"
 #include "support/temporaryfile.h"
 #include "traffic/trafficrecorder.h"
 #include "transport/canlink.h"
@@ -58,6 +59,24 @@ TEST(TrafficRecorder, CountsWhatTheLinkLostSinceItsStartAlsoAfterItWasOpenedAgai
     (*recorder)->stop();
     link.loseInABatch(1);
     EXPECT_EQ((*recorder)->state().lost, 28U);
+}
+
+TEST(TrafficRecorder, AddsWhatTheComputerHasSleptToTheTimeOfDay)
+{
+    test::FreezingClock clock;
+    LosingLink link(clock);
+    ASSERT_TRUE(link.open());
+    test::TemporaryFolder folder;
+    {
+        const auto recorder
+            = TrafficRecorder::start(link, clock, std::chrono::seconds(1'700'000'000), folder.path("run.log"));
+        ASSERT_TRUE(recorder);
+        ASSERT_TRUE(link.send(standardFrame(5, {})));
+        clock.suspend(std::chrono::hours(2));
+        clock.advance(std::chrono::seconds(1));
+        ASSERT_TRUE(link.send(standardFrame(5, {})));
+    } // is written to its end
+    EXPECT_EQ(folder.read("run.log"), "(1700000001.000000) can_7 005# T\n(1700007202.000000) can_7 005# T\n");
 }
 
 TEST(TrafficRecorder, EndsItsFileOnceHoweverOftenItIsStopped)

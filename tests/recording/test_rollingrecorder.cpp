@@ -157,6 +157,27 @@ TEST(RollingRecorder, AClockThatIsSetMeanwhileLeavesNoGapAndNoTimeThatGoesBack)
     EXPECT_NEAR(std::chrono::duration<double>((*loaded)->last - (*loaded)->first).count(), 1.99, 0.02);
 }
 
+TEST(RollingRecorder, TheTimeThatTheComputerSleptIsInTheTimesAndAGapInAFileOfItsOwn)
+{
+    const Folder folder;
+    Running bench;
+    RollingRecorder recorder(rolling(folder, "run"));
+    bench.run(recorder, 2);
+    ASSERT_TRUE(
+        recorder.write(bench.now, unixOffset)); // the computer sleeps for an hour, and goes on at the same time stamp
+    bench.now += 10ms;
+    bench.recording->append({velocity, bench.now, 1.0});
+    bench.recording->commit();
+    ASSERT_TRUE(recorder.writeAll(bench.now, unixOffset + 3600s, 3600s));
+    EXPECT_TRUE(fs::exists(folder.path / "run" / "segment-000001.mcap"));
+    ASSERT_TRUE(recorder.writeAll(bench.now, unixOffset + 3600s, 3600s)) << "once";
+    EXPECT_FALSE(fs::exists(folder.path / "run" / "segment-000002.mcap"));
+    ASSERT_TRUE(recorder.save(folder.file("kept.mcap"), {}));
+    const auto loaded = loadRecording(folder.file("kept.mcap"));
+    ASSERT_TRUE(loaded);
+    EXPECT_NEAR(std::chrono::duration<double>((*loaded)->last - (*loaded)->first).count(), 3601.0, 0.2);
+}
+
 TEST(RollingRecorder, ASegmentThatCannotBeReadIsNotLeftOutWithoutAWord)
 {
     const Folder folder;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "files/qttext.h"
+#include "model/family.h"
+#include "model/registry.h"
 #include "report/report.h"
 #include "report/visitsection.h"
 
@@ -55,6 +57,20 @@ TEST(ServiceCard, ComparesWithTheLastVisit)
     EXPECT_TRUE(html.contains(QStringLiteral("1.23 → 1.25")));
     EXPECT_TRUE(html.contains(QStringLiteral("drive-base &lt;rev C&gt;")));
     EXPECT_TRUE(html.contains(QStringLiteral("Every service of this unit")));
+}
+
+TEST(ServiceCard, FrictionAndGainAreInVoltsOnlyOfAUnitThatMeasuresItsBusVoltage)
+{
+    for (const Family *const family : families()) {
+        Report report = reportOf({visitOf(1e9, 0.24, Outcome::Passed)});
+        report.units.front().family = family;
+        report.units.front().visits.back().test.push_back({"gain", 4000.0, std::nullopt, 9000.0});
+        const QString html = htmlOf(report);
+        const bool volts = findChannel(family->channels, "bus_voltage").has_value();
+        EXPECT_EQ(html.contains(QStringLiteral("Friction, V")), volts) << family->key;
+        EXPECT_EQ(html.contains(QStringLiteral("counts/s per V")), volts) << family->key;
+        EXPECT_EQ(html.contains(QStringLiteral("Friction, share of duty")), !volts) << family->key;
+    }
 }
 
 TEST(ServiceCard, AFailureHasItsCause)

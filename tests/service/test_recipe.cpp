@@ -2,6 +2,7 @@
 #include "files/jsonlines.h"
 #include "model/family.h"
 #include "model/registry.h"
+#include "model/unit.h"
 #include "service/figuretext.h"
 #include "service/goldenband.h"
 #include "service/recipematter.h"
@@ -231,6 +232,19 @@ TEST(GoldenBand, BeginsAtEightUnitsAndOnlyWarns)
     EXPECT_TRUE(values[0].unusual) << "too good, too";
     values[0].value.reset();
     EXPECT_EQ(markUnusual(values, passed), "");
+}
+
+TEST(GoldenBand, BeginsAtEightUnitsOfOnePlaceToo)
+{
+    Identity identity;
+    identity.family = "abstractdc";
+    const std::string place = unitKeyOf(identity, *LinkAddress::parse("socketcan:can0"));
+    std::vector<Visit> passed;
+    for (int i = 0; i < 8; ++i) {
+        passed.push_back(passedWith(place, 0.40 + 0.01 * i));
+        passed.back().id = "visit " + std::to_string(i);
+    }
+    EXPECT_TRUE(bandOf(passed, "settle"));
 }
 
 TEST(GoldenBand, IsOfValuesOfUnitsThatPassed)

@@ -193,6 +193,7 @@ struct Station {
         Visit visit;
         visit.run = "run";
         visit.recipe = "rev C";
+        visit.family = "dmc60c";
         visit.unit = unit;
         Visit opened = *test::run(clock, journal.open(visit));
         const auto number = test::run(clock, journal.number({"dmc60c rev C", unit, opened.id, 10, 63, {}}));
@@ -270,6 +271,83 @@ TEST(Stations, ShareAJournalThroughLossOfItsServer)
     EXPECT_EQ(doubled, 0);
     EXPECT_EQ(twice, 0);
     EXPECT_EQ(given.size(), 28U);
+}
+
+/// A server, and units that ask for numbers of the same recipe wherever.
+class StationNumbers : public testing::Test {
+protected:
+    void SetUp() override
+    {
+        test::needCoreApplication();
+        if (!server.isInstalled())
+            GTEST_SKIP() << "postgresql is not installed";
+        ASSERT_TRUE(server.start());
+    }
+    int number(service::ServiceJournal &journal, const std::string &unit)
+    {
+        const auto given = test::run(clock, journal.number({"dmc60c rev C", unit, "visit", 10, 63, {}}));
+        EXPECT_TRUE(given) << (given ? "" : given.error().text());
+        return given ? given->value_or(-1) : -2;
+    }
+    PostgresServer server;
+    VirtualClock clock;
+};
+
+TEST_F(StationNumbers, OfAFileThatWasUsedAloneBeforeAreNotGivenInTheSharedJournal)
+{
+    Station one(clock, "bench 1", server.url());
+    Station two(clock, "bench 2", server.url());
+    EXPECT_EQ(number(one.book, "alone 1"), 10);
+    EXPECT_EQ(number(one.book, "alone 2"), 11);
+    std::set<int> given;
+    for (int i = 0; i < 6; ++i) {
+        given.insert(number(one.journal, "a" + std::to_string(i)));
+        given.insert(number(two.journal, "b" + std::to_string(i)));
+    }
+    EXPECT_EQ(given.size(), 12U) << "two units have one number";
+    EXPECT_EQ(number(one.book, "alone 3"), 12) << "and the file's own go on";
+}
+
+TEST_F(StationNumbers, ThatAnOlderProgramTookFromTheServerAreKeptForTheirUnits)
+{
+    Station one(clock, "bench 1", server.url());
+    ASSERT_TRUE(one.books.database->run("INSERT INTO service_block (token, scope, first, last, station, time) "
+                                        "VALUES ('t', 'dmc60c rev C', 30, 34, 'bench 1', 1.0)"));
+    ASSERT_TRUE(keepBlock(*one.books.database, "dmc60c rev C", {30, 34}));
+    ASSERT_TRUE(giveNumber(*one.books.database, {"dmc60c rev C", "a", "visit", 10, 63, {}}));
+    EXPECT_EQ(number(one.journal, "a"), 30);
+    EXPECT_EQ(number(one.journal, "b"), 31);
+    EXPECT_EQ(number(one.book, "c"), 10) << "the file alone has nothing of them";
+}
+
+TEST_F(StationNumbers, AreTheSameForAUnitThatComesToAnotherStation)
+{
+    Station one(clock, "bench 1", server.url());
+    Station two(clock, "bench 2", server.url());
+    const auto first = one.serve("a");
+    EXPECT_EQ(two.serve("b"), 15);
+    EXPECT_EQ(two.serve("a"), first);
+    server.stop();
+    EXPECT_EQ(two.serve("a"), first) << "it knows by now";
+    EXPECT_EQ(two.serve("c"), 16) << "what it has left";
+}
+
+TEST_F(StationNumbers, AreWaitedForWhileAnotherStationHoldsTheServer)
+{
+    const JournalServer shared = *JournalServer::parse(server.url());
+    ASSERT_TRUE(shared.prepare());
+    auto other = ServerConnection::open(*ServerAddress::parse(server.url()));
+    ASSERT_TRUE(other && (*other)->run("BEGIN") && (*other)->run("SELECT pg_advisory_xact_lock(7733101)"));
+    const auto taken = shared.take("one", {"scope", "u", "v", 1, 63, {}}, "bench 1", 1.0);
+    ASSERT_FALSE(taken);
+    EXPECT_EQ(taken.error().fault, Fault::Timeout) << taken.error().text();
+}
+
+TEST_F(StationNumbers, AreNotHeldForLongByAStationWhoseCableWasPulled)
+{
+    auto gone = ServerConnection::open(*ServerAddress::parse(server.url()));
+    ASSERT_TRUE(gone);
+    EXPECT_TRUE((*gone)->run("SELECT 1 / (current_setting('idle_in_transaction_session_timeout') = '10s')::int"));
 }
 
 TEST(Stations, AtOnceNeverGetTheSameNumbers)

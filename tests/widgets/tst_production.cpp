@@ -2,6 +2,7 @@
 // Production: unit after unit without a click, PASS or FAIL with cause and remedy, arming, a scanner as keyboard.
 #include "model/registry.h"
 #include "support/fakeworkbench.h"
+#include "support/timers.h"
 #include "support/utf8.h"
 #include "support/windowtests.h"
 #include "widgets/common/applytheme.h"
@@ -102,6 +103,8 @@ private Q_SLOTS:
     void aSmallPageKeepsItsVerdict();
     void theJournalOfTheStationIsChosenAndItsServerFollowed();
     void whatEndedItIsSaidInTheLanguageOfTheWindow();
+    void whatEndedItIsSaidBeforeTheLastVerdict();
+    void aSelfTestThatRunsIsWatchedOverThoughAFailHasDisarmed();
     void soundCanBeSwitchedOff();
     void aUnitThatWaitsForArmingSaysSo();
     void pictures();
@@ -343,6 +346,28 @@ void TestProduction::whatEndedItIsSaidInTheLanguageOfTheWindow()
     const QString said = bench.page->verdict().verdict().cause;
     QCoreApplication::removeTranslator(&words);
     QCOMPARE(said, s("keine Nummer mehr bis 63; x"));
+}
+
+void TestProduction::whatEndedItIsSaidBeforeTheLastVerdict()
+{
+    ProductionBench bench;
+    bench.workbench.served.trouble = Message::verbatim("the disk is full");
+    bench.show({rowOf(1, service::RowState::Passed, "A1"), rowOf(2, service::RowState::Skipped, "B2")}, false);
+    QCOMPARE(bench.page->verdict().verdict().cause, s("the disk is full"));
+}
+
+void TestProduction::aSelfTestThatRunsIsWatchedOverThoughAFailHasDisarmed()
+{
+    ProductionBench bench;
+    QVERIFY(bench.open(moving));
+    bench.workbench.served.permitted = true;
+    bench.show({rowOf(1, service::RowState::Running, "A1")});
+    QTRY_VERIFY(!bench.workbench.given<orders::RenewService>().empty());
+    bench.workbench.served.permitted = false;
+    bench.show({});
+    const auto before = bench.workbench.given<orders::RenewService>().size();
+    passTimers(std::chrono::milliseconds(300));
+    QCOMPARE(bench.workbench.given<orders::RenewService>().size(), before);
 }
 
 void TestProduction::soundCanBeSwitchedOff()

@@ -25,6 +25,7 @@ struct ServiceView {
     bool pausing = false;   ///< after this unit
     bool armed = false;     ///< self-tests may turn the motor
     Instant armedUntil{};   ///< without a unit until then
+    bool permitted = false; ///< that runs already what turns a motor; a FAIL disarms what is to come and leaves it this
     bool announces = false; ///< a motor turns within three seconds
     bool waits = false;     ///< a unit waits for its self-test until the station is armed
     std::vector<std::string> links;

@@ -62,6 +62,8 @@ public:
     /// The present time on the line of all time stamps, and what to add to get Unix time.
     [[nodiscard]] virtual Instant now() const = 0;
     [[nodiscard]] virtual Duration unixOffset() const = 0;
+    /// Clock::slept().
+    [[nodiscard]] virtual Duration slept() const { return {}; }
     [[nodiscard]] virtual const std::vector<LinkListing> &listings() const = 0;
     /// Snapshots and writes of earlier.
     [[nodiscard]] virtual SettingsArchive &settings() = 0;

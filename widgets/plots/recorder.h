@@ -62,6 +62,7 @@ private:
     State m_state;
     Instant m_now{};
     Duration m_unixOffset{};
+    Duration m_slept{};
     bool m_due = false;
     bool m_end = false;
     QString m_keepFolder;

@@ -99,11 +99,8 @@ void ReportOrder::make(const ReportUnit &subject, const ReportWish &wish, std::f
             for (ReportUnit &found : *units) {
                 if (found.unit != subject.unit)
                     continue;
-                report.units.push_back(subject);
-                report.units.back().tunings = std::move(found.tunings);
-                report.units.back().trials = std::move(found.trials);
-                report.units.back().history = std::move(found.history);
-                report.units.back().visits = std::move(found.visits);
+                found.describe(subject);
+                report.units.push_back(std::move(found));
             }
             made(std::move(report));
         });

@@ -289,7 +289,7 @@ void ProductionPage::follow()
     m_units->follow(view);
     if (!std::exchange(m_announced, view.announces) && view.announces)
         sound(2);
-    if (const bool turns = view.running && view.armed; turns != m_renewal.isActive())
+    if (const bool turns = view.running && (view.armed || view.permitted); turns != m_renewal.isActive())
         turns ? m_renewal.start() : m_renewal.stop();
 }
 

@@ -150,7 +150,7 @@ QString nameOf(const QueueRow &row)
 Verdict verdictOf(const ServiceView &view, const std::vector<std::uint32_t> &setAside)
 {
     const QueueRow *row = running(view);
-    if (!row)
+    if (!row && (view.running || view.trouble.empty()))
         row = lastEnded(view, setAside);
     if (!row)
         return waiting(view);

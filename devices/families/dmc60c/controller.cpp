@@ -105,14 +105,11 @@ Task<void> Controller::identify()
     co_return {};
 }
 
-/// A restart takes what is not in flash yet, so that is waited for.
+/// A restart takes what is not in flash yet, so that is waited for, and without it there is none.
 Task<void> Controller::doRestart()
 {
-    NoProgress unheard;
-    auto storing = m_desk.store(unheard);
-    const Result<bool> stored = co_await std::move(storing).attempt();
-    if (!stored && stored.error().fault == Fault::LinkLost)
-        co_return fail(stored.error());
+    auto storing = m_desk.storeWhatWaits();
+    co_await std::move(storing);
     auto resetting = m_orders.ask({Command::SoftReset});
     const Result<VendorReply> reply = co_await std::move(resetting).attempt();
     if (!reply && reply.error().fault == Fault::Timeout)

@@ -14,7 +14,7 @@ void FlashProof::changed(Instant now)
 {
     // Within the tolerance of 15 s it may be a write of its own: expecting one too many is safe, one too few is not.
     const bool rested = !m_everChanged || now - m_lastChange > flashDelay - tolerance;
-    if (!m_pending) {
+    if (wantsBaseline()) {
         m_expected = 0;
         m_deferred = false;
     }
@@ -26,6 +26,7 @@ void FlashProof::changed(Instant now)
         m_deferred = true;
     }
     m_pending = true;
+    m_isGivenUp = false;
     m_isOthers = false;
     m_everChanged = true;
     m_between.reset();
@@ -61,6 +62,7 @@ bool FlashProof::isProvedBy(std::uint32_t sequence, Instant now)
 void FlashProof::settle()
 {
     m_pending = false;
+    m_isGivenUp = false;
     m_isOthers = false;
     m_unknownUntil.reset();
     m_baseline.reset();

@@ -26,7 +26,7 @@ public:
 
     [[nodiscard]] bool isPending() const { return m_pending; }
     /// The sequence number is wanted before the next change.
-    [[nodiscard]] bool wantsBaseline() const { return !m_pending; }
+    [[nodiscard]] bool wantsBaseline() const { return !m_pending || m_isGivenUp; }
     void setBaseline(std::optional<std::uint32_t> sequence) { m_baseline = sequence; }
     /// A parameter is being changed.
     void changed(Instant now);
@@ -39,13 +39,17 @@ public:
     [[nodiscard]] bool isProvedBy(std::uint32_t sequence, Instant now);
     /// At least one flash write was seen since the first change.
     [[nodiscard]] bool hasAdvanced(std::uint32_t sequence) const { return m_baseline && sequence != *m_baseline; }
-    /// Proved, or given up: nothing is pending.
+    /// Proved: nothing is pending.
     void settle();
+    /// Not proved in time: pending still, and whoever asks again is told the same until the number advances after all. The next
+    /// change is looked at by itself, for its flash write takes what waits with it.
+    void giveUp() { m_isGivenUp = true; }
     /// The device began anew: nothing is pending, and it does not know when anything changed last.
     void restarted();
 
 private:
     bool m_pending = false;
+    bool m_isGivenUp = false;
     bool m_deferred = false;                 ///< the last flash write of m_expected is still to come after 15 s of rest
     std::uint32_t m_expected = 0;            ///< flash writes that the changes cause, if nobody changed anything before
     std::optional<std::uint32_t> m_baseline; ///< before the first change

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace mb::dmc60c {
 namespace {
@@ -17,6 +18,23 @@ using namespace std::chrono_literals;
 
 constexpr Duration sequencePollPeriod = 250ms;
 constexpr int counterTries = 4;
+
+/// False for as long as this lives, and then what it was.
+class Remembered {
+public:
+    explicit Remembered(bool &flag)
+        : m_flag(flag)
+        , m_was(std::exchange(flag, false))
+    {
+    }
+    Remembered(const Remembered &) = delete;
+    Remembered &operator=(const Remembered &) = delete;
+    ~Remembered() { m_flag = m_flag || m_was; }
+
+private:
+    bool &m_flag;
+    const bool m_was;
+};
 
 constexpr std::array<std::string_view, 5> faultKeys{
     "over_current", "over_temperature", "under_voltage", "gate_driver", "communication"};
@@ -128,7 +146,7 @@ Task<bool> ParameterDesk::store(Progress &progress)
             break;
         advanced = advanced || (sequence && m_flash.hasAdvanced(*sequence));
         if (now >= end) {
-            m_flash.settle();
+            m_flash.giveUp();
             if (advanced || (!sequence && sequence.error().fault == Fault::Unsupported))
                 co_return false;
             co_return fail(Fault::BadCheck, say("the device did not write its flash within 20 s"));
@@ -143,6 +161,15 @@ Task<bool> ParameterDesk::store(Progress &progress)
     m_flash.settle();
     m_known.setAllStored();
     co_return true;
+}
+
+Task<void> ParameterDesk::storeWhatWaits()
+{
+    const Remembered lost(m_flashLost);
+    NoProgress unheard;
+    auto storing = store(unheard);
+    (void)co_await std::move(storing);
+    co_return {};
 }
 
 Task<std::vector<FaultRecord>> ParameterDesk::faults(bool clear)

@@ -20,6 +20,8 @@ public:
     [[nodiscard]] Task<std::int64_t> clearCounter(const Parameter &parameter, std::int64_t raw);
     /// Device::store().
     [[nodiscard]] Task<bool> store(Progress &progress);
+    /// The same for what a restart would take. What was lost before is for store() to tell.
+    [[nodiscard]] Task<void> storeWhatWaits();
     /// Sticky bits and counts, and whether each fault is present; clears them if asked to.
     [[nodiscard]] Task<std::vector<FaultRecord>> faults(bool clear);
     /// The unit was reset: what it has not written is lost.

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a unit must not pass without: proof that it keeps what was written, every setting of the recipe, a serial number of its own.
+#include "queuebench.h"
+#include "support/loosemotor.h"
+
+namespace mb::service {
+namespace {
+
+using namespace std::chrono_literals;
+using test::QueueRun;
+using test::ServiceBooks;
+using test::UnitRack;
+
+constexpr Family storingFamily = [] {
+    Family family = test::looseFamily;
+    family.capabilities.storesAfter = 15s;
+    return family;
+}();
+
+/// Answers, and cannot tell whether its flash was written.
+class UnprovedUnit final : public test::MuteDevice {
+public:
+    UnprovedUnit(CanLink &link, Clock &clock)
+        : MuteDevice(storingFamily, link, clock, {})
+    {
+    }
+    bool isStored = false;
+
+private:
+    Task<void> refresh() override { co_return {}; }
+    Task<bool> store(Progress &) override { co_return isStored; }
+    Result<void> doCommand(const SetPoint &) override { return {}; }
+    void doStop() override { }
+    [[nodiscard]] bool isSeenStopped() const override { return true; }
+};
+
+std::string told(const Visit &visit)
+{
+    return visit.cause.english() + " | " + visit.evidence.english();
+}
+
+TEST(Proofs, AUnitWhoseFlashIsNotProvedHasFailedAndSaysHowItCanBe)
+{
+    VirtualClock clock;
+    test::LoggedLink link{clock, {Outlet::Form::CanSocket, 7}};
+    ASSERT_TRUE(link.open());
+    UnprovedUnit unit(link, clock);
+    SetPointStream stream(unit, clock);
+    ServiceBooks books(clock);
+    RecipeMatter matter;
+    NoProgress unseen;
+    const auto serve = [&] {
+        const ServiceSurroundings around{matter, *books.journal, nullptr, {}, nullptr, {}, {}};
+        const Visit opened = *test::run(clock, books.journal->open({}));
+        return *test::run(clock, serveUnit(unit, stream, opened, around, unseen));
+    };
+    const Visit failed = serve();
+    EXPECT_EQ(failed.outcome, Outcome::Failed) << told(failed);
+    EXPECT_EQ(failed.step, Step::Proof);
+    EXPECT_EQ(failed.cause.english(), "nothing proves that its flash has what was written");
+    unit.isStored = true;
+    const Visit passed = serve();
+    EXPECT_EQ(passed.outcome, Outcome::Passed) << told(passed);
+    EXPECT_NE(passed.evidence.english().find("nothing had to be stored"), std::string::npos) << told(passed);
+}
+
+class ProvedQueues : public ServiceQueues {
+protected:
+    RecipeMatter load(UnitRack &rack, const QByteArray &recipe, const QByteArray &parameters)
+    {
+        books.emplace(rack.clock);
+        books->write("recipe.json", recipe);
+        books->write("base.json", parameters);
+        auto matter = loadRecipe(books->path("recipe.json"), rack.list());
+        EXPECT_TRUE(matter) << (matter ? "" : matter.error().text());
+        return matter ? *matter : RecipeMatter{};
+    }
+};
+
+TEST_F(ProvedQueues, AUnitThatWasWrittenToSaysThatItsFlashHasIt)
+{
+    UnitRack rack({"dmc60c:5,serial=210334000001"});
+    const RecipeMatter matter
+        = load(rack, R"({"recipe":1,"name":"p","family":"dmc60c","parameters":{"file":"base.json"}})",
+            R"({"family":"dmc60c","parameters":{"slot1.d":{"raw":77}}})");
+    QueueRun run(rack, *books, matter);
+    ASSERT_TRUE(run.run());
+    EXPECT_NE(books->visits().front().evidence.english().find("its flash has it"), std::string::npos);
+}
+
+TEST_F(ProvedQueues, AUnitThatDoesNotOfferASettingOfTheRecipeIsRefusedWithItsName)
+{
+    for (const char *const dialect : {"D1", "D3"}) {
+        UnitRack rack({std::string("supermodified:4,dialect=") + dialect}, "sim:serial");
+        const RecipeMatter matter
+            = load(rack, R"({"recipe":1,"name":"nodes","family":"supermodified","parameters":{"file":"base.json"}})",
+                R"({"family":"supermodified","parameters":{"gain.p":{"raw":1100},"anti_windup":{"raw":4000}}})");
+        QueueRun run(rack, *books, matter);
+        ASSERT_TRUE(run.run());
+        const auto visits = books->visits();
+        ASSERT_EQ(visits.size(), 1U);
+        if (std::string_view(dialect) == "D3") {
+            EXPECT_EQ(visits[0].outcome, Outcome::Passed) << told(visits[0]);
+            EXPECT_EQ(visits[0].parameters, 2);
+            continue;
+        }
+        EXPECT_EQ(visits[0].outcome, Outcome::Refused) << told(visits[0]);
+        EXPECT_NE(visits[0].cause.english().find("anti_windup"), std::string::npos) << told(visits[0]);
+    }
+}
+
+const QByteArray numbersRecipe = R"({"recipe":1,"name":"numbers","family":"dmc60c","number":{"first":10}})";
+
+TEST_F(ProvedQueues, TwoUnitsOfOneSerialNumberAreBothRefusedAndTheThirdIsServed)
+{
+    UnitRack rack({"dmc60c:5,serial=210334000001", "dmc60c:7,serial=210334000001", "dmc60c:6,serial=210334000002"});
+    const RecipeMatter matter = load(rack, numbersRecipe, {});
+    QueueRun run(rack, *books, matter);
+    ASSERT_TRUE(run.run());
+    EXPECT_EQ(run.queue.counts().passed, 1);
+    EXPECT_EQ(run.queue.counts().refused, 2);
+    for (const Visit &visit : books->visits()) {
+        if (visit.outcome == Outcome::Refused) {
+            EXPECT_EQ(visit.cause.english(), "two units tell the serial number 210334000001");
+        }
+    }
+}
+
+TEST_F(ProvedQueues, OneOfTwoUnitsOfOneSerialNumberIsServedOnceTheOtherWasTakenOff)
+{
+    UnitRack rack({"dmc60c:5,serial=210334000001", "dmc60c:7,serial=210334000001"});
+    QueueOptions options;
+    options.units = 0;
+    const RecipeMatter matter = load(rack, numbersRecipe, {});
+    QueueRun run(rack, *books, matter, options);
+    run.queue.start();
+    ASSERT_TRUE(rack.clock.runUntil([&] { return run.queue.counts().refused == 2; }, 1min));
+    rack.putOn(1);
+    rack.clock.advance(10s);
+    const auto rows = run.queue.rows();
+    ASSERT_EQ(rows.size(), 2U);
+    EXPECT_TRUE(run.queue.retry(rows[1].id));
+    rack.clock.advance(1min);
+    EXPECT_EQ(run.queue.counts().passed, 1);
+}
+
+TEST_F(ProvedQueues, TwoUnitsOfOneSerialNumberOnTwoBusesGetNoCommonNumber)
+{
+    UnitRack rack({"dmc60c:5,serial=210334000001"});
+    UnitRack other({"dmc60c:7,serial=210334000001"}, "sim:can", &rack.clock);
+    const RecipeMatter matter = load(rack, numbersRecipe, {});
+    QueueRun run(rack, *books, matter);
+    run.queue.addBus(*other.session, *other.link);
+    ASSERT_TRUE(run.run());
+    EXPECT_LE(run.queue.counts().passed, 1);
+    EXPECT_EQ(run.queue.counts().ended(), 2);
+}
+
+/// A journal whose disk is full from the n-th write on.
+class FullJournal final : public ServiceJournal {
+public:
+    FullJournal(ServiceJournal &journal, int writes)
+        : m_journal(journal)
+        , left(writes)
+    {
+    }
+    [[nodiscard]] Task<Visit> open(Visit visit) override
+    {
+        return left-- > 0 ? m_journal.open(std::move(visit)) : full();
+    }
+    [[nodiscard]] Task<Visit> write(Visit visit) override
+    {
+        return left-- > 0 ? m_journal.write(std::move(visit)) : full();
+    }
+    [[nodiscard]] Task<std::vector<Visit>> visits(VisitFilter filter) override
+    {
+        return m_journal.visits(std::move(filter));
+    }
+    [[nodiscard]] Task<std::optional<int>> number(NumberWish wish) override
+    {
+        return m_journal.number(std::move(wish));
+    }
+
+private:
+    static Task<Visit> full() { co_return fail(Fault::NotKept, say("the disk is full"), say("make room")); }
+    ServiceJournal &m_journal;
+
+public:
+    int left;
+};
+
+TEST_F(ProvedQueues, AUnitWhoseJournalIsFullIsNotRunningForEverAndGoesOnWhenThereIsRoom)
+{
+    for (const int writes : {0, 3}) {
+        UnitRack rack({"dmc60c:5,serial=210334000001"});
+        const RecipeMatter matter = load(rack, numbersRecipe, {});
+        FullJournal journal(*books->journal, writes);
+        QueueRun run(rack, *books, matter, {}, &journal);
+        ASSERT_TRUE(run.run());
+        ASSERT_TRUE(run.queue.trouble());
+        const auto rows = run.queue.rows();
+        ASSERT_EQ(rows.size(), 1U);
+        EXPECT_EQ(rows[0].state, RowState::Skipped);
+        EXPECT_TRUE(rows[0].what.empty()) << rows[0].what.english();
+        EXPECT_EQ(rows[0].visit.cause.english(), "the disk is full");
+        EXPECT_EQ(rows[0].visit.outcome, Outcome::Open);
+        journal.left = 1000;
+        EXPECT_TRUE(run.queue.retry(rows[0].id));
+        ASSERT_TRUE(rack.clock.runUntil([&] { return run.queue.counts().passed == 1; }, 2min));
+        EXPECT_EQ(books->visits().size(), 1U);
+    }
+}
+
+} // namespace
+} // namespace mb::service
