@@ -18344,5 +18344,9 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>the steps in both directions kept their limits; the gains were written, which this family cannot read back</source>
         <translation>die Sprünge in beide Richtungen hielten ihre Grenzen ein; die Verstärkungen wurden geschrieben, diese Familie lässt sie nicht zurücklesen</translation>
     </message>
+    <message>
+        <source>a stop came before it was begun</source>
+        <translation>ein Stopp kam, bevor es begonnen war</translation>
+    </message>
 </context>
 </TS>

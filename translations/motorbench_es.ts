@@ -18344,5 +18344,9 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>the steps in both directions kept their limits; the gains were written, which this family cannot read back</source>
         <translation>los escalones en ambos sentidos respetaron sus límites; las ganancias se escribieron, pero esta familia no permite releerlas</translation>
     </message>
+    <message>
+        <source>a stop came before it was begun</source>
+        <translation>llegó una parada antes de que empezara</translation>
+    </message>
 </context>
 </TS>

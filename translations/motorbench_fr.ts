@@ -18344,5 +18344,9 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>the steps in both directions kept their limits; the gains were written, which this family cannot read back</source>
         <translation>les échelons dans les deux sens ont respecté leurs limites ; les gains ont été écrits, mais cette famille ne permet pas de les relire</translation>
     </message>
+    <message>
+        <source>a stop came before it was begun</source>
+        <translation>un arrêt est venu avant que cela ne commence</translation>
+    </message>
 </context>
 </TS>

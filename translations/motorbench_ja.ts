@@ -18330,5 +18330,9 @@ double click plots it, drag it to a pane or below them</source>
         <source>the steps in both directions kept their limits; the gains were written, which this family cannot read back</source>
         <translation>両方向のステップが限度内でした。ゲインを書き込みましたが、このファミリでは読み戻せません</translation>
     </message>
+    <message>
+        <source>a stop came before it was begun</source>
+        <translation>始まる前に停止が指示されました</translation>
+    </message>
 </context>
 </TS>

@@ -18330,5 +18330,9 @@ double click plots it, drag it to a pane or below them</source>
         <source>the steps in both directions kept their limits; the gains were written, which this family cannot read back</source>
         <translation>两个方向的阶跃均在限值之内；增益已写入，此系列无法回读</translation>
     </message>
+    <message>
+        <source>a stop came before it was begun</source>
+        <translation>在它开始之前已下达停止</translation>
+    </message>
 </context>
 </TS>
