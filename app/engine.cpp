@@ -197,15 +197,16 @@ Engine::~Engine()
 
 bool Engine::end(std::chrono::milliseconds limit)
 {
-    if (!std::exchange(m_ends, true)) {
+    if (!std::exchange(m_ending.begun, true)) {
+        m_stops.count(StopCause::User); // nothing that waits is to be begun any more, whatever it is
         m_toEngine.postUrgent([this] {
             m_worker->core.stopAll(StopCause::Program);
-            m_stoppedAtTheEnd = true;
+            m_ending.stopped = true;
         });
         m_toEngine.post([] { QThread::currentThread()->exit(); });
     }
     const QDeadlineTimer until(limit);
-    if (!m_thread->wait(QDeadlineTimer(std::min(limit, stopPatience))) && !m_stoppedAtTheEnd)
+    if (!m_thread->wait(QDeadlineTimer(std::min(limit, stopPatience))) && !m_ending.stopped)
         m_stopLane.press(StopCause::Program);
     const bool ended = m_thread->wait(until);
     return m_store.end(std::max(storeLimit, std::chrono::milliseconds(until.remainingTime()))) && ended;
@@ -227,7 +228,11 @@ void Engine::deliver(Order order, Reply::Finished finished)
         reply = Reply([this, finished = std::move(finished)](Result<Answer> answer) {
             m_toWindow.post([finished, answer = std::move(answer)] { finished(answer); });
         });
-    post([order = std::move(order), reply = std::move(reply)](EngineCore &core) { core.carryOut(order, reply); });
+    post([this, order = std::move(order), reply = std::move(reply), given = m_stops.now()](EngineCore &core) {
+        if (m_stops.takesBack(order, given))
+            return reply.give(fail(Fault::Cancelled, say("a stop came before it was begun")));
+        core.carryOut(order, reply);
+    });
 }
 
 void Engine::takePicture(Picture picture)
@@ -284,6 +289,7 @@ VisitArchive &Engine::visits()
 /// Before every other order; past the engine thread where that does not come to it.
 void Engine::stopAll(StopCause cause)
 {
+    m_stops.count(cause);
     if (cause == StopCause::User)
         m_stopLane.press(cause);
     m_toEngine.postUrgent([this, cause] {

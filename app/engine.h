@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/engine/enginecore.h"
+#include "app/engine/stopcount.h"
 #include "app/stopthread.h"
 #include "app/trialstore.h"
 #include "async/mailbox.h"
@@ -68,18 +69,22 @@ private:
         std::map<DeviceId, std::vector<tuning::OwedGains>> owedGains;
         std::optional<ServiceView> service; ///< nothing: as it was
     };
+    struct Ending {
+        bool begun = false; ///< it was told to
+        std::atomic<bool> stopped = false;
+    };
     void takePicture(Picture picture);
     void takeJournal(const std::string &station, const orders::KeepJournal &order);
     void takeDelivery(int waiting, const Message &trouble);
 
     QtClock m_clock;
     StopThread m_stopLane;
+    StopCount m_stops;
     Mailbox m_toEngine;
     Mailbox m_toWindow;
     std::unique_ptr<QSocketNotifier> m_arrivals;
     std::atomic<bool> m_snapshotUnderWay = false;
-    std::atomic<bool> m_stoppedAtTheEnd = false;
-    bool m_ends = false; ///< it was told to
+    Ending m_ending;
     Snapshot m_snapshot;
     std::vector<LinkListing> m_listings;
     std::vector<Notice> m_notices;

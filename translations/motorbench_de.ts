@@ -18416,5 +18416,9 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>two units tell the serial number %1</source>
         <translation>zwei Geräte melden die Seriennummer %1</translation>
     </message>
+<message>
+        <source>a stop came before it was begun</source>
+        <translation>ein Stopp kam, bevor es begonnen war</translation>
+    </message>
 </context>
 </TS>

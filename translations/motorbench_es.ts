@@ -18416,5 +18416,9 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>two units tell the serial number %1</source>
         <translation>dos equipos indican el número de serie %1</translation>
     </message>
+<message>
+        <source>a stop came before it was begun</source>
+        <translation>llegó una parada antes de que empezara</translation>
+    </message>
 </context>
 </TS>

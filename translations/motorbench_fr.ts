@@ -18416,5 +18416,9 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <source>two units tell the serial number %1</source>
         <translation>deux appareils annoncent le numéro de série %1</translation>
     </message>
+<message>
+        <source>a stop came before it was begun</source>
+        <translation>un arrêt est venu avant que cela ne commence</translation>
+    </message>
 </context>
 </TS>

@@ -18402,5 +18402,9 @@ double click plots it, drag it to a pane or below them</source>
         <source>two units tell the serial number %1</source>
         <translation>2 台の機器がシリアル番号 %1 を返しています</translation>
     </message>
+<message>
+        <source>a stop came before it was begun</source>
+        <translation>始まる前に停止が指示されました</translation>
+    </message>
 </context>
 </TS>

@@ -18402,5 +18402,9 @@ double click plots it, drag it to a pane or below them</source>
         <source>two units tell the serial number %1</source>
         <translation>两台设备报告相同的序列号 %1</translation>
     </message>
+<message>
+        <source>a stop came before it was begun</source>
+        <translation>在它开始之前已下达停止</translation>
+    </message>
 </context>
 </TS>

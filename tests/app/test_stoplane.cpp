@@ -227,6 +227,96 @@ TEST_F(BlockedEngine, StopIsServedBeforeOrdersThatWaitedLonger)
     EXPECT_EQ(order, (std::vector{1, 2})) << "the others keep their order";
 }
 
+/// What it is answered with once the engine comes to it; its motor stands by then, or turns.
+class OrderBeforeAStop : public BlockedEngine, public testing::WithParamInterface<StopCause> {
+protected:
+    template <class O> void given(O order)
+    {
+        ++m_given;
+        engine.send(std::move(order), [this](const Result<AnswerOf<O>> &result) {
+            answers.push_back(result ? std::optional<Fault>() : result.error().fault);
+        });
+    }
+    void answered()
+    {
+        release();
+        EXPECT_TRUE(loop.runUntil([this] { return answers.size() == m_given; }));
+    }
+    [[nodiscard]] orders::StartMotion start() const
+    {
+        SetPoint setPoint;
+        setPoint.mode = Mode::Duty;
+        setPoint.target = 0.1;
+        return {engine.snapshot().devices.front().id, setPoint, 10s};
+    }
+    std::vector<std::optional<Fault>> answers;
+
+private:
+    std::size_t m_given = 0;
+};
+
+TEST_P(OrderBeforeAStop, TurnsNoMotorAfterIt)
+{
+    given(start());
+    engine.stopAll(GetParam());
+    answered();
+    EXPECT_EQ(answers, std::vector{std::optional(Fault::Cancelled)});
+    EXPECT_FALSE(hasHeard(test::textDrive));
+}
+
+TEST_P(OrderBeforeAStop, IsTakenBackWhereItArmsOrReleasesOrTries)
+{
+    const DeviceId id = engine.snapshot().devices.front().id;
+    given(orders::ArmService{true});
+    given(orders::ReleaseMoves{id});
+    given(orders::RunTrial{id, {}, {}});
+    engine.stopAll(GetParam());
+    answered();
+    EXPECT_EQ(answers, std::vector(3, std::optional(Fault::Cancelled)));
+}
+
+TEST_P(OrderBeforeAStop, IsCarriedOutWhereNothingTurnsByIt)
+{
+    given(orders::StopMotion{engine.snapshot().devices.front().id});
+    given(orders::DismissStops{});
+    engine.stopAll(GetParam());
+    answered();
+    EXPECT_EQ(answers, std::vector(2, std::optional<Fault>()));
+}
+
+/// Frames and queues are none of what this program has moved.
+TEST_P(OrderBeforeAStop, ThatBeginsAQueueOrSendsAFrameIsTakenBackByTheUserOnly)
+{
+    given(orders::SendFrame{"socketcan:none", {}});
+    given(orders::ServeUnits{});
+    engine.stopAll(GetParam());
+    answered();
+    const bool byUser = GetParam() == StopCause::User;
+    EXPECT_EQ(answers.front() == Fault::Cancelled, byUser);
+    EXPECT_EQ(answers.back() == Fault::Cancelled, byUser);
+}
+
+TEST_P(OrderBeforeAStop, ThatIsGivenAfterTheStopIsCarriedOut)
+{
+    engine.stopAll(GetParam());
+    given(start());
+    answered();
+    EXPECT_EQ(answers, std::vector{std::optional<Fault>()});
+    EXPECT_TRUE(hears(test::textDrive));
+}
+
+TEST_P(OrderBeforeAStop, IsNotBegunByAnEngineThatEnds)
+{
+    given(start());
+    EXPECT_FALSE(engine.end(1ms));
+    answered();
+    EXPECT_EQ(answers, std::vector{std::optional(Fault::Cancelled)});
+    EXPECT_FALSE(hasHeard(test::textDrive));
+}
+
+INSTANTIATE_TEST_SUITE_P(Causes, OrderBeforeAStop, testing::Values(StopCause::User, StopCause::Program),
+    [](const auto &row) { return std::string(row.param == StopCause::User ? "User" : "Program"); });
+
 TEST_F(BlockedEngine, ALinkThatIsClosedIsNotHeldByTheStopLane)
 {
     release();
