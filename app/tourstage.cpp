@@ -11,11 +11,20 @@ namespace mb {
 namespace {
 
 constexpr std::chrono::milliseconds pollTime{20};
+constexpr int mostWaiting = 3; ///< pictures in memory
 
 const DeviceView *firstOf(const Snapshot &shot, const std::function<bool(const DeviceView &)> &isIt)
 {
     const auto found = std::find_if(shot.devices.begin(), shot.devices.end(), isIt);
     return found == shot.devices.end() ? nullptr : &*found;
+}
+
+bool write(const QImage &image, const QString &path)
+{
+    if (saveFile(path.toStdString(), pngOf(image)))
+        return true;
+    std::fprintf(stderr, "motorbench: %s cannot be written\n", qPrintable(path));
+    return false;
 }
 
 } // namespace
@@ -27,6 +36,7 @@ TourStage::TourStage(
     , m_theme(theme)
     , m_folder(folder)
     , m_inOneTheme(inOneTheme)
+    , m_saver(write)
 {
     m_poll.setInterval(pollTime);
     connect(&m_poll, &QTimer::timeout, this, &TourStage::look);
@@ -66,7 +76,8 @@ void TourStage::picture(const char *name, std::chrono::milliseconds after, bool 
     for (const Theme &theme :
         m_inOneTheme ? std::vector<Theme>{before} : std::vector<Theme>{darkTheme(points), lightTheme(points)}) {
         act(name, [this, theme] { m_theme.setTheme(theme); });
-        act(name, [this, name, grey] { save(name, grey); });
+        add(
+            name, [this, name, grey] { save(name, grey); }, [this] { return m_saver.waiting() < mostWaiting; });
     }
     act(name, [this, before] { m_theme.setTheme(before); });
 }
@@ -106,23 +117,16 @@ void TourStage::stopAll()
     m_window.arming().stopAll(tr("tour"));
 }
 
-bool TourStage::write(const QImage &image, const QString &file) const
-{
-    if (saveFile(m_folder.filePath(file).toStdString(), pngOf(image)))
-        return true;
-    std::fprintf(stderr, "motorbench: %s cannot be written\n", qPrintable(m_folder.filePath(file)));
-    return false;
-}
-
 void TourStage::save(const char *name, bool grey)
 {
     const QString file = QStringLiteral("%1-%2-%3")
                              .arg(m_pictures, 2, 10, QLatin1Char('0'))
                              .arg(QString::fromLatin1(name), m_theme.theme().name);
     const QImage image = m_window.grab().toImage();
-    if (!write(image, file + QStringLiteral(".png"))
-        || (grey && !write(image.convertToFormat(QImage::Format_Grayscale8), file + QStringLiteral("-grey.png"))))
-        return finish(1);
+    m_saver.save(image, m_folder.filePath(file + QStringLiteral(".png")));
+    if (grey)
+        m_saver.save(
+            image.convertToFormat(QImage::Format_Grayscale8), m_folder.filePath(file + QStringLiteral("-grey.png")));
     std::printf("%s.png\n", qPrintable(file));
     std::fflush(stdout);
 }
@@ -155,7 +159,7 @@ void TourStage::finish(int status)
 {
     m_poll.stop();
     m_current = m_steps.size();
-    m_ended(status);
+    m_ended(m_saver.finish() ? status : 1);
 }
 
 bool isRead(const DeviceView &device)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/mainwindow.h"
+#include "app/picturesaver.h"
 #include "model/family.h"
 
 #include <QDir>
@@ -58,8 +59,6 @@ private:
     void begin(std::size_t step);
     void finish(int status);
     void save(const char *name, bool grey);
-    [[nodiscard]] bool write(const QImage &image, const QString &file) const;
-
     Workbench &m_workbench;
     MainWindow &m_window;
     ThemeSource &m_theme;
@@ -70,6 +69,7 @@ private:
     std::size_t m_current = 0;
     Instant m_begunAt{};
     QTimer m_poll;
+    PictureSaver m_saver;
     int m_pictures = 0;
 };
 

@@ -2215,6 +2215,38 @@
         <source>duty at most %1 %</source>
         <translation>Tastgrad höchstens %1 %</translation>
     </message>
+    <message>
+        <source>was there already</source>
+        <translation>war schon da</translation>
+    </message>
+    <message>
+        <source>it answers with it</source>
+        <translation>meldet sich damit</translation>
+    </message>
+    <message>
+        <source>read back</source>
+        <translation>zurückgelesen</translation>
+    </message>
+    <message>
+        <source>backup</source>
+        <translation>Sicherung</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>aufbewahrt</translation>
+    </message>
+    <message>
+        <source>before the first write</source>
+        <translation>vor dem ersten Schreiben</translation>
+    </message>
+    <message>
+        <source>It got no number: the next unit gets that one.</source>
+        <translation>Es bekam keine Nummer: Sie bekommt das nächste Gerät.</translation>
+    </message>
+    <message>
+        <source>Start serves the next unit.</source>
+        <translation>Start bearbeitet das nächste Gerät.</translation>
+    </message>
 </context>
 <context>
     <name>mb::BodePlot</name>
@@ -4637,6 +4669,13 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
             <numerusform>%n Einträge warten auf den Server</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n units of this run are in it</source>
+        <translation>
+            <numerusform>%n Gerät dieses Laufs steht darin</numerusform>
+            <numerusform>%n Geräte dieses Laufs stehen darin</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>mb::KeepBar</name>
@@ -6714,7 +6753,7 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     </message>
     <message>
         <source>settle</source>
-        <translation>einschw.</translation>
+        <translation>Ausregelzeit</translation>
     </message>
     <message>
         <source>ms</source>
@@ -7628,7 +7667,7 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     </message>
     <message>
         <source>Settling to 2 %</source>
-        <translation>Einschwingen auf 2 %</translation>
+        <translation>Ausregelzeit auf 2 %</translation>
     </message>
     <message>
         <source>Overshoot</source>
@@ -7868,7 +7907,7 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     </message>
     <message>
         <source>Settling</source>
-        <translation>Einschwingen</translation>
+        <translation>Ausregelzeit</translation>
     </message>
     <message>
         <source>End</source>
@@ -8136,7 +8175,7 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     </message>
     <message>
         <source>FAIL</source>
-        <translation>FEHLER</translation>
+        <translation>NICHT BESTANDEN</translation>
     </message>
     <message>
         <source>Not finished</source>
@@ -8480,7 +8519,7 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     </message>
     <message>
         <source>%1 settles %2</source>
-        <translation>%1 ruht nach %2</translation>
+        <translation>%1 ausgeregelt nach %2</translation>
     </message>
     <message>
         <source>%1: duty at %2 % limit, %3</source>
@@ -9293,7 +9332,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>measured: %1 % over, settled after %2</source>
-        <translation>gemessen: %1 % Überschwingen, eingeschwungen nach %2</translation>
+        <translation>gemessen: %1 % Überschwingen, ausgeregelt nach %2</translation>
     </message>
     <message>
         <source>%1 % over</source>
@@ -9309,7 +9348,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>%1 settles %2</source>
-        <translation>%1: einschwingen %2</translation>
+        <translation>%1: Ausregelzeit %2</translation>
     </message>
     <message>
         <source>%1 does not settle</source>
@@ -9321,7 +9360,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>measured: settles %1</source>
-        <translation>gemessen: einschwingen %1</translation>
+        <translation>gemessen: Ausregelzeit %1</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -9367,7 +9406,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <name>mb::StimulusBar</name>
     <message>
         <source>there, until it has settled, and back</source>
-        <translation>hin, bis er ruht, und zurück</translation>
+        <translation>hin, bis ausgeregelt, und zurück</translation>
     </message>
     <message>
         <source>to and fro, 0.5 Hz</source>
@@ -9419,7 +9458,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>Seconds; empty: the usual, and a step ends once it has settled</source>
-        <translation>Sekunden; leer: wie üblich, und ein Sprung endet, wenn er ruht</translation>
+        <translation>Sekunden; leer: wie üblich, und ein Sprung endet, wenn er ausgeregelt ist</translation>
     </message>
     <message>
         <source>Repeats</source>
@@ -9447,7 +9486,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>settled</source>
-        <translation>bis Ruhe</translation>
+        <translation>ausgeregelt</translation>
     </message>
     <message>
         <source>usual</source>
@@ -9818,7 +9857,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>settle</source>
-        <translation>Ruhe</translation>
+        <translation>Ausregelzeit</translation>
     </message>
     <message>
         <source>rise</source>
@@ -9932,7 +9971,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>Settle 2 %</source>
-        <translation>Ruhe 2 %</translation>
+        <translation>Ausregelzeit 2 %</translation>
     </message>
     <message>
         <source>Overshoot</source>
@@ -10615,6 +10654,94 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
 </context>
 <context>
+    <name>mb::TuneSteps</name>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Envelope</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>Identify</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Gains</source>
+        <translation>Verstärkungen</translation>
+    </message>
+    <message>
+        <source>Verify</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Store</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>The direction of motor and encoder was checked; the first closed loop of a run checks it again.</source>
+        <translation>Die Richtung von Motor und Geber wurde geprüft; die erste geschlossene Regelung eines Laufs prüft sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Checked by itself before the first closed loop of a run.</source>
+        <translation>Wird vor der ersten geschlossenen Regelung eines Laufs von selbst geprüft.</translation>
+    </message>
+    <message>
+        <source>Every limit of an experiment is known.</source>
+        <translation>Jede Grenze eines Versuchs ist bekannt.</translation>
+    </message>
+    <message>
+        <source>Trial #%1 pushed the motor without a loop.</source>
+        <translation>Versuch #%1 hat den Motor ohne Regelung angestoßen.</translation>
+    </message>
+    <message>
+        <source>No model of the motor yet: the page Design identifies it, Shift+F6.</source>
+        <translation>Noch kein Modell des Motors: Die Seite Entwurf bestimmt es, Umschalt+F6.</translation>
+    </message>
+    <message>
+        <source>The device has the gains that are shown.</source>
+        <translation>Das Gerät hat die gezeigten Verstärkungen.</translation>
+    </message>
+    <message>
+        <source>Edited gains wait to be written.</source>
+        <translation>Bearbeitete Verstärkungen warten aufs Schreiben.</translation>
+    </message>
+    <message>
+        <source>The gains of the device are not known yet.</source>
+        <translation>Die Verstärkungen des Geräts sind noch nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Trial #%1 ran with these gains.</source>
+        <translation>Versuch #%1 lief mit diesen Verstärkungen.</translation>
+    </message>
+    <message>
+        <source>No trial with these gains yet: F5 runs one.</source>
+        <translation>Noch kein Versuch mit diesen Verstärkungen: F5 macht einen.</translation>
+    </message>
+    <message>
+        <source>The gains are in flash.</source>
+        <translation>Die Verstärkungen sind im Flash.</translation>
+    </message>
+    <message>
+        <source>The gains are not known to be in flash.</source>
+        <translation>Es ist nicht bekannt, dass die Verstärkungen im Flash sind.</translation>
+    </message>
+    <message>
+        <source>%1: done</source>
+        <comment>step</comment>
+        <translation>%1: erledigt</translation>
+    </message>
+    <message>
+        <source>Steps; next is %1</source>
+        <translation>Schritte; der nächste ist %1</translation>
+    </message>
+    <message>
+        <source>Steps; all are done</source>
+        <translation>Schritte; alle sind erledigt</translation>
+    </message>
+</context>
+<context>
     <name>mb::TuningSteps</name>
     <message>
         <source>Kept</source>
@@ -10654,7 +10781,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>over ≤ %1 %, settle ≤ %2, error ≤ %3 %</source>
-        <translation>über ≤ %1 %, einschw. ≤ %2, Fehler ≤ %3 %</translation>
+        <translation>über ≤ %1 %, Ausregelzeit ≤ %2, Fehler ≤ %3 %</translation>
     </message>
     <message>
         <source>over ≤ %1 %, error ≤ %2 %</source>
@@ -10662,7 +10789,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>over %1 %, settle %2, error %3 %</source>
-        <translation>über %1 %, einschw. %2, Fehler %3 %</translation>
+        <translation>über %1 %, Ausregelzeit %2, Fehler %3 %</translation>
     </message>
     <message>
         <source>Identify the motor</source>
@@ -10747,6 +10874,48 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>Identify and Autotune push first: %1</source>
         <translation>Vermessen und Selbst abstimmen stoßen zuerst an: %1</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UnitChecks</name>
+    <message>
+        <source>no unit answers yet</source>
+        <translation>noch antwortet kein Gerät</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n units answer, one at a time</source>
+        <translation>
+            <numerusform>%n Gerät antwortet</numerusform>
+            <numerusform>%n Geräte antworten, eins nach dem anderen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 may turn</source>
+        <translation>%1 dreht vielleicht</translation>
+    </message>
+    <message>
+        <source>no motor turns</source>
+        <translation>kein Motor dreht</translation>
+    </message>
+    <message>
+        <source>no link is open</source>
+        <translation>keine Verbindung ist offen</translation>
+    </message>
+    <message>
+        <source>%1 is open</source>
+        <translation>%1 ist offen</translation>
+    </message>
+    <message>
+        <source>the journal takes entries</source>
+        <translation>das Journal nimmt Einträge an</translation>
+    </message>
+    <message>
+        <source>the journal keeps entries on this computer</source>
+        <translation>das Journal bewahrt Einträge auf diesem Rechner auf</translation>
+    </message>
+    <message>
+        <source>Before each unit</source>
+        <translation>Vor jedem Gerät</translation>
     </message>
 </context>
 <context>
@@ -11010,7 +11179,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>FAIL</source>
-        <translation>FEHLER</translation>
+        <translation>NICHT BESTANDEN</translation>
     </message>
     <message>
         <source>REFUSED</source>
@@ -17690,11 +17859,11 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>overshoot %1, not settled</source>
-        <translation>Überschwingen %1, nicht eingeschwungen</translation>
+        <translation>Überschwingen %1, nicht ausgeregelt</translation>
     </message>
     <message>
         <source>overshoot %1, settled in %2</source>
-        <translation>Überschwingen %1, eingeschwungen in %2</translation>
+        <translation>Überschwingen %1, ausgeregelt in %2</translation>
     </message>
     <message>
         <source>seed, loss, bitrate and fault are known</source>

@@ -57,6 +57,13 @@
             <numerusform>%n entries wait for the server</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n units of this run are in it</source>
+        <translation>
+            <numerusform>%n unit of this run is in it</numerusform>
+            <numerusform>%n units of this run are in it</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>mb::KeepBar</name>
@@ -135,6 +142,16 @@
         <translation>
             <numerusform>%n, every run is kept</numerusform>
             <numerusform>%n, every run is kept</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mb::UnitChecks</name>
+    <message numerus="yes">
+        <source>%n units answer, one at a time</source>
+        <translation>
+            <numerusform>%n unit answers</numerusform>
+            <numerusform>%n units answer, one at a time</numerusform>
         </translation>
     </message>
 </context>

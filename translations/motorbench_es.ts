@@ -2215,6 +2215,38 @@
         <source>duty at most %1 %</source>
         <translation>ciclo de trabajo: máximo %1 %</translation>
     </message>
+    <message>
+        <source>was there already</source>
+        <translation>ya estaba</translation>
+    </message>
+    <message>
+        <source>it answers with it</source>
+        <translation>responde con él</translation>
+    </message>
+    <message>
+        <source>read back</source>
+        <translation>releídos</translation>
+    </message>
+    <message>
+        <source>backup</source>
+        <translation>copia</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>guardada</translation>
+    </message>
+    <message>
+        <source>before the first write</source>
+        <translation>antes de la primera escritura</translation>
+    </message>
+    <message>
+        <source>It got no number: the next unit gets that one.</source>
+        <translation>No recibió número: lo recibe la siguiente unidad.</translation>
+    </message>
+    <message>
+        <source>Start serves the next unit.</source>
+        <translation>Iniciar atiende la siguiente unidad.</translation>
+    </message>
 </context>
 <context>
     <name>mb::BodePlot</name>
@@ -4635,6 +4667,13 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <translation>
             <numerusform>%n entrada espera al servidor</numerusform>
             <numerusform>%n entradas esperan al servidor</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n units of this run are in it</source>
+        <translation>
+            <numerusform>%n unidad de esta tanda está en él</numerusform>
+            <numerusform>%n unidades de esta tanda están en él</numerusform>
         </translation>
     </message>
 </context>
@@ -10615,6 +10654,94 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
 </context>
 <context>
+    <name>mb::TuneSteps</name>
+    <message>
+        <source>Direction</source>
+        <translation>Sentido</translation>
+    </message>
+    <message>
+        <source>Envelope</source>
+        <translation>Límites</translation>
+    </message>
+    <message>
+        <source>Identify</source>
+        <translation>Modelo</translation>
+    </message>
+    <message>
+        <source>Gains</source>
+        <translation>Ganancias</translation>
+    </message>
+    <message>
+        <source>Verify</source>
+        <translation>Verificar</translation>
+    </message>
+    <message>
+        <source>Store</source>
+        <translation>Guardar</translation>
+    </message>
+    <message>
+        <source>The direction of motor and encoder was checked; the first closed loop of a run checks it again.</source>
+        <translation>El sentido del motor y del encoder se comprobó; el primer lazo cerrado de una ejecución lo comprueba otra vez.</translation>
+    </message>
+    <message>
+        <source>Checked by itself before the first closed loop of a run.</source>
+        <translation>Se comprueba por sí solo antes del primer lazo cerrado de una ejecución.</translation>
+    </message>
+    <message>
+        <source>Every limit of an experiment is known.</source>
+        <translation>Se conocen todos los límites de un ensayo.</translation>
+    </message>
+    <message>
+        <source>Trial #%1 pushed the motor without a loop.</source>
+        <translation>El ensayo n.º %1 empujó el motor sin lazo.</translation>
+    </message>
+    <message>
+        <source>No model of the motor yet: the page Design identifies it, Shift+F6.</source>
+        <translation>Aún no hay modelo del motor: la página Diseño lo identifica, Mayús+F6.</translation>
+    </message>
+    <message>
+        <source>The device has the gains that are shown.</source>
+        <translation>El equipo tiene las ganancias que se muestran.</translation>
+    </message>
+    <message>
+        <source>Edited gains wait to be written.</source>
+        <translation>Las ganancias editadas esperan a ser escritas.</translation>
+    </message>
+    <message>
+        <source>The gains of the device are not known yet.</source>
+        <translation>Aún no se conocen las ganancias del equipo.</translation>
+    </message>
+    <message>
+        <source>Trial #%1 ran with these gains.</source>
+        <translation>El ensayo n.º %1 se hizo con estas ganancias.</translation>
+    </message>
+    <message>
+        <source>No trial with these gains yet: F5 runs one.</source>
+        <translation>Aún no hay ensayo con estas ganancias: F5 hace uno.</translation>
+    </message>
+    <message>
+        <source>The gains are in flash.</source>
+        <translation>Las ganancias están en la flash.</translation>
+    </message>
+    <message>
+        <source>The gains are not known to be in flash.</source>
+        <translation>No se sabe si las ganancias están en la flash.</translation>
+    </message>
+    <message>
+        <source>%1: done</source>
+        <comment>step</comment>
+        <translation>%1: hecho</translation>
+    </message>
+    <message>
+        <source>Steps; next is %1</source>
+        <translation>Pasos; sigue %1</translation>
+    </message>
+    <message>
+        <source>Steps; all are done</source>
+        <translation>Pasos; todos están hechos</translation>
+    </message>
+</context>
+<context>
     <name>mb::TuningSteps</name>
     <message>
         <source>Kept</source>
@@ -10747,6 +10874,48 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>Identify and Autotune push first: %1</source>
         <translation>Identificar y Autoajuste empujan primero: %1</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UnitChecks</name>
+    <message>
+        <source>no unit answers yet</source>
+        <translation>aún no responde ninguna unidad</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n units answer, one at a time</source>
+        <translation>
+            <numerusform>%n unidad responde</numerusform>
+            <numerusform>%n unidades responden, una tras otra</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 may turn</source>
+        <translation>%1 puede estar girando</translation>
+    </message>
+    <message>
+        <source>no motor turns</source>
+        <translation>ningún motor gira</translation>
+    </message>
+    <message>
+        <source>no link is open</source>
+        <translation>no hay ningún enlace abierto</translation>
+    </message>
+    <message>
+        <source>%1 is open</source>
+        <translation>%1 está abierto</translation>
+    </message>
+    <message>
+        <source>the journal takes entries</source>
+        <translation>el diario admite entradas</translation>
+    </message>
+    <message>
+        <source>the journal keeps entries on this computer</source>
+        <translation>el diario guarda las entradas en este equipo</translation>
+    </message>
+    <message>
+        <source>Before each unit</source>
+        <translation>Antes de cada unidad</translation>
     </message>
 </context>
 <context>

@@ -2215,6 +2215,38 @@
         <source>duty at most %1 %</source>
         <translation>rapport cyclique %1 % au plus</translation>
     </message>
+    <message>
+        <source>was there already</source>
+        <translation>y était déjà</translation>
+    </message>
+    <message>
+        <source>it answers with it</source>
+        <translation>répond avec</translation>
+    </message>
+    <message>
+        <source>read back</source>
+        <translation>relus</translation>
+    </message>
+    <message>
+        <source>backup</source>
+        <translation>sauvegarde</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>conservée</translation>
+    </message>
+    <message>
+        <source>before the first write</source>
+        <translation>avant la première écriture</translation>
+    </message>
+    <message>
+        <source>It got no number: the next unit gets that one.</source>
+        <translation>Il n’a pas reçu de numéro : le suivant le recevra.</translation>
+    </message>
+    <message>
+        <source>Start serves the next unit.</source>
+        <translation>Démarrer traite l’appareil suivant.</translation>
+    </message>
 </context>
 <context>
     <name>mb::BodePlot</name>
@@ -4635,6 +4667,13 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
         <translation>
             <numerusform>%n entrée attend le serveur</numerusform>
             <numerusform>%n entrées attendent le serveur</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n units of this run are in it</source>
+        <translation>
+            <numerusform>%n appareil de cette série y figure</numerusform>
+            <numerusform>%n appareils de cette série y figurent</numerusform>
         </translation>
     </message>
 </context>
@@ -10615,6 +10654,94 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
 </context>
 <context>
+    <name>mb::TuneSteps</name>
+    <message>
+        <source>Direction</source>
+        <translation>Sens</translation>
+    </message>
+    <message>
+        <source>Envelope</source>
+        <translation>Limites</translation>
+    </message>
+    <message>
+        <source>Identify</source>
+        <translation>Modèle</translation>
+    </message>
+    <message>
+        <source>Gains</source>
+        <translation>Gains</translation>
+    </message>
+    <message>
+        <source>Verify</source>
+        <translation>Vérifier</translation>
+    </message>
+    <message>
+        <source>Store</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>The direction of motor and encoder was checked; the first closed loop of a run checks it again.</source>
+        <translation>Le sens du moteur et du codeur a été vérifié ; la première boucle fermée d’une exécution le vérifie encore.</translation>
+    </message>
+    <message>
+        <source>Checked by itself before the first closed loop of a run.</source>
+        <translation>Vérifié tout seul avant la première boucle fermée d’une exécution.</translation>
+    </message>
+    <message>
+        <source>Every limit of an experiment is known.</source>
+        <translation>Toutes les limites d’un essai sont connues.</translation>
+    </message>
+    <message>
+        <source>Trial #%1 pushed the motor without a loop.</source>
+        <translation>L’essai nº %1 a poussé le moteur sans boucle.</translation>
+    </message>
+    <message>
+        <source>No model of the motor yet: the page Design identifies it, Shift+F6.</source>
+        <translation>Pas encore de modèle du moteur : la page Conception l’identifie, Maj+F6.</translation>
+    </message>
+    <message>
+        <source>The device has the gains that are shown.</source>
+        <translation>L’appareil a les gains affichés.</translation>
+    </message>
+    <message>
+        <source>Edited gains wait to be written.</source>
+        <translation>Les gains modifiés attendent d’être écrits.</translation>
+    </message>
+    <message>
+        <source>The gains of the device are not known yet.</source>
+        <translation>Les gains de l’appareil ne sont pas encore connus.</translation>
+    </message>
+    <message>
+        <source>Trial #%1 ran with these gains.</source>
+        <translation>L’essai nº %1 a tourné avec ces gains.</translation>
+    </message>
+    <message>
+        <source>No trial with these gains yet: F5 runs one.</source>
+        <translation>Pas encore d’essai avec ces gains : F5 en lance un.</translation>
+    </message>
+    <message>
+        <source>The gains are in flash.</source>
+        <translation>Les gains sont en flash.</translation>
+    </message>
+    <message>
+        <source>The gains are not known to be in flash.</source>
+        <translation>On ne sait pas si les gains sont en flash.</translation>
+    </message>
+    <message>
+        <source>%1: done</source>
+        <comment>step</comment>
+        <translation>%1 : fait</translation>
+    </message>
+    <message>
+        <source>Steps; next is %1</source>
+        <translation>Étapes ; la suivante est %1</translation>
+    </message>
+    <message>
+        <source>Steps; all are done</source>
+        <translation>Étapes ; toutes sont faites</translation>
+    </message>
+</context>
+<context>
     <name>mb::TuningSteps</name>
     <message>
         <source>Kept</source>
@@ -10747,6 +10874,48 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     <message>
         <source>Identify and Autotune push first: %1</source>
         <translation>Identifier et Autoréglage poussent d’abord : %1</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UnitChecks</name>
+    <message>
+        <source>no unit answers yet</source>
+        <translation>aucun appareil ne répond encore</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n units answer, one at a time</source>
+        <translation>
+            <numerusform>%n appareil répond</numerusform>
+            <numerusform>%n appareils répondent, un à la fois</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 may turn</source>
+        <translation>%1 tourne peut-être</translation>
+    </message>
+    <message>
+        <source>no motor turns</source>
+        <translation>aucun moteur ne tourne</translation>
+    </message>
+    <message>
+        <source>no link is open</source>
+        <translation>aucune liaison n’est ouverte</translation>
+    </message>
+    <message>
+        <source>%1 is open</source>
+        <translation>%1 est ouvert</translation>
+    </message>
+    <message>
+        <source>the journal takes entries</source>
+        <translation>le journal prend les entrées</translation>
+    </message>
+    <message>
+        <source>the journal keeps entries on this computer</source>
+        <translation>le journal garde les entrées sur cet ordinateur</translation>
+    </message>
+    <message>
+        <source>Before each unit</source>
+        <translation>Avant chaque appareil</translation>
     </message>
 </context>
 <context>

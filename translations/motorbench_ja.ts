@@ -2213,6 +2213,38 @@
         <source>duty at most %1 %</source>
         <translation>デューティ最大 %1 %</translation>
     </message>
+    <message>
+        <source>was there already</source>
+        <translation>書き込み済みでした</translation>
+    </message>
+    <message>
+        <source>it answers with it</source>
+        <translation>この版で応答</translation>
+    </message>
+    <message>
+        <source>read back</source>
+        <translation>読み戻し済み</translation>
+    </message>
+    <message>
+        <source>backup</source>
+        <translation>バックアップ</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>保存済み</translation>
+    </message>
+    <message>
+        <source>before the first write</source>
+        <translation>最初の書き込み前</translation>
+    </message>
+    <message>
+        <source>It got no number: the next unit gets that one.</source>
+        <translation>番号は付いていません。次の機器がその番号になります。</translation>
+    </message>
+    <message>
+        <source>Start serves the next unit.</source>
+        <translation>「開始」で次の機器を処理します。</translation>
+    </message>
 </context>
 <context>
     <name>mb::BodePlot</name>
@@ -4629,6 +4661,12 @@ Double click or Enter plots it; drag it to a plot.</source>
         <source>%n entries wait for the server</source>
         <translation>
             <numerusform>%n 件がサーバーを待っています</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n units of this run are in it</source>
+        <translation>
+            <numerusform>今回の %n 台を記録済み</numerusform>
         </translation>
     </message>
 </context>
@@ -10601,6 +10639,94 @@ double click plots it, drag it to a pane or below them</source>
     </message>
 </context>
 <context>
+    <name>mb::TuneSteps</name>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>Envelope</source>
+        <translation>範囲</translation>
+    </message>
+    <message>
+        <source>Identify</source>
+        <translation>同定</translation>
+    </message>
+    <message>
+        <source>Gains</source>
+        <translation>ゲイン</translation>
+    </message>
+    <message>
+        <source>Verify</source>
+        <translation>検証</translation>
+    </message>
+    <message>
+        <source>Store</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>The direction of motor and encoder was checked; the first closed loop of a run checks it again.</source>
+        <translation>モーターとエンコーダーの方向は確認済みです。起動後最初の閉ループで再確認します。</translation>
+    </message>
+    <message>
+        <source>Checked by itself before the first closed loop of a run.</source>
+        <translation>起動後最初の閉ループの前に自動で確認します。</translation>
+    </message>
+    <message>
+        <source>Every limit of an experiment is known.</source>
+        <translation>実験の限界値はすべて分かっています。</translation>
+    </message>
+    <message>
+        <source>Trial #%1 pushed the motor without a loop.</source>
+        <translation>試行 #%1 がループなしでモーターを動かしました。</translation>
+    </message>
+    <message>
+        <source>No model of the motor yet: the page Design identifies it, Shift+F6.</source>
+        <translation>モーターのモデルはまだありません。設計ページで同定します（Shift+F6）。</translation>
+    </message>
+    <message>
+        <source>The device has the gains that are shown.</source>
+        <translation>機器のゲインは表示のとおりです。</translation>
+    </message>
+    <message>
+        <source>Edited gains wait to be written.</source>
+        <translation>編集したゲインが書き込み待ちです。</translation>
+    </message>
+    <message>
+        <source>The gains of the device are not known yet.</source>
+        <translation>機器のゲインはまだ分かりません。</translation>
+    </message>
+    <message>
+        <source>Trial #%1 ran with these gains.</source>
+        <translation>試行 #%1 はこのゲインで実行しました。</translation>
+    </message>
+    <message>
+        <source>No trial with these gains yet: F5 runs one.</source>
+        <translation>このゲインでの試行はまだありません。F5 で実行します。</translation>
+    </message>
+    <message>
+        <source>The gains are in flash.</source>
+        <translation>ゲインはフラッシュにあります。</translation>
+    </message>
+    <message>
+        <source>The gains are not known to be in flash.</source>
+        <translation>ゲインがフラッシュにあるかは分かりません。</translation>
+    </message>
+    <message>
+        <source>%1: done</source>
+        <comment>step</comment>
+        <translation>%1: 完了</translation>
+    </message>
+    <message>
+        <source>Steps; next is %1</source>
+        <translation>手順。次は %1</translation>
+    </message>
+    <message>
+        <source>Steps; all are done</source>
+        <translation>手順。すべて完了</translation>
+    </message>
+</context>
+<context>
     <name>mb::TuningSteps</name>
     <message>
         <source>Kept</source>
@@ -10733,6 +10859,47 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>Identify and Autotune push first: %1</source>
         <translation>同定とオートチューニングは先に押します: %1</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UnitChecks</name>
+    <message>
+        <source>no unit answers yet</source>
+        <translation>応答する機器はまだありません</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n units answer, one at a time</source>
+        <translation>
+            <numerusform>%n 台が応答、1 台ずつ処理</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 may turn</source>
+        <translation>%1 が回転中の可能性</translation>
+    </message>
+    <message>
+        <source>no motor turns</source>
+        <translation>回転中のモーターなし</translation>
+    </message>
+    <message>
+        <source>no link is open</source>
+        <translation>開いているリンクがありません</translation>
+    </message>
+    <message>
+        <source>%1 is open</source>
+        <translation>%1 は接続中</translation>
+    </message>
+    <message>
+        <source>the journal takes entries</source>
+        <translation>記録簿に書き込めます</translation>
+    </message>
+    <message>
+        <source>the journal keeps entries on this computer</source>
+        <translation>記録はこのコンピューターに保存されます</translation>
+    </message>
+    <message>
+        <source>Before each unit</source>
+        <translation>各機器の前</translation>
     </message>
 </context>
 <context>

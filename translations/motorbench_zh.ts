@@ -2213,6 +2213,38 @@
         <source>duty at most %1 %</source>
         <translation>占空比最大 %1 %</translation>
     </message>
+    <message>
+        <source>was there already</source>
+        <translation>原已具备</translation>
+    </message>
+    <message>
+        <source>it answers with it</source>
+        <translation>以此版本应答</translation>
+    </message>
+    <message>
+        <source>read back</source>
+        <translation>已读回</translation>
+    </message>
+    <message>
+        <source>backup</source>
+        <translation>备份</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>已保存</translation>
+    </message>
+    <message>
+        <source>before the first write</source>
+        <translation>首次写入之前</translation>
+    </message>
+    <message>
+        <source>It got no number: the next unit gets that one.</source>
+        <translation>未分配编号：该编号给下一台。</translation>
+    </message>
+    <message>
+        <source>Start serves the next unit.</source>
+        <translation>点击“启动”处理下一台。</translation>
+    </message>
 </context>
 <context>
     <name>mb::BodePlot</name>
@@ -4629,6 +4661,12 @@ Double click or Enter plots it; drag it to a plot.</source>
         <source>%n entries wait for the server</source>
         <translation>
             <numerusform>%n 条记录等待服务器</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n units of this run are in it</source>
+        <translation>
+            <numerusform>本次的 %n 台已记入</numerusform>
         </translation>
     </message>
 </context>
@@ -10601,6 +10639,94 @@ double click plots it, drag it to a pane or below them</source>
     </message>
 </context>
 <context>
+    <name>mb::TuneSteps</name>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>Envelope</source>
+        <translation>限界</translation>
+    </message>
+    <message>
+        <source>Identify</source>
+        <translation>辨识</translation>
+    </message>
+    <message>
+        <source>Gains</source>
+        <translation>增益</translation>
+    </message>
+    <message>
+        <source>Verify</source>
+        <translation>验证</translation>
+    </message>
+    <message>
+        <source>Store</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>The direction of motor and encoder was checked; the first closed loop of a run checks it again.</source>
+        <translation>电机与编码器的方向已检查；每次运行的首个闭环会再次检查。</translation>
+    </message>
+    <message>
+        <source>Checked by itself before the first closed loop of a run.</source>
+        <translation>在每次运行的首个闭环之前自动检查。</translation>
+    </message>
+    <message>
+        <source>Every limit of an experiment is known.</source>
+        <translation>实验的各项限值均已知。</translation>
+    </message>
+    <message>
+        <source>Trial #%1 pushed the motor without a loop.</source>
+        <translation>试验 #%1 在无闭环下推动了电机。</translation>
+    </message>
+    <message>
+        <source>No model of the motor yet: the page Design identifies it, Shift+F6.</source>
+        <translation>尚无电机模型：在“设计”页辨识，Shift+F6。</translation>
+    </message>
+    <message>
+        <source>The device has the gains that are shown.</source>
+        <translation>设备中的增益与显示一致。</translation>
+    </message>
+    <message>
+        <source>Edited gains wait to be written.</source>
+        <translation>已编辑的增益等待写入。</translation>
+    </message>
+    <message>
+        <source>The gains of the device are not known yet.</source>
+        <translation>设备的增益尚不清楚。</translation>
+    </message>
+    <message>
+        <source>Trial #%1 ran with these gains.</source>
+        <translation>试验 #%1 使用了这些增益。</translation>
+    </message>
+    <message>
+        <source>No trial with these gains yet: F5 runs one.</source>
+        <translation>尚无使用这些增益的试验：按 F5 运行。</translation>
+    </message>
+    <message>
+        <source>The gains are in flash.</source>
+        <translation>增益已在闪存中。</translation>
+    </message>
+    <message>
+        <source>The gains are not known to be in flash.</source>
+        <translation>不确定增益是否已在闪存中。</translation>
+    </message>
+    <message>
+        <source>%1: done</source>
+        <comment>step</comment>
+        <translation>%1：已完成</translation>
+    </message>
+    <message>
+        <source>Steps; next is %1</source>
+        <translation>步骤；下一步是%1</translation>
+    </message>
+    <message>
+        <source>Steps; all are done</source>
+        <translation>步骤；全部完成</translation>
+    </message>
+</context>
+<context>
     <name>mb::TuningSteps</name>
     <message>
         <source>Kept</source>
@@ -10733,6 +10859,47 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>Identify and Autotune push first: %1</source>
         <translation>辨识和自整定会先推动电机：%1</translation>
+    </message>
+</context>
+<context>
+    <name>mb::UnitChecks</name>
+    <message>
+        <source>no unit answers yet</source>
+        <translation>尚无设备应答</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n units answer, one at a time</source>
+        <translation>
+            <numerusform>%n 台应答，逐台处理</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 may turn</source>
+        <translation>%1 可能在转动</translation>
+    </message>
+    <message>
+        <source>no motor turns</source>
+        <translation>无电机转动</translation>
+    </message>
+    <message>
+        <source>no link is open</source>
+        <translation>没有打开的链路</translation>
+    </message>
+    <message>
+        <source>%1 is open</source>
+        <translation>%1 已打开</translation>
+    </message>
+    <message>
+        <source>the journal takes entries</source>
+        <translation>日志可写入</translation>
+    </message>
+    <message>
+        <source>the journal keeps entries on this computer</source>
+        <translation>日志条目暂存于本机</translation>
+    </message>
+    <message>
+        <source>Before each unit</source>
+        <translation>每台之前</translation>
     </message>
 </context>
 <context>

@@ -36,6 +36,8 @@ public:
     [[nodiscard]] const QString &fault() const { return m_fault; }
     /// What bounds the next experiment; `missing` must be entered before it.
     void setInForce(const Envelope &inForce, const QString &missing);
+    /// What an experiment still needs, or what is wrong with what was entered; empty: nothing.
+    [[nodiscard]] const QString &missing() const { return m_fault.isEmpty() ? m_missing : m_fault; }
     void setOpen(bool open);
 
 Q_SIGNALS:

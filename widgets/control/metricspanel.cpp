@@ -43,7 +43,7 @@ MetricsPanel::MetricsPanel(const ThemeSource &theme, QWidget *parent)
     , m_theme(theme)
 {
     const Theme &look = theme.theme();
-    auto *column = layoutIn<QVBoxLayout>(this, look.u(6), {look.u(10), look.u(6), look.u(10), look.u(6)});
+    auto *column = layoutIn<QVBoxLayout>(this, look.u(6), {look.u(8), look.u(6), look.u(6), look.u(6)});
     auto *head = new QHBoxLayout;
     m_repeats = textLabel({}, TextRole::Caption, Tone::Dim, this);
     head->addWidget(new SectionLabel(tr("Metrics"), this));
@@ -140,7 +140,7 @@ void MetricsPanel::fillRows()
     const int repeats = m_b ? m_b->trial.repeat : 1;
     m_repeats->setText(
         repeats > 1 ? (whole ? tr("± from %1 repeats") : tr("means of %1 repeats")).arg(repeats) : QString());
-    if (std::exchange(m_least, least + around.left() + around.right() + m_theme.theme().u(14)) != m_least)
+    if (std::exchange(m_least, least + around.left() + around.right() + m_theme.theme().u(16)) != m_least)
         Q_EMIT leastWidthChanged();
 }
 
@@ -153,12 +153,12 @@ int MetricsPanel::widthOf(int column) const
         const QTableWidgetItem &item = *m_table->item(row, column);
         width = std::max(width, QFontMetrics(item.font()).horizontalAdvance(item.text()));
     }
-    return width + m_theme.theme().u(10) + 8; // what the sheet leaves around a text, and the style inside it
+    return width + m_theme.theme().u(8) + 8; // what the sheet leaves around a text, and the style inside it
 }
 
 int MetricsPanel::tableWidth() const
 {
-    return widthOf(Name) + widthOf(ValueA) + widthOf(ValueB) + widthOf(Difference);
+    return widthOf(Name) + widthOf(ValueA) + widthOf(ValueB) + widthOf(Difference) + 2 * m_table->frameWidth();
 }
 
 void MetricsPanel::resizeEvent(QResizeEvent *event)

@@ -23,7 +23,8 @@ constexpr double beforeEdge = 0.1; ///< s
 constexpr double shortestSpan = 0.01;
 constexpr double notablePeak = 0.01;
 constexpr int roomForTwo = 210; ///< units of height
-constexpr int roomForThree = 330;
+constexpr int roomForThree = 250;
+constexpr int lowestStrip = 30;
 
 /// The stretches of a trace that stay at or above a limit, either way.
 std::vector<std::pair<double, double>> stretchesAt(const Trace &trace, double limit)
@@ -123,8 +124,11 @@ void ResponsePlot::setTrials(const Family *family, const KeptTrial *a, const Kep
         addLimits(trial, strip, channel);
         ++strip;
     }
-    for (int i = 0; i < strip; ++i)
+    for (int i = 0; i < strip; ++i) {
         m_stack->strips().setStrip(i, {{}, i == 0 ? 4.0 : 1.0, i == 0});
+        if (i > 0) // what the motor did is read off the first one
+            m_stack->strips().at(i).rect().setMinimumSize(50, m_theme.theme().u(lowestStrip));
+    }
     const ShownUnit unit = shownUnit(trial.mode == Mode::Duty ? Mode::Velocity : trial.mode, units);
     if (trial.mode != Mode::Duty)
         addSetPoint(trial, unit, m_length);

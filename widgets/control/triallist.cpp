@@ -86,6 +86,7 @@ void TrialList::configure()
     m_table->setProperty("dense", true);
     m_table->setWordWrap(false);
     m_table->setSortingEnabled(true);
+    m_table->horizontalHeader()->setSortIndicatorShown(false); // the heads say it beside their words
     m_table->setContextMenuPolicy(Qt::CustomContextMenu);
     m_table->verticalHeader()->hide();
     QHeaderView &head = *m_table->horizontalHeader();
@@ -127,8 +128,7 @@ void TrialList::fitColumns()
     std::array<int, TrialModel::ColumnCount> widths{};
     const auto fitTo = [&](int column, const QString &widest) {
         const QString name = m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
-        const bool sorted = m_table->horizontalHeader()->sortIndicatorSection() == column;
-        const int head = caption.horizontalAdvance(name) + (sorted ? theme.u(14) : 0);
+        const int head = caption.horizontalAdvance(name);
         widths.at(static_cast<std::size_t>(column))
             = std::max(fontMetrics().horizontalAdvance(widest), head) + theme.u(10) + 8;
     };
@@ -140,7 +140,7 @@ void TrialList::fitColumns()
         - fontMetrics().horizontalAdvance(QStringLiteral("#9999  B"));
     for (int column = TrialModel::Time; column <= TrialModel::Peak; ++column)
         fitTo(column, widestOf(column));
-    fitTo(TrialModel::Flags, tr("stopped: speed"));
+    fitTo(TrialModel::Flags, widestOf(TrialModel::Flags, tr("stopped: speed")));
     widths[TrialModel::Flags] += theme.u(20); // the sign before it
     fitTo(TrialModel::Note, QStringLiteral("000000"));
     fitTo(TrialModel::Use, m_model->useText());
@@ -149,10 +149,21 @@ void TrialList::fitColumns()
     int sum = 0;
     for (int column = 0; column < TrialModel::ColumnCount; ++column)
         sum += m_table->isColumnHidden(column) && !gives(column) ? 0 : widths.at(static_cast<std::size_t>(column));
+    const int room = width() - theme.u(14); // a scroll bar may come
+    std::vector<int> gone;
     for (const int column : givesWay) {
-        const bool tooWide = sum > width() - theme.u(14); // a scroll bar may come
+        const bool tooWide = sum > room;
         sum -= tooWide ? widths.at(static_cast<std::size_t>(column)) : 0;
         m_table->setColumnHidden(column, tooWide);
+        if (tooWide)
+            gone.insert(gone.begin(), column);
+    }
+    for (const int column : gone) { // a wide one may have made room for a narrow one that went before it
+        const int width = widths.at(static_cast<std::size_t>(column));
+        if (sum + width > room)
+            continue;
+        sum += width;
+        m_table->setColumnHidden(column, false);
     }
     for (int column = 0; column < TrialModel::ColumnCount; ++column) {
         if (column != TrialModel::Note)
@@ -160,12 +171,14 @@ void TrialList::fitColumns()
     }
 }
 
-/// Of the first hundred rows: what one sees before one scrolls.
-QString TrialList::widestOf(int column) const
+/// Of the first hundred rows: what one sees before one scrolls; no text counts for more than `most`.
+QString TrialList::widestOf(int column, const QString &most) const
 {
     QString widest = QStringLiteral("000.0");
     for (int row = 0; row < std::min(m_model->rowCount(), mostMeasured); ++row) {
         const QString text = m_model->index(row, column).data().toString();
+        if (!most.isEmpty() && fontMetrics().horizontalAdvance(text) > fontMetrics().horizontalAdvance(most))
+            return most;
         if (fontMetrics().horizontalAdvance(text) > fontMetrics().horizontalAdvance(widest))
             widest = text;
     }

@@ -31,6 +31,9 @@ public:
     /// What is wrong with the notebook; empty: nothing.
     void setTrouble(const QString &text);
     [[nodiscard]] TrialModel &model() { return *m_model; }
+    /// The last trial that pushed this motor without a loop, whatever loop is listed; 0: none.
+    void setIdentified(std::int64_t number) { m_identified = number; }
+    [[nodiscard]] std::int64_t identified() const { return m_identified; }
     [[nodiscard]] QTableView &table() { return *m_table; }
 
 protected:
@@ -51,7 +54,7 @@ private:
     void fit();
     void fitColumns();
     void fitHead();
-    [[nodiscard]] QString widestOf(int column) const;
+    [[nodiscard]] QString widestOf(int column, const QString &most = {}) const;
     [[nodiscard]] qint64 current() const;
 
     const ThemeSource &m_theme;
@@ -63,6 +66,7 @@ private:
     CommandButton *m_best = nullptr;
     IconButton *m_export = nullptr;
     QString m_trouble;
+    std::int64_t m_identified = 0;
     int m_rows = 5;
     bool m_filling = false;
     QWidget *m_head = nullptr;

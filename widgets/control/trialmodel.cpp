@@ -346,7 +346,8 @@ QVariant TrialModel::headerData(int section, Qt::Orientation orientation, int ro
     const QStringList names{QString(), tr("trial"), tr("time"), tr("stimulus"), QStringLiteral("P"),
         QStringLiteral("I"), QStringLiteral("D"), QStringLiteral("F"), tr("over %"), tr("settle"), tr("rise"),
         tr("peak A"), tr("flags"), tr("note"), QString()};
-    return names.value(section);
+    const QString order = m_order == Qt::AscendingOrder ? QStringLiteral("▲") : QStringLiteral("▼");
+    return section == m_sortColumn ? (names.value(section) + QLatin1Char(' ') + order).trimmed() : names.value(section);
 }
 
 } // namespace mb

@@ -24,7 +24,8 @@ namespace mb {
 namespace {
 
 constexpr int metricsWidth = 400;
-constexpr int leastMetrics = 296;
+constexpr int leastMetrics = 272;
+constexpr int leastPlot = 480; ///< beside metrics that have what they need
 constexpr double metricsShare = 0.4;
 constexpr double mostMetrics = 0.5;
 constexpr int roomBeside = 700; ///< for plot and metrics beside each other
@@ -107,8 +108,8 @@ void TrialsView::arrange()
     const bool beside = m_shown == Shown::All
         && width() >= theme.u(m_beside ? leastBeside : roomBeside); // a bar that comes and goes changes nothing
     m_list->setRows(!beside ? 2 : height() > theme.u(roomyHeight) ? 5 : 3);
-    const int share = std::min(std::max(static_cast<int>(width() * metricsShare), m_metrics->leastWidth()),
-        static_cast<int>(width() * mostMetrics));
+    const int wished = std::min(static_cast<int>(width() * metricsShare), width() - theme.u(leastPlot));
+    const int share = std::min(std::max(wished, m_metrics->leastWidth()), static_cast<int>(width() * mostMetrics));
     m_side->setFixedWidth(std::clamp(share, theme.u(leastMetrics), theme.u(metricsWidth)));
     showParts(beside);
     if (std::exchange(m_beside, beside) == beside)
@@ -197,6 +198,12 @@ void TrialsView::listed(const std::vector<KeptTrial> &trials)
     std::vector<KeptTrial> mine;
     std::copy_if(trials.begin(), trials.end(), std::back_inserter(mine),
         [this](const KeptTrial &kept) { return kept.trial.mode == m_mode && kept.trial.axis == m_axis; });
+    std::int64_t pushed = 0;
+    for (const KeptTrial &kept : trials) {
+        if (kept.trial.mode == Mode::Duty && kept.trial.axis == m_axis && kept.trial.reason == "done")
+            pushed = kept.number;
+    }
+    m_list->setIdentified(pushed);
     m_pair.update(mine);
     const std::int64_t newest = mine.empty() ? 0 : mine.back().number;
     m_list->setTrials(std::move(mine));

@@ -5,14 +5,22 @@
 #include "widgets/common/layoutin.h"
 #include "widgets/common/segmented.h"
 #include "widgets/common/spoken.h"
+#include "widgets/control/tunesteps.h"
 
 namespace mb {
+namespace {
+
+constexpr int leastSentence = 200;
+
+} // namespace
 
 TuneCommands::TuneCommands(const ThemeSource &source, QWidget *parent)
     : QWidget(parent)
+    , m_theme(source)
 {
     const Theme &theme = source.theme();
     auto *row = layoutIn<QHBoxLayout>(this, theme.u(8), {theme.u(12), theme.u(6), theme.u(12), theme.u(6)});
+    m_steps = new TuneSteps(source, this);
     m_status = new StatusLine(source, this);
     m_stop = new CommandButton(source, Symbol::Stop, tr("Stop motion"), this);
     m_stop->setToolTip(tr("Ends the motion and stays armed. STOP, Esc and Pause stop everything."));
@@ -22,6 +30,7 @@ TuneCommands::TuneCommands(const ThemeSource &source, QWidget *parent)
     m_run->setTextVariants({tr("Run"), tr("Write and run"), tr("Apply"), tr("Run %1 axes").arg(8)});
     m_run->setObjectName(QStringLiteral("run"));
     m_view = new Segmented(tr("View"), {tr("Experiment"), tr("Live")}, this);
+    row->addWidget(m_steps);
     row->addWidget(m_status, 1);
     row->addWidget(m_view);
     row->addWidget(m_stop);
@@ -30,6 +39,20 @@ TuneCommands::TuneCommands(const ThemeSource &source, QWidget *parent)
     connect(m_run, &QPushButton::clicked, this, &TuneCommands::runRequested);
     connect(m_stop, &QPushButton::clicked, this, &TuneCommands::stopRequested);
     connect(m_view, &Segmented::currentChanged, this, [this](int view) { Q_EMIT liveChosen(view == 1); });
+}
+
+void TuneCommands::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    fitSteps();
+}
+
+/// All words where the sentence beside them keeps its room.
+void TuneCommands::fitSteps()
+{
+    const int others = m_view->sizeHint().width() + m_stop->sizeHint().width() + m_run->sizeHint().width();
+    const int room = width() - others - m_theme.theme().u(leastSentence + 6 * 8);
+    m_steps->setFolded(m_steps->unfoldedWidth() > room);
 }
 
 void TuneCommands::setFolded(bool folded)

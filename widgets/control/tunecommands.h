@@ -7,6 +7,7 @@ namespace mb {
 
 class CommandButton;
 class Segmented;
+class TuneSteps;
 
 /// The bar above the Tune page: what state the motor is in, experiment or live view, and the orders to stop and to run.
 class TuneCommands : public QWidget {
@@ -29,6 +30,7 @@ public:
     [[nodiscard]] bool isLive() const;
     /// Without room the tabs below have the views, and the button that stops is its sign.
     void setFolded(bool folded);
+    [[nodiscard]] TuneSteps &steps() const { return *m_steps; }
     /// The last in the order of Tab.
     [[nodiscard]] CommandButton *runButton() const { return m_run; }
 
@@ -37,7 +39,14 @@ Q_SIGNALS:
     void stopRequested();
     void liveChosen(bool live);
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
+    void fitSteps();
+
+    const ThemeSource &m_theme;
+    TuneSteps *m_steps = nullptr;
     StatusLine *m_status = nullptr;
     CommandButton *m_stop = nullptr;
     CommandButton *m_run = nullptr;

@@ -14,6 +14,8 @@ namespace mb {
 namespace {
 
 constexpr int columnWidth = 336;
+constexpr int narrowColumn = 312; ///< where the plot would get too little beside it
+constexpr int narrowFrame = 1120;
 constexpr int leastWork = 440;   ///< beside the column
 constexpr int leastHeight = 440; ///< for stimulus, plot and trials below each other
 enum TuneFrameRow { CommandsAt, CommandsLineAt, TabsAt, StimulusAt, StimulusLineAt, WorkAt };
@@ -67,7 +69,7 @@ void TuneFrame::resizeEvent(QResizeEvent *event)
     const Theme &theme = m_theme.theme();
     const bool compact = width() < theme.u(columnWidth + leastWork) || height() < theme.u(leastHeight);
     if (compact == m_compact)
-        return;
+        return fitColumn();
     m_compact = compact;
     arrange();
     Q_EMIT compactChanged(compact);
@@ -99,6 +101,16 @@ void TuneFrame::chosen(int tab)
     arrange();
 }
 
+void TuneFrame::fitColumn()
+{
+    if (!m_parts.column)
+        return;
+    const Theme &theme = m_theme.theme();
+    const int wide = theme.u(width() < theme.u(narrowFrame) ? narrowColumn : columnWidth);
+    m_parts.column->setMinimumWidth(m_compact ? 0 : wide);
+    m_parts.column->setMaximumWidth(m_compact ? QWIDGETSIZE_MAX : wide);
+}
+
 /// The parts stay where they are in the grid; which of them are seen is all that changes.
 void TuneFrame::arrange()
 {
@@ -110,8 +122,7 @@ void TuneFrame::arrange()
     m_parts.stimulus->setVisible(setUp && !m_live);
     m_stimulusLine->setVisible(setUp && !m_live);
     m_parts.column->setVisible(setUp);
-    m_parts.column->setMinimumWidth(m_compact ? 0 : m_theme.theme().u(columnWidth));
-    m_parts.column->setMaximumWidth(m_compact ? QWIDGETSIZE_MAX : m_theme.theme().u(columnWidth));
+    fitColumn();
     m_columnLine->setVisible(!m_compact);
     m_parts.work->setVisible(!m_compact || part != Part::Setup);
     m_grid->setColumnStretch(0, m_compact && setUp ? 1 : 0);

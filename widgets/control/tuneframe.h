@@ -50,6 +50,7 @@ protected:
 
 private:
     void arrange();
+    void fitColumn();
     void chosen(int tab);
 
     const ThemeSource &m_theme;

@@ -6,12 +6,15 @@
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/layoutin.h"
 #include "widgets/control/axespanel.h"
+#include "widgets/control/envelopepanel.h"
 #include "widgets/control/gainspanel.h"
 #include "widgets/control/gainswriterow.h"
+#include "widgets/control/gainunits.h"
 #include "widgets/control/jogkeys.h"
 #include "widgets/control/jogpanel.h"
 #include "widgets/control/movespanel.h"
 #include "widgets/control/setpointpanel.h"
+#include "widgets/control/triallist.h"
 #include "widgets/control/trialsview.h"
 #include "widgets/control/tuneaxes.h"
 #include "widgets/control/tunecolumn.h"
@@ -21,6 +24,7 @@
 #include "widgets/control/tuneframe.h"
 #include "widgets/control/tunekeys.h"
 #include "widgets/control/tuneplot.h"
+#include "widgets/control/tunesteps.h"
 
 #include <QStackedWidget>
 
@@ -222,7 +226,23 @@ void TunePage::showCommands()
     const bool others = view->motion.setPoints.size() > 1 && orders.together < 2;
     orders.stopsAxis = orders.moving && others ? m_choices->axis() : 0;
     m_parts.commands->show(orders);
+    showSteps(*view, chosen);
     m_gains->showWriteRow(*view);
+}
+
+void TunePage::showSteps(const DeviceView &view, const TuneChoice &chosen)
+{
+    TuneKnowledge known;
+    known.device = &view;
+    known.axis = m_choices->axis();
+    if (isClosedLoop(chosen.mode))
+        known.gains = gainSet(*view.family, chosen.mode, chosen.runningSlot, known.axis).gains;
+    known.missing = column().envelope().missing();
+    known.identified = m_parts.trials->list().identified();
+    known.staged = !column().gainsPanel().stagedNames().isEmpty();
+    const std::vector<KeptTrial> &trials = m_parts.trials->list().model().trials();
+    known.newest = trials.empty() ? nullptr : &trials.back();
+    m_parts.commands->steps().show(known);
 }
 
 void TunePage::showEmpty(const DeviceView *view)

@@ -17,6 +17,7 @@ namespace mb {
 
 class EmptyState;
 class TuneAxes;
+struct TuneChoice;
 class TuneChoices;
 class TuneExperiments;
 class TuneForm;
@@ -70,6 +71,7 @@ private:
     void wishRates(const DeviceView *view);
     void followDevice(const DeviceView &view);
     void showCommands();
+    void showSteps(const DeviceView &view, const TuneChoice &chosen);
     void showEmpty(const DeviceView *view);
     void zero();
 

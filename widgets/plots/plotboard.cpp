@@ -313,6 +313,7 @@ void PlotBoard::keepReferences()
             continue;
         std::vector<PlotPoint> points;
         trace.source->columns(from - beside, to + beside, 30'000, points);
+        joinUnlost(points, *trace.source);
         for (PlotPoint &point : points)
             point.key -= origin;
         Reference reference;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace mb {
 namespace {
@@ -199,15 +200,18 @@ private:
         const double room = m_box.right() - m_theme.u(4) - size.width() - left;
         const std::vector<QRectF> curves = allCurves();
         std::optional<QRectF> best;
-        std::ptrdiff_t least = 0;
+        double least = 0.0; // pixels of curves that are hidden: one long line may be many short pieces
         for (const double share : {0.0, 1.0, 0.25, 0.5, 0.75}) {
             for (const double top : {y - size.height() - 1, y + 1}) {
                 const QRectF place(QPointF(left + (rightFirst ? 1.0 - share : share) * room, top), size);
                 const bool inside = place.top() >= m_box.top() && place.bottom() <= m_box.bottom();
                 if (!inside || !freePlace(place, place, m_taken))
                     continue;
-                const auto hidden = std::count_if(
-                    curves.begin(), curves.end(), [&](const QRectF &curve) { return curve.intersects(place); });
+                const double hidden
+                    = std::accumulate(curves.begin(), curves.end(), 0.0, [&](double sum, const QRectF &curve) {
+                          const QRectF common = curve.intersected(place);
+                          return sum + common.width() * common.height();
+                      });
                 if (!best || hidden < least) {
                     best = place;
                     least = hidden;
@@ -260,8 +264,9 @@ private:
             const double other = 2 * (at.x() - text.center().x()); // the same at the left of the point
             const double wide = text.width();
             take(StripWord::Kind::Note, i,
-                m_drawn.empty() ? freePlace(text, m_box, m_taken)
-                                : clearPlace(text, {0.0, other, 0.4 * wide, 0.8 * wide, other - 0.4 * wide}));
+                m_drawn.empty()
+                    ? freePlace(text, m_box, m_taken)
+                    : clearPlace(text, {0.0, other, 0.5 * other, 0.4 * wide, 0.8 * wide, other - 0.4 * wide}));
         }
     }
     void bands()

@@ -57,6 +57,23 @@ std::vector<std::pair<double, double>> missingIn(const PlotTrace &trace, double 
     return gaps;
 }
 
+void joinUnlost(std::vector<PlotPoint> &points, const TraceSource &source)
+{
+    if (points.empty())
+        return;
+    std::vector<std::pair<double, double>> gaps = gapsOf(points, points.back().key);
+    std::erase_if(gaps, [&source](const std::pair<double, double> &gap) {
+        const auto found = source.statistics(gap.first - rounding, gap.second + rounding);
+        return gap.second - gap.first >= silence || !found || found->lost > 0;
+    });
+    std::erase_if(points, [&gaps](const PlotPoint &point) {
+        return !std::isfinite(point.value)
+            && std::any_of(gaps.begin(), gaps.end(), [&point](const std::pair<double, double> &gap) {
+                   return point.key >= gap.first && point.key < gap.second;
+               });
+    });
+}
+
 double PlotReadings::valueAt(int trace, double key) const
 {
     const PlotTrace *found = m_strips.trace(trace);

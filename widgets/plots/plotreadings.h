@@ -12,6 +12,9 @@ namespace mb {
 /// Where something is missing in a trace up to a key. A line that a device began anew, such as with another period, is
 /// broken there and nothing more.
 [[nodiscard]] std::vector<std::pair<double, double>> missingIn(const PlotTrace &trace, double origin, double to);
+/// Takes such breaks out of points that the source has drawn, for who keeps them without it: nobody could tell afterwards that
+/// nothing is missing there.
+void joinUnlost(std::vector<PlotPoint> &points, const TraceSource &source);
 
 /// What can be read off a stack of plots: values, statistics between the cursors, words and tables of them. GUI thread.
 class PlotReadings {

@@ -12,6 +12,7 @@
 #include "widgets/service/counttiles.h"
 #include "widgets/service/journalcard.h"
 #include "widgets/service/productionhead.h"
+#include "widgets/service/unitchecks.h"
 #include "widgets/service/unitlist.h"
 #include "widgets/service/verdictof.h"
 
@@ -31,7 +32,8 @@ namespace {
 constexpr std::chrono::milliseconds betweenBeeps{250};
 constexpr int unitsWidth = 400;
 constexpr int widthForUnits = 960; ///< of the page, so that the verdict keeps its room beside them
-constexpr int heightForTiles = 560;
+constexpr int heightForTiles = 480;
+constexpr int heightForKeys = 400;
 
 } // namespace
 
@@ -49,6 +51,7 @@ ProductionPage::ProductionPage(
     column->setSizeConstraint(QLayout::SetNoConstraint); // minimumSizeHint() knows what may be left out
     column->addWidget(m_head = new ProductionHead(theme, this));
     column->addWidget(separatorLine(Qt::Horizontal, this));
+    column->addWidget(m_checks = new UnitChecks(theme, this));
     auto *row = new QHBoxLayout;
     const int edge = theme.theme().u(16);
     row->setContentsMargins(edge, edge, edge, edge);
@@ -62,7 +65,7 @@ ProductionPage::ProductionPage(
     connect(&m_renewal, &QTimer::timeout, this, [this] { m_workbench.send(orders::RenewService{}); });
     connect(&workbench, &Workbench::serviceChanged, this, &ProductionPage::follow);
     connect(&workbench, &Workbench::unitEnded, this, &ProductionPage::ended);
-    connect(&workbench, &Workbench::changed, this, [this] { m_head->follow(m_workbench.snapshot()); });
+    connect(&workbench, &Workbench::changed, this, &ProductionPage::followBench);
     connect(&theme, &ThemeSource::changed, this, &ProductionPage::follow); // shapes have colours of their own
     connect(qApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
         m_isActive = state == Qt::ApplicationActive;
@@ -80,7 +83,13 @@ void ProductionPage::connectHead()
     connect(m_head, &ProductionHead::armWanted, this, [this] { arm(!m_workbench.service().armed); });
     connect(m_head, &ProductionHead::leaveWanted, this, &ProductionPage::leaveRequested);
     connect(m_head, &ProductionHead::serialTaken, this, &ProductionPage::take);
+    followBench();
+}
+
+void ProductionPage::followBench()
+{
     m_head->follow(m_workbench.snapshot());
+    m_checks->show(checksOf(m_workbench.snapshot(), m_workbench.journal(), m_head->link().toStdString()));
 }
 
 /// Whoever arms looks at this window: what the hand began elsewhere is no order.
@@ -100,7 +109,7 @@ QWidget *ProductionPage::buildBench()
 {
     auto *bench = new QWidget(this);
     auto *column = layoutIn<QVBoxLayout>(bench, m_theme.theme().u(12));
-    m_motion = textLabel({}, TextRole::Emphasis, Tone::Dim, bench);
+    m_motion = textLabel({}, TextRole::Body, Tone::Text, bench);
     m_motion->setObjectName(QStringLiteral("motion"));
     m_motion->setWordWrap(true);
     m_motion->hide(); // until a recipe has a self-test
@@ -271,9 +280,9 @@ QSize ProductionPage::minimumSizeHint() const
 void ProductionPage::resizeEvent(QResizeEvent *event)
 {
     m_side->setVisible(width() >= m_theme.theme().u(widthForUnits));
-    const bool tall = height() >= m_theme.theme().u(heightForTiles);
-    m_tiles->setVisible(tall);
-    m_foot->setVisible(tall);
+    m_tiles->setVisible(height() >= m_theme.theme().u(heightForTiles));
+    m_checks->setVisible(height() >= m_theme.theme().u(heightForTiles));
+    m_foot->setVisible(height() >= m_theme.theme().u(heightForKeys));
     QWidget::resizeEvent(event);
 }
 

@@ -15,6 +15,7 @@ class CountTiles;
 class HoldButton;
 class ProductionHead;
 class ThemeSource;
+class UnitChecks;
 class UnitList;
 class VerdictView;
 namespace service {
@@ -65,6 +66,7 @@ private:
     QWidget *buildFoot();
     void askRecipe();
     void follow();
+    void followBench();
     void showRecipe(const ServiceView &view);
     void ended(const service::Visit &visit);
     void sound(int times);
@@ -83,6 +85,7 @@ private:
     QTimer m_renewal;
     QCheckBox *m_sound = nullptr;
     ProductionHead *m_head = nullptr;
+    UnitChecks *m_checks = nullptr;
     QLabel *m_motion = nullptr;
     VerdictView *m_verdict = nullptr;
     CountTiles *m_tiles = nullptr;

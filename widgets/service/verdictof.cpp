@@ -72,9 +72,15 @@ std::vector<Verdict::Fact> factsOf(const service::Visit &visit)
 {
     std::vector<Verdict::Fact> facts;
     if (!visit.from.empty() || !visit.to.empty())
-        facts.push_back({BenchText::tr("firmware"), versionsOf(visit), {}});
+        facts.push_back({BenchText::tr("firmware"), versionsOf(visit),
+            visit.to.empty()             ? QString()
+                : visit.from == visit.to ? BenchText::tr("was there already")
+                                         : BenchText::tr("it answers with it")});
     if (visit.parameters)
-        facts.push_back({BenchText::tr("parameters"), BenchText::tr("%1 equal").arg(*visit.parameters), {}});
+        facts.push_back({BenchText::tr("parameters"), BenchText::tr("%1 equal").arg(*visit.parameters),
+            BenchText::tr("read back")});
+    if (visit.snapshot)
+        facts.push_back({BenchText::tr("backup"), BenchText::tr("kept"), BenchText::tr("before the first write")});
     for (const service::TestValue &value : visit.test)
         facts.push_back({messageText(service::figureName(value.key)), valueOf(value),
             value.unusual ? BenchText::tr("unusual, %1").arg(boundsOf(value)) : boundsOf(value)});
@@ -147,6 +153,22 @@ QString nameOf(const QueueRow &row)
     return row.visit.serial.empty() ? qt(row.visit.device) : qt(row.visit.serial);
 }
 
+namespace {
+
+/// One dim line below what to do next.
+QString hintOf(const ServiceView &view, const QueueRow &row, Verdict::Kind kind)
+{
+    const bool numbers = view.matter && view.matter->recipe.number;
+    if (kind == Verdict::Kind::Failed)
+        return numbers && !row.visit.number ? BenchText::tr("It got no number: the next unit gets that one.")
+                                            : QString();
+    if (view.running)
+        return BenchText::tr("It starts by itself when it answers on %1.").arg(linksOf(view));
+    return BenchText::tr("Start serves the next unit.");
+}
+
+} // namespace
+
 Verdict verdictOf(const ServiceView &view, const std::vector<std::uint32_t> &setAside)
 {
     const QueueRow *row = running(view);
@@ -173,8 +195,7 @@ Verdict verdictOf(const ServiceView &view, const std::vector<std::uint32_t> &set
     verdict.next = verdict.kind == Verdict::Kind::Failed ? BenchText::tr("F5 tests again, F8 sets it aside")
         : view.running                                   ? BenchText::tr("Unplug, connect next")
                                                          : BenchText::tr("Safe to unplug");
-    if (view.running && verdict.kind != Verdict::Kind::Failed)
-        verdict.hint = BenchText::tr("It starts by itself when it answers on %1.").arg(linksOf(view));
+    verdict.hint = hintOf(view, *row, verdict.kind);
     return verdict;
 }
 

@@ -296,8 +296,9 @@ void VerdictView::paintEvent(QPaintEvent *)
     painter.drawRoundedRect(whole.adjusted(frame, frame, -frame, -frame), theme.u(4), theme.u(4));
     const int edge = theme.u(36);
     const int foot = m_verdict.next.isEmpty() ? 0 : theme.u(88);
-    const QRect inner = whole.adjusted(edge, theme.u(16), -edge, -foot - frame);
-    int y = paintHead(painter, inner, print) + theme.u(12);
+    const int spare = std::max(0, whole.height() - sizeHint().height()); // no empty half: all of it stands lower
+    const QRect inner = whole.adjusted(edge, theme.u(16) + spare / 4, -edge, -foot - frame);
+    int y = paintHead(painter, inner, print) + theme.u(12) + spare / 4;
     const QRect rest = inner.adjusted(0, y, 0, 0);
     if (m_verdict.kind == Kind::Working)
         paintProgress(painter, rest);
