@@ -61,9 +61,10 @@ SetPoint SetPointStream::glided(SetPoint setPoint, const Glide &glide)
 {
     const auto told = std::find_if(m_setPoints.begin(), m_setPoints.end(),
         [&setPoint](const SetPoint &known) { return known.axis == setPoint.axis && known.mode == setPoint.mode; });
-    const bool isTold = told != m_setPoints.end();
+    const auto isPlace = [](const SetPoint &known) { return !known.relative && !known.buffered; };
+    const bool isTold = told != m_setPoints.end() && isPlace(*told);
     const std::optional<double> from = isTold ? told->target : glide.from;
-    const bool jumps = !from || *from == setPoint.target || (isTold && glide.rate <= 0.0);
+    const bool jumps = !from || !isPlace(setPoint) || *from == setPoint.target || (isTold && glide.rate <= 0.0);
     if (jumps || !isTold)
         m_glides.erase(setPoint.axis);
     if (jumps)

@@ -286,6 +286,21 @@ TEST_F(StreamLimits, AGlideThatIsOnItsWayEndsWithAJumpAndWithAnotherMode)
     EXPECT_NEAR(stream.setPoint().target, 50.0, 1e-9);
 }
 
+TEST_F(StreamLimits, AGlideAfterADistanceOrATargetThatWaitsBeginsWhereTheMotorIs)
+{
+    for (const bool waits : {false, true}) {
+        SetPoint before = setPointTo(0.0, Mode::Position);
+        before.relative = !waits; // holds where it is
+        before.buffered = waits;
+        ASSERT_TRUE(stream.start(before, 10s));
+        ASSERT_TRUE(stream.update(setPointTo(5200.0, Mode::Position), {1000.0, 5000.0}));
+        EXPECT_EQ(stream.setPoint().target, 5000.0);
+        clock.advance(100ms);
+        EXPECT_NEAR(stream.setPoint().target, 5100.0, 1e-6);
+        stream.stop();
+    }
+}
+
 TEST_F(StreamLimits, NoRateJumpsFromWhatItWasToldAndTheSameTargetIsNoGlide)
 {
     ASSERT_TRUE(stream.start(setPointTo(0.5), 10s, {1.0, 0.5}));

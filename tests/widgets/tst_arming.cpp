@@ -28,6 +28,7 @@ private Q_SLOTS:
     void anExperimentThatEndsIsNoEndOfWhatAnotherUnitDoes();
     void whoAsksForAnExperimentThatCannotBeginIsAnswered();
     void aRunThatWaitsForAWriteDoesNotOutliveAStop();
+    void anAxisThatIsRefusedIsNoEndOfWhatAnotherDoes();
     void theBatteryIsWhatThePageSaysWhenItIsRun();
     void silenceAndARestartEndAnArming_data();
     void silenceAndARestartEndAnArming();
@@ -217,6 +218,25 @@ void TestArming::aRunThatWaitsForAWriteDoesNotOutliveAStop()
     const auto finished = bench.workbench.given<orders::WriteParameters>().back().finished;
     finished({});
     QVERIFY(bench.workbench.given<orders::StartMotion>().empty());
+}
+
+void TestArming::anAxisThatIsRefusedIsNoEndOfWhatAnotherDoes()
+{
+    TuneBench bench;
+    bench.arm();
+    SetPoint setPoint;
+    setPoint.mode = Mode::Velocity;
+    setPoint.target = 1000.0;
+    bench.arming.run(setPoint);
+    setPoint.axis = 2;
+    bench.arming.run(setPoint);
+    const auto another = bench.workbench.given<orders::UpdateMotion>().back().finished;
+    another(fail(Fault::OutOfRange, say("too fast")));
+    QVERIFY(bench.arming.isMoving());
+    const auto first = bench.workbench.given<orders::StartMotion>().back().finished;
+    first(fail(Fault::OutOfRange, say("too fast")));
+    QVERIFY(!bench.arming.isMoving());
+    QVERIFY(bench.arming.isArmed({1}));
 }
 
 void TestArming::theBatteryIsWhatThePageSaysWhenItIsRun()

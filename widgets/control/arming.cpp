@@ -204,11 +204,12 @@ void Arming::run(const SetPoint &setPoint, const Glide &glide)
     if (!isArmed(m_device) || isOnTrial(m_device))
         return;
     m_setPoint = setPoint;
-    const auto finished = [self = QPointer<Arming>(this)](const Result<void> &result) {
+    const bool begins = m_state != LampState::Moving;
+    const auto finished = [self = QPointer<Arming>(this), begins](const Result<void> &result) {
         if (self && !result)
-            self->refused(result.error());
+            self->refused(result.error(), begins);
     };
-    if (m_state == LampState::Moving) {
+    if (!begins) {
         m_workbench.send(orders::UpdateMotion{m_device, setPoint, glide}, finished);
         return;
     }
@@ -217,10 +218,10 @@ void Arming::run(const SetPoint &setPoint, const Glide &glide)
     m_workbench.send(orders::StartMotion{m_device, setPoint, LeaseRenewal::term, glide}, finished);
 }
 
-void Arming::refused(const Error &error)
+void Arming::refused(const Error &error, bool isStart)
 {
     m_workbench.report(Severity::Danger, titleIn(m_workbench.snapshot(), m_device), errorText(error));
-    if (!m_started && m_state == LampState::Moving)
+    if (isStart && !m_started && m_state == LampState::Moving)
         enter(LampState::Armed);
 }
 

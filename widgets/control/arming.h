@@ -75,7 +75,8 @@ private:
     /// `order` is of the armed device.
     template <class O, class T>
     void runExperiment(O order, Mode mode, int axis, std::function<void(const Result<T> &)> finished);
-    void refused(const Error &error);
+    /// `isStart`: what was refused is the start of the motion, not another order to it.
+    void refused(const Error &error, bool isStart);
     /// An error: nothing has moved.
     void trialEnded(DeviceId device, const Result<TrialEnding> &ending);
     void stop(StopCause cause, const QString &reason);

@@ -199,7 +199,7 @@ void TuneMotion::followForeignRun(const DeviceView &view)
     const bool moving = m_arming.isMoving() && m_arming.device() == view.id && view.motion.running;
     const SetPoint *const told = m_choices.axis() > 0 ? view.motion.on(m_choices.axis()) : &view.motion.setPoint;
     const TuneChoice &chosen = *m_choices.current();
-    if (!moving || !told || chosen.ours || told->mode != chosen.mode)
+    if (!moving || !told || told->relative || chosen.ours || told->mode != chosen.mode)
         return;
     if (panel.target() != told->target)
         panel.showTarget(told->target);
@@ -230,7 +230,10 @@ QString TuneMotion::describe(const SetPoint &setPoint) const
     const int decimals = number == std::round(number) ? 0 : unit.scale == 1.0 && unit.decimals == 0 ? 0 : 1;
     const QString target
         = setPoint.mode == Mode::Follow ? QStringLiteral("#%1").arg(number) : formatValue(number, decimals, unit.text);
-    const QString what = modeText(setPoint.mode) + QLatin1Char(' ') + target;
+    const QString mode = modeText(setPoint.mode);
+    const QString what = !setPoint.relative ? mode + QLatin1Char(' ') + target
+        : setPoint.target == 0.0            ? tr("%1: holds").arg(mode)
+                                            : tr("%1 by %2").arg(mode, target);
     const DeviceView *const view = m_choices.device();
     if (m_choices.axis() > 0)
         return tr("axis %1: %2").arg(setPoint.axis).arg(what);
