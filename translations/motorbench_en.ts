@@ -121,10 +121,10 @@
 <context>
     <name>mb::TimelineList</name>
     <message numerus="yes">
-        <source>%n differ from A</source>
+        <source>%n differ</source>
         <translation>
-            <numerusform>%n differs from A</numerusform>
-            <numerusform>%n differ from A</numerusform>
+            <numerusform>%n differs</numerusform>
+            <numerusform>%n differ</numerusform>
         </translation>
     </message>
 </context>
@@ -135,6 +135,16 @@
         <translation>
             <numerusform>%n, every run is kept</numerusform>
             <numerusform>%n, every run is kept</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mb::UnitStates</name>
+    <message numerus="yes">
+        <source>%n values</source>
+        <translation>
+            <numerusform>%n value</numerusform>
+            <numerusform>%n values</numerusform>
         </translation>
     </message>
 </context>
