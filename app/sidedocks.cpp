@@ -11,12 +11,14 @@
 #include <QScrollArea>
 #include <QScrollBar>
 
+#include <algorithm>
 #include <utility>
 
 namespace mb {
 namespace {
 
-constexpr int roomyWidth = 1024; ///< for devices, a page and the inspector beside each other
+constexpr int widestInspector = 248; ///< at first
+constexpr int roomyWidth = 1024;     ///< for devices, a page and the inspector beside each other
 
 } // namespace
 
@@ -84,7 +86,8 @@ void SideDocks::buildInspector(Selection &selection, const ThemeSource &theme)
     for (QWidget *part : inspector->findChildren<QWidget *>())
         part->ensurePolished();    // what a button needs depends on the style sheet
     inspector->setMinimumWidth(1); // long words of one device are elided, and hold nothing wide
-    scroll->setMinimumWidth(inspector->sizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
+    scroll->setMinimumWidth(std::min(inspector->sizeHint().width(), theme.theme().u(widestInspector))
+        + scroll->verticalScrollBar()->sizeHint().width());
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
 }
 

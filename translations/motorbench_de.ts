@@ -1960,6 +1960,17 @@
     </message>
 </context>
 <context>
+    <name>mb::AxisCells</name>
+    <message>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>Shows this axis in Parameters, Tune and Plots</source>
+        <translation>Zeigt diese Achse in Parameter, Regler und Kurven</translation>
+    </message>
+</context>
+<context>
     <name>mb::AxisChoice</name>
     <message>
         <source>Which axis</source>
@@ -3180,10 +3191,6 @@
         <translation>Drehzahl</translation>
     </message>
     <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
-    </message>
-    <message>
         <source>current</source>
         <translation>Strom</translation>
     </message>
@@ -3214,6 +3221,22 @@
     <message>
         <source>%1 Hz   lost %2</source>
         <translation>%1 Hz   verloren %2</translation>
+    </message>
+    <message>
+        <source>cnt/s</source>
+        <translation>cnt/s</translation>
+    </message>
+    <message>
+        <source>cnt</source>
+        <translation>cnt</translation>
+    </message>
+    <message>
+        <source>no watchdog</source>
+        <translation>kein Watchdog</translation>
+    </message>
+    <message>
+        <source>It keeps its last set-point if this program dies. A second process beside it, the guardian, stops it then.</source>
+        <translation>Es behält seinen letzten Sollwert, wenn dieses Programm abstürzt. Ein zweiter Prozess daneben, der Wächter, hält es dann an.</translation>
     </message>
 </context>
 <context>
@@ -3392,16 +3415,24 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>Einheit</translation>
     </message>
     <message>
-        <source>note</source>
-        <translation>Hinweis</translation>
-    </message>
-    <message>
         <source>belongs to one unit, copied only if you tick it</source>
         <translation>gehört zu einem Gerät, wird nur kopiert, wenn es angehakt ist</translation>
     </message>
     <message>
         <source>assumed: it cannot be read</source>
         <translation>angenommen: nicht lesbar</translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>This unit</source>
+        <translation>Dieses Gerät</translation>
+    </message>
+    <message>
+        <source>%1 of %2 differ</source>
+        <translation>%1 von %2 verschieden</translation>
     </message>
 </context>
 <context>
@@ -3915,6 +3946,10 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <source>%1 = %2, bits %3</source>
         <translation>%1 = %2, Bits %3</translation>
     </message>
+    <message>
+        <source>%1 bytes</source>
+        <translation>%1 Byte</translation>
+    </message>
 </context>
 <context>
     <name>mb::FrameModel</name>
@@ -4390,6 +4425,26 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>Restore %1</source>
         <translation>%1 zurückschreiben</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitachse</translation>
+    </message>
+    <message>
+        <source>differences from A</source>
+        <translation>Unterschiede zu A</translation>
+    </message>
+    <message>
+        <source>Click sets B, Shift+click sets A.</source>
+        <translation>Klick setzt B, Umschalt+Klick setzt A.</translation>
+    </message>
+    <message>
+        <source>Exchange A and B</source>
+        <translation>A und B vertauschen</translation>
+    </message>
+    <message>
+        <source>Copy as text</source>
+        <translation>Als Text kopieren</translation>
     </message>
 </context>
 <context>
@@ -5514,6 +5569,10 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>round trip</source>
         <translation>Umlaufzeit</translation>
+    </message>
+    <message>
+        <source>Load of the last minute</source>
+        <translation>Auslastung der letzten Minute</translation>
     </message>
 </context>
 <context>
@@ -9591,13 +9650,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>like A</source>
         <translation>wie A</translation>
     </message>
-    <message numerus="yes">
-        <source>%n differ from A</source>
-        <translation>
-            <numerusform>%n anders als A</numerusform>
-            <numerusform>%n anders als A</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
@@ -9613,6 +9665,17 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>put back: %1</source>
         <translation>zurückgeschrieben: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n differ</source>
+        <translation>
+            <numerusform>%n verschieden</numerusform>
+            <numerusform>%n verschieden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Always there</source>
+        <translation>Immer da</translation>
     </message>
 </context>
 <context>
@@ -10942,6 +11005,29 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>factory defaults</source>
         <translation>Werkseinstellungen</translation>
+    </message>
+    <message>
+        <source>live</source>
+        <translation>aktuell</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n values</source>
+        <translation>
+            <numerusform>%n Wert</numerusform>
+            <numerusform>%n Werte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>by hand, %1</source>
+        <translation>von Hand, %1</translation>
+    </message>
+    <message>
+        <source>automatic, %1</source>
+        <translation>automatisch, %1</translation>
+    </message>
+    <message>
+        <source>from the device description</source>
+        <translation>aus der Gerätebeschreibung</translation>
     </message>
 </context>
 <context>

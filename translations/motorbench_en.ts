@@ -134,6 +134,13 @@
             <numerusform>%n differ from A</numerusform>
         </translation>
     </message>
+<message numerus="yes">
+        <source>%n differ</source>
+        <translation>
+            <numerusform>%n differs</numerusform>
+            <numerusform>%n differ</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>mb::TrialList</name>
@@ -152,6 +159,16 @@
         <translation>
             <numerusform>%n unit answers</numerusform>
             <numerusform>%n units answer, one at a time</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mb::UnitStates</name>
+    <message numerus="yes">
+        <source>%n values</source>
+        <translation>
+            <numerusform>%n value</numerusform>
+            <numerusform>%n values</numerusform>
         </translation>
     </message>
 </context>

@@ -1960,6 +1960,17 @@
     </message>
 </context>
 <context>
+    <name>mb::AxisCells</name>
+    <message>
+        <source>Axes</source>
+        <translation>Ejes</translation>
+    </message>
+    <message>
+        <source>Shows this axis in Parameters, Tune and Plots</source>
+        <translation>Muestra este eje en Parámetros, Ajuste y Gráficas</translation>
+    </message>
+</context>
+<context>
     <name>mb::AxisChoice</name>
     <message>
         <source>Which axis</source>
@@ -3180,10 +3191,6 @@
         <translation>velocidad</translation>
     </message>
     <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
-    </message>
-    <message>
         <source>current</source>
         <translation>corriente</translation>
     </message>
@@ -3214,6 +3221,22 @@
     <message>
         <source>%1 Hz   lost %2</source>
         <translation>%1 Hz   perdidas %2</translation>
+    </message>
+    <message>
+        <source>cnt/s</source>
+        <translation>cnt/s</translation>
+    </message>
+    <message>
+        <source>cnt</source>
+        <translation>cnt</translation>
+    </message>
+    <message>
+        <source>no watchdog</source>
+        <translation>sin watchdog</translation>
+    </message>
+    <message>
+        <source>It keeps its last set-point if this program dies. A second process beside it, the guardian, stops it then.</source>
+        <translation>Conserva su última consigna si este programa se cierra. Un segundo proceso, el vigilante, lo detiene entonces.</translation>
     </message>
 </context>
 <context>
@@ -3392,16 +3415,24 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <translation>unidad</translation>
     </message>
     <message>
-        <source>note</source>
-        <translation>nota</translation>
-    </message>
-    <message>
         <source>belongs to one unit, copied only if you tick it</source>
         <translation>propio de un equipo, solo se copia si se marca</translation>
     </message>
     <message>
         <source>assumed: it cannot be read</source>
         <translation>supuesto: no se puede leer</translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation>estado</translation>
+    </message>
+    <message>
+        <source>This unit</source>
+        <translation>Esta unidad</translation>
+    </message>
+    <message>
+        <source>%1 of %2 differ</source>
+        <translation>%1 de %2 distintos</translation>
     </message>
 </context>
 <context>
@@ -3915,6 +3946,10 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <source>%1 = %2, bits %3</source>
         <translation>%1 = %2, bits %3</translation>
     </message>
+    <message>
+        <source>%1 bytes</source>
+        <translation>%1 bytes</translation>
+    </message>
 </context>
 <context>
     <name>mb::FrameModel</name>
@@ -4390,6 +4425,26 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     <message>
         <source>Restore %1</source>
         <translation>Restaurar %1</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Cronología</translation>
+    </message>
+    <message>
+        <source>differences from A</source>
+        <translation>diferencias con A</translation>
+    </message>
+    <message>
+        <source>Click sets B, Shift+click sets A.</source>
+        <translation>Clic fija B, Mayús+clic fija A.</translation>
+    </message>
+    <message>
+        <source>Exchange A and B</source>
+        <translation>Intercambiar A y B</translation>
+    </message>
+    <message>
+        <source>Copy as text</source>
+        <translation>Copiar como texto</translation>
     </message>
 </context>
 <context>
@@ -5514,6 +5569,10 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     <message>
         <source>round trip</source>
         <translation>ida y vuelta</translation>
+    </message>
+    <message>
+        <source>Load of the last minute</source>
+        <translation>Carga del último minuto</translation>
     </message>
 </context>
 <context>
@@ -9591,13 +9650,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>like A</source>
         <translation>como A</translation>
     </message>
-    <message numerus="yes">
-        <source>%n differ from A</source>
-        <translation>
-            <numerusform>%n difiere de A</numerusform>
-            <numerusform>%n difieren de A</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
@@ -9613,6 +9665,17 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>put back: %1</source>
         <translation>restituido: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n differ</source>
+        <translation>
+            <numerusform>%n distinto</numerusform>
+            <numerusform>%n distintos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Always there</source>
+        <translation>Siempre disponible</translation>
     </message>
 </context>
 <context>
@@ -10942,6 +11005,29 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>factory defaults</source>
         <translation>valores de fábrica</translation>
+    </message>
+    <message>
+        <source>live</source>
+        <translation>en vivo</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n values</source>
+        <translation>
+            <numerusform>%n valor</numerusform>
+            <numerusform>%n valores</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>by hand, %1</source>
+        <translation>a mano, %1</translation>
+    </message>
+    <message>
+        <source>automatic, %1</source>
+        <translation>automático, %1</translation>
+    </message>
+    <message>
+        <source>from the device description</source>
+        <translation>de la descripción del dispositivo</translation>
     </message>
 </context>
 <context>

@@ -1960,6 +1960,17 @@
     </message>
 </context>
 <context>
+    <name>mb::AxisCells</name>
+    <message>
+        <source>Axes</source>
+        <translation>Axes</translation>
+    </message>
+    <message>
+        <source>Shows this axis in Parameters, Tune and Plots</source>
+        <translation>Affiche cet axe dans Paramètres, Réglage et Courbes</translation>
+    </message>
+</context>
+<context>
     <name>mb::AxisChoice</name>
     <message>
         <source>Which axis</source>
@@ -3180,10 +3191,6 @@
         <translation>vitesse</translation>
     </message>
     <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
-    </message>
-    <message>
         <source>current</source>
         <translation>courant</translation>
     </message>
@@ -3214,6 +3221,22 @@
     <message>
         <source>%1 Hz   lost %2</source>
         <translation>%1 Hz   perdus %2</translation>
+    </message>
+    <message>
+        <source>cnt/s</source>
+        <translation>cnt/s</translation>
+    </message>
+    <message>
+        <source>cnt</source>
+        <translation>cnt</translation>
+    </message>
+    <message>
+        <source>no watchdog</source>
+        <translation>sans chien de garde</translation>
+    </message>
+    <message>
+        <source>It keeps its last set-point if this program dies. A second process beside it, the guardian, stops it then.</source>
+        <translation>Il garde sa dernière consigne si ce programme s’arrête. Un second processus, le gardien, l’arrête alors.</translation>
     </message>
 </context>
 <context>
@@ -3392,16 +3415,24 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <translation>unité</translation>
     </message>
     <message>
-        <source>note</source>
-        <translation>remarque</translation>
-    </message>
-    <message>
         <source>belongs to one unit, copied only if you tick it</source>
         <translation>propre à un appareil, copié seulement si vous le cochez</translation>
     </message>
     <message>
         <source>assumed: it cannot be read</source>
         <translation>supposé&#xa0;: lecture impossible</translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation>état</translation>
+    </message>
+    <message>
+        <source>This unit</source>
+        <translation>Cet appareil</translation>
+    </message>
+    <message>
+        <source>%1 of %2 differ</source>
+        <translation>%1 sur %2 diffèrent</translation>
     </message>
 </context>
 <context>
@@ -3915,6 +3946,10 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <source>%1 = %2, bits %3</source>
         <translation>%1 = %2, bits %3</translation>
     </message>
+    <message>
+        <source>%1 bytes</source>
+        <translation>%1 octets</translation>
+    </message>
 </context>
 <context>
     <name>mb::FrameModel</name>
@@ -4390,6 +4425,26 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     <message>
         <source>Restore %1</source>
         <translation>Restaurer %1</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Chronologie</translation>
+    </message>
+    <message>
+        <source>differences from A</source>
+        <translation>différences avec A</translation>
+    </message>
+    <message>
+        <source>Click sets B, Shift+click sets A.</source>
+        <translation>Clic&#xa0;: B, Maj+clic&#xa0;: A.</translation>
+    </message>
+    <message>
+        <source>Exchange A and B</source>
+        <translation>Échanger A et B</translation>
+    </message>
+    <message>
+        <source>Copy as text</source>
+        <translation>Copier en texte</translation>
     </message>
 </context>
 <context>
@@ -5514,6 +5569,10 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     <message>
         <source>round trip</source>
         <translation>aller-retour</translation>
+    </message>
+    <message>
+        <source>Load of the last minute</source>
+        <translation>Charge de la dernière minute</translation>
     </message>
 </context>
 <context>
@@ -9591,13 +9650,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>like A</source>
         <translation>comme A</translation>
     </message>
-    <message numerus="yes">
-        <source>%n differ from A</source>
-        <translation>
-            <numerusform>%n diffère de A</numerusform>
-            <numerusform>%n diffèrent de A</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
@@ -9613,6 +9665,17 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>put back: %1</source>
         <translation>rétabli&#xa0;: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n differ</source>
+        <translation>
+            <numerusform>%n diffère</numerusform>
+            <numerusform>%n diffèrent</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Always there</source>
+        <translation>Toujours disponible</translation>
     </message>
 </context>
 <context>
@@ -10942,6 +11005,29 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>factory defaults</source>
         <translation>réglages d’usine</translation>
+    </message>
+    <message>
+        <source>live</source>
+        <translation>en direct</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n values</source>
+        <translation>
+            <numerusform>%n valeur</numerusform>
+            <numerusform>%n valeurs</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>by hand, %1</source>
+        <translation>à la main, %1</translation>
+    </message>
+    <message>
+        <source>automatic, %1</source>
+        <translation>automatique, %1</translation>
+    </message>
+    <message>
+        <source>from the device description</source>
+        <translation>de la description de l’appareil</translation>
     </message>
 </context>
 <context>

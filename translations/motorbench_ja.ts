@@ -1959,6 +1959,17 @@
     </message>
 </context>
 <context>
+    <name>mb::AxisCells</name>
+    <message>
+        <source>Axes</source>
+        <translation>軸</translation>
+    </message>
+    <message>
+        <source>Shows this axis in Parameters, Tune and Plots</source>
+        <translation>この軸をパラメータ、調整、プロットに表示します</translation>
+    </message>
+</context>
+<context>
     <name>mb::AxisChoice</name>
     <message>
         <source>Which axis</source>
@@ -3178,10 +3189,6 @@
         <translation>速度</translation>
     </message>
     <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
-    </message>
-    <message>
         <source>current</source>
         <translation>電流</translation>
     </message>
@@ -3212,6 +3219,22 @@
     <message>
         <source>%1 Hz   lost %2</source>
         <translation>%1 Hz   欠落 %2</translation>
+    </message>
+    <message>
+        <source>cnt/s</source>
+        <translation>cnt/s</translation>
+    </message>
+    <message>
+        <source>cnt</source>
+        <translation>cnt</translation>
+    </message>
+    <message>
+        <source>no watchdog</source>
+        <translation>ウォッチドッグなし</translation>
+    </message>
+    <message>
+        <source>It keeps its last set-point if this program dies. A second process beside it, the guardian, stops it then.</source>
+        <translation>このプログラムが停止しても最後の目標値を保持します。その場合は別プロセスの監視プロセスが停止させます。</translation>
     </message>
 </context>
 <context>
@@ -3390,16 +3413,24 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>単位</translation>
     </message>
     <message>
-        <source>note</source>
-        <translation>備考</translation>
-    </message>
-    <message>
         <source>belongs to one unit, copied only if you tick it</source>
         <translation>この機器固有の値です。チェックした場合だけコピーされます</translation>
     </message>
     <message>
         <source>assumed: it cannot be read</source>
         <translation>推定: 読出し不可</translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation>状態</translation>
+    </message>
+    <message>
+        <source>This unit</source>
+        <translation>この機器</translation>
+    </message>
+    <message>
+        <source>%1 of %2 differ</source>
+        <translation>%2 件中 %1 件が異なる</translation>
     </message>
 </context>
 <context>
@@ -3913,6 +3944,10 @@ Double click or Enter plots it; drag it to a plot.</source>
         <source>%1 = %2, bits %3</source>
         <translation>%1 = %2、ビット %3</translation>
     </message>
+    <message>
+        <source>%1 bytes</source>
+        <translation>%1 バイト</translation>
+    </message>
 </context>
 <context>
     <name>mb::FrameModel</name>
@@ -4385,6 +4420,26 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>Restore %1</source>
         <translation>%1 を復元</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>履歴</translation>
+    </message>
+    <message>
+        <source>differences from A</source>
+        <translation>A との差</translation>
+    </message>
+    <message>
+        <source>Click sets B, Shift+click sets A.</source>
+        <translation>クリックで B、Shift+クリックで A。</translation>
+    </message>
+    <message>
+        <source>Exchange A and B</source>
+        <translation>A と B を入れ替え</translation>
+    </message>
+    <message>
+        <source>Copy as text</source>
+        <translation>テキストとしてコピー</translation>
     </message>
 </context>
 <context>
@@ -5506,6 +5561,10 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>round trip</source>
         <translation>往復時間</translation>
+    </message>
+    <message>
+        <source>Load of the last minute</source>
+        <translation>直近 1 分間の負荷</translation>
     </message>
 </context>
 <context>
@@ -9578,12 +9637,6 @@ double click plots it, drag it to a pane or below them</source>
         <source>like A</source>
         <translation>A と同じ</translation>
     </message>
-    <message numerus="yes">
-        <source>%n differ from A</source>
-        <translation>
-            <numerusform>A と %n 個相違</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1, %2</source>
         <translation>%1、%2</translation>
@@ -9599,6 +9652,16 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>put back: %1</source>
         <translation>復元: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n differ</source>
+        <translation>
+            <numerusform>%n 件異なる</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Always there</source>
+        <translation>常時利用可能</translation>
     </message>
 </context>
 <context>
@@ -10926,6 +10989,28 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>factory defaults</source>
         <translation>工場出荷時の値</translation>
+    </message>
+    <message>
+        <source>live</source>
+        <translation>現在値</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n values</source>
+        <translation>
+            <numerusform>%n 個の値</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>by hand, %1</source>
+        <translation>手動、%1</translation>
+    </message>
+    <message>
+        <source>automatic, %1</source>
+        <translation>自動、%1</translation>
+    </message>
+    <message>
+        <source>from the device description</source>
+        <translation>機器の記述による</translation>
     </message>
 </context>
 <context>

@@ -1959,6 +1959,17 @@
     </message>
 </context>
 <context>
+    <name>mb::AxisCells</name>
+    <message>
+        <source>Axes</source>
+        <translation>轴</translation>
+    </message>
+    <message>
+        <source>Shows this axis in Parameters, Tune and Plots</source>
+        <translation>在“参数”、“整定”和“曲线图”中显示此轴</translation>
+    </message>
+</context>
+<context>
     <name>mb::AxisChoice</name>
     <message>
         <source>Which axis</source>
@@ -3178,10 +3189,6 @@
         <translation>速度</translation>
     </message>
     <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
-    </message>
-    <message>
         <source>current</source>
         <translation>电流</translation>
     </message>
@@ -3212,6 +3219,22 @@
     <message>
         <source>%1 Hz   lost %2</source>
         <translation>%1 Hz   丢失 %2</translation>
+    </message>
+    <message>
+        <source>cnt/s</source>
+        <translation>cnt/s</translation>
+    </message>
+    <message>
+        <source>cnt</source>
+        <translation>cnt</translation>
+    </message>
+    <message>
+        <source>no watchdog</source>
+        <translation>无看门狗</translation>
+    </message>
+    <message>
+        <source>It keeps its last set-point if this program dies. A second process beside it, the guardian, stops it then.</source>
+        <translation>如果本程序终止，它会保持最后的设定值。届时由旁边的第二个进程（守护进程）将其停止。</translation>
     </message>
 </context>
 <context>
@@ -3390,16 +3413,24 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>单位</translation>
     </message>
     <message>
-        <source>note</source>
-        <translation>备注</translation>
-    </message>
-    <message>
         <source>belongs to one unit, copied only if you tick it</source>
         <translation>属于单个设备，仅在勾选时复制</translation>
     </message>
     <message>
         <source>assumed: it cannot be read</source>
         <translation>假定：无法读取</translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>This unit</source>
+        <translation>此设备</translation>
+    </message>
+    <message>
+        <source>%1 of %2 differ</source>
+        <translation>%2 项中 %1 项不同</translation>
     </message>
 </context>
 <context>
@@ -3913,6 +3944,10 @@ Double click or Enter plots it; drag it to a plot.</source>
         <source>%1 = %2, bits %3</source>
         <translation>%1 = %2，位 %3</translation>
     </message>
+    <message>
+        <source>%1 bytes</source>
+        <translation>%1 字节</translation>
+    </message>
 </context>
 <context>
     <name>mb::FrameModel</name>
@@ -4385,6 +4420,26 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>Restore %1</source>
         <translation>恢复 %1</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>时间线</translation>
+    </message>
+    <message>
+        <source>differences from A</source>
+        <translation>与 A 的差异</translation>
+    </message>
+    <message>
+        <source>Click sets B, Shift+click sets A.</source>
+        <translation>单击设置 B，Shift+单击设置 A。</translation>
+    </message>
+    <message>
+        <source>Exchange A and B</source>
+        <translation>交换 A 和 B</translation>
+    </message>
+    <message>
+        <source>Copy as text</source>
+        <translation>复制为文本</translation>
     </message>
 </context>
 <context>
@@ -5506,6 +5561,10 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>round trip</source>
         <translation>往返时间</translation>
+    </message>
+    <message>
+        <source>Load of the last minute</source>
+        <translation>最近一分钟的负载</translation>
     </message>
 </context>
 <context>
@@ -9578,12 +9637,6 @@ double click plots it, drag it to a pane or below them</source>
         <source>like A</source>
         <translation>同 A</translation>
     </message>
-    <message numerus="yes">
-        <source>%n differ from A</source>
-        <translation>
-            <numerusform>%n 项与 A 不同</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1, %2</source>
         <translation>%1，%2</translation>
@@ -9599,6 +9652,16 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>put back: %1</source>
         <translation>已恢复：%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n differ</source>
+        <translation>
+            <numerusform>%n 项不同</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Always there</source>
+        <translation>始终可用</translation>
     </message>
 </context>
 <context>
@@ -10926,6 +10989,28 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>factory defaults</source>
         <translation>出厂默认值</translation>
+    </message>
+    <message>
+        <source>live</source>
+        <translation>实时</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n values</source>
+        <translation>
+            <numerusform>%n 个值</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>by hand, %1</source>
+        <translation>手动，%1</translation>
+    </message>
+    <message>
+        <source>automatic, %1</source>
+        <translation>自动，%1</translation>
+    </message>
+    <message>
+        <source>from the device description</source>
+        <translation>来自设备描述</translation>
     </message>
 </context>
 <context>

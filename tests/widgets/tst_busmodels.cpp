@@ -24,6 +24,7 @@ private Q_SLOTS:
     void frozenRowsStayWhileFramesAreKept();
     void searchFindsBothWays();
     void bytesOfASerialLineHaveRowsToo();
+    void packetsOfABoardAreDecodedWithWhatTheyAnswer();
     void errorFramesHaveRows();
     void aDialectDecidesHowADeviceIsRead();
     void aVoltageLogIsOfTheDriveThatWasAsked();
@@ -213,6 +214,30 @@ void BusModelsTest::bytesOfASerialLineHaveRowsToo()
     QCOMPARE(model.rowCount(), 0);
     QCOMPARE(QString::fromStdString(trafficLine(model.kept().front().record, "ttyUSB0", 1000ms)),
         QStringLiteral("(0000001001.000000) ttyUSB0 tx 5504FF"));
+}
+
+void BusModelsTest::packetsOfABoardAreDecodedWithWhatTheyAnswer()
+{
+    FakeTraffic traffic;
+    FrameModel model(m_theme);
+    model.setSource(traffic.log, LinkKind::Spi);
+    const std::array<std::uint8_t, 4> question{0x02, 0x04, 0x01, 0xF9};
+    const std::array<std::uint8_t, 12> answer{0x02, 0x08, 0x01, 0x00, 0x01, 0x03, 0x01, 0xF0, 0x00, 0x00, 0x00, 0x00};
+    for (int i = 0; i < 2; ++i) {
+        traffic.now += 10ms;
+        traffic.log->append(Direction::Sent, traffic.now, question);
+        traffic.log->append(Direction::Received, traffic.now, answer);
+    }
+    model.fetch();
+    QCOMPARE(model.rowCount(), 4);
+    QCOMPARE(cell(model, 0, FrameModel::Message), QStringLiteral("get version"));
+    QCOMPARE(cell(model, 1, FrameModel::Message), QStringLiteral("get version"));
+    const QString fields = cell(model, 1, FrameModel::Decoded);
+    QVERIFY2(
+        fields.contains(QStringLiteral("major=1")) && fields.contains(QStringLiteral("minor=3")), qPrintable(fields));
+    QCOMPARE(cell(model, 3, FrameModel::Delta), QStringLiteral("10.0"));
+    model.setFilter(FrameFilter(QStringLiteral("message:get* is:rx")));
+    QCOMPARE(model.rowCount(), 2);
 }
 
 void BusModelsTest::errorFramesHaveRows()

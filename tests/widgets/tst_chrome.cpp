@@ -37,6 +37,7 @@ private Q_SLOTS:
     void segmentedMovesByArrowKeys();
     void theWorstNoticeStandsAndTheOthersAreCounted();
     void pagesThatHaveNoRoomCanBeReached();
+    void pagesStandCloserBeforeTheLastOneIsHidden();
     void theStripeGivesWayAtOnceToANotice();
     void aBannerThatPersistsDoesNotPileUp();
     void aDismissedBannerStaysSilentUntilItsConditionEnds();
@@ -208,6 +209,26 @@ void ChromeTest::pagesThatHaveNoRoomCanBeReached()
         QVERIFY(button->isVisible() && tabs->rect().contains(button->geometry()));
     tabs->setCurrentIndex(6);
     QVERIFY(tabs->rect().contains(tabs->tabRect(6)));
+}
+
+void ChromeTest::pagesStandCloserBeforeTheLastOneIsHidden()
+{
+    PageTabs tabs(m_theme);
+    for (const char *title :
+        {"Übersicht", "Parameter", "Regler", "Entwurf", "Kurven", "Firmware", "Bus", "Protokoll", "Berichte"})
+        tabs.addTab(QString::fromUtf8(title));
+    tabs.resize(1400, 36);
+    tabs.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&tabs));
+    const int wide = tabs.tabRect(8).right();
+    tabs.resize(wide - 60, 36);
+    QCoreApplication::processEvents();
+    QVERIFY2(tabs.tabRect(8).right() < tabs.width(), qPrintable(QString::number(tabs.tabRect(8).right())));
+    for (const QToolButton *button : tabs.findChildren<QToolButton *>())
+        QVERIFY(!button->isVisible());
+    tabs.resize(1400, 36);
+    QCoreApplication::processEvents();
+    QCOMPARE(tabs.tabRect(8).right(), wide);
 }
 
 /// Without a turn of the event loop: as it is seen first.

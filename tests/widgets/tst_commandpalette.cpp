@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/windowtests.h"
+#include "widgets/common/applytheme.h"
 #include "widgets/common/commandpalette.h"
 #include "widgets/common/pagekeys.h"
 
@@ -20,7 +21,24 @@ private Q_SLOTS:
     void nothingRunsWhereNothingMatches();
     void aPagesKeysAreCommandsAndWhatIsOnlySaidIsNot();
     void buttonsThatCannotBePressedAreLeftOut();
+    void noRowIsCut();
 };
+
+void CommandPaletteTest::noRowIsCut()
+{
+    applyTheme(*qApp, darkTheme());
+    QWidget parent;
+    parent.resize(1280, 800);
+    std::vector<Command> commands;
+    for (int i = 0; i < 40; ++i)
+        commands.push_back({QStringLiteral("Command %1").arg(i), QStringLiteral("Page"), {}, [] {}});
+    auto *palette = new CommandPalette(std::move(commands), &parent);
+    palette->open();
+    QCoreApplication::processEvents();
+    const auto *list = palette->findChild<QListWidget *>();
+    QVERIFY2(list->viewport()->height() % list->sizeHintForRow(0) == 0,
+        qPrintable(QStringLiteral("%1 of %2").arg(list->viewport()->height()).arg(list->sizeHintForRow(0))));
+}
 
 void CommandPaletteTest::everyWordMustBeginAWordOfTheNameOrItsPlace()
 {

@@ -5,8 +5,12 @@
 
 #include "model/parameterfile.h"
 #include "model/unit.h"
+#include "widgets/common/clocktext.h"
+#include "widgets/parameters/differencedelegate.h"
 #include "widgets/parameters/historypanel.h"
+#include "widgets/parameters/timelinedelegate.h"
 
+#include <QClipboard>
 #include <QComboBox>
 #include <QTableWidget>
 
@@ -57,6 +61,9 @@ struct HistoryBench : ParameterBench {
         kept.family = "dmc60c";
         kept.serial = of.identity->serial;
         kept.name = name;
+        kept.count = static_cast<int>(of.parameters->size());
+        if (kept.name == "as found")
+            kept.occasion = settings::Occasion::Found;
         std::vector<ParameterIndex> all;
         for (std::uint16_t i = 0; i < of.parameters->size(); ++i)
             all.push_back({i});
@@ -75,12 +82,41 @@ struct HistoryBench : ParameterBench {
         return nullptr;
     }
     [[nodiscard]] QTableWidget *table() const { return page->history().findChild<QTableWidget *>(); }
+    /// Rows of parameters, without those of groups.
+    [[nodiscard]] std::vector<int> rows() const
+    {
+        std::vector<int> found;
+        for (int row = 0; row < table()->rowCount(); ++row) {
+            if (table()->item(row, 1))
+                found.push_back(row);
+        }
+        return found;
+    }
+    [[nodiscard]] int count() const { return static_cast<int>(rows().size()); }
     [[nodiscard]] QStringList column(int at) const
     {
         QStringList texts;
-        for (int row = 0; row < table()->rowCount(); ++row)
+        for (const int row : rows())
             texts << table()->item(row, at)->text();
         return texts;
+    }
+    /// The cell with the box of a parameter, by its key.
+    [[nodiscard]] QTableWidgetItem *tick(const char *key) const
+    {
+        for (const int row : rows()) {
+            if (table()->item(row, 1)->text() == QLatin1String(key))
+                return table()->item(row, 0);
+        }
+        return nullptr;
+    }
+    /// The row of a group, by what it says.
+    [[nodiscard]] QTableWidgetItem *group(const QString &title) const
+    {
+        for (int row = 0; row < table()->rowCount(); ++row) {
+            if (!table()->item(row, 1) && table()->item(row, 0)->text() == title)
+                return table()->item(row, 0);
+        }
+        return nullptr;
     }
     [[nodiscard]] QString timeline() const
     {
@@ -108,59 +144,175 @@ private Q_SLOTS:
     void undoTakesBackAnEditAndElseTheLastWrite();
     void aSnapshotIsTakenByItsKey();
     void historyKeyShowsAndHidesIt();
+    void valuesStandBelowTheirGroupsAndWhatBelongsToOneUnitLast();
+    void aGroupTicksItsRowsAndShowsHowManyAre();
+    void enterTicksTheRow();
+    void headsOfNumbersStandOverTheirNumbers();
+    void theTimelineSaysHowAStateCameAbout();
+    void aAndBAreExchanged();
+    void differencesAreCopiedAsText();
+    void aDayIsWrittenAsTheLanguageWritesIt();
 };
+
+void TestHistory::valuesStandBelowTheirGroupsAndWhatBelongsToOneUnitLast()
+{
+    HistoryBench bench;
+    QTRY_COMPARE(bench.count(), 3);
+    QStringList heads;
+    for (int row = 0; row < bench.table()->rowCount(); ++row) {
+        if (!bench.table()->item(row, 1))
+            heads << bench.table()->item(row, 0)->text();
+    }
+    QCOMPARE(heads, (QStringList{QStringLiteral("Loop, slot 1"), QStringLiteral("This unit")}));
+    QCOMPARE(
+        bench.group(QStringLiteral("Loop, slot 1"))->data(GroupNoteRole).toString(), QStringLiteral("2 of 11 differ"));
+    QVERIFY(bench.group(QStringLiteral("This unit"))
+                ->data(GroupNoteRole)
+                .toString()
+                .contains(QStringLiteral("belongs to one unit")));
+}
+
+void TestHistory::aGroupTicksItsRowsAndShowsHowManyAre()
+{
+    HistoryBench bench;
+    QTRY_COMPARE(bench.count(), 3);
+    QTableWidgetItem *group = bench.group(QStringLiteral("Loop, slot 1"));
+    QCOMPARE(group->checkState(), Qt::Checked);
+    bench.tick("slot1.p")->setCheckState(Qt::Unchecked);
+    QCOMPARE(group->checkState(), Qt::PartiallyChecked);
+    group->setCheckState(Qt::Checked);
+    QCOMPARE(bench.tick("slot1.p")->checkState(), Qt::Checked);
+    group->setCheckState(Qt::Unchecked);
+    QCOMPARE(bench.tick("slot1.p")->checkState(), Qt::Unchecked);
+    QVERIFY(!button(bench, QStringLiteral("Restore 0"))->isEnabled());
+    QVERIFY(!bench.group(QStringLiteral("This unit"))->flags().testFlag(Qt::ItemIsUserCheckable));
+    bench.tick("current.adc_multiplier")->setCheckState(Qt::Checked);
+    QVERIFY(!bench.group(QStringLiteral("This unit"))->flags().testFlag(Qt::ItemIsUserCheckable));
+}
+
+void TestHistory::enterTicksTheRow()
+{
+    HistoryBench bench;
+    QTRY_COMPARE(bench.count(), 3);
+    bench.table()->setFocus();
+    bench.table()->setCurrentItem(bench.tick("slot1.p"));
+    QTest::keyClick(bench.table(), Qt::Key_Return);
+    QCOMPARE(bench.tick("slot1.p")->checkState(), Qt::Unchecked);
+    QTest::keyClick(bench.table(), Qt::Key_Return);
+    QCOMPARE(bench.tick("slot1.p")->checkState(), Qt::Checked);
+}
+
+void TestHistory::headsOfNumbersStandOverTheirNumbers()
+{
+    HistoryBench bench;
+    for (const int column : {2, 3})
+        QVERIFY((bench.table()->horizontalHeaderItem(column)->textAlignment() & Qt::AlignRight) != 0);
+}
+
+void TestHistory::theTimelineSaysHowAStateCameAbout()
+{
+    HistoryBench bench;
+    QTRY_COMPARE(bench.count(), 3);
+    const auto *list = bench.page->history().findChild<TimelineList *>();
+    QStringList badges;
+    QStringList details;
+    for (int row = 0; row < list->count(); ++row) {
+        if (list->item(row)->data(PlaceRole).isValid()) {
+            badges << list->item(row)->data(BadgesRole).toString();
+            details << list->item(row)->data(DetailRole).toString();
+        }
+    }
+    QCOMPARE(badges, (QStringList{QStringLiteral("A"), QStringLiteral("B"), {}, {}}));
+    QCOMPARE(details.at(1), QStringLiteral("by hand, 55 values"));
+    QCOMPARE(details.at(2), QStringLiteral("automatic, 55 values"));
+    QVERIFY(bench.timeline().contains(QStringLiteral("Always there")));
+}
+
+void TestHistory::aAndBAreExchanged()
+{
+    HistoryBench bench;
+    QTRY_COMPARE(bench.count(), 3);
+    const QString a = bench.boxOf("State A")->currentText();
+    const QString b = bench.boxOf("State B")->currentText();
+    for (auto *button : bench.page->history().findChildren<QAbstractButton *>()) {
+        if (button->accessibleName() == QLatin1String("Exchange A and B"))
+            button->click();
+    }
+    QCOMPARE(bench.boxOf("State A")->currentText(), b);
+    QCOMPARE(bench.boxOf("State B")->currentText(), a);
+}
+
+void TestHistory::differencesAreCopiedAsText()
+{
+    HistoryBench bench;
+    QTRY_COMPARE(bench.count(), 3);
+    button(bench, QStringLiteral("Copy as text"))->click();
+    const QStringList lines = QGuiApplication::clipboard()->text().split(QLatin1Char('\n'));
+    QCOMPARE(lines.size(), 4);
+    QCOMPARE(lines.at(1), QStringLiteral("slot1.p\t0\t2\tthrottle/error"));
+}
+
+void TestHistory::aDayIsWrittenAsTheLanguageWritesIt()
+{
+    const QDate day(QDate::currentDate().year(), 6, 11);
+    QCOMPARE(dayText(day, QLocale(QLocale::German)), QStringLiteral("11. Juni"));
+    QCOMPARE(dayText(day, QLocale(QLocale::English)), QStringLiteral("June 11"));
+    QCOMPARE(dayText(day, QLocale(QLocale::Spanish)), QStringLiteral("11 de junio"));
+    QCOMPARE(dayText(day, QLocale(QLocale::French)), QStringLiteral("11 juin"));
+    QCOMPARE(dayText(day, QLocale(QLocale::Japanese)), QStringLiteral("6月11日"));
+    QCOMPARE(dayText(day, QLocale(QLocale::Chinese)), QStringLiteral("6月11日"));
+    QCOMPARE(dayText({1999, 6, 11}, QLocale(QLocale::German)), QStringLiteral("11. Juni 1999"));
+}
 
 void TestHistory::theNewestStateIsComparedFirst()
 {
     HistoryBench bench;
     QTRY_COMPARE(bench.column(1),
         (QStringList{
-            QStringLiteral("current.adc_multiplier"), QStringLiteral("slot1.p"), QStringLiteral("slot1.max_forward")}));
-    QCOMPARE(bench.column(3).at(1), QStringLiteral("2"));
-    QVERIFY(bench.column(5).at(0).contains(QStringLiteral("belongs to one unit")));
-    QCOMPARE(bench.table()->item(0, 0)->checkState(), Qt::Unchecked);
+            QStringLiteral("slot1.p"), QStringLiteral("slot1.max_forward"), QStringLiteral("current.adc_multiplier")}));
+    QCOMPARE(bench.column(3).at(0), QStringLiteral("2"));
+    QCOMPARE(bench.tick("current.adc_multiplier")->checkState(), Qt::Unchecked);
 }
 
 void TestHistory::ticksStayUntilAnotherStateIsChosen()
 {
     HistoryBench bench;
-    QTRY_COMPARE(bench.table()->rowCount(), 3);
-    bench.table()->item(0, 0)->setCheckState(Qt::Checked); // of one unit
-    bench.table()->item(1, 0)->setCheckState(Qt::Unchecked);
+    QTRY_COMPARE(bench.count(), 3);
+    bench.tick("current.adc_multiplier")->setCheckState(Qt::Checked); // of one unit
+    bench.tick("slot1.p")->setCheckState(Qt::Unchecked);
     DeviceView &drive = bench.workbench.device(0);
     drive.parameters.edit()[named("slot1.i").value].raw = 77; // somebody writes, or the page reads
     ++drive.parameterRevision;
     bench.workbench.publish();
-    QTRY_COMPARE(bench.table()->rowCount(), 4);
-    QCOMPARE(bench.table()->item(0, 0)->checkState(), Qt::Checked);
-    const int row = bench.column(1).indexOf(QStringLiteral("slot1.p"));
-    QCOMPARE(bench.table()->item(row, 0)->checkState(), Qt::Unchecked);
+    QTRY_COMPARE(bench.count(), 4);
+    QCOMPARE(bench.tick("current.adc_multiplier")->checkState(), Qt::Checked);
+    QCOMPARE(bench.tick("slot1.p")->checkState(), Qt::Unchecked);
     auto *const b = bench.boxOf("State B");
     const int before = b->currentIndex();
     for (const int place : {before == 1 ? 2 : 1, before}) {
         b->setCurrentIndex(place);
         Q_EMIT b->activated(place);
     }
-    QCOMPARE(bench.table()->item(0, 0)->checkState(), Qt::Unchecked);
-    QCOMPARE(bench.table()->item(bench.column(1).indexOf(QStringLiteral("slot1.p")), 0)->checkState(), Qt::Checked);
+    QCOMPARE(bench.tick("current.adc_multiplier")->checkState(), Qt::Unchecked);
+    QCOMPARE(bench.tick("slot1.p")->checkState(), Qt::Checked);
 }
 
 void TestHistory::factoryDefaultsComeUnticked()
 {
     HistoryBench bench;
-    QTRY_COMPARE(bench.table()->rowCount(), 3);
+    QTRY_COMPARE(bench.count(), 3);
     DeviceView &drive = bench.workbench.device(0);
     drive.parameters.edit()[named("slot1.i").value].raw = 77;
     ++drive.parameterRevision;
     bench.workbench.publish();
-    QTRY_COMPARE(bench.table()->rowCount(), 4);
+    QTRY_COMPARE(bench.count(), 4);
     auto *const b = bench.boxOf("State B");
     const int defaults = b->findText(QStringLiteral("factory defaults"));
     QVERIFY(defaults >= 0);
     b->setCurrentIndex(defaults);
     Q_EMIT b->activated(defaults);
-    QVERIFY(bench.table()->rowCount() > 0);
-    for (int row = 0; row < bench.table()->rowCount(); ++row)
+    QVERIFY(bench.count() > 0);
+    for (const int row : bench.rows())
         QVERIFY2(bench.table()->item(row, 0)->checkState() == Qt::Unchecked,
             qPrintable(bench.table()->item(row, 1)->text()));
     QVERIFY(!button(bench, QStringLiteral("Restore 0"))->isEnabled());
@@ -169,7 +321,7 @@ void TestHistory::factoryDefaultsComeUnticked()
 void TestHistory::aRestoreDoesNotTurnTheComparisonRound()
 {
     HistoryBench bench;
-    QTRY_COMPARE(bench.table()->rowCount(), 3);
+    QTRY_COMPARE(bench.count(), 3);
     const QString chosen = bench.boxOf("State B")->currentText();
     QVERIFY2(chosen.contains(QStringLiteral("limits for the demo")), qPrintable(chosen));
     button(bench, QStringLiteral("Restore 2"))->click();
@@ -188,9 +340,9 @@ void TestHistory::aRestoreDoesNotTurnTheComparisonRound()
 void TestHistory::whatBelongsToOneUnitIsCopiedOnlyIfItIsTickedItself()
 {
     HistoryBench bench;
-    QTRY_COMPARE(bench.table()->rowCount(), 3);
+    QTRY_COMPARE(bench.count(), 3);
     button(bench, QStringLiteral("Restore 2"))->click();
-    bench.table()->item(0, 0)->setCheckState(Qt::Checked);
+    bench.tick("current.adc_multiplier")->setCheckState(Qt::Checked);
     button(bench, QStringLiteral("Restore 3"))->click();
     const auto calls = bench.workbench.given<orders::RestoreParameters>();
     QCOMPARE(calls.size(), std::size_t{2});
@@ -205,8 +357,8 @@ void TestHistory::whatBelongsToOneUnitIsCopiedOnlyIfItIsTickedItself()
 void TestHistory::whatIsTickedIsRestored()
 {
     HistoryBench bench;
-    QTRY_COMPARE(bench.table()->rowCount(), 3);
-    bench.table()->item(2, 0)->setCheckState(Qt::Unchecked);
+    QTRY_COMPARE(bench.count(), 3);
+    bench.tick("slot1.max_forward")->setCheckState(Qt::Unchecked);
     button(bench, QStringLiteral("Restore 1"))->click();
     const auto calls = bench.workbench.given<orders::RestoreParameters>();
     QCOMPARE(calls.size(), std::size_t{1});
@@ -225,23 +377,23 @@ void TestHistory::theTimelineTellsWhoWroteWhatFromWhere()
     QVERIFY2(text.contains(QStringLiteral("console, anna\nslot1.p: 0 → 2")), qPrintable(text));
     QVERIFY(text.indexOf(QStringLiteral("limits for the demo")) < text.indexOf(QStringLiteral("console, anna")));
     QVERIFY(text.indexOf(QStringLiteral("console, anna")) < text.indexOf(QStringLiteral("as found")));
-    QVERIFY(text.contains(QStringLiteral("3 differ from A")));
+    QVERIFY(text.contains(QStringLiteral("3 differ")));
     QVERIFY(text.contains(QStringLiteral("like A")));
 }
 
 void TestHistory::anyTwoStatesAreCompared()
 {
     HistoryBench bench;
-    QTRY_COMPARE(bench.table()->rowCount(), 3);
+    QTRY_COMPARE(bench.count(), 3);
     QComboBox *a = bench.boxOf("State A");
     a->setCurrentIndex(3); // the data sheet's
     Q_EMIT a->activated(3);
-    QCOMPARE(bench.table()->rowCount(), 3);
+    QCOMPARE(bench.count(), 3);
     QVERIFY(!button(bench, QStringLiteral("Restore 2"))->isEnabled());
     QComboBox *b = bench.boxOf("State B");
     b->setCurrentIndex(2);
     Q_EMIT b->activated(2);
-    QCOMPARE(bench.table()->rowCount(), 0);
+    QCOMPARE(bench.count(), 0);
 }
 
 void TestHistory::undoTakesBackAnEditAndElseTheLastWrite()

@@ -8,6 +8,8 @@
 #include "widgets/common/banner.h"
 #include "widgets/common/emptystate.h"
 #include "widgets/parameters/changespanel.h"
+#include "widgets/parameters/columnwidths.h"
+#include "widgets/parameters/parameterview.h"
 
 #include <QAbstractButton>
 #include <QApplication>
@@ -41,6 +43,8 @@ private Q_SLOTS:
     void everyControlHasAName();
     void nothingIsCutAtTwiceTheFont();
     void namesGetTheRoomThatNoStateNeeds();
+    void keysAreWholeBeforeRawNumbersAreShown();
+    void noKeyGoesWhileColumnsHaveRoomToGive();
     void onAWideScreenAValueStandsBesideItsName();
     void namesThatBeginAlikeDifferWhereTheyAreCut();
     void longWordsBesideTheTableTakeNoColumnFromIt();
@@ -66,6 +70,43 @@ void TestParametersPage::namesGetTheRoomThatNoStateNeeds()
     QCoreApplication::processEvents();
     QVERIFY(view.columnWidth(ParameterModel::State)
         > textWidth(ParameterModel::State, QStringLiteral("edited, was −32768")) + 18);
+}
+
+void TestParametersPage::keysAreWholeBeforeRawNumbersAreShown()
+{
+    ParameterBench bench;
+    const ParameterView &view = bench.page->view();
+    const QFontMetrics raw(bench.theme.theme().font(TextRole::Raw, view.font()));
+    const int longest = raw.horizontalAdvance(QStringLiteral("limit.forward.switch.normally_closed"));
+    bool shown = false;
+    for (int width = 1048; width < 1500; width += 20) {
+        bench.page->resize(width, 640);
+        QCoreApplication::processEvents();
+        if (view.columnWidth(ParameterModel::Raw) == 0)
+            continue;
+        shown = true;
+        QVERIFY2(view.columnWidth(ParameterModel::Key) >= longest + 16,
+            qPrintable(QStringLiteral("%1 at %2").arg(view.columnWidth(ParameterModel::Key)).arg(width)));
+    }
+    QVERIFY(shown);
+}
+
+/// Units, numbers and names have less room before keys have none.
+void TestParametersPage::noKeyGoesWhileColumnsHaveRoomToGive()
+{
+    ParameterBench bench;
+    const ParameterDelegate delegate(bench.theme, bench.model(), nullptr);
+    const Theme &theme = bench.theme.theme();
+    for (int room = 420; room < 1200; room += 10) {
+        const ColumnWidths widths = columnWidthsFor(bench.model(), delegate, theme, bench.page->font(), room);
+        if (widths[ParameterModel::Key] > 0)
+            continue;
+        QVERIFY2(widths[ParameterModel::Unit] + widths[ParameterModel::Label] < theme.u(44 + 110 + 110),
+            qPrintable(QStringLiteral("%1 and %2 of %3")
+                           .arg(widths[ParameterModel::Unit])
+                           .arg(widths[ParameterModel::Label])
+                           .arg(room)));
+    }
 }
 
 void TestParametersPage::onAWideScreenAValueStandsBesideItsName()

@@ -32,15 +32,19 @@ bool hasFault(const DeviceView &device, int axis)
         faults.begin(), faults.end(), [axis](const std::string &fault) { return axisOf(fault) == axis; });
 }
 
-/// Its mode is about velocity.
-bool turns(const DeviceView &device, int axis)
+} // namespace
+
+bool turnsAxis(const DeviceView &device, int axis)
 {
     const AxisLiveness *live = livenessOf(device, axis);
     const Mode mode = live ? live->mode.value_or(Mode::Off) : Mode::Off;
     return mode == Mode::Duty || mode == Mode::Velocity || mode == Mode::RampVelocity;
 }
 
-} // namespace
+std::string channelOfAxis(const DeviceView &device, int axis)
+{
+    return std::string(axisKey(axis, turnsAxis(device, axis) ? "velocity" : "position"));
+}
 
 QString axisTitle(int axis)
 {
@@ -72,14 +76,14 @@ QString commandOfAxis(const DeviceView &device, int axis)
 
 QString numberOfAxis(const DeviceView &device, int axis, Instant now)
 {
-    const auto value = liveValue(device, axisKey(axis, turns(device, axis) ? "velocity" : "position"), now);
+    const auto value = liveValue(device, channelOfAxis(device, axis), now);
     return value ? formatNumber(*value) : QString(UnknownMark);
 }
 
 QString valueOfAxis(const DeviceView &device, int axis, Instant now)
 {
     const QString number = numberOfAxis(device, axis, now);
-    const QString unit = turns(device, axis) ? AxisText::tr("counts/s") : AxisText::tr("counts");
+    const QString unit = turnsAxis(device, axis) ? AxisText::tr("counts/s") : AxisText::tr("counts");
     return number == QString(UnknownMark) ? number : number + QChar(0xA0) + unit;
 }
 

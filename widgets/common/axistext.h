@@ -7,6 +7,7 @@
 #include <QString>
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace mb {
@@ -22,6 +23,9 @@ namespace mb {
 [[nodiscard]] QString numberOfAxis(const DeviceView &device, int axis, Instant now);
 /// The same, where there is room for the unit.
 [[nodiscard]] QString valueOfAxis(const DeviceView &device, int axis, Instant now);
+/// Whether its mode is about velocity, and the channel of the value that says most then.
+[[nodiscard]] bool turnsAxis(const DeviceView &device, int axis);
+[[nodiscard]] std::string channelOfAxis(const DeviceView &device, int axis);
 /// Colour of everything of an axis where several are in one plot.
 [[nodiscard]] TraceRole axisColour(int axis);
 

@@ -3,7 +3,7 @@
 
 #include "widgets/common/workbench.h"
 
-#include <QLocale>
+#include <QRegularExpression>
 
 #include <cmath>
 
@@ -28,6 +28,16 @@ QString clockText(const QDateTime &moment, ClockPart part)
     case ClockPart::Milliseconds: return moment.toString(QStringLiteral("HH:mm:ss.zzz"));
     }
     return moment.toString(QStringLiteral("HH:mm:ss"));
+}
+
+QString dayText(const QDate &day, const QLocale &locale)
+{
+    static const QRegularExpression weekday(QStringLiteral("\\s*dddd,?\\s*"));
+    static const QRegularExpression year(QStringLiteral(",?\\s*('de'\\s*)?yyyy年?\\s*"));
+    QString form = locale.dateFormat(QLocale::LongFormat).remove(weekday);
+    if (day.year() == QDate::currentDate().year())
+        form.remove(year);
+    return locale.toString(day, form);
 }
 
 QString dateAndClockText(const QDateTime &moment)

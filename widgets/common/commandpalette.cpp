@@ -128,8 +128,12 @@ CommandPalette::CommandPalette(std::vector<Command> commands, QWidget *parent)
     connect(m_text, &QLineEdit::returnPressed, this, [this] { run(m_list->currentItem()); });
     connect(m_list, &QListWidget::itemClicked, this, &CommandPalette::run);
     list({});
-    const int row = std::max(m_list->sizeHintForRow(0), 1);
-    resize(parent->width() / widestShare, m_text->sizeHint().height() + row * rowsSeen + column->spacing() * 4);
+    ensurePolished();
+    m_list->ensurePolished(); // a row is as high as the style sheet says
+    const QMargins margins = column->contentsMargins();
+    const int rows = std::max(m_list->sizeHintForRow(0), 1) * rowsSeen + 2 * m_list->frameWidth();
+    resize(parent->width() / widestShare,
+        margins.top() + m_text->sizeHint().height() + column->spacing() + rows + margins.bottom());
 }
 
 bool CommandPalette::eventFilter(QObject *watched, QEvent *event)

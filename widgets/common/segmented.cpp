@@ -252,10 +252,19 @@ QFont PageTabs::bold() const
     return m_theme.theme().font(TextRole::Emphasis, font());
 }
 
+/// Around a word: less before the last page would have to be scrolled for.
+int PageTabs::air() const
+{
+    const QFontMetrics metrics(bold());
+    int words = 0;
+    for (int i = 0; i < count(); ++i)
+        words += metrics.horizontalAdvance(tabText(i));
+    return std::clamp((width() - words) / std::max(count(), 1), m_theme.theme().u(8), m_theme.theme().u(22));
+}
+
 QSize PageTabs::tabSizeHint(int index) const
 {
-    const Theme &theme = m_theme.theme();
-    return {QFontMetrics(bold()).horizontalAdvance(tabText(index)) + theme.u(22), theme.u(36)};
+    return {QFontMetrics(bold()).horizontalAdvance(tabText(index)) + air(), m_theme.theme().u(36)};
 }
 
 void PageTabs::paintEvent(QPaintEvent *)

@@ -66,6 +66,7 @@ protected:
 
 private:
     QFont bold() const;
+    int air() const;
 
     const ThemeSource &m_theme;
 };

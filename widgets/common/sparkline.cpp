@@ -5,6 +5,7 @@
 #include <QPainterPath>
 #include <QTimerEvent>
 #include <cmath>
+#include <utility>
 
 namespace mb {
 namespace {
@@ -40,6 +41,12 @@ void Sparkline::setValues(std::deque<double> values)
     while (m_values.size() > m_capacity)
         m_values.pop_front();
     touched();
+}
+
+void Sparkline::setRole(TraceRole role)
+{
+    if (std::exchange(m_role, role) != role)
+        touched();
 }
 
 void Sparkline::touched()

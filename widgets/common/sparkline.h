@@ -21,6 +21,8 @@ public:
     /// How many points the whole width holds (2 … 240). Fewer points leave room at the left.
     void setCapacity(int points);
     void setValues(std::deque<double> values);
+    /// What it shows is another quantity now.
+    void setRole(TraceRole role);
     /// Smallest and largest value shown, for the caption "1 198 … 1 570 rpm".
     std::optional<std::pair<double, double>> range() const;
     QSize sizeHint() const override;

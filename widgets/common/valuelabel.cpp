@@ -20,6 +20,7 @@ ValueLabel::ValueLabel(
     , m_look(look)
     , m_caption(caption)
     , m_unit(unit)
+    , m_spokenUnit(unit)
     , m_value(UnknownMark)
     , m_widest(formatNumber(-88888))
 {
@@ -69,11 +70,13 @@ void ValueLabel::clear()
     m_broadest = QFontMetrics(valueFont()).horizontalAdvance(m_value);
 }
 
-void ValueLabel::setUnit(const QString &unit)
+void ValueLabel::setUnit(const QString &unit, const QString &spoken)
 {
-    if (unit == m_unit)
+    const QString &said = spoken.isEmpty() ? unit : spoken;
+    if (unit == m_unit && said == m_spokenUnit)
         return;
     m_unit = unit;
+    m_spokenUnit = said;
     updateAccessibleText();
     updateGeometry();
     update();
@@ -97,7 +100,7 @@ void ValueLabel::updateAccessibleText()
 {
     if (accessibleName() != m_caption)
         setAccessibleName(m_caption);
-    setSpokenLive(*this, m_value + QLatin1Char(' ') + m_unit);
+    setSpokenLive(*this, m_value + QLatin1Char(' ') + m_spokenUnit);
 }
 
 QFont ValueLabel::valueFont() const

@@ -23,7 +23,8 @@ public:
     void setValue(const QString &value);
     /// Nothing known: "–", and no unit.
     void clear();
-    void setUnit(const QString &unit);
+    /// `spoken`: the whole word, where it is shortened.
+    void setUnit(const QString &unit, const QString &spoken = {});
     void setTone(Tone tone);
     /// Greyed, with the reason or age in the tooltip, while a device does not answer.
     void setStale(bool stale);
@@ -48,6 +49,7 @@ private:
     Look m_look;
     QString m_caption;
     QString m_unit;
+    QString m_spokenUnit;
     QString m_value;
     QString m_widest;
     int m_broadest

@@ -12,15 +12,19 @@
 #include "widgets/common/spoken.h"
 #include "widgets/common/stateglyph.h"
 #include "widgets/common/valuelabel.h"
-#include "widgets/connection/axisrows.h"
+#include "widgets/connection/axiscells.h"
+#include "widgets/connection/recentvalues.h"
 
 #include <cmath>
 
 namespace mb {
 namespace {
 
-constexpr int sparklinePoints = 120;
-constexpr Duration sparklineSpan = std::chrono::seconds(10);
+/// "cnt/s": three values stand beside each other.
+QString shortUnit(std::string_view unit)
+{
+    return unit == "counts/s" ? DeviceCard::tr("cnt/s") : unit == "counts" ? DeviceCard::tr("cnt") : tableText(unit);
+}
 
 } // namespace
 
@@ -49,15 +53,15 @@ void DeviceCard::buildLive()
     m_live = new QWidget(this);
     auto *column = layoutIn<QVBoxLayout>(m_live, theme.u(6));
     auto *row = new QHBoxLayout;
-    row->setSpacing(theme.u(8));
+    row->setSpacing(theme.u(6));
     const auto add = [&](std::size_t place, const QString &caption, const QString &unit, const QString &widest) {
         m_values[place] = new ValueLabel(m_theme, ValueLabel::Look::Card, caption, unit, m_live);
         m_values[place]->setWidest(widest);
         row->addWidget(m_values[place]);
     };
-    add(0, tr("velocity"), tr("counts/s"), QStringLiteral("−888 888"));
-    add(1, tr("current"), QStringLiteral("A"), QStringLiteral("−88.8"));
-    add(2, tr("duty"), QStringLiteral("%"), QStringLiteral("−100"));
+    add(0, tr("velocity"), tr("cnt/s"), QStringLiteral("−88 888"));
+    add(1, tr("current"), QStringLiteral("A"), QStringLiteral("−8.8"));
+    add(2, tr("duty"), QStringLiteral("%"), QStringLiteral("−88"));
     row->addStretch();
     column->addLayout(row);
     auto *captions = new QHBoxLayout;
@@ -67,7 +71,7 @@ void DeviceCard::buildLive()
     captions->addWidget(m_range);
     column->addLayout(captions);
     m_sparkline = new Sparkline(m_theme, TraceRole::Velocity, m_live);
-    m_sparkline->setCapacity(sparklinePoints);
+    m_sparkline->setCapacity(recentPoints);
     m_sparkline->setMinimumHeight(theme.u(76));
     column->addWidget(m_sparkline, 1);
     body().addWidget(m_live, 1);
@@ -128,9 +132,9 @@ void DeviceCard::show(const DeviceView &device, Instant now, bool selected)
 void DeviceCard::showAxes(const DeviceView &device, Instant now)
 {
     if (!m_axes) {
-        m_axes = new AxisRows(m_theme, this);
-        body().insertWidget(0, m_axes, 0, Qt::AlignTop);
-        connect(m_axes, &AxisRows::axisActivated, this, &DeviceCard::axisActivated);
+        m_axes = new AxisCells(m_theme, this);
+        body().insertWidget(0, m_axes, 1);
+        connect(m_axes, &AxisCells::axisActivated, this, &DeviceCard::axisActivated);
     }
     m_axes->show(device, now);
 }
@@ -142,7 +146,8 @@ void DeviceCard::showValues(const DeviceView &device, Instant now)
         label->setStale(!device.liveness.heard);
         const auto row = device.telemetry->find(channel);
         if (row && factor == 1.0) // counts, until somebody said what a count is
-            label->setUnit(tableText(device.telemetry->channels()[row->value].unit));
+            label->setUnit(shortUnit(device.telemetry->channels()[row->value].unit),
+                tableText(device.telemetry->channels()[row->value].unit));
         if (value)
             label->setValue(formatNumber(*value * factor, decimals));
         else if (device.liveness.heard)
@@ -158,15 +163,8 @@ void DeviceCard::showSparkline(const DeviceView &device, Instant now)
     const auto channel = device.telemetry->find("velocity");
     if (!channel || !isVisible())
         return;
-    std::deque<double> values;
-    const Duration step = sparklineSpan / sparklinePoints;
-    for (int i = 0; i < sparklinePoints; ++i) {
-        const Instant time = now - sparklineSpan + step * (i + 1);
-        const auto point = device.telemetry->at(*channel, time);
-        values.push_back(point && time - point->time < std::chrono::seconds(1) ? point->value : std::nan(""));
-    }
-    m_sparkline->setValues(std::move(values));
-    const QString unit = tableText(device.telemetry->channels()[channel->value].unit);
+    m_sparkline->setValues(recentValues(device, "velocity", now));
+    const QString unit = shortUnit(device.telemetry->channels()[channel->value].unit);
     if (const auto range = m_sparkline->range())
         m_range->setText(range->first == range->second
                 ? formatValue(range->first, 0, unit)
@@ -188,7 +186,14 @@ void DeviceCard::showFoot(const DeviceView &device)
         rate = std::max(rate, one);
     const std::uint64_t lost = samplesOf(device).lost;
     m_rate->setText(tr("%1 Hz   lost %2").arg(formatNumber(rate), formatCount(static_cast<qint64>(lost))));
-    const HealthText health = healthOf(device);
+    HealthText health = healthOf(device);
+    m_faults->setToolTip(health.words);
+    if (health.glyph == GlyphState::Done
+        && !device.family->capabilities.watchdog) { // what nothing stops by itself is said first
+        health = {GlyphState::Warning, Tone::Text, tr("no watchdog")};
+        m_faults->setToolTip(tr("It keeps its last set-point if this program dies. A second process beside it, the "
+                                "guardian, stops it then."));
+    }
     m_faultGlyph->show();
     m_faultGlyph->setState(health.glyph);
     m_faults->setText(health.words);

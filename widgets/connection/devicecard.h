@@ -10,7 +10,7 @@ class QLabel;
 
 namespace mb {
 
-class AxisRows;
+class AxisCells;
 class CommandButton;
 class Sparkline;
 class ValueLabel;
@@ -22,6 +22,8 @@ class DeviceCard : public Card {
 public:
     DeviceCard(const ThemeSource &theme, QWidget *parent);
     void show(const DeviceView &device, Instant now, bool selected);
+    /// How many columns it takes where there are as many.
+    [[nodiscard]] int columns() const { return m_axes ? 2 : 1; }
 
 Q_SIGNALS:
     void updateRequested();
@@ -37,7 +39,7 @@ private:
 
     const ThemeSource &m_theme;
     QWidget *m_live = nullptr;
-    AxisRows *m_axes = nullptr; ///< instead of the values of one motor; made for the first board that is shown
+    AxisCells *m_axes = nullptr; ///< instead of the values of one motor; made for the first board that is shown
     std::array<ValueLabel *, 3> m_values{};
     QLabel *m_range = nullptr;
     Sparkline *m_sparkline = nullptr;

@@ -6,8 +6,10 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/valuelabel.h"
+#include "widgets/common/wraplayout.h"
 #include "widgets/connection/axisrows.h"
 #include "widgets/connection/profilepanel.h"
 #include "wire/fixedpoint.h"
@@ -59,15 +61,15 @@ ValueLabel *Inspector::addRow(QVBoxLayout &column, const QString &caption)
 
 void Inspector::buildActions(QVBoxLayout &column)
 {
-    auto *row = new QHBoxLayout;
-    row->setSpacing(m_theme.theme().u(8));
+    auto *both = new QWidget(this);
+    auto *row = layoutIn<WrapLayout>(both, m_theme.theme().u(8)); // long words stand below each other
     m_identify = new CommandButton(m_theme, Symbol::Identify, tr("Identify"), this);
     m_identify->setToolTip(tr("Blink the lamps of this unit for 5 s"));
     m_read = new CommandButton(m_theme, Symbol::Refresh, tr("Read all"), this);
     m_read->setToolTip(tr("Read every parameter of this unit"));
-    row->addWidget(m_identify, 1);
-    row->addWidget(m_read, 1);
-    column.addLayout(row);
+    row->addWidget(m_identify);
+    row->addWidget(m_read);
+    column.addWidget(both);
     connect(
         m_identify, &QPushButton::clicked, this, [this] { m_workbench.send(orders::Identify{m_selection.device()}); });
     connect(m_read, &QPushButton::clicked, this,

@@ -7,11 +7,13 @@
 #include "widgets/common/linkload.h"
 #include "widgets/common/losses.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/common/sparkline.h"
 #include "widgets/common/valuelabel.h"
 #include "widgets/connection/devicecard.h"
 #include "widgets/connection/doctorcard.h"
 #include "widgets/connection/startpage.h"
 
+#include <QCoreApplication>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QStackedWidget>
@@ -26,7 +28,9 @@ namespace {
 
 constexpr int mostColumns = 6;
 constexpr int leastLinkCard = 220; ///< units
-constexpr int leastDeviceCard = 320;
+constexpr int leastDeviceCard = 280;
+constexpr Duration loadStep = std::chrono::milliseconds(500);
+constexpr std::size_t loadPoints = 120; ///< a minute
 
 } // namespace
 
@@ -120,6 +124,11 @@ OverviewPage::LinkCard OverviewPage::makeLinkCard(const LinkView &link)
     LinkCard made;
     made.card = new Card(m_theme, QString::fromStdString(link.name), m_canvas);
     made.card->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    made.line = new Sparkline(m_theme, TraceRole::Neutral, made.card);
+    made.line->setCapacity(static_cast<int>(loadPoints));
+    made.line->setFixedSize(m_theme.theme().u(44), m_theme.theme().u(20));
+    made.line->setToolTip(tr("Load of the last minute"));
+    made.card->addHeadWidget(made.line);
     auto *row = new QHBoxLayout;
     row->setSpacing(m_theme.theme().u(12));
     const auto add = [&](const QString &caption, const QString &unit) {
@@ -156,7 +165,8 @@ void OverviewPage::followLinks(const Snapshot &shot)
             entry = m_links.emplace(link.address, makeLinkCard(link)).first;
             m_columns = 0;
         }
-        const LinkCard &card = entry->second;
+        LinkCard &card = entry->second;
+        followLoad(card, link);
         card.card->setTitle(QString::fromStdString(link.name),
             link.state == LinkState::Open ? bitrateText(link) : messageText(link.reason));
         const std::optional<Tone> ailing
@@ -180,6 +190,19 @@ void OverviewPage::followLinks(const Snapshot &shot)
         card.lost->setValue(formatCount(lost));
         card.lost->setTone(lost > 0 ? Tone::Caution : Tone::Text);
     }
+}
+
+/// Twice a second one point of the line.
+void OverviewPage::followLoad(LinkCard &card, const LinkView &link)
+{
+    const Instant now = m_workbench.now();
+    if (!card.loads.empty() && now - card.loadTime < loadStep)
+        return;
+    card.loadTime = now;
+    card.loads.push_back(loadOf(link));
+    if (card.loads.size() > loadPoints)
+        card.loads.pop_front();
+    card.line->setValues(card.loads);
 }
 
 void OverviewPage::followDevices(const Snapshot &shot)
@@ -249,7 +272,7 @@ void OverviewPage::arrange()
     for (const auto &[address, card] : m_links)
         widestLink = std::max(widestLink, card.card->minimumSizeHint().width());
     for (const auto &[id, card] : m_cards)
-        widest = std::max(widest, card->minimumSizeHint().width());
+        widest = std::max(widest, card->minimumSizeHint().width() / card->columns());
     const int columns = fittingColumns(widest);
     const int links = std::max(columns, std::min(fittingColumns(widestLink), static_cast<int>(m_links.size())));
     if (columns == m_columns && links == m_linkColumns)
@@ -259,17 +282,26 @@ void OverviewPage::arrange()
     int place = 0;
     for (const auto &[address, card] : m_links) {
         m_linkGrid->addWidget(card.card, place / links, place % links);
+        card.card->setVisible(true);
         ++place;
     }
     place = 0;
     for (const DeviceId id : m_order) {
-        m_deviceGrid->addWidget(m_cards.at(id), place / columns, place % columns);
-        ++place;
+        DeviceCard &card = *m_cards.at(id);
+        const int span = std::min(card.columns(), columns);
+        if (place % columns + span > columns)
+            place += columns - place % columns;
+        m_deviceGrid->addWidget(&card, place / columns, place % columns, 1, span);
+        card.setVisible(true); // a layout does it later only
+        place += span;
     }
     for (int i = 0; i < mostColumns; ++i) {
         m_linkGrid->setColumnStretch(i, i < links ? 1 : 0);
         m_deviceGrid->setColumnStretch(i, i < columns ? 1 : 0);
     }
+    QEvent request(QEvent::LayoutRequest); // now: the first picture would show cards that are squeezed into the page
+    m_canvas->layout()->activate();
+    QCoreApplication::sendEvent(m_states->widget(0), &request); // the area that scrolls them
 }
 
 } // namespace mb

@@ -7,6 +7,7 @@
 
 #include <QWidget>
 
+#include <deque>
 #include <map>
 
 class QGridLayout;
@@ -18,6 +19,7 @@ namespace mb {
 class Card;
 class DeviceCard;
 class DoctorCard;
+class Sparkline;
 class StartPage;
 class ValueLabel;
 
@@ -51,12 +53,16 @@ private:
         ValueLabel *lost = nullptr;
         ValueLabel *unknown = nullptr;
         ValueLabel *roundTrip = nullptr; ///< of serial links
+        Sparkline *line = nullptr;
+        std::deque<double> loads{};
+        Instant loadTime{};
     };
 
     void buildCards();
     void buildEmpty();
     void follow();
     void followLinks(const Snapshot &shot);
+    void followLoad(LinkCard &card, const LinkView &link);
     void followDevices(const Snapshot &shot);
     void followOrder(const Snapshot &shot);
     [[nodiscard]] int fittingColumns(int widest) const;

@@ -171,7 +171,8 @@ void BusPage::followLinks()
     const FrameDecoder decoder = decoderFor(m_workbench.snapshot(), shown->address);
     m_model->setDecoder(decoder);
     m_ids->setDecoder(decoder);
-    m_model->setSource(shown->traffic);
+    m_model->setSource(shown->traffic, shown->kind);
+    m_tables->setIdentifiersShown(shown->kind == LinkKind::Can);
     m_ids->setSource(shown->traffic);
 }
 

@@ -88,7 +88,9 @@ void BusSide::showLoads(const std::string &link)
 void BusSide::showFacts(const LinkView &link, const IdModel &ids)
 {
     m_caption->setText(tr("last 60 s, peak %1 %").arg(formatNumber(m_load->peak() * 100.0, 0)));
-    QStringList facts{tr("%1 identifiers").arg(ids.rowCount())};
+    QStringList facts;
+    if (link.kind == LinkKind::Can)
+        facts += tr("%1 identifiers").arg(ids.rowCount());
     if (const TrafficRow *busiest = ids.busiest())
         facts += tr("busiest %1, %2 frames/s").arg(hexId(busiest->last), formatNumber(busiest->rate, 0));
     if (ids.unlisted() > 0)

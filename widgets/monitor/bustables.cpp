@@ -70,6 +70,12 @@ void BusTables::showEvent(QShowEvent *event)
     m_ids.sort(heads.sortIndicatorSection(), heads.sortIndicatorOrder());
 }
 
+void BusTables::setIdentifiersShown(bool shown)
+{
+    m_idTable->setVisible(shown);
+    m_lower->setVisible(shown || m_lower->count() > 1);
+}
+
 void BusTables::toEnd()
 {
     m_frames->scrollToBottom();

@@ -22,6 +22,8 @@ public:
 
     /// Where something else has room beside the identifiers.
     [[nodiscard]] QSplitter &lower() { return *m_lower; }
+    /// Bytes of a serial or SPI link have none.
+    void setIdentifiersShown(bool shown);
     /// The newest frame.
     void toEnd();
     void goTo(int frame);

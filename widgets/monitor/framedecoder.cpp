@@ -3,6 +3,8 @@
 
 #include "model/registry.h"
 
+#include <algorithm>
+
 namespace mb {
 
 FrameDecoder::FrameDecoder(std::span<const Family *const> families)
@@ -67,6 +69,30 @@ std::optional<int> FrameFollower::addressOf(const CanFrame &frame)
             address = followed->address;
     }
     return address;
+}
+
+ByteFollower::ByteFollower(LinkKind kind)
+{
+    for (const Family *family : families()) {
+        if (family->decodeBytes && std::find(family->links.begin(), family->links.end(), kind) != family->links.end())
+            m_decoders.emplace_back(family, family->decodeBytes({}));
+    }
+}
+
+/// Of several families that one counts which finds something first.
+std::vector<FrameMeaning> ByteFollower::take(const TrafficRecord &record)
+{
+    std::vector<FrameMeaning> meanings;
+    for (const auto &[family, decoder] : m_decoders) {
+        std::vector<DecodedBytes> found;
+        decoder->take(record.frame.time.time_since_epoch(), record.direction, record.bytes, found);
+        for (DecodedBytes &bytes : found) {
+            const bool first = meanings.empty() || meanings.front().family == family;
+            if (bytes.frame && first)
+                meanings.push_back({family, std::move(*bytes.frame)});
+        }
+    }
+    return meanings;
 }
 
 FrameDecoder decoderFor(const Snapshot &shot, const std::string &link)

@@ -4,6 +4,7 @@
 #include "model/snapshot.h"
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -46,6 +47,16 @@ public:
 
 private:
     std::vector<std::pair<const Family *, CanDecoder>> m_decoders;
+};
+
+/// Shown all bytes of one serial or SPI link in their order: which packets they complete, as `motorbenchctl decode` tells them.
+class ByteFollower {
+public:
+    explicit ByteFollower(LinkKind kind);
+    [[nodiscard]] std::vector<FrameMeaning> take(const TrafficRecord &record);
+
+private:
+    std::vector<std::pair<const Family *, std::unique_ptr<ByteDecoder>>> m_decoders; ///< of the families on such links
 };
 
 /// Every family of the program, and the dialects of the devices that were found on a link.

@@ -168,17 +168,22 @@ void FrameDetail::show(const FrameRow &row, const FrameMeaning *meaning, const F
 {
     const TrafficRecord &record = row.record;
     m_frame = record.frame;
+    m_raw = record.isFrame() ? std::vector<std::uint8_t>(m_frame.bytes().begin(), m_frame.bytes().end()) : record.bytes;
     setFilled(true);
     m_send->setEnabled(record.isFrame() && !m_frame.error);
     m_time->setText(tr("%1 s").arg(std::chrono::duration<double>(m_frame.time - origin).count(), 0, 'f', 6));
-    m_message->setText(m_frame.error ? tr("Error frame") : meaning ? qt(meaning->frame.message) : tr("Unknown frame"));
+    m_message->setText(m_frame.error ? tr("Error frame")
+            : meaning                ? qt(meaning->frame.message)
+            : record.isFrame()       ? tr("Unknown frame")
+                                     : tr("%1 bytes").arg(record.length));
     const QString direction = record.direction == Direction::Sent ? tr("sent") : tr("received");
-    m_id->setText(m_frame.error ? errorFrameText(m_frame)
-            : meaning           ? tr("%1 · %2 #%3 · %4")
+    m_id->setText(m_frame.error            ? errorFrameText(m_frame)
+            : meaning && !record.isFrame() ? tr("%1 · %2").arg(qt(meaning->family->title), direction)
+            : meaning                      ? tr("%1 · %2 #%3 · %4")
                             .arg(hexId(m_frame), qt(meaning->family->title), addressText(meaning->frame), direction)
             : record.isFrame() ? tr("%1 · %2").arg(hexId(m_frame), direction)
                                : direction);
-    const auto bits = meaning ? fieldBits(m_frame, decoder) : std::vector<std::uint64_t>{};
+    const auto bits = meaning && record.isFrame() ? fieldBits(m_frame, decoder) : std::vector<std::uint64_t>{};
     showFields(meaning, bits);
 }
 
@@ -211,8 +216,7 @@ void FrameDetail::showFields(const FrameMeaning *meaning, const std::vector<std:
             m_fields->setItem(static_cast<int>(i), column, item);
         }
     }
-    const auto bytes = m_frame.bytes();
-    m_bytes->show(std::vector<std::uint8_t>(bytes.begin(), bytes.end()), colors);
+    m_bytes->show(m_raw, colors);
 }
 
 } // namespace mb

@@ -36,6 +36,7 @@ private:
 
     const ThemeSource &m_theme;
     CanFrame m_frame;
+    std::vector<std::uint8_t> m_raw; ///< what is shown of it
     QLabel *m_time = nullptr;
     QLabel *m_message = nullptr;
     QLabel *m_id = nullptr;

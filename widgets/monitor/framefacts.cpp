@@ -5,6 +5,8 @@ namespace mb {
 
 const FrameMeaning *FrameFacts::meaning() const
 {
+    if (m_said)
+        return m_said;
     if (!m_looked && m_record.isFrame())
         m_meaning = m_decoder.decode(m_record.frame);
     if (!m_looked && m_meaning && m_asked)

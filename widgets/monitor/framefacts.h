@@ -11,10 +11,13 @@ namespace mb {
 class FrameFacts {
 public:
     /// `asked`: whom it is from, where it does not tell (FrameFollower).
-    FrameFacts(const TrafficRecord &record, const FrameDecoder &decoder, std::optional<int> asked = {})
+    /// `said`: the packet that bytes complete.
+    FrameFacts(const TrafficRecord &record, const FrameDecoder &decoder, std::optional<int> asked = {},
+        const FrameMeaning *said = nullptr)
         : m_record(record)
         , m_decoder(decoder)
         , m_asked(asked)
+        , m_said(said)
     {
     }
     [[nodiscard]] const TrafficRecord &record() const { return m_record; }
@@ -25,6 +28,7 @@ private:
     const TrafficRecord &m_record;
     const FrameDecoder &m_decoder;
     std::optional<int> m_asked;
+    const FrameMeaning *m_said = nullptr;
     mutable bool m_looked = false;
     mutable std::optional<FrameMeaning> m_meaning;
 };

@@ -7,6 +7,7 @@
 #include "widgets/monitor/trafficdelegate.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace mb {
 namespace {
@@ -14,6 +15,17 @@ namespace {
 constexpr std::size_t batchLimit = 65536;
 constexpr std::size_t scanStep = 4000;
 constexpr std::size_t mostIdentifiers = 4096; ///< whose last time is remembered for Δ
+
+/// Of all packets that some bytes complete, in their order.
+template <class Text> QString packetsText(const std::vector<FrameMeaning> &packets, const Text &textOf)
+{
+    QStringList parts;
+    for (const FrameMeaning &each : packets) {
+        if (const QString text = textOf(each); !text.isEmpty())
+            parts << text;
+    }
+    return parts.join(QStringLiteral(" · "));
+}
 
 double secondsOf(Duration time)
 {
@@ -30,12 +42,13 @@ FrameModel::FrameModel(const ThemeSource &theme, QObject *parent)
     connect(&m_scan, &QTimer::timeout, this, [this] { scanBack(scanStep); });
 }
 
-void FrameModel::setSource(std::shared_ptr<const TrafficLog> log)
+void FrameModel::setSource(std::shared_ptr<const TrafficLog> log, LinkKind kind)
 {
     if (log == m_log)
         return;
     m_log = std::move(log);
     m_follower = {};
+    m_packets = ByteFollower(kind);
     m_origin = {};
     m_joins = true;
     m_begin = 0;
@@ -67,6 +80,7 @@ void FrameModel::clear()
     m_skipped = 0;
     m_begin = m_fetched;
     m_last.clear();
+    m_lastPacket.clear();
     m_meanings.fill({});
     endResetModel();
 }
@@ -119,7 +133,7 @@ int FrameModel::findFrom(int from, bool forward) const
     if (m_search.isEmpty())
         return -1;
     for (int i = from; i >= 0 && i < rowCount(); i += forward ? 1 : -1) {
-        if (m_search.passes({row(i).record, m_decoder, row(i).asked}))
+        if (m_search.passes({row(i).record, m_decoder, row(i).asked, row(i).packet()}))
             return i;
     }
     return -1;
@@ -143,15 +157,20 @@ void FrameModel::setFrozen(bool frozen)
 void FrameModel::keep(TrafficRecord record)
 {
     FrameRow row{std::move(record), 0.0, {}};
-    if (row.record.isFrame())
-        row.asked = m_follower.addressOf(row.record.frame);
     const Instant time = row.record.frame.time;
-    if (m_last.size() > mostIdentifiers)
-        m_last.clear();
-    const auto [last, isNew] = m_last.try_emplace(keyOf(row.record.direction, row.record.frame), time);
-    if (!isNew)
-        row.sinceSame = secondsOf(time - last->second);
-    last->second = time;
+    const auto since = [time](auto &book, const auto &key) {
+        const auto [last, isNew] = book.try_emplace(key, time);
+        return isNew ? 0.0 : secondsOf(time - std::exchange(last->second, time));
+    };
+    if (row.record.isFrame()) {
+        row.asked = m_follower.addressOf(row.record.frame);
+        if (m_last.size() > mostIdentifiers)
+            m_last.clear();
+        row.sinceSame = since(m_last, keyOf(row.record.direction, row.record.frame));
+    } else if (auto packets = m_packets.take(row.record); !packets.empty()) {
+        row.said = std::make_shared<const std::vector<FrameMeaning>>(std::move(packets));
+        row.sinceSame = since(m_lastPacket, std::pair(row.record.direction, row.packet()->frame.message));
+    }
     m_live.rows.push_back(std::move(row));
 }
 
@@ -210,6 +229,8 @@ const FrameRow &FrameModel::row(int index) const
 
 const FrameMeaning *FrameModel::meaning(const FrameRow &row) const
 {
+    if (const FrameMeaning *packet = row.packet())
+        return packet;
     Cached &cached = m_meanings.at(row.record.number % m_meanings.size());
     if (cached.number != row.record.number) {
         cached.number = row.record.number;
@@ -241,13 +262,15 @@ QString FrameModel::text(const FrameRow &row, int column) const
     case Dir: return frame.error ? tr("err") : record.direction == Direction::Sent ? tr("tx") : tr("rx");
     case Id: return record.isFrame() && !frame.error ? hexId(frame) : QString(UnknownMark);
     case Message:
-        return !record.isFrame() ? tr("%1 bytes").arg(record.length)
-            : frame.error        ? tr("error frame")
-            : known              ? qt(known->frame.message)
-                                 : tr("unknown");
+        return row.said ? packetsText(*row.said, [](const FrameMeaning &each) { return qt(each.frame.message); })
+            : !record.isFrame() ? tr("%1 bytes").arg(record.length)
+            : frame.error       ? tr("error frame")
+            : known             ? qt(known->frame.message)
+                                : tr("unknown");
     case Address: return known ? addressText(known->frame) : QString(UnknownMark);
     case Decoded:
         return frame.error     ? errorFrameText(frame)
+            : row.said         ? packetsText(*row.said, [](const FrameMeaning &each) { return fieldsLine(each.frame); })
             : known            ? fieldsLine(known->frame)
             : frame.remote     ? tr("asks for data")
             : record.isFrame() ? tr("no decoder knows this identifier")
@@ -276,7 +299,7 @@ QVariant FrameModel::background(const FrameRow &row) const
 {
     if (row.record.frame.error)
         return m_theme.theme().bannerDanger;
-    if (!m_search.isEmpty() && m_search.passes({row.record, m_decoder, row.asked}))
+    if (!m_search.isEmpty() && m_search.passes({row.record, m_decoder, row.asked, row.packet()}))
         return m_theme.theme().bannerCaution;
     return {};
 }

@@ -19,6 +19,9 @@ struct FrameRow {
     TrafficRecord record;
     double sinceSame = 0.0;   ///< seconds since the last frame of this identifier and direction; 0 for the first
     std::optional<int> asked; ///< whom it is from, where the frame does not tell
+    std::shared_ptr<const std::vector<FrameMeaning>> said{}; ///< packets that bytes complete; never empty
+
+    [[nodiscard]] const FrameMeaning *packet() const { return said ? &said->front() : nullptr; }
 };
 
 /// The newest records of one link that pass the filter, oldest first. Frames are decoded only when a cell of theirs is asked for, or when the
@@ -31,7 +34,7 @@ public:
 
     explicit FrameModel(const ThemeSource &theme, QObject *parent = nullptr);
 
-    void setSource(std::shared_ptr<const TrafficLog> log);
+    void setSource(std::shared_ptr<const TrafficLog> log, LinkKind kind = LinkKind::Can);
     /// Applies to what is shown from now on; the filter looks again when it changed.
     void setDecoder(FrameDecoder decoder);
     [[nodiscard]] const FrameDecoder &decoder() const { return m_decoder; }
@@ -81,7 +84,10 @@ private:
         std::uint64_t number = 0;
         std::optional<FrameMeaning> meaning;
     };
-    [[nodiscard]] bool passes(const FrameRow &row) const { return m_filter.passes({row.record, m_decoder, row.asked}); }
+    [[nodiscard]] bool passes(const FrameRow &row) const
+    {
+        return m_filter.passes({row.record, m_decoder, row.asked, row.packet()});
+    }
     void keep(TrafficRecord record);
     void trim();
     void restart();
@@ -108,6 +114,8 @@ private:
     bool m_joins = true; ///< the next fetch is the first of a series
     std::vector<TrafficRecord> m_batch;
     FrameFollower m_follower;
+    ByteFollower m_packets{LinkKind::Can};
+    std::map<std::pair<Direction, std::string_view>, Instant> m_lastPacket; ///< by its name
     mutable std::array<Cached, 512> m_meanings;
     QTimer m_scan;
 };

@@ -84,14 +84,35 @@ int sum(const ColumnWidths &widths)
     return std::accumulate(widths.begin(), widths.end(), 0);
 }
 
-/// Where even the least is too much: how a value stands must not be scrolled for, long units are cut before, and names last: they begin alike.
+struct Give {
+    int column = 0;
+    int least = 0; ///< units
+};
+
+/// Who gives room where even the least is too much, in this order: how a value stands must not be scrolled for, long units are cut before.
+/// Names come before numbers where keys stand beside them, else last: they begin alike.
+std::array<Give, 3> givers(const ColumnWidths &widths)
+{
+    const Give unit{ParameterModel::Unit, 44};
+    const Give value{ParameterModel::ValueColumn, 80};
+    const Give label{ParameterModel::Label, 110};
+    return widths[at(ParameterModel::Key)] > 0 ? std::array{unit, label, value} : std::array{unit, value, label};
+}
+
 void squeeze(ColumnWidths &widths, int room, const Theme &theme)
 {
-    for (const auto &[column, least] : {std::pair(ParameterModel::Unit, 44), std::pair(ParameterModel::ValueColumn, 80),
-             std::pair(ParameterModel::Label, 110)}) {
+    for (const Give &give : givers(widths)) {
         const int over = std::max(0, sum(widths) - room);
-        widths[at(column)] -= std::clamp(widths[at(column)] - theme.u(least), 0, over);
+        int &width = widths[at(give.column)];
+        width -= std::clamp(width - theme.u(give.least), 0, over);
     }
+}
+
+/// What units and names can give, so that no number is cut.
+int squeezable(const ColumnWidths &widths, const Theme &theme)
+{
+    return std::max(0, widths[at(ParameterModel::Unit)] - theme.u(44))
+        + std::max(0, widths[at(ParameterModel::Label)] - theme.u(110));
 }
 
 } // namespace
@@ -105,8 +126,8 @@ ColumnWidths columnWidthsFor(
         = std::min(widths[at(ParameterModel::State)], leastState(model, delegate, theme, body));
     const int wholeKeys = natural[at(ParameterModel::Key)] - widths[at(ParameterModel::Key)];
     for (const int column : {ParameterModel::Raw, ParameterModel::Key, ParameterModel::Reference}) {
-        const int more
-            = column == ParameterModel::Raw ? wholeKeys : 0; // keys are copied, raw numbers stand in the tooltip
+        // Keys are copied, raw numbers stand in the tooltip; a key goes only where no other column has anything left to give.
+        const int more = column == ParameterModel::Raw ? wholeKeys : -squeezable(widths, theme);
         if (sum(widths) + more > room)
             widths[at(column)] = natural[at(column)] = 0;
     }
@@ -117,7 +138,9 @@ ColumnWidths columnWidthsFor(
         widths[at(column)] += more;
         spare -= more;
     };
-    widen(ParameterModel::Key, theme.u(140));
+    widen(ParameterModel::Key, widths[at(ParameterModel::Raw)] > 0 ? natural[at(ParameterModel::Key)] : theme.u(140));
+    widen(ParameterModel::Label, theme.u(190));
+    widen(ParameterModel::Key, natural[at(ParameterModel::Key)]);
     for (const int column : {ParameterModel::Label, ParameterModel::Key, ParameterModel::Unit, ParameterModel::State})
         widen(column, natural[at(column)]);
     if (spare <= 0)

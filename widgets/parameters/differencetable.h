@@ -10,8 +10,8 @@
 
 namespace mb {
 
-/// Two states of a unit against each other, a row for each parameter. What is legal of B can be ticked; what belongs to one unit
-/// is not, until somebody does.
+/// Two states of a unit against each other, a row for each parameter below its group. What is legal of B can be ticked, alone or
+/// with its group; what belongs to one unit stands last, and is ticked only alone.
 class DifferenceTable : public QTableWidget {
     Q_OBJECT
 public:
@@ -28,12 +28,24 @@ public:
     void forgetTicks(bool on);
     /// The values of B that are ticked, in the order of the table.
     [[nodiscard]] std::vector<ParameterChange> ticked() const;
+    /// What is shown, for the clipboard: key, A, B and unit with tabulators between them.
+    [[nodiscard]] QString asText() const;
     void setNarrow(bool narrow);
 
+protected:
+    void keyPressEvent(QKeyEvent *event) override;
+
 private:
+    struct Shown {
+        settings::SideDifference values;
+        bool differs = false;
+    };
     void keepTicks();
-    void fitNames();
-    void addRow(const Family &family, const settings::SideDifference &difference, bool differs);
+    void addGroup(const Family &family, const QString &title, bool ofUnit, const std::vector<Shown> &rows, int spoken);
+    void addRow(const Family &family, const Shown &shown);
+    void follow(QTableWidgetItem *item);
+    void judgeGroup(int row);
+    [[nodiscard]] bool isGroup(int row) const;
 
     const ThemeSource &m_theme;
     std::map<std::uint16_t, bool> m_ticks; ///< by parameter, of rows that were shown

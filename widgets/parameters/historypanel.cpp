@@ -10,8 +10,13 @@
 #include "widgets/common/wraplayout.h"
 #include "widgets/parameters/differencetable.h"
 #include "widgets/parameters/stagededits.h"
+#include "widgets/parameters/timelinedelegate.h"
 
+#include <QClipboard>
 #include <QComboBox>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QPainter>
 #include <QPointer>
 
 #include <utility>
@@ -21,6 +26,7 @@ namespace {
 
 constexpr int narrowHistory = 900;
 constexpr int historyBesideFrom = 600; ///< units
+constexpr int timelineWidth = 280;
 constexpr int stateLetters = 18;
 constexpr int fewLetters = 10;
 
@@ -37,19 +43,59 @@ HistoryPanel::HistoryPanel(Workbench &workbench, const ThemeSource &theme, QWidg
     column->addWidget(separatorLine(Qt::Horizontal, this));
     auto *splitter = new TurningSplitter(theme, historyBesideFrom, this);
     splitter->setHandleWidth(1);
-    m_line = new TimelineList(theme, splitter);
+    splitter->addWidget(buildTimeline());
     m_table = new DifferenceTable(theme, splitter);
     splitter->setStretchFactor(1, 1);
-    splitter->setSizes({theme.theme().u(260), theme.theme().u(720)});
+    splitter->setSizes({theme.theme().u(timelineWidth), theme.theme().u(720)});
     column->addWidget(splitter, 1);
     column->addWidget(separatorLine(Qt::Horizontal, this));
     column->addWidget(buildFoot());
     connect(m_line, &TimelineList::chosen, this, &HistoryPanel::choose);
     connect(m_table, &QTableWidget::itemChanged, this, &HistoryPanel::count);
     connect(&theme, &ThemeSource::changed, this, [this] { // lines and symbols have colours of their own
+        drawBadges();
         if (m_states.family())
             rebuild();
     });
+}
+
+QWidget *HistoryPanel::buildTimeline()
+{
+    const Theme &t = m_theme.theme();
+    auto *side = new QWidget(this);
+    auto *column = layoutIn<QVBoxLayout>(side, 0);
+    auto *head = new QWidget(side);
+    auto *words = layoutIn<QHBoxLayout>(head, t.u(8), {t.u(8), 0, t.u(8), 0});
+    words->addWidget(new SectionLabel(tr("Timeline"), head));
+    words->addStretch(1);
+    words->addWidget(textLabel(tr("differences from A"), TextRole::Caption, Tone::Dim, head));
+    head->setFixedHeight(t.u(26));
+    m_line = new TimelineList(m_theme, side);
+    auto *hint = new ElidedLabel(tr("Click sets B, Shift+click sets A."), side);
+    setTextRole(*hint, TextRole::Caption);
+    setTone(*hint, Tone::Dim);
+    hint->setContentsMargins(t.u(8), t.u(4), t.u(8), t.u(4));
+    column->addWidget(head);
+    column->addWidget(separatorLine(Qt::Horizontal, side));
+    column->addWidget(m_line, 1);
+    column->addWidget(separatorLine(Qt::Horizontal, side));
+    column->addWidget(hint);
+    return side;
+}
+
+/// A letter in a filled box stands before each choice, as beside its state.
+void HistoryPanel::drawBadges()
+{
+    const Theme &t = m_theme.theme();
+    for (const auto &[label, letter] : {std::pair(m_badgeA, 'A'), std::pair(m_badgeB, 'B')}) {
+        const int side = t.u(18);
+        QPixmap picture(QSize(side, side) * devicePixelRatioF());
+        picture.setDevicePixelRatio(devicePixelRatioF());
+        picture.fill(Qt::transparent);
+        QPainter painter(&picture);
+        paintStateBadge(painter, {0, 0, side, side}, QLatin1Char(letter), t, font());
+        label->setPixmap(picture);
+    }
 }
 
 QWidget *HistoryPanel::buildBar()
@@ -57,10 +103,11 @@ QWidget *HistoryPanel::buildBar()
     const Theme &t = m_theme.theme();
     auto *bar = new QWidget(this);
     auto *row = layoutIn<WrapLayout>(bar, t.u(8), {t.u(12), t.u(4), t.u(12), t.u(8)});
-    const auto chooser = [&](const QString &letter, const QString &name) {
+    const auto chooser = [&](QLabel *&badge, const QString &name) {
         auto *both = new QWidget(bar);
         auto *parts = layoutIn<QHBoxLayout>(both, t.u(8));
-        parts->addWidget(textLabel(letter, TextRole::Emphasis, Tone::Accent, both));
+        badge = new QLabel(both);
+        parts->addWidget(badge);
         auto *box = new QComboBox(both);
         box->setAccessibleName(name);
         box->setMinimumContentsLength(stateLetters);
@@ -69,8 +116,16 @@ QWidget *HistoryPanel::buildBar()
         row->addWidget(both);
         return box;
     };
-    m_a = chooser(QStringLiteral("A"), tr("State A"));
-    m_b = chooser(QStringLiteral("B"), tr("State B"));
+    m_a = chooser(m_badgeA, tr("State A"));
+    auto *swap = new IconButton(m_theme, Symbol::Swap, tr("Exchange A and B"), bar);
+    row->addWidget(swap);
+    m_b = chooser(m_badgeB, tr("State B"));
+    drawBadges();
+    connect(swap, &QToolButton::clicked, this, [this] {
+        const int a = m_a->currentIndex();
+        choose(m_b->currentIndex(), true);
+        choose(a, false);
+    });
     m_which = new Segmented(tr("Which parameters"), {tr("Only differences"), tr("All")}, bar);
     row->addSpring();
     row->addWidget(m_which);
@@ -87,8 +142,11 @@ QWidget *HistoryPanel::buildFoot()
     auto *row = layoutIn<QHBoxLayout>(foot, -1, {t.u(12), t.u(8), t.u(12), t.u(8)});
     m_ticked = textLabel({}, TextRole::Body, Tone::Dim, foot);
     m_restore = new CommandButton(m_theme, Symbol::Undo, tr("Restore what is ticked"), foot);
+    auto *copy = new CommandButton(m_theme, Symbol::Copy, tr("Copy as text"), foot);
     row->addWidget(m_ticked, 1);
+    row->addWidget(copy);
     row->addWidget(m_restore);
+    connect(copy, &QPushButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(m_table->asText()); });
     connect(m_restore, &QPushButton::clicked, this, [this] {
         if (!mayWrite())
             return;

@@ -37,6 +37,8 @@ protected:
 
 private:
     QWidget *buildBar();
+    QWidget *buildTimeline();
+    void drawBadges();
     QWidget *buildFoot();
     void take(const SettingsTimeline &timeline);
     void rebuild();
@@ -64,6 +66,8 @@ private:
         friend bool operator==(const Compared &, const Compared &) = default;
     };
     Compared m_compared;
+    QLabel *m_badgeA = nullptr;
+    QLabel *m_badgeB = nullptr;
     QComboBox *m_a = nullptr;
     QComboBox *m_b = nullptr;
     Segmented *m_which = nullptr;

@@ -13,6 +13,8 @@ namespace {
 // internalId: 0 for a group, group + 1 for a parameter, faultMark + parameter for a fault
 constexpr quintptr faultMark = 0x10000;
 
+} // namespace
+
 GlyphState glyphOf(ParameterState state)
 {
     switch (state) {
@@ -25,8 +27,6 @@ GlyphState glyphOf(ParameterState state)
     }
     return GlyphState::Waiting;
 }
-
-} // namespace
 
 ParameterReference defaultsOf(const Family &family)
 {

@@ -19,6 +19,9 @@ struct ParameterReference {
 };
 [[nodiscard]] ParameterReference defaultsOf(const Family &family);
 
+/// The shape of what is known of a value.
+[[nodiscard]] GlyphState glyphOf(ParameterState state);
+
 /// How one value stands, as shape, word and colour.
 struct ParameterStanding {
     GlyphState glyph = GlyphState::Waiting;

@@ -4,7 +4,7 @@
 #include "settings/history.h"
 #include "widgets/common/clocktext.h"
 #include "widgets/common/devicetext.h"
-#include "widgets/common/icons.h"
+#include "widgets/parameters/timelinedelegate.h"
 
 #include <QDateTime>
 #include <QMouseEvent>
@@ -14,16 +14,19 @@
 namespace mb {
 namespace {
 
-constexpr int statePlaceRole = Qt::UserRole;
-
-Symbol stateSymbol(UnitState::Kind kind)
+/// "A  as found", below it its time and how it differs: for who hears it.
+QString spoken(const QListWidgetItem &row)
 {
-    switch (kind) {
-    case UnitState::Kind::Now: return Symbol::Chip;
-    case UnitState::Kind::Snapshot: return Symbol::Camera;
-    case UnitState::Kind::Defaults: return Symbol::Document;
+    QString title = row.data(TitleRole).toString();
+    for (const QChar badge : row.data(BadgesRole).toString())
+        title.prepend(QString(badge) + QStringLiteral("  "));
+    QStringList second;
+    for (const int role : {ClockRole, DetailRole, CountRole}) {
+        const QString part = row.data(role).toString();
+        if (!part.isEmpty())
+            second << part;
     }
-    return Symbol::Chip;
+    return second.isEmpty() ? title : title + QLatin1Char('\n') + second.join(QStringLiteral(" · "));
 }
 
 } // namespace
@@ -45,14 +48,14 @@ TimelineList::TimelineList(const ThemeSource &theme, QWidget *parent)
     , m_theme(theme)
 {
     setAccessibleName(tr("States of this unit"));
-    setWordWrap(true);
+    setItemDelegate(new TimelineDelegate(theme, this));
     setResizeMode(Adjust);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setUniformItemSizes(false);
     connect(this, &QListWidget::currentRowChanged, this, [this](int row) {
         const QListWidgetItem *shown = item(row);
-        if (shown && shown->data(statePlaceRole).isValid())
-            Q_EMIT chosen(shown->data(statePlaceRole).toInt(), std::exchange(m_asA, false));
+        if (shown && shown->data(PlaceRole).isValid())
+            Q_EMIT chosen(shown->data(PlaceRole).toInt(), std::exchange(m_asA, false));
     });
 }
 
@@ -60,9 +63,16 @@ void TimelineList::mousePressEvent(QMouseEvent *event)
 {
     m_asA = event->modifiers().testFlag(Qt::ShiftModifier);
     const QListWidgetItem *under = itemAt(event->pos());
-    if (under && under == currentItem() && under->data(statePlaceRole).isValid())
-        Q_EMIT chosen(under->data(statePlaceRole).toInt(), std::exchange(m_asA, false));
+    if (under && under == currentItem() && under->data(PlaceRole).isValid())
+        Q_EMIT chosen(under->data(PlaceRole).toInt(), std::exchange(m_asA, false));
     QListWidget::mousePressEvent(event);
+}
+
+void TimelineList::addHead(const QString &text)
+{
+    auto *head = new QListWidgetItem(text, this);
+    head->setData(HeadRole, true);
+    head->setFlags(Qt::NoItemFlags);
 }
 
 void TimelineList::addDay(const QDate &day)
@@ -70,41 +80,29 @@ void TimelineList::addDay(const QDate &day)
     if (day == m_day)
         return;
     m_day = day;
-    const bool today = day == QDate::currentDate();
-    auto *head = new QListWidgetItem(today ? tr("Today, %1").arg(locale().toString(day, QLocale::ShortFormat))
-                                           : locale().toString(day, QLocale::LongFormat),
-        this);
-    head->setFlags(Qt::NoItemFlags);
-    QFont bold = font();
-    bold.setBold(true);
-    head->setFont(bold);
+    addHead(day == QDate::currentDate() ? tr("Today, %1").arg(dayText(day)) : dayText(day));
 }
 
-QString TimelineList::textOf(int place, int a, int b) const
+QString TimelineList::countText(int place, int a) const
 {
-    const UnitState &state = m_states[static_cast<std::size_t>(place)];
-    QString title = state.title;
-    if (place == a)
-        title = QStringLiteral("A  ") + title;
-    if (place == b)
-        title = QStringLiteral("B  ") + title;
-    QStringList second;
-    if (!state.time.isEmpty())
-        second << state.time;
-    if (a >= 0 && place != a) {
-        const auto &first = m_states[static_cast<std::size_t>(a)].side;
-        const std::size_t count = settings::compare(first, state.side).size();
-        second << (count == 0 ? tr("like A") : tr("%n differ from A", nullptr, static_cast<int>(count)));
-    }
-    return second.isEmpty() ? title : title + QLatin1Char('\n') + second.join(QStringLiteral(" · "));
+    if (a < 0 || place == a)
+        return {};
+    const auto &first = m_states[static_cast<std::size_t>(a)].side;
+    const std::size_t count = settings::compare(first, m_states[static_cast<std::size_t>(place)].side).size();
+    return count == 0 ? tr("like A") : tr("%n differ", nullptr, static_cast<int>(count));
 }
 
 void TimelineList::addState(int place)
 {
-    auto *row = new QListWidgetItem(
-        symbolIcon(stateSymbol(m_states[static_cast<std::size_t>(place)].kind), m_theme.theme(), Tone::Dim),
-        textOf(place, -1, -1), this);
-    row->setData(statePlaceRole, place);
+    const UnitState &state = m_states[static_cast<std::size_t>(place)];
+    auto *row = new QListWidgetItem(this);
+    row->setData(PlaceRole, place);
+    row->setData(TitleRole, state.title);
+    row->setData(DetailRole, state.detail);
+    row->setData(ClockRole, state.time);
+    row->setData(SymbolRole, static_cast<int>(state.symbol));
+    row->setText(spoken(*row));
+    row->setToolTip(state.title + QLatin1Char('\n') + state.detail);
 }
 
 void TimelineList::addChange(const Family &family, const settings::SettingsChange &change)
@@ -126,8 +124,20 @@ void TimelineList::addChange(const Family &family, const settings::SettingsChang
         what = tr("put back: %1").arg(values);
     auto *row = new QListWidgetItem(when + QStringLiteral(" · ") + who + QLatin1Char('\n') + what, this);
     row->setFlags(Qt::ItemIsEnabled);
-    row->setForeground(m_theme.theme().tone(Tone::Dim));
+    row->setData(TitleRole, who);
+    row->setData(DetailRole, what);
+    row->setData(ClockRole, when);
     row->setToolTip(what);
+}
+
+/// Of the writes those that nobody has shown yet: the newest `left`, down to a time.
+void TimelineList::addChangesSince(
+    const Family &family, const SettingsTimeline &timeline, double time, std::size_t &left)
+{
+    for (; left > 0 && timeline.changes[left - 1].time >= time; --left) {
+        addDay(momentOf(timeline.changes[left - 1].time).date());
+        addChange(family, timeline.changes[left - 1]);
+    }
 }
 
 void TimelineList::show(const Family &family, const std::vector<UnitState> &states, const SettingsTimeline &timeline)
@@ -136,24 +146,23 @@ void TimelineList::show(const Family &family, const std::vector<UnitState> &stat
     clear();
     m_states = states;
     m_day = {};
-    auto snapshot = timeline.snapshots.rbegin();
-    auto change = timeline.changes.rbegin();
+    std::size_t left = timeline.changes.size();
     for (int place = 0; place < static_cast<int>(states.size()); ++place) {
         const UnitState &state = states[static_cast<std::size_t>(place)];
-        if (state.kind == UnitState::Kind::Snapshot) {
-            snapshot = std::find_if(snapshot, timeline.snapshots.rend(),
+        switch (state.kind) {
+        case UnitState::Kind::Now: addDay(QDate::currentDate()); break;
+        case UnitState::Kind::Snapshot: {
+            const auto snapshot = std::find_if(timeline.snapshots.begin(), timeline.snapshots.end(),
                 [&state](const settings::ParameterSnapshot &each) { return each.number == state.number; });
-            const double time = snapshot == timeline.snapshots.rend() ? 0.0 : snapshot->time;
-            for (; change != timeline.changes.rend() && change->time >= time; ++change) {
-                addDay(momentOf(change->time).date());
-                addChange(family, *change);
-            }
+            const double time = snapshot == timeline.snapshots.end() ? 0.0 : snapshot->time;
+            addChangesSince(family, timeline, time, left);
             addDay(momentOf(time).date());
-        } else if (state.kind == UnitState::Kind::Defaults) {
-            for (; change != timeline.changes.rend(); ++change) {
-                addDay(momentOf(change->time).date());
-                addChange(family, *change);
-            }
+            break;
+        }
+        case UnitState::Kind::Defaults:
+            addChangesSince(family, timeline, 0.0, left);
+            addHead(tr("Always there"));
+            break;
         }
         addState(place);
     }
@@ -163,10 +172,15 @@ void TimelineList::mark(int a, int b)
 {
     const QSignalBlocker quiet(this);
     for (int row = 0; row < count(); ++row) {
-        const QVariant place = item(row)->data(statePlaceRole);
+        QListWidgetItem &shown = *item(row);
+        const QVariant place = shown.data(PlaceRole);
         if (!place.isValid())
             continue;
-        item(row)->setText(textOf(place.toInt(), a, b));
+        shown.setData(BadgesRole,
+            QString(place.toInt() == a ? QStringLiteral("A") : QString())
+                + (place.toInt() == b ? QStringLiteral("B") : QString()));
+        shown.setData(CountRole, countText(place.toInt(), a));
+        shown.setText(spoken(shown));
         if (place.toInt() == b)
             setCurrentRow(row);
     }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "settings/comparison.h"
+#include "widgets/common/icons.h"
 #include "widgets/common/settingsarchive.h"
-#include "widgets/common/theme.h"
 
 #include <QListWidget>
 
@@ -20,6 +20,8 @@ struct UnitState {
     QString title;
     QString time; ///< of day; empty where there is none
     settings::Side side;
+    QString detail; ///< how it came about, and how much is known
+    Symbol symbol = Symbol::Chip;
 };
 
 /// The states of one unit, newest first, under the days that they are of, and between them the writes that led from one to the
@@ -41,10 +43,12 @@ protected:
     void mousePressEvent(QMouseEvent *event) override;
 
 private:
+    void addHead(const QString &text);
     void addDay(const QDate &day);
     void addState(int place);
     void addChange(const Family &family, const settings::SettingsChange &change);
-    [[nodiscard]] QString textOf(int place, int a, int b) const;
+    void addChangesSince(const Family &family, const SettingsTimeline &timeline, double time, std::size_t &left);
+    [[nodiscard]] QString countText(int place, int a) const;
 
     const ThemeSource &m_theme;
     std::vector<UnitState> m_states;

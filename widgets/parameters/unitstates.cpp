@@ -11,6 +11,19 @@ namespace {
 
 constexpr std::size_t mostFetched = 60; ///< newest snapshots that are compared by themselves
 
+Symbol symbolOf(settings::Occasion occasion)
+{
+    switch (occasion) {
+    case settings::Occasion::Hand: return Symbol::Star;
+    case settings::Occasion::Found: return Symbol::Pin;
+    case settings::Occasion::Tuning: return Symbol::Wand;
+    case settings::Occasion::Import: return Symbol::Import;
+    case settings::Occasion::Restore:
+    case settings::Occasion::Update: return Symbol::Camera;
+    }
+    return Symbol::Camera;
+}
+
 } // namespace
 
 void UnitStates::begin(const Family &family)
@@ -40,16 +53,19 @@ std::vector<std::int64_t> UnitStates::missing() const
 void UnitStates::rebuild()
 {
     m_states.clear();
-    m_states.push_back({UnitState::Kind::Now, present, tr("Device, now"), {}, m_now});
+    m_states.push_back({UnitState::Kind::Now, present, tr("Device, now"), {}, m_now, tr("live"), Symbol::Chip});
     for (auto snapshot = m_timeline.snapshots.rbegin(); snapshot != m_timeline.snapshots.rend(); ++snapshot) {
         const auto file = m_files.find(snapshot->number);
         if (file == m_files.end())
             continue;
+        const bool byHand = snapshot->occasion == settings::Occasion::Hand;
+        const QString many = tr("%n values", nullptr, snapshot->count);
         m_states.push_back({UnitState::Kind::Snapshot, snapshot->number, tableText(snapshot->name),
-            clockText(momentOf(snapshot->time)), file->second});
+            clockText(momentOf(snapshot->time)), file->second,
+            byHand ? tr("by hand, %1").arg(many) : tr("automatic, %1").arg(many), symbolOf(snapshot->occasion)});
     }
-    m_states.push_back(
-        {UnitState::Kind::Defaults, defaults, tr("factory defaults"), {}, settings::defaultsOf(*m_family)});
+    m_states.push_back({UnitState::Kind::Defaults, defaults, tr("factory defaults"), {},
+        settings::defaultsOf(*m_family), tr("from the device description"), Symbol::Document});
 }
 
 std::int64_t UnitStates::newestUnlike() const
