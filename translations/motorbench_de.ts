@@ -18344,5 +18344,13 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>the steps in both directions kept their limits; the gains were written, which this family cannot read back</source>
         <translation>die Sprünge in beide Richtungen hielten ihre Grenzen ein; die Verstärkungen wurden geschrieben, diese Familie lässt sie nicht zurücklesen</translation>
     </message>
+    <message>
+        <source>it has restarted, or a second unit has number %1: another session answers</source>
+        <translation>es hat neu gestartet, oder ein zweites Gerät hat die Nummer %1: eine andere Sitzung antwortet</translation>
+    </message>
+    <message>
+        <source>its position is being reset</source>
+        <translation>seine Position wird gerade zurückgesetzt</translation>
+    </message>
 </context>
 </TS>

@@ -18344,5 +18344,13 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>the steps in both directions kept their limits; the gains were written, which this family cannot read back</source>
         <translation>los escalones en ambos sentidos respetaron sus límites; las ganancias se escribieron, pero esta familia no permite releerlas</translation>
     </message>
+    <message>
+        <source>it has restarted, or a second unit has number %1: another session answers</source>
+        <translation>se ha reiniciado, o un segundo equipo tiene el número %1: responde otra sesión</translation>
+    </message>
+    <message>
+        <source>its position is being reset</source>
+        <translation>su posición se está poniendo a cero</translation>
+    </message>
 </context>
 </TS>

@@ -18344,5 +18344,13 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>the steps in both directions kept their limits; the gains were written, which this family cannot read back</source>
         <translation>les échelons dans les deux sens ont respecté leurs limites ; les gains ont été écrits, mais cette famille ne permet pas de les relire</translation>
     </message>
+    <message>
+        <source>it has restarted, or a second unit has number %1: another session answers</source>
+        <translation>il a redémarré, ou un second appareil a le numéro %1&#xa0;: une autre session répond</translation>
+    </message>
+    <message>
+        <source>its position is being reset</source>
+        <translation>sa position est en cours de remise à zéro</translation>
+    </message>
 </context>
 </TS>

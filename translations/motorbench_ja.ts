@@ -18330,5 +18330,13 @@ double click plots it, drag it to a pane or below them</source>
         <source>the steps in both directions kept their limits; the gains were written, which this family cannot read back</source>
         <translation>両方向のステップが限度内でした。ゲインを書き込みましたが、このファミリでは読み戻せません</translation>
     </message>
+    <message>
+        <source>it has restarted, or a second unit has number %1: another session answers</source>
+        <translation>再起動したか、2 台目の装置が番号 %1 を使っています。別のセッションが応答しています</translation>
+    </message>
+    <message>
+        <source>its position is being reset</source>
+        <translation>位置をリセットしているところです</translation>
+    </message>
 </context>
 </TS>

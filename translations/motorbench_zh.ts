@@ -18330,5 +18330,13 @@ double click plots it, drag it to a pane or below them</source>
         <source>the steps in both directions kept their limits; the gains were written, which this family cannot read back</source>
         <translation>两个方向的阶跃均在限值之内；增益已写入，此系列无法回读</translation>
     </message>
+    <message>
+        <source>it has restarted, or a second unit has number %1: another session answers</source>
+        <translation>它已重新启动，或者另有一台设备使用编号 %1：应答的是另一个会话</translation>
+    </message>
+    <message>
+        <source>its position is being reset</source>
+        <translation>正在将其位置清零</translation>
+    </message>
 </context>
 </TS>
