@@ -195,6 +195,15 @@ Result<void> Controller::check(const SetPoint &setPoint) const
     return {};
 }
 
+/// A restarted unit counts from 0, and would take a position that was meant for the count before (README.md#sessions).
+Result<void> Controller::doMayMove() const
+{
+    if (m_presence.isDoubted())
+        return fail(Fault::Unsafe,
+            say("it has restarted, or a second unit has number %1: another session answers", identity().address));
+    return {};
+}
+
 Result<void> Controller::doCommand(const SetPoint &setPoint)
 {
     const auto control = controlFor(setPoint, identity().address);
@@ -338,8 +347,14 @@ void Controller::askPeriod(std::uint8_t parameter)
         return;
     m_periodAskedAt = clock().now();
     (void)m_can.send(encodeParamRequest(identity().address, session(), parameter));
-    // README.md#sessions: a unit that lost its supply for so short a time that only frames seem to be missing has another session now.
-    m_unanswered.startIn(answerAtMost, [this] { m_presence.enumerate(); });
+    awaitAnswer();
+}
+
+/// README.md#sessions: a unit that lost its supply for so short a time that only frames seem to be missing, or none, has another session now.
+void Controller::awaitAnswer()
+{
+    if (!m_unanswered.isActive())
+        m_unanswered.startIn(answerAtMost, [this] { m_presence.enumerate(); });
 }
 
 /// With no task waiting: an answer that does not come is asked for again a second later.
@@ -351,6 +366,7 @@ void Controller::askFaults()
         return;
     for (const std::uint8_t parameter : FaultWatch::questions)
         (void)m_can.send(encodeParamRequest(identity().address, session(), parameter));
+    awaitAnswer();
 }
 
 void Controller::sessionChanged()

@@ -11,10 +11,12 @@ namespace mb::dmc60c {
 /// One DMC60C. Listens to its number on the bus all the time: telemetry, liveness, restarts, other masters. Talks only
 /// in tasks and control frames, with three exceptions, none while the device is busy: it enumerates the bus when the
 /// device is silent or its session looks wrong (README.md#bootloader), asks for a period when frames seem to be missing, and once a
-/// second for the faults that no status frame tells (README.md#hidden-faults); that question clears none.
+/// second for the faults that no status frame tells (README.md#hidden-faults); that question clears none. When either is not answered
+/// it enumerates as well.
 ///
 /// A new session under the number, with the old one silent, is the unit after a power cycle: it is adopted, and
 /// `liveness().restarted` holds until refresh() succeeds. With both answering, the identity becomes a duplicate.
+/// Nothing is driven until that is judged.
 class Controller final : public Device {
 public:
     Controller(const Family &family, CanLink &link, Clock &clock, Identity identity);
@@ -38,6 +40,7 @@ private:
     Task<void> doRestart() override;
 
     // Device, at once
+    [[nodiscard]] Result<void> doMayMove() const override;
     Result<void> doCommand(const SetPoint &setPoint) override;
     void doStop() override;
 
@@ -49,6 +52,7 @@ private:
     void onVersions(const EnumResponse1 &response);
     void askPeriod(std::uint8_t parameter);
     void askFaults();
+    void awaitAnswer();
     void sessionChanged();
     void restarted();
     void updateLiveness();
@@ -64,7 +68,7 @@ private:
     StatusSense m_sense;
     FaultWatch m_faultWatch;
     Presence m_presence;
-    Timer m_unanswered; ///< the latest question for a period
+    Timer m_unanswered; ///< a question that no task waits for
     bool m_restarted = false;
     Instant m_periodAskedAt{};
     std::uint32_t m_livenessKey = ~0U;

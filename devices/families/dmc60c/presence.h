@@ -28,6 +28,8 @@ public:
 
     [[nodiscard]] bool isHeard() const { return m_heard; }
     [[nodiscard]] bool hasForeignMaster() const { return m_foreignAt.has_value(); }
+    /// Another session answers under its number, and whether that is a restarted or a second unit is not judged yet.
+    [[nodiscard]] bool isDoubted() const { return m_candidate.has_value(); }
     [[nodiscard]] std::optional<int> session() const { return m_session; }
     /// Of the newest frame that proves that it is there.
     [[nodiscard]] std::optional<Instant> heardAt() const { return m_heardAt; }

@@ -24,6 +24,22 @@ constexpr int stopAttempts = 20;
 constexpr Duration stopLimit = 2s;
 constexpr Duration lookAgain = 5ms;
 
+/// True for as long as it lives.
+class Flag {
+public:
+    explicit Flag(bool &flag)
+        : m_flag(flag)
+    {
+        m_flag = true;
+    }
+    Flag(const Flag &) = delete;
+    Flag &operator=(const Flag &) = delete;
+    ~Flag() { m_flag = false; }
+
+private:
+    bool &m_flag;
+};
+
 } // namespace
 
 Controller::Controller(const Family &family, SerialLink &link, Clock &clock, Identity identity)
@@ -41,6 +57,10 @@ Controller::Controller(const Family &family, SerialLink &link, Clock &clock, Ide
     , m_polls(*m_line, m_node, *telemetry(),
           {[this](const Result<Frame> &reply) { onAnswer(reply); },
               [this](std::int64_t raw) {
+                  if (m_motion.count().mayHaveStarted(raw)) { // this sample counts from there already
+                      m_presence.zeroed();
+                      m_polls.setOrigin(m_motion.count().origin());
+                  }
                   m_presence.located(raw, m_motion.isBusy()); // reassert() has asked it
                   m_motion.setPosition(raw);
               },
@@ -101,6 +121,8 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
 {
     if (!m_node.dialect)
         return fail(Fault::Unsafe, say("its dialect is not known, so no move can be sent"), say("read it again"));
+    if (m_zeroing)
+        return fail(Fault::Unsafe, say("its position is being reset"), say("try again"));
     if (auto taken = m_motion.command(setPoint); !taken)
         return taken;
     telemetry()->append({channel::setPoint, clock().now(), setPoint.target});
@@ -262,8 +284,9 @@ Task<void> Controller::refresh()
 {
     auto asking = interview(*m_line, m_node);
     const Interview said = co_await std::move(asking);
+    if (m_presence.hasRestarted())
+        m_settings.restarted();
     m_presence.refreshed();
-    m_settings.refreshed();
     Identity known = identityOf(m_line->roster(), m_node, said);
     known.name = identity().name;
     setIdentity(std::move(known));
@@ -308,6 +331,7 @@ Task<std::vector<FaultRecord>> Controller::clearFaults()
 Task<void> Controller::zeroPosition()
 {
     stop();
+    const Flag zeroing(m_zeroing); // README.md#hang: the reset is sent again when its answer is lost
     const Instant limit = clock().now() + stopLimit;
     while (!isSeenStopped()) {
         if (clock().now() >= limit || m_serial.state() != LinkState::Open)

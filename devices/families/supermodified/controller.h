@@ -71,6 +71,7 @@ private:
     NodePresence m_presence;
     CodeReports m_codes;
     FollowerStop m_followerStop;
+    bool m_zeroing = false;
     bool m_energized = false; ///< as onMotion() saw it last
     Subscription m_linkState;
     Subscription m_identityChanged;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "async/listeners.h"
+#include "async/result.h"
 
 #include <set>
 
@@ -29,11 +30,25 @@ public:
     /// Whether that holds for this node; once.
     [[nodiscard]] bool takeFollowerStop(int node) { return m_followerStops.erase(node) > 0; }
 
+    /// Whether the buffered moves of all nodes may begin together.
+    [[nodiscard]] Result<void> mayRelease()
+    {
+        Result<void> allowed;
+        m_releasing.notify(allowed);
+        return allowed;
+    }
+    /// Whoever keeps one replaces a success by why it may not begin.
+    [[nodiscard]] Listeners<Result<void> &> &releasing() { return m_releasing; }
+    /// They have begun.
+    [[nodiscard]] Listeners<> &released() { return m_released; }
+
 private:
     const Roster &m_roster;
     std::set<int> m_driven;
     std::set<int> m_followerStops; ///< nodes that have not taken theirs
     Listeners<> m_followersTold;
+    Listeners<Result<void> &> m_releasing;
+    Listeners<> m_released;
 };
 
 } // namespace mb::supermodified

@@ -4,14 +4,24 @@
 #include "families/supermodified/movecommand.h"
 #include "model/parameter.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mb::supermodified {
+namespace {
+
+Error notAcknowledged()
+{
+    return {Fault::Unsafe, say("a buffered move is not acknowledged yet"), say("try again")};
+}
+
+} // namespace
 
 Motion::Motion(Line &line, const Node &node, Events events)
     : m_line(line)
     , m_node(node)
     , m_events(std::move(events))
+    , m_kept(line.driven(), {[this] { return mayBegin(); }, [this](const SetPoint &kept) { begun(kept); }})
     , m_stop(line, node, {[this] { stopped(); }, m_events.codes})
 {
 }
@@ -126,6 +136,7 @@ void Motion::send(Step step)
     m_ticket = m_line.submit(*request, [this, step](const Result<Frame> &reply) { answered(step, reply); });
     if (step == Step::Start) {
         ++m_starts;
+        m_count.startSent();
         doubt();
     }
 }
@@ -191,8 +202,10 @@ void Motion::done(Step step, const Frame &reply)
     case Step::Velocity:
     case Step::Acceleration: stored(step); break;
     case Step::Move:
-        m_applied = order;
-        beginRun(order);
+        if (order.buffered)
+            m_kept.keep(order);
+        else
+            begun(order);
         m_count.took(order);
         m_looked = false;
         m_orders.pop_front();
@@ -212,6 +225,14 @@ void Motion::stored(Step step)
     const Command command = speed ? Command::ProfileVelocity : Command::ProfileAcceleration;
     m_line.roster().noteSetting(m_node.id, command, raw);
     m_events.stored(command, raw);
+}
+
+/// The node moves to it now.
+void Motion::begun(const SetPoint &order)
+{
+    m_applied = order;
+    beginRun(order);
+    m_events.changed();
 }
 
 // A target that is passed
@@ -244,15 +265,27 @@ Result<void> Motion::release()
     if (m_failure)
         return mb::fail(Fault::Unsafe, *m_failure);
     if (isBusy())
-        return mb::fail(Fault::Unsafe, say("a buffered move is not acknowledged yet"), say("try again"));
-    if (m_applied && m_applied->buffered && !m_applied->relative) { // from where the motor is by now
-        if (auto reachable = bounds().checkReach(*m_applied, m_count.stepOf(*m_applied, m_energized)); !reachable)
-            return reachable;
-    }
+        return mb::fail(notAcknowledged());
+    if (auto allowed = m_line.driven().mayRelease(); !allowed)
+        return allowed;
     Line::Request tell = telling(m_node, Command::DoMove);
     tell.rank = Line::Rank::Move;
     m_releaseTicket = m_line.submit(tell, [](const Result<Frame> &) {});
+    m_line.driven().released().notify();
     return {};
+}
+
+/// The move that it keeps, from where the motor is by now.
+Result<void> Motion::mayBegin() const
+{
+    if (std::any_of(m_orders.begin(), m_orders.end(), [](const SetPoint &order) { return order.buffered; }))
+        return mb::fail(notAcknowledged());
+    const auto &kept = m_kept.order();
+    if (!kept)
+        return {};
+    if (m_failure)
+        return mb::fail(Fault::Unsafe, *m_failure);
+    return kept->relative ? Result<void>() : bounds().checkReach(*kept, m_count.stepOf(*kept, m_energized));
 }
 
 void Motion::reassert()
@@ -307,6 +340,7 @@ void Motion::stop()
     m_orders.clear();
     m_wanted.reset();
     m_applied.reset();
+    m_kept.reset();
     m_failure.reset();
     m_run.reset();
     m_looked = false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "families/supermodified/keptmove.h"
 #include "families/supermodified/motioncount.h"
 #include "families/supermodified/motionstop.h"
 #include "families/supermodified/movebounds.h"
@@ -36,7 +37,8 @@ public:
     /// Takes a set-point; what it needs is sent one after the other. Fails with why the motion before it ended (stall, no
     /// answer) until stop() was called, and while a stop is not acknowledged.
     [[nodiscard]] Result<void> command(const SetPoint &setPoint);
-    /// Broadcasts DoMove once everything that was commanded has been acknowledged; never after a motion that failed.
+    /// Broadcasts DoMove once everything that was commanded has been acknowledged; never after a motion that failed. Begins what other
+    /// nodes of the line keep as well, so all must be ready.
     [[nodiscard]] Result<void> release();
     /// Stops now, and goes on until the node has acknowledged it; across a lost link, too.
     void stop();
@@ -66,6 +68,8 @@ public:
 
 private:
     enum class Step { Stop, Look, Start, Velocity, Acceleration, Move };
+    [[nodiscard]] Result<void> mayBegin() const;
+    void begun(const SetPoint &order);
     void beginRun(const SetPoint &setPoint);
     void pump();
     [[nodiscard]] Step nextStep() const;
@@ -84,7 +88,8 @@ private:
     Events m_events;
     std::deque<SetPoint> m_orders; ///< not acknowledged yet; the first one is under way
     std::optional<SetPoint> m_wanted;
-    std::optional<SetPoint> m_applied;
+    std::optional<SetPoint> m_applied; ///< the node moves by it
+    KeptMove m_kept;
     std::optional<Step> m_step;
     int m_tries = 0;
     bool m_looked = false;

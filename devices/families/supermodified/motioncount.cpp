@@ -52,12 +52,24 @@ void MotionCount::told(std::int64_t raw)
     m_position = raw;
 }
 
+bool MotionCount::mayHaveStarted(std::int64_t raw)
+{
+    const auto before = std::exchange(m_startSentAt, std::nullopt);
+    if (!before || std::abs(raw) >= std::abs(raw - *before))
+        return false;
+    m_origin += *before;
+    m_position = 0;
+    doubted();
+    return true;
+}
+
 void MotionCount::started()
 {
     m_origin += m_position.value_or(0);
     m_position = 0;
     m_setPoint = Range{};
     m_halted = false;
+    m_startSentAt.reset();
 }
 
 void MotionCount::took(const SetPoint &setPoint)
@@ -93,6 +105,7 @@ void MotionCount::zeroed()
 {
     m_origin = 0;
     m_position = 0;
+    m_startSentAt.reset();
     doubted();
 }
 

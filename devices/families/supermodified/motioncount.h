@@ -40,6 +40,11 @@ public:
 
     /// The node told it.
     void told(std::int64_t raw);
+    /// A Start is on its way; whether it is done is not known before its answer.
+    void startSent() { m_startSentAt = m_position; }
+    /// With the first position that is told after a Start without an answer, before told(): true when the node has counted from 0
+    /// since, and the origin is another one.
+    [[nodiscard]] bool mayHaveStarted(std::int64_t raw);
     void started();
     /// The node took this order.
     void took(const SetPoint &setPoint);
@@ -61,7 +66,8 @@ private:
     std::int64_t m_origin = 0;
     std::optional<std::int64_t> m_position;
     std::optional<Range> m_setPoint;
-    bool m_halted = false; ///< since m_position was told
+    std::optional<std::int64_t> m_startSentAt; ///< as the node counted then; until its answer
+    bool m_halted = false;                     ///< since m_position was told
 };
 
 } // namespace mb::supermodified

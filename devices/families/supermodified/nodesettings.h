@@ -21,8 +21,8 @@ public:
     [[nodiscard]] Task<std::int64_t> write(ParameterIndex index, std::int64_t raw);
     /// One exchange with the node: node.h.
     [[nodiscard]] Task<Frame> talk(Line::Request request);
-    /// The node was read anew.
-    void refreshed() { m_owedLimit.reset(); }
+    /// The node has restarted, and reports what it stored.
+    void restarted() { m_owedLimit.reset(); }
 
 private:
     [[nodiscard]] Task<bool> isTaken(int id);

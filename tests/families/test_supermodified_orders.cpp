@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Orders that meet something else: a stop, an answer that is lost, a move that waits, a reset of the position.
+#include "families/supermodifiedbench.h"
+
+#include <cmath>
+
+namespace mb::supermodified {
+namespace {
+
+using namespace std::chrono_literals;
+using mb::test::run;
+using test::Bench;
+using test::ramp;
+using test::setPoint;
+using SupermodifiedOrders = test::OneNode;
+
+SetPoint buffered(SetPoint move)
+{
+    move.buffered = true;
+    return move;
+}
+
+// A Start of which nobody knows whether it was done (supermodified/README.md#start)
+
+TEST(SupermodifiedStart, AStopWhileItIsOnTheWireLosesNoPosition)
+{
+    for (int moment = 0; moment < 25; ++moment) {
+        Bench bench;
+        Simulator &node = bench.add("supermodified:4");
+        const auto device = bench.connect(4);
+        const auto channel = *device->telemetry()->find("position");
+        const auto position = [&] { return device->telemetry()->latest(channel)->value; };
+        ASSERT_TRUE(device->command(setPoint(Mode::Position, 3000.0)));
+        bench.clock.advance(2s);
+        device->stop();
+        bench.clock.advance(200ms);
+        const double rest = position();
+        ASSERT_NEAR(rest, 3000.0, 30.0);
+        bench.sent.clear();
+        ASSERT_TRUE(device->command(setPoint(Mode::Position, rest)));
+        ASSERT_TRUE(bench.clock.runUntil([&] { return bench.count(Command::Start) == 1; }, 200ms));
+        bench.clock.advance(200us * moment);
+        device->stop();
+        for (int i = 0; i < 20; ++i) {
+            bench.clock.advance(10ms);
+            ASSERT_NEAR(position(), rest, 30.0) << moment;
+        }
+        EXPECT_FALSE(device->liveness().restarted) << moment;
+        ASSERT_TRUE(device->command(setPoint(Mode::Position, rest)));
+        bench.clock.advance(1s);
+        EXPECT_NEAR(position(), rest, 30.0) << moment;
+        EXPECT_NEAR(node.position(), rest, 30.0) << moment << ": it was told to stay";
+    }
+}
+
+TEST_F(SupermodifiedOrders, AStartWhoseAnswerIsLostLosesNoPosition)
+{
+    order(setPoint(Mode::Position, 3000.0), 2s);
+    device->stop();
+    bench.clock.advance(200ms);
+    const double rest = position();
+    bench.sent.clear();
+    ASSERT_TRUE(device->command(setPoint(Mode::Position, rest)));
+    ASSERT_TRUE(bench.clock.runUntil([&] { return bench.count(Command::Start) == 1; }, 200ms));
+    ASSERT_TRUE(bench.clock.runUntil([&] { return node.isOutputOn(); }, 20ms));
+    bench.line.setLoss(1.0);
+    bench.clock.advance(20ms);
+    bench.line.setLoss(0.0);
+    bench.clock.advance(1s);
+    EXPECT_GE(bench.count(Command::Start), 2);
+    EXPECT_NEAR(position(), rest, 30.0);
+    EXPECT_NEAR(node.position(), rest, 30.0);
+    EXPECT_FALSE(device->liveness().restarted);
+}
+
+// Moves that wait
+
+TEST(SupermodifiedRelease, AMoveThatAnotherNodeKeepsIsCheckedOnceMoreToo)
+{
+    Bench bench;
+    bench.add("supermodified:4");
+    Simulator &other = bench.add("supermodified:5,dialect=D1");
+    const auto lead = bench.connect(4);
+    const auto member = bench.connect(5);
+    bench.clock.advance(100ms);
+    ASSERT_TRUE(run(bench.clock, member->write(Bench::index("gain.p"), 65535)));
+    ASSERT_TRUE(member->command(setPoint(Mode::Position, 20000.0)));
+    bench.clock.advance(4s);
+    ASSERT_NEAR(other.position(), 20000.0, 100.0);
+    ASSERT_TRUE(member->command(setPoint(Mode::Position, 0.0)));
+    ASSERT_TRUE(member->command(buffered(setPoint(Mode::Position, 50000.0))));
+    ASSERT_TRUE(lead->command(buffered(setPoint(Mode::Position, 100.0))));
+    bench.clock.advance(4s);
+    ASSERT_NEAR(other.position(), 0.0, 100.0);
+    bench.sent.clear();
+    const auto released = lead->releaseMoves();
+    ASSERT_FALSE(released) << "a step of 50000 wraps";
+    EXPECT_EQ(released.error().fault, Fault::OutOfRange);
+    bench.clock.advance(100ms);
+    EXPECT_EQ(bench.count(Command::DoMove), 0);
+}
+
+TEST(SupermodifiedRelease, AMoveThatAnotherNodeHasNotAcknowledgedYetIsNotLeftBehind)
+{
+    Bench bench;
+    bench.add("supermodified:4");
+    bench.add("supermodified:5");
+    const auto lead = bench.connect(4);
+    const auto member = bench.connect(5);
+    ASSERT_TRUE(lead->command(buffered(setPoint(Mode::Position, 100.0))));
+    bench.clock.advance(500ms);
+    ASSERT_TRUE(member->command(buffered(setPoint(Mode::Position, 100.0))));
+    EXPECT_FALSE(lead->releaseMoves());
+    bench.clock.advance(500ms);
+    EXPECT_TRUE(lead->releaseMoves());
+}
+
+TEST(SupermodifiedRelease, AProfiledMoveIsWatchedAlthoughAnotherWaits)
+{
+    int passed = 0;
+    for (const double target : {3000.0, -3000.0, 3001.0, 4000.0, 5003.0, 7777.0}) {
+        Bench bench;
+        Simulator &node = bench.add("supermodified:4,motor=cim,dialect=D1");
+        const auto device = bench.connect(4);
+        ASSERT_TRUE(device->command(ramp(target, 6000.0, 40000.0)));
+        bench.clock.advance(200ms);
+        ASSERT_TRUE(device->command(buffered(setPoint(Mode::Position, 0.0))));
+        double farthest = 0.0;
+        for (int i = 0; i < 400; ++i) {
+            bench.clock.advance(10ms);
+            farthest = std::max(farthest, node.position() / std::copysign(1.0, target));
+        }
+        EXPECT_LT(farthest, std::abs(target) + 850.0) << target;
+        passed += node.isOutputOn() ? 0 : 1;
+    }
+    EXPECT_GT(passed, 0) << "the simulated firmware has the fault of the real one";
+}
+
+TEST(SupermodifiedRelease, AProfiledMoveThatWaitedIsWatchedFromItsReleaseOfAnotherNodeToo)
+{
+    int passed = 0;
+    for (const double target : {3000.0, -3000.0, 3001.0, 4000.0, 5003.0, 7777.0}) {
+        Bench bench;
+        bench.add("supermodified:4");
+        Simulator &node = bench.add("supermodified:5,motor=cim,dialect=D1");
+        const auto lead = bench.connect(4);
+        const auto member = bench.connect(5);
+        ASSERT_TRUE(lead->command(buffered(setPoint(Mode::Position, 100.0))));
+        ASSERT_TRUE(member->command(buffered(ramp(target, 6000.0, 40000.0))));
+        bench.clock.advance(500ms);
+        ASSERT_TRUE(lead->releaseMoves());
+        double farthest = 0.0;
+        for (int i = 0; i < 400; ++i) {
+            bench.clock.advance(10ms);
+            farthest = std::max(farthest, node.position() / std::copysign(1.0, target));
+        }
+        EXPECT_LT(farthest, std::abs(target) + 850.0) << target;
+        passed += node.isOutputOn() ? 0 : 1;
+    }
+    EXPECT_GT(passed, 0) << "the simulated firmware has the fault of the real one";
+}
+
+TEST_F(SupermodifiedOrders, AMoveThatWaitsNeitherStopsTheOneThatRunsNorIsShownForIt)
+{
+    order(ramp(20000.0, 2000.0, 20000.0), 700ms);
+    ASSERT_GT(node.position(), 500.0);
+    ASSERT_LT(node.position(), 3000.0);
+    order(buffered(ramp(5000.0, 2000.0, 20000.0)), 300ms);
+    order(buffered(setPoint(Mode::Velocity, 100.0)), 300ms);
+    EXPECT_EQ(device->liveness().mode, Mode::RampPosition);
+    order(buffered(ramp(5000.0, 2000.0, 20000.0)), 4s);
+    EXPECT_GT(node.position(), 6500.0);
+    EXPECT_TRUE(node.isOutputOn());
+    order(buffered(setPoint(Mode::Velocity, 100.0)), 300ms);
+    ASSERT_TRUE(device->releaseMoves());
+    bench.clock.advance(300ms);
+    EXPECT_EQ(device->liveness().mode, Mode::Velocity);
+}
+
+// The position is reset (supermodified/README.md#hang)
+
+TEST_F(SupermodifiedOrders, NothingStartsANodeWhileItsPositionIsReset)
+{
+    order(setPoint(Mode::Position, 500.0), 1s);
+    auto zeroing = device->zeroPosition();
+    zeroing.start();
+    ASSERT_TRUE(bench.clock.runUntil([&] { return bench.count(Command::ResetPosition) == 1; }, 1s));
+    bench.clock.advance(1ms);
+    bench.line.setLoss(1.0); // its answer
+    bench.clock.advance(8ms);
+    bench.line.setLoss(0.0);
+    bench.sent.clear();
+    const auto started = device->command(setPoint(Mode::Position, 1000.0));
+    ASSERT_FALSE(started);
+    EXPECT_EQ(started.error().fault, Fault::Unsafe);
+    ASSERT_TRUE(bench.clock.runUntil([&] { return zeroing.isFinished(); }, 5s));
+    EXPECT_TRUE(zeroing.result());
+    EXPECT_EQ(bench.count(Command::Start), 0);
+    EXPECT_TRUE(device->command(setPoint(Mode::Position, 0.0)));
+}
+
+// The current limit (supermodified/README.md#settings)
+
+TEST_F(SupermodifiedOrders, ALimitThatIsOwedIsNotForgottenWhenTheNodeIsReadAnew)
+{
+    ASSERT_TRUE(run(bench.clock, device->write(Bench::index("limit.current"), 900)));
+    {
+        const Subscription cut = bench.host.traffic().add([&](const Traffic &traffic) {
+            const auto frames = test::framesIn({traffic.bytes.begin(), traffic.bytes.end()});
+            if (traffic.direction == Direction::Received && !frames.empty()
+                && frames.back().is(Command::CurrentLimitDuration))
+                bench.line.setLoss(1.0);
+        });
+        EXPECT_FALSE(run(bench.clock, device->write(Bench::index("limit.current.duration"), 7000)));
+        bench.line.setLoss(0.0);
+    }
+    bench.clock.advance(1s);
+    ASSERT_FALSE(device->liveness().restarted);
+    ASSERT_TRUE(run(bench.clock, device->refresh()));
+    ASSERT_TRUE(run(bench.clock, device->write(Bench::index("limit.current.duration"), 7000)));
+    node.setPowered(false);
+    bench.clock.advance(1s);
+    node.setPowered(true);
+    bench.clock.advance(2s);
+    EXPECT_EQ(run(bench.clock, device->read(Bench::index("limit.current"))).value_or(0), 900);
+}
+
+} // namespace
+} // namespace mb::supermodified
