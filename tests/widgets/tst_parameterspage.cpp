@@ -43,7 +43,7 @@ private Q_SLOTS:
     void everyControlHasAName();
     void nothingIsCutAtTwiceTheFont();
     void namesGetTheRoomThatNoStateNeeds();
-    void keysAreWholeBeforeRawNumbersAreShown();
+    void keysAndNamesAreWholeBeforeRawNumbersAreShown();
     void noKeyGoesWhileColumnsHaveRoomToGive();
     void onAWideScreenAValueStandsBesideItsName();
     void namesThatBeginAlikeDifferWhereTheyAreCut();
@@ -72,14 +72,14 @@ void TestParametersPage::namesGetTheRoomThatNoStateNeeds()
         > textWidth(ParameterModel::State, QStringLiteral("edited, was −32768")) + 18);
 }
 
-void TestParametersPage::keysAreWholeBeforeRawNumbersAreShown()
+void TestParametersPage::keysAndNamesAreWholeBeforeRawNumbersAreShown()
 {
     ParameterBench bench;
     const ParameterView &view = bench.page->view();
     const QFontMetrics raw(bench.theme.theme().font(TextRole::Raw, view.font()));
     const int longest = raw.horizontalAdvance(QStringLiteral("limit.forward.switch.normally_closed"));
     bool shown = false;
-    for (int width = 1048; width < 1500; width += 20) {
+    for (int width = 1048; width < 1700; width += 20) {
         bench.page->resize(width, 640);
         QCoreApplication::processEvents();
         if (view.columnWidth(ParameterModel::Raw) == 0)
@@ -87,6 +87,10 @@ void TestParametersPage::keysAreWholeBeforeRawNumbersAreShown()
         shown = true;
         QVERIFY2(view.columnWidth(ParameterModel::Key) >= longest + 16,
             qPrintable(QStringLiteral("%1 at %2").arg(view.columnWidth(ParameterModel::Key)).arg(width)));
+        const int name = QFontMetrics(bench.theme.theme().font(TextRole::Body, view.font()))
+                             .horizontalAdvance(QStringLiteral("Forward switch is normally closed"));
+        QVERIFY2(view.columnWidth(ParameterModel::Label) >= name + 34 + 8,
+            qPrintable(QStringLiteral("%1 at %2").arg(view.columnWidth(ParameterModel::Label)).arg(width)));
     }
     QVERIFY(shown);
 }

@@ -14,7 +14,6 @@ namespace {
 
 constexpr std::size_t batchLimit = 65536;
 constexpr std::size_t scanStep = 4000;
-constexpr std::size_t mostIdentifiers = 4096; ///< whose last time is remembered for Δ
 
 /// Of all packets that some bytes complete, in their order.
 template <class Text> QString packetsText(const std::vector<FrameMeaning> &packets, const Text &textOf)
@@ -47,8 +46,7 @@ void FrameModel::setSource(std::shared_ptr<const TrafficLog> log, LinkKind kind)
     if (log == m_log)
         return;
     m_log = std::move(log);
-    m_follower = {};
-    m_packets = ByteFollower(kind);
+    m_succession = FrameSuccession(kind);
     m_origin = {};
     m_joins = true;
     m_begin = 0;
@@ -79,8 +77,7 @@ void FrameModel::clear()
     m_scan.stop();
     m_skipped = 0;
     m_begin = m_fetched;
-    m_last.clear();
-    m_lastPacket.clear();
+    m_succession.forgetTimes();
     m_meanings.fill({});
     endResetModel();
 }
@@ -156,22 +153,7 @@ void FrameModel::setFrozen(bool frozen)
 
 void FrameModel::keep(TrafficRecord record)
 {
-    FrameRow row{std::move(record), 0.0, {}};
-    const Instant time = row.record.frame.time;
-    const auto since = [time](auto &book, const auto &key) {
-        const auto [last, isNew] = book.try_emplace(key, time);
-        return isNew ? 0.0 : secondsOf(time - std::exchange(last->second, time));
-    };
-    if (row.record.isFrame()) {
-        row.asked = m_follower.addressOf(row.record.frame);
-        if (m_last.size() > mostIdentifiers)
-            m_last.clear();
-        row.sinceSame = since(m_last, keyOf(row.record.direction, row.record.frame));
-    } else if (auto packets = m_packets.take(row.record); !packets.empty()) {
-        row.said = std::make_shared<const std::vector<FrameMeaning>>(std::move(packets));
-        row.sinceSame = since(m_lastPacket, std::pair(row.record.direction, row.packet()->frame.message));
-    }
-    m_live.rows.push_back(std::move(row));
+    m_live.rows.push_back(m_succession.next(std::move(record)));
 }
 
 bool FrameModel::fetch()

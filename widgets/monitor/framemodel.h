@@ -3,26 +3,16 @@
 
 #include "widgets/common/theme.h"
 #include "widgets/monitor/framefilter.h"
+#include "widgets/monitor/framerow.h"
 
 #include <QAbstractTableModel>
 #include <QTimer>
 
 #include <array>
 #include <deque>
-#include <map>
 #include <memory>
 
 namespace mb {
-
-/// One row of the chronological view.
-struct FrameRow {
-    TrafficRecord record;
-    double sinceSame = 0.0;   ///< seconds since the last frame of this identifier and direction; 0 for the first
-    std::optional<int> asked; ///< whom it is from, where the frame does not tell
-    std::shared_ptr<const std::vector<FrameMeaning>> said{}; ///< packets that bytes complete; never empty
-
-    [[nodiscard]] const FrameMeaning *packet() const { return said ? &said->front() : nullptr; }
-};
 
 /// The newest records of one link that pass the filter, oldest first. Frames are decoded only when a cell of theirs is asked for, or when the
 /// filter asks. fetch() takes what came since the last call; what came faster than it was fetched is counted in skipped().
@@ -107,15 +97,12 @@ private:
     const Store *m_shownStore = &m_live;
     std::deque<std::uint64_t> m_shown; ///< numbers of the rows that pass
     std::uint64_t m_unscanned = 0;     ///< rows before this number were not looked through yet
-    std::map<TrafficKey, Instant> m_last;
     std::uint64_t m_begin = 0;
     std::uint64_t m_fetched = 0;
     std::uint64_t m_skipped = 0;
     bool m_joins = true; ///< the next fetch is the first of a series
     std::vector<TrafficRecord> m_batch;
-    FrameFollower m_follower;
-    ByteFollower m_packets{LinkKind::Can};
-    std::map<std::pair<Direction, std::string_view>, Instant> m_lastPacket; ///< by its name
+    FrameSuccession m_succession{LinkKind::Can};
     mutable std::array<Cached, 512> m_meanings;
     QTimer m_scan;
 };

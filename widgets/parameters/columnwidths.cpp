@@ -125,9 +125,10 @@ ColumnWidths columnWidthsFor(
     widths[at(ParameterModel::State)]
         = std::min(widths[at(ParameterModel::State)], leastState(model, delegate, theme, body));
     const int wholeKeys = natural[at(ParameterModel::Key)] - widths[at(ParameterModel::Key)];
+    const int wholeNames = natural[at(ParameterModel::Label)] - widths[at(ParameterModel::Label)];
     for (const int column : {ParameterModel::Raw, ParameterModel::Key, ParameterModel::Reference}) {
         // Keys are copied, raw numbers stand in the tooltip; a key goes only where no other column has anything left to give.
-        const int more = column == ParameterModel::Raw ? wholeKeys : -squeezable(widths, theme);
+        const int more = column == ParameterModel::Raw ? wholeKeys + wholeNames : -squeezable(widths, theme);
         if (sum(widths) + more > room)
             widths[at(column)] = natural[at(column)] = 0;
     }
