@@ -2,9 +2,7 @@
 #include "spike.h"
 #include "support/utf8.h"
 #include "support/windowtests.h"
-#include "widgets/plots/columnpath.h"
 #include "widgets/plots/fixedtrace.h"
-#include "widgets/plots/plotreadings.h"
 #include "widgets/plots/plotstack.h"
 
 #include <QPaintEvent>
@@ -108,7 +106,6 @@ private Q_SLOTS:
     void liveFollowsThePresentByWholeColumns();
     void pausedStaysWhereItIs();
     void aGapAtThePresentEndsNow();
-    void whatIsKeptWithoutItsSourceHasGapsOnlyWhereSamplesAreLost();
     void clearingLeavesAUsablePlot();
     void cursorsReadTheTrace();
     void keysZoomPauseAndFit();
@@ -221,26 +218,6 @@ void PlotsTest::pausedStaysWhereItIs()
     stack->refresh(200);
     QCOMPARE(source->asked, asked);
     QCOMPARE(stack->view().range(), std::make_pair(3.0, 5.0));
-}
-
-void PlotsTest::whatIsKeptWithoutItsSourceHasGapsOnlyWhereSamplesAreLost()
-{
-    struct Source : FixedTrace {
-        using FixedTrace::FixedTrace;
-        std::optional<Statistics> statistics(double from, double to) const override
-        {
-            Statistics found;
-            found.lost = from < 3.0 && to > 3.0 ? 2 : 0; // at 3 s only
-            return found;
-        }
-    };
-    std::vector<PlotPoint> points{{1.0, 1}, PlotPoint::gap(1.01), {1.02, 2}, {3.0, 2}, PlotPoint::gap(3.0), {3.02, 2},
-        PlotPoint::gap(3.1), {4.0, 1}};
-    const Source source(points);
-    joinUnlost(points, source);
-    QCOMPARE(gapsOf(points, 4.0).size(), std::size_t(2)); // a loss, and a silence
-    QCOMPARE(gapsOf(points, 4.0).front().first, 3.0);
-    QCOMPARE(points.size(), std::size_t(7));
 }
 
 void PlotsTest::aGapAtThePresentEndsNow()

@@ -140,7 +140,7 @@ void MetricsPanel::fillRows()
     const int repeats = m_b ? m_b->trial.repeat : 1;
     m_repeats->setText(
         repeats > 1 ? (whole ? tr("± from %1 repeats") : tr("means of %1 repeats")).arg(repeats) : QString());
-    if (std::exchange(m_least, least + around.left() + around.right() + m_theme.theme().u(16)) != m_least)
+    if (std::exchange(m_least, least + around.left() + around.right() + m_theme.theme().u(20)) != m_least)
         Q_EMIT leastWidthChanged();
 }
 
