@@ -115,14 +115,19 @@ Task<void> Controller::doRestart()
         co_return fail(stored.error());
     auto resetting = m_orders.ask({Command::SoftReset});
     const Result<VendorReply> reply = co_await std::move(resetting).attempt();
-    if (!reply && reply.error().fault == Fault::Timeout)
+    if (!reply && reply.error().fault != Fault::Timeout)
+        co_return fail(reply.error());
+    if (!reply)
+        restarted(); // only its answer may be lost
+    auto refreshing = refresh();
+    const Result<void> refreshed = co_await std::move(refreshing).attempt();
+    if (!reply && !refreshed)
         co_return fail(Fault::Timeout, say("it did not come back"),
             say("without an application its bootloader is silent (scan shows it)"));
     if (!reply)
-        co_return fail(reply.error());
-    auto refreshing = refresh();
-    co_await std::move(refreshing);
-    co_return {};
+        co_return fail(Fault::Timeout, say("it did not say that it restarts, and may have done so or not"),
+            say("restart it once more"));
+    co_return refreshed;
 }
 
 Task<void> Controller::rename(std::string name)
