@@ -19,6 +19,13 @@ constexpr int wakesNeeded = 3; ///< frames may be lost
 constexpr Duration answerAtMost
     = 100ms; ///< to the question for a period; it stands still for 54 ms while it writes flash
 
+/// README.md#sessions: a unit that lost its supply for so short a time that only frames seem to be missing, or none, has another session now.
+void awaitAnswer(Timer &unanswered, Presence &presence)
+{
+    if (!unanswered.isActive())
+        unanswered.startIn(answerAtMost, [&presence] { presence.enumerate(); });
+}
+
 } // namespace
 
 Controller::Controller(const Family &family, CanLink &link, Clock &clock, Identity identity)
@@ -355,14 +362,7 @@ void Controller::askPeriod(std::uint8_t parameter)
         return;
     m_periodAskedAt = clock().now();
     (void)m_can.send(encodeParamRequest(identity().address, session(), parameter));
-    awaitAnswer();
-}
-
-/// README.md#sessions: a unit that lost its supply for so short a time that only frames seem to be missing, or none, has another session now.
-void Controller::awaitAnswer()
-{
-    if (!m_unanswered.isActive())
-        m_unanswered.startIn(answerAtMost, [this] { m_presence.enumerate(); });
+    awaitAnswer(m_unanswered, m_presence);
 }
 
 /// With no task waiting: an answer that does not come is asked for again a second later.
@@ -374,7 +374,7 @@ void Controller::askFaults()
         return;
     for (const std::uint8_t parameter : FaultWatch::questions)
         (void)m_can.send(encodeParamRequest(identity().address, session(), parameter));
-    awaitAnswer();
+    awaitAnswer(m_unanswered, m_presence);
 }
 
 void Controller::sessionChanged()
