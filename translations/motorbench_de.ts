@@ -18706,5 +18706,13 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>its position is being reset</source>
         <translation>seine Position wird gerade zurückgesetzt</translation>
     </message>
+    <message>
+        <source>it did not say that it restarts, and may have done so or not</source>
+        <translation>es hat nicht gemeldet, dass es neu startet, und kann es getan haben oder nicht</translation>
+    </message>
+    <message>
+        <source>restart it once more</source>
+        <translation>noch einmal neu starten</translation>
+    </message>
 </context>
 </TS>

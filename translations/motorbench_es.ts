@@ -18706,5 +18706,13 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>its position is being reset</source>
         <translation>su posición se está poniendo a cero</translation>
     </message>
+    <message>
+        <source>it did not say that it restarts, and may have done so or not</source>
+        <translation>no ha dicho que se reinicia, y puede haberlo hecho o no</translation>
+    </message>
+    <message>
+        <source>restart it once more</source>
+        <translation>reinícielo una vez más</translation>
+    </message>
 </context>
 </TS>

@@ -18706,5 +18706,13 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <source>its position is being reset</source>
         <translation>sa position est en cours de remise à zéro</translation>
     </message>
+    <message>
+        <source>it did not say that it restarts, and may have done so or not</source>
+        <translation>il n’a pas dit qu’il redémarre, et l’a peut-être fait ou non</translation>
+    </message>
+    <message>
+        <source>restart it once more</source>
+        <translation>redémarrez-le encore une fois</translation>
+    </message>
 </context>
 </TS>

@@ -18688,5 +18688,13 @@ double click plots it, drag it to a pane or below them</source>
         <source>its position is being reset</source>
         <translation>位置をリセットしているところです</translation>
     </message>
+    <message>
+        <source>it did not say that it restarts, and may have done so or not</source>
+        <translation>再起動するという応答がなく、再起動したかどうかは分かりません</translation>
+    </message>
+    <message>
+        <source>restart it once more</source>
+        <translation>もう一度再起動してください</translation>
+    </message>
 </context>
 </TS>

@@ -18688,5 +18688,13 @@ double click plots it, drag it to a pane or below them</source>
         <source>its position is being reset</source>
         <translation>正在将其位置清零</translation>
     </message>
+    <message>
+        <source>it did not say that it restarts, and may have done so or not</source>
+        <translation>它没有应答要重新启动，可能已经重启，也可能没有</translation>
+    </message>
+    <message>
+        <source>restart it once more</source>
+        <translation>请再重新启动一次</translation>
+    </message>
 </context>
 </TS>

@@ -43,5 +43,29 @@ TEST_F(Dmc60cController, ASecondUnitThatWasHeardOnceLocksNothingOnceItWasJudged)
     EXPECT_TRUE(command(Mode::Duty, 0.1)) << "its own session";
 }
 
+TEST_F(Dmc60cController, ARestartWhoseAnswerIsLostCountsAsOneAndIsTold)
+{
+    unit.every(10ms, resting);
+    unit.answer(getVersions, {versionsReply});
+    unit.answer(getDescriptors, {descriptors});
+    unit.answer("02061805#34123D", {{"02061845#3D0000280000"}});
+    ASSERT_TRUE(run(device->read(index("current_limit.continuous"))));
+    const auto ended = run(device->restart());
+    ASSERT_FALSE(ended);
+    EXPECT_EQ(ended.error().fault, Fault::Timeout);
+    EXPECT_NE(ended.error().text().find("may have done so"), std::string::npos) << ended.error().text();
+    EXPECT_EQ(device->parameters().entry(index("current_limit.continuous")).state, ParameterState::Unknown);
+    EXPECT_FALSE(device->liveness().restarted) << "it was looked at again";
+}
+
+TEST_F(Dmc60cController, AUnitThatIsSilentAfterItsRestartDidNotComeBack)
+{
+    unit.every(10ms, resting);
+    clock.advance(50ms);
+    const auto ended = run(device->restart());
+    ASSERT_FALSE(ended);
+    EXPECT_NE(ended.error().text().find("did not come back"), std::string::npos) << ended.error().text();
+}
+
 } // namespace
 } // namespace mb::dmc60c

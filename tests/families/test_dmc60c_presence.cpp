@@ -82,6 +82,7 @@ TEST_F(Dmc60cController, AsksTheDeviceBeforeItTakesALongerPeriodForLoss)
 
 TEST_F(Dmc60cController, IsLostAfterAHundredMillisecondsOfSilence)
 {
+    unit.answer("02061805#341233", {{"02061845#330000000000"}}); // else it is looked for already
     unit.every(10ms, resting);
     clock.advance(50ms);
     EXPECT_TRUE(device->liveness().heard);

@@ -19,6 +19,13 @@ constexpr int wakesNeeded = 3; ///< frames may be lost
 constexpr Duration answerAtMost
     = 100ms; ///< to the question for a period; it stands still for 54 ms while it writes flash
 
+/// README.md#sessions: a unit that lost its supply for so short a time that only frames seem to be missing, or none, has another session now.
+void awaitAnswer(Timer &unanswered, Presence &presence)
+{
+    if (!unanswered.isActive())
+        unanswered.startIn(answerAtMost, [&presence] { presence.enumerate(); });
+}
+
 } // namespace
 
 Controller::Controller(const Family &family, CanLink &link, Clock &clock, Identity identity)
@@ -112,14 +119,19 @@ Task<void> Controller::doRestart()
     co_await std::move(storing);
     auto resetting = m_orders.ask({Command::SoftReset});
     const Result<VendorReply> reply = co_await std::move(resetting).attempt();
-    if (!reply && reply.error().fault == Fault::Timeout)
+    if (!reply && reply.error().fault != Fault::Timeout)
+        co_return fail(reply.error());
+    if (!reply)
+        restarted(); // only its answer may be lost
+    auto refreshing = refresh();
+    const Result<void> refreshed = co_await std::move(refreshing).attempt();
+    if (!reply && !refreshed)
         co_return fail(Fault::Timeout, say("it did not come back"),
             say("without an application its bootloader is silent (scan shows it)"));
     if (!reply)
-        co_return fail(reply.error());
-    auto refreshing = refresh();
-    co_await std::move(refreshing);
-    co_return {};
+        co_return fail(Fault::Timeout, say("it did not say that it restarts, and may have done so or not"),
+            say("restart it once more"));
+    co_return refreshed;
 }
 
 Task<void> Controller::rename(std::string name)
@@ -347,14 +359,7 @@ void Controller::askPeriod(std::uint8_t parameter)
         return;
     m_periodAskedAt = clock().now();
     (void)m_can.send(encodeParamRequest(identity().address, session(), parameter));
-    awaitAnswer();
-}
-
-/// README.md#sessions: a unit that lost its supply for so short a time that only frames seem to be missing, or none, has another session now.
-void Controller::awaitAnswer()
-{
-    if (!m_unanswered.isActive())
-        m_unanswered.startIn(answerAtMost, [this] { m_presence.enumerate(); });
+    awaitAnswer(m_unanswered, m_presence);
 }
 
 /// With no task waiting: an answer that does not come is asked for again a second later.
@@ -366,7 +371,7 @@ void Controller::askFaults()
         return;
     for (const std::uint8_t parameter : FaultWatch::questions)
         (void)m_can.send(encodeParamRequest(identity().address, session(), parameter));
-    awaitAnswer();
+    awaitAnswer(m_unanswered, m_presence);
 }
 
 void Controller::sessionChanged()

@@ -21,7 +21,12 @@ Motion::Motion(Line &line, const Node &node, Events events)
     : m_line(line)
     , m_node(node)
     , m_events(std::move(events))
-    , m_kept(line.driven(), {[this] { return mayBegin(); }, [this](const SetPoint &kept) { begun(kept); }})
+    , m_kept(line.driven(),
+          {[this] { return mayBegin(); },
+              [this](const SetPoint &kept) {
+                  begun(kept);
+                  m_events.changed();
+              }})
     , m_stop(line, node, {[this] { stopped(); }, m_events.codes})
 {
 }
@@ -227,24 +232,18 @@ void Motion::stored(Step step)
     m_events.stored(command, raw);
 }
 
+// A target that is passed
+
 /// The node moves to it now.
 void Motion::begun(const SetPoint &order)
 {
     m_applied = order;
-    beginRun(order);
-    m_events.changed();
-}
-
-// A target that is passed
-
-void Motion::beginRun(const SetPoint &setPoint)
-{
     m_run.reset();
     if (!m_count.ofNode())
         return;
     const auto from = static_cast<double>(*m_count.ofNode());
-    const double target = static_cast<double>(m_count.targetOf(setPoint)) + (setPoint.relative ? from : 0.0);
-    if (const auto overrun = bounds().overrun(setPoint, target - from))
+    const double target = static_cast<double>(m_count.targetOf(order)) + (order.relative ? from : 0.0);
+    if (const auto overrun = bounds().overrun(order, target - from))
         m_run = ProfiledRun(from, target, *overrun);
 }
 

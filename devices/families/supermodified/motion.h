@@ -70,7 +70,6 @@ private:
     enum class Step { Stop, Look, Start, Velocity, Acceleration, Move };
     [[nodiscard]] Result<void> mayBegin() const;
     void begun(const SetPoint &order);
-    void beginRun(const SetPoint &setPoint);
     void pump();
     [[nodiscard]] Step nextStep() const;
     [[nodiscard]] Result<Line::Request> requestFor(Step step) const;
