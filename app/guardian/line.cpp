@@ -174,6 +174,12 @@ void Line::prepare()
         (void)read();
 }
 
+void Line::forget()
+{
+    if (m_port)
+        m_port->forget();
+}
+
 std::size_t Line::messageSize() const
 {
     return m_where.form == "packet" ? sizeof(can_frame) : 1;

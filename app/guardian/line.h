@@ -33,6 +33,7 @@ public:
     Sent send(std::span<const std::uint8_t> bytes) override;
     Bytes read() override;
     void prepare() override;
+    void forget() override;
     [[nodiscard]] std::size_t messageSize() const override;
     /// What can be read when an answer comes. On CAN a socket of its own: the inherited one has what the program has not read yet, and
     /// what is read there is missing to the program when it thaws.

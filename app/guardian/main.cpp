@@ -189,11 +189,12 @@ int main(int argc, char **argv)
     while (!watchman.isDone()) {
         waitFor(watchman, line, earlier(watchman.due(), paymaster.due()), hungUp);
         // First what was said in time, then what the time says: a delay of ours is no silence of the program.
-        line.remember();
         if (!hungUp && !listen(watchman)) {
             hungUp = true;
             watchman.hangUp(now());
         }
+        if (!hungUp && watchman.isIdle())
+            line.remember(); // as the program drives, not as somebody leaves it
         watchman.proceed(now());
         paymaster.proceed(now());
         if (hungUp && watchman.isOwing() && !std::exchange(hasLeftTerminal, true))

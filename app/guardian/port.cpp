@@ -19,21 +19,6 @@ bool isReady(int descriptor, short events)
     return ::poll(&asked, 1, 0) == 1 && (asked.revents & (events | POLLERR | POLLHUP)) != 0;
 }
 
-Port::Sent verdictOn(int cause)
-{
-    switch (cause) {
-    case EIO:
-    case ENODEV:
-    case ENXIO:
-    case EPIPE:
-    case ECONNRESET:
-    case ENOTCONN:
-    case EBADF:
-    case EINVAL: return Port::Sent::Lost;
-    default: return Port::Sent::Later; // full (EAGAIN, ENOBUFS), off (ENETDOWN), interrupted
-    }
-}
-
 class FilePort final : public Port {
 public:
     explicit FilePort(int descriptor)
@@ -66,6 +51,7 @@ public:
         }
         return all;
     }
+    void forget() override { m_written = 0; }
 
 private:
     static constexpr int mostReads = 64; // a flood does not keep us from sending
@@ -94,6 +80,22 @@ private:
 };
 
 } // namespace
+
+Port::Sent verdictOn(int cause)
+{
+    switch (cause) {
+    case EIO:
+    case ENODEV:
+    case ENXIO:
+    case ESHUTDOWN: // spidev, of what was unplugged
+    case EPIPE:
+    case ECONNRESET:
+    case ENOTCONN:
+    case EBADF:
+    case EINVAL: return Port::Sent::Lost;
+    default: return Port::Sent::Later; // full (EAGAIN, ENOBUFS), off (ENETDOWN), interrupted
+    }
+}
 
 std::unique_ptr<Port> makePort(std::string_view form, int descriptor)
 {

@@ -12,4 +12,7 @@ namespace mb::guardian {
 /// (terminals, stream sockets), "spi" (spidev, one transfer a message). nullptr for another word.
 [[nodiscard]] std::unique_ptr<Port> makePort(std::string_view form, int descriptor);
 
+/// What an error of a write or a transfer says of the device file.
+[[nodiscard]] Port::Sent verdictOn(int cause);
+
 } // namespace mb::guardian

@@ -123,6 +123,7 @@ void Runner::giveUp()
     for (const Job &job : m_jobs)
         m_ended.push_back({job.id, false, false, false});
     m_jobs.clear();
+    m_port.forget();
     m_blockedUntil.reset();
 }
 

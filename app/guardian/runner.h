@@ -28,6 +28,8 @@ public:
     virtual Bytes read() = 0;
     /// A question is about to be sent: what came before it is no answer to it.
     virtual void prepare() { (void)read(); }
+    /// What was written of a message that will not be sent again is no part of the next one.
+    virtual void forget() { }
     /// Bytes of one message of read(), which answers are looked for in; 1: messages have no bounds.
     [[nodiscard]] virtual std::size_t messageSize() const { return 1; }
 };

@@ -44,20 +44,45 @@ std::string usbSerial(fs::path device)
     return {};
 }
 
+fs::path deviceOf(const fs::path &row)
+{
+    const fs::path device = realPath(row / "device");
+    return device.filename() == row.filename() ? device.parent_path() : device; // ttyUSB0 once more: the name of today
+}
+
+/// Which of several ports of one driver this row is; empty for the first of a USB interface and where there is only one: files are
+/// kept under what those were called before.
+std::string portOf(const fs::path &row, const fs::path &device)
+{
+    if (const std::string number = firstLine(row / "device" / "port_number"); !number.empty())
+        return number == "0" ? std::string() : number;
+    std::string base = firstLine(row / "port");
+    if (base == "0x0")
+        base = firstLine(row / "iomem_base");
+    if (base.empty())
+        return {};
+    std::error_code failed;
+    for (const auto &other : fs::directory_iterator(row.parent_path(), failed)) {
+        if (other.path().filename() != row.filename() && deviceOf(other.path()) == device)
+            return base;
+    }
+    return {};
+}
+
 /// Of a row of the list, such as /sys/class/net/can0.
 std::string placeOfRow(const fs::path &row, const std::string &root)
 {
-    fs::path device = realPath(row / "device");
+    const fs::path device = deviceOf(row);
     if (device.empty())
         return {};
-    if (device.filename() == row.filename()) // ttyUSB0 once more: the name of today
-        device = device.parent_path();
     const std::string top = root.empty() ? std::string() : realPath(root).string();
     std::string place = device.string().substr(top.size());
     for (const char *channel : {"dev_id", "dev_port"}) { // several channels of one adapter
         if (const std::string number = firstLine(row / channel); !number.empty())
             place += '/' + number;
     }
+    if (const std::string port = portOf(row, device); !port.empty())
+        place += '/' + port;
     if (const std::string serial = usbSerial(device); !serial.empty())
         place += '#' + serial;
     return place;
@@ -77,8 +102,10 @@ std::string placeOf(PlaceKind kind, const std::string &name, const std::string &
 std::string nameAt(PlaceKind kind, const std::string &place, const std::string &root)
 {
     std::error_code failed;
+    const std::string top = root.empty() ? std::string() : realPath(root).string();
     for (const auto &row : fs::directory_iterator(below(root, listOf(kind)), failed)) {
-        if (placeOfRow(row.path(), root) == place)
+        const fs::path device = deviceOf(row.path()); // cheap; most rows are of other hardware
+        if (!device.empty() && (top + place).starts_with(device.string()) && placeOfRow(row.path(), root) == place)
             return (kind == PlaceKind::CanInterface ? "" : "/dev/") + row.path().filename().string();
     }
     return {};

@@ -23,7 +23,7 @@ public:
         const bool urgent = priority == Priority::Urgent;
         const std::size_t before = size();
         if (urgent)
-            std::erase_if(m_waiting, [](const Waiting &waiting) { return !waiting.urgent; });
+            keepUrgent();
         const std::size_t dropped = before - size();
         m_waiting.push_back({{bytes.begin(), bytes.end()}, urgent});
         return dropped;
@@ -34,6 +34,10 @@ public:
         Piece piece = std::move(m_waiting.front().bytes);
         m_waiting.pop_front();
         return piece;
+    }
+    void keepUrgent()
+    {
+        std::erase_if(m_waiting, [](const Waiting &waiting) { return !waiting.urgent; });
     }
     void clear() { m_waiting.clear(); }
     [[nodiscard]] bool isEmpty() const { return m_waiting.empty(); }

@@ -171,6 +171,46 @@ TEST(Place, TellsTheChannelsOfOneAdapterApart)
     EXPECT_EQ(nameAt(PlaceKind::CanInterface, placeOf(PlaceKind::CanInterface, "can1", root), root), "can1");
 }
 
+TEST(Place, TellsThePortsOfOneUsbInterfaceApart)
+{
+    const Folder folder;
+    const std::string interface = folder.path("sys/devices/usb1/1-1/1-1:1.0");
+    std::filesystem::create_directories(folder.path("dev"));
+    for (const std::string number : {"0", "1"}) {
+        const std::string name = "ttyUSB" + number;
+        std::filesystem::create_directories(interface + '/' + name);
+        std::filesystem::create_directories(folder.path("sys/class/tty/") + name);
+        std::ofstream(folder.path("dev/") + name) << "";
+        std::ofstream(interface + '/' + name + "/port_number") << number << '\n';
+        std::filesystem::create_symlink(interface + '/' + name, folder.path("sys/class/tty/") + name + "/device");
+    }
+    const std::string root = folder.path();
+    EXPECT_EQ(placeOf(PlaceKind::SerialPort, "ttyUSB0", root), "/sys/devices/usb1/1-1/1-1:1.0")
+        << "files are kept by it";
+    for (const char *name : {"/dev/ttyUSB0", "/dev/ttyUSB1"})
+        EXPECT_EQ(nameAt(PlaceKind::SerialPort, placeOf(PlaceKind::SerialPort, name, root), root), name);
+}
+
+TEST(Place, TellsThePortsOfOneCardApart)
+{
+    const Folder folder;
+    std::filesystem::create_directories(folder.path("dev"));
+    for (const std::string number : {"4", "5", "6"}) {
+        const std::string device = folder.path("sys/devices/pci0/0000:0") + (number == "6" ? "3" : "2");
+        const std::string row = folder.path("sys/class/tty/ttyS") + number;
+        std::filesystem::create_directories(row);
+        std::filesystem::create_directories(device);
+        std::ofstream(folder.path("dev/ttyS") + number) << "";
+        std::ofstream(row + "/port") << (number == "6" ? "0xE000" : "0x0") << '\n';
+        std::ofstream(row + "/iomem_base") << "0xF000" << number << "00\n";
+        std::filesystem::create_symlink(device, row + "/device");
+    }
+    const std::string root = folder.path();
+    EXPECT_EQ(placeOf(PlaceKind::SerialPort, "ttyS6", root), "/sys/devices/pci0/0000:03") << "files are kept by it";
+    for (const char *name : {"/dev/ttyS4", "/dev/ttyS5", "/dev/ttyS6"})
+        EXPECT_EQ(nameAt(PlaceKind::SerialPort, placeOf(PlaceKind::SerialPort, name, root), root), name);
+}
+
 // The real process
 
 /// The far end of a terminal, under a name that stays.

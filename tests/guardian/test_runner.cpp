@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/guardian/port.h"
 #include "fakeport.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cerrno>
 #include <map>
 #include <utility>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 namespace mb::guardian {
 namespace {
@@ -205,6 +212,31 @@ TEST_F(Running, ADeadLineIsGivenUpAtOnce)
     proceed();
     EXPECT_TRUE(runner.isIdle());
     EXPECT_EQ(outcomes, (std::vector<std::pair<std::uint32_t, bool>>{{1, false}, {2, false}}));
+}
+
+TEST(RunnerOnAPipe, AMessageThatWasGivenUpHalfWrittenTakesNothingFromTheNext)
+{
+    std::array<int, 2> ends{};
+    ASSERT_EQ(::pipe2(ends.data(), O_NONBLOCK | O_CLOEXEC), 0);
+    ASSERT_EQ(::fcntl(ends[1], F_SETPIPE_SZ, 4096), 4096);
+    const auto port = makePort("stream", ends[1]);
+    Runner runner(*port);
+    runner.add(1, {plain(std::string(5000, 'x'), 5ms, 1)}, Time{}, Time{});
+    ASSERT_EQ(runner.proceed(Time{}).size(), 1U) << "not given up";
+    std::array<char, 8192> part{};
+    ASSERT_EQ(::read(ends[0], part.data(), part.size()), 4096);
+    runner.add(2, {plain("stop", 5ms, 1)}, Time{1s}, Time{});
+    (void)runner.proceed(Time{1s});
+    const ssize_t got = ::read(ends[0], part.data(), part.size());
+    EXPECT_EQ(std::string(part.data(), static_cast<std::size_t>(std::max<ssize_t>(got, 0))), "stop");
+    ::close(ends[0]);
+    ::close(ends[1]);
+}
+
+TEST(PortVerdict, AnSpiDeviceThatWasUnpluggedIsLost)
+{
+    EXPECT_EQ(verdictOn(ESHUTDOWN), Port::Sent::Lost);
+    EXPECT_EQ(verdictOn(ENOBUFS), Port::Sent::Later);
 }
 
 } // namespace

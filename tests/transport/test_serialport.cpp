@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "async/descriptor.h"
 #include "support/eventloop.h"
 #include "support/pseudoterminal.h"
 #include "transport/backends/echofilter.h"
@@ -86,6 +87,27 @@ TEST_F(SerialPort, TakesAnyRateAndTellsTheOneThatTheAddressFixes)
         EXPECT_EQ(driverBaudrate(terminal.descriptor()), rate);
         EXPECT_EQ(link->baudrate(), rate);
     }
+}
+
+TEST_F(SerialPort, LeavesItsRateBehindSoThatWhatIsSentLastGoesOutAtIt)
+{
+    const Descriptor guardians(::open(terminal.path().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC));
+    ASSERT_TRUE(setDriverBaudrate(guardians.get(), 9600));
+    const auto link = open("?baud=57600");
+    link->close();
+    EXPECT_EQ(driverBaudrate(terminal.descriptor()), 57600) << "a guardian's stop goes out at another rate";
+}
+
+TEST_F(SerialPort, SendsAStopThatStillWaitsWhenItIsClosed)
+{
+    const Descriptor guardians(::open(terminal.path().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC));
+    const auto link = open("?baud=9600");
+    ASSERT_TRUE(link->send(Bytes(64, 0x55)));
+    ASSERT_TRUE(link->send(Bytes{0x01}));
+    ASSERT_TRUE(link->send(Bytes{0xAA}, Priority::Urgent));
+    ASSERT_EQ(terminal.read(), Bytes(64, 0x55));
+    link->close();
+    EXPECT_EQ(terminal.read(), Bytes{0xAA}) << "the stop, and nothing of what was not urgent";
 }
 
 TEST_F(SerialPort, APieceWaitsUntilTheOneBeforeHasLeftAndAStopGoesFirst)

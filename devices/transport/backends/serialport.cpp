@@ -135,6 +135,7 @@ Result<SerialPortLink::Opened> SerialPortLink::openPort(const Order &order)
         return fail(errorOf(*cause));
     made.port = std::make_unique<QSerialPort>();
     QSerialPort &port = *made.port;
+    port.setProperty("settingsRestoredOnClose", false); // a guardian shares them, and what was sent last leaves after
     port.setPortName(QString::fromStdString(made.path));
     port.setBaudRate(order.baudrate);
     if (!port.open(QIODevice::ReadWrite)) {
@@ -250,6 +251,7 @@ void SerialPortLink::doClose()
 {
     if (auto port = std::exchange(m_port, nullptr)) {
         port->disconnect();
+        sendUrgent(*port);
         closeBehind(*port);
         port.release()->deleteLater(); // this may be one of its own signals
     }
@@ -257,6 +259,17 @@ void SerialPortLink::doClose()
     m_failed.stop();
     m_queue.clear();
     m_echo.clear();
+}
+
+/// A stop does not wait any longer for the piece before it: the driver keeps their order.
+void SerialPortLink::sendUrgent(QSerialPort &port)
+{
+    m_queue.keepUrgent();
+    while (!m_queue.isEmpty()) {
+        const auto piece = m_queue.pop();
+        port.write(reinterpret_cast<const char *>(piece.data()), static_cast<qint64>(piece.size()));
+    }
+    port.flush();
 }
 
 /// The driver may wait for what it still has to send: the last descriptor of the port is closed in the background, where there is one.

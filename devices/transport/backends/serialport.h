@@ -48,6 +48,7 @@ private:
     [[nodiscard]] Order order() const;
     [[nodiscard]] static Result<Opened> openPort(const Order &order);
     void take(Opened opened);
+    void sendUrgent(QSerialPort &port);
     void closeBehind(QSerialPort &port);
     void watch();
     void receive();
