@@ -215,18 +215,18 @@ void RollingRecorder::writeSamples(Instant horizon)
 
 Result<void> RollingRecorder::write(Instant now, Duration unixOffset, Duration slept)
 {
-    follow(unixOffset, slept);
+    followClock(unixOffset, slept);
     return writeUntil(now, now - settling);
 }
 
 Result<void> RollingRecorder::writeAll(Instant now, Duration unixOffset, Duration slept)
 {
-    follow(unixOffset, slept);
+    followClock(unixOffset, slept);
     return writeUntil(now, now);
 }
 
 /// Time stamps stand still while the computer sleeps, and the time of day does not.
-void RollingRecorder::follow(Duration unixOffset, Duration slept)
+void RollingRecorder::followClock(Duration unixOffset, Duration slept)
 {
     if (!m_unixOffset)
         m_slept = slept;

@@ -80,7 +80,7 @@ private:
     [[nodiscard]] Result<void> beginSegment(Instant now);
     [[nodiscard]] Result<void> endSegment();
     [[nodiscard]] Result<void> writeUntil(Instant now, Instant horizon);
-    void follow(Duration unixOffset, Duration slept);
+    void followClock(Duration unixOffset, Duration slept);
     [[nodiscard]] Result<void> writeSegment(Instant now, Instant horizon);
     void addToFile(Tracked &tracked);
     void settle();
