@@ -79,8 +79,12 @@ void OwedStops::look()
         = std::partition(m_withOthers.begin(), m_withOthers.end(), [this](Link *link) { return !m_guard->own(*link); });
     const std::vector<Link *> ours(theirs, m_withOthers.end());
     m_withOthers.erase(theirs, m_withOthers.end());
-    const auto before = std::exchange(m_owed, m_unbooked);
     const std::vector<OwedStop> booked = m_guard ? m_guard->owed(m_clock.now()) : std::vector<OwedStop>();
+    std::erase_if(m_unbooked, [&booked](const OwedStop &mine) {
+        return std::any_of(
+            booked.begin(), booked.end(), [&mine](const OwedStop &one) { return isOf(mine, one.line, one.device); });
+    });
+    const auto before = std::exchange(m_owed, m_unbooked);
     m_owed.insert(m_owed.end(), booked.begin(), booked.end());
     if (!m_owed.empty() || !m_withOthers.empty())
         m_look.startIn(lookPeriod, [this] { look(); });

@@ -160,14 +160,14 @@ TEST(SupermodifiedRelease, AProfiledMoveThatWaitedIsWatchedFromItsReleaseOfAnoth
     EXPECT_GT(passed, 0) << "the simulated firmware has the fault of the real one";
 }
 
-TEST_F(SupermodifiedOrders, AMoveThatWaitsNeitherStopsTheOneThatRunsNorIsShownForIt)
+TEST_F(SupermodifiedOrders, AMoveThatWaitsDoesNotStopTheOneThatRunsAndIsAcknowledgedByItsMode)
 {
     order(ramp(20000.0, 2000.0, 20000.0), 700ms);
     ASSERT_GT(node.position(), 500.0);
     ASSERT_LT(node.position(), 3000.0);
     order(buffered(ramp(5000.0, 2000.0, 20000.0)), 300ms);
     order(buffered(setPoint(Mode::Velocity, 100.0)), 300ms);
-    EXPECT_EQ(device->liveness().mode, Mode::RampPosition);
+    EXPECT_EQ(device->liveness().mode, Mode::Velocity);
     order(buffered(ramp(5000.0, 2000.0, 20000.0)), 4s);
     EXPECT_GT(node.position(), 6500.0);
     EXPECT_TRUE(node.isOutputOn());

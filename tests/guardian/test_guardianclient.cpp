@@ -75,8 +75,10 @@ TEST_F(GuardianBooks, ALinkThatIsOpenedAgainLeavesWhatItOwesInSight)
 {
     GuardianClient client("nowhere", folder + "/run");
     OwedStops owed(clock, devices, &client);
+    owed.pay(link);
     owed.add(motor);
     owe(11min);
+    owed.leave(debtorLine);
     clock.advance(2s);
     ASSERT_EQ(owed.unseen().size(), 1U);
     owed.pay(link);
@@ -88,8 +90,10 @@ TEST_F(GuardianBooks, ASecondProgramThatOpensTheLineEndsNothingForTheFirst)
 {
     GuardianClient first("nowhere", folder + "/run");
     OwedStops shown(clock, devices, &first);
+    shown.pay(link);
     shown.add(motor);
     owe(11min);
+    shown.leave(debtorLine);
     clock.advance(2s);
     GuardianClient second("nowhere", folder + "/run");
     OwedStops elsewhere(clock, devices, &second);

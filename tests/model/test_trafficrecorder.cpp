@@ -76,7 +76,7 @@ TEST(TrafficRecorder, AddsWhatTheComputerHasSleptToTheTimeOfDay)
         clock.advance(std::chrono::seconds(1));
         ASSERT_TRUE(link.send(standardFrame(5, {})));
     } // is written to its end
-    EXPECT_EQ(folder.read("run.log"), "(1700000001.000000) can_7 005# T\n(1700007202.000000) can_7 005# T\n");
+    EXPECT_EQ(folder.read("run.log"), "(1700000001.000000) can7 005# T\n(1700007202.000000) can7 005# T\n");
 }
 
 TEST(TrafficRecorder, EndsItsFileOnceHoweverOftenItIsStopped)

@@ -166,9 +166,13 @@ Task<bool> ParameterDesk::store(Progress &progress)
 Task<void> ParameterDesk::storeWhatWaits()
 {
     const Remembered lost(m_flashLost);
+    const bool isOurs
+        = m_flash.isPending(); // else a change of others may wait, and a unit that does not tell keeps nobody
     NoProgress unheard;
     auto storing = store(unheard);
-    (void)co_await std::move(storing);
+    const Result<bool> stored = co_await std::move(storing).attempt();
+    if (!stored && (isOurs || stored.error().fault != Fault::BadCheck))
+        co_return fail(stored.error());
     co_return {};
 }
 

@@ -262,8 +262,8 @@ void Controller::updateLiveness()
     now.moving = m_motion.isEnergized() || (m_presence.isHeard() && m_polls.isTurning());
     now.foreignMaster = m_presence.hasForeignMaster();
     now.restarted = m_presence.hasRestarted();
-    if (const auto &applied = m_motion.applied(); applied && m_motion.isEnergized())
-        now.mode = applied->mode;
+    if (const auto &order = m_motion.acknowledged(); order && m_motion.isEnergized())
+        now.mode = order->mode;
     now.faults = m_codes.active();
     setLiveness(now);
 }

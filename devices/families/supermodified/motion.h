@@ -61,7 +61,11 @@ public:
     [[nodiscard]] bool isBusy() const { return m_step.has_value() || !m_orders.empty(); }
     /// When the last stop was acknowledged.
     [[nodiscard]] std::optional<Instant> stoppedAt() const { return m_stop.acknowledgedAt(); }
-    [[nodiscard]] const std::optional<SetPoint> &applied() const { return m_applied; }
+    /// What was acknowledged last: what it does, or the move that waits for its release.
+    [[nodiscard]] const std::optional<SetPoint> &acknowledged() const
+    {
+        return m_kept.order() ? m_kept.order() : m_applied;
+    }
     [[nodiscard]] MotionCount &count() { return m_count; }
     /// The last position that the node told, without origin.
     void setPosition(std::int64_t raw);
