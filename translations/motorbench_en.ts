@@ -128,13 +128,6 @@
 <context>
     <name>mb::TimelineList</name>
     <message numerus="yes">
-        <source>%n differ from A</source>
-        <translation>
-            <numerusform>%n differs from A</numerusform>
-            <numerusform>%n differ from A</numerusform>
-        </translation>
-    </message>
-<message numerus="yes">
         <source>%n differ</source>
         <translation>
             <numerusform>%n differs</numerusform>

@@ -349,7 +349,7 @@ TEST(Experiment, GainsThatNobodyCanReadAreRefusedWithTheRemedyUntilTheyWereWritt
 TEST(Experiment, AWeakLoopOfUnknownGainsIsLedFurtherAsItsOutputIsSeenToAllowIt)
 {
     for (const double target : {40'000.0, -40'000.0, 150'000.0, -150'000.0}) {
-        ExperimentBench bench("sim:can", "abstractdc", 5);
+        ExperimentBench bench("sim:can", "abstractdc", 5, "abstractdc:5,dialect=D,motor=rs775");
         const auto moved = bench.run(stepTo(Mode::Velocity, target));
         expectDone(moved);
         ASSERT_FALSE(bench.notes.empty());
