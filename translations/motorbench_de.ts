@@ -4162,10 +4162,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         </translation>
     </message>
     <message>
-        <source>Nothing to write</source>
-        <translation>Nichts zu schreiben</translation>
-    </message>
-    <message>
         <source>Write %1 to slot %2</source>
         <translation>%1 in Slot %2 schreiben</translation>
     </message>

@@ -4162,10 +4162,6 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         </translation>
     </message>
     <message>
-        <source>Nothing to write</source>
-        <translation>Nada que escribir</translation>
-    </message>
-    <message>
         <source>Write %1 to slot %2</source>
         <translation>Escribir %1 en la ranura %2</translation>
     </message>

@@ -4162,10 +4162,6 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         </translation>
     </message>
     <message>
-        <source>Nothing to write</source>
-        <translation>Rien à écrire</translation>
-    </message>
-    <message>
         <source>Write %1 to slot %2</source>
         <translation>Écrire %1 dans le jeu %2</translation>
     </message>

@@ -4159,10 +4159,6 @@ Double click or Enter plots it; drag it to a plot.</source>
         </translation>
     </message>
     <message>
-        <source>Nothing to write</source>
-        <translation>書き込むものはありません</translation>
-    </message>
-    <message>
         <source>Write %1 to slot %2</source>
         <translation>%1 をスロット %2 に書込み</translation>
     </message>

@@ -4159,10 +4159,6 @@ Double click or Enter plots it; drag it to a plot.</source>
         </translation>
     </message>
     <message>
-        <source>Nothing to write</source>
-        <translation>没有可写入的内容</translation>
-    </message>
-    <message>
         <source>Write %1 to slot %2</source>
         <translation>将 %1 写入槽 %2</translation>
     </message>

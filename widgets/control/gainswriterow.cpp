@@ -27,7 +27,7 @@ void GainsWriteRow::show(const State &state)
     const QStringList &staged = state.staged;
     const QString names
         = staged.size() > 3 ? tr("%n value(s)", nullptr, staged.size()) : staged.join(QStringLiteral(", "));
-    m_write->setText(staged.isEmpty() ? tr("Nothing to write")
+    m_write->setText(staged.isEmpty() ? tr("Write gains")
             : state.slot              ? tr("Write %1 to slot %2").arg(names).arg(*state.slot)
                                       : tr("Write %1").arg(names));
     m_write->setEnabled(!staged.isEmpty() && state.free && !state.fault);

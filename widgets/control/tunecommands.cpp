@@ -50,9 +50,13 @@ void TuneCommands::resizeEvent(QResizeEvent *event)
 /// All words where the sentence beside them keeps its room.
 void TuneCommands::fitSteps()
 {
-    const int others = m_view->sizeHint().width() + m_stop->sizeHint().width() + m_run->sizeHint().width();
-    const int room = width() - others - m_theme.theme().u(leastSentence + 6 * 8);
-    m_steps->setFolded(m_steps->unfoldedWidth() > room);
+    int others = m_theme.theme().u(6 * 8);
+    for (const QWidget *const beside :
+        {static_cast<QWidget *>(m_view), static_cast<QWidget *>(m_stop), static_cast<QWidget *>(m_run)})
+        others += beside->isHidden() ? 0 : beside->sizeHint().width();
+    m_steps->setFolded(m_steps->unfoldedWidth() > width() - others - m_theme.theme().u(leastSentence));
+    // Where there is no room for its discs either it goes, before a button is cut.
+    m_steps->setMaximumWidth(m_steps->sizeHint().width() > width() - others ? 0 : QWIDGETSIZE_MAX);
 }
 
 void TuneCommands::setFolded(bool folded)
