@@ -357,7 +357,7 @@ TEST(Experiment, AWeakLoopOfUnknownGainsIsLedFurtherAsItsOutputIsSeenToAllowIt)
         EXPECT_FALSE(moved->has(flag::didNotMove)) << target;
         ASSERT_TRUE(moved->metrics.settle) << target;
         EXPECT_LE(moved->metrics.overshoot.value_or(1.0), 0.05) << target;
-        EXPECT_NEAR(moved->metrics.sse.value_or(1.0), 0.0, 0.15) << target; // its integral counts whole units
+        EXPECT_NEAR(moved->metrics.sse.value_or(1.0), 0.0, 0.2) << target; // its integral counts whole units
         EXPECT_FALSE(bench.simulator()->isOutputOn());
     }
 }

@@ -14,7 +14,7 @@ namespace mb {
 namespace {
 
 constexpr int columnWidth = 336;
-constexpr int narrowColumn = 312; ///< where the plot would get too little beside it
+constexpr int narrowColumn = 322; ///< where the plot would get too little beside it
 constexpr int narrowFrame = 1120;
 constexpr int leastWork = 440;   ///< beside the column
 constexpr int leastHeight = 440; ///< for stimulus, plot and trials below each other
