@@ -51,7 +51,7 @@ void Telemetry::append(const Sample &sample)
         return;
     }
     Live &live = m_live[sample.channel.value];
-    measure(live, sample.time);
+    live.measure(sample.time);
     live.latest = Point{sample.time, sample.value};
     push({sample.time, sample.value, 0, sample.channel, Kind::Measured});
     m_samples.notify(sample);
@@ -97,19 +97,19 @@ std::optional<Point> Telemetry::latest(ChannelIndex channel) const
     return m_live[channel.value].latest;
 }
 
-void Telemetry::measure(Live &live, Instant time)
+void Telemetry::Live::measure(Instant time)
 {
-    if (!live.latest) {
-        live.windowStart = time;
+    if (!latest) {
+        windowStart = time;
         return;
     }
-    ++live.inWindow;
-    const Duration elapsed = time - live.windowStart;
+    ++inWindow;
+    const Duration elapsed = time - windowStart;
     if (elapsed < rateWindow)
         return;
-    live.rate = static_cast<double>(live.inWindow) / seconds(elapsed);
-    live.windowStart = time;
-    live.inWindow = 0;
+    rate = static_cast<double>(inWindow) / seconds(elapsed);
+    windowStart = time;
+    inWindow = 0;
 }
 
 double Telemetry::rate(ChannelIndex channel, Instant now) const

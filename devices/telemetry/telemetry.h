@@ -104,10 +104,11 @@ private:
         Instant windowStart{};
         std::uint64_t inWindow = 0; ///< samples after the one at windowStart
         double rate = 0.0;          ///< of the window before
+
+        void measure(Instant time);
     };
 
     void push(const Pending &pending);
-    static void measure(Live &live, Instant time);
     [[nodiscard]] const History &history(ChannelIndex channel) const { return m_histories[channel.value]; }
 
     std::atomic<const Channel *> m_table;

@@ -115,6 +115,17 @@ TEST(SupermodifiedRelease, AMoveThatAnotherNodeHasNotAcknowledgedYetIsNotLeftBeh
     EXPECT_TRUE(lead->releaseMoves());
 }
 
+/// Within four seconds, in the direction of the target.
+double farthestTowards(double target, Bench &bench, const Simulator &node)
+{
+    double farthest = 0.0;
+    for (int i = 0; i < 400; ++i) {
+        bench.clock.advance(10ms);
+        farthest = std::max(farthest, node.position() / std::copysign(1.0, target));
+    }
+    return farthest;
+}
+
 TEST(SupermodifiedRelease, AProfiledMoveIsWatchedAlthoughAnotherWaits)
 {
     int passed = 0;
@@ -125,11 +136,7 @@ TEST(SupermodifiedRelease, AProfiledMoveIsWatchedAlthoughAnotherWaits)
         ASSERT_TRUE(device->command(ramp(target, 6000.0, 40000.0)));
         bench.clock.advance(200ms);
         ASSERT_TRUE(device->command(buffered(setPoint(Mode::Position, 0.0))));
-        double farthest = 0.0;
-        for (int i = 0; i < 400; ++i) {
-            bench.clock.advance(10ms);
-            farthest = std::max(farthest, node.position() / std::copysign(1.0, target));
-        }
+        const double farthest = farthestTowards(target, bench, node);
         EXPECT_LT(farthest, std::abs(target) + 850.0) << target;
         passed += node.isOutputOn() ? 0 : 1;
     }
@@ -149,11 +156,7 @@ TEST(SupermodifiedRelease, AProfiledMoveThatWaitedIsWatchedFromItsReleaseOfAnoth
         ASSERT_TRUE(member->command(buffered(ramp(target, 6000.0, 40000.0))));
         bench.clock.advance(500ms);
         ASSERT_TRUE(lead->releaseMoves());
-        double farthest = 0.0;
-        for (int i = 0; i < 400; ++i) {
-            bench.clock.advance(10ms);
-            farthest = std::max(farthest, node.position() / std::copysign(1.0, target));
-        }
+        const double farthest = farthestTowards(target, bench, node);
         EXPECT_LT(farthest, std::abs(target) + 850.0) << target;
         passed += node.isOutputOn() ? 0 : 1;
     }

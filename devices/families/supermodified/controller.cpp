@@ -7,6 +7,8 @@
 #include "families/supermodified/states.h"
 #include "model/family.h"
 
+#include <QScopedValueRollback>
+
 #include <algorithm>
 #include <cmath>
 
@@ -23,22 +25,6 @@ constexpr std::size_t fillerSize = mostDataD1D2 + 2; ///< of a frame whose count
 constexpr int stopAttempts = 20;
 constexpr Duration stopLimit = 2s;
 constexpr Duration lookAgain = 5ms;
-
-/// True for as long as it lives.
-class Flag {
-public:
-    explicit Flag(bool &flag)
-        : m_flag(flag)
-    {
-        m_flag = true;
-    }
-    Flag(const Flag &) = delete;
-    Flag &operator=(const Flag &) = delete;
-    ~Flag() { m_flag = false; }
-
-private:
-    bool &m_flag;
-};
 
 } // namespace
 
@@ -331,7 +317,8 @@ Task<std::vector<FaultRecord>> Controller::clearFaults()
 Task<void> Controller::zeroPosition()
 {
     stop();
-    const Flag zeroing(m_zeroing); // README.md#hang: the reset is sent again when its answer is lost
+    const QScopedValueRollback<bool> zeroing(
+        m_zeroing, true); // README.md#hang: the reset is sent again when its answer is lost
     const Instant limit = clock().now() + stopLimit;
     while (!isSeenStopped()) {
         if (clock().now() >= limit || m_serial.state() != LinkState::Open)
