@@ -109,8 +109,7 @@ void Closing::askAboutUpdates()
 void Closing::askAboutService()
 {
     const auto &rows = m_workbench.service().rows;
-    const bool critical
-        = std::any_of(rows.begin(), rows.end(), [](const service::QueueRow &row) { return !row.mayInterrupt; });
+    const bool critical = std::ranges::any_of(rows, [](const service::QueueRow &row) { return !row.mayInterrupt; });
     QAbstractButton &go = ask(tr("Units are being served. Cancel the queue?"),
         critical ? tr("What is written now must not be cut: the window closes once it is over.")
                  : tr("The journal knows where it stood, and the queue can be gone on with."),
@@ -155,7 +154,7 @@ void Closing::begin()
 bool Closing::isPuttingBack() const
 {
     const auto &jobs = m_workbench.snapshot().operations;
-    return (m_arming.isOnTrial() || std::any_of(jobs.begin(), jobs.end(), isRunningTrial))
+    return (m_arming.isOnTrial() || std::ranges::any_of(jobs, isRunningTrial))
         && m_workbench.now() - m_since <= longestPuttingBack;
 }
 

@@ -39,8 +39,8 @@ int end(const QRect &place, Qt::Orientation along)
 /// Groups that no line across this direction would cut.
 std::vector<Parts> cut(Parts parts, Qt::Orientation along)
 {
-    std::stable_sort(parts.begin(), parts.end(),
-        [along](const Part &a, const Part &b) { return begin(a.place, along) < begin(b.place, along); });
+    std::ranges::stable_sort(
+        parts, [along](const Part &a, const Part &b) { return begin(a.place, along) < begin(b.place, along); });
     std::vector<Parts> groups;
     int reached = 0;
     for (const Part &part : parts) {
@@ -67,7 +67,7 @@ void collect(Parts parts, Found &found)
             collect(std::move(group), found);
         return;
     }
-    std::stable_sort(parts.begin(), parts.end(), [](const Part &a, const Part &b) {
+    std::ranges::stable_sort(parts, [](const Part &a, const Part &b) {
         return std::pair(a.place.top(), a.place.left()) < std::pair(b.place.top(), b.place.left());
     });
     for (const Part &part : parts)
@@ -151,7 +151,7 @@ void FocusOrder::go(QWidget &from, bool forwards)
         return;
     auto at = order.end(); // a cell that is edited stands for its table
     for (QWidget *one = &from; one && at == order.end() && !one->isWindow(); one = one->parentWidget())
-        at = std::find(order.begin(), order.end(), one);
+        at = std::ranges::find(order, one);
     const auto count = static_cast<std::ptrdiff_t>(order.size());
     const std::ptrdiff_t place = at == order.end() ? (forwards ? -1 : 0) : at - order.begin();
     QWidget *next = order[static_cast<std::size_t>((place + (forwards ? 1 : count - 1) + count) % count)];

@@ -180,12 +180,12 @@ Result<Project> Project::load(const QString &folder)
 
 const ProjectUnit *Project::unitOf(const DeviceView &device) const
 {
-    const auto bySerial = std::find_if(units.begin(), units.end(),
+    const auto bySerial = std::ranges::find_if(units,
         [&device](const ProjectUnit &unit) { return !unit.serial.empty() && unit.serial == device.identity->serial; });
     if (bySerial != units.end())
         return &*bySerial;
-    const auto byPlace = std::find_if(units.begin(), units.end(),
-        [&device](const ProjectUnit &unit) { return unit.serial.empty() && unit.selector == device.selector; });
+    const auto byPlace = std::ranges::find_if(
+        units, [&device](const ProjectUnit &unit) { return unit.serial.empty() && unit.selector == device.selector; });
     return byPlace == units.end() ? nullptr : &*byPlace;
 }
 

@@ -70,7 +70,7 @@ void ServiceTour::planQueue()
         },
         [this] {
             const auto &lines = board().model().lines();
-            return !unit()->busy.empty() && std::any_of(lines.begin(), lines.end(), [](const QueueLine &line) {
+            return !unit()->busy.empty() && std::ranges::any_of(lines, [](const QueueLine &line) {
                 return line.state == service::RowState::Running && line.done.value_or(0) > writtenShare;
             });
         },
@@ -84,7 +84,7 @@ void ServiceTour::planQueue()
 bool ServiceTour::isOver() const
 {
     const auto &lines = board().model().lines();
-    return std::all_of(lines.begin(), lines.end(), [](const QueueLine &line) {
+    return std::ranges::all_of(lines, [](const QueueLine &line) {
         return line.state == service::RowState::Passed || line.state == service::RowState::Failed
             || line.state == service::RowState::Refused;
     });

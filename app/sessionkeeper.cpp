@@ -107,8 +107,8 @@ void SessionKeeper::takeUp()
         return;
     }
     const auto &devices = m_workbench.snapshot().devices;
-    const auto found = std::find_if(devices.begin(), devices.end(),
-        [this](const DeviceView &device) { return device.selector == m_wanted.selected.toStdString(); });
+    const auto found = std::ranges::find_if(
+        devices, [this](const DeviceView &device) { return device.selector == m_wanted.selected.toStdString(); });
     if (found == devices.end())
         return;
     m_window.selection().select(found->id, m_wanted.axis);

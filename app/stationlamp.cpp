@@ -30,7 +30,7 @@ void StationLamp::follow()
 const service::QueueRow *StationLamp::tested() const
 {
     const ServiceView &view = m_workbench.service();
-    const auto found = std::find_if(view.rows.begin(), view.rows.end(), [](const service::QueueRow &row) {
+    const auto found = std::ranges::find_if(view.rows, [](const service::QueueRow &row) {
         return row.state == service::RowState::Running && row.visit.step == service::Step::Test;
     });
     return view.armed && !view.announces && found != view.rows.end() ? &*found : nullptr;

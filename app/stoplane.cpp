@@ -58,8 +58,8 @@ void StopLane::proceed()
             proceed(course);
     }
     std::erase_if(m_courses, [](const Course &course) { return course.next == course.steps.size(); });
-    const auto next = std::min_element(
-        m_courses.begin(), m_courses.end(), [](const Course &a, const Course &b) { return a.notBefore < b.notBefore; });
+    const auto next = std::ranges::min_element(
+        m_courses, [](const Course &a, const Course &b) { return a.notBefore < b.notBefore; });
     if (next != m_courses.end())
         m_due.start(next->notBefore, [this] { proceed(); });
 }
@@ -106,8 +106,8 @@ std::vector<StopOrders> stopOrdersOf(const Session &session, const std::vector<S
                 orders.steps.push_back(std::move(step));
             }
         }
-        const auto served = std::find_if(
-            known.begin(), known.end(), [&](const StopOrders &other) { return other.outlet->serves(*link, way); });
+        const auto served
+            = std::ranges::find_if(known, [&](const StopOrders &other) { return other.outlet->serves(*link, way); });
         orders.outlet = served != known.end() ? served->outlet : std::make_shared<StopOutlet>(*link, way);
         all.push_back(std::move(orders));
     }

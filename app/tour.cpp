@@ -91,9 +91,8 @@ void Tour::planFirmware()
         [this] {
             const OperationView *operation = m_stage.workbench().snapshot().operation(m_stage.device(inBootloader)->id);
             const auto &parts = operation ? operation->status.parts : std::map<int, PartState>{};
-            return std::count_if(parts.begin(), parts.end(), [](const auto &part) {
-                return part.second == PartState::Done;
-            }) >= partsDone;
+            return std::ranges::count_if(parts, [&](const auto &entry) { return entry.second == PartState::Done; })
+                >= partsDone;
         },
         updateTime);
     m_stage.picture("firmware-running");
@@ -102,7 +101,7 @@ void Tour::planFirmware()
         [this] {
             // The newest operation may already be the one that reads the parameters of the new application.
             const auto &operations = m_stage.workbench().snapshot().operations;
-            return std::any_of(operations.begin(), operations.end(), [this](const OperationView &operation) {
+            return std::ranges::any_of(operations, [this](const OperationView &operation) {
                 return operation.device == m_stage.device(inBootloader)->id && operation.update
                     && operation.update->outcome == UpdateOutcome::Done;
             });

@@ -15,7 +15,7 @@ constexpr int mostWaiting = 3; ///< pictures in memory
 
 const DeviceView *firstOf(const Snapshot &shot, const std::function<bool(const DeviceView &)> &isIt)
 {
-    const auto found = std::find_if(shot.devices.begin(), shot.devices.end(), isIt);
+    const auto found = std::ranges::find_if(shot.devices, isIt);
     return found == shot.devices.end() ? nullptr : &*found;
 }
 

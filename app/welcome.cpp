@@ -91,7 +91,7 @@ void Welcome::connectStrip()
 void Welcome::begin(const Story &story)
 {
     const auto &links = m_workbench.snapshot().links;
-    const bool open = std::any_of(links.begin(), links.end(), [](const LinkView &link) { return link.simulated; });
+    const bool open = std::ranges::any_of(links, [](const LinkView &link) { return link.simulated; });
     if (!open) {
         LinkAddress address;
         address.scheme = "sim";

@@ -16,7 +16,7 @@ namespace {
 bool isAnythingRunning(const Workbench &workbench)
 {
     const auto &jobs = workbench.snapshot().operations;
-    return workbench.service().running || std::any_of(jobs.begin(), jobs.end(), [](const OperationView &job) {
+    return workbench.service().running || std::ranges::any_of(jobs, [](const OperationView &job) {
         return job.status.state == OperationStatus::State::Running;
     });
 }
@@ -24,7 +24,7 @@ bool isAnythingRunning(const Workbench &workbench)
 bool hasOtherWindows(const MainWindow &window)
 {
     const QWidgetList all = QApplication::topLevelWidgets();
-    return std::any_of(all.begin(), all.end(), [&window](const QWidget *other) {
+    return std::ranges::any_of(all, [&window](const QWidget *other) {
         const Qt::WindowType type = other->windowType();
         return other != &window && other->isVisible() && !qobject_cast<const HelpWindow *>(other)
             && (type == Qt::Window || type == Qt::Dialog || type == Qt::Popup);

@@ -39,7 +39,7 @@ Result<std::vector<ParameterChange>> parseAssignments(const Family &family, cons
         if (!change)
             return fail(change.error());
         const auto same = [&](const ParameterChange &other) { return other.index == change->index; };
-        if (std::any_of(changes.begin(), changes.end(), same))
+        if (std::ranges::any_of(changes, same))
             return fail(Fault::Usage, say("%1 is given twice", family.parameters[change->index.value].key),
                 say("give it once"));
         changes.push_back(*change);

@@ -57,7 +57,7 @@ constexpr std::array table{
 
 const Verb *findVerb(std::string_view name)
 {
-    const auto verb = std::find_if(table.begin(), table.end(), [name](const Verb &v) { return v.name == name; });
+    const auto verb = std::ranges::find(table, name, &Verb::name);
     return verb == table.end() ? nullptr : verb;
 }
 
@@ -186,8 +186,7 @@ Result<void> checkValues(const CLI::App &app, const Verb &verb)
     for (const CLI::Option *option : app.get_options()) {
         const std::vector<std::string> &values = option->results();
         const bool isPlain = !option->get_inject_separator(); // otherwise "" ends a group, and an empty one is refused
-        if (isPlain && std::find(values.begin(), values.end(), "") != values.end()
-            && option->get_name() != verb.mayBeEmpty)
+        if (isPlain && std::ranges::find(values, "") != values.end() && option->get_name() != verb.mayBeEmpty)
             return emptyValue(verb.name, option->get_name());
     }
     return {};
@@ -202,7 +201,7 @@ Result<CommandLine> parseVerb(const Verb &verb, std::vector<std::string> argumen
     line.job = verb.declare(app);
     if (auto plain = checkFlags(app, verb, arguments); !plain)
         return fail(plain.error());
-    std::reverse(arguments.begin(), arguments.end()); // CLI11 takes them from the back
+    std::ranges::reverse(arguments); // CLI11 takes them from the back
     try {
         app.parse(arguments);
     } catch (const CLI::CallForHelp &) {

@@ -18,7 +18,7 @@ Result<Mode> parseMode(const Family &family, const std::string &text)
     for (const Mode mode : family.modes)
         known.push_back(toString(mode));
     const auto mode = modeFromString(text);
-    if (mode && std::find(known.begin(), known.end(), text) != known.end())
+    if (mode && std::ranges::find(known, text) != known.end())
         return *mode;
     return fail(Fault::Usage, say("%1 has no mode '%2'", family.key, text),
         mode ? say("it has %1", joined(known)) : suggestion(text, known, "it has " + joined(known)));
@@ -37,7 +37,7 @@ Result<void> overrideLimits(SetPoint &setPoint, const std::string &which)
     if (which.empty())
         return {};
     const std::vector<std::string_view> known(overrides.begin(), overrides.end());
-    if (std::find(known.begin(), known.end(), which) == known.end())
+    if (std::ranges::find(known, which) == known.end())
         return fail(Fault::Usage, say("--limit-override cannot be '%1'", which),
             suggestion(which, known, "it switches off " + joined(known)));
     setPoint.overrideLimits = true;

@@ -35,7 +35,7 @@ Result<void> checkRoute(const Family &family, const UpdateOptions &options)
     if (!target.empty() && target != "f1" && target != "f4")
         return fail(Fault::Usage, say("--target: '%1' is unknown", target), say("f1 and f4 are known"));
     const auto erases = [](const UpdateRoute &route) { return route.erasesSettings; };
-    if (options.eraseSettings && std::none_of(family.routes.begin(), family.routes.end(), erases))
+    if (options.eraseSettings && std::ranges::none_of(family.routes, erases))
         return fail(Fault::Unsupported, say("%1 has no settings that an update could erase", family.key));
     if (family.routes.empty() && !options.via.empty())
         return fail(Fault::Unsupported, say("a %1 is updated over its own link", family.title),
@@ -45,8 +45,7 @@ Result<void> checkRoute(const Family &family, const UpdateOptions &options)
     std::string ways;
     for (const UpdateRoute &route : family.routes) {
         if (options.via.starts_with(std::string(route.scheme) + ':')) {
-            if (route.targets.empty()
-                || std::find(route.targets.begin(), route.targets.end(), target) != route.targets.end())
+            if (route.targets.empty() || std::ranges::find(route.targets, target) != route.targets.end())
                 return {};
             return fail(Fault::Usage, say("--target is missing"), say("%1 needs f1 or f4", family.key));
         }

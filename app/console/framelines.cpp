@@ -103,7 +103,7 @@ FrameLines::Stream &FrameLines::streamOf(std::string_view link)
     Stream &stream = m_streams[std::string(link)];
     for (const Family *family : m_console.families()) {
         const auto &kinds = family->links;
-        const bool speaks = !m_kind || std::find(kinds.begin(), kinds.end(), *m_kind) != kinds.end();
+        const bool speaks = !m_kind || std::ranges::find(kinds, *m_kind) != kinds.end();
         if (family->decodeBytes && speaks)
             stream.readings.push_back({family->decodeBytes(m_dialect), {}});
     }
@@ -138,7 +138,7 @@ void FrameLines::flush(std::string_view link, Stream &stream, bool now)
 {
     for (std::size_t i = 0; i < stream.readings.size() && !stream.chosen; ++i) {
         const auto &found = stream.readings[i].found;
-        if (std::any_of(found.begin(), found.end(), [](const DecodedBytes &bytes) { return bytes.frame.has_value(); }))
+        if (std::ranges::any_of(found, [](const DecodedBytes &bytes) { return bytes.frame.has_value(); }))
             stream.chosen = i;
     }
     if (stream.readings.empty() || (!stream.chosen && !now))

@@ -28,7 +28,7 @@ Result<std::vector<ParameterIndex>> parseKeys(const Family &family, const std::v
             return fail(index.error());
         if (family.parameters[index->value].access == Access::WriteOnly)
             return fail(Fault::OutOfRange, say("%1 can only be written", key), say("leave it out"));
-        if (std::find(indices.begin(), indices.end(), *index) == indices.end())
+        if (std::ranges::find(indices, *index) == indices.end())
             indices.push_back(*index);
     }
     return indices;
@@ -42,7 +42,7 @@ void addWriteOnly(const Device &device, std::vector<ParameterIndex> &indices)
         if (table[i].access == Access::WriteOnly && device.offers({i}))
             indices.push_back({i});
     }
-    std::sort(indices.begin(), indices.end());
+    std::ranges::sort(indices);
 }
 
 /// What was read is printed with its failures in it; a file is written only when it is complete.
@@ -90,8 +90,8 @@ Task<int> get(Console &console, GetArguments arguments)
     auto reading = readKept(console, *device, *indices);
     const std::vector<TransferOutcome> outcomes = co_await std::move(reading);
     const auto error = firstError(*device, outcomes);
-    const bool any = std::any_of(
-        outcomes.begin(), outcomes.end(), [](const TransferOutcome &outcome) { return outcome.raw.has_value(); });
+    const bool any
+        = std::ranges::any_of(outcomes, [](const TransferOutcome &outcome) { return outcome.raw.has_value(); });
     if (error && (!any || outcomes.size() < indices->size()))
         co_return fail(*error);
     if (arguments.keys.empty())

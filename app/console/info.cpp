@@ -202,19 +202,18 @@ Result<Kept> parseKept(const Family &family, const std::string &text)
         known.emplace_back("dialect");
     for (const Calibration &row : family.calibrations)
         known.push_back(row.key);
-    if (std::find(known.begin(), known.end(), kept.key) == known.end())
+    if (std::ranges::find(known, kept.key) == known.end())
         return fail(known.empty() ? Fault::Unsupported : Fault::Usage,
             say("%1 has no '%2' to keep", family.key, kept.key),
             suggestion(kept.key, known, known.empty() ? "leave --keep out" : "it has " + joined(known)));
     const std::vector<std::string_view> dialects = dialectsOf(family);
-    if (kept.key == "dialect" && !kept.text.empty()
-        && std::find(dialects.begin(), dialects.end(), kept.text) == dialects.end())
+    if (kept.key == "dialect" && !kept.text.empty() && std::ranges::find(dialects, kept.text) == dialects.end())
         return fail(
             Fault::Usage, say("%1 has no dialect '%2'", family.key, kept.text), say("it has %1", joined(dialects)));
     if (kept.key == "dialect" || kept.text.empty())
         return kept;
-    const auto row = std::find_if(family.calibrations.begin(), family.calibrations.end(),
-        [&](const Calibration &candidate) { return candidate.key == kept.key; });
+    const auto row = std::ranges::find_if(
+        family.calibrations, [&](const Calibration &candidate) { return candidate.key == kept.key; });
     const auto number = parseNumber(kept.key, kept.text, row->minimum, row->maximum);
     if (!number)
         return fail(number.error());

@@ -152,7 +152,7 @@ int main(int argc, char **argv)
     std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error of the file
     const std::vector<std::string> words(argv + 1, argv + argc);
     Options before; // anything is understood
-    before.json = std::find(words.begin(), words.end(), "--json") != words.end();
+    before.json = std::ranges::find(words, "--json") != words.end();
     auto line = parseCommandLine(words);
     if (!line) {
         tell(line.error(), exitUsage, before);

@@ -56,6 +56,7 @@ Task<int> monitor(Console &console, MonitorArguments arguments)
             console.out().line(trafficLine(stamp, name, traffic));
     });
     co_await ending.wait();
+    (*link)->catchUp();
     lines.finish();
     (*link)->recount();
     if (const std::uint64_t lost = (*link)->counters().lost; lost > 0)

@@ -183,8 +183,8 @@ Task<std::vector<std::string>> Notebook::owedLines(Device &device, std::vector<P
     const std::vector<tuning::OwedGains> owed = co_await std::move(looking);
     std::vector<std::string> lines;
     for (const tuning::OwedGains &debt : owed) {
-        const bool isReplaced = std::all_of(debt.values.begin(), debt.values.end(), [&](const auto &value) {
-            return std::any_of(written.begin(), written.end(), [&](const ParameterChange &change) {
+        const bool isReplaced = std::ranges::all_of(debt.values, [&](const auto &value) {
+            return std::ranges::any_of(written, [&](const ParameterChange &change) {
                 return device.parameters().parameter(change.index).key == value.key;
             });
         });

@@ -54,7 +54,7 @@ Result<Wish> check(const Console &console, const ReportArguments &a)
     wish.pdf = a.out.ends_with(".pdf") || a.out.ends_with(".PDF");
     if (!wish.pdf && !a.out.ends_with(".html") && !a.out.ends_with(".htm") && !a.out.ends_with(".HTML"))
         return fail(Fault::Usage, say("--out '%1' is no report", a.out), say("give a name that ends in .pdf or .html"));
-    const auto size = std::find_if(sizes.begin(), sizes.end(), [&a](const Size &each) { return each.word == a.size; });
+    const auto size = std::ranges::find(sizes, a.size, &Size::word);
     if (size == sizes.end())
         return fail(Fault::Usage, say("--size '%1' is none", a.size), say("there are report, card and label"));
     wish.size = &*size;
@@ -150,8 +150,8 @@ Task<int> report(Console &console, ReportArguments a)
     const auto gathered = gather(console, **database, wish->matter, std::move(unit));
     if (!gathered)
         co_return fail(gathered.error());
-    const bool served = std::any_of(
-        gathered->units.begin(), gathered->units.end(), [](const ReportUnit &each) { return !each.visits.empty(); });
+    const bool served
+        = std::ranges::any_of(gathered->units, [](const ReportUnit &each) { return !each.visits.empty(); });
     if (wish->size->html == labelHtmlOf && !served)
         co_return fail(Fault::OutOfRange, say("this unit was never served, so there is nothing to label"),
             say("serve it first: 'motorbenchctl service'"));

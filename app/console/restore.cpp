@@ -174,8 +174,7 @@ Task<std::vector<Change>> changesOf(Console &console, Device &device, ParameterF
     std::vector<Change> changes;
     for (const ParameterDifference &difference : toRestore(device, file)) {
         const std::string key(device.parameters().parameter(difference.index).key);
-        if (!difference.ofAnotherUnit
-            || std::find(arguments.unitValues.begin(), arguments.unitValues.end(), key) != arguments.unitValues.end())
+        if (!difference.ofAnotherUnit || std::ranges::find(arguments.unitValues, key) != arguments.unitValues.end())
             changes.push_back({difference});
         else
             console.note(key + " belongs to the unit that the file was saved from, left out; --unit-values " + key

@@ -123,11 +123,11 @@ void SampleStream::noteStates()
     if (faults == m_faults)
         return;
     for (const std::string &fault : faults) {
-        if (std::find(m_faults.begin(), m_faults.end(), fault) == m_faults.end())
+        if (std::ranges::find(m_faults, fault) == m_faults.end())
             m_console.note(m_device.selector() + ": fault " + fault);
     }
     for (const std::string &fault : m_faults) {
-        if (std::find(faults.begin(), faults.end(), fault) == faults.end())
+        if (std::ranges::find(faults, fault) == faults.end())
             m_console.note(m_device.selector() + ": fault " + fault + ": over");
     }
     m_faults = faults;

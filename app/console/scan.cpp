@@ -190,7 +190,7 @@ void refreshListings(Console &console, Opened &opened)
 {
     for (const Link *link : opened.links) {
         const auto same = [link](const LinkListing &listing) { return listing.link == link->address(); };
-        const auto known = std::find_if(opened.listings.begin(), opened.listings.end(), same);
+        const auto known = std::ranges::find_if(opened.listings, same);
         const LinkListing now = listingOf(*link, console.clock().now());
         if (known == opened.listings.end())
             opened.listings.push_back(now);

@@ -37,7 +37,7 @@ Result<PlannedUnit> parseUnit(Console &console, const LinkAddress &link, const s
     if (!family)
         return fail(family.error());
     const auto &kinds = (*family)->links;
-    if (!(*family)->simulate || std::find(kinds.begin(), kinds.end(), kindOf(link)) == kinds.end())
+    if (!(*family)->simulate || std::ranges::find(kinds, kindOf(link)) == kinds.end())
         return fail(Fault::Usage, say("%1 cannot be simulated on %2", unit->family, link.text()),
             say("a %1 link is needed", toString(kinds.front())));
     return PlannedUnit{link, std::move(*unit), *family};
@@ -72,7 +72,7 @@ Result<void> addGroup(Console &console, const std::vector<std::string> &group, s
         if (auto good = PtyLine::create(*link, console.clock()); !good)
             return fail(good.error());
     }
-    const bool isTwice = std::any_of(plan.links.begin(), plan.links.end(),
+    const bool isTwice = std::ranges::any_of(plan.links,
         [&link](const LinkAddress &other) { return other.scheme == link->scheme && other.path == link->path; });
     if (link->scheme == "unix" && (group.size() > 2 || isTwice))
         return fail(Fault::Usage, say("%1 carries one board", link->text()), say("give each its own path"));

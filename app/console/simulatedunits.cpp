@@ -35,7 +35,7 @@ Result<Link *> SimulatedUnits::endOf(const LinkAddress &address)
 {
     if (address.scheme == "serial") {
         const auto same = [&address](const auto &end) { return end->address() == address; };
-        if (const auto known = std::find_if(m_ends.begin(), m_ends.end(), same); known != m_ends.end())
+        if (const auto known = std::ranges::find_if(m_ends, same); known != m_ends.end())
             return known->get();
     }
     auto end = makeEnd(address);
@@ -54,7 +54,7 @@ Result<std::unique_ptr<Link>> SimulatedUnits::makeEnd(const LinkAddress &address
     if (address.scheme != "pty")
         return createLink(address, m_console.clock());
     const auto same = [&address](const Terminal &terminal) { return terminal.address == address; };
-    auto terminal = std::find_if(m_terminals.begin(), m_terminals.end(), same);
+    auto terminal = std::ranges::find_if(m_terminals, same);
     if (terminal == m_terminals.end()) {
         auto line = PtyLine::create(address, m_console.clock());
         if (!line)

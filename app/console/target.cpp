@@ -34,7 +34,7 @@ std::size_t editDistance(std::string_view a, std::string_view b)
 
 bool serves(const Family &family, LinkKind kind)
 {
-    return std::find(family.links.begin(), family.links.end(), kind) != family.links.end();
+    return std::ranges::find(family.links, kind) != family.links.end();
 }
 
 Result<const Family *> parseFamily(std::span<const Family *const> families, std::string_view key)
@@ -74,7 +74,7 @@ Result<std::vector<LinkAddress>> parseLinks(const Console &console, const std::v
         if (!address)
             return fail(address.error());
         for (LinkAddress &link : expandLink(*address, console.families())) {
-            if (std::find(links.begin(), links.end(), link) == links.end())
+            if (std::ranges::find(links, link) == links.end())
                 links.push_back(std::move(link));
         }
     }
@@ -220,7 +220,7 @@ std::string joined(const std::vector<std::string_view> &words)
 Result<void> checkName(std::string_view name, const std::string &text)
 {
     const QString characters = qt(text);
-    if (std::any_of(characters.begin(), characters.end(), [](QChar c) { return c.category() == QChar::Other_Control; }))
+    if (std::ranges::any_of(characters, [](QChar c) { return c.category() == QChar::Other_Control; }))
         return fail(Fault::OutOfRange, say("%1 has no line break, tabulator or other control character", name),
             say("choose another"));
     return {};

@@ -47,7 +47,7 @@ struct TuneOrder {
 Result<void> parseLoop(const Family &family, const std::string &text, TunePlan &plan)
 {
     const auto known = tunableLoops();
-    if (std::find(known.begin(), known.end(), text) == known.end())
+    if (std::ranges::find(known, text) == known.end())
         return fail(Fault::Usage, say("unknown loop '%1'", text),
             suggestion(text, known, "there are velocity, position and current"));
     plan.loop = *modeFromString(text);

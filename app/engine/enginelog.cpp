@@ -26,7 +26,7 @@ std::string EngineLog::labelOf(const Device &device) const
 {
     const std::string label = std::string(device.family().title) + " #" + std::to_string(device.identity().address);
     const auto all = m_session.devices();
-    const bool isTwofold = std::any_of(all.begin(), all.end(), [&device](const Device *other) {
+    const bool isTwofold = std::ranges::any_of(all, [&device](const Device *other) {
         return &other->family() == &device.family() && other->identity().address == device.identity().address
             && &other->link() != &device.link();
     });

@@ -41,15 +41,15 @@ void LentLinks::giveBack()
 bool LentLinks::areThere() const
 {
     const auto links = m_context.session.links();
-    return std::all_of(m_links.begin(), m_links.end(),
-        [&links](const Link *link) { return std::find(links.begin(), links.end(), link) != links.end(); });
+    return std::ranges::all_of(
+        m_links, [&links](const Link *link) { return std::ranges::find(links, link) != links.end(); });
 }
 
 Link *LentLinks::linkAt(const std::string &address) const
 {
     const auto links = m_context.session.links();
-    const auto found = std::find_if(
-        links.begin(), links.end(), [&address](const Link *link) { return link->address().text() == address; });
+    const auto found
+        = std::ranges::find_if(links, [&address](const Link *link) { return link->address().text() == address; });
     return found == links.end() ? nullptr : *found;
 }
 

@@ -207,11 +207,11 @@ void Links::dropVanished()
         const auto open = m_open.find(link);
         if (link->state() != LinkState::Lost || open == m_open.end() || !open->second.byItself)
             continue;
-        const bool listed = std::any_of(m_listings.begin(), m_listings.end(),
-            [link](const LinkListing &listing) { return listing.link == link->address(); });
+        const bool listed = std::ranges::any_of(
+            m_listings, [link](const LinkListing &listing) { return listing.link == link->address(); });
         const auto devices = m_context.session.devices();
-        const bool used = std::any_of(
-            devices.begin(), devices.end(), [link](const Device *device) { return &device->link() == link; });
+        const bool used
+            = std::ranges::any_of(devices, [link](const Device *device) { return &device->link() == link; });
         if (!listed && !used)
             remove(*link);
     }

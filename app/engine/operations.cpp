@@ -105,26 +105,25 @@ bool Operations::has(DeviceId device) const
     const Device *found = m_lent.empty() ? nullptr : m_session.find(device);
     if (found && isLent(found->link()))
         return true;
-    return std::any_of(
-        m_jobs.begin(), m_jobs.end(), [this, device](const Job &job) { return isRunning(job) && isOf(job, device); });
+    return std::ranges::any_of(m_jobs, [this, device](const Job &job) { return isRunning(job) && isOf(job, device); });
 }
 
 bool Operations::isTried(DeviceId device) const
 {
-    return std::any_of(m_jobs.begin(), m_jobs.end(),
-        [this, device](const Job &job) { return isRunning(job) && isExperiment(job) && isOf(job, device); });
+    return std::ranges::any_of(
+        m_jobs, [this, device](const Job &job) { return isRunning(job) && isExperiment(job) && isOf(job, device); });
 }
 
 bool Operations::hasOn(const Link &link) const
 {
     const auto devices = m_session.devices();
-    return std::any_of(devices.begin(), devices.end(),
-        [&](const Device *device) { return &device->link() == &link && has(m_session.idOf(*device)); });
+    return std::ranges::any_of(
+        devices, [&](const Device *device) { return &device->link() == &link && has(m_session.idOf(*device)); });
 }
 
 bool Operations::isUpdatedOn(const Link &link) const
 {
-    return std::any_of(m_jobs.begin(), m_jobs.end(), [this, &link](const Job &job) {
+    return std::ranges::any_of(m_jobs, [this, &link](const Job &job) {
         const Device *const device = m_session.find(job.device);
         return isRunning(job) && job.operation->status().kind == OperationKind::UpdateFirmware && device
             && &device->link() == &link;
@@ -135,7 +134,7 @@ bool Operations::isAnyRunning() const
 {
     if (!m_lent.empty())
         return true;
-    return std::any_of(m_jobs.begin(), m_jobs.end(), isRunning);
+    return std::ranges::any_of(m_jobs, isRunning);
 }
 
 /// An experiment that prepares has nothing to stop yet, and would move later: it ends, whatever it is doing.
@@ -168,8 +167,8 @@ void Operations::makeWay(DeviceId device)
 void Operations::dismiss(const Device &device, const Error &error)
 {
     const auto runs = [&device](const Job &job) { return job.unit == &device && isRunning(job); };
-    for (auto found = std::find_if(m_jobs.begin(), m_jobs.end(), runs); found != m_jobs.end();
-         found = std::find_if(m_jobs.begin(), m_jobs.end(), runs))
+    for (auto found = std::ranges::find_if(m_jobs, runs); found != m_jobs.end();
+         found = std::ranges::find_if(m_jobs, runs))
         found->operation->dismiss(error);
 }
 

@@ -102,8 +102,7 @@ void OwedBook::carryOut(const orders::PayGains &order, const Finished &finished)
 {
     const auto known = m_owed.find(order.device);
     const Owed all = known == m_owed.end() ? Owed() : known->second;
-    const auto found = std::find_if(
-        all.begin(), all.end(), [&order](const tuning::OwedGains &owed) { return owed.trial == order.trial; });
+    const auto found = std::ranges::find(all, order.trial, &tuning::OwedGains::trial);
     if (found == all.end())
         return finished(fail(Fault::OutOfRange, say("this trial owes nothing to the unit")));
     if (auto same = m_context.operations.checkRecognised(order.device); !same)

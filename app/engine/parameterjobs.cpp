@@ -40,8 +40,8 @@ void tellChanges(const EngineLog &log, const Device &device, const std::vector<P
 /// Of writes that all went well: what is known of them.
 Message proofOf(const Outcomes &outcomes)
 {
-    const auto blind = std::count_if(
-        outcomes.begin(), outcomes.end(), [](const TransferOutcome &outcome) { return !outcome.verified; });
+    const auto blind
+        = std::ranges::count_if(outcomes, [](const TransferOutcome &outcome) { return !outcome.verified; });
     if (blind == 0)
         return say("%1 written, read back and equal", outcomes.size());
     if (static_cast<std::size_t>(blind) == outcomes.size())

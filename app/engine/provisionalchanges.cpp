@@ -36,7 +36,7 @@ bool isCutOff(const Device &device, const Confirmation &confirmation)
 /// In force only when it has restarted: then nobody could offer it before.
 bool actsLater(const Family &family, const SettingsChange &change)
 {
-    return std::any_of(change.values.begin(), change.values.end(), [&family](const settings::ValueChange &value) {
+    return std::ranges::any_of(change.values, [&family](const settings::ValueChange &value) {
         const auto index = findParameter(family.parameters, value.key);
         return index && family.parameters[index->value].afterRestart;
     });
@@ -53,8 +53,8 @@ ProvisionalChanges::ProvisionalChanges(const EngineContext &context)
 
 ProvisionalChanges::Entry *ProvisionalChanges::find(DeviceId id, std::int64_t change)
 {
-    const auto found = std::find_if(m_entries.begin(), m_entries.end(),
-        [&](const Entry &entry) { return entry.device == id && entry.change.number == change; });
+    const auto found = std::ranges::find_if(
+        m_entries, [&](const Entry &entry) { return entry.device == id && entry.change.number == change; });
     return found == m_entries.end() ? nullptr : &*found;
 }
 
@@ -75,7 +75,7 @@ void ProvisionalChanges::take(DeviceId id, const std::vector<SettingsChange> &op
     Device *device = m_context.session.find(id);
     std::erase_if(m_entries, [&](const Entry &entry) {
         return !m_context.session.find(entry.device)
-            || (entry.device == id && std::none_of(open.begin(), open.end(), [&entry](const SettingsChange &change) {
+            || (entry.device == id && std::ranges::none_of(open, [&entry](const SettingsChange &change) {
                    return change.number == entry.change.number;
                }));
     });

@@ -81,8 +81,8 @@ void Rates::setNext()
         return;
     wait();
     for (const bool faster : {true, false}) {
-        const auto chosen = std::find_if(waiting.begin(), waiting.end(),
-            [&](const auto &one) { return (one.second > 0.0) == faster && isFree(one.first.first); });
+        const auto chosen = std::ranges::find_if(
+            waiting, [&](const auto &one) { return (one.second > 0.0) == faster && isFree(one.first.first); });
         if (chosen != waiting.end())
             return set(chosen->first, chosen->second);
     }

@@ -74,13 +74,11 @@ void Scans::end(Round &round)
 void Scans::probeSilent(Link &link)
 {
     const auto all = m_context.session.devices();
-    const bool known
-        = std::any_of(all.begin(), all.end(), [&link](const Device *device) { return &device->link() == &link; });
+    const bool known = std::ranges::any_of(all, [&link](const Device *device) { return &device->link() == &link; });
     if (known || link.kind() != LinkKind::Spi || link.state() != LinkState::Open)
         return;
     for (const Family *family : m_context.session.families()) {
-        if (!family->probe
-            || std::find(family->links.begin(), family->links.end(), LinkKind::Spi) == family->links.end())
+        if (!family->probe || std::ranges::find(family->links, LinkKind::Spi) == family->links.end())
             continue;
         m_rounds[&link].task->spawn<Device *>(
             m_context.session.connect({link.address(), std::string(family->key), 0, std::nullopt}),
@@ -91,7 +89,7 @@ void Scans::probeSilent(Link &link)
 bool Scans::isQuiet() const
 {
     const auto all = m_context.session.devices();
-    return !m_context.operations.isAnyRunning() && std::none_of(all.begin(), all.end(), [](const Device *device) {
+    return !m_context.operations.isAnyRunning() && std::ranges::none_of(all, [](const Device *device) {
         return device->liveness().moving && !device->link().address().isRecording();
     });
 }

@@ -20,7 +20,7 @@ OperationView showing(const Operations::Job &job)
 bool isElsewhere(Session &session, const OwedStop &owed)
 {
     const std::vector<Link *> links = session.links();
-    return std::any_of(links.begin(), links.end(), [&owed](const Link *link) {
+    return std::ranges::any_of(links, [&owed](const Link *link) {
         return owed.device.starts_with(link->address().text() + '/') && link->line() != owed.line;
     });
 }
@@ -40,7 +40,7 @@ Snapshot SnapshotPublisher::withoutOperations() const
         }
     }
     shot.unconfirmed = m_provisional.views();
-    std::stable_sort(shot.devices.begin(), shot.devices.end(), inOrder);
+    std::ranges::stable_sort(shot.devices, inOrder);
     for (const OwedStop &owed : session.stops().owed())
         shot.owedStops.push_back({owed.device, isElsewhere(session, owed)});
     return shot;
@@ -74,8 +74,7 @@ Snapshot merged(Snapshot before, SnapshotChanges changes)
 {
     std::vector<OperationView> operations;
     const auto takeFrom = [&operations](std::vector<OperationView> &views, OperationId id) {
-        const auto found
-            = std::find_if(views.begin(), views.end(), [id](const OperationView &view) { return view.id == id; });
+        const auto found = std::ranges::find(views, id, &OperationView::id);
         if (found == views.end())
             return false;
         operations.push_back(std::move(*found));

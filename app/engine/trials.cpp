@@ -87,8 +87,7 @@ void Trials::carryOut(const orders::RunExperiment &order, const Finished &finish
     if (!device)
         return finished(fail(Fault::Timeout, say("the device is gone")));
     const std::span<const Experiment> known = device->family().experiments;
-    const auto found = std::find_if(
-        known.begin(), known.end(), [&order](const Experiment &candidate) { return candidate.key == order.key; });
+    const auto found = std::ranges::find(known, order.key, &Experiment::key);
     if (found == known.end())
         return finished(fail(Fault::Unsupported, say("this device has no experiment '%1'", order.key)));
     SetPointStream &stream = m_context.session.stream(*device);

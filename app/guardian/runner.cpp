@@ -26,7 +26,7 @@ bool contains(const Bytes &heard, const Step &step, std::size_t messageSize)
 
 bool asksForAnswers(const Script &script)
 {
-    return std::any_of(script.begin(), script.end(), [](const Step &step) { return !step.reply.empty(); });
+    return std::ranges::any_of(script, [](const Step &step) { return !step.reply.empty(); });
 }
 
 } // namespace
@@ -59,7 +59,7 @@ std::optional<Time> Runner::due() const
         return m_answerUntil;
     if (m_blockedUntil)
         return m_blockedUntil;
-    return std::min_element(m_jobs.begin(), m_jobs.end(), [](const Job &a, const Job &b) {
+    return std::ranges::min_element(m_jobs, [](const Job &a, const Job &b) {
         return a.notBefore < b.notBefore;
     })->notBefore;
 }
@@ -87,8 +87,7 @@ void Runner::listen(Time now)
 /// One message of the first job whose time has come. False when there is none, or it could not be sent.
 bool Runner::attempt(Time now)
 {
-    const auto next = std::find_if(
-        m_jobs.begin(), m_jobs.end(), [now](const Job &candidate) { return candidate.notBefore <= now; });
+    const auto next = std::ranges::find_if(m_jobs, [now](const Job &candidate) { return candidate.notBefore <= now; });
     if (next == m_jobs.end())
         return false;
     std::rotate(m_jobs.begin(), next, next + 1);

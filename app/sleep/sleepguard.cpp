@@ -33,7 +33,7 @@ bool SleepGuard::isNeeded() const
     if (m_also && m_also())
         return true;
     const auto devices = m_session.devices();
-    return std::any_of(devices.begin(), devices.end(), [this](Device *device) {
+    return std::ranges::any_of(devices, [this](Device *device) {
         const LinkAddress &link = device->link().address();
         if (link.isSimulated() || link.isRecording())
             return false;

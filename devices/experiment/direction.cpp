@@ -213,7 +213,7 @@ Task<bool> untilAtRest(Device &device)
     Clock &clock = device.clock();
     const Instant begin = clock.now();
     std::vector<Place> places = placesOf(device);
-    while (!std::all_of(places.begin(), places.end(), [](const Place &place) { return place.rests(); })) {
+    while (!std::ranges::all_of(places, [](const Place &place) { return place.rests(); })) {
         if (clock.now() >= begin + restLimit || device.link().state() != LinkState::Open)
             co_return false;
         Sleep nap(clock, glancePeriod);

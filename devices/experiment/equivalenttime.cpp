@@ -23,7 +23,7 @@ Trace merged(const std::vector<Trace> &runs)
     }
     std::vector<std::size_t> order(all.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&all](std::size_t a, std::size_t b) { return all.t[a] < all.t[b]; });
+    std::ranges::stable_sort(order, [&all](std::size_t a, std::size_t b) { return all.t[a] < all.t[b]; });
     Trace sorted;
     for (const std::size_t at : order)
         sorted.add(all.t[at], all.y[at]);

@@ -155,7 +155,7 @@ bool needsRestart(const Device &device, const std::vector<ParameterChange> &chan
     const TrialTraits &traits = *device.family().trials;
     if (traits.atBoot.empty() || traits.atBootDialects.find(device.identity().dialect) == std::string_view::npos)
         return false;
-    return std::any_of(changes.begin(), changes.end(), [&](const ParameterChange &change) {
+    return std::ranges::any_of(changes, [&](const ParameterChange &change) {
         const auto before = device.parameters().entry(change.index).raw;
         return device.parameters().parameter(change.index).key == traits.atBoot && before != change.raw;
     });

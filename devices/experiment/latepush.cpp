@@ -16,10 +16,10 @@ constexpr double longest = 5.0; ///< s
 std::optional<double> madeBy(const Device &device, const Trial &trial, Role role)
 {
     const Family &family = device.family();
-    const auto calibration = std::find_if(family.calibrations.begin(), family.calibrations.end(),
-        [&](const Calibration &row) { return row.loop == trial.mode && row.gain == role; });
-    const auto gain = std::find_if(
-        trial.gains.begin(), trial.gains.end(), [&](const auto &known) { return roleOf(family, known.first) == role; });
+    const auto calibration = std::ranges::find_if(
+        family.calibrations, [&](const Calibration &row) { return row.loop == trial.mode && row.gain == role; });
+    const auto gain
+        = std::ranges::find_if(trial.gains, [&](const auto &known) { return roleOf(family, known.first) == role; });
     const double one
         = calibration == family.calibrations.end() ? 0.0 : device.knowledge().profile().calibrated(calibration->key);
     if (gain == trial.gains.end() || !gain->second || one <= 0.0)

@@ -274,8 +274,7 @@ const std::array<MetricKey, 11> &metricKeys()
 const MetricKey *findMetric(std::string_view key)
 {
     const auto &keys = metricKeys();
-    const auto *const found
-        = std::find_if(keys.begin(), keys.end(), [key](const MetricKey &each) { return each.key == key; });
+    const auto *const found = std::ranges::find(keys, key, &MetricKey::key);
     return found == keys.end() ? nullptr : found;
 }
 

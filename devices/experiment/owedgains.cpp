@@ -113,7 +113,7 @@ Task<std::vector<OwedGains>> stillOwed(Device &device, ExperimentJournal &journa
         if (debt.values.empty())
             continue;
         const auto isThere = [&present](const OwedValue &value) { return has(present, value); };
-        if (!std::all_of(debt.values.begin(), debt.values.end(), isThere)) {
+        if (!std::ranges::all_of(debt.values, isThere)) {
             rest.push_back(std::move(debt));
             continue;
         }

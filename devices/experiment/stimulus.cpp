@@ -84,14 +84,12 @@ Result<Stimulus> checked(const Stimulus &stimulus, double beat)
 
 std::string_view toString(Profile profile)
 {
-    return std::find_if(names.begin(), names.end(), [profile](const auto &row) {
-        return row.first == profile;
-    })->second;
+    return std::ranges::find_if(names, [&](const auto &entry) { return entry.first == profile; })->second;
 }
 
 std::optional<Profile> profileFromString(std::string_view text)
 {
-    const auto found = std::find_if(names.begin(), names.end(), [text](const auto &row) { return row.second == text; });
+    const auto found = std::ranges::find_if(names, [&](const auto &entry) { return entry.second == text; });
     return found == names.end() ? std::nullopt : std::optional(found->first);
 }
 

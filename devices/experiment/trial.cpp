@@ -31,12 +31,12 @@ Trace over(const Trace &trace, const std::vector<Span> &spans, double lead, doub
 
 bool Trial::has(std::string_view flag) const
 {
-    return std::find(flags.begin(), flags.end(), flag) != flags.end();
+    return std::ranges::find(flags, flag) != flags.end();
 }
 
 const Signal *Trial::signal(std::string_view key) const
 {
-    const auto found = std::find_if(signals.begin(), signals.end(), [key](const Signal &signal) {
+    const auto found = std::ranges::find_if(signals, [key](const Signal &signal) {
         return signal.channel == key || (signal.channel.ends_with(key) && signal.channel.starts_with("ch"));
     });
     return found == signals.end() ? nullptr : &*found;

@@ -68,8 +68,7 @@ void TrialRecorder::expect(double target)
 
 void TrialRecorder::take(const Sample &sample)
 {
-    const auto recorded = std::find_if(
-        m_recorded.begin(), m_recorded.end(), [&sample](const Recorded &r) { return r.channel == sample.channel; });
+    const auto recorded = std::ranges::find(m_recorded, sample.channel, &Recorded::channel);
     if (recorded == m_recorded.end())
         return;
     ++m_samples;
@@ -129,8 +128,7 @@ void TrialRecorder::ended(std::optional<Trip> trip)
 
 const TrialRecorder::Recorded *TrialRecorder::find(std::string_view key) const
 {
-    const auto found
-        = std::find_if(m_recorded.begin(), m_recorded.end(), [key](const Recorded &r) { return r.key == key; });
+    const auto found = std::ranges::find(m_recorded, key, &Recorded::key);
     return found == m_recorded.end() ? nullptr : &*found;
 }
 

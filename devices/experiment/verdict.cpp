@@ -86,7 +86,7 @@ void averageEffort(Metrics &into, const std::vector<Metrics> &runs)
 
 bool isRampLimited(const Trial &trial, const Family &family)
 {
-    return std::any_of(trial.gains.begin(), trial.gains.end(), [&family](const auto &gain) {
+    return std::ranges::any_of(trial.gains, [&family](const auto &gain) {
         return gain.second.value_or(0.0) > 0.0 && roleOf(family, gain.first) == Role::Ramp;
     });
 }
@@ -200,8 +200,7 @@ std::string_view endingLabel(std::string_view reason)
         {"interrupted", MB_LABEL("interrupted")},
         {"done", MB_LABEL("done")},
     }};
-    const auto row
-        = std::find_if(labels.begin(), labels.end(), [reason](const auto &each) { return each.first == reason; });
+    const auto row = std::ranges::find_if(labels, [&](const auto &entry) { return entry.first == reason; });
     return row == labels.end() ? std::string_view() : row->second;
 }
 

@@ -154,7 +154,7 @@ Status IntelHexReader::readLine(std::string_view line)
 /// Digits to m_raw; afterwards length and checksum are right.
 Status IntelHexReader::decode(std::string_view digits)
 {
-    const auto odd = std::find_if(digits.begin(), digits.end(), [](char c) { return digitValue(c) < 0; });
+    const auto odd = std::ranges::find_if(digits, [](char c) { return digitValue(c) < 0; });
     if (odd != digits.end())
         return wrong(say("%1 is not a hexadecimal digit", named(*odd)));
     if (digits.size() % 2 != 0)
@@ -225,8 +225,7 @@ Status IntelHexReader::addData()
 
 Result<FirmwareImage> IntelHexReader::join()
 {
-    std::stable_sort(
-        m_records.begin(), m_records.end(), [](const Record &a, const Record &b) { return a.address < b.address; });
+    std::ranges::stable_sort(m_records, [](const Record &a, const Record &b) { return a.address < b.address; });
     FirmwareImage image;
     image.m_bytes.reserve(m_bytes.size());
     std::uint64_t end = addressSpace + 1; // of the last segment
@@ -257,10 +256,10 @@ tl::unexpected<Error> IntelHexReader::conflictAt(std::uint32_t address) const
     std::copy_if(m_records.begin(), m_records.end(), std::back_inserter(covering), [address](const Record &record) {
         return record.address <= address && address - record.address < record.size;
     });
-    std::sort(covering.begin(), covering.end(), [](const Record &a, const Record &b) { return a.line < b.line; });
+    std::ranges::sort(covering, [](const Record &a, const Record &b) { return a.line < b.line; });
     const Record &first = covering.front();
-    const auto second = std::find_if(covering.begin(), covering.end(),
-        [&](const Record &record) { return valueOf(record, address) != valueOf(first, address); });
+    const auto second = std::ranges::find_if(
+        covering, [&](const Record &record) { return valueOf(record, address) != valueOf(first, address); });
     return wrongIn(second->line,
         say("address %1 is %2 here and %3 in line %4", hexText(address, 5), hexText(valueOf(*second, address), 2),
             hexText(valueOf(first, address), 2), first.line));

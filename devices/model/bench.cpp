@@ -11,7 +11,7 @@ namespace {
 
 bool serves(const Family &family, LinkKind kind)
 {
-    return std::find(family.links.begin(), family.links.end(), kind) != family.links.end();
+    return std::ranges::find(family.links, kind) != family.links.end();
 }
 
 struct BenchOptions {
@@ -164,8 +164,8 @@ std::vector<LinkAddress> expandLink(const LinkAddress &address, std::span<const 
         return {address};
     std::vector<LinkAddress> all;
     for (const LinkKind kind : {LinkKind::Can, LinkKind::Serial, LinkKind::Spi}) {
-        const bool any = std::any_of(families.begin(), families.end(),
-            [kind](const Family *f) { return !f->bench.empty() && serves(*f, kind); });
+        const bool any
+            = std::ranges::any_of(families, [kind](const Family *f) { return !f->bench.empty() && serves(*f, kind); });
         if (any)
             all.push_back({address.scheme, std::string(toString(kind)), address.options});
     }

@@ -23,8 +23,7 @@ constexpr Duration commitPeriod = std::chrono::milliseconds(10);
 
 template <class Entries> auto entryOf(Entries &entries, const Device &device)
 {
-    return std::find_if(
-        entries.begin(), entries.end(), [&device](const auto &entry) { return entry.device.get() == &device; });
+    return std::ranges::find_if(entries, [&device](const auto &entry) { return entry.device.get() == &device; });
 }
 
 } // namespace
@@ -50,7 +49,7 @@ Device &DeviceBook::adopt(Link &link, const Family &family, const Identity &iden
             match = &device;
             break;
         }
-        if (!match && std::find(seen.begin(), seen.end(), &device) == seen.end())
+        if (!match && std::ranges::find(seen, &device) == seen.end())
             match = &device;
     }
     if (!match)
@@ -61,7 +60,7 @@ Device &DeviceBook::adopt(Link &link, const Family &family, const Identity &iden
 
 Device &DeviceBook::overhear(Link &link, const Family &family, const Identity &identity)
 {
-    const auto known = std::find_if(m_entries.begin(), m_entries.end(), [&](const Entry &entry) {
+    const auto known = std::ranges::find_if(m_entries, [&](const Entry &entry) {
         return &entry.device->link() == &link && &entry.device->family() == &family
             && entry.device->identity().address == identity.address;
     });
@@ -172,7 +171,7 @@ std::vector<Identity> DeviceBook::known(const Link &link, const Family &family) 
 
 Device *DeviceBook::find(DeviceId id) const
 {
-    const auto entry = std::find_if(m_entries.begin(), m_entries.end(), [id](const Entry &e) { return e.id == id; });
+    const auto entry = std::ranges::find(m_entries, id, &Entry::id);
     return entry == m_entries.end() ? nullptr : entry->device.get();
 }
 

@@ -12,8 +12,7 @@ namespace {
 
 const DialectChoice *dialectOf(const Family &family, std::string_view key)
 {
-    const auto found = std::find_if(
-        family.dialects.begin(), family.dialects.end(), [key](const DialectChoice &row) { return row.key == key; });
+    const auto found = std::ranges::find(family.dialects, key, &DialectChoice::key);
     return found == family.dialects.end() ? nullptr : &*found;
 }
 
@@ -86,12 +85,12 @@ void DeviceKnowledge::reassume()
 
 Result<void> DeviceKnowledge::calibrate(std::string_view key, std::optional<double> value)
 {
-    const auto row = std::find_if(m_family.calibrations.begin(), m_family.calibrations.end(),
-        [key](const Calibration &candidate) { return candidate.key == key; });
+    const auto row = std::ranges::find_if(
+        m_family.calibrations, [key](const Calibration &candidate) { return candidate.key == key; });
     if (row == m_family.calibrations.end())
         return fail(Fault::Unsupported, say("%1 has no '%2' to be set", m_family.key, key));
     const auto isValue = [value](const Choice &choice) { return static_cast<double>(choice.raw) == value; };
-    if (value && !row->choices.empty() && std::none_of(row->choices.begin(), row->choices.end(), isValue)) {
+    if (value && !row->choices.empty() && std::ranges::none_of(row->choices, isValue)) {
         Message legal;
         for (const Choice &choice : row->choices) {
             const Message one = say("%1 (%2)", choice.raw, Message::label(choice.label));

@@ -128,8 +128,7 @@ std::vector<Link *> LinkBook::all() const
 
 Link *LinkBook::find(const LinkAddress &address) const
 {
-    const auto open
-        = std::find_if(m_links.begin(), m_links.end(), [&](const Entry &o) { return o.link->address() == address; });
+    const auto open = std::ranges::find_if(m_links, [&](const Entry &o) { return o.link->address() == address; });
     return open == m_links.end() ? nullptr : open->link.get();
 }
 
@@ -149,8 +148,7 @@ Clock &LinkBook::clockOf(Link &link) const
 
 const LinkBook::Entry *LinkBook::entryOf(const Link &link) const
 {
-    const auto entry
-        = std::find_if(m_links.begin(), m_links.end(), [&](const Entry &e) { return e.link.get() == &link; });
+    const auto entry = std::ranges::find_if(m_links, [&](const Entry &e) { return e.link.get() == &link; });
     return entry == m_links.end() ? nullptr : &*entry;
 }
 

@@ -13,8 +13,7 @@ const LoopGains *loopOf(const Family &family, Mode mode)
     if (!family.trials)
         return nullptr;
     const auto &loops = family.trials->loops;
-    const auto found
-        = std::find_if(loops.begin(), loops.end(), [mode](const LoopGains &loop) { return loop.mode == mode; });
+    const auto found = std::ranges::find(loops, mode, &LoopGains::mode);
     return found == loops.end() ? nullptr : &*found;
 }
 

@@ -49,7 +49,7 @@ std::vector<OwedStop> OwedStops::unseen() const
 bool OwedStops::isFollowed(const OwedStop &owed) const
 {
     const std::vector<Device *> all = m_devices.all();
-    return std::any_of(all.begin(), all.end(),
+    return std::ranges::any_of(all,
         [&owed](Device *device) { return isOf(owed, device->link().line(), device->selector()) && follows(*device); });
 }
 
@@ -81,8 +81,7 @@ void OwedStops::look()
     m_withOthers.erase(theirs, m_withOthers.end());
     const std::vector<OwedStop> booked = m_guard ? m_guard->owed(m_clock.now()) : std::vector<OwedStop>();
     std::erase_if(m_unbooked, [&booked](const OwedStop &mine) {
-        return std::any_of(
-            booked.begin(), booked.end(), [&mine](const OwedStop &one) { return isOf(mine, one.line, one.device); });
+        return std::ranges::any_of(booked, [&mine](const OwedStop &one) { return isOf(mine, one.line, one.device); });
     });
     const auto before = std::exchange(m_owed, m_unbooked);
     m_owed.insert(m_owed.end(), booked.begin(), booked.end());
@@ -90,8 +89,8 @@ void OwedStops::look()
         m_look.startIn(lookPeriod, [this] { look(); });
     for (Link *const link : ours)
         sendDue(*link);
-    if (std::equal(before.begin(), before.end(), m_owed.begin(), m_owed.end(),
-            [](const OwedStop &a, const OwedStop &b) { return isOf(a, b.line, b.device); }))
+    if (std::ranges::equal(
+            before, m_owed, [](const OwedStop &a, const OwedStop &b) { return isOf(a, b.line, b.device); }))
         return;
     for (Device *device : m_devices.all())
         passTo(*device);
@@ -115,8 +114,8 @@ void OwedStops::add(Device &device)
 
 void OwedStops::passTo(Device &device)
 {
-    const auto owed = std::find_if(m_owed.begin(), m_owed.end(),
-        [&device](const OwedStop &one) { return isOf(one, device.link().line(), device.selector()); });
+    const auto owed = std::ranges::find_if(
+        m_owed, [&device](const OwedStop &one) { return isOf(one, device.link().line(), device.selector()); });
     if (owed != m_owed.end() && !follows(device) && device.mayStop())
         device.stopping().inherit(owed->since);
 }

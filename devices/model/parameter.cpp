@@ -38,7 +38,7 @@ std::string rangeText(const Parameter &p)
 
 std::optional<ParameterIndex> findParameter(std::span<const Parameter> table, std::string_view key)
 {
-    const auto found = std::find_if(table.begin(), table.end(), [key](const Parameter &p) { return p.key == key; });
+    const auto found = std::ranges::find(table, key, &Parameter::key);
     if (found == table.end())
         return std::nullopt;
     return ParameterIndex{static_cast<std::uint16_t>(found - table.begin())};

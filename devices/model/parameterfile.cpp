@@ -79,7 +79,7 @@ Result<void> checkMembers(const QString &key, const QJsonObject &row)
     constexpr std::array<std::string_view, 5> members{"value", "raw", "unit", "state", "verified"};
     for (auto member = row.begin(); member != row.end(); ++member) {
         const std::string name = member.key().toStdString();
-        if (std::find(members.begin(), members.end(), name) == members.end())
+        if (std::ranges::find(members, name) == members.end())
             return fail(Fault::OutOfRange, say("%1: unknown key %2", key.toStdString(), name),
                 say("write \"value\" or \"raw\""));
     }
@@ -186,8 +186,8 @@ Result<ParameterFile> parseParameterFile(const QByteArray &bytes, const Family &
         if (auto taken = takeRow(family, row.key(), row.value(), file); !taken)
             return fail(taken.error());
     }
-    std::sort(file.values.begin(), file.values.end(),
-        [](const ParameterChange &a, const ParameterChange &b) { return a.index < b.index; });
+    std::ranges::sort(
+        file.values, [](const ParameterChange &a, const ParameterChange &b) { return a.index < b.index; });
     return file;
 }
 

@@ -14,7 +14,7 @@ namespace {
 bool says(const Message &message, std::string_view text)
 {
     const auto arguments = message.arguments();
-    return std::any_of(arguments.begin(), arguments.end(), [text](const MessageArgument &argument) {
+    return std::ranges::any_of(arguments, [text](const MessageArgument &argument) {
         const auto *const inner = std::get_if<Message>(&argument.value);
         const auto *const words = std::get_if<std::string>(&argument.value);
         return inner ? says(*inner, text) : words && *words == text;

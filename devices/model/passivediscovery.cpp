@@ -10,8 +10,8 @@ namespace {
 void takeDescriptors(Identity &known, const Identity &seen)
 {
     for (const auto &[key, text] : seen.descriptors) {
-        const auto same = std::find_if(known.descriptors.begin(), known.descriptors.end(),
-            [&name = key](const auto &entry) { return entry.first == name; });
+        const auto same
+            = std::ranges::find_if(known.descriptors, [&name = key](const auto &entry) { return entry.first == name; });
         if (same == known.descriptors.end())
             known.descriptors.emplace_back(key, text);
         else

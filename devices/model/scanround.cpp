@@ -56,8 +56,8 @@ void ScanRound::start()
 
 void ScanRound::startFor(const DeviceSelector &selector)
 {
-    const auto family = std::find_if(m_around.families.begin(), m_around.families.end(),
-        [&selector](const Family *f) { return f->key == selector.family; });
+    const auto family
+        = std::ranges::find_if(m_around.families, [&selector](const Family *f) { return f->key == selector.family; });
     m_named.emplace();
     m_named->family = selector.family;
     m_named->address = selector.address;
@@ -69,7 +69,7 @@ void ScanRound::startFor(const DeviceSelector &selector)
 
 bool ScanRound::speaks(const Family &family) const
 {
-    return std::find(family.links.begin(), family.links.end(), m_link.kind()) != family.links.end();
+    return std::ranges::find(family.links, m_link.kind()) != family.links.end();
 }
 
 ScanRound::Sink &ScanRound::sinkOf(const Family &family)
@@ -92,7 +92,7 @@ void ScanRound::spawn(Task<void> task)
 void ScanRound::found(const Family &family, const Identity &identity)
 {
     Device &device = m_around.adopt(family, identity, m_seen);
-    if (std::find(m_seen.begin(), m_seen.end(), &device) == m_seen.end())
+    if (std::ranges::find(m_seen, &device) == m_seen.end())
         m_seen.push_back(&device);
 }
 

@@ -75,11 +75,11 @@ Task<std::vector<Device *>> Session::scan(Link &link, ScanOptions options)
         co_return fail(*round.error());
     round.setComplete();
     const auto rank = [this](const Device *device) {
-        const auto family = std::find(m_families.begin(), m_families.end(), &device->family());
+        const auto family = std::ranges::find(m_families, &device->family());
         return std::pair(family - m_families.begin(), device->identity().address);
     };
     std::vector<Device *> seen = round.seen();
-    std::stable_sort(seen.begin(), seen.end(), [&rank](const Device *a, const Device *b) { return rank(a) < rank(b); });
+    std::ranges::stable_sort(seen, [&rank](const Device *a, const Device *b) { return rank(a) < rank(b); });
     co_return seen;
 }
 
@@ -152,7 +152,7 @@ Task<std::vector<Device *>> Session::overhear(ReplayLink &link)
         co_await Sleep(m_clock, Duration::zero()); // others get their turn
     }
     std::vector<Device *> found = m_devices.on(link);
-    std::sort(found.begin(), found.end(), [](const Device *a, const Device *b) {
+    std::ranges::sort(found, [](const Device *a, const Device *b) {
         return std::pair(a->identity().family, a->identity().address)
             < std::pair(b->identity().family, b->identity().address);
     });

@@ -109,15 +109,13 @@ bool SessionStops::isOwing(const Link &link) const
 {
     const std::vector<Device *> there = m_devices.on(link);
     return link.state() == LinkState::Lost && !link.address().isRecording()
-        && std::any_of(
-            there.begin(), there.end(), [](Device *device) { return device->stopping().state() == StopState::Owed; });
+        && std::ranges::any_of(there, [](Device *device) { return device->stopping().state() == StopState::Owed; });
 }
 
 void SessionStops::retryOwing()
 {
     const std::vector<Link *> links = m_links.all();
-    if (m_retry.isActive()
-        || std::none_of(links.begin(), links.end(), [this](const Link *link) { return isOwing(*link); }))
+    if (m_retry.isActive() || std::ranges::none_of(links, [this](const Link *link) { return isOwing(*link); }))
         return;
     m_retry.startIn(owingRetry, [this] {
         for (Link *link : m_links.all()) {

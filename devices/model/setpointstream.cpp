@@ -59,7 +59,7 @@ Result<void> SetPointStream::start(const SetPoint &setPoint, Duration lease, con
 
 SetPoint SetPointStream::glided(SetPoint setPoint, const Glide &glide)
 {
-    const auto told = std::find_if(m_setPoints.begin(), m_setPoints.end(),
+    const auto told = std::ranges::find_if(m_setPoints,
         [&setPoint](const SetPoint &known) { return known.axis == setPoint.axis && known.mode == setPoint.mode; });
     const auto isPlace = [](const SetPoint &known) { return !known.relative && !known.buffered; };
     const bool isTold = told != m_setPoints.end() && isPlace(*told);

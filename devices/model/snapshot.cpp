@@ -11,14 +11,13 @@ namespace mb {
 
 const DeviceView *Snapshot::device(DeviceId id) const
 {
-    const auto found = std::find_if(devices.begin(), devices.end(), [id](const DeviceView &d) { return d.id == id; });
+    const auto found = std::ranges::find(devices, id, &DeviceView::id);
     return found == devices.end() ? nullptr : &*found;
 }
 
 const LinkView *Snapshot::link(std::string_view address) const
 {
-    const auto found
-        = std::find_if(links.begin(), links.end(), [address](const LinkView &l) { return l.address == address; });
+    const auto found = std::ranges::find(links, address, &LinkView::address);
     return found == links.end() ? nullptr : &*found;
 }
 
@@ -31,8 +30,7 @@ const OperationView *Snapshot::operation(DeviceId device) const
 
 const SetPoint *MotionView::on(int axis) const
 {
-    const auto found
-        = std::find_if(setPoints.begin(), setPoints.end(), [axis](const SetPoint &one) { return one.axis == axis; });
+    const auto found = std::ranges::find(setPoints, axis, &SetPoint::axis);
     return !running || found == setPoints.end() ? nullptr : &*found;
 }
 

@@ -24,12 +24,11 @@ void UnknownFrames::take(const CanFrame &frame)
 
 bool UnknownFrames::isKnown(const CanFrame &frame) const
 {
-    return std::any_of(m_families.begin(), m_families.end(), [&frame](const Family *family) {
+    return std::ranges::any_of(m_families, [&frame](const Family *family) {
         const auto reads = [&](std::string_view dialect) { return family->decodeCan(frame, dialect).has_value(); };
-        return family->decodeCan
-            && (reads({}) || std::any_of(family->dialects.begin(), family->dialects.end(), [&reads](const auto &row) {
-                   return reads(row.key);
-               }));
+        return family->decodeCan && (reads({}) || std::ranges::any_of(family->dialects, [&reads](const auto &row) {
+            return reads(row.key);
+        }));
     });
 }
 

@@ -68,8 +68,7 @@ void sortForWriting(std::span<const Parameter> table, std::vector<StagedChange> 
     const auto place = [table](const StagedChange &change) {
         return std::tuple(writeRank(table[change.index.value], change), change.index.value);
     };
-    std::sort(changes.begin(), changes.end(),
-        [&place](const StagedChange &a, const StagedChange &b) { return place(a) < place(b); });
+    std::ranges::sort(changes, [&place](const StagedChange &a, const StagedChange &b) { return place(a) < place(b); });
 }
 
 void arrangeForWriting(const Family &family, const ParameterStore &known, std::vector<ParameterChange> &changes)

@@ -193,7 +193,7 @@ Result<Expression> Expression::parse(std::string_view text, const std::vector<st
         return fail(rest.error());
     if (auto bound = compiler.bind(formula->whole, *rest); !bound)
         return fail(bound.error());
-    std::sort(formula->used.begin(), formula->used.end());
+    std::ranges::sort(formula->used);
     formula->used.erase(std::unique(formula->used.begin(), formula->used.end()), formula->used.end());
     if (formula->used.empty())
         return fail(Fault::OutOfRange, say("the formula uses no signal"));

@@ -129,7 +129,7 @@ Recovered recoverRecordings(const std::string &folder)
             if (file->path().extension() == ".mcap")
                 paths.push_back(file->path().string());
         }
-        std::sort(paths.begin(), paths.end());
+        std::ranges::sort(paths);
         const std::string path = folder + "/recovered-" + run.filename().string() + ".mcap";
         const auto joined = joinRecordings(paths, path, {});
         if (!joined && joined.error().fault != Fault::Unsupported) { // no room, perhaps: it stays for the next time

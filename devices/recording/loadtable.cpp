@@ -41,7 +41,7 @@ std::vector<std::string> fieldsOf(const std::string &line, char separator = ',')
 /// Of the first line: what parts most columns of comma, semicolon and tab.
 char separatorOf(const std::string &line)
 {
-    const auto count = [&line](char c) { return std::count(line.begin(), line.end(), c); };
+    const auto count = [&line](char c) { return std::ranges::count(line, c); };
     char best = ',';
     for (const char c : {';', '\t'}) {
         if (count(c) > count(best))
@@ -54,7 +54,7 @@ char separatorOf(const std::string &line)
 std::optional<double> numberOf(const std::string &text)
 {
     constexpr std::array<std::string_view, 5> none{"nan", "-nan", "inf", "-inf", "NaN"};
-    if (std::find(none.begin(), none.end(), text) != none.end())
+    if (std::ranges::find(none, text) != none.end())
         return std::nan("");
     return numberFrom(text);
 }

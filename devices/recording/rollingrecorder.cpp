@@ -88,7 +88,7 @@ void RollingRecorder::follow(
     for (Tracked &tracked : m_tracked)
         tracked.gone = true;
     for (const ExportChannel &channel : channels) {
-        const auto known = std::find_if(m_tracked.begin(), m_tracked.end(), [&](const Tracked &tracked) {
+        const auto known = std::ranges::find_if(m_tracked, [&](const Tracked &tracked) {
             return tracked.channel.telemetry == channel.telemetry && tracked.channel.channel == channel.channel;
         });
         if (known != m_tracked.end() && known->channel.unit == channel.unit) {

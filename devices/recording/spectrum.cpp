@@ -93,7 +93,7 @@ std::vector<double> amplitudes(std::vector<double> even)
 
 std::size_t Spectrum::peak() const
 {
-    const auto highest = std::max_element(amplitude.begin(), amplitude.end());
+    const auto highest = std::ranges::max_element(amplitude);
     return highest == amplitude.end() ? 0 : static_cast<std::size_t>(highest - amplitude.begin());
 }
 

@@ -52,8 +52,7 @@ MetricWords metricWords(std::string_view key)
     const tuning::MetricKey *const metric = tuning::findMetric(key);
     if (!metric)
         return {qt(key), 1.0, 3, {}};
-    const auto *const row
-        = std::find_if(metricRows.begin(), metricRows.end(), [key](const Row &each) { return each.key == key; });
+    const auto *const row = std::ranges::find(metricRows, key, &Row::key);
     return {row == metricRows.end() ? qt(key) : ReportText::tr(row->name), metric->scale, metric->decimals,
         qt(metric->unit)};
 }

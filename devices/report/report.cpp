@@ -99,7 +99,7 @@ QString namesIn(const Report &report)
 /// The self-test of the last service, or the newest step.
 const KeptTrial *stepOf(const ReportUnit &unit)
 {
-    const auto tested = std::find_if(unit.trials.begin(), unit.trials.end(),
+    const auto tested = std::ranges::find_if(unit.trials,
         [&unit](const KeptTrial &kept) { return !unit.visits.empty() && unit.visits.back().trial == kept.number; });
     if (tested != unit.trials.end())
         return &*tested;
@@ -129,7 +129,7 @@ void ReportUnit::describe(const ReportUnit &who)
 
 bool Report::isSimulated() const
 {
-    return std::any_of(units.begin(), units.end(), [](const ReportUnit &unit) { return unit.simulated; });
+    return std::ranges::any_of(units, [](const ReportUnit &unit) { return unit.simulated; });
 }
 
 QString cardHtmlOf(const Report &report)

@@ -174,7 +174,7 @@ private:
                 = std::minmax_element(begin + static_cast<std::ptrdiff_t>(i), begin + static_cast<std::ptrdiff_t>(end));
             std::vector<std::size_t> kept{
                 i, static_cast<std::size_t>(low - begin), static_cast<std::size_t>(high - begin), end - 1};
-            std::sort(kept.begin(), kept.end());
+            std::ranges::sort(kept);
             kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
             for (const std::size_t point : kept)
                 put(point);

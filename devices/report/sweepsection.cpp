@@ -24,7 +24,7 @@ const QString measuredColour = QStringLiteral("#1F8FD6");
 /// Of the newest tuning that drives the motor of these sines itself, not its current.
 const PlantModel *modelOf(const ReportUnit &unit)
 {
-    const auto found = std::find_if(unit.tunings.begin(), unit.tunings.end(), [&unit](const KeptTuning &kept) {
+    const auto found = std::ranges::find_if(unit.tunings, [&unit](const KeptTuning &kept) {
         return kept.report.loop != Mode::Current && kept.report.axis == unit.sines.front().trial.axis
             && kept.report.plant.gain > 0.0 && kept.report.plant.tau > 0.0;
     });
@@ -38,8 +38,8 @@ std::vector<FrequencyPoint> pointsOf(const ReportUnit &unit, const PlantModel &p
         if (const auto point = frequencyPoint(kept.trial, plant.tau))
             points.push_back(*point);
     }
-    std::sort(points.begin(), points.end(),
-        [](const FrequencyPoint &one, const FrequencyPoint &other) { return one.hertz < other.hertz; });
+    std::ranges::sort(
+        points, [](const FrequencyPoint &one, const FrequencyPoint &other) { return one.hertz < other.hertz; });
     return points;
 }
 
@@ -96,8 +96,7 @@ QString sweepHtml(const ReportUnit &unit)
     const auto points = plant ? pointsOf(unit, *plant) : std::vector<FrequencyPoint>();
     if (points.size() < 2)
         return {};
-    const auto believed
-        = std::count_if(points.begin(), points.end(), [](const FrequencyPoint &point) { return point.trusted; });
+    const auto believed = std::ranges::count_if(points, [](const FrequencyPoint &point) { return point.trusted; });
     return heading(2, ReportText::tr("Frequency response of the motor"))
         + paragraph(ReportText::tr("Sines of duty around a speed at which it never reverses, the last on %1. Believed "
                                    "and drawn are %2 of %3: ten samples make a swing, and the sine explains 0.9 of "

@@ -120,7 +120,7 @@ QString gainsTable(const Trial &trial, const ReportUnit &unit, const Report &rep
     }
     if (gains.empty())
         return {};
-    std::stable_sort(gains.begin(), gains.end(), [](const Tried &a, const Tried &b) { return a.rank < b.rank; });
+    std::ranges::stable_sort(gains, [](const Tried &a, const Tried &b) { return a.rank < b.rank; });
     HtmlTable table(
         QStringLiteral("lrr"), {ReportText::tr("Gain"), ReportText::tr("Value"), ReportText::tr("Default")});
     for (const Tried &row : gains)

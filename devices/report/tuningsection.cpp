@@ -108,7 +108,7 @@ QString proofHtml(const TuneReport &report)
     for (const MetricKey &key : metricKeys()) {
         const auto predicted = report.predicted->metrics.*key.value;
         const auto measured = report.measured.*key.value;
-        if (std::find(provenMetrics.begin(), provenMetrics.end(), key.key) != provenMetrics.end())
+        if (std::ranges::find(provenMetrics, key.key) != provenMetrics.end())
             table.add(
                 {metricWords(key.key).name, metricText(key.key, predicted), strong(metricText(key.key, measured))});
     }

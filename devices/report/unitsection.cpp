@@ -48,8 +48,8 @@ QString identityHtml(const ReportUnit &unit, const Report &report)
     addFact(right, ReportText::tr("Dialect"), identity.dialect);
     const auto versions = unit.family ? unit.family->versionEntries : std::span<const std::string_view>();
     for (const auto &[key, text] : identity.descriptors) {
-        const bool told = text == identity.name || text == identity.serial
-            || std::find(versions.begin(), versions.end(), key) != versions.end();
+        const bool told
+            = text == identity.name || text == identity.serial || std::ranges::find(versions, key) != versions.end();
         if (!text.empty() && !told)
             right.add({phrased(report, key).replace(QLatin1Char('_'), QLatin1Char(' ')), strong(escaped(text))});
     }

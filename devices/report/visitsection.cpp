@@ -54,8 +54,7 @@ QString limitsText(const TestValue &value)
 
 std::optional<double> valueOf(const Visit &visit, const std::string &key)
 {
-    const auto found = std::find_if(
-        visit.test.begin(), visit.test.end(), [&key](const TestValue &value) { return value.key == key; });
+    const auto found = std::ranges::find(visit.test, key, &TestValue::key);
     return found == visit.test.end() ? std::nullopt : found->value;
 }
 

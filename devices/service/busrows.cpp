@@ -103,8 +103,7 @@ void BusRows::recall(const std::vector<Device *> &found)
 {
     for (const Visit &visit : m_wanted.earlier) {
         const bool isPlace = unitByOf(visit.unit) == UnitBy::Place;
-        const auto moved
-            = std::find_if(found.begin(), found.end(), [&](const Device *device) { return isMoved(visit, *device); });
+        const auto moved = std::ranges::find_if(found, [&](const Device *device) { return isMoved(visit, *device); });
         const DeviceId id = moved == found.end() ? DeviceId{} : m_session.idOf(**moved);
         for (Row &row : m_rows) {
             const bool here = row.shown.visit.unit == visit.unit && (!isPlace || visit.outcome == Outcome::Open);
@@ -129,7 +128,7 @@ bool BusRows::isMoved(const Visit &visit, const Device &device) const
 void BusRows::addMissing()
 {
     for (const Visit &visit : m_wanted.earlier) {
-        const bool known = std::any_of(m_rows.begin(), m_rows.end(),
+        const bool known = std::ranges::any_of(m_rows,
             [&visit](const Row &row) { return row.shown.visit.id == visit.id || row.shown.visit.unit == visit.unit; });
         if (known || visit.outcome != Outcome::Open || linkOf(visit) != m_link.address().text())
             continue;
@@ -145,7 +144,7 @@ void BusRows::addMissing()
 BusRows::Row *BusRows::missingOf(const Device &device)
 {
     const std::string unit = unitKeyOf(device);
-    const auto found = std::find_if(m_rows.begin(), m_rows.end(), [&](const Row &row) {
+    const auto found = std::ranges::find_if(m_rows, [&](const Row &row) {
         return row.missing && (row.shown.visit.unit == unit || isMoved(row.shown.visit, device));
     });
     return found == m_rows.end() ? nullptr : &*found;
@@ -153,7 +152,7 @@ BusRows::Row *BusRows::missingOf(const Device &device)
 
 bool BusRows::isAnyMissing() const
 {
-    return std::any_of(m_rows.begin(), m_rows.end(), [](const Row &row) { return row.isMissed(); });
+    return std::ranges::any_of(m_rows, [](const Row &row) { return row.isMissed(); });
 }
 
 /// Where units come and go: who waits and is gone leaves the list, who has ended may begin again when it was gone for long enough.
@@ -192,13 +191,12 @@ void BusRows::markTwins()
 
 bool BusRows::hasWaiting() const
 {
-    return std::any_of(
-        m_rows.begin(), m_rows.end(), [](const Row &row) { return row.shown.state == RowState::Waiting; });
+    return std::ranges::any_of(m_rows, [](const Row &row) { return row.shown.state == RowState::Waiting; });
 }
 
 BusRows::Row *BusRows::next()
 {
-    const auto found = std::find_if(m_rows.begin(), m_rows.end(), [this](const Row &row) {
+    const auto found = std::ranges::find_if(m_rows, [this](const Row &row) {
         return row.shown.state == RowState::Waiting && !row.missing && (row.seen || m_wanted.once);
     });
     return found == m_rows.end() ? nullptr : &*found;
@@ -206,7 +204,7 @@ BusRows::Row *BusRows::next()
 
 BusRows::Row *BusRows::find(std::uint32_t id)
 {
-    const auto found = std::find_if(m_rows.begin(), m_rows.end(), [id](const Row &row) { return row.shown.id == id; });
+    const auto found = std::ranges::find_if(m_rows, [id](const Row &row) { return row.shown.id == id; });
     return found == m_rows.end() ? nullptr : &*found;
 }
 

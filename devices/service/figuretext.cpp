@@ -46,7 +46,7 @@ double threeDigits(double number)
 
 Message figureName(std::string_view key)
 {
-    const auto *const row = std::find_if(rows.begin(), rows.end(), [key](const Row &each) { return each.key == key; });
+    const auto *const row = std::ranges::find(rows, key, &Row::key);
     return row == rows.end() ? Message::verbatim(std::string(key)) : Message::label(row->name);
 }
 

@@ -79,7 +79,7 @@ bool wentWith(const Trial &trial)
 
 void conclude(const std::vector<Trial> &trials, MotorFigures &figures)
 {
-    figures.encoder = std::all_of(trials.begin(), trials.end(), wentWith);
+    figures.encoder = std::ranges::all_of(trials, wentWith);
     const auto found = tuning::identify(trials);
     if (found) {
         const double volts = found->supply > 0.0 ? found->supply : 1.0;

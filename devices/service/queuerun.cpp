@@ -17,7 +17,7 @@ namespace {
 bool isTriedAgain(const Visit &visit, std::span<const Visit> later)
 {
     return visit.outcome != Outcome::Passed && unitByOf(visit.unit) == UnitBy::Serial
-        && std::any_of(later.begin(), later.end(), [&visit](const Visit &one) { return one.unit == visit.unit; });
+        && std::ranges::any_of(later, [&visit](const Visit &one) { return one.unit == visit.unit; });
 }
 
 } // namespace
@@ -86,8 +86,8 @@ bool QueueRun::mayBegin() const
 
 bool QueueRun::isElsewhere(const void *bus, const std::string &unit) const
 {
-    return std::any_of(m_present.begin(), m_present.end(),
-        [&](const auto &other) { return other.first != bus && other.second.contains(unit); });
+    return std::ranges::any_of(
+        m_present, [&](const auto &other) { return other.first != bus && other.second.contains(unit); });
 }
 
 void QueueRun::setTrouble(const Error &error)

@@ -72,7 +72,7 @@ tuning::ExperimentPlan planOf(const SelfTest &test)
 
 bool isFigure(std::string_view key)
 {
-    return std::find(motorKeys.begin(), motorKeys.end(), key) != motorKeys.end();
+    return std::ranges::find(motorKeys, key) != motorKeys.end();
 }
 
 QByteArray toText(const Recipe &recipe)

@@ -53,7 +53,7 @@ public:
             wrong("recipe", say("this is no recipe of version 1"), say("it begins with \"recipe\": 1"));
         m_recipe.name = text(object, {}, "name");
         const QString name = qt(m_recipe.name);
-        if (std::any_of(name.begin(), name.end(), [](QChar c) { return c.category() == QChar::Other_Control; }))
+        if (std::ranges::any_of(name, [](QChar c) { return c.category() == QChar::Other_Control; }))
             wrong("name", say("a name has no line break, tabulator or other control character"));
         readFamily(object);
         if (m_error)
@@ -81,7 +81,7 @@ private:
     {
         for (const QString &key : object.keys()) {
             const std::string name = key.toStdString();
-            if (std::find(known.begin(), known.end(), name) == known.end())
+            if (std::ranges::find(known, name) == known.end())
                 wrong(pathOf(path, name.c_str()), say("unknown key '%1'", name), say("known are %1", listed(known)));
         }
     }
@@ -153,7 +153,7 @@ private:
                 "firmware.via", say("%1 is updated over its own link", family.key), say("leave the other way in out"));
         const auto leads
             = [&rule](const UpdateRoute &route) { return rule.via.starts_with(std::string(route.scheme) + ':'); };
-        if (!family.routes.empty() && std::none_of(family.routes.begin(), family.routes.end(), leads))
+        if (!family.routes.empty() && std::ranges::none_of(family.routes, leads))
             wrong("firmware.via", say("%1 is not updated over its own link", family.key),
                 say("\"via\" must name the other way in, such as \"%1\"", family.routes.front().example));
         m_recipe.firmware = std::move(rule);

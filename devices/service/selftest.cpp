@@ -110,7 +110,7 @@ Task<TestFinding> runSelfTest(
     TestFinding finding;
     MotorFigures figures;
     const auto wanted = [](const Acceptance &limit) { return isFigure(limit.key); };
-    const bool identifies = std::any_of(test.accept.begin(), test.accept.end(), wanted);
+    const bool identifies = std::ranges::any_of(test.accept, wanted);
     if (identifies) {
         auto measuring = measureMotor(device, stream, test.axis, test.slot, test.limits, surroundings);
         figures = co_await std::move(measuring);

@@ -30,7 +30,7 @@ void ServiceQueue::start()
         if (!recalled)
             m_run.setTrouble(recalled.error());
         else
-            std::for_each(m_buses.begin(), m_buses.end(), [this](const auto &bus) { startLane(*bus); });
+            std::ranges::for_each(m_buses, [this](const auto &bus) { startLane(*bus); });
         closeLane();
     });
 }
@@ -63,8 +63,7 @@ void ServiceQueue::closeLane()
 
 bool ServiceQueue::mustStayAwake() const
 {
-    return std::any_of(
-        m_buses.begin(), m_buses.end(), [](const auto &bus) { return bus->isServing() && bus->isReal(); });
+    return std::ranges::any_of(m_buses, [](const auto &bus) { return bus->isServing() && bus->isReal(); });
 }
 
 std::vector<QueueRow> ServiceQueue::rows() const
@@ -72,7 +71,7 @@ std::vector<QueueRow> ServiceQueue::rows() const
     std::vector<QueueRow> rows;
     for (const auto &bus : m_buses)
         bus->addRows(rows);
-    std::sort(rows.begin(), rows.end(), [](const QueueRow &a, const QueueRow &b) { return a.id < b.id; });
+    std::ranges::sort(rows, [](const QueueRow &a, const QueueRow &b) { return a.id < b.id; });
     return rows;
 }
 
@@ -87,7 +86,7 @@ void ServiceQueue::skip(std::uint32_t row)
 
 Result<void> ServiceQueue::retry(std::uint32_t row)
 {
-    const auto found = std::find_if(m_buses.begin(), m_buses.end(), [row](const auto &bus) { return bus->has(row); });
+    const auto found = std::ranges::find_if(m_buses, [row](const auto &bus) { return bus->has(row); });
     if (found == m_buses.end())
         return fail(Fault::Refused, say("it is not in the queue"));
     Result<void> done = (*found)->retry(row);

@@ -264,8 +264,8 @@ int UnitRun::others() const
     const auto &wanted = m_around.matter.parameters;
     for (std::uint16_t i = 0; i < m_before.size(); ++i) {
         const Parameter &parameter = m_device.parameters().parameter({i});
-        const bool ours = std::any_of(
-            wanted.begin(), wanted.end(), [i](const ParameterChange &change) { return change.index.value == i; });
+        const bool ours
+            = std::ranges::any_of(wanted, [i](const ParameterChange &change) { return change.index.value == i; });
         const auto &now = m_device.parameters().entry({i});
         if (!ours && parameter.nature == Nature::Setting && parameter.persistent && !parameter.belongsToUnit
             && m_before[i].raw && now.raw && *m_before[i].raw != *now.raw)

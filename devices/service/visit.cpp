@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 3> endings{"", "stop-unconfirmed", "numbe
 
 template <std::size_t N> std::size_t placeOf(const std::array<std::string_view, N> &words, std::string_view text)
 {
-    const auto found = std::find(words.begin(), words.end(), text);
+    const auto found = std::ranges::find(words, text);
     return found == words.end() ? 0 : static_cast<std::size_t>(found - words.begin());
 }
 

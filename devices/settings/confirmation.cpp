@@ -44,7 +44,7 @@ bool mayHave(const Device &device, const ValueChange &value)
 bool isInForce(const Device &device, const std::vector<ValueChange> &values)
 {
     const auto table = device.family().parameters;
-    return std::all_of(values.begin(), values.end(), [&](const ValueChange &value) {
+    return std::ranges::all_of(values, [&](const ValueChange &value) {
         const auto index = findParameter(table, value.key);
         const ParameterStore::Entry &entry = device.parameters().entry(*index);
         return !table[index->value].afterRestart || (entry.state == ParameterState::Stored && entry.raw == value.after);
@@ -56,7 +56,7 @@ void forgetReplaced(std::vector<SettingsChange> &open, const SettingsChange &lat
 {
     for (SettingsChange &change : open)
         std::erase_if(change.values, [&later](const ValueChange &value) {
-            return std::any_of(later.values.begin(), later.values.end(), [&value](const ValueChange &other) {
+            return std::ranges::any_of(later.values, [&value](const ValueChange &other) {
                 return other.key == value.key && (other.proof == Proof::Equal || other.proof == Proof::Blind);
             });
         });
@@ -74,7 +74,7 @@ std::vector<ValueChange> toConfirm(const Family &family, std::span<const ValueCh
 
 bool mustBeConfirmed(const Device &device, std::span<const ParameterChange> changes)
 {
-    return std::any_of(changes.begin(), changes.end(), [&device](const ParameterChange &change) {
+    return std::ranges::any_of(changes, [&device](const ParameterChange &change) {
         const ParameterStore::Entry &entry = device.parameters().entry(change.index);
         const auto before = entry.state == ParameterState::Failed ? std::nullopt : entry.raw;
         return needsSomebody(device.family(),

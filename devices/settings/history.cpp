@@ -25,8 +25,7 @@ void pass(Stack &from, Stack &to, const SettingsChange &by)
 
 bool didSomething(const SettingsChange &change)
 {
-    return std::any_of(change.values.begin(), change.values.end(),
-        [](const ValueChange &value) { return value.proof != Proof::Refused; });
+    return std::ranges::any_of(change.values, [](const ValueChange &value) { return value.proof != Proof::Refused; });
 }
 
 std::optional<SettingsChange> topOf(const Stack &stack)

@@ -33,7 +33,7 @@ ParameterSnapshot describe(const Device &device, Occasion occasion, std::string 
     snapshot.firmware = device.identity().firmware;
     snapshot.name = name.empty() ? std::string(usualName(occasion)) : std::move(name);
     snapshot.occasion = occasion;
-    snapshot.count = static_cast<int>(std::count_if(indices.begin(), indices.end(), [&device](ParameterIndex index) {
+    snapshot.count = static_cast<int>(std::ranges::count_if(indices, [&device](ParameterIndex index) {
         const ParameterStore::Entry &entry = device.parameters().entry(index);
         return entry.raw && entry.state != ParameterState::Failed;
     }));
@@ -47,8 +47,8 @@ Task<ParameterSnapshot> takeSnapshot(
     const std::vector<ParameterIndex> indices = readable(device);
     auto reading = readKept(device, indices, &log, progress);
     const std::vector<TransferOutcome> outcomes = co_await std::move(reading);
-    const bool any = std::any_of(
-        outcomes.begin(), outcomes.end(), [](const TransferOutcome &outcome) { return outcome.raw.has_value(); });
+    const bool any
+        = std::ranges::any_of(outcomes, [](const TransferOutcome &outcome) { return outcome.raw.has_value(); });
     if (!outcomes.empty() && !outcomes.back().raw && (outcomes.size() < indices.size() || !any))
         co_return fail(outcomes.back().raw.error());
     auto keeping = log.keep(describe(device, occasion, std::move(name)));

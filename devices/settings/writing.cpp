@@ -82,8 +82,7 @@ std::vector<ValueChange> judged(
     std::vector<ValueChange> values;
     for (const TransferOutcome &outcome : outcomes) {
         const std::string_view key = device.parameters().parameter(outcome.index).key;
-        const auto found
-            = std::find_if(begun.begin(), begun.end(), [key](const ValueChange &value) { return value.key == key; });
+        const auto found = std::ranges::find(begun, key, &ValueChange::key);
         if (found != begun.end())
             values.push_back(judged(device, *found, outcome));
     }

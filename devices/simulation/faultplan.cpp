@@ -16,8 +16,7 @@ constexpr double nominalVolts = 12.0;
 
 const SimulatedFault *findFault(std::span<const SimulatedFault> faults, std::string_view kind)
 {
-    const auto found = std::find_if(
-        faults.begin(), faults.end(), [kind](const SimulatedFault &fault) { return fault.kind == kind; });
+    const auto found = std::ranges::find(faults, kind, &SimulatedFault::kind);
     return found == faults.end() ? nullptr : &*found;
 }
 
@@ -31,7 +30,7 @@ FaultPlan::FaultPlan(Clock &clock, std::vector<SimulatedFault> faults)
 
 const SimulatedFault *FaultPlan::strikes(std::string_view kind, std::uint64_t number) const
 {
-    const auto found = std::find_if(m_faults.begin(), m_faults.end(), [&](const SimulatedFault &fault) {
+    const auto found = std::ranges::find_if(m_faults, [&](const SimulatedFault &fault) {
         const auto count = static_cast<double>(number);
         return fault.kind == kind && (count == fault.at || (kind == "silent" && count > fault.at));
     });
@@ -55,7 +54,7 @@ bool FaultPlan::failsWithFrame()
 
 bool FaultPlan::failsWithPage(int page)
 {
-    const auto fault = std::find_if(m_faults.begin(), m_faults.end(),
+    const auto fault = std::ranges::find_if(m_faults,
         [page](const SimulatedFault &f) { return f.kind == "power-page" && f.at == static_cast<double>(page); });
     if (fault == m_faults.end())
         return false;

@@ -42,7 +42,7 @@ public:
     [[nodiscard]] std::string name() const override { return m_name; }
     [[nodiscard]] bool isOutputOn() const override
     {
-        return std::any_of(m_units.begin(), m_units.end(), [](const auto &unit) { return unit->isOutputOn(); });
+        return std::ranges::any_of(m_units, [](const auto &unit) { return unit->isOutputOn(); });
     }
     [[nodiscard]] double speed() const override { return m_units.front()->speed(); }
     [[nodiscard]] double position() const override { return m_units.front()->position(); }

@@ -57,8 +57,7 @@ Result<SimulatedFault> SimulatedFault::parse(std::string_view text)
     const auto at = text.find('@');
     SimulatedFault fault;
     fault.kind = text.substr(0, at);
-    const auto row
-        = std::find_if(faultRows.begin(), faultRows.end(), [&](const FaultForm &r) { return r.kind == fault.kind; });
+    const auto row = std::ranges::find(faultRows, fault.kind, &FaultForm::kind);
     if (row == faultRows.end())
         return fail(Fault::OutOfRange, say("unknown fault '%1'", fault.kind));
     const auto bad = [text] { return fail(Fault::OutOfRange, say("fault '%1' does not parse", text)); };

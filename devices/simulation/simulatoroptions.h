@@ -33,16 +33,15 @@ template <class Options, std::size_t N>
     options.seed = unit.seed;
     options.faults = unit.faults;
     for (const auto &[key, value] : unit.options) {
-        const auto row = std::find_if(table.begin(), table.end(),
-            [&wanted = key](const SimulatorOption<Options> &option) { return option.key == wanted; });
+        const auto row = std::ranges::find_if(
+            table, [&wanted = key](const SimulatorOption<Options> &option) { return option.key == wanted; });
         if (row == table.end())
             return fail(Fault::OutOfRange, say("%1 has no option '%2'", what, key));
         if (!row->set(options, value))
             return fail(Fault::OutOfRange, say("'%1' is no value for the option '%2' of %3", value, key, what));
     }
-    const auto isIn = [](const auto &kinds, const std::string &kind) {
-        return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
-    };
+    const auto isIn
+        = [](const auto &kinds, const std::string &kind) { return std::ranges::find(kinds, kind) != kinds.end(); };
     for (const SimulatedFault &fault : unit.faults) {
         if (!isIn(commonFaults, fault.kind) && !isIn(ownFaults, fault.kind))
             return fail(Fault::Unsupported, say("%1 has no option '%2'", what, "fault=" + fault.kind));
@@ -77,8 +76,7 @@ template <class Number> [[nodiscard]] bool takeWithin(std::string_view text, Num
 template <class T, std::size_t N>
 [[nodiscard]] bool takeWord(std::string_view text, const std::array<std::pair<std::string_view, T>, N> &words, T &out)
 {
-    const auto found
-        = std::find_if(words.begin(), words.end(), [text](const auto &word) { return word.first == text; });
+    const auto found = std::ranges::find_if(words, [&](const auto &entry) { return entry.first == text; });
     if (found == words.end())
         return false;
     out = found->second;

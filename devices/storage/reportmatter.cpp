@@ -25,7 +25,7 @@ Result<void> addSignals(TrialBook &book, tuning::Trial &trial)
 
 bool isIn(const std::vector<std::int64_t> &numbers, std::int64_t number)
 {
-    return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
+    return std::ranges::find(numbers, number) != numbers.end();
 }
 
 /// Of each loop the last one.
@@ -34,7 +34,7 @@ template <class Item, class Place> std::vector<Item> newestOf(const std::vector<
     std::vector<Item> last;
     for (auto item = items.rbegin(); item != items.rend(); ++item) {
         const auto same = [&](const Item &other) { return placeOf(other) == placeOf(*item); };
-        if (std::none_of(last.begin(), last.end(), same))
+        if (std::ranges::none_of(last, same))
             last.push_back(*item);
     }
     return last;
@@ -91,7 +91,7 @@ Result<void> addTunings(TrialBook &book, ReportUnit &unit, const std::vector<std
             = newestOf(*tunings, [](const KeptTuning &kept) { return std::tuple(kept.report.loop, kept.report.axis); });
     } else {
         for (KeptTuning &kept : *tunings) {
-            if (std::any_of(asked.begin(), asked.end(), [&](std::int64_t n) { return isPartOf(n, kept.report); }))
+            if (std::ranges::any_of(asked, [&](std::int64_t n) { return isPartOf(n, kept.report); }))
                 unit.tunings.push_back(std::move(kept));
         }
     }
@@ -110,8 +110,8 @@ std::vector<KeptTrial> shownTrials(const ReportUnit &unit, const ReportWish &wis
     const std::vector<std::int64_t> &asked = wish.trials;
     std::vector<KeptTrial> full;
     for (const KeptTrial &kept : unit.history) {
-        const bool told = std::any_of(unit.tunings.begin(), unit.tunings.end(),
-            [&](const KeptTuning &tuned) { return isPartOf(kept.number, tuned.report); });
+        const bool told = std::ranges::any_of(
+            unit.tunings, [&](const KeptTuning &tuned) { return isPartOf(kept.number, tuned.report); });
         if (asked.empty() ? !told && kept.trial.reason == "done" && kept.trial.mode != Mode::Duty
                           : isIn(asked, kept.number) && !(wish.tuningsOnly && told))
             full.push_back(kept);
@@ -156,8 +156,7 @@ ReportUnit unitFrom(const std::string &unit, const std::string &selector, std::s
     made.identity.family = parsed->family;
     made.identity.address = parsed->address;
     made.identity.session = parsed->session;
-    const auto family = std::find_if(
-        families.begin(), families.end(), [&](const Family *each) { return each->key == parsed->family; });
+    const auto family = std::ranges::find_if(families, [&](const Family *each) { return each->key == parsed->family; });
     made.family = family == families.end() ? nullptr : *family;
     made.identity.serial = unitSerialIn(unit);
     return made;
@@ -174,9 +173,9 @@ Result<std::vector<ReportUnit>> reportUnits(
         if (!kept)
             return fail(kept.error());
         const auto same = [&](const ReportUnit &unit) { return unit.unit == kept->trial.unit; };
-        if (std::none_of(units.begin(), units.end(), same))
+        if (std::ranges::none_of(units, same))
             units.push_back(unitFrom(kept->trial.unit, kept->trial.device, families));
-        ReportUnit &unit = *std::find_if(units.begin(), units.end(), same);
+        ReportUnit &unit = *std::ranges::find_if(units, same);
         unit.identity.firmware = kept->trial.firmware;
         unit.simulated = kept->trial.simulated;
     }

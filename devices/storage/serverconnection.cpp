@@ -116,9 +116,8 @@ Result<void> ServerConnection::run(const char *statement, const QVariantList &va
     }
     if (!good || query.lastError().isValid()) { // the server may end a query between two rows
         const std::string code = query.lastError().nativeErrorCode().toStdString();
-        const bool silent = code.empty() || std::any_of(passing.begin(), passing.end(), [&code](std::string_view each) {
-            return code.starts_with(each);
-        });
+        const bool silent = code.empty()
+            || std::ranges::any_of(passing, [&code](std::string_view each) { return code.starts_with(each); });
         return fail(silent ? Fault::Timeout : Fault::OutOfRange,
             say("the journal's server: %1", query.lastError().databaseText().trimmed().toStdString()));
     }

@@ -344,7 +344,7 @@ void markKept(std::vector<tuning::OwedGains> &owed, const std::vector<KeptTuning
             if (kept.report.result != tuning::TuneResult::Kept || !isPartOf(debt.trial, kept.report))
                 continue;
             for (tuning::OwedValue &value : debt.values)
-                value.isKept = std::any_of(kept.report.proposed.rows.begin(), kept.report.proposed.rows.end(),
+                value.isKept = std::ranges::any_of(kept.report.proposed.rows,
                     [&value](const auto &row) { return row.key == value.key && row.raw == value.tried; });
         }
     }

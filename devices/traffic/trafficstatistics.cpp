@@ -117,7 +117,7 @@ void TrafficStatistics::keepTrail(Entry &entry, const CanFrame &frame)
 void TrafficStatistics::clear()
 {
     m_entries.clear();
-    std::fill(m_table.begin(), m_table.end(), std::uint16_t{0});
+    std::ranges::fill(m_table, std::uint16_t{0});
     m_unlisted = 0;
 }
 

@@ -45,7 +45,7 @@ void CanQueue::wentOut(const Next &next)
 bool CanQueue::putBack(const Next &next)
 {
     const bool urgent = next.priority == Priority::Urgent;
-    if (!urgent && std::any_of(m_urgent.begin(), m_urgent.end(), [&next](const CanFrame &waiting) {
+    if (!urgent && std::ranges::any_of(m_urgent, [&next](const CanFrame &waiting) {
             return sameIdentifier(waiting, next.frame);
         }))
         return false;
@@ -71,8 +71,7 @@ void CanQueue::clear()
 
 bool CanQueue::isStop(const CanFrame &frame) const
 {
-    return std::any_of(
-        m_stops.begin(), m_stops.end(), [&frame](const CanFrame &stop) { return sameContent(stop, frame); });
+    return std::ranges::any_of(m_stops, [&frame](const CanFrame &stop) { return sameContent(stop, frame); });
 }
 
 } // namespace mb

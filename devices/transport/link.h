@@ -107,6 +107,9 @@ public:
     /// Asks the backend for losses that are told on request only, so that counters() holds every one up to now; where a driver may
     /// hold the answer up and a background was given, a moment later. Some microseconds; not for every frame.
     virtual void recount() { }
+    /// Delivers what came before this moment and was not read yet, for who ends a log: what is left unread at closing is neither
+    /// delivered nor lost. Nothing to do for backends that keep no deep queue.
+    virtual void catchUp() { }
 
     [[nodiscard]] Listeners<LinkState> &stateChanged() { return m_stateChanged; }
     /// Everything received and sent, in order. What listens here must be quick: it runs once per frame.

@@ -20,8 +20,7 @@ Result<void> parseOptions(std::string_view text, std::vector<std::pair<std::stri
         if (equals == std::string_view::npos || equals == 0 || equals + 1 == item.size())
             return fail(Fault::OutOfRange, say("link option '%1' is not KEY=VALUE", item));
         const std::string_view key = item.substr(0, equals);
-        const bool isThere
-            = std::any_of(out.begin(), out.end(), [key](const auto &option) { return option.first == key; });
+        const bool isThere = std::ranges::any_of(out, [key](const auto &option) { return option.first == key; });
         if (isThere && key != repeatable)
             return fail(
                 Fault::OutOfRange, say("link option '%1' is there twice", key), say("leave one of the two out"));
@@ -50,7 +49,7 @@ Result<LinkAddress> LinkAddress::parse(std::string_view text)
             Fault::OutOfRange, say("'%1' is not a link: SCHEME:PATH is needed, such as socketcan:can0 or sim:", text));
     LinkAddress address;
     address.scheme = text.substr(0, colon);
-    if (std::find(schemes.begin(), schemes.end(), address.scheme) == schemes.end())
+    if (std::ranges::find(schemes, address.scheme) == schemes.end())
         return fail(Fault::OutOfRange,
             say("unknown link kind '%1': sim, socketcan, qtcan, serial, spidev, unix and replay are known",
                 address.scheme));

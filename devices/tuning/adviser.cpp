@@ -219,7 +219,7 @@ std::vector<Advice> advise(const Family &family, const Trial &trial)
     for (const auto advise : {adviseOnFeedForward, adviseOnDeadband, adviseOnResolution, adviseOnNoise, adviseOnRamp,
              adviseOnLimit, adviseOnVelocity, adviseOnFriction, adviseOnGravity, adviseOnBacklash})
         advise(seen, all);
-    std::stable_sort(all.begin(), all.end(), [](const Advice &a, const Advice &b) { return a.weight > b.weight; });
+    std::ranges::stable_sort(all, [](const Advice &a, const Advice &b) { return a.weight > b.weight; });
     return all;
 }
 

@@ -102,7 +102,7 @@ double readingOf(const std::vector<Trial> &pushes)
         for (const double value : current.y)
             all.push_back(std::abs(value));
     }
-    std::sort(all.begin(), all.end());
+    std::ranges::sort(all);
     for (const double value : all) {
         if (step > 0.0 && value > 0.5 * step)
             step = value / std::round(value / step);

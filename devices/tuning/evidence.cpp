@@ -68,14 +68,14 @@ const LoopScale *Evidence::scale() const
 
 std::string Evidence::key(Role role) const
 {
-    const auto found = std::find(m_roles.begin(), m_roles.end(), role);
+    const auto found = std::ranges::find(m_roles, role);
     return found == m_roles.end() ? std::string()
                                   : m_trial.gains[static_cast<std::size_t>(found - m_roles.begin())].first;
 }
 
 double Evidence::gain(Role role) const
 {
-    const auto found = std::find(m_roles.begin(), m_roles.end(), role);
+    const auto found = std::ranges::find(m_roles, role);
     return found == m_roles.end()
         ? 0.0
         : m_trial.gains[static_cast<std::size_t>(found - m_roles.begin())].second.value_or(0.0);

@@ -10,7 +10,7 @@ namespace mb::tuning {
 Message feedForwardNote(const TuneReport &report, const Family *family)
 {
     const auto &rows = report.proposed.rows;
-    const bool idle = std::any_of(rows.begin(), rows.end(), [family](const ScaledGains::Row &row) {
+    const bool idle = std::ranges::any_of(rows, [family](const ScaledGains::Row &row) {
         const Role role = row.role == Role::None && family ? roleOf(*family, row.key) : row.role;
         return role == Role::FeedForward && row.raw == 0;
     });

@@ -48,7 +48,7 @@ bool isLikeARelay(const ContinuousGains &gains, const LoopBounds &bounds)
 
 std::string_view toString(Aim aim)
 {
-    return std::find_if(aims.begin(), aims.end(), [aim](const AimName &known) { return known.aim == aim; })->name;
+    return std::ranges::find(aims, aim, &AimName::aim)->name;
 }
 
 std::optional<Aim> aimFromString(std::string_view text)
@@ -123,7 +123,7 @@ Design design(
     Design result;
     result.response = result.asked = response;
     const auto bound = [&result](std::string_view name) {
-        if (std::find(result.bounds.begin(), result.bounds.end(), name) == result.bounds.end())
+        if (std::ranges::find(result.bounds, name) == result.bounds.end())
             result.bounds.push_back(name);
     };
     for (int round = 0; round < mostSlowings; ++round, result.response *= slower) {

@@ -31,7 +31,7 @@ Terms termsOf(double p, double i, double d, double f)
 
 const Term *termOf(const Terms &terms, Role role)
 {
-    const auto found = std::find_if(terms.begin(), terms.end(), [role](const Term &term) { return term.role == role; });
+    const auto found = std::ranges::find(terms, role, &Term::role);
     return found == terms.end() ? nullptr : &*found;
 }
 
@@ -76,7 +76,7 @@ double divisorFor(
     const Family &family, const std::vector<ParameterIndex> &rows, const Terms &terms, const ContinuousGains &gains)
 {
     for (double divisor = largestDivisor; divisor > 1.0; divisor /= 10.0) {
-        const bool fits = std::all_of(rows.begin(), rows.end(), [&](ParameterIndex index) {
+        const bool fits = std::ranges::all_of(rows, [&](ParameterIndex index) {
             const Parameter &parameter = family.parameters[index.value];
             const Term *const term = termOf(terms, parameter.role);
             return !term || nearest(parameter, gains.*term->gain * term->scale * divisor);
@@ -118,8 +118,7 @@ Result<void> addGain(const Family &family, ParameterIndex index, double number, 
 
 std::optional<double> numberOf(const KnownGains &numbers, std::string_view key)
 {
-    const auto found
-        = std::find_if(numbers.begin(), numbers.end(), [key](const auto &known) { return known.first == key; });
+    const auto found = std::ranges::find_if(numbers, [&](const auto &entry) { return entry.first == key; });
     return found == numbers.end() ? std::nullopt : found->second;
 }
 
@@ -219,7 +218,7 @@ KnownGains knownGains(
 
 bool isSameSet(const ScaledGains &a, const ScaledGains &b)
 {
-    return std::equal(a.rows.begin(), a.rows.end(), b.rows.begin(), b.rows.end(),
+    return std::ranges::equal(a.rows, b.rows,
         [](const auto &one, const auto &other) { return one.key == other.key && one.raw == other.raw; });
 }
 

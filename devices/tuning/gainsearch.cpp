@@ -156,7 +156,7 @@ public:
 private:
     static void sort(std::vector<Found> &all)
     {
-        std::sort(all.begin(), all.end(), [](const Found &a, const Found &b) { return a.price < b.price; });
+        std::ranges::sort(all, [](const Found &a, const Found &b) { return a.price < b.price; });
     }
     /// What one has to be better than to be followed.
     static double worstOf(std::vector<Found> &all)

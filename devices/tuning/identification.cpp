@@ -76,8 +76,8 @@ void leaveOutBroken(std::vector<PushRecord> &records)
     };
     std::vector<PushRecord> whole;
     std::copy_if(records.begin(), records.end(), std::back_inserter(whole), std::not_fn(isBroken));
-    const bool enough = std::all_of(records.begin(), records.end(), [&](const PushRecord &one) {
-        return std::any_of(whole.begin(), whole.end(), [&](const PushRecord &other) { return isAlike(one, other); });
+    const bool enough = std::ranges::all_of(records, [&](const PushRecord &one) {
+        return std::ranges::any_of(whole, [&](const PushRecord &other) { return isAlike(one, other); });
     });
     if (enough)
         records = std::move(whole);
@@ -123,8 +123,8 @@ void addLatencies(const Trial &trial, double noise, std::vector<double> &latenci
 
 bool growsSlowly(const std::vector<Trial> &pushes)
 {
-    return std::any_of(pushes.begin(), pushes.end(), [](const Trial &trial) {
-        return std::any_of(trial.holds.begin(), trial.holds.end(), [&](const Span &hold) {
+    return std::ranges::any_of(pushes, [](const Trial &trial) {
+        return std::ranges::any_of(trial.holds, [&](const Span &hold) {
             const Edge edge = edgeOf(trial, hold.from, 0.0);
             return edge.whole > edge.at;
         });

@@ -55,7 +55,7 @@ std::optional<double> passOf(const Trial &trial)
     }
     if (gaps.size() < leastGaps)
         return std::nullopt;
-    std::sort(gaps.begin(), gaps.end());
+    std::ranges::sort(gaps);
     const double usual = gaps[gaps.size() / shareOfShort]; // half of all may be longer ones
     double sum = 0.0;
     std::size_t count = 0;

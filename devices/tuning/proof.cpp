@@ -136,8 +136,8 @@ void freeIntegral(const Family &family, Mode loop, int axis, int slot, ScaledGai
     if (into.made.i == 0.0)
         return;
     addNumber(family, parameterOf(family, loop, axis, slot, Role::IntegralZone), 0.0, into);
-    const bool isHelped = std::any_of(into.rows.begin(), into.rows.end(),
-        [](const ScaledGains::Row &row) { return row.role == Role::AllowableError; });
+    const bool isHelped
+        = std::ranges::any_of(into.rows, [](const ScaledGains::Row &row) { return row.role == Role::AllowableError; });
     if (!isHelped)
         addNumber(family, parameterOf(family, loop, axis, slot, Role::AllowableError), 0.0, into);
 }

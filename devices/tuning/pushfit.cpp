@@ -212,8 +212,7 @@ Point fitted(std::vector<FittedPush> &pushes)
     Point best = refined(pushes, coarse(pushes), false);
     if (align(pushes, best.tau))
         best = refined(pushes, coarse(pushes), false);
-    const bool areWhole
-        = std::all_of(pushes.begin(), pushes.end(), [&](const FittedPush &push) { return isWhole(push, best.tau); });
+    const bool areWhole = std::ranges::all_of(pushes, [&](const FittedPush &push) { return isWhole(push, best.tau); });
     if (!areWhole)
         return best;
     const Point changing = refined(pushes, best, true);

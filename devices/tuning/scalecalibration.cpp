@@ -57,8 +57,8 @@ GuardPlan guardsOf(const AutotuneRun &run)
 
 const Experiment *scaleExperimentOf(const Family &family)
 {
-    const auto found = std::find_if(family.experiments.begin(), family.experiments.end(),
-        [](const Experiment &known) { return known.key == scaleKeyOfExperiments && known.run; });
+    const auto found = std::ranges::find_if(
+        family.experiments, [](const Experiment &known) { return known.key == scaleKeyOfExperiments && known.run; });
     return found == family.experiments.end() ? nullptr : &*found;
 }
 

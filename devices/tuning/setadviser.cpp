@@ -36,7 +36,7 @@ std::optional<double> afterwards(const Proposal &proposal, const KnownGains &now
         if (row.key == key)
             return row.number;
     }
-    const auto found = std::find_if(now.begin(), now.end(), [&key](const auto &known) { return known.first == key; });
+    const auto found = std::ranges::find_if(now, [&](const auto &entry) { return entry.first == key; });
     return found == now.end() ? std::nullopt : found->second;
 }
 

@@ -24,7 +24,7 @@ constexpr double mostOfLink = 0.025; ///< s, that it takes from an order to the 
 /// It had no room for pushes, and was identified by a limit cycle.
 bool isSwung(const TuneReport &report)
 {
-    return std::any_of(report.gates.begin(), report.gates.end(), [](const Gate &gate) { return gate.name == "relay"; });
+    return std::ranges::any_of(report.gates, [](const Gate &gate) { return gate.name == "relay"; });
 }
 
 } // namespace
@@ -123,8 +123,7 @@ Task<bool> TuneDesign::reconsider()
         }
     }
     const auto &proposals = m_run.report().proposals;
-    const auto calm = std::find_if(
-        proposals.begin(), proposals.end(), [](const Proposal &proposal) { return proposal.aim == Aim::Calm; });
+    const auto calm = std::ranges::find(proposals, Aim::Calm, &Proposal::aim);
     if (m_plan.aim == Aim::Calm || calm == proposals.end())
         co_return false;
     m_before = say("the %1 gains did not: %2", Message::label(aim), why);

@@ -115,8 +115,7 @@ std::vector<ParameterChange> TuneProof::inProvingSlot() const
         const auto into = findParameter(family.parameters, gainKey(family, pattern, plan.axis, m_slot));
         if (!from || !into)
             continue;
-        const auto found = std::find_if(
-            proposed.begin(), proposed.end(), [&from](const ParameterChange &change) { return change.index == *from; });
+        const auto found = std::ranges::find(proposed, *from, &ParameterChange::index);
         if (found != proposed.end())
             changes.push_back({*into, found->raw});
         else if (const auto &entry = m_run.device().parameters().entry(*from); entry.raw)
@@ -206,8 +205,8 @@ Task<void> TuneProof::prove()
         const TunePlan &plan = m_run.plan();
         auto reading = readGains(m_run.device(), plan.loop, plan.axis, plan.slot);
         report.before = co_await std::move(reading);
-        const bool unknown = std::any_of(
-            report.before.begin(), report.before.end(), [](const auto &gain) { return !gain.second.has_value(); });
+        const bool unknown
+            = std::ranges::any_of(report.before, [](const auto &gain) { return !gain.second.has_value(); });
         m_mayStay = plan.keep && unknown && m_slot == plan.slot; // else they are put back
         m_heat = report.motor ? report.motor->heat : 0.0;
     }
@@ -329,8 +328,7 @@ Task<void> TuneProof::keep()
             = joined(report.evidence, say("what was there is not known, and these were not compared with it"));
     if (const RestingError rests = resting(); rests.error > notableRest * m_design.step())
         report.evidence = joined(report.evidence, tellRest(m_run.plan().loop, rests));
-    if (std::any_of(report.proof.begin(), report.proof.end(),
-            [](const Trial &trial) { return trial.has(flag::restartNeeded); }))
+    if (std::ranges::any_of(report.proof, [](const Trial &trial) { return trial.has(flag::restartNeeded); }))
         report.evidence = joined(report.evidence, say("a part of them is in force after a restart only"));
     if (!m_unreleased.empty())
         report.evidence = joined(report.evidence, m_unreleased);

@@ -194,7 +194,7 @@ Result<TwoPointFit> fitTwoPoint(std::span<const LoopRun> runs)
     const auto first = fitStep(runs.front());
     const double omega = first ? first->omega : likelyOmegas[1];
     const double strongest
-        = std::max_element(runs.begin(), runs.end(), [](const LoopRun &a, const LoopRun &b) { return a.d < b.d; })->d;
+        = std::ranges::max_element(runs, [](const LoopRun &a, const LoopRun &b) { return a.d < b.d; })->d;
     std::optional<Search::Minimum> best;
     for (const double drag : likelyDrags) {
         const auto found = Search::from({std::log(omega * omega / runs.front().p), std::log(omega / strongest),

@@ -49,7 +49,7 @@ double holdOf(const Trace &velocity)
 bool changes(const Trace &velocity)
 {
     std::vector<double> sorted = velocity.y;
-    std::sort(sorted.begin(), sorted.end());
+    std::ranges::sort(sorted);
     const double low = sorted[sorted.size() / 10];
     const double high = sorted[sorted.size() - 1 - sorted.size() / 10];
     return high - low > leastChange * std::max(std::abs(low), std::abs(high)) && high > low;

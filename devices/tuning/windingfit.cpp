@@ -158,7 +158,7 @@ private:
         for (WindingStep &step : m_steps) {
             for (std::size_t wait = 0; wait < waits; ++wait)
                 step.likely[wait] = squaresOf(step, response, lateAt(at, wait));
-            const double least = *std::min_element(step.likely.begin(), step.likely.end());
+            const double least = *std::ranges::min_element(step.likely);
             double sum = 0.0;
             for (double &value : step.likely)
                 sum += value = std::exp(0.5 * (least - value));

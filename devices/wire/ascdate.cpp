@@ -34,7 +34,7 @@ std::optional<unsigned> monthOf(std::string_view name)
         if (name == months[i])
             return i + 1;
     }
-    const auto known = std::find_if(german.begin(), german.end(), [name](const auto &m) { return m.first == name; });
+    const auto known = std::ranges::find_if(german, [&](const auto &entry) { return entry.first == name; });
     return known == german.end() ? std::nullopt : std::optional(known->second);
 }
 

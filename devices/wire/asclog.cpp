@@ -107,7 +107,7 @@ Result<std::optional<LoggedFrame>> AscParser::parse(std::string_view line)
         return none;
     }
     static constexpr std::array<std::string_view, 4> passedOver{"begin", "end", "internal", "no"};
-    if (std::any_of(passedOver.begin(), passedOver.end(), [&](std::string_view w) { return equalsAnyCase(first, w); }))
+    if (std::ranges::any_of(passedOver, [&](std::string_view w) { return equalsAnyCase(first, w); }))
         return none;
     return malformed(say("%1 begins no line of such a log", quoted(first)));
 }
@@ -273,7 +273,7 @@ void AscWriter::begin(Duration start, std::string &out)
 
 std::size_t AscWriter::channelOf(const std::string &link, std::string &out)
 {
-    const auto known = std::find(m_names.begin(), m_names.end(), link);
+    const auto known = std::ranges::find(m_names, link);
     const auto channel = static_cast<std::size_t>(known - m_names.begin()) + 1;
     if (known == m_names.end()) {
         m_names.push_back(link);

@@ -53,8 +53,7 @@ std::optional<LoggedBytes> parseByteLine(std::string_view text)
     std::string_view rest = text.substr(close + 1);
     const std::string_view link = takeWord(rest);
     const std::string_view direction = takeWord(rest);
-    const bool printable
-        = std::none_of(link.begin(), link.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; });
+    const bool printable = std::ranges::none_of(link, [](unsigned char c) { return c < 0x20 || c == 0x7F; });
     if (!time || !printable || (direction != "tx" && direction != "rx"))
         return std::nullopt;
     LoggedBytes line{*time, std::string(link), direction == "tx" ? LogDirection::Sent : LogDirection::Received, {}};

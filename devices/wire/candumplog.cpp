@@ -43,8 +43,7 @@ std::optional<Parts> partsOf(std::string_view text)
     parts.link = takeWord(rest);
     parts.frame = takeWord(rest);
     parts.direction = takeWord(rest);
-    const bool printable
-        = std::none_of(parts.link.begin(), parts.link.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; });
+    const bool printable = std::ranges::none_of(parts.link, [](unsigned char c) { return c < 0x20 || c == 0x7F; });
     const bool known = parts.direction.empty() || parts.direction == "R" || parts.direction == "T";
     if (!time || !printable || !rest.empty() || !known)
         return std::nullopt;
@@ -54,7 +53,7 @@ std::optional<Parts> partsOf(std::string_view text)
 
 bool isHex(std::string_view text)
 {
-    return std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isxdigit(c) != 0; });
+    return std::ranges::all_of(text, [](unsigned char c) { return std::isxdigit(c) != 0; });
 }
 
 } // namespace

@@ -10,18 +10,28 @@ import time
 sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
 from steady import SteadyCase  # noqa: E402, F401 pylint: disable=wrong-import-position,unused-import
 
+ITS_GUARDIAN = 1.0  # s; it keeps the standard error of its program for as long as a stop is owed
 PATIENCE = 90.0  # of the whole suite for one step; nothing is expected to take this long
 
 
 class Lines:
-    """The output of a program that keeps running, line by line."""
+    """The output of a program that keeps running, line by line, and what it complains of, which says whether it was held up."""
 
     def __init__(self, *command):
         self.lines = []
+        self.complaints = []
         self.changed = threading.Condition()
-        self.program = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+        self.program = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.reader = threading.Thread(target=self.read, daemon=True)
+        self.listener = threading.Thread(target=self.listen, daemon=True)
         self.reader.start()
+        self.listener.start()
+
+    def listen(self):
+        with self.program.stderr as complained:
+            for line in complained:
+                self.complaints.append(line.rstrip("\n"))
+                print(line, end="", file=sys.stderr, flush=True)
 
     def read(self):
         for line in self.program.stdout:
@@ -41,7 +51,8 @@ class Lines:
                 while at < len(self.lines):
                     line = self.lines[at]
                     if line is None:
-                        raise AssertionError(f"{self.program.args} ended: {self.lines[-6:-1]}")
+                        self.listener.join(ITS_GUARDIAN)
+                        raise AssertionError(f"{self.program.args} ended: {self.lines[-6:-1]} {self.complaints}")
                     if fits(line):
                         return line
                     at += 1
@@ -51,14 +62,12 @@ class Lines:
     def stop(self, how=signal.SIGTERM):
         if self.program.poll() is None:
             self.program.send_signal(how)
-        status = self.program.wait(PATIENCE)
-        self.reader.join()
-        self.program.stdout.close()
-        return status
+        return self.stop_at_its_end()
 
     def stop_at_its_end(self):
         """The status of a program that ends by itself."""
         status = self.program.wait(PATIENCE)
         self.reader.join()
+        self.listener.join(ITS_GUARDIAN)
         self.program.stdout.close()
         return status

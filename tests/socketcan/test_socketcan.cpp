@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <atomic>
 #include <cstdlib>
 #include <set>
 #include <thread>
@@ -157,6 +158,35 @@ TEST_F(SocketCan, AFloodArrivesCompleteAndInOrder)
     EXPECT_EQ(link->counters().lost, 0U);
     for (std::uint32_t i = 0; i < frames.size(); ++i)
         ASSERT_EQ(frames[i].id, i);
+}
+
+TEST_F(SocketCan, WhatWaitsUnreadIsDeliveredBeforeALogEnds)
+{
+    const auto link = opened("vcan0");
+    const Peer peer("vcan0");
+    for (std::uint32_t i = 0; i < 3000; ++i)
+        peer.send(i | CAN_EFF_FLAG);
+    ASSERT_EQ(frames.size(), 0U) << "no event loop ran";
+    link->catchUp();
+    EXPECT_EQ(frames.size(), 3000U);
+    link->close();
+    link->catchUp();
+    EXPECT_EQ(frames.size(), 3000U);
+}
+
+TEST_F(SocketCan, CatchingUpEndsOnABusThatNeverRests)
+{
+    const auto link = opened("vcan0");
+    std::atomic<bool> isEnding = false;
+    std::thread sender([&isEnding] {
+        const Peer peer("vcan0");
+        while (!isEnding)
+            peer.send(1);
+    });
+    EXPECT_TRUE(loop.runUntil([this] { return frames.size() > 1000; }));
+    link->catchUp();
+    isEnding = true;
+    sender.join();
 }
 
 TEST_F(SocketCan, WhatTheKernelDropsIsCounted)

@@ -28,8 +28,7 @@ const AxisLiveness *livenessOf(const DeviceView &device, int axis)
 bool hasFault(const DeviceView &device, int axis)
 {
     const auto &faults = device.liveness.faults;
-    return std::any_of(
-        faults.begin(), faults.end(), [axis](const std::string &fault) { return axisOf(fault) == axis; });
+    return std::ranges::any_of(faults, [axis](const std::string &fault) { return axisOf(fault) == axis; });
 }
 
 } // namespace

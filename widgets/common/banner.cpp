@@ -164,8 +164,7 @@ void BannerStack::setTwoLines(bool on)
 
 BannerStack::Entry *BannerStack::find(const QString &key)
 {
-    const auto found
-        = std::find_if(m_entries.begin(), m_entries.end(), [&](const Entry &entry) { return entry.key == key; });
+    const auto found = std::ranges::find(m_entries, key, &Entry::key);
     return found == m_entries.end() ? nullptr : &*found;
 }
 
@@ -189,15 +188,13 @@ void BannerStack::post(
     });
     m_entries.insert(m_entries.begin(), Entry{key, banner, false});
     const auto severity = [](const Entry &entry) { return entry.banner->kind() == BannerKind::Danger ? 0 : 1; };
-    std::stable_sort(
-        m_entries.begin(), m_entries.end(), [&](const Entry &a, const Entry &b) { return severity(a) < severity(b); });
+    std::ranges::stable_sort(m_entries, [&](const Entry &a, const Entry &b) { return severity(a) < severity(b); });
     arrange();
 }
 
 void BannerStack::clear(const QString &key)
 {
-    const auto found
-        = std::find_if(m_entries.begin(), m_entries.end(), [&](const Entry &entry) { return entry.key == key; });
+    const auto found = std::ranges::find(m_entries, key, &Entry::key);
     if (found == m_entries.end())
         return;
     found->banner->hide();
@@ -208,8 +205,7 @@ void BannerStack::clear(const QString &key)
 
 int BannerStack::count() const
 {
-    return static_cast<int>(
-        std::count_if(m_entries.begin(), m_entries.end(), [](const Entry &e) { return !e.dismissed; }));
+    return static_cast<int>(std::ranges::count_if(m_entries, [](const Entry &e) { return !e.dismissed; }));
 }
 
 void BannerStack::arrange()

@@ -33,8 +33,8 @@ QString withoutMarks(QString text)
 bool hasWord(const QString &text, const QString &beginning)
 {
     const QStringList words = text.split(QLatin1Char(' '), Qt::SkipEmptyParts);
-    return std::any_of(words.begin(), words.end(),
-        [&](const QString &word) { return word.startsWith(beginning, Qt::CaseInsensitive); });
+    return std::ranges::any_of(
+        words, [&](const QString &word) { return word.startsWith(beginning, Qt::CaseInsensitive); });
 }
 
 } // namespace
@@ -155,7 +155,7 @@ void CommandPalette::list(const QString &typed)
         if (const int match = matchOf(m_commands[i], typed); match > 0)
             found.emplace_back(-match, static_cast<int>(i));
     }
-    std::sort(found.begin(), found.end());
+    std::ranges::sort(found);
     m_list->clear();
     for (const auto &[match, place] : found) {
         const Command &command = m_commands[static_cast<std::size_t>(place)];

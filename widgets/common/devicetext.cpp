@@ -18,7 +18,7 @@ struct DeviceText {
 QString axesLine(const DeviceView &device)
 {
     const auto &all = device.liveness.axes;
-    const auto moving = std::count_if(all.begin(), all.end(), [](const AxisLiveness &axis) { return axis.moving; });
+    const auto moving = std::ranges::count_if(all, [](const AxisLiveness &axis) { return axis.moving; });
     const int count = device.family->capabilities.axes;
     return moving > 0 ? DeviceText::tr("%1 of %2 axes move").arg(moving).arg(count)
                       : DeviceText::tr("%1 axes").arg(count);

@@ -157,8 +157,7 @@ void HeaderBar::setLinks(const std::vector<LinkStatus> &links)
 
 void HeaderBar::updateFolded()
 {
-    const auto sick
-        = std::find_if(m_links.begin(), m_links.end(), [](const LinkChip *chip) { return !chip->status().healthy; });
+    const auto sick = std::ranges::find_if(m_links, [](const LinkChip *chip) { return !chip->status().healthy; });
     m_folded->setTitle(m_links.size() == 1 ? tr("1 link") : tr("%n links", nullptr, static_cast<int>(m_links.size())));
     m_folded->setGlyph(sick == m_links.end() ? GlyphState::Online : (*sick)->status().state);
     m_folded->setEdge(sick == m_links.end() ? std::nullopt : std::optional(Tone::Caution));

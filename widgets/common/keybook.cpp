@@ -24,7 +24,7 @@ Qt::Key bare(const QKeySequence &key)
 
 bool has(const std::vector<QKeySequence> &keys, const QKeySequence &key)
 {
-    return std::find(keys.begin(), keys.end(), key) != keys.end();
+    return std::ranges::find(keys, key) != keys.end();
 }
 
 } // namespace

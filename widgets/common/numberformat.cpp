@@ -27,8 +27,7 @@ QString grouped(const QString &plain)
 
 bool isZero(const QString &plain)
 {
-    return std::none_of(
-        plain.begin(), plain.end(), [](QChar c) { return c >= QLatin1Char('1') && c <= QLatin1Char('9'); });
+    return std::ranges::none_of(plain, [](QChar c) { return c >= QLatin1Char('1') && c <= QLatin1Char('9'); });
 }
 
 /// Fixed notation without "-0.00".

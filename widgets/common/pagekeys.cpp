@@ -163,7 +163,7 @@ QString keyShown(const QWidget &button, const QString &factory)
     for (const QWidget *around = &button; around && !factory.isEmpty(); around = around->parentWidget()) {
         const auto *keys = around->findChild<PageKeys *>(QString(), Qt::FindDirectChildrenOnly);
         for (const PageKeys::Row &row : keys ? keys->rows() : std::vector<PageKeys::Row>()) {
-            const bool its = std::find(row.factory.begin(), row.factory.end(), came) != row.factory.end();
+            const bool its = std::ranges::find(row.factory, came) != row.factory.end();
             if (its && row.isChangeable())
                 return row.keys == row.factory ? inItsLanguage(factory) : PageKeys::textOf(row);
         }

@@ -34,8 +34,7 @@ QColor legible(const QColor &ink, std::initializer_list<QColor> grounds, double 
     const QColor end = opposite(*grounds.begin());
     for (int i = 0; i < steps; ++i) {
         const QColor tried = mixed(ink, end, double(i) / steps);
-        if (std::all_of(
-                grounds.begin(), grounds.end(), [&](const QColor &ground) { return contrast(tried, ground) >= least; }))
+        if (std::ranges::all_of(grounds, [&](const QColor &ground) { return contrast(tried, ground) >= least; }))
             return tried;
     }
     return end;
@@ -46,7 +45,7 @@ QColor groundFor(const QColor &wished, const QColor &plain, std::initializer_lis
 {
     for (int i = 0; i < steps; ++i) {
         const QColor tried = mixed(wished, plain, double(i) / steps);
-        if (std::all_of(inks.begin(), inks.end(), [&](const QColor &ink) { return contrast(ink, tried) >= least; }))
+        if (std::ranges::all_of(inks, [&](const QColor &ink) { return contrast(ink, tried) >= least; }))
             return tried;
     }
     return plain;

@@ -30,7 +30,7 @@ std::vector<const OperationView *> runningUpdates(const Snapshot &shot)
 const OperationView *updateOn(const Snapshot &shot, std::string_view link)
 {
     const auto all = runningUpdates(shot);
-    const auto found = std::find_if(all.begin(), all.end(), [&](const OperationView *operation) {
+    const auto found = std::ranges::find_if(all, [&](const OperationView *operation) {
         const DeviceView *device = shot.device(operation->device);
         return device && device->link == link;
     });

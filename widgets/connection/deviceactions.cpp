@@ -39,8 +39,8 @@ QInputDialog *ask(QWidget &parent, const QString &title, const QString &question
 
 bool isTaken(const Snapshot &shot, const std::string &link, int number)
 {
-    return std::any_of(shot.devices.begin(), shot.devices.end(),
-        [&](const DeviceView &d) { return d.link == link && d.identity->address == number; });
+    return std::ranges::any_of(
+        shot.devices, [&](const DeviceView &d) { return d.link == link && d.identity->address == number; });
 }
 
 int firstFree(const Snapshot &shot, const std::string &link, int last)

@@ -136,7 +136,7 @@ void DeviceLine::fitValues(const std::vector<ValueLabel *> &wanted)
         - m_glyph->sizeHint().width() - m_title->minimumWidth() - m_faultGlyph->sizeHint().width()
         - m_faults->minimumWidth() - 2 * gap;
     for (ValueLabel *label : {m_current, m_velocity, m_duty, m_position, m_bus, m_temperature}) {
-        const bool isWanted = std::find(wanted.begin(), wanted.end(), label) != wanted.end();
+        const bool isWanted = std::ranges::find(wanted, label) != wanted.end();
         room -= isWanted ? label->sizeHint().width() + gap : 0;
         label->setVisible(isWanted && room >= 0); // once: what is shown only to go again squeezes the others
     }

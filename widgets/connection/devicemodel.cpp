@@ -114,8 +114,7 @@ void DeviceModel::followLinks(const Snapshot &shot)
         endRemoveRows();
     }
     for (const LinkView &link : shot.links) {
-        const bool known = std::any_of(
-            m_rows.begin(), m_rows.end(), [&](const LinkRow &row) { return row.address == link.address; });
+        const bool known = std::ranges::any_of(m_rows, [&](const LinkRow &row) { return row.address == link.address; });
         if (known)
             continue;
         const int row = static_cast<int>(m_rows.size());
@@ -134,9 +133,8 @@ void DeviceModel::followDevices(int row, const Snapshot &shot)
         if (device.link == link.address && passes(device))
             wanted.push_back({device.id, device.family});
     }
-    const auto isIn = [](const std::vector<DeviceRow> &rows, DeviceId id) {
-        return std::find_if(rows.begin(), rows.end(), [id](const DeviceRow &other) { return other.id == id; });
-    };
+    const auto isIn
+        = [](const std::vector<DeviceRow> &rows, DeviceId id) { return std::ranges::find(rows, id, &DeviceRow::id); };
     const auto remove = [&](int at) {
         beginRemoveRows(parent, at, at);
         link.devices.erase(link.devices.begin() + at);
@@ -182,8 +180,7 @@ const DeviceModel::LinkRow *DeviceModel::linkOf(const QModelIndex &index) const
     const Place place = unpack(index);
     if (place.kind == Kind::Link)
         return &m_rows[static_cast<std::size_t>(index.row())];
-    const auto found
-        = std::find_if(m_rows.begin(), m_rows.end(), [&](const LinkRow &row) { return row.mark == place.value; });
+    const auto found = std::ranges::find(m_rows, place.value, &LinkRow::mark);
     return found == m_rows.end() ? nullptr : &*found;
 }
 
@@ -191,7 +188,7 @@ QModelIndex DeviceModel::indexOf(DeviceId device, int axis) const
 {
     const auto isIt = [device](const DeviceRow &row) { return row.id == device; };
     for (const LinkRow &link : m_rows) {
-        const auto found = std::find_if(link.devices.begin(), link.devices.end(), isIt);
+        const auto found = std::ranges::find_if(link.devices, isIt);
         if (found == link.devices.end())
             continue;
         if (axis > 0 && axis <= axesOf(*found->family))

@@ -39,8 +39,7 @@ std::vector<DoctorCard::Row> DoctorCard::rows() const
             rows.push_back({link.address, {}, link.diagnosis, link.state == LinkState::Lost});
     }
     const auto failed = [&shot](const std::string &address) {
-        return std::any_of(shot.failed.begin(), shot.failed.end(),
-            [&address](const FailedLink &link) { return link.address == address; });
+        return std::ranges::any_of(shot.failed, [&address](const FailedLink &link) { return link.address == address; });
     };
     for (const FailedLink &link : shot.failed)
         rows.push_back({link.address, {}, link.diagnosis, true});

@@ -18,7 +18,7 @@ void FirstSelection::follow(const Snapshot &shot)
     const bool byItself = selected.value == 0 || selected == m_chosen;
     if (shot.devices.empty() || !byItself)
         return;
-    const auto found = std::find_if(shot.devices.begin(), shot.devices.end(), canBeTuned);
+    const auto found = std::ranges::find_if(shot.devices, canBeTuned);
     const DeviceId next = found == shot.devices.end() ? shot.devices.front().id : found->id;
     m_chosen = found == shot.devices.end() ? next : DeviceId{};
     if (selected.value == 0 || found != shot.devices.end())

@@ -98,8 +98,8 @@ std::vector<LinkChoice> linkChoices(const std::vector<LinkListing> &listings, co
     choices.push_back(
         simulated("spi", LinkChoices::tr("Simulated SPI board"), LinkChoices::tr("A board with four geared motors.")));
     for (LinkChoice &choice : choices)
-        choice.isOpen = !choice.address.empty() && std::find(open.begin(), open.end(), choice.address) != open.end();
-    std::stable_sort(choices.begin(), choices.end(),
+        choice.isOpen = !choice.address.empty() && std::ranges::find(open, choice.address) != open.end();
+    std::ranges::stable_sort(choices,
         [](const LinkChoice &a, const LinkChoice &b) { return static_cast<int>(a.kind) < static_cast<int>(b.kind); });
     return choices;
 }

@@ -246,7 +246,7 @@ void OverviewPage::followOrder(const Snapshot &shot)
     }
     for (const LinkView &link : shot.links) {
         for (const DeviceView &device : shot.devices) {
-            if (device.link == link.address && std::find(order.begin(), order.end(), device.id) == order.end())
+            if (device.link == link.address && std::ranges::find(order, device.id) == order.end())
                 order.push_back(device.id);
         }
     }

@@ -45,7 +45,7 @@ ScanStrip::ScanStrip(Workbench &workbench, const ThemeSource &theme, QWidget *pa
 void ScanStrip::follow()
 {
     const auto &links = m_workbench.snapshot().links;
-    const auto scan = std::find_if(links.begin(), links.end(),
+    const auto scan = std::ranges::find_if(links,
         [](const LinkView &link) { return link.kind == LinkKind::Serial && link.scanning && link.scanTotal > 0; });
     setVisible(scan != links.end());
     if (scan == links.end())

@@ -98,8 +98,7 @@ void AdvicePanel::setTrial(const Family *family, const tuning::Trial *trial)
     std::vector<tuning::Advice> now;
     if (family && trial)
         now = tuning::advise(*family, *trial);
-    const auto windup
-        = std::find_if(now.begin(), now.end(), [](const tuning::Advice &a) { return a.cause == Cause::Windup; });
+    const auto windup = std::ranges::find(now, Cause::Windup, &tuning::Advice::cause);
     m_windup = windup == now.end() ? std::nullopt : std::optional(windup->number);
     if (now.size() > mostShown)
         now.resize(mostShown);

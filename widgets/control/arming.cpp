@@ -65,10 +65,9 @@ QString whyNotArmed(const Arming &arming, const Snapshot &shot, const DeviceView
 
 bool isAnyMoving(const Snapshot &shot)
 {
-    return !namesThatMayTurn(shot).isEmpty()
-        || std::any_of(shot.devices.begin(), shot.devices.end(), [](const DeviceView &device) {
-               return device.motion.running || device.liveness.moving || device.stop == StopState::Stopping;
-           });
+    return !namesThatMayTurn(shot).isEmpty() || std::ranges::any_of(shot.devices, [](const DeviceView &device) {
+        return device.motion.running || device.liveness.moving || device.stop == StopState::Stopping;
+    });
 }
 
 TrialEnding endingOf(const tuning::Trial &trial)
@@ -99,8 +98,7 @@ Arming::Arming(Workbench &workbench, QObject *parent)
 bool Arming::hasMotion() const
 {
     const auto &all = m_workbench.snapshot().devices;
-    return isMoving()
-        || std::any_of(all.begin(), all.end(), [](const DeviceView &device) { return device.motion.running; });
+    return isMoving() || std::ranges::any_of(all, [](const DeviceView &device) { return device.motion.running; });
 }
 
 /// The Arm button never says safe or stopped while a motor turns, or may.
@@ -299,8 +297,7 @@ void Arming::haltAxis(int axis)
     if (m_state != LampState::Moving || !view)
         return;
     const auto &all = view->motion.setPoints;
-    const bool others
-        = std::any_of(all.begin(), all.end(), [axis](const SetPoint &setPoint) { return setPoint.axis != axis; });
+    const bool others = std::ranges::any_of(all, [axis](const SetPoint &setPoint) { return setPoint.axis != axis; });
     if (!others)
         return halt();
     SetPoint off;

@@ -177,7 +177,7 @@ std::vector<int> AxesPanel::together() const
 void AxesPanel::setTogether(const std::vector<int> &axes)
 {
     for (int axis = 1; axis <= count(); ++axis)
-        m_rows[static_cast<std::size_t>(axis - 1)].ticked = std::find(axes.begin(), axes.end(), axis) != axes.end();
+        m_rows[static_cast<std::size_t>(axis - 1)].ticked = std::ranges::find(axes, axis) != axes.end();
     showTicks();
     Q_EMIT togetherChanged();
 }

@@ -111,7 +111,7 @@ tuning::ExperimentPlan planOf(const DeviceView &device, const ExperimentWish &wi
     plan.repeat = wish.stimulus.repeat;
     plan.limits = wish.limits;
     plan.gains = triable(*device.family, wish.gains);
-    const bool blind = std::any_of(plan.gains.begin(), plan.gains.end(), [&device](const ParameterChange &change) {
+    const bool blind = std::ranges::any_of(plan.gains, [&device](const ParameterChange &change) {
         const Parameter &row = device.family->parameters[change.index.value];
         const bool known
             = change.index.value < device.parameters->size() && (*device.parameters)[change.index.value].raw;

@@ -147,8 +147,7 @@ std::vector<ParameterChange> GainsPanel::toWrite() const
 {
     std::vector<ParameterChange> changes = m_edits ? m_edits->toWrite() : std::vector<ParameterChange>{};
     const auto elsewhere = [this](const ParameterChange &change) {
-        return std::none_of(
-            m_rows.begin(), m_rows.end(), [&](const GainRow *row) { return row->index() == change.index; });
+        return std::ranges::none_of(m_rows, [&](const GainRow *row) { return row->index() == change.index; });
     };
     changes.erase(std::remove_if(changes.begin(), changes.end(), elsewhere), changes.end());
     return changes;
@@ -156,7 +155,7 @@ std::vector<ParameterChange> GainsPanel::toWrite() const
 
 bool GainsPanel::hasFault() const
 {
-    return std::any_of(m_rows.begin(), m_rows.end(), [this](const GainRow *row) {
+    return std::ranges::any_of(m_rows, [this](const GainRow *row) {
         const StagedEdit *edit = m_edits ? m_edits->find(row->index()) : nullptr;
         return edit && !edit->value.raw;
     });
@@ -189,8 +188,8 @@ void GainsPanel::focusFirst()
 
 GainRow *GainsPanel::row(Role role) const
 {
-    const auto found = std::find_if(m_rows.begin(), m_rows.end(),
-        [&](const GainRow *row) { return m_edits->parameter(row->index()).role == role; });
+    const auto found = std::ranges::find_if(
+        m_rows, [&](const GainRow *row) { return m_edits->parameter(row->index()).role == role; });
     return found == m_rows.end() ? nullptr : *found;
 }
 

@@ -51,9 +51,8 @@ const LoopGains *shownLoopOf(const Family &family, Mode mode)
     if (const LoopGains *const loop = loopOf(family, mode))
         return loop;
     const std::span<const LoopGains> loops = family.trials ? family.trials->loops : std::span<const LoopGains>();
-    const bool shared = !loops.empty() && std::all_of(loops.begin(), loops.end(), [&](const LoopGains &loop) {
-        return loop.prefix == loops.front().prefix;
-    });
+    const bool shared = !loops.empty()
+        && std::ranges::all_of(loops, [&](const LoopGains &loop) { return loop.prefix == loops.front().prefix; });
     return shared ? &loops.front() : nullptr;
 }
 

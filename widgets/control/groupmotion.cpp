@@ -27,8 +27,7 @@ const DeviceView *GroupMotion::viewOf(DeviceId device) const
 
 bool GroupMotion::prepare(DeviceId lead, std::vector<Member> members)
 {
-    const bool takesPart
-        = std::any_of(members.begin(), members.end(), [lead](const Member &member) { return member.device == lead; });
+    const bool takesPart = std::ranges::any_of(members, [lead](const Member &member) { return member.device == lead; });
     if (!m_arming.isArmed(lead) || !takesPart) {
         m_workbench.report(Severity::Caution, {},
             takesPart ? tr("not prepared: hold the Arm button first")
@@ -77,8 +76,7 @@ void GroupMotion::command(const Member &member)
 
 bool GroupMotion::hasAcknowledged(DeviceId device) const
 {
-    const auto member
-        = std::find_if(m_members.begin(), m_members.end(), [device](const Member &m) { return m.device == device; });
+    const auto member = std::ranges::find(m_members, device, &Member::device);
     const DeviceView *view = viewOf(device);
     return member != m_members.end() && view && view->motion.running && view->motion.setPoint == member->setPoint
         && view->liveness.mode == member->setPoint.mode;
@@ -86,9 +84,8 @@ bool GroupMotion::hasAcknowledged(DeviceId device) const
 
 bool GroupMotion::isPrepared() const
 {
-    return isActive() && !m_started && std::all_of(m_members.begin(), m_members.end(), [this](const Member &member) {
-        return hasAcknowledged(member.device);
-    });
+    return isActive() && !m_started
+        && std::ranges::all_of(m_members, [this](const Member &member) { return hasAcknowledged(member.device); });
 }
 
 bool GroupMotion::start()
@@ -136,7 +133,7 @@ void GroupMotion::follow()
     for (const Member &member : m_members) {
         const DeviceView *view = viewOf(member.device);
         const bool running = view && view->motion.running;
-        const bool seen = std::find(m_seen.begin(), m_seen.end(), member.device) != m_seen.end();
+        const bool seen = std::ranges::find(m_seen, member.device) != m_seen.end();
         if (running && !seen)
             m_seen.push_back(member.device);
         if (!running && seen && member.device != m_lead) {

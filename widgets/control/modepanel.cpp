@@ -23,8 +23,7 @@ constexpr int longLabel = 12; ///< characters; three buttons with longer labels 
 /// Buttons in a line.
 int perLineOf(const std::vector<Mode> &modes)
 {
-    const bool isLong
-        = std::any_of(modes.begin(), modes.end(), [](Mode mode) { return modeText(mode).size() > longLabel; });
+    const bool isLong = std::ranges::any_of(modes, [](Mode mode) { return modeText(mode).size() > longLabel; });
     return isLong ? 2 : 3;
 }
 
@@ -66,10 +65,10 @@ void ModePanel::setFamily(const Family &family)
     m_family = &family;
     m_modes.clear();
     for (const Mode mode : shown) {
-        if (std::find(family.modes.begin(), family.modes.end(), mode) != family.modes.end())
+        if (std::ranges::find(family.modes, mode) != family.modes.end())
             m_modes.push_back(mode);
     }
-    if (std::find(m_modes.begin(), m_modes.end(), m_mode) == m_modes.end())
+    if (std::ranges::find(m_modes, m_mode) == m_modes.end())
         m_mode = m_modes.empty() ? Mode::Off : m_modes.front();
     rebuild();
 }
@@ -115,7 +114,7 @@ int ModePanel::runningSlot() const
 
 void ModePanel::show(Mode mode, int edited, int running)
 {
-    const auto found = std::find(m_modes.begin(), m_modes.end(), mode);
+    const auto found = std::ranges::find(m_modes, mode);
     if (found != m_modes.end()) {
         m_mode = mode;
         m_group->button(static_cast<int>(found - m_modes.begin()))->setChecked(true);

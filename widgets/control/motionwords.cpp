@@ -48,7 +48,7 @@ bool isTried(const Snapshot &shot, DeviceId device)
 
 const DeviceView *experimentedWith(const Snapshot &shot)
 {
-    const auto found = std::find_if(shot.devices.begin(), shot.devices.end(), [&shot](const DeviceView &device) {
+    const auto found = std::ranges::find_if(shot.devices, [&shot](const DeviceView &device) {
         const OperationView *job = shot.operation(device.id);
         return device.motion.running && job && job->status.state == OperationStatus::State::Running
             && job->status.kind == OperationKind::FamilyExperiment;
@@ -82,7 +82,7 @@ QString namesLeftOut(const Snapshot &shot)
 
 bool isStopping(const Snapshot &shot)
 {
-    return std::any_of(shot.devices.begin(), shot.devices.end(),
+    return std::ranges::any_of(shot.devices,
         [](const DeviceView &device) { return device.stop == StopState::Stopping && device.stopsMotion; });
 }
 

@@ -101,8 +101,8 @@ void MovesPanel::follow(const DeviceView &lead)
         if (view.family == lead.family && view.link == lead.link)
             devices.push_back(&view);
     }
-    const bool same = std::equal(devices.begin(), devices.end(), m_rows.begin(), m_rows.end(),
-        [](const DeviceView *view, const Row &row) { return view->id == row.device; });
+    const bool same = std::ranges::equal(
+        devices, m_rows, [](const DeviceView *view, const Row &row) { return view->id == row.device; });
     if (!same)
         rebuild(devices);
     showStates();

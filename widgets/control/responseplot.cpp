@@ -68,8 +68,7 @@ std::optional<PlotPoint> peakOf(const Trial &trial)
     if (trace.isEmpty() || trial.metrics.overshoot.value_or(0.0) <= notablePeak)
         return std::nullopt;
     const bool up = trial.stimulus.to > trial.stimulus.from;
-    const auto at
-        = up ? std::max_element(trace.y.begin(), trace.y.end()) : std::min_element(trace.y.begin(), trace.y.end());
+    const auto at = up ? std::ranges::max_element(trace.y) : std::ranges::min_element(trace.y);
     return PlotPoint{trace.t[static_cast<std::size_t>(at - trace.y.begin())], *at};
 }
 

@@ -25,7 +25,7 @@ constexpr std::array givesWay{TrialModel::Time, TrialModel::Peak, TrialModel::Ri
 
 bool gives(int column)
 {
-    return std::find(givesWay.begin(), givesWay.end(), column) != givesWay.end();
+    return std::ranges::find(givesWay, column) != givesWay.end();
 }
 
 } // namespace

@@ -67,7 +67,7 @@ std::optional<double> TrialModel::gainOf(const tuning::Trial &trial, int column)
 {
     const auto &keys = m_gainKeys.at(static_cast<std::size_t>(column - GainP));
     for (const auto &[key, value] : trial.gains) {
-        if (std::find(keys.begin(), keys.end(), key) != keys.end())
+        if (std::ranges::find(keys, key) != keys.end())
             return value;
     }
     return std::nullopt;
@@ -75,8 +75,8 @@ std::optional<double> TrialModel::gainOf(const tuning::Trial &trial, int column)
 
 bool TrialModel::usesGain(int column) const
 {
-    return std::any_of(m_trials.begin(), m_trials.end(),
-        [this, column](const KeptTrial &kept) { return gainOf(kept.trial, column).value_or(0.0) != 0.0; });
+    return std::ranges::any_of(
+        m_trials, [this, column](const KeptTrial &kept) { return gainOf(kept.trial, column).value_or(0.0) != 0.0; });
 }
 
 QString TrialModel::useText()
@@ -97,8 +97,8 @@ bool TrialModel::passes(const KeptTrial &kept, Filter filter)
 
 int TrialModel::countOf(Filter filter) const
 {
-    return static_cast<int>(std::count_if(
-        m_trials.begin(), m_trials.end(), [filter](const KeptTrial &kept) { return passes(kept, filter); }));
+    return static_cast<int>(
+        std::ranges::count_if(m_trials, [filter](const KeptTrial &kept) { return passes(kept, filter); }));
 }
 
 void TrialModel::setTrials(std::vector<KeptTrial> trials)
@@ -143,7 +143,7 @@ void TrialModel::arrange()
     for (const std::size_t i : m_rows)
         keys[i] = sortKey(m_trials[i]);
     const bool up = m_order == Qt::AscendingOrder;
-    std::stable_sort(m_rows.begin(), m_rows.end(), [&keys, up](std::size_t a, std::size_t b) {
+    std::ranges::stable_sort(m_rows, [&keys, up](std::size_t a, std::size_t b) {
         if (!keys[a] || !keys[b])
             return keys[a].has_value() && !keys[b].has_value();
         return up ? *keys[a] < *keys[b] : *keys[a] > *keys[b];
@@ -180,8 +180,7 @@ void TrialModel::sort(int column, Qt::SortOrder order)
 
 const KeptTrial *TrialModel::find(std::int64_t number) const
 {
-    const auto found = std::find_if(
-        m_trials.begin(), m_trials.end(), [number](const KeptTrial &kept) { return kept.number == number; });
+    const auto found = std::ranges::find(m_trials, number, &KeptTrial::number);
     return found == m_trials.end() ? nullptr : &*found;
 }
 

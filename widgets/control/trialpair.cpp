@@ -34,8 +34,8 @@ void TrialPair::measured(const tuning::Trial &trial)
 void TrialPair::update(const std::vector<KeptTrial> &kept)
 {
     for (std::optional<KeptTrial> *const shown : {&m_a, &m_b}) {
-        const auto found = std::find_if(kept.begin(), kept.end(),
-            [shown](const KeptTrial &trial) { return *shown && trial.number == (*shown)->number; });
+        const auto found = std::ranges::find_if(
+            kept, [shown](const KeptTrial &trial) { return *shown && trial.number == (*shown)->number; });
         if (found == kept.end())
             continue;
         (*shown)->star = found->star;

@@ -93,7 +93,7 @@ QString flagText(const std::string &flag, const tuning::Trial &trial)
         return TrialWords::tr("%1 samples lost").arg(formatCount(static_cast<qint64>(trial.lost)));
     if (flag == tuning::flag::saturated && trial.metrics.saturated)
         return TrialWords::tr("saturated %1 %").arg(formatNumber(*trial.metrics.saturated * 100.0, 0));
-    const auto row = std::find_if(flags.begin(), flags.end(), [&flag](const Named &each) { return each.key == flag; });
+    const auto row = std::ranges::find(flags, flag, &Named::key);
     return row == flags.end() ? QString::fromStdString(flag) : TrialWords::tr(row->text);
 }
 
@@ -115,7 +115,7 @@ QString stimulusText(const tuning::Trial &trial, const DisplayUnits &units)
 MetricWord metricWord(std::string_view key)
 {
     const tuning::MetricKey *const metric = tuning::findMetric(key);
-    const auto *const row = std::find_if(rows.begin(), rows.end(), [key](const Row &each) { return each.key == key; });
+    const auto *const row = std::ranges::find(rows, key, &Row::key);
     if (!metric || row == rows.end())
         return {};
     return {TrialWords::tr(row->name), metric->scale, metric->decimals, qt(metric->unit), true, row->same,

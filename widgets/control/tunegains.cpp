@@ -189,8 +189,8 @@ void TuneGains::stageAxis(int from)
     const int axis = m_choices.axis();
     const GainSet rows = gainSet(*view->family, chosen->mode, chosen->editedSlot, axis);
     const auto isShown = [&rows](ParameterIndex index) {
-        return std::find(rows.gains.begin(), rows.gains.end(), index) != rows.gains.end()
-            || std::find(rows.bounds.begin(), rows.bounds.end(), index) != rows.bounds.end();
+        return std::ranges::find(rows.gains, index) != rows.gains.end()
+            || std::ranges::find(rows.bounds, index) != rows.bounds.end();
     };
     std::vector<ParameterChange> changes = gainsOfAxis(*view->family, *chosen->edits, from, axis);
     std::erase_if(changes, [&](const ParameterChange &change) { return !isShown(change.index); });

@@ -66,9 +66,8 @@ std::optional<SetPoint> TuneMotion::jog(bool forwards) const
     const DeviceView *const view = m_choices.device();
     if (!view || view->id != m_choices.shown().device || !m_arming.isArmed(view->id))
         return std::nullopt;
-    const auto has = [view](Mode mode) {
-        return std::find(view->family->modes.begin(), view->family->modes.end(), mode) != view->family->modes.end();
-    };
+    const auto has
+        = [view](Mode mode) { return std::ranges::find(view->family->modes, mode) != view->family->modes.end(); };
     if (!has(Mode::Duty) && !has(Mode::Velocity))
         return std::nullopt;
     SetPoint setPoint;
@@ -124,8 +123,8 @@ void TuneMotion::halt()
         return;
     const std::vector<int> stopped = m_column.axesPanel().together();
     const auto &all = view->motion.setPoints;
-    const bool goesOn = m_choices.axis() > 0 && std::any_of(all.begin(), all.end(), [&](const SetPoint &setPoint) {
-        return std::find(stopped.begin(), stopped.end(), setPoint.axis) == stopped.end();
+    const bool goesOn = m_choices.axis() > 0 && std::ranges::any_of(all, [&](const SetPoint &setPoint) {
+        return std::ranges::find(stopped, setPoint.axis) == stopped.end();
     });
     if (m_arming.isOnTrial(view->id) || !goesOn) {
         m_choices.forgetMotion();
@@ -249,7 +248,7 @@ QString TuneMotion::othersText(const DeviceView &view) const
         if (m_choices.axis() > 0 && view.motion.running && setPoint.axis != m_choices.axis())
             others << QString::number(setPoint.axis);
     }
-    std::sort(others.begin(), others.end());
+    others.sort();
     return others.isEmpty() ? QString() : tr(" · also moving: axis %1").arg(others.join(QStringLiteral(", ")));
 }
 

@@ -26,11 +26,10 @@ bool isOfTheseGains(const TuneKnowledge &known)
 {
     if (!known.newest || known.newest->trial.reason != "done" || known.gains.empty())
         return false;
-    return std::all_of(known.gains.begin(), known.gains.end(), [&known](ParameterIndex index) {
+    return std::ranges::all_of(known.gains, [&known](ParameterIndex index) {
         const Parameter &row = known.device->family->parameters[index.value];
         const auto &gains = known.newest->trial.gains;
-        const auto found
-            = std::find_if(gains.begin(), gains.end(), [&row](const auto &gain) { return gain.first == row.key; });
+        const auto found = std::ranges::find_if(gains, [&](const auto &entry) { return entry.first == row.key; });
         if (found == gains.end() || !found->second)
             return false;
         const auto raw = toRaw(row, *found->second);
@@ -40,7 +39,7 @@ bool isOfTheseGains(const TuneKnowledge &known)
 
 bool allAre(const TuneKnowledge &known, bool (*is)(const ParameterStore::Entry &))
 {
-    return !known.gains.empty() && std::all_of(known.gains.begin(), known.gains.end(), [&](ParameterIndex index) {
+    return !known.gains.empty() && std::ranges::all_of(known.gains, [&](ParameterIndex index) {
         return is((*known.device->parameters)[index.value]);
     });
 }
@@ -101,7 +100,7 @@ void TuneSteps::show(const TuneKnowledge &known)
 
 int TuneSteps::next() const
 {
-    return static_cast<int>(std::find(m_done.begin(), m_done.end(), false) - m_done.begin());
+    return static_cast<int>(std::ranges::find(m_done, false) - m_done.begin());
 }
 
 void TuneSteps::tell()

@@ -18,9 +18,9 @@ struct ComparedText {
 /// Whether a device that has these has the proposal.
 bool isInForce(const tuning::Proposal &proposal, const tuning::KnownGains &now)
 {
-    return std::all_of(proposal.gains.rows.begin(), proposal.gains.rows.end(), [&now](const auto &row) {
-        return std::any_of(now.begin(), now.end(),
-            [&row](const auto &known) { return known.first == row.key && known.second == row.number; });
+    return std::ranges::all_of(proposal.gains.rows, [&now](const auto &row) {
+        return std::ranges::any_of(
+            now, [&row](const auto &known) { return known.first == row.key && known.second == row.number; });
     });
 }
 

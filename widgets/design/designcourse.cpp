@@ -30,9 +30,9 @@ std::vector<ParameterChange> changesOf(const Family &family, const tuning::SetAd
 bool isStaged(StagedEdits &edits, const std::vector<ParameterChange> &changes)
 {
     const std::vector<StagedChange> staged = edits.ordered();
-    return !changes.empty() && std::all_of(changes.begin(), changes.end(), [&staged](const ParameterChange &wanted) {
-        return std::any_of(staged.begin(), staged.end(),
-            [&wanted](const StagedChange &one) { return one.index == wanted.index && one.to == wanted.raw; });
+    return !changes.empty() && std::ranges::all_of(changes, [&staged](const ParameterChange &wanted) {
+        return std::ranges::any_of(
+            staged, [&wanted](const StagedChange &one) { return one.index == wanted.index && one.to == wanted.raw; });
     });
 }
 

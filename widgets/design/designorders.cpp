@@ -81,7 +81,7 @@ QWidget *DesignOrders::proveButton() const
 void DesignOrders::follow(const DesignBook &book, const Family &family, bool mayRun, bool mayProve)
 {
     const QSignalBlocker noLoop(m_loops), noSlot(m_slots); // nobody chooses here
-    const auto *const loop = std::find(designedLoops.begin(), designedLoops.end(), book.loop());
+    const auto *const loop = std::ranges::find(designedLoops, book.loop());
     m_loops->setCurrent(static_cast<int>(loop - designedLoops.begin()));
     m_slots->setVisible(family.capabilities.gainSlots > 1);
     m_slots->setCurrent(book.choice().slot);

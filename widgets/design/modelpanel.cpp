@@ -193,9 +193,7 @@ void ModelPanel::setReport(const tuning::TuneReport *report)
     m_grid->setHorizontalSpacing(m_theme.theme().u(10));
     m_grid->setColumnStretch(UnitColumn, 1);
     const bool known = report && report->motor;
-    const bool good = known && std::all_of(report->gates.begin(), report->gates.end(), [](const tuning::Gate &gate) {
-        return gate.passed;
-    });
+    const bool good = known && std::ranges::all_of(report->gates, [](const tuning::Gate &gate) { return gate.passed; });
     m_mayFold = good;
     m_glyph->setVisible(known);
     m_verdict->setVisible(known);

@@ -38,8 +38,8 @@ const tuning::Proposal *ProposalList::chosen() const
     const DesignChoice now = m_book.choice();
     if (now.own)
         return m_ownDesigned ? &*m_ownDesigned : nullptr;
-    const auto found = std::find_if(m_designed.begin(), m_designed.end(),
-        [&now](const tuning::Proposal &proposal) { return proposal.aim == now.aim; });
+    const auto found = std::ranges::find_if(
+        m_designed, [&now](const tuning::Proposal &proposal) { return proposal.aim == now.aim; });
     return found == m_designed.end() ? nullptr : &*found;
 }
 
@@ -163,8 +163,8 @@ QWidget *ProposalList::chosenCard() const
 {
     if (m_book.choice().own)
         return m_own;
-    const auto found = std::find_if(m_cards.begin(), m_cards.end(),
-        [aim = m_book.choice().aim](const ProposalCard *card) { return card->aim() == aim; });
+    const auto found = std::ranges::find_if(
+        m_cards, [aim = m_book.choice().aim](const ProposalCard *card) { return card->aim() == aim; });
     return found == m_cards.end() ? nullptr : *found;
 }
 

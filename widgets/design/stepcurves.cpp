@@ -161,7 +161,7 @@ void compare(StepCurves &step, const ComparedGains &compared, double target, dou
         StepText::tr("%1, predicted").arg(compared.name), look, compared.proposal.predicted.measured, 0.0, 1.0, end);
     if (curve.y.isEmpty())
         return;
-    const auto peak = std::max_element(curve.y.cbegin(), curve.y.cend());
+    const auto peak = std::ranges::max_element(curve.y);
     const auto at = curve.x[static_cast<int>(peak - curve.y.cbegin())];
     const QString figure = figures(compared.proposal.predicted.metrics);
     if (*peak > (1.0 + settleBand) * target && !figure.isEmpty())

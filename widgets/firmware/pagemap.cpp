@@ -49,8 +49,7 @@ void PageMap::setStates(const std::map<int, PartState> &states)
             m_repeated[part] = true;
     }
     m_states = states;
-    const auto done = std::count_if(
-        states.begin(), states.end(), [](const auto &entry) { return entry.second == PartState::Done; });
+    const auto done = std::ranges::count_if(states, [&](const auto &entry) { return entry.second == PartState::Done; });
     setAccessibleDescription(tr("%1 of %2 pages written").arg(done).arg(m_parts.size()));
     update();
 }

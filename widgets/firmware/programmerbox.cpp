@@ -96,11 +96,10 @@ Programmer::Port ProgrammerBox::portKind() const
 {
     const auto &all = m_route->programmers;
     const std::string name = chosen(*m_programmer).toStdString();
-    const auto known = std::find_if(all.begin(), all.end(), [&name](const Programmer &p) { return p.name == name; });
+    const auto known = std::ranges::find(all, name, &Programmer::name);
     if (known != all.end())
         return known->port;
-    const bool anyPort
-        = std::any_of(all.begin(), all.end(), [](const Programmer &p) { return p.port != Programmer::Port::None; });
+    const bool anyPort = std::ranges::any_of(all, [](const Programmer &p) { return p.port != Programmer::Port::None; });
     return anyPort ? Programmer::Port::Serial : Programmer::Port::None;
 }
 

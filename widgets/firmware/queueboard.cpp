@@ -155,7 +155,7 @@ bool QueueBoard::openImage(const QString &path)
 {
     std::vector<const Family *> families;
     const auto add = [&families](const Family *family) {
-        if (std::find(families.begin(), families.end(), family) == families.end())
+        if (std::ranges::find(families, family) == families.end())
             families.push_back(family);
     };
     if (const DeviceView *device = m_workbench.snapshot().device(m_selection.device()))
@@ -257,8 +257,8 @@ std::vector<std::string> QueueBoard::linksOf(const std::vector<DeviceId> &chosen
     std::vector<std::string> links;
     for (const DeviceView &device : m_workbench.snapshot().devices) {
         const bool wanted = device.family == m_recipe.family()
-            && (chosen.empty() || std::find(chosen.begin(), chosen.end(), device.id) != chosen.end());
-        if (wanted && std::find(links.begin(), links.end(), device.link) == links.end())
+            && (chosen.empty() || std::ranges::find(chosen, device.id) != chosen.end());
+        if (wanted && std::ranges::find(links, device.link) == links.end())
             links.push_back(device.link);
     }
     return links;
@@ -350,7 +350,7 @@ void QueueBoard::followLog()
         for (; told < count; ++told)
             news.push_back({(*row.log)[told], nameOf(row)});
     }
-    std::stable_sort(news.begin(), news.end(), [](const Said &a, const Said &b) { return a.line.time < b.line.time; });
+    std::ranges::stable_sort(news, [](const Said &a, const Said &b) { return a.line.time < b.line.time; });
     for (const Said &said : news)
         m_log->add(said.line, said.who);
 }

@@ -25,8 +25,8 @@ QueueModel::QueueModel(const ThemeSource &theme, QObject *parent)
 /// The same units in the same order keep the choice and the place of the view.
 void QueueModel::setLines(std::vector<QueueLine> lines)
 {
-    const bool same = std::equal(lines.begin(), lines.end(), m_lines.begin(), m_lines.end(),
-        [](const QueueLine &a, const QueueLine &b) { return a.row == b.row && a.device == b.device; });
+    const bool same = std::ranges::equal(
+        lines, m_lines, [](const QueueLine &a, const QueueLine &b) { return a.row == b.row && a.device == b.device; });
     if (!same) {
         beginResetModel();
         m_lines = std::move(lines);
@@ -77,8 +77,7 @@ std::vector<DeviceId> QueueModel::ticked() const
 
 int QueueModel::rowOf(std::uint32_t queueRow) const
 {
-    const auto found = std::find_if(
-        m_lines.begin(), m_lines.end(), [queueRow](const QueueLine &line) { return line.row == queueRow; });
+    const auto found = std::ranges::find(m_lines, queueRow, &QueueLine::row);
     return found == m_lines.end() ? -1 : static_cast<int>(found - m_lines.begin());
 }
 

@@ -234,8 +234,8 @@ const OperationView *UnitUpdate::shownOperation(const DeviceView *device) const
 {
     const Snapshot &shot = m_workbench.snapshot();
     const auto running = runningUpdates(shot);
-    const auto own = std::find_if(running.begin(), running.end(),
-        [device](const OperationView *operation) { return device && operation->device == device->id; });
+    const auto own = std::ranges::find_if(
+        running, [device](const OperationView *operation) { return device && operation->device == device->id; });
     if (own != running.end())
         return *own;
     if (const OperationView *beside = device ? updateOn(shot, device->link) : nullptr)

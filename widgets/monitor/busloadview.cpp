@@ -42,15 +42,14 @@ void BusLoadView::setLoads(const std::deque<double> &loads)
 
 double BusLoadView::peak() const
 {
-    return m_loads.empty() ? std::numeric_limits<double>::quiet_NaN()
-                           : *std::max_element(m_loads.begin(), m_loads.end());
+    return m_loads.empty() ? std::numeric_limits<double>::quiet_NaN() : *std::ranges::max_element(m_loads);
 }
 
 int BusLoadView::top() const
 {
     static constexpr std::array steps{10, 20, 40, 60, 80};
-    const auto *const fits = std::find_if(
-        steps.begin(), steps.end(), [this](int step) { return m_loads.empty() || peak() * 100.0 <= step; });
+    const auto *const fits
+        = std::ranges::find_if(steps, [this](int step) { return m_loads.empty() || peak() * 100.0 <= step; });
     return fits == steps.end() ? 100 : *fits;
 }
 

@@ -189,7 +189,7 @@ void BusPage::nameLinks()
         names += shownName(m_address);
         m_offered.push_back(m_address);
     }
-    const auto current = std::find(m_offered.begin(), m_offered.end(), m_address);
+    const auto current = std::ranges::find(m_offered, m_address);
     m_bar->setLinks(names, current == m_offered.end() ? -1 : static_cast<int>(current - m_offered.begin()));
 }
 

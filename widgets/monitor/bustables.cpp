@@ -98,7 +98,7 @@ std::vector<int> BusTables::selected() const
     std::vector<int> rows;
     for (const QModelIndex &index : m_frames->selectionModel()->selectedRows())
         rows.push_back(index.row());
-    std::sort(rows.begin(), rows.end());
+    std::ranges::sort(rows);
     return rows;
 }
 

@@ -18,8 +18,7 @@ char lower(char c)
 
 bool anyMatches(const std::vector<std::string> &patterns, std::string_view text)
 {
-    return std::any_of(patterns.begin(), patterns.end(),
-        [text](const std::string &pattern) { return wildcardMatches(pattern, text); });
+    return std::ranges::any_of(patterns, [text](const std::string &pattern) { return wildcardMatches(pattern, text); });
 }
 
 /// Digits in lower case, as many as the frame is written with.
@@ -57,7 +56,7 @@ std::string packedBytes(const TrafficRecord &record)
 
 bool holdsId(const FilterTerm &term, const CanFrame &frame)
 {
-    if (std::any_of(term.ranges.begin(), term.ranges.end(),
+    if (std::ranges::any_of(term.ranges,
             [&frame](const FilterTerm::Range &range) { return frame.id >= range.low && frame.id <= range.high; }))
         return true;
     if (term.patterns.empty())
@@ -93,7 +92,7 @@ bool holdsField(const FilterTerm &term, const DecodedFrame &frame)
         }
         return false;
     };
-    return std::any_of(frame.fields.begin(), frame.fields.end(),
+    return std::ranges::any_of(frame.fields,
         [&](const DecodedField &field) { return anyMatches(term.patterns, field.name) && compares(field); });
 }
 
@@ -114,7 +113,7 @@ bool holdsMeaning(const FilterTerm &term, const FrameFacts &facts)
     case Test::Family: return anyMatches(term.patterns, meaning.family->key);
     case Test::Message: return anyMatches(term.patterns, meaning.frame.message);
     case Test::Device:
-        return std::any_of(term.ranges.begin(), term.ranges.end(), [&meaning](const FilterTerm::Range &range) {
+        return std::ranges::any_of(term.ranges, [&meaning](const FilterTerm::Range &range) {
             const auto address = static_cast<std::uint32_t>(meaning.frame.address);
             return meaning.frame.address >= 0 && address >= range.low && address <= range.high;
         });

@@ -27,8 +27,8 @@ std::vector<std::uint64_t> fieldBits(const CanFrame &frame, const FrameDecoder &
     std::vector<std::size_t> bySize(masks.size());
     for (std::size_t i = 0; i < bySize.size(); ++i)
         bySize[i] = i;
-    std::stable_sort(bySize.begin(), bySize.end(),
-        [&masks](std::size_t a, std::size_t b) { return std::popcount(masks[a]) < std::popcount(masks[b]); });
+    std::ranges::stable_sort(
+        bySize, [&masks](std::size_t a, std::size_t b) { return std::popcount(masks[a]) < std::popcount(masks[b]); });
     std::uint64_t taken = 0;
     for (const std::size_t i : bySize) {
         const std::uint64_t own = masks[i] & ~taken;

@@ -74,7 +74,7 @@ std::optional<int> FrameFollower::addressOf(const CanFrame &frame)
 ByteFollower::ByteFollower(LinkKind kind)
 {
     for (const Family *family : families()) {
-        if (family->decodeBytes && std::find(family->links.begin(), family->links.end(), kind) != family->links.end())
+        if (family->decodeBytes && std::ranges::find(family->links, kind) != family->links.end())
             m_decoders.emplace_back(family, family->decodeBytes({}));
     }
 }

@@ -61,7 +61,7 @@ int distance(const QString &a, const QString &b)
 
 QString nearestKey(const QString &word)
 {
-    const auto *const best = std::min_element(keys.begin(), keys.end(), [&word](const Key &a, const Key &b) {
+    const auto *const best = std::ranges::min_element(keys, [&word](const Key &a, const Key &b) {
         return distance(word, QLatin1String(a.name)) < distance(word, QLatin1String(b.name));
     });
     return distance(word, QLatin1String(best->name)) <= 2 ? QLatin1String(best->name) : QString();
@@ -96,8 +96,7 @@ FrameTermReader::FrameTermReader(const QString &word)
 
 void FrameTermReader::readKeyed(const QString &key, const QString &value)
 {
-    const auto *const known
-        = std::find_if(keys.begin(), keys.end(), [&key](const Key &k) { return key == QLatin1String(k.name); });
+    const auto *const known = std::ranges::find_if(keys, [&key](const Key &k) { return key == QLatin1String(k.name); });
     if (known == keys.end()) {
         const QString near = nearestKey(key);
         fail(near.isEmpty()
@@ -167,8 +166,8 @@ void FrameTermReader::readFamilies(const QString &value)
     for (const Family *family : families())
         known += qt(family->key);
     for (const std::string &pattern : m_term.patterns) {
-        if (std::none_of(families().begin(), families().end(),
-                [&pattern](const Family *family) { return wildcardMatches(pattern, family->key); }))
+        if (std::ranges::none_of(
+                families(), [&pattern](const Family *family) { return wildcardMatches(pattern, family->key); }))
             return fail(tr("no family is called '%1'; there is %2").arg(qt(pattern), known.join(QStringLiteral(", "))));
     }
 }

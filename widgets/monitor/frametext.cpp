@@ -111,8 +111,8 @@ QString addressText(const DecodedFrame &frame)
 
 std::optional<std::size_t> tellingField(const DecodedFrame &frame)
 {
-    const auto found = std::find_if(
-        frame.fields.begin(), frame.fields.end(), [](const DecodedField &field) { return !field.unit.empty(); });
+    const auto found
+        = std::ranges::find_if(frame.fields, [](const DecodedField &field) { return !field.unit.empty(); });
     if (found != frame.fields.end())
         return static_cast<std::size_t>(found - frame.fields.begin());
     return frame.fields.empty() ? std::nullopt : std::optional<std::size_t>(0);

@@ -118,8 +118,8 @@ void IdModel::showPassed()
     for (std::size_t place = 0; place < m_rows.size(); ++place) {
         if (isShown[place] || !m_rows[place].passed)
             continue;
-        const auto at = std::find_if(
-            m_shown.begin(), m_shown.end(), [this, place](std::size_t other) { return before(place, other); });
+        const auto at
+            = std::ranges::find_if(m_shown, [this, place](std::size_t other) { return before(place, other); });
         const int number = static_cast<int>(at - m_shown.begin());
         beginInsertRows({}, number, number);
         m_shown.insert(at, place);
@@ -159,10 +159,10 @@ void IdModel::sort(int column, Qt::SortOrder order)
     m_sortColumn = column;
     m_sortOrder = order;
     const std::vector<std::size_t> old = m_shown;
-    std::sort(m_shown.begin(), m_shown.end(), [this](std::size_t a, std::size_t b) { return before(a, b); });
+    std::ranges::sort(m_shown, [this](std::size_t a, std::size_t b) { return before(a, b); });
     const QModelIndexList kept = persistentIndexList();
     for (const QModelIndex &from : kept) {
-        const auto to = std::find(m_shown.begin(), m_shown.end(), old[static_cast<std::size_t>(from.row())]);
+        const auto to = std::ranges::find(m_shown, old[static_cast<std::size_t>(from.row())]);
         changePersistentIndex(from, index(static_cast<int>(to - m_shown.begin()), from.column()));
     }
     Q_EMIT layoutChanged({}, QAbstractItemModel::VerticalSortHint);
@@ -179,8 +179,8 @@ const FrameMeaning *IdModel::meaningOf(const Row &row) const
 
 const TrafficRow *IdModel::busiest() const
 {
-    const auto found = std::max_element(
-        m_rows.begin(), m_rows.end(), [](const Row &a, const Row &b) { return a.traffic.rate < b.traffic.rate; });
+    const auto found
+        = std::ranges::max_element(m_rows, [](const Row &a, const Row &b) { return a.traffic.rate < b.traffic.rate; });
     return found == m_rows.end() || found->traffic.rate <= 0.0 ? nullptr : &found->traffic;
 }
 

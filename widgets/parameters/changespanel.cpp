@@ -182,8 +182,8 @@ QString ChangesPanel::proofNote(const DeviceView *device) const
                 rows.push_back(&row);
         }
     }
-    const auto blind = std::count_if(
-        rows.begin(), rows.end(), [](const Parameter *row) { return row->access == Access::WriteOnly; });
+    const auto blind
+        = std::ranges::count_if(rows, [](const Parameter *row) { return row->access == Access::WriteOnly; });
     if (blind == 0)
         return tr("Each value is written, read back and compared.");
     if (blind == static_cast<std::ptrdiff_t>(rows.size()))
@@ -202,8 +202,8 @@ QString ChangesPanel::obstacle(const DeviceView *device, bool busy) const
         return edits->faults() == 1 ? tr("fix 1 value first") : tr("fix %1 values first").arg(edits->faults());
     if (edits->toWrite().empty()) {
         const auto changes = edits->ordered();
-        const bool leaps = std::any_of(changes.begin(), changes.end(),
-            [edits](const StagedChange &change) { return edits->unconfirmed(change.index).has_value(); });
+        const bool leaps = std::ranges::any_of(
+            changes, [edits](const StagedChange &change) { return edits->unconfirmed(change.index).has_value(); });
         return leaps ? tr("look again first") : tr("none is ticked");
     }
     if (!device || !device->liveness.heard)

@@ -67,8 +67,8 @@ DifferenceTable::Counts DifferenceTable::show(
         int spoken = 0;
         for (const ParameterIndex index : groups.members(group)) {
             const Parameter &parameter = family.parameters[index.value];
-            const auto difference = std::find_if(differences.begin(), differences.end(),
-                [index](const settings::SideDifference &each) { return each.index == index; });
+            const auto difference = std::ranges::find_if(
+                differences, [index](const settings::SideDifference &each) { return each.index == index; });
             const bool differs = difference != differences.end();
             const bool known = a.entries[index.value] && b.entries[index.value] && settings::isSetting(parameter);
             (parameter.belongsToUnit ? spokenOfUnit : spoken) += known ? 1 : 0;
@@ -114,7 +114,7 @@ void DifferenceTable::addGroup(
 {
     if (rows.empty())
         return;
-    const auto differ = std::count_if(rows.begin(), rows.end(), [](const Shown &each) { return each.differs; });
+    const auto differ = std::ranges::count_if(rows, [](const Shown &each) { return each.differs; });
     const int head = rowCount();
     insertRow(head);
     auto *name = new QTableWidgetItem(title);

@@ -118,8 +118,8 @@ const UnconfirmedView *KeepBar::first() const
     const auto urgency = [](const UnconfirmedView &view) {
         return view.state == State::Counting ? view.left : view.state == State::AwaitsStandstill ? -1.0 : 1e9;
     };
-    const auto found = std::min_element(all.begin(), all.end(),
-        [&urgency](const UnconfirmedView &a, const UnconfirmedView &b) { return urgency(a) < urgency(b); });
+    const auto found = std::ranges::min_element(
+        all, [&urgency](const UnconfirmedView &a, const UnconfirmedView &b) { return urgency(a) < urgency(b); });
     return found == all.end() ? nullptr : &*found;
 }
 

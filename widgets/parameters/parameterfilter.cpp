@@ -34,8 +34,7 @@ bool ParameterFilter::accepts(const ParameterModel &model, ParameterIndex index)
     const QStringList texts{tableText(row.label), qt(row.key), tableText(row.group), qt(row.unit), tableText(row.help)};
     const QString all = texts.join(QLatin1Char('\n'));
     const QStringList wanted = words.split(QLatin1Char(' '), Qt::SkipEmptyParts);
-    return std::all_of(
-        wanted.begin(), wanted.end(), [&all](const QString &word) { return all.contains(word, Qt::CaseInsensitive); });
+    return std::ranges::all_of(wanted, [&all](const QString &word) { return all.contains(word, Qt::CaseInsensitive); });
 }
 
 ParameterCounts countParameters(const ParameterModel &model, std::optional<int> axis)

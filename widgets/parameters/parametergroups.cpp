@@ -12,7 +12,7 @@ ParameterGroups::ParameterGroups(const Family &family)
 {
     for (std::uint16_t i = 0; i < family.parameters.size(); ++i) {
         const std::string_view name = family.parameters[i].group;
-        auto group = std::find_if(m_groups.begin(), m_groups.end(), [name](const Group &g) { return g.name == name; });
+        auto group = std::ranges::find(m_groups, name, &Group::name);
         if (group == m_groups.end())
             group = m_groups.insert(group, Group{name, {}});
         m_places.emplace_back(static_cast<int>(group - m_groups.begin()), static_cast<int>(group->members.size()));
@@ -28,8 +28,8 @@ QString ParameterGroups::title(int group) const
 QString ParameterGroups::note(int group) const
 {
     const auto &all = members(group);
-    const auto lost = std::count_if(
-        all.begin(), all.end(), [this](ParameterIndex i) { return !m_family->parameters[i.value].persistent; });
+    const auto lost
+        = std::ranges::count_if(all, [this](ParameterIndex i) { return !m_family->parameters[i.value].persistent; });
     const QString count = all.size() == 1 ? tr("1 parameter") : tr("%1 parameters").arg(all.size());
     if (lost == 0)
         return count;

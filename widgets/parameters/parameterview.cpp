@@ -175,7 +175,7 @@ std::vector<ParameterIndex> ParameterView::fieldsInOrder() const
 void ParameterView::editBeside(ParameterIndex from, bool forward)
 {
     const auto fields = fieldsInOrder();
-    const auto here = std::find(fields.begin(), fields.end(), from);
+    const auto here = std::ranges::find(fields, from);
     if (here == fields.end() || (forward ? here + 1 == fields.end() : here == fields.begin()))
         return;
     goTo(forward ? *(here + 1) : *(here - 1));

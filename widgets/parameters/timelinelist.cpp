@@ -152,7 +152,7 @@ void TimelineList::show(const Family &family, const std::vector<UnitState> &stat
         switch (state.kind) {
         case UnitState::Kind::Now: addDay(QDate::currentDate()); break;
         case UnitState::Kind::Snapshot: {
-            const auto snapshot = std::find_if(timeline.snapshots.begin(), timeline.snapshots.end(),
+            const auto snapshot = std::ranges::find_if(timeline.snapshots,
                 [&state](const settings::ParameterSnapshot &each) { return each.number == state.number; });
             const double time = snapshot == timeline.snapshots.end() ? 0.0 : snapshot->time;
             addChangesSince(family, timeline, time, left);

@@ -70,7 +70,7 @@ void UnitStates::rebuild()
 
 std::int64_t UnitStates::newestUnlike() const
 {
-    const auto found = std::find_if(m_states.begin(), m_states.end(), [this](const UnitState &state) {
+    const auto found = std::ranges::find_if(m_states, [this](const UnitState &state) {
         return state.kind == UnitState::Kind::Snapshot && !settings::compare(m_now, state.side).empty();
     });
     return found == m_states.end() ? defaults : found->number;

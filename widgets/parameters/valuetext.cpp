@@ -152,7 +152,7 @@ std::int64_t defaultRaw(const Parameter &parameter)
 std::optional<double> fullScale(const Parameter &parameter)
 {
     constexpr std::array<std::string_view, 4> outputs{"throttle", "duty", "power", "PWM"};
-    if (std::find(outputs.begin(), outputs.end(), parameter.unit) == outputs.end())
+    if (std::ranges::find(outputs, parameter.unit) == outputs.end())
         return std::nullopt;
     const double full = std::max(std::abs(parameter.minimum), std::abs(parameter.maximum));
     return full > 0 ? std::optional(full) : std::nullopt;

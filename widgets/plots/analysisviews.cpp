@@ -100,9 +100,8 @@ void AgainstView::follow()
         for (const PlotBoard::Trace &trace : m_board.traces())
             box->addItem(trace.style.name);
         const int other = box == m_upwards || box->count() < 2 ? 0 : 1;
-        const auto kept = before < 0
-            ? m_listed.end()
-            : std::find(m_listed.begin(), m_listed.end(), listed.at(static_cast<std::size_t>(before)));
+        const auto kept
+            = before < 0 ? m_listed.end() : std::ranges::find(m_listed, listed.at(static_cast<std::size_t>(before)));
         box->setCurrentIndex(kept == m_listed.end() ? other : static_cast<int>(kept - m_listed.begin()));
     }
     if (m_listed.empty())

@@ -35,7 +35,7 @@ QRectF inside(QRectF box, const QRectF &room)
 
 bool isFree(const QRectF &box, const std::vector<QRectF> &taken)
 {
-    return std::none_of(taken.begin(), taken.end(), [&box](const QRectF &other) { return other.intersects(box); });
+    return std::ranges::none_of(taken, [&box](const QRectF &other) { return other.intersects(box); });
 }
 
 /// The nearest place above or below that no other words have; nothing where there is none.

@@ -44,15 +44,13 @@ PlotBoard::PlotBoard(Workbench &workbench, PlotStack &stack, QObject *parent)
 
 const PlotBoard::Trace *PlotBoard::traceOf(int id) const
 {
-    const auto found
-        = std::find_if(m_traces.begin(), m_traces.end(), [id](const Trace &trace) { return trace.id == id; });
+    const auto found = std::ranges::find(m_traces, id, &Trace::id);
     return found == m_traces.end() ? nullptr : &*found;
 }
 
 void PlotBoard::choose(const Signal &signal, bool on, const QString &pane)
 {
-    const auto found
-        = std::find_if(m_traces.begin(), m_traces.end(), [&](const Trace &trace) { return trace.signal == signal; });
+    const auto found = std::ranges::find(m_traces, signal, &Trace::signal);
     const bool there = found != m_traces.end();
     if (on && there && !pane.isEmpty())
         return moveToPane(found->id, pane);
@@ -122,7 +120,7 @@ std::vector<const PlotBoard::Trace *> PlotBoard::wished() const
         for (const Trace &trace : *traces)
             all.push_back(&trace);
     }
-    std::sort(all.begin(), all.end(), [](const Trace *a, const Trace *b) { return a->place < b->place; });
+    std::ranges::sort(all, [](const Trace *a, const Trace *b) { return a->place < b->place; });
     return all;
 }
 
@@ -222,8 +220,7 @@ bool PlotBoard::takeIn()
             continue;
         }
         trace->signal = *signal;
-        const auto there = std::any_of(
-            m_traces.begin(), m_traces.end(), [&](const Trace &other) { return other.signal == *signal; });
+        const auto there = std::ranges::any_of(m_traces, [&](const Trace &other) { return other.signal == *signal; });
         const auto after = std::upper_bound(m_traces.begin(), m_traces.end(), trace->place,
             [](int place, const Trace &other) { return place < other.place; });
         if (!there)
@@ -244,7 +241,7 @@ void PlotBoard::follow()
         return trace.row != m_book.rowOf(trace.signal) || trace.style.name != m_book.nameOf(trace.signal)
             || &trace.source->telemetry() != m_book.telemetryOf(trace.signal).get();
     };
-    if (other || std::any_of(m_traces.begin(), m_traces.end(), isOutdated))
+    if (other || std::ranges::any_of(m_traces, isOutdated))
         rebuild();
 }
 

@@ -70,7 +70,7 @@ void PlotFeed::addGaps(PlotStrip &strip, const PlotTrace &trace) const
     const double to = m_view.range().second;
     auto &gaps = strip.decor.gaps;
     for (const auto &gap : missingIn(trace, m_view.origin(), std::min(to, m_view.isLive() ? m_view.now() : to))) {
-        if (std::find(gaps.begin(), gaps.end(), gap) == gaps.end())
+        if (std::ranges::find(gaps, gap) == gaps.end())
             gaps.push_back(gap);
     }
 }

@@ -49,7 +49,7 @@ std::vector<GapLabel> gapLabels(
         if (right > left)
             clusters.push_back({left, right, to - from, 1});
     }
-    std::sort(clusters.begin(), clusters.end(), [](const Cluster &a, const Cluster &b) { return a.left < b.left; });
+    std::ranges::sort(clusters, [](const Cluster &a, const Cluster &b) { return a.left < b.left; });
     const auto placed = [&](const Cluster &cluster) {
         const double wide = metrics.horizontalAdvance(textOf(cluster)) + theme.u(10);
         const bool inside = cluster.right - cluster.left >= wide;
@@ -80,7 +80,7 @@ std::optional<QRectF> freePlace(const QRectF &wanted, const QRectF &box, const s
 {
     const auto isFree = [&](const QRectF &place) {
         return place.top() >= box.top() && place.bottom() <= box.bottom()
-            && std::none_of(taken.begin(), taken.end(), [&](const QRectF &other) { return other.intersects(place); });
+            && std::ranges::none_of(taken, [&](const QRectF &other) { return other.intersects(place); });
     };
     for (const double lines : {0.0, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 4.0, -4.0, 5.0, -5.0}) {
         const QRectF place = wanted.translated(0, lines * wanted.height());
@@ -155,8 +155,7 @@ private:
     }
     [[nodiscard]] auto covered(const QRectF &place) const
     {
-        return std::count_if(
-            m_drawn.begin(), m_drawn.end(), [&](const QRectF &drawn) { return drawn.intersects(place); });
+        return std::ranges::count_if(m_drawn, [&](const QRectF &drawn) { return drawn.intersects(place); });
     }
     /// As freePlace(), and where it hides as little as can be of the curves; near what it names before far from it.
     [[nodiscard]] std::optional<QRectF> clearPlace(const QRectF &wanted, const std::vector<double> &shifts) const

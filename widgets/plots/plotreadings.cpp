@@ -67,10 +67,9 @@ void joinUnlost(std::vector<PlotPoint> &points, const TraceSource &source)
         return gap.second - gap.first >= silence || !found || found->lost > 0;
     });
     std::erase_if(points, [&gaps](const PlotPoint &point) {
-        return !std::isfinite(point.value)
-            && std::any_of(gaps.begin(), gaps.end(), [&point](const std::pair<double, double> &gap) {
-                   return point.key >= gap.first && point.key < gap.second;
-               });
+        return !std::isfinite(point.value) && std::ranges::any_of(gaps, [&point](const std::pair<double, double> &gap) {
+            return point.key >= gap.first && point.key < gap.second;
+        });
     });
 }
 
@@ -144,10 +143,9 @@ std::vector<PlotCursorRow> PlotReadings::cursorRows() const
         if (!trace.visible || !std::isfinite(difference))
             continue;
         const int strip = trace.style.strip;
-        const bool alone
-            = std::count_if(m_strips.traces().begin(), m_strips.traces().end(),
-                  [strip](const auto &other) { return other.second.visible && other.second.style.strip == strip; })
-            == 1;
+        const bool alone = std::ranges::count_if(m_strips.traces(), [strip](const auto &other) {
+            return other.second.visible && other.second.style.strip == strip;
+        }) == 1;
         if (m_bothValues)
             rows.push_back({trace.style.name,
                 tr("%1 → %2").arg(valueText(trace.style, valueAt(id, a)), valueText(trace.style, valueAt(id, b))),

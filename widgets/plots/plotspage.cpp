@@ -41,7 +41,7 @@ std::vector<RateWish> wishesOf(const Workbench &workbench, const PlotBoard &boar
 {
     std::vector<RateWish> wishes;
     const double columns = std::max(stack.width(), 1) / std::max(stack.view().window(), narrowestWindow);
-    const auto step = std::find_if(rateSteps.begin(), rateSteps.end(), [&](double rate) { return rate >= columns; });
+    const auto step = std::ranges::find_if(rateSteps, [&](double rate) { return rate >= columns; });
     const double hertz = step == rateSteps.end() ? rateSteps.back() : *step;
     const auto add = [&](const Signal &signal) {
         const DeviceView *device = workbench.snapshot().device(signal.device);

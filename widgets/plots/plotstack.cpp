@@ -83,8 +83,8 @@ void PlotStack::refresh(double now)
     m_dirty = false;
     const int width = m_strips->width();
     // What stands beside the axes reaches over all of the picture with cursors, and changes with a second axis.
-    const bool second = std::any_of(m_strips->all().begin(), m_strips->all().end(),
-        [](const auto &strip) { return !strip->decor.secondUnit.isEmpty(); });
+    const bool second
+        = std::ranges::any_of(m_strips->all(), [](const auto &strip) { return !strip->decor.secondUnit.isEmpty(); });
     if (words || scaled || second || cursorsShown())
         m_plot->render();
     else

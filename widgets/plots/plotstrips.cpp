@@ -115,8 +115,8 @@ void PlotStrips::updateHeads()
 {
     const Theme &theme = m_theme.theme();
     const QFontMetrics caption(theme.font(TextRole::Caption, m_plot.font()));
-    const bool anySecond = std::any_of(m_traces.begin(), m_traces.end(),
-        [](const auto &entry) { return entry.second.visible && entry.second.style.secondAxis; });
+    const bool anySecond = std::ranges::any_of(
+        m_traces, [](const auto &entry) { return entry.second.visible && entry.second.style.secondAxis; });
     const int secondRoom = anySecond ? theme.u(56) : 0;
     const int right = tagMargin(m_traces, theme, m_plot.font()) + (m_strips.empty() ? 0 : secondRoom);
     for (std::size_t i = 0; i < m_strips.size(); ++i) {

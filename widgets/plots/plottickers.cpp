@@ -76,8 +76,8 @@ double TimeTicker::getTickStep(const QCPRange &range)
     constexpr std::array<double, 13> Clock{1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600};
     m_step = roundStep(rough * 1.5);
     if (rough > 0.7)
-        m_step = *std::min_element(Clock.begin(), Clock.end(),
-            [&](double a, double b) { return std::abs(std::log(a / rough)) < std::abs(std::log(b / rough)); });
+        m_step = *std::ranges::min_element(
+            Clock, [&](double a, double b) { return std::abs(std::log(a / rough)) < std::abs(std::log(b / rough)); });
     if (rough > 5400)
         m_step = std::ceil(rough / 3600) * 3600;
     return m_step;

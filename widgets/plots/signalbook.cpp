@@ -62,7 +62,7 @@ std::vector<SignalBook::Variable> SignalBook::variables() const
 {
     std::vector<Variable> all;
     const auto isTaken = [&all](const QString &name) {
-        return std::any_of(all.begin(), all.end(), [&](const Variable &variable) { return variable.name == name; });
+        return std::ranges::any_of(all, [&](const Variable &variable) { return variable.name == name; });
     };
     for (const DeviceView &device : m_workbench.snapshot().devices) {
         if (device.identity->state == DeviceState::Bootloader)
@@ -174,8 +174,7 @@ Result<Signal> SignalBook::add(const QString &name, const QString &unit, const Q
 
 void SignalBook::ensure(const QString &name, const QString &unit, const QString &formula, std::vector<Meaning> meanings)
 {
-    const bool known
-        = std::any_of(m_derived.begin(), m_derived.end(), [&](const Derived &derived) { return derived.name == name; });
+    const bool known = std::ranges::any_of(m_derived, [&](const Derived &derived) { return derived.name == name; });
     if (known || name.isEmpty())
         return;
     m_derived.push_back({name, unit, formula, std::move(meanings)});

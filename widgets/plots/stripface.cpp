@@ -225,7 +225,7 @@ void StripFace::drawTags(QCPPainter &painter, const QRectF &box) const
     std::vector<double> centre;
     for (const ValueTag &tag : m_decor.tags)
         centre.push_back(withinRoom(place(tag), box.top() + line / 2, box.bottom() - line / 2));
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return centre[a] < centre[b]; });
+    std::ranges::sort(order, [&](std::size_t a, std::size_t b) { return centre[a] < centre[b]; });
     // Push apart downwards, then back up from the lower edge, so that no two tags overlap.
     for (std::size_t i = 1; i < order.size(); ++i)
         centre[order[i]] = std::max(centre[order[i]], centre[order[i - 1]] + line);

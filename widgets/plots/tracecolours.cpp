@@ -17,7 +17,7 @@ constexpr std::array patterns{TraceDash::Long, TraceDash::Short, TraceDash::Dots
 void chooseColour(TraceStyle &style, const std::vector<TraceLook> &used)
 {
     const auto taken = [&](TraceRole colour, TraceDash dash) {
-        return std::any_of(used.begin(), used.end(), [&](const TraceLook &look) {
+        return std::ranges::any_of(used, [&](const TraceLook &look) {
             const bool wished = (look.role == TraceRole::Setpoint) == (style.role == TraceRole::Setpoint);
             return wished && look.colourRole() == colour && look.dash == dash;
         });
@@ -32,8 +32,7 @@ void chooseColour(TraceStyle &style, const std::vector<TraceLook> &used)
             }
         }
     }
-    const auto dash = std::find_if(
-        patterns.begin(), patterns.end(), [&](TraceDash pattern) { return !taken(style.role, pattern); });
+    const auto dash = std::ranges::find_if(patterns, [&](TraceDash pattern) { return !taken(style.role, pattern); });
     style.dash = dash == patterns.end() ? patterns.back() : *dash;
 }
 

@@ -104,8 +104,7 @@ bool TriggerBar::setTraces(const std::vector<Choice> &traces)
     const int place = m_trace->currentIndex();
     const Signal before = place < 0 ? Signal{} : m_choices.at(static_cast<std::size_t>(place)).signal;
     m_choices = traces;
-    const auto kept = std::find_if(
-        m_choices.begin(), m_choices.end(), [&before](const Choice &choice) { return choice.signal == before; });
+    const auto kept = std::ranges::find(m_choices, before, &Choice::signal);
     const bool there = kept != m_choices.end();
     const QSignalBlocker quiet(m_trace);
     m_trace->clear();
@@ -124,8 +123,7 @@ int TriggerBar::trace() const
 
 void TriggerBar::choose(int id)
 {
-    const auto found
-        = std::find_if(m_choices.begin(), m_choices.end(), [id](const Choice &choice) { return choice.id == id; });
+    const auto found = std::ranges::find(m_choices, id, &Choice::id);
     if (found != m_choices.end())
         m_trace->setCurrentIndex(static_cast<int>(found - m_choices.begin()));
 }

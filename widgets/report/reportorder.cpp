@@ -109,7 +109,7 @@ void ReportOrder::make(const ReportUnit &subject, const ReportWish &wish, std::f
 Result<void> ReportOrder::save(const Report &report, const QString &path) const
 {
     if (m_form == ReportForm::Label
-        && std::all_of(report.units.begin(), report.units.end(), [](const ReportUnit &u) { return u.visits.empty(); }))
+        && std::ranges::all_of(report.units, [](const ReportUnit &u) { return u.visits.empty(); }))
         return fail(
             Fault::OutOfRange, say("this unit was never served, so there is nothing for a label"), say("write a page"));
     const QString html = htmlOf(report, m_form);

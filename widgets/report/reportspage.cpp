@@ -211,8 +211,8 @@ void ReportsPage::askJournal()
             for (auto visit = visits->rbegin(); visit != visits->rend(); ++visit) {
                 if (static_cast<int>(self->m_journal.size()) == newestEntries)
                     break;
-                const auto family = std::find_if(self->m_families.begin(), self->m_families.end(),
-                    [visit](const Family *each) { return each->key == visit->family; });
+                const auto family = std::ranges::find_if(
+                    self->m_families, [visit](const Family *each) { return each->key == visit->family; });
                 self->m_journal.push_back(entryOf(*visit, family == self->m_families.end() ? nullptr : *family));
             }
             self->fill();
@@ -301,7 +301,7 @@ void ReportsPage::fill()
         for (const ReportEntry &entry : *entries)
             all.push_back(&entry);
     }
-    std::stable_sort(all.begin(), all.end(), [](const ReportEntry *a, const ReportEntry *b) {
+    std::ranges::stable_sort(all, [](const ReportEntry *a, const ReportEntry *b) {
         return (a->time == 0.0) != (b->time == 0.0) ? a->time == 0.0 : a->time > b->time;
     });
     int row = m_list->currentRow();

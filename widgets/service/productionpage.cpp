@@ -318,8 +318,8 @@ void ProductionPage::ended(const service::Visit &visit)
 {
     std::erase_if(m_setAside, [this, &visit](std::uint32_t id) {
         const auto &rows = m_workbench.service().rows;
-        return std::any_of(rows.begin(), rows.end(),
-            [&](const service::QueueRow &row) { return row.id == id && row.visit.unit == visit.unit; });
+        return std::ranges::any_of(
+            rows, [&](const service::QueueRow &row) { return row.id == id && row.visit.unit == visit.unit; });
     });
     sound(visit.outcome == service::Outcome::Passed ? 1 : 3);
 }

@@ -22,7 +22,7 @@ struct CheckText {
 
 UnitCheck unitsOn(const Snapshot &shot, const LinkView &link)
 {
-    const auto units = std::count_if(shot.devices.begin(), shot.devices.end(),
+    const auto units = std::ranges::count_if(shot.devices,
         [&link](const DeviceView &device) { return device.link == link.address && device.liveness.heard; });
     if (units == 0)
         return {GlyphState::Waiting, CheckText::tr("no unit answers yet")};
@@ -42,8 +42,7 @@ UnitCheck motionOn(const Snapshot &shot, const LinkView &link)
 
 std::vector<UnitCheck> checksOf(const Snapshot &shot, const JournalState &journal, const std::string &link)
 {
-    const auto found = std::find_if(
-        shot.links.begin(), shot.links.end(), [&link](const LinkView &view) { return view.address == link; });
+    const auto found = std::ranges::find(shot.links, link, &LinkView::address);
     std::vector<UnitCheck> checks;
     if (found == shot.links.end() || found->state != LinkState::Open) {
         checks.push_back({GlyphState::Warning, CheckText::tr("no link is open")});

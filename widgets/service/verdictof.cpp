@@ -127,8 +127,7 @@ Verdict waiting(const ServiceView &view)
 
 const QueueRow *running(const ServiceView &view)
 {
-    const auto found = std::find_if(
-        view.rows.begin(), view.rows.end(), [](const QueueRow &row) { return row.state == RowState::Running; });
+    const auto found = std::ranges::find(view.rows, RowState::Running, &QueueRow::state);
     return found == view.rows.end() ? nullptr : &*found;
 }
 
@@ -140,7 +139,7 @@ const QueueRow *lastEnded(const ServiceView &view, const std::vector<std::uint32
         return nullptr;
     const QueueRow *last = nullptr;
     for (const QueueRow &row : view.rows) {
-        const bool seen = std::find(setAside.begin(), setAside.end(), row.id) != setAside.end();
+        const bool seen = std::ranges::find(setAside, row.id) != setAside.end();
         if (hasEnded(row.state) && !seen
             && (!last || row.visit.time + row.visit.seconds >= last->visit.time + last->visit.seconds))
             last = &row;

@@ -21,7 +21,7 @@ constexpr const char *simulated = "sim:";
 std::string_view currentSwitch(const Family &family)
 {
     const auto limits = family.trials ? family.trials->limits : std::span<const DeviceLimit>();
-    const auto found = std::find_if(limits.begin(), limits.end(), [](const DeviceLimit &limit) {
+    const auto found = std::ranges::find_if(limits, [](const DeviceLimit &limit) {
         return limit.bounds == DeviceLimit::Bounds::Current && !limit.enabled.empty();
     });
     return found == limits.end() ? std::string_view() : found->enabled;
@@ -57,7 +57,7 @@ Guide::Guide(Workbench &workbench, Selection &selection, Arming &arming, QObject
 
 const DeviceView *Guide::deviceOf(const Story &story, const Snapshot &shot)
 {
-    const auto found = std::find_if(shot.devices.begin(), shot.devices.end(), [&story](const DeviceView &device) {
+    const auto found = std::ranges::find_if(shot.devices, [&story](const DeviceView &device) {
         return isDemoUnit(*device.family, device.identity->address, story.unit) && device.link.starts_with(simulated);
     });
     return found == shot.devices.end() ? nullptr : &*found;
@@ -66,7 +66,7 @@ const DeviceView *Guide::deviceOf(const Story &story, const Snapshot &shot)
 bool Guide::isBegun(const Story &story, const Snapshot &shot)
 {
     const DeviceView *unit = deviceOf(story, shot);
-    return unit && std::any_of(shot.operations.begin(), shot.operations.end(), [unit](const OperationView &operation) {
+    return unit && std::ranges::any_of(shot.operations, [unit](const OperationView &operation) {
         return operation.device == unit->id && operation.status.kind == OperationKind::Trial;
     });
 }

@@ -104,8 +104,8 @@ constexpr Story table[] = {
 const Family *storyFamily(const Story &story)
 {
     const auto all = families();
-    const auto found = std::find_if(all.begin(), all.end(),
-        [&story](const Family *family) { return family->demo && family->demo->*story.unit != 0; });
+    const auto found = std::ranges::find_if(
+        all, [&story](const Family *family) { return family->demo && family->demo->*story.unit != 0; });
     return found == all.end() ? nullptr : *found;
 }
 

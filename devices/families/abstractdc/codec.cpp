@@ -34,7 +34,7 @@ bool isFor(const CanFrame &frame, std::uint32_t base, int offset)
 
 template <class Name, std::size_t N> std::optional<Name> nameOf(const std::array<int, N> &codes, int code)
 {
-    const auto found = std::find(codes.begin(), codes.end(), code);
+    const auto found = std::ranges::find(codes, code);
     if (code == absent || found == codes.end())
         return std::nullopt;
     return static_cast<Name>(found - codes.begin());

@@ -27,7 +27,7 @@ std::optional<int> offsetIn(const CanFrame &frame, std::uint32_t base)
 
 template <std::size_t N> std::optional<std::size_t> placeOf(const std::array<int, N> &codes, int code)
 {
-    const auto found = std::find(codes.begin(), codes.end(), code);
+    const auto found = std::ranges::find(codes, code);
     if (found == codes.end())
         return std::nullopt;
     return static_cast<std::size_t>(found - codes.begin());

@@ -91,8 +91,8 @@ void LogPoller::overhear(const CanFrame &frame)
 std::size_t LogPoller::pollers() const
 {
     const Instant since = m_clock.now() - pollerMemory;
-    const auto others = std::count_if(
-        m_askedSeen.begin(), m_askedSeen.end(), [since](Instant time) { return time != Instant{} && time > since; });
+    const auto others
+        = std::ranges::count_if(m_askedSeen, [since](Instant time) { return time != Instant{} && time > since; });
     return std::max<std::size_t>(1, static_cast<std::size_t>(others));
 }
 

@@ -12,9 +12,8 @@ constexpr Duration neighbourMemory = std::chrono::seconds(5);
 
 bool isOfOffsetZero(std::uint32_t identifier)
 {
-    return std::any_of(dialects.begin(), dialects.end(), [identifier](const Dialect *dialect) {
-        return std::find(dialect->reply.begin(), dialect->reply.end(), static_cast<int>(identifier))
-            != dialect->reply.end();
+    return std::ranges::any_of(dialects, [identifier](const Dialect *dialect) {
+        return std::ranges::find(dialect->reply, static_cast<int>(identifier)) != dialect->reply.end();
     });
 }
 
@@ -52,8 +51,8 @@ void Neighbours::pass(const CanFrame &frame)
     }
     if (frame.size != 4 || isOfOffsetZero(frame.id))
         return;
-    const bool isHeard = std::any_of(m_asked.begin(), m_asked.end(), [&frame](const Asked &asked) {
-        return asked.until > frame.time && std::any_of(dialects.begin(), dialects.end(), [&](const Dialect *dialect) {
+    const bool isHeard = std::ranges::any_of(m_asked, [&frame](const Asked &asked) {
+        return asked.until > frame.time && std::ranges::any_of(dialects, [&](const Dialect *dialect) {
             return isAnswered(*dialect, asked.question, frame.id);
         });
     });

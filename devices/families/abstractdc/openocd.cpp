@@ -28,7 +28,7 @@ constexpr std::array targets{
 
 const Target *targetOf(std::string_view key)
 {
-    const auto found = std::find_if(targets.begin(), targets.end(), [key](const Target &t) { return t.key == key; });
+    const auto found = std::ranges::find(targets, key, &Target::key);
     return found == targets.end() ? nullptr : &*found;
 }
 

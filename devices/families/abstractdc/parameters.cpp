@@ -98,8 +98,7 @@ std::span<const Parameter> parameterTable()
 
 std::optional<ParameterIndex> parameterOf(Loop loop, Field field)
 {
-    const auto found = std::find_if(
-        table.begin(), table.end(), [id = parameterId(loop, field)](const Parameter &row) { return row.id == id; });
+    const auto found = std::ranges::find(table, parameterId(loop, field), &Parameter::id);
     if (found == table.end())
         return std::nullopt;
     return ParameterIndex{static_cast<std::uint16_t>(found - table.begin())};
@@ -123,8 +122,8 @@ void arrange(const ParameterStore &known, std::vector<ParameterChange> &changes)
         }
         return place;
     };
-    std::stable_sort(changes.begin(), changes.end(),
-        [&](const ParameterChange &a, const ParameterChange &b) { return rank(a) < rank(b); });
+    std::ranges::stable_sort(
+        changes, [&](const ParameterChange &a, const ParameterChange &b) { return rank(a) < rank(b); });
 }
 
 } // namespace mb::abstractdc

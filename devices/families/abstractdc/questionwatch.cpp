@@ -29,7 +29,7 @@ bool mayAnswer(const Dialect &dialect, const Question &question, int offset, std
 
 bool mayAnswer(const Question &question, std::uint32_t identifier)
 {
-    return std::any_of(dialects.begin(), dialects.end(), [&](const Dialect *dialect) {
+    return std::ranges::any_of(dialects, [&](const Dialect *dialect) {
         const int first = static_cast<int>(identifier)
             - static_cast<int>(dialect->reply.at(static_cast<std::size_t>(Log::Velocity)));
         const int offset = isToAll(question) && first >= 0 && first <= maxOffset ? first : question.offset;
@@ -116,16 +116,14 @@ void QuestionWatch::learn(const Question &question)
 bool QuestionWatch::isAnswerTo(const Question &question) const
 {
     const auto is = [&question](const Question &other) { return other == question; };
-    return std::any_of(m_explained.begin(), m_explained.end(), is)
-        && std::all_of(
-            m_explained.begin(), m_explained.end(), [&](const Question &other) { return is(other) || isToAll(other); });
+    return std::ranges::any_of(m_explained, is)
+        && std::ranges::all_of(m_explained, [&](const Question &other) { return is(other) || isToAll(other); });
 }
 
 bool QuestionWatch::answersOnly(std::uint8_t code) const
 {
     return !m_explained.empty()
-        && std::all_of(
-            m_explained.begin(), m_explained.end(), [code](const Question &question) { return question.code == code; });
+        && std::ranges::all_of(m_explained, [code](const Question &question) { return question.code == code; });
 }
 
 bool QuestionWatch::isOf(int offset, const Dialect *dialect) const
@@ -149,7 +147,7 @@ bool QuestionWatch::isOf(int offset, const Dialect *dialect) const
 
 bool QuestionWatch::isFree(const Question &question, std::uint32_t answer) const
 {
-    return std::none_of(m_open.begin(), m_open.end(), [&, now = m_clock.now()](const Open &open) {
+    return std::ranges::none_of(m_open, [&, now = m_clock.now()](const Open &open) {
         return !(open.question == question) && !isToAll(open.question) && open.question.base == id::logRequest
             && open.until > now && mayAnswer(open.question, answer);
     });

@@ -52,9 +52,9 @@ std::optional<Identity> Recognition::take(const CanFrame &frame)
     const auto differs = [&first](auto member) {
         return [&first, member](const Explanation &other) { return other.*member != first.*member; };
     };
-    if (std::any_of(all.begin(), all.end(), differs(&Explanation::offset)))
+    if (std::ranges::any_of(all, differs(&Explanation::offset)))
         return std::nullopt;
-    const bool isProof = std::none_of(all.begin(), all.end(), differs(&Explanation::dialect));
+    const bool isProof = std::ranges::none_of(all, differs(&Explanation::dialect));
     return identityOf(first.offset, isProof ? first.dialect : nullptr);
 }
 

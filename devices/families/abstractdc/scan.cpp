@@ -161,7 +161,7 @@ private:
     [[nodiscard]] bool isPositionOfLegacy(std::uint32_t answer) const
     {
         const auto offset = static_cast<int>(answer) - static_cast<int>(id::positionLogLegacy);
-        return std::find(m_known.begin(), m_known.end(), std::pair(offset, &dialectL)) != m_known.end();
+        return std::ranges::find(m_known, std::pair(offset, &dialectL)) != m_known.end();
     }
 
     struct Judged {

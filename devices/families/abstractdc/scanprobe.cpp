@@ -19,8 +19,7 @@ Task<std::optional<std::uint32_t>> Prober::ask(Probe probe, int most)
 {
     const Question question = probe.question;
     CanInbox::Match match = [this, probe = std::move(probe)](const CanFrame &frame) {
-        return !frame.extended && frame.size == 4
-            && std::find(probe.answers.begin(), probe.answers.end(), frame.id) != probe.answers.end()
+        return !frame.extended && frame.size == 4 && std::ranges::find(probe.answers, frame.id) != probe.answers.end()
             && m_questions.isAnswerTo(probe.question);
     };
     CanInbox inbox(m_link, m_clock, std::move(match));

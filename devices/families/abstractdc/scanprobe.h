@@ -39,8 +39,7 @@ public:
     [[nodiscard]] bool isTwice(std::uint32_t answer, int offset) const
     {
         const int asked = m_broadcasts + m_asked.at(static_cast<std::size_t>(offset));
-        return std::count(m_answers.begin(), m_answers.end(), answer)
-            > asked + 1; // one question may be older than we are
+        return std::ranges::count(m_answers, answer) > asked + 1; // one question may be older than we are
     }
 
 private:

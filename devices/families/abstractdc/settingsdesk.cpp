@@ -51,8 +51,7 @@ Task<void> SettingsDesk::expectAnswer()
     const std::array answers{replyId(dialectF, offset, log), replyId(dialectL, offset, log)};
     const Question question{offset, dialect.request, static_cast<std::uint8_t>(dialect.codeOf(log))};
     CanInbox::Match match = [this, answers, question](const CanFrame &frame) {
-        return !frame.extended && frame.size == 4
-            && std::find(answers.begin(), answers.end(), frame.id) != answers.end()
+        return !frame.extended && frame.size == 4 && std::ranges::find(answers, frame.id) != answers.end()
             && m_logs.questions().isAnswerTo(question);
     };
     auto asking = exchange(

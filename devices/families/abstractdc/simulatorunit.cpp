@@ -12,7 +12,7 @@ constexpr double glitchWindow = 20e-6; ///< how long after a wrap a reading may 
 
 template <std::size_t N> int placeOf(const std::array<int, N> &codes, int code)
 {
-    const auto found = std::find(codes.begin(), codes.end(), code);
+    const auto found = std::ranges::find(codes, code);
     return found == codes.end() ? absent : static_cast<int>(found - codes.begin());
 }
 

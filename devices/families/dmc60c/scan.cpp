@@ -38,19 +38,18 @@ public:
     };
     [[nodiscard]] bool hasHalves() const
     {
-        return std::any_of(
-            m_units.begin(), m_units.end(), [](const auto &entry) { return !entry.second.isComplete(); });
+        return std::ranges::any_of(m_units, [](const auto &entry) { return !entry.second.isComplete(); });
     }
     [[nodiscard]] int complete() const
     {
         return static_cast<int>(
-            std::count_if(m_units.begin(), m_units.end(), [](const auto &entry) { return entry.second.isComplete(); }));
+            std::ranges::count_if(m_units, [](const auto &entry) { return entry.second.isComplete(); }));
     }
     /// The next unit whose descriptors are worth a try; nodes are stable.
     [[nodiscard]] Unit *nextUndescribed()
     {
         const auto fewer = [](const auto &a, const auto &b) { return rank(a.second) < rank(b.second); };
-        const auto found = std::min_element(m_units.begin(), m_units.end(), fewer);
+        const auto found = std::ranges::min_element(m_units, fewer);
         return found == m_units.end() || rank(found->second) >= descriptorTries ? nullptr : &found->second;
     }
     void describe(Unit &unit, const DescriptorList &list)
@@ -86,8 +85,8 @@ private:
     void report(const Key &key, Unit &unit)
     {
         Identity identity = identityOf(*unit.first, *unit.second);
-        const auto sharing = std::count_if(
-            m_units.begin(), m_units.end(), [&](const auto &entry) { return entry.first.first == key.first; });
+        const auto sharing
+            = std::ranges::count_if(m_units, [&](const auto &entry) { return entry.first.first == key.first; });
         if (sharing > 1)
             markDuplicate(identity, static_cast<int>(sharing));
         carryDescriptors(identity, unit.identity);

@@ -60,7 +60,7 @@ std::uint32_t pageCrc(CrcVariant variant, std::span<const std::uint8_t> bytes)
 
 bool ApplicationFlash::isRunnable() const
 {
-    const bool broken = std::any_of(m_broken.begin(), m_broken.end(), [](bool page) { return page; });
+    const bool broken = std::ranges::any_of(m_broken, [](bool page) { return page; });
     return m_version != noApplication && !broken && !m_versionFromNowhere;
 }
 

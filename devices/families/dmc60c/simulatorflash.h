@@ -40,7 +40,7 @@ public:
         : m_version(version)
         , m_bytes(static_cast<std::size_t>(lastPage + 1) * pageSize)
     {
-        std::fill(m_bytes.begin(), m_bytes.end(), blank);
+        std::ranges::fill(m_bytes, blank);
     }
     [[nodiscard]] std::uint16_t version() const { return m_version; }
     /// The bootloader starts after a reset.

@@ -99,7 +99,7 @@ std::span<const Row> rows()
 
 const Row *findRow(std::uint8_t id)
 {
-    const auto row = std::find_if(table.begin(), table.end(), [id](const Row &r) { return r.id == id; });
+    const auto row = std::ranges::find(table, id, &Row::id);
     return row == table.end() ? nullptr : &*row;
 }
 

@@ -29,7 +29,7 @@ void Sensing::start()
     m_lastCounts = m_rig.counts();
     m_position = 0;
     m_counter = 0;
-    std::fill(m_history.begin(), m_history.end(), 0);
+    std::ranges::fill(m_history, 0);
     m_velocity = 0;
 }
 

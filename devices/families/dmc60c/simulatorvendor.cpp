@@ -148,7 +148,7 @@ void VendorPort::data(std::span<const std::uint8_t> bytes)
 
 void VendorPort::endText()
 {
-    const auto end = std::find(m_bytes.begin(), m_bytes.end(), std::uint8_t{0});
+    const auto end = std::ranges::find(m_bytes, std::uint8_t{0});
     std::string text(m_bytes.begin(), end == m_bytes.end() ? end - 1 : end);
     m_processor.stall(writeTime, [this, text = std::move(text), which = descriptorOf(m_command)] {
         m_memory.ram().text(which) = text;

@@ -26,7 +26,7 @@ bool isOwn(const std::string &key)
 
 void setEntry(Entries &entries, std::string_view key, std::string text)
 {
-    const auto found = std::find_if(entries.begin(), entries.end(), [key](const auto &e) { return e.first == key; });
+    const auto found = std::ranges::find_if(entries, [&](const auto &entry) { return entry.first == key; });
     if (found != entries.end())
         found->second = std::move(text);
     else
@@ -117,8 +117,8 @@ void setDescriptors(Identity &identity, const DescriptorList &list)
 {
     Entries entries;
     for (const auto &[field, text] : list) {
-        const auto name = std::find_if(
-            names.begin(), names.end(), [f = field](const auto &n) { return static_cast<std::uint8_t>(n.first) == f; });
+        const auto name = std::ranges::find_if(
+            names, [f = field](const auto &n) { return static_cast<std::uint8_t>(n.first) == f; });
         if (name != names.end())
             setEntry(entries, name->second, text);
         if (field == static_cast<std::uint8_t>(Descriptor::DevName))

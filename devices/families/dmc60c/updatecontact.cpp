@@ -103,8 +103,7 @@ Task<std::vector<UpdateContact::Unit>> UpdateContact::enumerate(Duration window)
         co_return fail(sent.error());
     std::vector<Unit> units;
     const auto unitOf = [&units](std::uint16_t session) -> Unit & {
-        const auto known
-            = std::find_if(units.begin(), units.end(), [session](const Unit &u) { return u.session == session; });
+        const auto known = std::ranges::find(units, session, &Unit::session);
         return known != units.end() ? *known : units.emplace_back(Unit{session, {}, {}});
     };
     const Instant end = m_clock.now() + window;

@@ -128,8 +128,7 @@ Task<void> Updater::preflight(bool force)
 Task<void> Updater::keepParameters()
 {
     const auto entries = m_device.parameters().entries();
-    if (std::any_of(
-            entries.begin(), entries.end(), [](const auto &each) { return each.state == ParameterState::Ram; })) {
+    if (std::ranges::any_of(entries, [](const auto &each) { return each.state == ParameterState::Ram; })) {
         auto storing = m_device.store(m_progress);
         const Result<bool> stored = co_await std::move(storing).attempt();
         if (!stored && stored.error().fault == Fault::LinkLost)

@@ -27,8 +27,8 @@ bool knowsGains(const ParameterStore &known, int axis)
 {
     using enum AxisParameter;
     constexpr std::array gains{PositionP, PositionI, PositionD, PositionWindup, VelocityP, VelocityI, VelocityD};
-    return std::all_of(gains.begin(), gains.end(),
-        [&](AxisParameter gain) { return known.entry(indexOf(axis, gain)).raw.has_value(); });
+    return std::ranges::all_of(
+        gains, [&](AxisParameter gain) { return known.entry(indexOf(axis, gain)).raw.has_value(); });
 }
 
 double secondsOf(Duration time)

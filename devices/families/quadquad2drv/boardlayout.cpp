@@ -61,7 +61,7 @@ Task<void> BoardLayout::tellEverything()
 bool BoardLayout::tellsEverything() const
 {
     const DataMasks &masks = m_port.masks();
-    return std::all_of(masks.begin(), masks.end(), [](std::uint8_t mask) { return mask == datamask::everything; });
+    return std::ranges::all_of(masks, [](std::uint8_t mask) { return mask == datamask::everything; });
 }
 
 /// A board that was reset has its start-up data masks again. At the first look that tells of a reset since the settings in its
@@ -82,8 +82,7 @@ Task<void> BoardLayout::check(int tries)
 /// Wherever the masks are seen: what is understood with the new ones must not hide what they mean.
 void BoardLayout::detectReset(const DataMasks &masks)
 {
-    const bool startUp
-        = std::all_of(masks.begin(), masks.end(), [](std::uint8_t mask) { return mask == datamask::startUp; });
+    const bool startUp = std::ranges::all_of(masks, [](std::uint8_t mask) { return mask == datamask::startUp; });
     const bool told = m_changed && masks != m_port.masks();
     const bool before = !m_resetKnown && m_owner.holdsSettings();
     m_resetKnown = true;

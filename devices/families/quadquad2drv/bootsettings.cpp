@@ -54,7 +54,7 @@ Result<void> apply(BootSettings &settings, const std::string &key, const std::st
     } else if (key == "failure") {
         settings.failures = words(value);
     } else if (key == "ending") {
-        if (std::find(endings.begin(), endings.end(), value) == endings.end())
+        if (std::ranges::find(endings, value) == endings.end())
             return fail(Fault::OutOfRange, say("ending=%1: legal are cr, lf and crlf", value));
         settings.ending = value == "cr" ? "\r" : value == "lf" ? "\n" : "\r\n";
     } else { // pause
@@ -74,7 +74,7 @@ Result<BootSettings> BootSettings::take(LinkAddress &via)
     BootSettings taken;
     std::vector<std::pair<std::string, std::string>> rest;
     for (const auto &[key, value] : via.options) {
-        if (std::find(ours.begin(), ours.end(), key) == ours.end()) {
+        if (std::ranges::find(ours, key) == ours.end()) {
             rest.emplace_back(key, value);
             continue;
         }

@@ -66,7 +66,7 @@ void PacketReader::feed(std::span<const std::uint8_t> bytes)
 
 void PacketReader::align()
 {
-    const auto begin = std::find(m_bytes.begin(), m_bytes.end(), stx);
+    const auto begin = std::ranges::find(m_bytes, stx);
     if (std::any_of(m_bytes.begin(), begin, [](std::uint8_t byte) { return byte != 0; }))
         ++m_strays;
     m_bytes.erase(m_bytes.begin(), begin);

@@ -99,7 +99,7 @@ Result<Plant> fitPlant(const std::vector<PowerStep> &steps)
     if (!line || line->slope <= 0.0)
         return fail(Fault::Refused, say("the motor did not turn at two of the powers"),
             say("allow it more power, or free its shaft"));
-    const double fastestSeen = *std::max_element(speeds.begin(), speeds.end());
+    const double fastestSeen = *std::ranges::max_element(speeds);
     for (std::size_t i = 0; i < powers.size(); ++i) {
         if (std::abs(speeds[i] - line->slope * powers[i] - line->offset) > straight * fastestSeen)
             return fail(Fault::Refused, say("the speed does not grow evenly with the power"),

@@ -74,7 +74,7 @@ void Board::scheduleFaults()
 
 void Board::noteOutput()
 {
-    const bool on = std::any_of(m_axes.begin(), m_axes.end(), [](const auto &axis) { return axis->output() != 0.0; });
+    const bool on = std::ranges::any_of(m_axes, [](const auto &axis) { return axis->output() != 0.0; });
     if (on != m_outputOn)
         m_notify(on ? "output-on" : "output-off", 0.0);
     m_outputOn = on;

@@ -46,8 +46,7 @@ Updater::Updater(
 
 bool Updater::isFailure(const std::string &text) const
 {
-    return std::any_of(m_settings.failures.begin(), m_settings.failures.end(),
-        [&text](const std::string &word) { return holds(text, word); });
+    return std::ranges::any_of(m_settings.failures, [&text](const std::string &word) { return holds(text, word); });
 }
 
 bool Updater::isBanner(const std::string &text) const

@@ -61,7 +61,7 @@ constexpr std::array meanings{
 /// How far a line with a bar is: `Writing | ####…` of 50.
 int barOf(std::string_view line)
 {
-    const auto marks = std::count(line.begin(), line.end(), '#');
+    const auto marks = std::ranges::count(line, '#');
     return std::min(100, static_cast<int>(marks) * 100 / barLength);
 }
 

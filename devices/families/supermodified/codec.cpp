@@ -194,8 +194,8 @@ std::span<const CommandForm> messages()
 
 const CommandForm *messageOf(std::uint8_t command)
 {
-    const auto *const row = std::find_if(messageTable.begin(), messageTable.end(),
-        [command](const CommandForm &m) { return static_cast<std::uint8_t>(m.command) == command; });
+    const auto *const row = std::ranges::find_if(
+        messageTable, [command](const CommandForm &m) { return static_cast<std::uint8_t>(m.command) == command; });
     return row == messageTable.end() ? nullptr : row;
 }
 
@@ -304,8 +304,7 @@ std::span<const CodeName> codeNames()
 
 Message codeText(std::uint8_t code)
 {
-    const auto *const row
-        = std::find_if(codeTable.begin(), codeTable.end(), [code](const CodeName &c) { return c.code == code; });
+    const auto *const row = std::ranges::find(codeTable, code, &CodeName::code);
     std::array<char, 8> number{};
     std::snprintf(number.data(), number.size(), "%02X", static_cast<unsigned>(code));
     return say("%1 (%2)", row == codeTable.end() ? say("error") : Message::label(row->text), number.data());

@@ -12,7 +12,7 @@ namespace {
 bool isNamed(std::uint8_t code)
 {
     const auto names = codeNames();
-    return std::any_of(names.begin(), names.end(), [code](const CodeName &name) { return name.code == code; });
+    return std::ranges::any_of(names, [code](const CodeName &name) { return name.code == code; });
 }
 
 std::string keyOf(std::uint8_t code)

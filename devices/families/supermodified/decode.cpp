@@ -26,8 +26,8 @@ std::optional<Format> formatFor(const CommandForm &message, std::size_t size)
 
 bool takesData(const CommandForm &message)
 {
-    return std::any_of(message.formats.begin(), message.formats.end(),
-        [](Format format) { return format != Format::Absent && format != Format::None; });
+    return std::ranges::any_of(
+        message.formats, [](Format format) { return format != Format::Absent && format != Format::None; });
 }
 
 bool isHost(int id)

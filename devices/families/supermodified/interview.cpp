@@ -113,8 +113,8 @@ namespace {
 /// Leaves `number` as it is when the identity has no such descriptor.
 void takeDescriptor(const Identity &identity, std::string_view key, int &number)
 {
-    const auto found = std::find_if(identity.descriptors.begin(), identity.descriptors.end(),
-        [key](const auto &descriptor) { return descriptor.first == key; });
+    const auto found
+        = std::ranges::find_if(identity.descriptors, [key](const auto &descriptor) { return descriptor.first == key; });
     if (found != identity.descriptors.end())
         (void)takeNumber(found->second, number);
 }

@@ -69,8 +69,8 @@ Line::Ticket Line::submit(Request request, Done done)
 {
     const std::uint64_t id = ++m_lastId;
     const Rank rank = request.rank;
-    const auto place = std::find_if(
-        m_waiting.begin(), m_waiting.end(), [rank](const Entry &other) { return other.request.rank > rank; });
+    const auto place
+        = std::ranges::find_if(m_waiting, [rank](const Entry &other) { return other.request.rank > rank; });
     m_waiting.insert(place, Entry{id, request, std::move(done), 0});
     if (rank == Rank::Stop)
         shortenTimeout();
@@ -323,8 +323,7 @@ void Line::failUpTo(std::uint64_t id)
         tell(entry, fail(error));
     }
     for (;;) {
-        const auto old
-            = std::find_if(m_waiting.begin(), m_waiting.end(), [id](const Entry &entry) { return entry.id <= id; });
+        const auto old = std::ranges::find_if(m_waiting, [id](const Entry &entry) { return entry.id <= id; });
         if (old == m_waiting.end())
             return;
         const Done done = std::move(old->done);

@@ -277,7 +277,7 @@ Result<void> Motion::release()
 /// The move that it keeps, from where the motor is by now.
 Result<void> Motion::mayBegin() const
 {
-    if (std::any_of(m_orders.begin(), m_orders.end(), [](const SetPoint &order) { return order.buffered; }))
+    if (std::ranges::any_of(m_orders, [](const SetPoint &order) { return order.buffered; }))
         return mb::fail(notAcknowledged());
     const auto &kept = m_kept.order();
     if (!kept)

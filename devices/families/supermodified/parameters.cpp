@@ -76,8 +76,7 @@ std::span<const Parameter> parameterTable()
 
 std::optional<ParameterIndex> parameterWithId(std::uint16_t wireNumber)
 {
-    const auto *const row
-        = std::find_if(table.begin(), table.end(), [wireNumber](const Parameter &p) { return p.id == wireNumber; });
+    const auto *const row = std::ranges::find(table, wireNumber, &Parameter::id);
     if (row == table.end())
         return std::nullopt;
     return ParameterIndex{static_cast<std::uint16_t>(row - table.begin())};

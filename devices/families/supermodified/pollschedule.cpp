@@ -42,7 +42,7 @@ std::vector<PollSchedule::Entry>::const_iterator PollSchedule::first() const
         const bool wantsB = b.period > Duration::zero();
         return wantsA != wantsB ? wantsA : a.next < b.next;
     };
-    return std::min_element(m_entries.begin(), m_entries.end(), earlier);
+    return std::ranges::min_element(m_entries, earlier);
 }
 
 std::optional<Instant> PollSchedule::nextDue() const

@@ -63,7 +63,7 @@ void Roster::noteSetting(int node, Command command, std::optional<std::int64_t> 
 
 bool Roster::isClaimed(int id, int node) const
 {
-    return std::any_of(m_nodes.begin(), m_nodes.end(), [id, node](const auto &known) {
+    return std::ranges::any_of(m_nodes, [id, node](const auto &known) {
         return known.first != node && (known.first == id || known.second.nextId == id);
     });
 }
@@ -87,8 +87,8 @@ bool Roster::follows(int node, const Entry &known, int address)
 
 bool Roster::isFree(int host) const
 {
-    return std::none_of(m_nodes.begin(), m_nodes.end(),
-        [host](const auto &node) { return node.first == host || follows(node.first, node.second, host); });
+    return std::ranges::none_of(
+        m_nodes, [host](const auto &node) { return node.first == host || follows(node.first, node.second, host); });
 }
 
 void Roster::chooseHost()

@@ -72,8 +72,8 @@ std::vector<int> Search::rates() const
 
 bool Search::isDone(const Place &place) const
 {
-    return std::find(m_asked.begin(), m_asked.end(), place) != m_asked.end()
-        || std::find(m_found.begin(), m_found.end(), place.second) != m_found.end();
+    return std::ranges::find(m_asked, place) != m_asked.end()
+        || std::ranges::find(m_found, place.second) != m_found.end();
 }
 
 /// Nodes of an earlier run: where to ask first, and which ids the host must not have (README.md#masks).
@@ -94,7 +94,7 @@ void Search::recall()
 void Search::forgetSilent()
 {
     for (const int id : m_recalled) {
-        if (std::find(m_found.begin(), m_found.end(), id) == m_found.end())
+        if (std::ranges::find(m_found, id) == m_found.end())
             m_line->roster().forget(id);
     }
     m_recalled.clear();
@@ -104,8 +104,8 @@ void Search::forgetSilent()
 Task<void> Search::askSilent(std::vector<Place> known)
 {
     for (const Place &place : known) {
-        const bool recalled = std::find(m_recalled.begin(), m_recalled.end(), place.second) != m_recalled.end();
-        const auto isThere = [&] { return std::find(m_found.begin(), m_found.end(), place.second) != m_found.end(); };
+        const bool recalled = std::ranges::find(m_recalled, place.second) != m_recalled.end();
+        const auto isThere = [&] { return std::ranges::find(m_found, place.second) != m_found.end(); };
         for (int attempt = 1; attempt < attemptsForOne && !recalled && !isThere(); ++attempt) {
             auto looking = look(place, std::min<Duration>(answerTime * (1 << attempt), AnswerTime::ceiling));
             co_await std::move(looking);
@@ -121,7 +121,7 @@ std::vector<Search::Place> Search::knownAt(const std::vector<int> &rates) const
     std::vector<Place> known;
     const bool anyRate = !m_line->link().fixedBaudrate() && !m_line->driven().any();
     for (const auto &[id, node] : m_line->roster().nodes()) {
-        if (anyRate || std::find(rates.begin(), rates.end(), node.baudrate) != rates.end())
+        if (anyRate || std::ranges::find(rates, node.baudrate) != rates.end())
             known.emplace_back(node.baudrate, id);
     }
     return known;
@@ -131,7 +131,7 @@ void Search::plan(int rate, int first, int last, std::vector<Place> &out) const
 {
     for (int id = first; id <= last; ++id) {
         const Place place{rate, id};
-        if (!isDone(place) && std::find(out.begin(), out.end(), place) == out.end())
+        if (!isDone(place) && std::ranges::find(out, place) == out.end())
             out.push_back(place);
     }
 }
@@ -194,9 +194,9 @@ Task<void> Search::lookAll(std::vector<Place> places, bool patiently)
 void Search::heardLate(const Frame &frame)
 {
     const Place place{m_line->link().baudrate(), frame.from};
-    const bool asked = std::find(m_asked.begin(), m_asked.end(), place) != m_asked.end();
-    const bool found = std::find(m_found.begin(), m_found.end(), place.second) != m_found.end();
-    if (asked && !found && std::find(m_late.begin(), m_late.end(), place) == m_late.end())
+    const bool asked = std::ranges::find(m_asked, place) != m_asked.end();
+    const bool found = std::ranges::find(m_found, place.second) != m_found.end();
+    if (asked && !found && std::ranges::find(m_late, place) == m_late.end())
         m_late.push_back(place);
 }
 
@@ -205,7 +205,7 @@ Task<void> Search::lookAtLate()
 {
     for (int attempt = 0; attempt < attemptsForOne; ++attempt) {
         for (const Place &place : std::exchange(m_late, {})) {
-            if (std::find(m_found.begin(), m_found.end(), place.second) != m_found.end())
+            if (std::ranges::find(m_found, place.second) != m_found.end())
                 continue;
             auto looking = look(place, AnswerTime::ceiling);
             co_await std::move(looking);
@@ -284,7 +284,7 @@ void Search::keepFoundRates(std::vector<int> &rates) const
     std::vector<int> found;
     for (const int id : m_found) {
         const int rate = m_line->roster().entry(id).baudrate;
-        if (std::find(found.begin(), found.end(), rate) == found.end())
+        if (std::ranges::find(found, rate) == found.end())
             found.push_back(rate);
     }
     rates = found;

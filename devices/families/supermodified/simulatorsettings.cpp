@@ -62,7 +62,7 @@ bool Settings::storeIdentity(std::uint8_t command, std::uint64_t value)
 
 bool Settings::storeReactions(std::span<const std::uint8_t> data)
 {
-    const bool good = std::none_of(data.begin(), data.end(), [](std::uint8_t r) { return r > mostReaction; });
+    const bool good = std::ranges::none_of(data, [](std::uint8_t r) { return r > mostReaction; });
     if (good)
         std::copy(data.begin(), data.end(), m_ram.reactions.begin());
     m_eeprom.reactions = m_ram.reactions;

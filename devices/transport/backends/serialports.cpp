@@ -62,7 +62,7 @@ std::vector<SerialPort> serialPorts(const fs::path &terminals)
         if (hasHardware(entry->path()))
             ports.push_back({"/dev/" + entry->path().filename().string(), descriptionOf(entry->path())});
     }
-    std::sort(ports.begin(), ports.end(), [](const SerialPort &a, const SerialPort &b) { return a.path < b.path; });
+    std::ranges::sort(ports, [](const SerialPort &a, const SerialPort &b) { return a.path < b.path; });
     return ports;
 }
 

@@ -252,13 +252,22 @@ void SocketCanLink::countInterface()
         countLost(lost - std::exchange(m_counted, lost));
 }
 
-void SocketCanLink::receive()
+void SocketCanLink::catchUp()
+{
+    const Instant begin = clock().now();
+    while (m_descriptor >= 0 && state() == LinkState::Open && m_latest < begin && receive()) { }
+}
+
+/// Whether more may wait.
+bool SocketCanLink::receive()
 {
     bool behind = false;
+    bool isMore = false;
     int cause = 0;
     for (int i = 0; i < batchesAtOnce || cause != 0; ++i) {
         const int got = ::recvmmsg(m_descriptor, m_batch->messages.data(), batchSize, MSG_DONTWAIT, nullptr);
         if (got < 0) {
+            isMore = errno == EINTR;
             if (errno == EAGAIN || errno == EINTR || cause != 0)
                 break;
             cause = errno; // told once, before the frames that came earlier: those are still ours
@@ -267,9 +276,10 @@ void SocketCanLink::receive()
         takeBatch(static_cast<unsigned>(got));
         endBatch();
         if (state() != LinkState::Open)
-            return;
+            return false;
         const bool full = got == static_cast<int>(batchSize);
         behind = behind || full;
+        isMore = full;
         if (!full && cause == 0)
             break;
     }
@@ -278,6 +288,7 @@ void SocketCanLink::receive()
         noteDrops(*drops);
     if (cause != 0)
         end(socketFailure(address().path, cause));
+    return isMore;
 }
 
 void SocketCanLink::failLater(int cause)

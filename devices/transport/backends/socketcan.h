@@ -36,6 +36,7 @@ public:
     /// How many frames the kernel keeps for us while we do not read: what it gave, not what was asked for.
     [[nodiscard]] int receiveBufferFrames() const { return m_receiveBuffer / frameInKernel; }
     void recount() override;
+    void catchUp() override;
 
 private:
     static constexpr int frameInKernel = 768; ///< bytes that one frame takes of the receive buffer
@@ -53,7 +54,7 @@ private:
 
     void watch();
     void unwatch();
-    void receive();
+    bool receive();
     void takeBatch(unsigned count);
     void take(const can_frame &raw, Instant time);
     [[nodiscard]] Instant stampOf(const msghdr &message, Duration unixOffset, Instant now);

@@ -107,8 +107,8 @@ void VirtualCanBus::startFrame(const std::vector<VirtualCanLink *> &winners)
     const Instant start = std::max(m_armedFor, m_idleAt);
     m_sending = winners;
     m_onWire = winners.front()->m_queue.front().frame;
-    m_collision = std::any_of(winners.begin(), winners.end(),
-        [this](const VirtualCanLink *link) { return !sameContent(link->m_queue.front().frame, m_onWire); });
+    m_collision = std::ranges::any_of(
+        winners, [this](const VirtualCanLink *link) { return !sameContent(link->m_queue.front().frame, m_onWire); });
     for (VirtualCanLink *link : winners)
         link->m_onWire = true;
     m_idleAt = start + bits(bitsOnWire(m_onWire) + (m_collision ? errorFrameBits : 0));
@@ -135,8 +135,8 @@ void VirtualCanBus::finishFrame()
     const bool lost = m_loss > 0.0 && std::uniform_real_distribution<double>(0.0, 1.0)(m_random) < m_loss;
     arm(m_idleAt);
     for (VirtualCanLink *link : links) {
-        const bool sender = std::find(senders.begin(), senders.end(), link) != senders.end();
-        if (std::find(m_links.begin(), m_links.end(), link) == m_links.end() || link->state() != LinkState::Open)
+        const bool sender = std::ranges::find(senders, link) != senders.end();
+        if (std::ranges::find(m_links, link) == m_links.end() || link->state() != LinkState::Open)
             continue;
         if (collision) {
             link->noteError(collisionReport(), m_idleAt);

@@ -106,7 +106,7 @@ void VirtualSerialLine::proceed(VirtualSerialLink &link, std::size_t until)
         begin(link);
     }
     for (VirtualSerialLink *receiver : receivers) {
-        if (receiver != &link && std::find(m_links.begin(), m_links.end(), receiver) != m_links.end())
+        if (receiver != &link && std::ranges::find(m_links, receiver) != m_links.end())
             hear(*receiver, heard, from, until);
     }
 }
