@@ -37,7 +37,7 @@ Error replaced(const Link &link)
 
 } // namespace
 
-bool isReplaced(const Link &link)
+bool isReplaced(Link &link)
 {
     if (link.line().empty())
         return false;

@@ -99,7 +99,6 @@ public:
     [[nodiscard]] bool isOpening() const { return m_opening; }
     static constexpr Duration openLimit = std::chrono::seconds(5);
     [[nodiscard]] LinkSettings &settings() { return m_settings; }
-    [[nodiscard]] const LinkSettings &settings() const { return m_settings; }
     /// Allowed in notifications of this link; destroying it there is not.
     void close();
     /// A closed link becomes a lost one: whoever opens those again opens it too.
@@ -151,6 +150,6 @@ private:
 };
 
 /// Another line has the name of this link by now, and it cannot be opened. Takes a look at the computer's hardware.
-[[nodiscard]] bool isReplaced(const Link &link);
+[[nodiscard]] bool isReplaced(Link &link);
 
 } // namespace mb

@@ -408,7 +408,7 @@ class CanKernel(Place):
 class Steady(unittest.TestCase):
     """tests/support/steady.py: only a machine that was late gives a case another try."""
 
-    def outcome(self, lateness, failures):
+    def outcome(self, lateness, failures, complaint=""):
         class Machine:
             worst = lateness
 
@@ -423,6 +423,8 @@ class Steady(unittest.TestCase):
         class Case(steady.SteadyCase):
             def test_it(self):
                 runs.append(1)
+                if len(runs) <= failures:
+                    steady.complaints.append(complaint)
                 self.assertGreater(len(runs), failures)
 
         usual, steady.Lateness = steady.Lateness, Machine
@@ -439,6 +441,12 @@ class Steady(unittest.TestCase):
 
     def test_what_fails_while_the_machine_was_held_up_runs_again(self):
         self.assertEqual(self.outcome(0.2, 2), (True, 3))
+
+    def test_what_fails_beside_a_program_that_was_held_up_runs_again(self):
+        self.assertEqual(self.outcome(0.0, 1, steady.OWN_WORDS[0]), (True, 2))
+
+    def test_what_fails_beside_a_program_that_complains_of_something_else_has_failed(self):
+        self.assertEqual(self.outcome(0.0, 1, "no such key"), (False, 1))
 
     def test_what_goes_on_failing_has_failed(self):
         self.assertEqual(self.outcome(0.2, 99), (False, steady.ATTEMPTS))

@@ -13,7 +13,11 @@ import subprocess
 import tempfile
 import threading
 import time
+import sys
 import tty
+
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import steady  # noqa: E402 pylint: disable=wrong-import-position
 
 PATIENCE = 30.0
 
@@ -35,6 +39,8 @@ class Program:
             with self.changed:
                 self.lines.append(line.rstrip("\n"))
                 self.changed.notify_all()
+            if stream is self.process.stderr:
+                steady.complaints.append(line)
 
     def wait_for(self, fits, since=0, patience=PATIENCE):
         """The first line from `since` on that fits; None when it does not come."""

@@ -167,11 +167,12 @@ class MotionScenarios(FreezeScenarios):
         for _ in self.rounds():
             since = time.time()
             with subprocess.Popen([self.control, "--json", "drive", self.rig.device, "--mode", self.rig.mode, "--target", self.rig.target,
-                                   "--for", "600"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as program:
+                                   "--for", "600"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as program:
                 self.addCleanup(program.kill)
                 self.assertIsNotNone(self.rig.motor.await_output(True, since))
                 time.sleep(6)  # a pipe holds 64 KiB
-                self.assertTrue(self.rig.motor.is_on(), "set-points do not wait for a reader")
+                if not self.rig.motor.is_on():
+                    self.fail(f"set-points do not wait for a reader: {program.communicate(timeout=PATIENCE)[1]}")
                 at = time.time()
                 program.send_signal(signal.SIGTERM)
                 taken.append(self.off_after(at, 0.25, "SIGTERM"))

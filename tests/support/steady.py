@@ -10,6 +10,7 @@ LOOK = 0.005  # s between two looks at the clock
 HELD_UP = 0.05  # s; who sleeps and wakes later than that was not served
 ATTEMPTS = 4
 OWN_WORDS = "this program was held up", "the device is not heard any more"
+complaints = []  # of programs that ran beside the present attempt
 
 
 class Lateness:
@@ -46,12 +47,13 @@ def steadily(case):
     @functools.wraps(case)
     def attempts(self):
         for left in reversed(range(ATTEMPTS)):
+            complaints.clear()
             with Lateness() as machine:
                 try:
                     return case(self)
                 except AssertionError:
                     failure = sys.exc_info()[1]
-            if counts(machine.worst, left, str(failure)):
+            if counts(machine.worst, left, "\n".join([str(failure), *complaints])):
                 raise failure
             self.tearDown()
             self.doCleanups()
