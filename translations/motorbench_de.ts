@@ -10136,12 +10136,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>A #%1 hat eine andere Anregung und wird nicht gezeichnet</translation>
     </message>
     <message>
-        <source>A #%1 against B #%2</source>
-        <translation>A #%1 gegen B #%2</translation>
-    </message>
-    <message>
-        <source>B #%1; Shift+click on a trial pins it as A</source>
-        <translation>B #%1; Umschalt+Klick auf einen Versuch heftet ihn als A an</translation>
+        <source>Shift+click on a trial pins it as A</source>
+        <translation>Umschalt+Klick auf einen Versuch heftet ihn als A an</translation>
     </message>
 </context>
 <context>

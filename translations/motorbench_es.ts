@@ -10136,12 +10136,8 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>A #%1 tiene otra excitación y no se dibuja</translation>
     </message>
     <message>
-        <source>A #%1 against B #%2</source>
-        <translation>A #%1 frente a B #%2</translation>
-    </message>
-    <message>
-        <source>B #%1; Shift+click on a trial pins it as A</source>
-        <translation>B #%1; Mayús+clic en un ensayo lo fija como A</translation>
+        <source>Shift+click on a trial pins it as A</source>
+        <translation>Mayús+clic en un ensayo lo fija como A</translation>
     </message>
 </context>
 <context>

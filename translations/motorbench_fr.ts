@@ -10136,12 +10136,8 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>A n° %1 a une autre excitation, il n’est pas tracé</translation>
     </message>
     <message>
-        <source>A #%1 against B #%2</source>
-        <translation>A n° %1 contre B n° %2</translation>
-    </message>
-    <message>
-        <source>B #%1; Shift+click on a trial pins it as A</source>
-        <translation>B n° %1&#x202f;; Maj+clic sur un essai l’épingle comme A</translation>
+        <source>Shift+click on a trial pins it as A</source>
+        <translation>Maj+clic sur un essai l’épingle comme A</translation>
     </message>
 </context>
 <context>

@@ -10121,12 +10121,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>A #%1 は励振が異なるため描画しません</translation>
     </message>
     <message>
-        <source>A #%1 against B #%2</source>
-        <translation>A #%1 対 B #%2</translation>
-    </message>
-    <message>
-        <source>B #%1; Shift+click on a trial pins it as A</source>
-        <translation>B #%1。試行を Shift+クリックすると A として固定します</translation>
+        <source>Shift+click on a trial pins it as A</source>
+        <translation>試行を Shift+クリックすると A として固定します</translation>
     </message>
 </context>
 <context>

@@ -10121,12 +10121,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>A #%1 的激励不同，未绘制</translation>
     </message>
     <message>
-        <source>A #%1 against B #%2</source>
-        <translation>A #%1 对 B #%2</translation>
-    </message>
-    <message>
-        <source>B #%1; Shift+click on a trial pins it as A</source>
-        <translation>B #%1；Shift+单击试验可将其固定为 A</translation>
+        <source>Shift+click on a trial pins it as A</source>
+        <translation>Shift+单击试验可将其固定为 A</translation>
     </message>
 </context>
 <context>

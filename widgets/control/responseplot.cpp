@@ -25,6 +25,7 @@ constexpr double notablePeak = 0.01;
 constexpr int roomForTwo = 210; ///< units of height
 constexpr int roomForThree = 250;
 constexpr int lowestStrip = 30;
+constexpr double stripShare = 0.11; ///< of the height, at least, for what explains the first one
 
 /// The stretches of a trace that stay at or above a limit, either way.
 std::vector<std::pair<double, double>> stretchesAt(const Trace &trace, double limit)
@@ -91,11 +92,23 @@ ResponsePlot::ResponsePlot(const ThemeSource &theme, QWidget *parent)
     m_stack->view().setLive(false);
     m_stack->readings().setCursorValues(true);
     column->addWidget(m_stack);
+    m_stack->exporter().setDressing([this](bool dressed) { setHead(dressed); });
+}
+
+/// The first strip has a legend of its own in pictures only.
+void ResponsePlot::setHead(bool shown)
+{
+    if (m_stack->strips().all().empty())
+        return;
+    StripStyle style = m_stack->strips().at(0).style;
+    style.legend = shown;
+    m_stack->strips().setStrip(0, style);
 }
 
 void ResponsePlot::setTrials(const Family *family, const KeptTrial *a, const KeptTrial *b, const DisplayUnits &units)
 {
     m_stack->strips().clear();
+    m_legend.clear();
     m_length = 0.0;
     m_drawnStrips = strips();
     const Side sideA{a, QStringLiteral("A"), false};
@@ -123,11 +136,9 @@ void ResponsePlot::setTrials(const Family *family, const KeptTrial *a, const Kep
         addLimits(trial, strip, channel);
         ++strip;
     }
-    for (int i = 0; i < strip; ++i) {
-        m_stack->strips().setStrip(i, {{}, i == 0 ? 4.0 : 1.0, i == 0});
-        if (i > 0) // what the motor did is read off the first one
-            m_stack->strips().at(i).rect().setMinimumSize(50, m_theme.theme().u(lowestStrip));
-    }
+    for (int i = 0; i < strip; ++i)
+        m_stack->strips().setStrip(i, {{}, i == 0 ? 4.0 : 1.0, false});
+    fitStrips();
     const ShownUnit unit = shownUnit(trial.mode == Mode::Duty ? Mode::Velocity : trial.mode, units);
     if (trial.mode != Mode::Duty)
         addSetPoint(trial, unit, m_length);
@@ -170,9 +181,22 @@ void ResponsePlot::add(
     style.dash = side.current ? TraceDash::Solid : TraceDash::Long;
     style.marker = side.current ? TraceMarker::Automatic : TraceMarker::HollowSquare;
     style.emphasis = side.current && strip == 0;
-    style.valueTag = side.current;
-    style.tagUnit = false;
-    m_stack->strips().addTrace(style, std::make_shared<FixedTrace>(pointsOf(trace, unit.scale)));
+    style.valueTag = false; // where a response ends says nothing of it
+    addLine(style, pointsOf(trace, unit.scale));
+}
+
+void ResponsePlot::addLine(const TraceStyle &style, std::vector<PlotPoint> points)
+{
+    if (style.strip == 0)
+        m_legend.push_back({style.name, style.look()});
+    m_stack->strips().addTrace(style, std::make_shared<FixedTrace>(std::move(points)));
+}
+
+void ResponsePlot::fitStrips()
+{
+    const int least = std::max(m_theme.theme().u(lowestStrip), static_cast<int>(stripShare * height()));
+    for (std::size_t i = 1; i < m_stack->strips().all().size(); ++i)
+        m_stack->strips().all()[i]->rect().setMinimumSize(50, least);
 }
 
 void ResponsePlot::addSetPoint(const Trial &trial, const ShownUnit &unit, double length)
@@ -194,7 +218,7 @@ void ResponsePlot::addSetPoint(const Trial &trial, const ShownUnit &unit, double
     style.name = tr("set-point");
     style.unit = unit.text;
     style.role = TraceRole::Setpoint;
-    m_stack->strips().addTrace(style, std::make_shared<FixedTrace>(std::move(points)));
+    addLine(style, std::move(points));
 }
 
 void ResponsePlot::addMarks(const Side &a, const Side &b, const ShownUnit &unit)
@@ -271,6 +295,7 @@ int ResponsePlot::strips() const
 void ResponsePlot::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
+    fitStrips();
     if (strips() != m_drawnStrips)
         Q_EMIT roomChanged();
 }

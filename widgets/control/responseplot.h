@@ -4,6 +4,7 @@
 #include "experiment/kepttrial.h"
 #include "model/family.h"
 #include "widgets/common/theme.h"
+#include "widgets/plots/curvelegend.h"
 #include "widgets/plots/displayunits.h"
 
 #include <QWidget>
@@ -11,6 +12,8 @@
 namespace mb {
 
 class PlotStack;
+struct PlotPoint;
+struct TraceStyle;
 
 /// What one or two trials did, over the same t = 0: the measured value with set-point, ±2 % band and marks, below it duty and
 /// current. A is the pinned one, dashed with hollow squares; B the current one, drawn heavier. Cursors (L) can be dragged;
@@ -25,6 +28,8 @@ public:
     /// What a screen reader says of it.
     [[nodiscard]] QString summary() const;
     [[nodiscard]] PlotStack &stack() { return *m_stack; }
+    /// What the lines of the first strip are, which has no head of its own.
+    [[nodiscard]] const std::vector<CurveLegend::Entry> &legend() const { return m_legend; }
 
 Q_SIGNALS:
     /// There is room for more strips, or for fewer: setTrials() draws them.
@@ -45,6 +50,9 @@ private:
     void addSpans(const Side &a, const Side &b);
     void addLimits(const tuning::Trial &trial, int strip, std::string_view channel);
 
+    void addLine(const TraceStyle &style, std::vector<PlotPoint> points);
+    void fitStrips();
+    void setHead(bool shown);
     [[nodiscard]] static QString footNoteOf(const tuning::Trial &trial);
     /// Strips that are not flat: the measured value, duty, current.
     [[nodiscard]] int strips() const;
@@ -53,6 +61,7 @@ private:
     int m_drawnStrips = 3;
     PlotStack *m_stack = nullptr;
     double m_length = 0.0; ///< s, of the longest response
+    std::vector<CurveLegend::Entry> m_legend;
 };
 
 } // namespace mb

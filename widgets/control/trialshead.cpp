@@ -13,11 +13,13 @@ namespace mb {
 
 TrialsHead::TrialsHead(PlotStack &stack, const ThemeSource &source, QWidget *parent)
     : QWidget(parent)
+    , m_legend(new CurveLegend(source, {}, this))
     , m_words(textLabel({}, TextRole::Caption, Tone::Dim, this))
 {
     const Theme &theme = source.theme();
-    auto *row = layoutIn<QHBoxLayout>(this, -1, {theme.u(12), theme.u(2), theme.u(8), theme.u(2)});
-    row->addWidget(m_words, 1);
+    auto *row = layoutIn<QHBoxLayout>(this, -1, {0, theme.u(2), theme.u(8), theme.u(2)});
+    row->addWidget(m_legend, 1);
+    row->addWidget(m_words);
     const auto add = [&](Symbol symbol, const QString &text, const QString &key) {
         auto *button = new IconButton(source, symbol, text, this);
         button->setKeyHint(key);
@@ -37,14 +39,16 @@ TrialsHead::TrialsHead(PlotStack &stack, const ThemeSource &source, QWidget *par
     connect(fit, &QToolButton::clicked, &stack, [&stack] { stack.fit(); });
 }
 
-void TrialsHead::show(const TrialPair &pair)
+void TrialsHead::show(const TrialPair &pair, const std::vector<CurveLegend::Entry> &legend)
 {
     const KeptTrial *const a = pair.a();
     const KeptTrial *const b = pair.b();
     m_words->setText(!b                 ? tr("No trial yet. F5 runs the first.")
             : a && !pair.isComparable() ? tr("A #%1 is another stimulus, it is not drawn").arg(a->number)
-            : a                         ? tr("A #%1 against B #%2").arg(a->number).arg(b->number)
-                                        : tr("B #%1; Shift+click on a trial pins it as A").arg(b->number));
+            : a                         ? QString()
+                                        : tr("Shift+click on a trial pins it as A"));
+    m_words->setHidden(m_words->text().isEmpty());
+    m_legend->setEntries(legend);
 }
 
 } // namespace mb

@@ -267,11 +267,11 @@ void TrialsView::addFinished(const tuning::Trial &trial)
 void TrialsView::drawPlot()
 {
     m_plot->setTrials(m_family, m_pair.comparedA(), b(), m_units);
+    m_head->show(m_pair, m_plot->legend());
 }
 
 void TrialsView::draw()
 {
-    m_head->show(m_pair);
     drawPlot();
     m_advice->setTrial(m_family, b() ? &b()->trial : nullptr);
     m_metrics->setTrials(m_pair.comparedA(), b(), m_advice->windup());

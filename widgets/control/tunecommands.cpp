@@ -32,6 +32,7 @@ TuneCommands::TuneCommands(const ThemeSource &source, QWidget *parent)
     m_view = new Segmented(tr("View"), {tr("Experiment"), tr("Live")}, this);
     row->addWidget(m_steps);
     row->addWidget(m_status, 1);
+    row->addStretch();
     row->addWidget(m_view);
     row->addWidget(m_stop);
     row->addWidget(m_run);
@@ -54,7 +55,8 @@ void TuneCommands::fitSteps()
     for (const QWidget *const beside :
         {static_cast<QWidget *>(m_view), static_cast<QWidget *>(m_stop), static_cast<QWidget *>(m_run)})
         others += beside->isHidden() ? 0 : beside->sizeHint().width();
-    m_steps->setFolded(m_steps->unfoldedWidth() > width() - others - m_theme.theme().u(leastSentence));
+    m_steps->setFolded(
+        m_steps->unfoldedWidth() > width() - others - m_theme.theme().u(m_status->isHidden() ? 0 : leastSentence));
     // Where there is no room for its discs either it goes, before a button is cut.
     m_steps->setMaximumWidth(m_steps->sizeHint().width() > width() - others ? 0 : QWIDGETSIZE_MAX);
 }
@@ -81,6 +83,9 @@ void TuneCommands::show(const State &state)
 {
     const PageStatus &now = state.status;
     m_status->say(now, m_folded);
+    // The lamp of the window says ARMED, and the steps say what comes next.
+    m_status->setHidden(now.glyph == GlyphState::Online && now.mayRun && !isLive() && !m_steps->isHidden());
+    fitSteps();
     m_run->setText(state.writes        ? tr("Write and run")
             : state.together > 1       ? tr("Run %1 axes").arg(state.together)
             : state.moving && isLive() ? tr("Apply")

@@ -8,6 +8,7 @@
 #include <QClipboard>
 #include <QFileDialog>
 #include <QMenu>
+#include <QScopeGuard>
 
 namespace mb {
 namespace {
@@ -38,12 +39,21 @@ Result<void> PlotExport::exportTo(const QString &path)
 
 QByteArray PlotExport::pictureAs(const QString &kind)
 {
-    const QSize size = m_plot.size();
     if (kind == QLatin1String("png"))
-        return pngOf(m_plot.picture(size, PictureScale));
+        return pngOf(image());
+    const QSize size = m_plot.size();
+    m_dress(true);
+    const auto bare = qScopeGuard([this] { m_dress(false); });
     return drawingAs(kind,
         {size, m_owner.windowTitle().isEmpty() ? m_owner.accessibleName() : m_owner.windowTitle(), m_readings.summary(),
             [&](QCPPainter &painter) { m_plot.toPainter(&painter, size.width(), size.height()); }});
+}
+
+QImage PlotExport::image()
+{
+    m_dress(true);
+    const auto bare = qScopeGuard([this] { m_dress(false); });
+    return m_plot.picture(m_plot.size(), PictureScale);
 }
 
 void PlotExport::choose(const QString &suffix, const QString &filter, std::function<void(const QString &)> write)
@@ -59,8 +69,7 @@ void PlotExport::choose(const QString &suffix, const QString &filter, std::funct
 void PlotExport::fillMenu(QMenu &menu)
 {
     const auto add = [&](const QString &text, auto &&act) { menu.addAction(text, this, act); };
-    add(tr("Copy picture"),
-        [this] { QApplication::clipboard()->setImage(m_plot.picture(m_plot.size(), PictureScale)); });
+    add(tr("Copy picture"), [this] { QApplication::clipboard()->setImage(image()); });
     add(tr("Copy numbers"), [this] { QApplication::clipboard()->setText(m_readings.numbers()); });
     add(tr("Copy summary"), [this] { QApplication::clipboard()->setText(m_readings.summary()); });
     menu.addSeparator();

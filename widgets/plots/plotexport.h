@@ -26,6 +26,8 @@ public:
     void fillMenu(QMenu &menu);
     /// What writes the table of what is seen, in place of what is drawn; nothing: the menu offers none, the page exports more.
     void setTable(std::function<void(const QString &path)> table) { m_table = std::move(table); }
+    /// Called with true before a picture is made and with false after it: what stands beside the plot in the window is in the picture.
+    void setDressing(std::function<void(bool dressed)> dress) { m_dress = std::move(dress); }
 
 Q_SIGNALS:
     /// Every chosen export ends in one of these.
@@ -34,12 +36,14 @@ Q_SIGNALS:
     void exportFailed(const QString &cause);
 
 private:
+    [[nodiscard]] QImage image();
     void choose(const QString &suffix, const QString &filter, std::function<void(const QString &)> write);
 
     QWidget &m_owner;
     PlotFrame &m_plot;
     const PlotReadings &m_readings;
     std::function<void(const QString &)> m_table{[this](const QString &path) { exportTo(path); }};
+    std::function<void(bool)> m_dress = [](bool) {};
 };
 
 } // namespace mb

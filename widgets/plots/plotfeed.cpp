@@ -96,7 +96,7 @@ void PlotFeed::updateTags(PlotStrip &strip, int index, const PlotReadings &readi
             ? trace.source->latest()
             : std::optional(readings.valueAt(id, m_view.range().second));
         if (value && std::isfinite(*value))
-            strip.decor.tags.push_back({readings.tagText(trace.style, *value), *value, look, trace.style.secondAxis});
+            strip.decor.tags.push_back({readings.valueText(trace.style, *value), *value, look, trace.style.secondAxis});
     }
 }
 

@@ -119,14 +119,6 @@ QString PlotReadings::valueText(const TraceStyle &style, double value) const
         style.unit);
 }
 
-QString PlotReadings::tagText(const TraceStyle &style, double value) const
-{
-    TraceStyle bare = style;
-    if (!style.tagUnit)
-        bare.unit.clear();
-    return valueText(bare, value);
-}
-
 std::vector<PlotCursorRow> PlotReadings::cursorRows() const
 {
     const auto [a, b] = cursorKeys();

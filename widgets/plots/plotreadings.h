@@ -34,8 +34,6 @@ public:
     [[nodiscard]] std::optional<TraceSource::Statistics> selection(int trace) const;
     /// With the decimals of its axis, and its unit.
     [[nodiscard]] QString valueText(const TraceStyle &style, double value) const;
-    /// As the tag at the right edge says it.
-    [[nodiscard]] QString tagText(const TraceStyle &style, double value) const;
 
     /// Beside the cursors: both times, and the value of each trace at both, instead of the differences.
     void setCursorValues(bool both) { m_bothValues = both; }

@@ -13,10 +13,10 @@ namespace {
 /// Room at the right of all strips for the newest values.
 int tagMargin(const std::map<int, PlotTrace> &traces, const Theme &theme, const QFont &font)
 {
-    int width = theme.u(14);
+    int width = theme.u(32); // the unit of time
     for (const auto &[id, trace] : traces) {
         if (trace.visible && trace.style.valueTag && trace.style.role != TraceRole::Setpoint) {
-            const QString widest = formatValue(-8888.8, 1, trace.style.tagUnit ? trace.style.unit : QString());
+            const QString widest = formatValue(-8888.8, 1, trace.style.unit);
             width = std::max(width, StripFace::tagWidth(theme, font, widest));
         }
     }

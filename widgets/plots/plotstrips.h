@@ -23,7 +23,6 @@ struct TraceStyle {
     TraceMarker marker = TraceMarker::Automatic;
     bool emphasis = false;   ///< heavier; only for traces that stand still
     bool valueTag = true;    ///< newest value at the right edge (never for set-points)
-    bool tagUnit = true;     ///< with its unit, which also stands above the axis
     int decimals = -1;       ///< of the tag; -1: what its axis tells apart …
     int mostDecimals = 6;    ///< … but no more than mean something of its quantity
     bool secondAxis = false; ///< against the scale at the right
