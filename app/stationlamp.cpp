@@ -26,14 +26,15 @@ void StationLamp::follow()
     m_header.setLampStatus(over(m_arming.status(m_selection.device())));
 }
 
-/// The unit whose self-test runs now, its motor with it.
+/// The unit whose self-test runs now, its motor with it; a test that is announced turns nothing yet.
 const service::QueueRow *StationLamp::tested() const
 {
     const ServiceView &view = m_workbench.service();
-    const auto found = std::ranges::find_if(view.rows, [](const service::QueueRow &row) {
+    const auto isTested = [](const service::QueueRow &row) {
         return row.state == service::RowState::Running && row.visit.step == service::Step::Test;
-    });
-    return view.armed && !view.announces && found != view.rows.end() ? &*found : nullptr;
+    };
+    const bool turns = std::ranges::count_if(view.rows, isTested) > (view.announces ? 1 : 0);
+    return turns && (view.armed || view.permitted) ? &*std::ranges::find_if(view.rows, isTested) : nullptr;
 }
 
 /// What a queue says never makes less of a motor that moves, or may.
@@ -70,9 +71,10 @@ void StationLamp::arm()
 /// A motor that turns is stopped, too.
 void StationLamp::disarm()
 {
-    if (!m_workbench.service().armed)
+    const bool turns = tested() != nullptr;
+    if (!turns && !m_workbench.service().armed)
         return m_arming.disarm();
-    if (tested())
+    if (turns)
         m_arming.stopAll(tr("Arm button"));
     m_workbench.send(orders::ArmService{false});
 }

@@ -121,6 +121,16 @@ TEST_F(Dmc60cFlash, ThatWasNotProvedIsByTheWriteOfTheNextChange)
     EXPECT_EQ(device->parameters().entry(index("slot0.p")).state, ParameterState::Stored);
 }
 
+TEST_F(Dmc60cFlash, ThatWasNotProvedIsNotToldAgainAfterThePowerCycleThatItAskedFor)
+{
+    unit.answer(getSequence, {sequence(1)});
+    change("slot0.p", "0A", 3);
+    ASSERT_FALSE(store());
+    unit.send("0206FCC5#07000000"); // V19
+    clock.advance(1s);
+    EXPECT_TRUE(store());
+}
+
 TEST_F(Dmc60cFlash, ThatWasNotProvedKeepsTheDeviceFromARestart)
 {
     unit.answer(getSequence, {sequence(1)});

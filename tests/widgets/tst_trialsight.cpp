@@ -60,7 +60,12 @@ void TestTrialSight::theStepsSayWhatIsDoneAndWhatIsNext()
     const auto &steps = *bench.page->findChild<TuneSteps *>();
     QVERIFY(!steps.isHidden());
     QCOMPARE(steps.next(), static_cast<int>(TuneSteps::Direction));
-    bench.device().profile.edit().verdicts["direction"] = "as wired";
+    for (const char *const wrong : {"reversed", "no motion"}) {
+        bench.device().profile.edit().verdicts["direction"] = wrong;
+        bench.workbench.publish();
+        QVERIFY2(!steps.isDone(TuneSteps::Direction), wrong);
+    }
+    bench.device().profile.edit().verdicts["direction"] = "agrees";
     bench.choose(60'000.0);
     bench.arm();
     QTRY_VERIFY(steps.isDone(TuneSteps::Direction));

@@ -76,7 +76,8 @@ void TuneSteps::show(const TuneKnowledge &known)
     const bool ofTheseGains = isOfTheseGains(known) && !known.staged;
     const bool stored
         = allAre(known, [](const ParameterStore::Entry &entry) { return entry.state == ParameterState::Stored; });
-    m_done[Direction] = verdict != verdicts.end();
+    const bool isChecked = verdict != verdicts.end();
+    m_done[Direction] = isChecked && verdict->second == "agrees";
     m_done[Envelope] = known.missing.isEmpty();
     m_done[Identify] = known.identified > 0;
     m_done[Gains] = !known.staged && allAre(known, [](const auto &entry) { return entry.raw.has_value(); });
@@ -84,7 +85,8 @@ void TuneSteps::show(const TuneKnowledge &known)
     m_done[Store] = stored && !known.staged;
     m_tips[Direction] = m_done[Direction]
         ? tr("The direction of motor and encoder was checked; the first closed loop of a run checks it again.")
-        : tr("Checked by itself before the first closed loop of a run.");
+        : isChecked ? tr("The last check found it wrong: the encoder is reversed, or the motor did not move.")
+                    : tr("Checked by itself before the first closed loop of a run.");
     m_tips[Envelope] = m_done[Envelope] ? tr("Every limit of an experiment is known.") : known.missing;
     m_tips[Identify] = m_done[Identify] ? tr("Trial #%1 pushed the motor without a loop.").arg(known.identified)
                                         : tr("No model of the motor yet: the page Design identifies it, Shift+F6.");

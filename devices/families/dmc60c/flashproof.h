@@ -25,6 +25,7 @@ public:
     }
 
     [[nodiscard]] bool isPending() const { return m_pending; }
+    [[nodiscard]] bool isGivenUp() const { return m_isGivenUp; }
     /// The sequence number is wanted before the next change.
     [[nodiscard]] bool wantsBaseline() const { return !m_pending || m_isGivenUp; }
     void setBaseline(std::optional<std::uint32_t> sequence) { m_baseline = sequence; }

@@ -52,7 +52,7 @@ ParameterDesk::ParameterDesk(const UnitContact &contact, VendorOrders &orders, P
 
 void ParameterDesk::restarted()
 {
-    m_flashLost = m_flashLost || m_flash.isPending();
+    m_flashLost = m_flashLost || (m_flash.isPending() && !m_flash.isGivenUp()); // what was given up has been told
     m_flash.restarted();
 }
 

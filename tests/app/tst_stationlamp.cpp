@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// While units are served the Arm button never says safe over a motor that a self-test turns, and pressing it ends that test.
+#include "support/fakeworkbench.h"
+#include "support/windowtests.h"
+
+#include "app/stationlamp.h"
+#include "widgets/common/headerbar.h"
+#include "widgets/control/arming.h"
+
+#include <QTest>
+
+using namespace mb;
+using namespace mb::test;
+
+class StationLampTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void aTestThatGoesOnAfterAFailElsewhereIsShownAndCanBeEnded();
+    void aMotorThatTurnsIsNotHiddenByTheNoticeOfTheNext();
+    void aTestThatIsAnnouncedTurnsNothingYet();
+};
+
+namespace {
+
+struct Station {
+    FakeWorkbench workbench;
+    ThemeSource theme{lightTheme()};
+    HeaderBar header{theme};
+    Arming arming{workbench};
+    Selection selection;
+    StationLamp lamp{workbench, arming, selection, header};
+
+    /// Rows whose units are in their self-test.
+    void serveTests(std::size_t units)
+    {
+        service::QueueRow row;
+        row.state = service::RowState::Running;
+        row.visit.step = service::Step::Test;
+        workbench.serve(std::vector<service::QueueRow>(units, row));
+    }
+    [[nodiscard]] LampState state() { return header.lamp().status().state; }
+};
+
+} // namespace
+
+void StationLampTest::aTestThatGoesOnAfterAFailElsewhereIsShownAndCanBeEnded()
+{
+    Station station;
+    station.workbench.served.permitted = true;
+    station.serveTests(1);
+    QCOMPARE(station.state(), LampState::Moving);
+    Q_EMIT station.header.lamp().disarmRequested();
+    QCOMPARE(station.workbench.stops.size(), std::size_t{1});
+    const auto orders = station.workbench.given<orders::ArmService>();
+    QCOMPARE(orders.size(), std::size_t{1});
+    QVERIFY(!orders.front().armed);
+}
+
+void StationLampTest::aMotorThatTurnsIsNotHiddenByTheNoticeOfTheNext()
+{
+    Station station;
+    station.workbench.served.armed = station.workbench.served.permitted = true;
+    station.workbench.served.announces = true;
+    station.serveTests(2);
+    QCOMPARE(station.state(), LampState::Moving);
+}
+
+void StationLampTest::aTestThatIsAnnouncedTurnsNothingYet()
+{
+    Station station;
+    station.workbench.served.armed = station.workbench.served.permitted = true;
+    station.workbench.served.announces = true;
+    station.serveTests(1);
+    QCOMPARE(station.state(), LampState::Armed);
+}
+
+MB_WINDOW_TEST(StationLampTest);
+#include "tst_stationlamp.moc"
