@@ -18687,5 +18687,25 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>restart it once more</source>
         <translation>noch einmal neu starten</translation>
     </message>
+    <message>
+        <source>%1 leads to a terminal that another program serves</source>
+        <translation>%1 führt zu einem Terminal, das ein anderes Programm bedient</translation>
+    </message>
+    <message>
+        <source>%1 takes no bytes any more</source>
+        <translation>%1 nimmt keine Bytes mehr an</translation>
+    </message>
+    <message>
+        <source>a stop that is owed cannot be written down: %1 cannot be used</source>
+        <translation>ein ausstehender Stopp kann nicht festgehalten werden: %1 ist nicht benutzbar</translation>
+    </message>
+    <message>
+        <source>it must be a folder of yours that nobody else may write to</source>
+        <translation>es muss ein eigener Ordner sein, in den sonst niemand schreiben darf</translation>
+    </message>
+    <message>
+        <source>the simulator at %1 does not answer</source>
+        <translation>der Simulator an %1 antwortet nicht</translation>
+    </message>
 </context>
 </TS>

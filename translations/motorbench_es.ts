@@ -18687,5 +18687,25 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>restart it once more</source>
         <translation>reinícielo una vez más</translation>
     </message>
+    <message>
+        <source>%1 leads to a terminal that another program serves</source>
+        <translation>%1 lleva a un terminal que atiende otro programa</translation>
+    </message>
+    <message>
+        <source>%1 takes no bytes any more</source>
+        <translation>%1 ya no acepta bytes</translation>
+    </message>
+    <message>
+        <source>a stop that is owed cannot be written down: %1 cannot be used</source>
+        <translation>no se puede anotar una parada pendiente: %1 no se puede usar</translation>
+    </message>
+    <message>
+        <source>it must be a folder of yours that nobody else may write to</source>
+        <translation>debe ser una carpeta suya en la que nadie más pueda escribir</translation>
+    </message>
+    <message>
+        <source>the simulator at %1 does not answer</source>
+        <translation>el simulador en %1 no responde</translation>
+    </message>
 </context>
 </TS>

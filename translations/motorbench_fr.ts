@@ -18687,5 +18687,25 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>restart it once more</source>
         <translation>redémarrez-le encore une fois</translation>
     </message>
+    <message>
+        <source>%1 leads to a terminal that another program serves</source>
+        <translation>%1 mène à un terminal que sert un autre programme</translation>
+    </message>
+    <message>
+        <source>%1 takes no bytes any more</source>
+        <translation>%1 n’accepte plus d’octets</translation>
+    </message>
+    <message>
+        <source>a stop that is owed cannot be written down: %1 cannot be used</source>
+        <translation>un arrêt encore dû ne peut pas être noté : %1 est inutilisable</translation>
+    </message>
+    <message>
+        <source>it must be a folder of yours that nobody else may write to</source>
+        <translation>ce doit être un dossier à vous, où personne d’autre ne peut écrire</translation>
+    </message>
+    <message>
+        <source>the simulator at %1 does not answer</source>
+        <translation>le simulateur sur %1 ne répond pas</translation>
+    </message>
 </context>
 </TS>

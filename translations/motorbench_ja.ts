@@ -18670,5 +18670,25 @@ double click plots it, drag it to a pane or below them</source>
         <source>restart it once more</source>
         <translation>もう一度再起動してください</translation>
     </message>
+    <message>
+        <source>%1 leads to a terminal that another program serves</source>
+        <translation>%1 は別のプログラムが使っている端末を指しています</translation>
+    </message>
+    <message>
+        <source>%1 takes no bytes any more</source>
+        <translation>%1 はもうバイトを受け付けません</translation>
+    </message>
+    <message>
+        <source>a stop that is owed cannot be written down: %1 cannot be used</source>
+        <translation>未完了の停止を記録できません: %1 を使えません</translation>
+    </message>
+    <message>
+        <source>it must be a folder of yours that nobody else may write to</source>
+        <translation>自分のフォルダで、ほかの誰も書き込めないものでなければなりません</translation>
+    </message>
+    <message>
+        <source>the simulator at %1 does not answer</source>
+        <translation>%1 のシミュレータが応答しません</translation>
+    </message>
 </context>
 </TS>

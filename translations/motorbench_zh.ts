@@ -18670,5 +18670,25 @@ double click plots it, drag it to a pane or below them</source>
         <source>restart it once more</source>
         <translation>请再重新启动一次</translation>
     </message>
+    <message>
+        <source>%1 leads to a terminal that another program serves</source>
+        <translation>%1 指向由另一个程序提供服务的终端</translation>
+    </message>
+    <message>
+        <source>%1 takes no bytes any more</source>
+        <translation>%1 不再接收字节</translation>
+    </message>
+    <message>
+        <source>a stop that is owed cannot be written down: %1 cannot be used</source>
+        <translation>无法记录尚未完成的停止：%1 无法使用</translation>
+    </message>
+    <message>
+        <source>it must be a folder of yours that nobody else may write to</source>
+        <translation>它必须是您自己的文件夹，且其他人不能写入</translation>
+    </message>
+    <message>
+        <source>the simulator at %1 does not answer</source>
+        <translation>%1 处的模拟器没有应答</translation>
+    </message>
 </context>
 </TS>

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -44,17 +45,19 @@ template <class T> bool take(std::span<const std::uint8_t> &rest, T &value)
     return true;
 }
 
-/// "abstractdc:3" of "socketcan:can0/abstractdc:3": a line may have another name by now.
-std::string_view unitOf(std::string_view name)
-{
-    return name.substr(name.rfind('/') + 1);
-}
-
 bool isOurs(const std::string &folder)
 {
     struct stat state { };
     return ::lstat(folder.c_str(), &state) == 0 && S_ISDIR(state.st_mode) && state.st_uid == ::geteuid()
         && (state.st_mode & (S_IWGRP | S_IWOTH)) == 0;
+}
+
+/// A login may have left its name behind, or it is that of somebody else (sudo -E).
+bool isOurRuntimeFolder(const char *path)
+{
+    struct stat state { };
+    return ::stat(path, &state) == 0 && S_ISDIR(state.st_mode) && state.st_uid == ::geteuid()
+        && ::access(path, W_OK | X_OK) == 0;
 }
 
 /// Of one process at a time, for as long as it lives; a process that was stopped while it has it is not waited for.
@@ -80,9 +83,14 @@ private:
 
 } // namespace
 
+std::string_view unitOf(std::string_view name)
+{
+    return name.substr(name.rfind('/') + 1);
+}
+
 std::string debtFolder()
 {
-    if (const char *runtime = std::getenv("XDG_RUNTIME_DIR"); runtime && *runtime != '\0')
+    if (const char *runtime = std::getenv("XDG_RUNTIME_DIR"); runtime && isOurRuntimeFolder(runtime))
         return std::string(runtime) + "/motorbench";
     return P_tmpdir "/motorbench-" + std::to_string(::geteuid());
 }
@@ -98,17 +106,23 @@ DebtBook::~DebtBook()
     disown();
 }
 
-bool DebtBook::own()
+DebtBook::Claim DebtBook::claim()
 {
-    if (m_lock >= 0)
-        return true;
+    struct stat held { };
+    if (m_lock >= 0 && ::fstat(m_lock, &held) == 0 && held.st_nlink > 0)
+        return Claim::Mine;
+    disown(); // nobody else finds a file that was removed
     ::mkdir(m_folder.c_str(), 0700);
     if (!isOurs(m_folder))
-        return false;
+        return Claim::Unusable;
     m_lock = ::open((m_path + ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
-    if (m_lock >= 0 && ::flock(m_lock, LOCK_EX | LOCK_NB) != 0)
-        disown();
-    return m_lock >= 0;
+    if (m_lock < 0)
+        return Claim::Unusable;
+    if (::flock(m_lock, LOCK_EX | LOCK_NB) == 0)
+        return Claim::Mine;
+    const bool isTaken = errno == EWOULDBLOCK;
+    disown();
+    return isTaken ? Claim::Others : Claim::Unusable;
 }
 
 void DebtBook::disown()
@@ -121,6 +135,12 @@ void DebtBook::disown()
 bool DebtBook::exists() const
 {
     return ::access((m_path + ".stops").c_str(), F_OK) == 0;
+}
+
+/// The file that gives turns stays for as long as its folder does.
+bool DebtBook::isSettled() const
+{
+    return !exists() && isOurs(m_folder) && ::access((m_path + ".turn").c_str(), F_OK) == 0;
 }
 
 std::vector<Debt> DebtBook::read() const

@@ -18,6 +18,9 @@ struct Debt {
     std::int64_t since = 0; ///< Unix seconds
 };
 
+/// "abstractdc:3" of "socketcan:can0/abstractdc:3": a line may have another name by now.
+[[nodiscard]] std::string_view unitOf(std::string_view name);
+
 /// What is owed on one line, kept where every guardian and every program of this user finds it, and the lock that says whose
 /// business the line is. Whoever has the lock pays: a program as long as it has the link open, else a guardian while it tries. A
 /// lock goes with its process, however that ends.
@@ -29,11 +32,20 @@ public:
     DebtBook &operator=(const DebtBook &) = delete;
     ~DebtBook();
 
-    /// Takes the lock without waiting; true also when it is held already.
-    bool own();
+    enum class Claim {
+        Mine,
+        Others,   ///< another process has the lock
+        Unusable, ///< there is no lock to be had, and nothing can be written down
+    };
+    /// Takes the lock without waiting; Mine also when it is held already.
+    [[nodiscard]] Claim claim();
+    bool own() { return claim() == Claim::Mine; }
     void disown();
+    [[nodiscard]] const std::string &folder() const { return m_folder; }
     /// Something is owed. Cheap.
     [[nodiscard]] bool exists() const;
+    /// What was owed was confirmed or settled; false where the book itself is gone, or never was.
+    [[nodiscard]] bool isSettled() const;
     [[nodiscard]] std::vector<Debt> read() const;
     /// One of the same unit is replaced. False when it cannot be kept.
     bool add(const Debt &debt);
@@ -49,7 +61,7 @@ private:
     int m_lock = -1;
 };
 
-/// Of this user and this run of the machine: below XDG_RUNTIME_DIR, or a private folder for temporary files.
+/// Of this user and this run of the machine: below XDG_RUNTIME_DIR where that is this user's, or a private folder for temporary files.
 [[nodiscard]] std::string debtFolder();
 
 } // namespace mb::guardian

@@ -76,6 +76,11 @@ PlaceKind kindOf(const Whereabouts &where)
 } // namespace
 
 struct Line::Setup {
+    [[nodiscard]] static Setup of(int descriptor);
+    /// False when the device does not take it.
+    [[nodiscard]] bool applyTo(int descriptor) const;
+    [[nodiscard]] bool isLike(const Setup &other) const;
+
     bool isTerminal = false;
     termios2 terminal{};
     bool isSpi = false;
@@ -83,6 +88,36 @@ struct Line::Setup {
     std::uint32_t spiSpeed = 0;
     std::uint8_t spiBits = 8;
 };
+
+Line::Setup Line::Setup::of(int descriptor)
+{
+    Setup now;
+    now.isTerminal = ::ioctl(descriptor, TCGETS2, &now.terminal) == 0;
+    now.isSpi = ::ioctl(descriptor, SPI_IOC_RD_MODE32, &now.spiMode) == 0
+        && ::ioctl(descriptor, SPI_IOC_RD_MAX_SPEED_HZ, &now.spiSpeed) == 0
+        && ::ioctl(descriptor, SPI_IOC_RD_BITS_PER_WORD, &now.spiBits) == 0;
+    return now;
+}
+
+bool Line::Setup::applyTo(int descriptor) const
+{
+    return (!isTerminal || ::ioctl(descriptor, TCSETS2, &terminal) == 0)
+        && (!isSpi
+            || (::ioctl(descriptor, SPI_IOC_WR_MODE32, &spiMode) == 0
+                && ::ioctl(descriptor, SPI_IOC_WR_MAX_SPEED_HZ, &spiSpeed) == 0
+                && ::ioctl(descriptor, SPI_IOC_WR_BITS_PER_WORD, &spiBits) == 0));
+}
+
+bool Line::Setup::isLike(const Setup &other) const
+{
+    const termios2 &a = terminal;
+    const termios2 &b = other.terminal;
+    return isTerminal == other.isTerminal && isSpi == other.isSpi
+        && (!isTerminal
+            || (a.c_iflag == b.c_iflag && a.c_oflag == b.c_oflag && a.c_cflag == b.c_cflag && a.c_lflag == b.c_lflag
+                && a.c_ispeed == b.c_ispeed && a.c_ospeed == b.c_ospeed))
+        && (!isSpi || (spiMode == other.spiMode && spiSpeed == other.spiSpeed && spiBits == other.spiBits));
+}
 
 Line::Line(Whereabouts where, int descriptor)
     : m_where(std::move(where))
@@ -97,15 +132,17 @@ Line::~Line()
     closeEar();
 }
 
-void Line::remember()
+void Line::keepSetup()
 {
-    Setup now;
-    now.isTerminal = ::ioctl(m_descriptor, TCGETS2, &now.terminal) == 0;
-    now.isSpi = ::ioctl(m_descriptor, SPI_IOC_RD_MODE32, &now.spiMode) == 0
-        && ::ioctl(m_descriptor, SPI_IOC_RD_MAX_SPEED_HZ, &now.spiSpeed) == 0
-        && ::ioctl(m_descriptor, SPI_IOC_RD_BITS_PER_WORD, &now.spiBits) == 0;
+    const Setup now = Setup::of(m_descriptor);
     if (now.isTerminal || now.isSpi)
         *m_setup = now;
+}
+
+void Line::restoreSetup()
+{
+    if (m_port && !m_setup->isLike(Setup::of(m_descriptor)))
+        (void)m_setup->applyTo(m_descriptor);
 }
 
 int Line::openNow() const
@@ -128,13 +165,7 @@ bool Line::reopen()
     const int opened = openNow();
     if (opened < 0)
         return false;
-    const Setup &setup = *m_setup;
-    const bool dressed = (!setup.isTerminal || ::ioctl(opened, TCSETS2, &setup.terminal) == 0)
-        && (!setup.isSpi
-            || (::ioctl(opened, SPI_IOC_WR_MODE32, &setup.spiMode) == 0
-                && ::ioctl(opened, SPI_IOC_WR_MAX_SPEED_HZ, &setup.spiSpeed) == 0
-                && ::ioctl(opened, SPI_IOC_WR_BITS_PER_WORD, &setup.spiBits) == 0));
-    if (!dressed) {
+    if (!m_setup->applyTo(opened)) {
         ::close(opened);
         return false;
     }

@@ -25,14 +25,15 @@ public:
     [[nodiscard]] bool isLegal() const { return m_port != nullptr; }
     /// −1 while it is closed.
     [[nodiscard]] int descriptor() const { return m_descriptor; }
-    /// Keeps how the program has set the line up: rate and format of a terminal, mode and speed of SPI.
-    void remember();
     /// False while it is not there. Opening an open one does nothing.
     bool reopen();
 
     Sent send(std::span<const std::uint8_t> bytes) override;
     Bytes read() override;
     void prepare() override;
+    /// Rate and format of a terminal, mode and speed of SPI.
+    void keepSetup() override;
+    void restoreSetup() override;
     void forget() override;
     [[nodiscard]] std::size_t messageSize() const override;
     /// What can be read when an answer comes. On CAN a socket of its own: the inherited one has what the program has not read yet, and

@@ -130,9 +130,13 @@ public:
         if (!m_watchman.isOwing() || present < next())
             return;
         m_triedAt = present;
-        if (m_isKept && !m_book.exists()) {
+        if (m_isKept && m_book.isSettled()) {
             m_watchman.handOver();
-        } else if (m_book.own() || !m_isKept) {
+            return;
+        }
+        if (!m_book.exists())
+            m_watchman.tellDebts(); // into a new book, where there can be one
+        if (!m_isKept || m_book.claim() != DebtBook::Claim::Others) {
             if (!m_line.reopen()) {
                 m_book.disown(); // a program that opens it first finds nobody in its way
                 return;
@@ -148,8 +152,8 @@ public:
             m_book.remove(owed.name);
             return;
         }
-        m_isKept = m_book.add(
-            {owed.name, owed.script, duration_cast<seconds>(system_clock::now().time_since_epoch()).count()});
+        m_isKept = m_book.add({owed.name, owed.script,
+            duration_cast<seconds>(system_clock::now().time_since_epoch() - (now() - owed.since)).count()});
     }
 
 private:
@@ -193,8 +197,6 @@ int main(int argc, char **argv)
             hungUp = true;
             watchman.hangUp(now());
         }
-        if (!hungUp && watchman.isIdle())
-            line.remember(); // as the program drives, not as somebody leaves it
         watchman.proceed(now());
         paymaster.proceed(now());
         if (hungUp && watchman.isOwing() && !std::exchange(hasLeftTerminal, true))

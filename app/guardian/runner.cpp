@@ -93,6 +93,8 @@ bool Runner::attempt(Time now)
     std::rotate(m_jobs.begin(), next, next + 1);
     Job &job = m_jobs.front();
     const Step &step = job.script[job.step];
+    if (job.step == 0 && job.attempts == 0)
+        m_port.restoreSetup();
     if (!step.reply.empty()) {
         m_port.prepare();
         m_heard.clear();

@@ -28,6 +28,10 @@ public:
     virtual Bytes read() = 0;
     /// A question is about to be sent: what came before it is no answer to it.
     virtual void prepare() { (void)read(); }
+    /// The program drives: as it has set the line up now, stops are sent.
+    virtual void keepSetup() { }
+    /// A stop begins: somebody may have set the line up otherwise.
+    virtual void restoreSetup() { }
     /// What was written of a message that will not be sent again is no part of the next one.
     virtual void forget() { }
     /// Bytes of one message of read(), which answers are looked for in; 1: messages have no bounds.

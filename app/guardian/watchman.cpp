@@ -7,7 +7,8 @@
 namespace mb::guardian {
 
 Watchman::Watchman(Port &port, Voice voice)
-    : m_runner(port)
+    : m_port(port)
+    , m_runner(port)
     , m_voice(std::move(voice))
 {
 }
@@ -30,11 +31,14 @@ void Watchman::obey(const Order &order, Time now)
             break;
         }
         m_watched[order.id] = {order.name, order.script};
+        m_port.keepSetup();
         m_voice.report({Report::Kind::Standing, order.id, false, false});
         break;
     case Order::Kind::Renew:
-        if (m_watched.count(order.id) > 0)
+        if (m_watched.count(order.id) > 0) {
+            m_port.keepSetup();
             m_voice.report({Report::Kind::Standing, order.id, false, false});
+        }
         break;
     case Order::Kind::Forget: m_watched.erase(order.id); break;
     case Order::Kind::Stop: stop(order.id, "a stop without confirmation", now); break;
@@ -96,6 +100,12 @@ void Watchman::pay(Time now)
 {
     for (const auto &[id, owed] : m_owed)
         m_runner.add(id, owed.script, now, Time::zero());
+}
+
+void Watchman::tellDebts() const
+{
+    for (const auto &[id, owed] : m_owed)
+        m_voice.debt(owed, true);
 }
 
 void Watchman::handOver()

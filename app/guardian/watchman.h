@@ -50,6 +50,8 @@ public:
     [[nodiscard]] bool isIdle() const { return m_runner.isIdle(); }
     /// The line is there, as far as is known: every stop that is owed is tried now.
     void pay(Time now);
+    /// Says again what is owed.
+    void tellDebts() const;
     /// Another process has taken the debts over, and settles them.
     void handOver();
 
@@ -65,6 +67,7 @@ private:
     void stop(std::uint32_t id, const char *why, Time now);
     void stopAll(const char *why, Time now);
 
+    Port &m_port;
     Runner m_runner;
     Voice m_voice;
     std::map<std::uint32_t, Watched> m_watched;

@@ -116,9 +116,64 @@ TEST(DebtBook, DoesNotTrustAFolderThatOthersMayWriteTo)
     std::filesystem::create_directory(folder.path("run"));
     std::filesystem::permissions(folder.path("run"), std::filesystem::perms::all);
     DebtBook book(folder.path("run"), "line");
-    EXPECT_FALSE(book.own());
+    EXPECT_EQ(book.claim(), DebtBook::Claim::Unusable) << "not somebody else's";
     EXPECT_FALSE(book.add(debt("a")));
     EXPECT_TRUE(book.read().empty());
+}
+
+TEST(DebtBook, TellsWhoHasItFromNobodyCanHaveIt)
+{
+    const Folder folder;
+    DebtBook first(folder.path("run"), "line");
+    DebtBook second(folder.path("run"), "line");
+    EXPECT_EQ(first.claim(), DebtBook::Claim::Mine);
+    EXPECT_EQ(second.claim(), DebtBook::Claim::Others);
+    EXPECT_EQ(DebtBook(folder.path("missing/run"), "line").claim(), DebtBook::Claim::Unusable);
+}
+
+TEST(DebtBook, IsSettledOnlyWhereItIsStillThere)
+{
+    const Folder folder;
+    DebtBook book(folder.path("run"), "line");
+    EXPECT_FALSE(book.isSettled()) << "nothing was ever owed";
+    ASSERT_TRUE(book.add(debt("a")));
+    EXPECT_FALSE(book.isSettled());
+    book.remove("a");
+    EXPECT_TRUE(book.isSettled());
+    ASSERT_TRUE(book.add(debt("a")));
+    ASSERT_TRUE(book.own());
+    std::filesystem::remove_all(folder.path("run"));
+    EXPECT_FALSE(book.isSettled()) << "the login ended";
+    DebtBook next(folder.path("run"), "line");
+    EXPECT_TRUE(next.own());
+    EXPECT_FALSE(book.isSettled()) << "another book";
+    EXPECT_EQ(book.claim(), DebtBook::Claim::Others) << "the lock of a file that is gone keeps nobody out";
+}
+
+TEST(DebtFolder, IsThatOfTheLoginOnlyWhereThatIsOurs)
+{
+    const Folder folder;
+    const char *const known = std::getenv("XDG_RUNTIME_DIR");
+    const std::string before = known ? known : "";
+    const std::string ofTemporaries = P_tmpdir "/motorbench-" + std::to_string(::geteuid());
+    ::setenv("XDG_RUNTIME_DIR", folder.path("missing").c_str(), 1);
+    EXPECT_EQ(guardian::debtFolder(), ofTemporaries);
+    std::ofstream(folder.path("file")) << "no folder";
+    ::setenv("XDG_RUNTIME_DIR", folder.path("file").c_str(), 1);
+    EXPECT_EQ(guardian::debtFolder(), ofTemporaries);
+    ::setenv("XDG_RUNTIME_DIR", testing::TempDir().c_str(), 1);
+    std::filesystem::create_directory(folder.path("run"));
+    if (::geteuid() == 0 && ::chown(folder.path("run").c_str(), 1234, 1234) == 0) { // as sudo -E leaves it
+        ::setenv("XDG_RUNTIME_DIR", folder.path("run").c_str(), 1);
+        EXPECT_EQ(guardian::debtFolder(), ofTemporaries);
+    }
+    ::setenv("XDG_RUNTIME_DIR", folder.path("mine").c_str(), 1);
+    std::filesystem::create_directory(folder.path("mine"));
+    EXPECT_EQ(guardian::debtFolder(), folder.path("mine/motorbench"));
+    if (known)
+        ::setenv("XDG_RUNTIME_DIR", before.c_str(), 1);
+    else
+        ::unsetenv("XDG_RUNTIME_DIR");
 }
 
 TEST(DebtBook, ABrokenFileIsNoDebt)
@@ -232,6 +287,19 @@ public:
     Terminal(const Terminal &) = delete;
     Terminal &operator=(const Terminal &) = delete;
     ~Terminal() { ::close(m_master); }
+    [[nodiscard]] speed_t speed() const
+    {
+        termios now{};
+        EXPECT_EQ(::tcgetattr(m_master, &now), 0);
+        return ::cfgetospeed(&now);
+    }
+    void setSpeed(speed_t speed) const
+    {
+        termios now{};
+        EXPECT_EQ(::tcgetattr(m_master, &now), 0);
+        ::cfsetspeed(&now, speed);
+        EXPECT_EQ(::tcsetattr(m_master, TCSANOW, &now), 0);
+    }
     [[nodiscard]] int open() const { return ::open(::ptsname(m_master), O_RDWR | O_NOCTTY | O_CLOEXEC); }
     /// What comes first, at most that long; empty for nothing.
     [[nodiscard]] std::string hear(std::chrono::milliseconds time) const
@@ -265,8 +333,8 @@ protected:
         ::close(slave);
         EXPECT_TRUE(started);
         process = *started;
-        const guardian::Bytes packet = encode(Order{Order::Kind::Watch, 1, "motor", debt("motor").script});
-        EXPECT_GT(::send(process.socket, packet.data(), packet.size(), 0), 0);
+        terminal->setSpeed(B57600);
+        tell({Order::Kind::Watch, 1, "motor", debt("motor").script});
         std::array<std::uint8_t, 64> standing{};
         EXPECT_GT(::recv(process.socket, standing.data(), standing.size(), 0), 0);
     }
@@ -274,6 +342,11 @@ protected:
     {
         ::kill(process.pid, SIGKILL);
         ::waitpid(process.pid, nullptr, 0);
+    }
+    void tell(const Order &order) const
+    {
+        const guardian::Bytes packet = encode(order);
+        EXPECT_GT(::send(process.socket, packet.data(), packet.size(), 0), 0);
     }
     /// The cable comes out, then the program dies.
     void cutAndKill()
@@ -346,6 +419,37 @@ TEST_F(CutLine, IsNobodysBusinessBetweenTwoTriesOfItsGuardian)
         ::usleep(7000);
     }
     EXPECT_GE(taken, 30) << "a program asks once, when it opens the link";
+}
+
+TEST_F(CutLine, GetsItsStopAtTheRateOfItsDeviceWhoeverSetAnother)
+{
+    terminal->setSpeed(B9600);
+    ::usleep(100000);
+    tell({Order::Kind::Stop, 1, {}, {}});
+    ASSERT_EQ(terminal->hear(patience), "STOP");
+    EXPECT_EQ(terminal->speed(), speed_t{B57600});
+    terminal->answer();
+    terminal->setSpeed(B9600);
+    tell({Order::Kind::Watch, 2, "motor", debt("motor").script});
+    std::array<std::uint8_t, 64> said{};
+    for (int i = 0; i < 2; ++i) // Acted, Standing
+        EXPECT_GT(::recv(process.socket, said.data(), said.size(), 0), 0);
+    tell({Order::Kind::Stop, 2, {}, {}});
+    ASSERT_EQ(terminal->hear(patience), "STOP");
+    EXPECT_EQ(terminal->speed(), speed_t{B9600}) << "that of its last watch";
+}
+
+TEST_F(CutLine, WhoseBookIsTakenAwayIsNoLineThatWasSettled)
+{
+    cutAndKill();
+    std::filesystem::remove_all(folder.path("run"));
+    ::usleep(200000);
+    EXPECT_EQ(::waitpid(process.pid, nullptr, WNOHANG), 0) << "it still owes";
+    EXPECT_TRUE(book.exists()) << "and has written it down again";
+    terminal = std::make_unique<Terminal>(name);
+    EXPECT_EQ(terminal->hear(patience), "STOP");
+    terminal->answer();
+    EXPECT_TRUE(isGone());
 }
 
 TEST_F(CutLine, IsForgottenWhenAProgramHasSettledIt)

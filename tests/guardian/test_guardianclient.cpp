@@ -86,6 +86,31 @@ TEST_F(GuardianBooks, ALinkThatIsOpenedAgainLeavesWhatItOwesInSight)
     EXPECT_EQ(owed.unseen().size(), 1U) << "given up is not stopped";
 }
 
+TEST_F(GuardianBooks, ABookThatCannotBeHadRefusesMotionAndNamesItsFolder)
+{
+    GuardianClient client("/bin/true", folder + "/missing/run");
+    EXPECT_TRUE(client.own(link)) << "nobody else has it";
+    const auto watch = client.watch(link, motor.script, motor.selector());
+    ASSERT_FALSE(watch);
+    EXPECT_EQ(watch.error().fault, Fault::Unsafe);
+    EXPECT_NE(watch.error().text().find(folder + "/missing/run cannot be used"), std::string::npos);
+}
+
+TEST_F(GuardianBooks, ABookThatIsTakenAwaySettlesNothing)
+{
+    GuardianClient client("nowhere", folder + "/run");
+    OwedStops owed(clock, devices, &client);
+    owe(1s);
+    owed.pay(link);
+    ASSERT_EQ(owed.unseen().size(), 1U);
+    std::filesystem::remove_all(folder + "/run");
+    clock.advance(3s);
+    EXPECT_EQ(owed.unseen().size(), 1U);
+    owed.dismiss();
+    clock.advance(3s);
+    EXPECT_TRUE(owed.unseen().empty());
+}
+
 TEST_F(GuardianBooks, ASecondProgramThatOpensTheLineEndsNothingForTheFirst)
 {
     GuardianClient first("nowhere", folder + "/run");

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/eventloop.h"
+#include "support/pseudoterminal.h"
 #include "transport/backends/ptyline.h"
 #include "transport/backends/serialport.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 using namespace mb;
@@ -121,6 +125,20 @@ TEST_F(PtyLines, WhatIsNoLinkToATerminalStays)
     fs::create_symlink(folder, path);
     EXPECT_FALSE(make()->open());
     EXPECT_TRUE(fs::is_symlink(path));
+}
+
+TEST_F(PtyLines, ALinkToATerminalThatAnotherProgramServesStays)
+{
+    const PseudoTerminal others;
+    fs::create_symlink(others.path(), path);
+    const auto opened = make()->open();
+    ASSERT_FALSE(opened);
+    EXPECT_EQ(opened.error().text(),
+        path + " leads to a terminal that another program serves; end that one first, or choose another path");
+    EXPECT_EQ(fs::read_symlink(path), others.path());
+    const std::array<timespec, 2> longAgo{{{1'000'000'000, 0}, {1'000'000'000, 0}}}; // the number is another's by now
+    ASSERT_EQ(::utimensat(AT_FDCWD, path.c_str(), longAgo.data(), AT_SYMLINK_NOFOLLOW), 0);
+    EXPECT_TRUE(make()->open());
 }
 
 TEST_F(PtyLines, APathThatIsServedIsRefusedAndTheOneThatServesItKeepsIt)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "async/descriptor.h"
+#include "async/virtualclock.h"
 #include "support/eventloop.h"
 #include "support/pseudoterminal.h"
 #include "transport/backends/echofilter.h"
@@ -108,6 +109,63 @@ TEST_F(SerialPort, SendsAStopThatStillWaitsWhenItIsClosed)
     ASSERT_EQ(terminal.read(), Bytes(64, 0x55));
     link->close();
     EXPECT_EQ(terminal.read(), Bytes{0xAA}) << "the stop, and nothing of what was not urgent";
+}
+
+/// A port on virtual time whose other end does not read, as an adapter that hangs.
+struct HeldUpPort : public SerialPort {
+    HeldUpPort()
+    {
+        auto made
+            = makeSerialPortLink(LinkAddress::parse("serial:" + terminal.path() + "?baud=1000000").value(), clock);
+        EXPECT_TRUE(made && (*made)->open());
+        link.reset(static_cast<SerialLink *>(made->release()));
+    }
+    void fill()
+    {
+        while (link->backlog() < 4096 && clock.now() < Instant(10s))
+            sendFor(10ms);
+        ASSERT_GE(link->backlog(), 4096U);
+    }
+    /// Pieces that the terminal takes or not, for that long.
+    void sendFor(Duration time)
+    {
+        for (const Instant end = clock.now() + time; clock.now() < end && link->state() == LinkState::Open;) {
+            (void)link->send(Bytes(512, 0x55));
+            clock.advance(10ms);
+            loop.runReady();
+        }
+    }
+
+    VirtualClock clock;
+    std::unique_ptr<SerialLink> link;
+};
+
+TEST_F(HeldUpPort, IsLostWhenItTakesNothingForASecondAndGoesOnWhenItDoes)
+{
+    fill();
+    sendFor(700ms);
+    while (!terminal.read().empty())
+        loop.runReady();
+    sendFor(700ms);
+    EXPECT_EQ(link->state(), LinkState::Open) << "it was slow";
+    sendFor(10s);
+    ASSERT_EQ(link->state(), LinkState::Lost);
+    EXPECT_EQ(
+        link->loss().text(), link->address().shortName() + " takes no bytes any more; unplug it and plug it in again");
+}
+
+TEST_F(HeldUpPort, TakesAStopBeforeWhatItHasNotTaken)
+{
+    fill();
+    ASSERT_TRUE(link->send(Bytes{0xAA}, Priority::Urgent));
+    EXPECT_EQ(link->backlog(), 1U) << "on the wire, and nothing behind it";
+    Bytes all;
+    for (Bytes more = terminal.read(); !more.empty(); more = terminal.read()) {
+        all.insert(all.end(), more.begin(), more.end());
+        loop.runReady();
+    }
+    ASSERT_FALSE(all.empty());
+    EXPECT_EQ(all.back(), 0xAA);
 }
 
 TEST_F(SerialPort, APieceWaitsUntilTheOneBeforeHasLeftAndAStopGoesFirst)

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A stop that another thread sends past the link (Outlet::aside): its answer is told from those of the link.
+#include "async/descriptor.h"
+#include "async/virtualclock.h"
 #include "support/eventloop.h"
 #include "support/temporaryfile.h"
+#include "transport/backends/unixsocket.h"
 #include "transport/backends/unixspi.h"
 #include "transport/backends/unixspiserver.h"
 
@@ -9,6 +12,8 @@
 
 #include <algorithm>
 #include <thread>
+
+#include <sys/socket.h>
 
 namespace mb {
 namespace {
@@ -101,6 +106,36 @@ TEST_F(UnixSpi, AResetReachesTheBoardAtOnceAndLeavesTheTransfersAfterItWhole)
     EXPECT_EQ(board.resets, 3);
     EXPECT_EQ(board.heard, (std::vector<Bytes>{{0x01, 0x02}}));
     EXPECT_EQ(*after.result(), (Bytes{0xFE, 0xFD}));
+}
+
+TEST_F(UnixSpi, ALinkWhoseAnswersItsGuardianHasReadIsLostAndWorksOnceItIsOpenAgain)
+{
+    const LinkAddress quiet = *LinkAddress::parse("unix:" + folder.path("quiet"));
+    const Descriptor listening(listenOnUnixSocket(quiet.path).value_or(-1));
+    VirtualClock clock;
+    UnixSpiLink held{quiet, clock};
+    ASSERT_TRUE(held.open());
+    const Descriptor first(::accept(listening.get(), nullptr, nullptr));
+    Task<Bytes> asked = transferOn(held, {0x01, 0x02});
+    asked.start();
+    clock.advance(std::chrono::milliseconds(900));
+    EXPECT_EQ(held.state(), LinkState::Open);
+    clock.advance(std::chrono::milliseconds(200));
+    ASSERT_EQ(held.state(), LinkState::Lost);
+    EXPECT_TRUE(asked.isFinished());
+    EXPECT_EQ(held.loss().text(), "the simulator at " + quiet.path + " does not answer; start it again");
+    ASSERT_TRUE(held.open());
+    const Descriptor second(::accept(listening.get(), nullptr, nullptr));
+    for (std::uint8_t answer = 1; answer <= 3; ++answer) { // slowly, and that is no silence
+        Task<Bytes> again = transferOn(held, {0x03});
+        again.start();
+        clock.advance(std::chrono::milliseconds(900));
+        const Bytes bytes{answer, 1};
+        ASSERT_EQ(::send(second.get(), bytes.data(), bytes.size(), 0), 2);
+        ASSERT_TRUE(loop.runUntil([&] { return again.isFinished(); }));
+        ASSERT_TRUE(again.result());
+        EXPECT_EQ(*again.result(), Bytes{answer});
+    }
 }
 
 TEST_F(UnixSpi, NothingIsSentAsideOfALinkThatIsClosed)

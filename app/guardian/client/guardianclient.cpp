@@ -226,8 +226,8 @@ Result<std::shared_ptr<GuardianClient::Post>> GuardianClient::postAt(Link &link)
             return post;
     }
     const std::string &line = link.line();
-    if (const auto account = m_accounts.find(line); account != m_accounts.end())
-        (void)account->second.book.own(); // a guardian may have been about to pay when the link was opened
+    if (auto usable = bookIsUsable(line); !usable)
+        return fail(usable.error());
     // a terminal or socket by its whole path: the guardian has another working directory
     const std::string name = line.starts_with('/') ? link.address().path : line.substr(line.find(':') + 1);
     const auto process = startGuardian(m_program, {link.outlet(), m_folder, line, name});
@@ -237,6 +237,17 @@ Result<std::shared_ptr<GuardianClient::Post>> GuardianClient::postAt(Link &link)
         [this](const Post &from, const std::string &device, Verdict verdict) { acted(from, device, verdict); });
     m_posts.push_back(post);
     return post;
+}
+
+/// Takes it as well: a guardian may have been about to pay when the link was opened.
+Result<void> GuardianClient::bookIsUsable(const std::string &line)
+{
+    const auto account = m_accounts.find(line);
+    if (account == m_accounts.end() || account->second.book.claim() != guardian::DebtBook::Claim::Unusable)
+        return {};
+    return fail(Fault::Unsafe,
+        say("a stop that is owed cannot be written down: %1 cannot be used", account->second.book.folder()),
+        say("it must be a folder of yours that nobody else may write to"));
 }
 
 void GuardianClient::acted(const Post &post, const std::string &name, Verdict verdict)
@@ -253,7 +264,7 @@ bool GuardianClient::own(Link &link)
         return true;
     Account &account = m_accounts.try_emplace(link.line(), m_folder, link.line()).first->second;
     account.form = outlet.form;
-    return account.book.own();
+    return account.book.claim() != guardian::DebtBook::Claim::Others;
 }
 
 void GuardianClient::leave(const std::string &line)
@@ -265,10 +276,10 @@ void GuardianClient::leave(const std::string &line)
 std::vector<OwedStop> GuardianClient::owed(Instant now) const
 {
     std::vector<OwedStop> all;
-    for (const auto &[line, account] : m_accounts) {
-        if (!account.book.exists())
-            continue;
-        for (const guardian::Debt &debt : account.book.read()) {
+    for (auto &[line, account] : m_accounts) {
+        if (account.book.exists() || account.book.isSettled())
+            account.known = account.book.read();
+        for (const guardian::Debt &debt : account.known) {
             const auto age = std::max(present() - std::chrono::seconds(debt.since), std::chrono::seconds(0));
             all.push_back({line, debt.name, scriptFromWire(debt.script, account.form), now - age});
         }
@@ -287,6 +298,9 @@ bool GuardianClient::owe(const OwedStop &stop, Instant now)
 void GuardianClient::settle(const std::string &line, const std::string &device)
 {
     guardian::DebtBook(m_folder, line).remove(device);
+    if (const auto account = m_accounts.find(line); account != m_accounts.end())
+        std::erase_if(account->second.known,
+            [&device](const guardian::Debt &debt) { return guardian::unitOf(debt.name) == guardian::unitOf(device); });
 }
 
 std::vector<pid_t> GuardianClient::processes() const

@@ -41,14 +41,16 @@ private:
         }
         guardian::DebtBook book; ///< with the lock while the line is open here
         Outlet::Form form = Outlet::Form::None;
+        std::vector<guardian::Debt> known; ///< as read last: a book may be taken away
     };
 
     [[nodiscard]] Result<std::shared_ptr<Post>> postAt(Link &link);
+    [[nodiscard]] Result<void> bookIsUsable(const std::string &line);
     void acted(const Post &post, const std::string &name, Verdict verdict);
 
     std::string m_program;
     std::string m_folder;
-    std::map<std::string, Account> m_accounts;   ///< by line
+    mutable std::map<std::string, Account> m_accounts; ///< by line
     std::vector<std::shared_ptr<Post>> m_acting; ///< kept until they have said what became of a watch that was given up
     std::vector<std::weak_ptr<Post>> m_posts;
     std::shared_ptr<std::vector<pid_t>> m_ended; ///< to be reaped

@@ -14,9 +14,11 @@
 #include <cstring>
 #include <filesystem>
 #include <functional>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/un.h>
 #include <termios.h>
 #include <unistd.h>
@@ -27,6 +29,19 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr Duration restTime = std::chrono::milliseconds(20);
+
+/// The number of a terminal is given to others again: a link to one that is younger leads nowhere that its maker meant.
+bool isStale(const std::string &link)
+{
+    struct stat made { };
+    struct stat terminal { };
+    if (::stat(link.c_str(), &terminal) != 0)
+        return true;
+    if (!S_ISCHR(terminal.st_mode) || ::lstat(link.c_str(), &made) != 0)
+        return false;
+    return std::pair(terminal.st_ctim.tv_sec, terminal.st_ctim.tv_nsec)
+        > std::pair(made.st_mtim.tv_sec, made.st_mtim.tv_nsec);
+}
 
 std::string lastError()
 {
@@ -126,8 +141,12 @@ Result<void> PtyLine::putLink()
     const auto there = fs::symlink_status(path, failed);
     if (fs::is_symlink(there)) {
         const fs::path target = fs::read_symlink(path, failed);
-        if (target.parent_path() == "/dev/pts" || !fs::exists(path, failed))
+        const bool isOfTerminal = target.parent_path() == "/dev/pts";
+        if (isStale(m_address.path) && (isOfTerminal || !fs::exists(path, failed)))
             fs::remove(path, failed);
+        else if (isOfTerminal)
+            return fail(Fault::LinkLost, say("%1 leads to a terminal that another program serves", m_address.path),
+                say("end that one first, or choose another path"));
     }
     failed.clear();
     fs::create_symlink(m_terminal, path, failed);

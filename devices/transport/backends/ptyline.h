@@ -22,7 +22,7 @@ public:
     [[nodiscard]] static Result<std::unique_ptr<PtyLine>> create(const LinkAddress &address, Clock &clock);
     ~PtyLine();
 
-    /// Makes the terminal and the symbolic link. An old link to a terminal is replaced; anything else that is there stays
+    /// Makes the terminal and the symbolic link. An old link to a terminal that is gone is replaced; anything else that is there stays
     /// and this fails with LinkLost.
     [[nodiscard]] Result<void> open();
     /// A closed end for one device; this outlives it.

@@ -22,6 +22,8 @@ namespace {
 constexpr Duration echoDelay = std::chrono::milliseconds(100); ///< an adapter hands out its bytes late
 constexpr Duration lookPeriod = std::chrono::seconds(1);
 constexpr int mostEmptyReads = 100; ///< in a row, of a port that is there
+constexpr Duration heldUpLook = std::chrono::milliseconds(10);
+constexpr Duration heldUpLimit = std::chrono::seconds(1); ///< of a driver that takes nothing
 
 /// As QSerialPort reads names: without a slash it is one of /dev. Links are followed, so that a port has one lock.
 std::string deviceFile(const std::string &path)
@@ -165,6 +167,7 @@ void SerialPortLink::take(Opened opened)
     m_port = std::move(opened.port);
     setRemark(std::move(opened.remark));
     m_sentAt = m_heardAt = m_lookedAt = clock().now();
+    m_heldUpSince.reset();
     m_driverErrors = driverErrors(m_port->handle());
     watch();
 }
@@ -265,6 +268,8 @@ void SerialPortLink::doClose()
 void SerialPortLink::sendUrgent(QSerialPort &port)
 {
     m_queue.keepUrgent();
+    if (!m_queue.isEmpty())
+        dropHeldUp(port);
     while (!m_queue.isEmpty()) {
         const auto piece = m_queue.pop();
         port.write(reinterpret_cast<const char *>(piece.data()), static_cast<qint64>(piece.size()));
@@ -296,8 +301,42 @@ void SerialPortLink::end(Error loss)
 Result<void> SerialPortLink::doSend(std::span<const std::uint8_t> bytes, Priority priority)
 {
     countLost(m_queue.push(bytes, priority));
+    if (priority == Priority::Urgent)
+        dropHeldUp(*m_port);
     pump();
     return {};
+}
+
+/// No stop waits behind what the driver does not take.
+void SerialPortLink::dropHeldUp(QSerialPort &port)
+{
+    const std::int64_t waiting = port.bytesToWrite();
+    if (waiting == 0)
+        return;
+    port.clear(QSerialPort::Output);
+    countLost(static_cast<std::uint64_t>(waiting));
+    m_sentAt = clock().now();
+}
+
+/// What is handed over meanwhile would only pile up. A port that takes nothing for a second is no port.
+bool SerialPortLink::isHeldUp(Instant now)
+{
+    const std::int64_t waiting = m_port->bytesToWrite();
+    if (waiting == 0) {
+        m_heldUpSince.reset();
+        return false;
+    }
+    if (!m_heldUpSince || waiting != m_heldUp)
+        m_heldUpSince = now;
+    m_heldUp = waiting;
+    if (now - *m_heldUpSince < heldUpLimit)
+        m_timer.startIn(heldUpLook, [this] { pump(); });
+    else
+        m_failed.startIn(Duration::zero(), [this] {
+            end({Fault::LinkLost, say("%1 takes no bytes any more", name()), say("unplug it and plug it in again"), {},
+                Ailment::Failed});
+        });
+    return true;
 }
 
 /// One piece is on the wire at a time: the kernel would take seconds of them, and a stop had to wait behind all.
@@ -311,6 +350,8 @@ void SerialPortLink::pump()
         m_timer.start(start, [this] { pump(); });
         return;
     }
+    if (isHeldUp(now))
+        return;
     const auto piece = m_queue.pop();
     m_sentAt = now + byteTime() * static_cast<int>(piece.size());
     if (m_options.echo)

@@ -53,6 +53,8 @@ private:
     void watch();
     void receive();
     void pump();
+    [[nodiscard]] bool isHeldUp(Instant now);
+    void dropHeldUp(QSerialPort &port);
     void lookAtDriver();
     void end(Error loss);
     [[nodiscard]] Error lossOfPort() const; ///< of a port that has gone
@@ -68,6 +70,8 @@ private:
     Instant m_heardAt{}; ///< the last byte of others
     Instant m_lookedAt{};
     int m_emptyReads = 0;
+    std::optional<Instant> m_heldUpSince; ///< the driver has taken nothing since
+    std::int64_t m_heldUp = 0;            ///< bytes that it had not taken then
     std::optional<DriverErrors> m_driverErrors;
     Timer m_timer;
     bool m_isWriting = false;

@@ -17,6 +17,9 @@ namespace {
 
 constexpr std::uint16_t resetPulse = 65535;
 constexpr std::size_t headSize = 2;
+constexpr Duration lookPeriod = std::chrono::milliseconds(250);
+constexpr int mostSilentLooks = 4; ///< in several, so that the time in which this program was held counts as one
+constexpr std::size_t bytesOfALook = 1U << 12U; ///< of a long transfer, at a slow clock
 
 } // namespace
 
@@ -37,6 +40,7 @@ bool UnixSpiLink::Wire::sendAside(std::span<const std::uint8_t> message)
 UnixSpiLink::UnixSpiLink(LinkAddress address, Clock &clock)
     : SpiLink(std::move(address), clock)
     , m_failed(clock)
+    , m_look(clock)
 {
 }
 
@@ -68,6 +72,7 @@ Result<void> UnixSpiLink::doOpen()
 void UnixSpiLink::doClose()
 {
     m_failed.stop();
+    m_look.stop();
     m_readable.reset();
     m_writable.reset();
     if (m_descriptor >= 0) {
@@ -98,9 +103,36 @@ void UnixSpiLink::ask(Pending pending, std::uint16_t length, const Bytes &bytes)
         Bytes &out = m_wire->out;
         out.insert(out.end(), head.begin(), head.end());
         out.insert(out.end(), bytes.begin(), bytes.end());
+        if (m_wire->pending.empty())
+            m_look.stop(); // a second from now
         m_wire->pending.push_back(pending);
     }
     flush();
+    watchAnswer();
+}
+
+/// A guardian shares the socket: the answers that it reads while this program is held are missing here for good.
+void UnixSpiLink::watchAnswer()
+{
+    if (m_look.isActive())
+        return;
+    m_silentLooks = 0;
+    m_look.startIn(lookPeriod, [this] { lookForAnswer(); });
+}
+
+void UnixSpiLink::lookForAnswer()
+{
+    const auto awaited = [this]() -> std::optional<std::size_t> {
+        const std::lock_guard lock(m_wire->mutex);
+        return m_wire->pending.empty() ? std::nullopt : std::optional(m_wire->pending.front().size);
+    }();
+    if (!awaited)
+        return;
+    if (++m_silentLooks >= mostSilentLooks + static_cast<int>(*awaited / bytesOfALook))
+        end({Fault::LinkLost, say("the simulator at %1 does not answer", address().path), say("start it again"), {},
+            Ailment::Gone});
+    else
+        m_look.startIn(lookPeriod, [this] { lookForAnswer(); });
 }
 
 void UnixSpiLink::doTransfer(const Bytes &mosi)
@@ -116,6 +148,8 @@ void UnixSpiLink::doSampleReady()
     };
     if (isIdle()) // any answer tells the level
         ask({Ask::Level, 0}, 0, {});
+    else
+        watchAnswer();
 }
 
 Result<void> UnixSpiLink::doPulseReset()
@@ -174,6 +208,7 @@ std::optional<UnixSpiLink::Pending> UnixSpiLink::takePending()
         return std::nullopt;
     const Pending done = m_wire->pending.front();
     m_wire->pending.pop_front();
+    m_silentLooks = 0;
     return done;
 }
 

@@ -50,6 +50,8 @@ private:
     void receive();
     void takeAnswers();
     [[nodiscard]] std::optional<Pending> takePending();
+    void watchAnswer();
+    void lookForAnswer();
     void end(Error loss);
 
     std::shared_ptr<Wire> m_wire = std::make_shared<Wire>();
@@ -59,6 +61,8 @@ private:
     std::unique_ptr<QSocketNotifier> m_readable;
     std::unique_ptr<QSocketNotifier> m_writable;
     Timer m_failed;
+    Timer m_look;
+    int m_silentLooks = 0; ///< in a row, while an answer is awaited
 };
 
 } // namespace mb
