@@ -53,7 +53,7 @@ void StationLampTest::aTestThatGoesOnAfterAFailElsewhereIsShownAndCanBeEnded()
     QCOMPARE(station.workbench.stops.size(), std::size_t{1});
     const auto orders = station.workbench.given<orders::ArmService>();
     QCOMPARE(orders.size(), std::size_t{1});
-    QVERIFY(!orders.front().armed);
+    QVERIFY(!orders.front().on);
 }
 
 void StationLampTest::aMotorThatTurnsIsNotHiddenByTheNoticeOfTheNext()
