@@ -160,5 +160,36 @@ TEST_F(Dmc60cController, AsksForItsRateAgainAfterARestart)
     EXPECT_EQ(unit.count("02061885#34125C0A000000"), 2);
 }
 
+TEST_F(Dmc60cController, AsksForItsRateAgainAfterAnUpdateWhetherItsResetWasAnsweredOrNot)
+{
+    const std::string ten = "02061885#34125C0A000000";
+    FakeUnit second(bus, clock);
+    unit.answer("02061805#34125C", {{"02061845#5C6400000000"}});
+    unit.answer(ten, {{"02061845#5C0A00000000"}});
+    ASSERT_TRUE(run(device->setRate(channel("velocity"), 100.0)));
+    for (const bool answered : {true, false}) {
+        const int before = unit.count(ten);
+        device->gate().setBusy(say("an update runs"));
+        unit.send("0206FCC5#04000000");
+        clock.advance(1s);
+        if (answered)
+            unit.send("0206FCC5#07000000");
+        unit.send(resting);
+        second.send("02061406#000011007A000000");
+        clock.advance(50ms);
+        EXPECT_EQ(unit.count(ten), before) << "the update talks alone";
+        device->gate().setBusy({});
+        second.send("02061406#000011007A000000");
+        clock.advance(5ms);
+        EXPECT_EQ(unit.count(ten), before) << "another unit";
+        unit.send(resting);
+        clock.advance(5ms);
+        EXPECT_EQ(unit.count(ten), before + 1);
+        unit.send(resting);
+        clock.advance(5ms);
+        EXPECT_EQ(unit.count(ten), before + 1) << "once";
+    }
+}
+
 } // namespace
 } // namespace mb::dmc60c

@@ -314,6 +314,7 @@ void Controller::onGeneral(const StatusGeneral &status, Instant time)
     m_sense.take(status, time, gate().stoppedAt());
     askPeriod(param::generalPeriod);
     const bool first = m_presence.heard(time);
+    sendPeriods();
     updateLiveness();
     askFaults();
     if (first)
@@ -334,9 +335,10 @@ void Controller::onVendorStatus(const VendorStatus &status)
 {
     if (identity().state == DeviceState::Duplicate)
         return; // whose status is it?
-    if (status.status == CommandStatus::InBootloader)
+    if (status.status == CommandStatus::InBootloader) {
+        m_rates.forgotten(); // also where the answer to the reset that ends it is lost
         setState(DeviceState::Bootloader, say("The bootloader runs; restart the unit or update its firmware."));
-    else if (status.status == CommandStatus::AckReset) {
+    } else if (status.status == CommandStatus::AckReset) {
         if (identity().state == DeviceState::Bootloader)
             setState(DeviceState::Online, {});
         restarted();
@@ -374,6 +376,15 @@ void Controller::askFaults()
     awaitAnswer(m_unanswered, m_presence);
 }
 
+/// What runs now, an update say, talks alone: they are sent after it.
+void Controller::sendPeriods()
+{
+    if (!gate().busy().empty() || !m_rates.takeOwed())
+        return;
+    for (const auto &[parameter, period] : m_rates.wanted())
+        (void)m_can.send(encodeParamSet(identity().address, session(), parameter, period));
+}
+
 void Controller::sessionChanged()
 {
     if (m_presence.takeSession(identity().session))
@@ -383,13 +394,11 @@ void Controller::sessionChanged()
 void Controller::restarted()
 {
     m_restarted = true;
+    m_rates.forgotten();
     m_desk.restarted();
     m_sense.restart();
     parameters().forgetAll();
-    if (gate().busy().empty()) {
-        for (const auto &[parameter, period] : m_rates.wanted())
-            (void)m_can.send(encodeParamSet(identity().address, session(), parameter, period));
-    }
+    sendPeriods();
     updateLiveness();
 }
 
