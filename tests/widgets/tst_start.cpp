@@ -22,7 +22,6 @@
 #include <QTest>
 #include <QVBoxLayout>
 
-#include <optional>
 #include <set>
 
 using namespace mb;
@@ -145,7 +144,6 @@ private Q_SLOTS:
     void anInterruptedStepIsNone();
     void aMotorHasArrivedWhenItRestsAtItsTarget();
     void aStoryThatIsDismissedLeavesNothing();
-    void aListOfTrialsThatComesAfterTheGuideIsGoneIsNoOnes();
     void theOfferIsMadeOnceAndNotInTheMiddleOfAStory();
     void whoHasTriedTheMotorHasBegun();
     void theOffersButtonsLieOverNothingInItsFirstPicture();
@@ -254,22 +252,6 @@ void StartTest::aStoryThatIsDismissedLeavesNothing()
     QVERIFY(!strip.isVisibleTo(nullptr));
     bench.settle(); // an answer that comes late
     QVERIFY(!bench.guide.story());
-}
-
-/// The window is made anew while the notebook is asked.
-void StartTest::aListOfTrialsThatComesAfterTheGuideIsGoneIsNoOnes()
-{
-    GuideBench bench;
-    std::optional<Guide> guide(std::in_place, bench.workbench, bench.selection, bench.arming, nullptr);
-    const auto bytes = [&guide] { // of the place where it is, or was
-        return QByteArray(reinterpret_cast<const char *>(&guide), sizeof guide);
-    };
-    guide->begin(taming());
-    bench.workbench.publish();
-    guide.reset();
-    const QByteArray left = bytes();
-    QTest::qWait(0);
-    QCOMPARE(bytes(), left);
 }
 
 void StartTest::theOfferIsMadeOnceAndNotInTheMiddleOfAStory()
