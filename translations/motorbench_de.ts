@@ -8851,6 +8851,10 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
         <source>the page was left</source>
         <translation>die Seite wurde verlassen</translation>
     </message>
+    <message>
+        <source>the window lost the focus</source>
+        <translation>das Fenster verlor den Fokus</translation>
+    </message>
 </context>
 <context>
     <name>mb::SessionDesk</name>

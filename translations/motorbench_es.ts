@@ -8851,6 +8851,10 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
         <source>the page was left</source>
         <translation>se abandonó la página</translation>
     </message>
+    <message>
+        <source>the window lost the focus</source>
+        <translation>la ventana perdió el foco</translation>
+    </message>
 </context>
 <context>
     <name>mb::SessionDesk</name>

@@ -8851,6 +8851,10 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
         <source>the page was left</source>
         <translation>la page a été quittée</translation>
     </message>
+    <message>
+        <source>the window lost the focus</source>
+        <translation>la fenêtre a perdu le focus</translation>
+    </message>
 </context>
 <context>
     <name>mb::SessionDesk</name>

@@ -8840,6 +8840,10 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <source>the page was left</source>
         <translation>ページを離れました</translation>
     </message>
+    <message>
+        <source>the window lost the focus</source>
+        <translation>ウィンドウがフォーカスを失いました</translation>
+    </message>
 </context>
 <context>
     <name>mb::SessionDesk</name>

@@ -8840,6 +8840,10 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <source>the page was left</source>
         <translation>已离开页面</translation>
     </message>
+    <message>
+        <source>the window lost the focus</source>
+        <translation>窗口失去焦点</translation>
+    </message>
 </context>
 <context>
     <name>mb::SessionDesk</name>

@@ -53,9 +53,17 @@ Link *LentLinks::linkAt(const std::string &address) const
     return found == links.end() ? nullptr : *found;
 }
 
+/// By hand: a self-test would go on with that motion, or the queue turn it off without a word.
+bool LentLinks::isDriven(const Link &link) const
+{
+    const auto devices = m_context.session.devices();
+    return std::ranges::any_of(devices,
+        [&](Device *device) { return &device->link() == &link && m_context.session.stream(*device).isRunning(); });
+}
+
 bool LentLinks::lend(Link *link)
 {
-    if (!link || link->state() != LinkState::Open || !m_context.operations.lend(*link))
+    if (!link || link->state() != LinkState::Open || isDriven(*link) || !m_context.operations.lend(*link))
         return false;
     m_scans.forget(*link);
     return true;

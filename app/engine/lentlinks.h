@@ -34,6 +34,7 @@ public:
 
 private:
     [[nodiscard]] Link *linkAt(const std::string &address) const;
+    [[nodiscard]] bool isDriven(const Link &link) const;
     [[nodiscard]] bool lend(Link *link);
 
     EngineContext m_context;

@@ -248,8 +248,11 @@ void Links::describe(Snapshot &shot) const
 void Links::carryOut(const orders::SendFrame &order, const Finished &finished)
 {
     for (Link *open : m_context.session.links()) {
-        if (open->address().text() == order.link && open->kind() == LinkKind::Can)
-            return finished(static_cast<CanLink *>(open)->send(order.frame));
+        if (open->address().text() != order.link || open->kind() != LinkKind::Can)
+            continue;
+        if (m_context.operations.isLent(*open))
+            return finished(fail(Fault::Unsafe, say("units are served on this link")));
+        return finished(static_cast<CanLink *>(open)->send(order.frame));
     }
     finished(fail(Fault::LinkLost, say("the link is not open")));
 }

@@ -34,6 +34,8 @@ Result<Device *> Motion::freeDevice(DeviceId id) const
     Device *const device = m_context.session.find(id);
     if (!device)
         return fail(Fault::Timeout, say("the device is gone"));
+    if (m_context.operations.isLent(device->link()))
+        return fail(Fault::Unsafe, say("units are served on this link"));
     if (m_context.operations.isTried(id))
         return fail(Fault::Unsafe, say("an experiment on it has not ended"), say("wait until it has, or stop it"));
     return device;
@@ -87,9 +89,8 @@ void Motion::carryOut(const orders::StopMotion &order, const Finished &finished)
 
 void Motion::carryOut(const orders::ReleaseMoves &order, const Finished &finished)
 {
-    Device *device = m_context.session.find(order.device);
-    finished(
-        device ? m_context.session.stops().releaseMoves(*device) : fail(Fault::Timeout, say("the device is gone")));
+    const Result<Device *> device = freeDevice(order.device);
+    finished(device ? m_context.session.stops().releaseMoves(**device) : fail(device.error()));
 }
 
 /// A set-point that goes on would start it again; an order that is refused ends no motion.

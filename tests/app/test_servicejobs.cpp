@@ -131,6 +131,44 @@ TEST_F(Served, EveryUnitOfALinkAndTheEngineLeavesItAloneMeanwhile)
     ASSERT_TRUE(clock.runUntil([&refused] { return refused && *refused; }, 10s)) << "it is given back";
 }
 
+TEST_F(Served, NoHandReachesIntoALinkThatIsLent)
+{
+    const DeviceId seven = core->session().idOf(*device(7));
+    SetPoint slow;
+    slow.mode = Mode::Duty;
+    slow.target = 0.1;
+    ASSERT_TRUE(serve({recipe(moving), {"sim:can"}, std::nullopt}));
+    test::Heard<> started;
+    core->send(orders::StartMotion{seven, slow, 500ms}, started.finished());
+    ASSERT_TRUE(started.has_value());
+    EXPECT_FALSE(*started);
+    test::Heard<> released;
+    core->send(orders::ReleaseMoves{seven}, released.finished());
+    ASSERT_TRUE(released.has_value());
+    EXPECT_EQ(released->error().detail.english(), "units are served on this link");
+    test::Heard<> sent;
+    core->send(orders::SendFrame{"sim:can", *canFrameFromText("123#00")}, sent.finished());
+    ASSERT_TRUE(sent.has_value());
+    EXPECT_FALSE(*sent);
+    clock.advance(200ms);
+    EXPECT_FALSE(anyMoves());
+}
+
+TEST_F(Served, ALinkWhoseMotorIsDrivenByHandIsNotServed)
+{
+    const DeviceId seven = core->session().idOf(*device(7));
+    SetPoint slow;
+    slow.mode = Mode::Duty;
+    slow.target = 0.1;
+    test::Heard<> started;
+    core->send(orders::StartMotion{seven, slow, 500ms}, started.finished());
+    ASSERT_TRUE(*started);
+    EXPECT_FALSE(serve({recipe(moving), {"sim:can"}, std::nullopt}));
+    EXPECT_FALSE(view().running);
+    core->send(orders::StopMotion{seven});
+    EXPECT_TRUE(serve({recipe(moving), {"sim:can"}, std::nullopt}));
+}
+
 TEST_F(Served, TheSameLinkAgainAndARetryOfNothingGivesItBack)
 {
     for (int round = 0; round < 2; ++round) {

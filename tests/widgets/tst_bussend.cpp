@@ -18,6 +18,7 @@ private Q_SLOTS:
     void aControlFrameIsRefused_data();
     void aControlFrameIsRefused();
     void stopEndsARepetitionAndStopsTheMotor();
+    void aLostFocusEndsARepetitionThatMovesAMotor();
     void leavingThePageEndsARepetition();
     void aLinkThatDoesNotTakeFramesEndsARepetition();
     void typedFramesAreChecked_data();
@@ -167,6 +168,23 @@ void BusSendTest::stopEndsARepetitionAndStopsTheMotor()
     QVERIFY(!bench.panel().isRepeating());
     QCOMPARE(bench.workbench.given<orders::StopMotion>().size(), std::size_t{1});
     QCOMPARE(bench.workbench.given<orders::StopMotion>().front().device.value, 1U);
+}
+
+void BusSendTest::aLostFocusEndsARepetitionThatMovesAMotor()
+{
+    BusBench bench;
+    bench.arming.arm({1});
+    bench.type("02060005", "71 00 00 00 00 28 00 00");
+    bench.page->findChild<QCheckBox *>()->setChecked(true);
+    bench.sendButton().setHoldMilliseconds(1);
+    QVERIFY(bench.holdUntil([&bench] { return bench.panel().isRepeating(); }));
+    Q_EMIT qApp->applicationStateChanged(Qt::ApplicationInactive);
+    QVERIFY(!bench.panel().isRepeating());
+    QCOMPARE(bench.workbench.given<orders::StopMotion>().size(), std::size_t{1});
+    bench.type("123", "00"); // moves nothing, and may go on behind another window
+    QTest::mouseClick(&bench.sendButton(), Qt::LeftButton);
+    Q_EMIT qApp->applicationStateChanged(Qt::ApplicationInactive);
+    QVERIFY(bench.panel().isRepeating());
 }
 
 void BusSendTest::leavingThePageEndsARepetition()

@@ -118,7 +118,7 @@ private Q_SLOTS:
     void theNumbersOfTheSelectionAreExact();
     void exportsReadableFiles();
     void anUnknownSuffixOrFolderFails();
-    void tableHasOneColumnPerTraceAndBlanksInGaps();
+    void tableHasOneColumnPerTraceARowForEverySampleAndNanInGaps();
     void summarySpeaksOfEveryTrace();
 
 private:
@@ -450,12 +450,13 @@ void PlotsTest::anUnknownSuffixOrFolderFails()
         failed.at(1).first().toString().contains(s("no such folder")), qPrintable(failed.at(1).first().toString()));
 }
 
-void PlotsTest::tableHasOneColumnPerTraceAndBlanksInGaps()
+void PlotsTest::tableHasOneColumnPerTraceARowForEverySampleAndNanInGaps()
 {
     const QTemporaryDir folder;
     const auto stack = shownStack(m_theme);
     stack->strips().addTrace({s("speed, left"), s("rpm"), TraceRole::Velocity, 0},
-        std::make_shared<FixedTrace>(std::vector<PlotPoint>{{0, 1.5}, {1, -2}, PlotPoint::gap(2), {3, 4}}));
+        std::make_shared<FixedTrace>(
+            std::vector<PlotPoint>{{0, 1.5}, {1, -2}, PlotPoint::gap(2), {2, 3}, {3, 4}, {3, 5}}));
     stack->strips().addTrace(
         {s("current"), s("A"), TraceRole::Current, 1}, std::make_shared<FixedTrace>(std::vector<PlotPoint>{{1, 7}}));
     stack->view().setRange(0, 3);
@@ -466,7 +467,7 @@ void PlotsTest::tableHasOneColumnPerTraceAndBlanksInGaps()
     const QStringList lines = QString::fromUtf8(file.readAll()).trimmed().split(QLatin1Char('\n'));
     QCOMPARE(lines,
         QStringList({s("time_s,\"speed, left (rpm)\",current (A)"), s("0.000000,1.5,"), s("1.000000,-2,7"),
-            s("2.000000,,"), s("3.000000,4,")}));
+            s("2.000000,nan,"), s("2.000000,3,"), s("3.000000,4,"), s("3.000000,5,")}));
 }
 
 void PlotsTest::summarySpeaksOfEveryTrace()

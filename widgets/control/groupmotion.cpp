@@ -34,8 +34,10 @@ bool GroupMotion::prepare(DeviceId lead, std::vector<Member> members)
                       : tr("not prepared: the selected device has to take part"));
         return false;
     }
+    letGo(members);
     m_lead = lead;
     m_started = false;
+    m_starting = false;
     m_seen.clear();
     m_members = std::move(members);
     ++m_order;
@@ -52,6 +54,16 @@ bool GroupMotion::prepare(DeviceId lead, std::vector<Member> members)
     m_renewal.keep(std::move(others));
     Q_EMIT changed();
     return true;
+}
+
+/// Whoever takes no part any more is not left energised until its lease ends.
+void GroupMotion::letGo(const std::vector<Member> &staying)
+{
+    for (const Member &member : m_members) {
+        const bool stays = std::ranges::find(staying, member.device, &Member::device) != staying.end();
+        if (!stays && member.device != m_lead)
+            m_workbench.send(orders::StopMotion{member.device});
+    }
 }
 
 void GroupMotion::command(const Member &member)
@@ -84,7 +96,7 @@ bool GroupMotion::hasAcknowledged(DeviceId device) const
 
 bool GroupMotion::isPrepared() const
 {
-    return isActive() && !m_started
+    return isActive() && !m_started && !m_starting
         && std::ranges::all_of(m_members, [this](const Member &member) { return hasAcknowledged(member.device); });
 }
 
@@ -95,13 +107,25 @@ bool GroupMotion::start()
             Severity::Caution, {}, tr("not started: not every device has acknowledged its move; prepare them again"));
         return false;
     }
-    m_started = true;
-    m_workbench.send(orders::ReleaseMoves{m_lead}, [to = &m_workbench](const Result<void> &result) {
-        if (!result)
-            to->report(Severity::Danger, {}, errorText(result.error()));
-    });
+    m_starting = true;
+    m_workbench.send(orders::ReleaseMoves{m_lead},
+        [self = QPointer<GroupMotion>(this), to = &m_workbench, order = m_order](const Result<void> &result) {
+            if (!result)
+                to->report(Severity::Danger, {}, errorText(result.error()));
+            if (self && order == self->m_order)
+                self->released(result.has_value());
+        });
     Q_EMIT changed();
     return true;
+}
+
+void GroupMotion::released(bool begun)
+{
+    if (!m_starting)
+        return;
+    m_starting = false;
+    m_started = begun;
+    Q_EMIT changed();
 }
 
 void GroupMotion::hold()
@@ -114,6 +138,7 @@ void GroupMotion::hold()
         m_arming.run(stay);
         return;
     }
+    m_starting = false;
     m_started = true; // what they keep is not to be started any more
     for (Member &member : m_members) {
         member.setPoint = stay;
@@ -150,12 +175,10 @@ void GroupMotion::follow()
 void GroupMotion::end()
 {
     m_renewal.keep({});
-    const std::vector<Member> members = std::exchange(m_members, {});
-    for (const Member &member : members) {
-        if (member.device != m_lead)
-            m_workbench.send(orders::StopMotion{member.device});
-    }
+    letGo({});
+    m_members.clear();
     m_started = false;
+    m_starting = false;
     Q_EMIT changed();
 }
 

@@ -42,6 +42,8 @@ private:
     void follow();
     void end();
     void command(const Member &member);
+    void letGo(const std::vector<Member> &staying);
+    void released(bool begun);
     [[nodiscard]] const DeviceView *viewOf(DeviceId device) const;
 
     Workbench &m_workbench;
@@ -50,6 +52,7 @@ private:
     std::vector<Member> m_members;
     std::vector<DeviceId> m_seen; ///< a snapshot has shown them running
     bool m_started = false;
+    bool m_starting = false; ///< ordered, and not answered yet
     std::uint32_t m_order = 0;
     MotionRenewal m_renewal;
 };

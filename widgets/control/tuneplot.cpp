@@ -167,18 +167,20 @@ void TunePlot::setUnits(const DisplayUnits &units)
 
 void TunePlot::choose(const DeviceView &device, Mode mode, int axis, const std::vector<int> &beside)
 {
-    const bool sameAxis = device.id == m_device && axis == m_axis;
-    if (sameAxis && mode == m_mode && beside == m_beside && device.telemetry == m_telemetry)
+    const Channel *const table = device.telemetry->channels().data();
+    if (device.id == m_device && axis == m_axis && mode == m_mode && beside == m_beside
+        && device.telemetry == m_telemetry && table == m_table)
         return;
-    if (sameAxis && mode != m_mode)
-        m_since = m_workbench.presentOf(device.link); // set-points of another mode have another unit
-    else if (!sameAxis)
-        m_since = {};
+    const auto told = m_told.try_emplace({device.id, axis}, Told{mode, {}}).first;
+    if (told->second.mode != mode)
+        told->second = {mode, m_workbench.presentOf(device.link)};
+    m_since = told->second.since;
     m_device = device.id;
     m_axis = axis;
     m_beside = beside;
     m_mode = mode;
     m_telemetry = device.telemetry;
+    m_table = table;
     rebuild(device);
 }
 

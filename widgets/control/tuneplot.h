@@ -8,6 +8,8 @@
 
 #include <QTimer>
 
+#include <map>
+
 class QComboBox;
 class QLineEdit;
 
@@ -41,6 +43,12 @@ protected:
     void hideEvent(QHideEvent *event) override;
 
 private:
+    /// Set-points of another mode have another unit: those before are not drawn.
+    struct Told {
+        Mode mode = Mode::Off;
+        Instant since{};
+    };
+
     QWidget *buildBar();
     void buildUnits(class QLayout &row);
     void buildView(class QLayout &row);
@@ -59,8 +67,10 @@ private:
     int m_axis = 0;
     std::vector<int> m_beside;
     DisplayUnits m_units;
+    std::map<std::pair<DeviceId, int>, Told> m_told; ///< by device and axis
     Instant m_since{};
     std::shared_ptr<const Telemetry> m_telemetry;
+    const Channel *m_table = nullptr; ///< its units (Telemetry::useTable)
     std::vector<std::shared_ptr<TelemetrySource>> m_sources;
     std::uint64_t m_drawn = 0;
     double m_drawnAt = 0.0;

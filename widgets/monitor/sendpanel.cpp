@@ -9,6 +9,7 @@
 #include "widgets/common/wraplayout.h"
 #include "widgets/monitor/frametext.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLineEdit>
@@ -42,6 +43,10 @@ SendPanel::SendPanel(Workbench &workbench, Arming &arming, const ThemeSource &th
     connect(&m_repeat, &QTimer::timeout, this, &SendPanel::send);
     connect(&workbench, &Workbench::changed, this, &SendPanel::follow);
     connect(&arming, &Arming::changed, this, &SendPanel::follow);
+    connect(qApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
+        if (state == Qt::ApplicationInactive && m_moves) // no set-point of ours runs: the window would stop nothing
+            endRepeat(tr("the window lost the focus"));
+    });
     follow();
 }
 

@@ -6,7 +6,7 @@
 #include <QRegularExpression>
 #include <QTextStream>
 #include <cmath>
-#include <set>
+#include <map>
 
 namespace mb {
 namespace {
@@ -40,6 +40,12 @@ QString csvField(const QString &text)
 QString csvNumber(double value)
 {
     return std::isfinite(value) ? QString::number(value, 'g', 12) : QString();
+}
+
+/// A gap is said, as in the files of recordings: an empty field is of a time at which others have a sample.
+QString tableNumber(double value)
+{
+    return std::isfinite(value) ? csvNumber(value) : QStringLiteral("nan");
 }
 
 } // namespace
@@ -237,7 +243,8 @@ QByteArray PlotReadings::table() const
     const auto [from, to] = m_view.range();
     QStringList head{QStringLiteral("time_s")};
     std::vector<Column> columns;
-    std::set<double> keys;
+    std::map<double, int>
+        rows; // of a key as many as the trace with most points there has: a gap stands at its sample's
     for (const auto &[id, trace] : m_strips.traces()) {
         if (!trace.visible || !trace.source)
             continue;
@@ -246,24 +253,31 @@ QByteArray PlotReadings::table() const
                 : QStringLiteral("%1 (%2)").arg(trace.style.name, trace.style.unit));
         Column &column = columns.emplace_back();
         trace.source->columns(from, to, TableColumns, column.points);
-        for (const PlotPoint &point : column.points) {
-            if (point.key >= from && point.key <= to)
-                keys.insert(point.key);
+        int here = 0;
+        for (std::size_t i = 0; i < column.points.size(); ++i) {
+            const double key = column.points[i].key;
+            here = i > 0 && column.points[i - 1].key == key ? here + 1 : 1;
+            if (key >= from && key <= to)
+                rows[key] = std::max(rows[key], here);
         }
     }
     QByteArray content;
     QTextStream out(&content);
     out.setCodec("UTF-8");
     out << head.join(QLatin1Char(',')) << '\n';
-    for (const double key : keys) {
+    const auto writeRow = [&](double key) {
         out << QString::number(key, 'f', 6);
         for (Column &column : columns) {
             while (column.next < column.points.size() && column.points[column.next].key < key)
                 ++column.next;
             const bool here = column.next < column.points.size() && column.points[column.next].key == key;
-            out << ',' << (here ? csvNumber(column.points[column.next].value) : QString());
+            out << ',' << (here ? tableNumber(column.points[column.next++].value) : QString());
         }
         out << '\n';
+    };
+    for (const auto &[key, count] : rows) {
+        for (int i = 0; i < count; ++i)
+            writeRow(key);
     }
     out.flush();
     return content;
