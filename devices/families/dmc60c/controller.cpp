@@ -314,7 +314,8 @@ void Controller::onGeneral(const StatusGeneral &status, Instant time)
     m_sense.take(status, time, gate().stoppedAt());
     askPeriod(param::generalPeriod);
     const bool first = m_presence.heard(time);
-    sendPeriods();
+    if (gate().busy().empty()) // an update talks alone: they are sent after it
+        m_rates.sendOwed(m_contact);
     updateLiveness();
     askFaults();
     if (first)
@@ -376,15 +377,6 @@ void Controller::askFaults()
     awaitAnswer(m_unanswered, m_presence);
 }
 
-/// What runs now, an update say, talks alone: they are sent after it.
-void Controller::sendPeriods()
-{
-    if (!gate().busy().empty() || !m_rates.takeOwed())
-        return;
-    for (const auto &[parameter, period] : m_rates.wanted())
-        (void)m_can.send(encodeParamSet(identity().address, session(), parameter, period));
-}
-
 void Controller::sessionChanged()
 {
     if (m_presence.takeSession(identity().session))
@@ -398,7 +390,8 @@ void Controller::restarted()
     m_desk.restarted();
     m_sense.restart();
     parameters().forgetAll();
-    sendPeriods();
+    if (gate().busy().empty())
+        m_rates.sendOwed(m_contact);
     updateLiveness();
 }
 

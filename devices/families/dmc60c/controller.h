@@ -52,7 +52,6 @@ private:
     void onVersions(const EnumResponse1 &response);
     void askPeriod(std::uint8_t parameter);
     void askFaults();
-    void sendPeriods();
     void sessionChanged();
     void restarted();
     void updateLiveness();

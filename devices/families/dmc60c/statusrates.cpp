@@ -56,4 +56,13 @@ Task<void> StatusRates::set(ChannelIndex channel, double hertz)
     co_return {};
 }
 
+void StatusRates::sendOwed(const UnitContact &contact)
+{
+    if (!std::exchange(m_owed, false))
+        return;
+    const ParameterExchange::Target unit = contact.target();
+    for (const auto &[parameter, period] : m_wanted)
+        (void)contact.link.send(encodeParamSet(unit.device, unit.session, parameter, period));
+}
+
 } // namespace mb::dmc60c

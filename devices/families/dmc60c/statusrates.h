@@ -19,19 +19,17 @@ public:
     }
     /// Device::setRate().
     [[nodiscard]] Task<void> set(ChannelIndex channel, double hertz);
-    /// Milliseconds by the number of the parameter; the unit forgets them in a restart.
-    [[nodiscard]] const std::map<std::uint8_t, std::uint32_t> &wanted() const { return m_wanted; }
-    /// The unit has forgotten them.
+    /// The unit has forgotten what was set, in a restart.
     void forgotten() { m_owed = true; }
-    /// They are to be sent again; once.
-    [[nodiscard]] bool takeOwed() { return std::exchange(m_owed, false); }
+    /// Once after that; waits for no answer.
+    void sendOwed(const UnitContact &contact);
 
 private:
     ParameterDesk &m_desk;
     ParameterStore &m_known;
     std::map<std::uint8_t, FrameRate> m_wishes;    ///< by status frame
     std::map<std::uint8_t, std::uint32_t> m_usual; ///< what set() goes back to, ms
-    std::map<std::uint8_t, std::uint32_t> m_wanted;
+    std::map<std::uint8_t, std::uint32_t> m_wanted; ///< by parameter, ms
     bool m_owed = false;
 };
 
