@@ -237,6 +237,8 @@ protected:
         }
         void part(int number, PartState state) override { parts.emplace_back(number, state); }
         void log(Severity severity, const Message &) override { worst = std::max(worst, severity); }
+        void mayInterrupt(bool may) override { interruptible = may; }
+        bool interruptible = true;
         std::vector<std::string> said;
         std::vector<std::pair<int, PartState>> parts;
         Severity worst = Severity::Info;
@@ -397,6 +399,44 @@ TEST_F(AbstractDcUpdate, CancellingEndsTheProgrammer)
     ASSERT_EQ(::kill(pid, 0), 0);
     task.cancel();
     EXPECT_NE(::kill(pid, 0), 0);
+}
+
+TEST_F(AbstractDcUpdate, SettingsThatWereErasedBeforeItWasCancelledAreForgottenAllTheSame)
+{
+    const auto divisor = *findParameter(family.parameters, "velocity.divisor");
+    device->knowledge().assume(divisor, 1000);
+    standIn("echo 'erased address 0x0800c800 (length 3072) in 0.124s' >&2\necho '** Programming Started **' "
+            ">&2\nexec sleep 60\n");
+    const FirmwareImage image = imageOf(program());
+    auto task = abstractdc::update(*device, image, by("openocd:stlink", true), steps);
+    task.start();
+    ASSERT_TRUE(loop.runUntil([&] { return !steps.said.empty() && steps.said.back() == "Writing flash"; }));
+    EXPECT_FALSE(steps.interruptible) << "half a program may be in its flash";
+    task.cancel();
+    EXPECT_EQ(device->parameters().entry(divisor).raw, 0) << "blank flash";
+}
+
+TEST_F(AbstractDcUpdate, AnImageThatWritesTheSettingsPagesOrTheirSectorLeavesThemUnknown)
+{
+    struct Case {
+        std::uint32_t address;
+        const char *target;
+        bool takes;
+    };
+    const auto gain = *findParameter(family.parameters, "velocity.p");
+    for (const Case &c : {Case{0x0800C800, "f1", true}, Case{0x0800C000, "f1", false}, Case{0x0800C000, "f4", true},
+             Case{0x0800FFFC, "f4", true}, Case{0x08010000, "f4", false}}) {
+        device->knowledge().assume(gain, 1);
+        standIn(replay(success, 0));
+        auto hex = program();
+        hex.add(c.address, {1, 2, 3, 4});
+        UpdateOptions options = by("openocd:stlink");
+        options.target = c.target;
+        ASSERT_TRUE(update(options, imageOf(hex)));
+        EXPECT_EQ(device->parameters().entry(gain).raw.has_value(), !c.takes) << c.target << ' ' << c.address;
+        EXPECT_EQ(device->knowledge().profile().lost.contains("velocity.p"), c.takes);
+        EXPECT_TRUE(steps.interruptible) << "it is over";
+    }
 }
 
 TEST_F(AbstractDcUpdate, TheRealOpenOcdWithoutAProbeIsOneClearLine)

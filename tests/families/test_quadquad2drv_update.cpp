@@ -80,6 +80,36 @@ TEST(QuadQuad2DrvUpdate, AJumperThatWasLeftInIsToldAndTheUpdateEndsOnceItIsOut)
     EXPECT_EQ(bench.step(4), PartState::Done);
 }
 
+/// In the pause of 50 ms behind each line, and behind the last one.
+TEST(QuadQuad2DrvUpdate, ARestartOrARefusalThatComesAfterAConfirmationEndsIt)
+{
+    struct Case {
+        const char *after; ///< sent
+        const char *says;
+        const char *tells;
+    };
+    for (const Case &c : {Case{":0400000001020304F2", "QuadQuad bootloader\r\n", "restarted at line 1"},
+             Case{":0400000001020304F2", "error: bad line\r\n", "line 1 was refused: error: bad line"},
+             Case{":00000001FF", "error: checksum\r\n", "line 3 was refused: error: checksum"}}) {
+        QuadQuad2DrvUpdateBench bench;
+        bench.boot->setJumper(true);
+        bool done = false;
+        bench.hand = [&] {
+            const auto &log = bench.operation.status().log;
+            if (done || log.size() < 2 || log.back().text.english() != "< ok"
+                || log[log.size() - 2].text.english() != std::string("> ") + c.after)
+                return;
+            done = true;
+            const std::string text = c.says;
+            ASSERT_TRUE(bench.boardEnd.send(std::vector<std::uint8_t>(text.begin(), text.end())));
+        };
+        const UpdateReport report = bench.update();
+        EXPECT_TRUE(done) << c.says;
+        EXPECT_EQ(report.outcome, UpdateOutcome::Failed) << c.says;
+        EXPECT_NE(report.summary().english().find(c.tells), std::string::npos) << report.summary().english();
+    }
+}
+
 TEST(QuadQuad2DrvUpdate, ARefusalIsRecognisedByTheWordsThatWereSet)
 {
     QuadQuad2DrvUpdateBench bench;

@@ -114,4 +114,12 @@ std::optional<SettingsFrame> decodeSettings(const Dialect &dialect, int offset, 
     return SettingsFrame{*loop, *field, static_cast<std::int32_t>(readU32le(frame.data, dialect.wide ? 4 : 2))};
 }
 
+std::optional<Loop> decodeSave(const Dialect &dialect, int offset, const CanFrame &frame)
+{
+    if (!isFor(frame, id::settings, offset) || frame.size != 1)
+        return std::nullopt;
+    const auto loop = nameOf<Loop>(dialect.type, frame.data[0]);
+    return loop == Loop::None || loop == Loop::Direct ? std::nullopt : loop;
+}
+
 } // namespace mb::abstractdc

@@ -38,6 +38,8 @@ struct SettingsFrame {
     std::int32_t value = 0;
 };
 [[nodiscard]] std::optional<SettingsFrame> decodeSettings(const Dialect &dialect, int offset, const CanFrame &frame);
+/// The loop whose settings it saves.
+[[nodiscard]] std::optional<Loop> decodeSave(const Dialect &dialect, int offset, const CanFrame &frame);
 
 /// Bit times of a request and its answer, worst case of stuffing (README.md#rates).
 constexpr int roundTripBits = 65 + 95;

@@ -257,6 +257,8 @@ bool Controller::isSeenStopped() const
 
 void Controller::enter(std::optional<Loop> loop, Instant time)
 {
+    if (loop)
+        m_isHeldByOther = *loop != Loop::None && !m_ours;
     if (m_logs.enter(loop, time))
         updateLiveness();
 }
@@ -278,8 +280,10 @@ void Controller::onFrame(const CanFrame &frame, bool ours)
     } else if (const auto settings = decodeSettings(*m_logs.dialect(), identity().address, frame)) {
         if (const auto index = parameterOf(settings->loop, settings->field)) {
             knowledge().assume(*index, settings->value);
-            m_desk.written(*index);
+            m_desk.written(*index, settings->value);
         }
+    } else if (const auto saved = decodeSave(*m_logs.dialect(), identity().address, frame)) {
+        m_desk.saved(*saved);
     }
 }
 
@@ -313,8 +317,10 @@ void Controller::onRestart(Restart restart)
     if (restart == Restart::No || isOfRecording)
         return;
     m_desk.restarted();
-    if (restart != Restart::Maybe)
+    if (restart != Restart::Maybe) {
         m_debt.pay();
+        m_isHeldByOther = false;
+    }
     if (restart != Restart::Seen)
         return;
     m_restarted = true;
@@ -333,8 +339,7 @@ void Controller::breakLines()
 
 void Controller::updateLiveness()
 {
-    const bool isHeldByOther = m_logs.isDriven() && !m_ours; // for ever, also where it stands (README.md#no-watchdog)
-    if (m_foreignAt && clock().now() - *m_foreignAt > foreignMemory && !m_logs.isMoving() && !isHeldByOther)
+    if (m_foreignAt && clock().now() - *m_foreignAt > foreignMemory && !m_logs.isMoving() && !m_isHeldByOther)
         m_foreignAt.reset();
     Liveness now;
     now.heard = m_logs.isHeard();
@@ -375,11 +380,15 @@ Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
     return m_desk.write(parameters().parameter(index), raw);
 }
 
-void Controller::settingsErased()
+void Controller::settingsReplaced(bool blank)
 {
-    m_desk.erased();
-    for (std::uint16_t i = 0; i < parameterTable().size(); ++i)
-        knowledge().assume({i}, fieldOf(parameterTable()[i]) == Field::Averaging ? 1 : 0);
+    m_desk.replaced(blank);
+    for (std::uint16_t i = 0; i < parameterTable().size(); ++i) {
+        if (blank)
+            knowledge().assume({i}, fieldOf(parameterTable()[i]) == Field::Averaging ? 1 : 0);
+        else
+            knowledge().doubt({i});
+    }
 }
 
 Task<std::vector<FaultRecord>> Controller::readFaults()

@@ -18,8 +18,8 @@ class Controller final : public Device {
 public:
     Controller(const Family &family, CanLink &link, Clock &clock, Identity identity);
 
-    /// The settings pages are blank, by order of this program.
-    void settingsErased();
+    /// The settings pages are other ones, by order of this program: blank, or what an image has there.
+    void settingsReplaced(bool blank);
 
     Task<void> refresh() override;
     Task<bool> store(Progress &progress) override { return m_desk.store(progress); }
@@ -66,8 +66,9 @@ private:
     SettingsDesk m_desk;
     TargetLead m_lead;
     LeadProbe m_probe;
-    bool m_ours = false;      ///< the loop was commanded by us
-    bool m_restarted = false; ///< Liveness::restarted
+    bool m_ours = false;          ///< the loop was commanded by us
+    bool m_isHeldByOther = false; ///< for ever, also where it stands and after a silence (README.md#no-watchdog)
+    bool m_restarted = false;     ///< Liveness::restarted
     std::int32_t m_sentTarget = 0;
     Instant m_sentAt{};
     std::optional<Instant> m_foreignAt; ///< somebody else's set-point, or the stop of ours

@@ -30,6 +30,14 @@ bool touchesSettings(const FirmwareImage &image)
     return image.hasAny(settingsAddress, settingsAddress + settingsSize - 1);
 }
 
+/// An STM32F4 erases the whole sector of 16 KiB that they are in.
+bool takesSettings(const FirmwareImage &image, const std::string &target)
+{
+    constexpr std::uint32_t sector = 0x4000;
+    constexpr std::uint32_t begin = settingsAddress / sector * sector;
+    return touchesSettings(image) || (target == "f4" && image.hasAny(begin, begin + sector - 1));
+}
+
 /// One run of OpenOCD, however it ended.
 struct Attempt {
     openocd::Reading reading;
@@ -37,7 +45,8 @@ struct Attempt {
 };
 
 /// Runs OpenOCD to its end; its error is one line that names the remedy.
-Task<Attempt> program(Clock &clock, openocd::Job job, std::vector<int> pages, Progress &progress)
+Task<Attempt> program(
+    Controller &drive, openocd::Job job, std::vector<int> pages, bool takesSettings, Progress &progress)
 {
     const auto mark = [&pages, &progress](PartState state) {
         for (const int page : pages)
@@ -48,21 +57,28 @@ Task<Attempt> program(Clock &clock, openocd::Job job, std::vector<int> pages, Pr
             Fault::LinkLost, say("openocd is not installed"), say("install it with"), "sudo apt install openocd");
     openocd::Reading reading;
     const auto show = [&reading, &progress] {
+        progress.mayInterrupt(reading.stage() == Stage::Connecting || reading.stage() == Stage::Over);
         progress.step(titleOf(reading.stage()), static_cast<int>(reading.stage()), static_cast<int>(Stage::Over));
     };
     const auto take = [&](const ExternalProgram::Piece &piece) {
         const Stage before = reading.stage();
+        const bool wasErased = reading.isErased();
         if (piece.complete)
             reading.take(piece.text);
         if (reading.stage() != before && reading.stage() == Stage::Writing)
             mark(PartState::Active);
+        if (reading.isErased() && !wasErased) // now: it may be cancelled, or die
+            drive.settingsReplaced(true);
+        if (takesSettings && before < Stage::Writing && reading.stage() >= Stage::Writing)
+            drive.settingsReplaced(false);
         if (reading.stage() != before && reading.stage() == Stage::Verifying)
             mark(PartState::Done);
         show();
     };
     mark(PartState::Waiting);
     show();
-    auto running = runProgrammer(clock, openocd::commandOf(job), say("check the probe and try again"), take, progress);
+    auto running
+        = runProgrammer(drive.clock(), openocd::commandOf(job), say("check the probe and try again"), take, progress);
     const Result<ExternalProgram::Exit> exit = co_await std::move(running).attempt();
     if (exit && exit->isSuccess() && reading.isVerified())
         co_return Attempt{std::move(reading), {}};
@@ -137,11 +153,13 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
     if (options.eraseSettings)
         progress.log(Severity::Caution,
             say("the gains stored in the drive are erased; all its loops do nothing until they are written again"));
+    if (takesSettings(image, options.target))
+        progress.log(Severity::Caution, say("The image writes the settings pages: stored gains are replaced."));
     device.stop();
-    auto programming = program(device.clock(), *job, summary->parts, progress);
+    auto programming = program(
+        static_cast<Controller &>(device), *job, summary->parts, takesSettings(image, options.target), progress);
     const Attempt attempt = co_await std::move(programming);
-    if (attempt.reading.isErased())
-        static_cast<Controller &>(device).settingsErased();
+    progress.mayInterrupt(true);
     if (attempt.error)
         co_return fail(*attempt.error);
     progress.step(titleOf(Stage::Over), static_cast<int>(Stage::Over), static_cast<int>(Stage::Over));

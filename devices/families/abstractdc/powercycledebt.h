@@ -16,7 +16,11 @@ public:
     PowerCycleDebt(const DeviceProfile &profile, std::function<void(std::int64_t owed)> keep);
 
     [[nodiscard]] bool isOwed() const;
-    void incur() { m_keep(1); }
+    void incur()
+    {
+        if (!isOwed())
+            m_keep(1);
+    }
     /// It has begun anew.
     void pay();
 

@@ -73,19 +73,22 @@ Result<void> SettingsDesk::mayWrite(const Parameter &parameter, std::int64_t raw
     const Field field = fieldOf(parameter);
     if (field == Field::Divisor && raw == 0)
         return fail(Fault::OutOfRange, say("0 is no divisor"), say("the loop would be undefined"));
-    if (field == Field::Divisor && m_logs.loop() == loopOf(parameter))
+    const bool mayRun = m_logs.loop() ? m_logs.loop() == loopOf(parameter) : m_logs.isMoving();
+    if (field == Field::Divisor && mayRun)
         return fail(Fault::Unsafe, say("a divisor changes all gains at once"), say("stop the motor first"));
     if (field != Field::Averaging)
         return {};
     if (raw < 1 || raw > averagingMost)
         return fail(Fault::OutOfRange, say("legal is 1 … 500"),
             say("the drive does not check it and would overwrite its memory"));
-    if (mayLowerAveraging(raw) && (m_logs.isDriven() || m_logs.isMoving()))
+    if (!mayLowerAveraging(raw))
+        return {};
+    if (m_logs.isDriven() || m_logs.isMoving())
         return fail(Fault::Unsafe, say("lowering it needs a stopped motor"));
-    return {};
+    return maySave(loopOf(parameter));
 }
 
-/// What is in force is known only where this run of the program wrote it, whatever a file says: otherwise any value but the greatest may be a lower one.
+/// What is in force is known only where it was written since this run of the program began, whatever a file says: otherwise any value but the greatest may be a lower one.
 bool SettingsDesk::mayLowerAveraging(std::int64_t raw) const
 {
     return raw < m_averaging.value_or(averagingMost);
@@ -99,14 +102,12 @@ Task<std::int64_t> SettingsDesk::write(const Parameter &parameter, std::int64_t 
     const auto value = static_cast<std::int32_t>(raw);
     const bool lowered = fieldOf(parameter) == Field::Averaging && mayLowerAveraging(raw);
     if (lowered)
-        m_debt.incur(); // README.md#averaging: from now on its sample index may run out of the buffer
+        m_debt.incur(); // before it can be in force
     const int offset = m_device.identity().address;
     if (auto sent = m_can.send(encodeSettings(*m_logs.dialect(), offset, loop, fieldOf(parameter), value)); !sent)
         co_return fail(sent.error());
-    if (fieldOf(parameter) == Field::Averaging)
-        m_averaging = raw;
     if (const auto index = parameterOf(loop, fieldOf(parameter)))
-        written(*index);
+        written(*index, raw);
     auto asking = expectAnswer();
     co_await std::move(asking);
     if (lowered) {
@@ -121,15 +122,27 @@ Task<std::int64_t> SettingsDesk::write(const Parameter &parameter, std::int64_t 
     co_return raw;
 }
 
-Task<void> SettingsDesk::save(Loop loop, Progress &progress)
+std::int64_t SettingsDesk::savesOf(Loop loop) const
 {
     const auto &counters = m_device.knowledge().profile().counters;
     const auto counted = counters.find(counterOf(loop));
-    const std::int64_t saves = counted == counters.end() ? 0 : counted->second;
-    if (saves >= savesPerPage)
-        co_return fail(Fault::Unsafe, say("the settings of the %1 loop were saved %2 times", nameOf(loop), saves),
-            say("one more would make the drive load something else. Erase its settings pages with a firmware update "
-                "(erase settings), then save again"));
+    return counted == counters.end() ? 0 : counted->second;
+}
+
+Result<void> SettingsDesk::maySave(Loop loop) const
+{
+    if (savesOf(loop) < savesPerPage)
+        return {};
+    return fail(Fault::Unsafe, say("the settings of the %1 loop were saved %2 times", nameOf(loop), savesOf(loop)),
+        say("one more would make the drive load something else. Erase its settings pages with a firmware update "
+            "(erase settings), then save again"));
+}
+
+Task<void> SettingsDesk::save(Loop loop, Progress &progress)
+{
+    if (auto allowed = maySave(loop); !allowed)
+        co_return allowed;
+    const std::int64_t saves = savesOf(loop);
     if (saves + 1 >= savesUntilWarning)
         progress.log(Severity::Caution,
             say("the %1 loop was saved %2 times; after %3 its settings pages must be erased", nameOf(loop), saves + 1,
@@ -139,11 +152,22 @@ Task<void> SettingsDesk::save(Loop loop, Progress &progress)
     m_count(counterOf(loop), saves + 1);
     auto asking = expectAnswer();
     co_await std::move(asking);
+    settle(loop);
+    co_return {};
+}
+
+void SettingsDesk::settle(Loop loop)
+{
     for (const ParameterIndex index : unsaved()) {
         if (loopOf(parameterTable()[index.value]) == loop)
             setUnsaved(index, false);
     }
-    co_return {};
+}
+
+void SettingsDesk::saved(Loop loop)
+{
+    m_count(counterOf(loop), savesOf(loop) + 1);
+    settle(loop);
 }
 
 Task<bool> SettingsDesk::store(Progress &progress)
@@ -152,7 +176,7 @@ Task<bool> SettingsDesk::store(Progress &progress)
         co_return fail(Fault::Unsafe, say("it is not proven which codes this drive speaks"), say("nothing was saved"));
     if (auto alone = m_logs.isAddressedAlone(); !alone)
         co_return fail(alone.error());
-    if (m_logs.isDriven())
+    if (m_logs.loop() ? m_logs.isDriven() : m_logs.isMoving())
         co_return fail(Fault::Unsafe, say("stop the motor first: the drive stands still while it writes its flash"));
     std::set<Loop> all;
     for (const ParameterIndex index : unsaved())
@@ -167,16 +191,24 @@ Task<bool> SettingsDesk::store(Progress &progress)
     co_return false;
 }
 
-void SettingsDesk::erased()
+void SettingsDesk::replaced(bool blank)
 {
-    for (const Loop loop : loops)
-        m_count(counterOf(loop), 0);
+    if (blank) {
+        for (const Loop loop : loops)
+            m_count(counterOf(loop), 0);
+    }
     for (const ParameterIndex index : unsaved())
         setUnsaved(index, false);
+    m_averaging.reset();
 }
 
-void SettingsDesk::written(ParameterIndex index)
+void SettingsDesk::written(ParameterIndex index, std::int64_t raw)
 {
+    if (fieldOf(parameterTable()[index.value]) == Field::Averaging) {
+        if (mayLowerAveraging(raw))
+            m_debt.incur(); // README.md#averaging: from now on its sample index may run out of the buffer
+        m_averaging = raw;
+    }
     setUnsaved(index, true);
 }
 

@@ -24,10 +24,12 @@ public:
     [[nodiscard]] Task<std::int64_t> write(const Parameter &parameter, std::int64_t raw);
     /// Saves the loops that were written since their last save; Device::store().
     [[nodiscard]] Task<bool> store(Progress &progress);
-    /// The settings pages are blank.
-    void erased();
+    /// The settings pages are blank, or hold what this program did not write.
+    void replaced(bool blank);
     /// Somebody wrote it, and it is not in flash.
-    void written(ParameterIndex index);
+    void written(ParameterIndex index, std::int64_t raw);
+    /// Somebody else saved this loop.
+    void saved(Loop loop);
     /// The drive has begun anew: what was not saved is not in force any more.
     void restarted();
     /// How often each loop was saved since its page was erased, for Identity::descriptors.
@@ -36,7 +38,10 @@ public:
 private:
     [[nodiscard]] Result<void> mayWrite(const Parameter &parameter, std::int64_t raw) const;
     [[nodiscard]] bool mayLowerAveraging(std::int64_t raw) const;
+    [[nodiscard]] std::int64_t savesOf(Loop loop) const;
+    [[nodiscard]] Result<void> maySave(Loop loop) const;
     [[nodiscard]] Task<void> save(Loop loop, Progress &progress);
+    void settle(Loop loop);
     /// In the order of the table.
     [[nodiscard]] std::vector<ParameterIndex> unsaved() const;
     [[nodiscard]] bool isUnsaved(ParameterIndex index) const;
@@ -47,7 +52,7 @@ private:
     const LogSense &m_logs;
     PowerCycleDebt &m_debt;
     std::function<void(const std::string &, std::int64_t)> m_count;
-    std::optional<std::int64_t> m_averaging; ///< written last, by this run
+    std::optional<std::int64_t> m_averaging; ///< written last, by anybody, since this run began
 };
 
 } // namespace mb::abstractdc

@@ -23,6 +23,11 @@ ControlMode modeFor(Mode mode)
     }
 }
 
+bool isProfiled(const SetPoint &setPoint)
+{
+    return setPoint.mode == Mode::RampPosition || setPoint.mode == Mode::RampVelocity;
+}
+
 bool isWithin(double value, double low, double high)
 {
     return std::isfinite(value) && value >= low && value <= high;
@@ -64,22 +69,26 @@ Result<void> AxisDrives::command(const SetPoint &setPoint)
 {
     const int axis = setPoint.axis - 1;
     if (setPoint.mode == Mode::Off) {
-        m_drives[static_cast<std::size_t>(axis)] = {};
+        Drive &drive = m_drives[static_cast<std::size_t>(axis)];
+        drive.isLeaving = true; // and driven until the board has taken it
         record(axis, std::nullopt);
-        m_orders.post(setControlMode(maskOf(axis), ControlMode::Off));
+        m_orders.enter(axis, {{setControlMode(maskOf(axis), ControlMode::Off), [&drive] {
+                                   if (drive.isLeaving) // and has not been told something else since
+                                       drive = {};
+                               }}});
         return {};
     }
     if (const auto failure = m_orders.takeFailure())
         return fail(*failure);
     const ControlMode mode = modeFor(setPoint.mode);
-    if (controlMode(axis) != mode) {
+    if (controlMode(axis) != mode || m_drives[static_cast<std::size_t>(axis)].isLeaving) {
         if (mode == ControlMode::Position && !m_sense.place(axis)) {
             m_orders.learn();
             return fail(Fault::Unsafe,
                 say("the position is not known yet, so nothing would keep the motor from jumping"),
                 say("the board is told to tell its whole counters; look at the position, and run it again"));
         }
-        enter(axis, mode);
+        enter(axis, mode, isProfiled(setPoint));
     }
     sendTarget(axis, setPoint);
     record(axis, setPoint.target);
@@ -97,43 +106,46 @@ void AxisDrives::record(int axis, std::optional<double> target)
 }
 
 /// README.md#position-mode: the target is where the motor is, before and after the mode is taken.
-void AxisDrives::enter(int axis, ControlMode mode)
+void AxisDrives::enter(int axis, ControlMode mode, bool profiled)
 {
+    std::vector<OrderQueue::Order> orders;
     if (auto limit = m_settings.firstLimit(axis))
-        m_orders.post(
-            std::move(*limit), [this, axis] { m_settings.accepted(indexOf(axis, AxisParameter::LimitPower)); });
+        orders.push_back(
+            {std::move(*limit), [this, axis] { m_settings.accepted(indexOf(axis, AxisParameter::LimitPower)); }});
     Bytes rest = setPower(maskOf(axis), 0);
     if (mode == ControlMode::Velocity)
         rest = setVelocityTarget(maskOf(axis), 0.0, m_settings.readings());
     else if (mode == ControlMode::Position)
         rest = setPositionTarget(maskOf(axis), *m_sense.place(axis));
-    m_orders.post(rest);
-    m_orders.post(setControlMode(maskOf(axis), mode));
-    m_orders.post(rest);
-    m_drives[static_cast<std::size_t>(axis)] = {mode, m_settings.readings().velocityTargetShifted, std::nullopt};
+    orders.push_back({rest});
+    orders.push_back({setControlMode(maskOf(axis), mode)});
+    if (profiled) // any other target follows at once
+        orders.push_back({rest});
+    m_orders.enter(axis, std::move(orders));
+    m_drives[static_cast<std::size_t>(axis)] = {mode, m_settings.readings().velocityTargetShifted};
 }
 
 void AxisDrives::sendTarget(int axis, const SetPoint &setPoint)
 {
     Drive &drive = m_drives[static_cast<std::size_t>(axis)];
     const auto whole = [&setPoint] { return static_cast<std::int32_t>(std::lround(setPoint.target)); };
-    const bool profiled = setPoint.mode == Mode::RampPosition || setPoint.mode == Mode::RampVelocity;
+    const bool profiled = isProfiled(setPoint);
     if (profiled && drive.profile == setPoint)
         return; // sending it again would begin it again
     drive.profile = profiled ? std::optional(setPoint) : std::nullopt;
     const std::uint8_t mask = maskOf(axis);
     switch (setPoint.mode) {
     case Mode::Duty:
-        m_orders.post(setPower(mask, static_cast<std::int16_t>(std::lround(setPoint.target * fullPower))));
+        m_orders.aim(axis, setPower(mask, static_cast<std::int16_t>(std::lround(setPoint.target * fullPower))));
         break;
     case Mode::Velocity:
-        m_orders.post(setVelocityTarget(mask, setPoint.target, {.velocityTargetShifted = drive.shifted}));
+        m_orders.aim(axis, setVelocityTarget(mask, setPoint.target, {.velocityTargetShifted = drive.shifted}));
         break;
-    case Mode::Position: m_orders.post(setPositionTarget(mask, whole())); break;
+    case Mode::Position: m_orders.aim(axis, setPositionTarget(mask, whole())); break;
     case Mode::RampPosition:
-        m_orders.post(rampPosition(mask, whole(), setPoint.velocity, setPoint.acceleration));
+        m_orders.aim(axis, rampPosition(mask, whole(), setPoint.velocity, setPoint.acceleration));
         break;
-    case Mode::RampVelocity: m_orders.post(rampVelocity(mask, whole(), setPoint.acceleration)); break;
+    case Mode::RampVelocity: m_orders.aim(axis, rampVelocity(mask, whole(), setPoint.acceleration)); break;
     default: break;
     }
 }

@@ -41,9 +41,10 @@ private:
     struct Drive {
         ControlMode mode = ControlMode::Off;
         bool shifted = false; ///< Readings::velocityTargetShifted when the mode was taken: never changed in motion
-        std::optional<SetPoint> profile; ///< of a ramp under way, which is sent once
+        std::optional<SetPoint> profile{}; ///< of a ramp under way, which is sent once
+        bool isLeaving = false;            ///< told to be off, which the board has not accepted yet
     };
-    void enter(int axis, ControlMode mode);
+    void enter(int axis, ControlMode mode, bool profiled);
     void sendTarget(int axis, const SetPoint &setPoint);
     void record(int axis, std::optional<double> target);
 

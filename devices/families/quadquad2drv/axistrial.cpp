@@ -62,8 +62,6 @@ AxisTrial::~AxisTrial()
 {
     if (m_started)
         m_stream.stop();
-    if (!m_before.empty())
-        m_board.putBack(m_before, [&board = m_board, axis = m_axis] { board.settings().acceptedAll(axis); });
 }
 
 /// No limit but that of the power, and a velocity estimate that is fast. All of it can be put back.
@@ -76,15 +74,12 @@ Task<void> AxisTrial::prepare()
         m_progress.log(Severity::Caution,
             say("the gains of axis %1 are not known here: it will be left with those that the board starts with",
                 m_options.axis));
-    std::vector<Bytes> before = m_board.settings().ofAxis(m_axis);
-    before.push_back(
-        setHistory(static_cast<std::uint8_t>(history.length), static_cast<std::uint8_t>(history.timeBits)));
     if (const auto limit = static_cast<double>(m_board.settings().powerLimit(m_axis)); limit < m_most) {
         m_most = limit;
         m_progress.log(Severity::Info,
             say("the axis has a power limit of %1 %, which is kept", std::round(100.0 * m_most / fullPower)));
     }
-    m_before = std::move(before);
+    m_borrowed.emplace(m_board, m_axis, BorrowedSettings::Part::Axis, history);
     const std::vector<Bytes> requests{
         setPowerLimit(m_mask, static_cast<std::uint16_t>(m_most)),
         setVelocityLimit(m_mask, static_cast<std::uint32_t>(fastest * limitOne)),
@@ -95,7 +90,7 @@ Task<void> AxisTrial::prepare()
         auto telling = m_board.tell(request);
         co_await std::move(telling);
     }
-    m_board.settings().accepted(indexOf(m_axis, AxisParameter::LimitPower)); // it has one, and none that is higher
+    m_board.settings().accepted(indexOf(m_axis, AxisParameter::LimitPower), static_cast<std::int64_t>(m_most));
     auto atRest = move(Mode::Duty, 0.0); // nothing is measured before the guardian stands by
     co_await std::move(atRest);
     do {
@@ -113,13 +108,8 @@ Task<void> AxisTrial::finish()
         co_await Sleep(m_clock, tick);
     if (!m_board.isSeenStopped())
         co_return fail(Fault::Unsafe, say("the motors were told to stop, and are not seen to stand"));
-    const std::vector<Bytes> requests = m_before;
-    for (const Bytes &request : requests) {
-        auto telling = m_board.tell(request);
-        co_await std::move(telling);
-    }
-    m_before.clear();
-    m_board.settings().acceptedAll(m_axis);
+    auto giving = m_borrowed->giveBack();
+    co_await std::move(giving);
     co_return {};
 }
 

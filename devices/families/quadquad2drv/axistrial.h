@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "families/quadquad2drv/borrowedsettings.h"
 #include "families/quadquad2drv/codec.h"
-#include "families/quadquad2drv/controller.h"
 #include "families/quadquad2drv/gainfit.h"
 #include "model/family.h"
 #include "model/setpointstream.h"
@@ -65,7 +65,7 @@ private:
     bool m_leavesStartGains = false;
     double m_direction = 1.0;
     Plant m_plant;
-    std::vector<Bytes> m_before; ///< puts the axis back
+    std::optional<BorrowedSettings> m_borrowed; ///< given back once the motor is stopped
     Track m_track;
     Instant m_begun{};
     std::optional<double> m_from; ///< counts at the start of the track

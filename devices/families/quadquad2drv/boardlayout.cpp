@@ -95,6 +95,7 @@ void BoardLayout::forget()
     m_changed = m_holds = false;
     m_before.reset();
     m_restarted = true;
+    ++m_resets;
     m_streamPeriod = 0;
     m_port.setLayout({datamask::startUp, datamask::startUp, datamask::startUp, datamask::startUp}, 0);
     m_owner.reset();

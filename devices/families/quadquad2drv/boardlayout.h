@@ -45,6 +45,8 @@ public:
     void refreshed() { m_restarted = false; }
     /// The board is as it starts up.
     void forget();
+    /// How often it was found to be.
+    [[nodiscard]] std::uint64_t resets() const { return m_resets; }
 
 private:
     struct Stream {
@@ -68,6 +70,7 @@ private:
     bool m_changed = false;         ///< we told the board something that a reset undoes
     bool m_resetKnown = false;      ///< whether the board was reset before we came is known
     bool m_restarted = false;
+    std::uint64_t m_resets = 0;
 };
 
 } // namespace mb::quadquad2drv

@@ -48,7 +48,11 @@ Controller::Controller(const Family &known, SpiLink &link, Clock &clock, Identit
     , m_sense(telemetry())
     , m_orders(clock, m_port, m_layout, [this] { stop(); })
     , m_drives(clock, *telemetry(), m_sense, m_settings, m_orders)
-    , m_stopProof(clock, m_port, [this] { resetAsLastResort(); })
+    , m_stopProof(clock, m_port,
+          [this] { // takes the modes of all axes, and the settings; a bootloader that is written to would begin anew
+              if (gate().busy().empty() && m_spi.pulseReset())
+                  m_layout.forget();
+          })
     , m_received(m_port.received().add([this](const Packet &packet, Instant time) { onPacket(packet, time); }))
     , m_state(link.stateChanged().add([this](LinkState) { look(); }))
     , m_poll(clock)
@@ -178,13 +182,6 @@ void Controller::doStop()
     m_drives.stop();
     m_stopProof.begin();
     updateLiveness();
-}
-
-/// A reset takes the modes of all axes, and the settings too. Not while its firmware is written: the bootloader would begin anew.
-void Controller::resetAsLastResort()
-{
-    if (gate().busy().empty() && m_spi.pulseReset())
-        m_layout.forget();
 }
 
 /// README.md#stopping: the board has no watchdog. A transfer may come in the middle of another one, so it is sent three times.
@@ -364,15 +361,6 @@ Task<History> Controller::askHistory()
     if (!history)
         co_return fail(Fault::BadReply, say("the history has an unexpected length"));
     co_return *history;
-}
-
-void Controller::putBack(std::vector<Bytes> requests, std::function<void()> accepted)
-{
-    m_scope.spawn<void>(
-        sendAll(m_port, std::move(requests)), [accepted = std::move(accepted)](const Result<void> &sent) {
-            if (sent)
-                accepted();
-        });
 }
 
 std::unique_ptr<Device> open(Link &link, Clock &clock, const Identity &identity)

@@ -25,8 +25,10 @@ public:
     [[nodiscard]] Task<History> askHistory();
     /// Those that make the settings of an axis what they are known or assumed to be.
     [[nodiscard]] SettingRequests &settings() { return m_settings; }
-    /// Sends them whoever waits for it or not, once the axis is stopped; `accepted` when the board has taken them all.
-    void putBack(std::vector<Bytes> requests, std::function<void()> accepted);
+    /// Goes on whoever waits for it or not.
+    void putBack(Task<void> restoring) { m_scope.spawn<void>(std::move(restoring)); }
+    /// Of the board, that were noticed.
+    [[nodiscard]] std::uint64_t resets() const { return m_layout.resets(); }
     /// @}
 
     Task<void> refresh() override;
@@ -59,7 +61,6 @@ private:
     void look();
     void breakLines();
     void onReset();
-    void resetAsLastResort();
     void updateLiveness();
 
     SpiLink &m_spi;

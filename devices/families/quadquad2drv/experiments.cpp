@@ -2,8 +2,8 @@
 #include "families/quadquad2drv/experiments.h"
 
 #include "async/sleep.h"
+#include "families/quadquad2drv/borrowedsettings.h"
 #include "families/quadquad2drv/calibrations.h"
-#include "families/quadquad2drv/controller.h"
 
 #include <QtGlobal>
 
@@ -58,27 +58,6 @@ constexpr std::array<Experiment, 2> experimentTable{{
     },
 }};
 
-/// Sets the input up as it was, however the experiment ends, and with the reading that was found.
-class BorrowedInput {
-public:
-    BorrowedInput(Controller &board, int axis)
-        : m_board(board)
-        , m_axis(axis)
-    {
-    }
-    BorrowedInput(const BorrowedInput &) = delete;
-    BorrowedInput &operator=(const BorrowedInput &) = delete;
-    ~BorrowedInput()
-    {
-        m_board.putBack({m_board.settings().input(m_axis)},
-            [&board = m_board, axis = m_axis] { board.settings().accepted(indexOf(axis, AxisParameter::InputMode)); });
-    }
-
-private:
-    Controller &m_board;
-    int m_axis;
-};
-
 /// Whether the input is active with this polarity bit, as it is on the wire. Edge 0 records and sets nothing in both readings.
 Task<bool> isActive(Controller &board, int axis, int bit)
 {
@@ -107,7 +86,7 @@ Task<ExperimentReport> findInputReading(Device &device, SetPointStream &, Experi
         co_return fail(Fault::Unsafe, say("stop the motors first"));
     auto &board = static_cast<Controller &>(device);
     const int axis = options.axis - 1;
-    const BorrowedInput borrowed(board, axis);
+    const BorrowedSettings borrowed(board, axis, BorrowedSettings::Part::Input);
     std::array<bool, 2> active{};
     for (int bit = 0; bit < 2; ++bit) {
         progress.step(say("looking at the status bit"), bit, 2);

@@ -2,6 +2,7 @@
 #include "families/quadquad2drv/orderqueue.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace mb::quadquad2drv {
@@ -19,17 +20,19 @@ OrderQueue::OrderQueue(Clock &clock, PacketPort &port, BoardLayout &layout, std:
 {
 }
 
-void OrderQueue::post(Bytes request, std::function<void()> accepted)
+void OrderQueue::enter(int axis, std::vector<Order> orders)
 {
-    const auto replaces = [&request](const Bytes &other) {
-        return other.size() == request.size() && std::equal(other.begin(), other.begin() + 4, request.begin());
-    };
-    if (m_orders.size() > 1 && replaces(m_orders.back().request))
-        m_orders.pop_back();
-    m_orders.push_back({std::move(request), std::move(accepted)});
-    m_layout.noteChange();
-    if (!m_working)
-        begin();
+    Slot &slot = m_slots[static_cast<std::size_t>(axis)];
+    slot.entry.assign(std::make_move_iterator(orders.begin()), std::make_move_iterator(orders.end()));
+    slot.target.reset();
+    m_turn = static_cast<std::size_t>(axis);
+    begin();
+}
+
+void OrderQueue::aim(int axis, Bytes target)
+{
+    m_slots[static_cast<std::size_t>(axis)].target = std::move(target);
+    begin();
 }
 
 void OrderQueue::learn()
@@ -41,32 +44,55 @@ void OrderQueue::learn()
 
 void OrderQueue::stop()
 {
-    m_orders.clear();
+    clear();
     ++m_stops;
     m_failure.reset();
 }
 
 void OrderQueue::begin()
 {
-    m_working = true;
+    m_layout.noteChange();
+    if (std::exchange(m_working, true))
+        return;
     m_scope.spawn<void>(work(), [this](const Result<void> &) {
         m_working = false;
-        if (!m_orders.empty()) // of a motion that began since a stop
+        const bool isWaiting
+            = std::ranges::any_of(m_slots, [](const Slot &slot) { return !slot.entry.empty() || slot.target; });
+        if (isWaiting) // of a motion that began since a stop
             begin();
     });
+}
+
+std::optional<OrderQueue::Order> OrderQueue::take()
+{
+    for (std::size_t i = 0; i < m_slots.size(); ++i) {
+        const std::size_t axis = (m_turn + i) % m_slots.size();
+        Slot &slot = m_slots[axis];
+        std::optional<Order> next;
+        if (!slot.entry.empty()) {
+            next = std::move(slot.entry.front());
+            slot.entry.pop_front();
+        } else if (slot.target) {
+            next = Order{std::move(*slot.target)};
+            slot.target.reset();
+        }
+        if (!next)
+            continue;
+        m_turn = slot.entry.empty() ? axis + 1 : axis;
+        return next;
+    }
+    return std::nullopt;
 }
 
 /// An order that the board does not take ends the motion. A stop ends what is under way.
 Task<void> OrderQueue::work()
 {
-    while (!m_orders.empty()) {
+    while (std::optional<Order> next = take()) {
         const std::uint64_t stops = m_stops;
-        Order next = std::move(m_orders.front());
-        m_orders.pop_front();
-        auto obeying = obey(std::move(next.request));
+        auto obeying = obey(std::move(next->request));
         const Result<void> obeyed = co_await std::move(obeying).attempt();
-        if (obeyed && next.accepted)
-            next.accepted();
+        if (obeyed && next->accepted)
+            next->accepted();
         if (obeyed || stops != m_stops)
             continue;
         m_failed();

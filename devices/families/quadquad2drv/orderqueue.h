@@ -4,41 +4,52 @@
 #include "async/scope.h"
 #include "families/quadquad2drv/boardlayout.h"
 
+#include <array>
 #include <deque>
 
 namespace mb::quadquad2drv {
 
-/// The requests of set-points on their way to the board, one after the other, each accepted before the next. Engine thread.
+/// The requests of set-points on their way to the board, one after the other, each accepted before the next. What an axis (0…3) is
+/// told anew takes the place of what waits for it, and the axes take turns, so that none is further behind than one order of each.
+/// Engine thread.
 class OrderQueue {
 public:
+    struct Order {
+        Bytes request;
+        std::function<void()> accepted{}; ///< called when the board has taken it
+    };
+
     /// Port and layout outlive it; `failed` stops the motors, because the board did not take an order.
     OrderQueue(Clock &clock, PacketPort &port, BoardLayout &layout, std::function<void()> failed);
 
-    /// A newer target of the same kind for the same axis takes the place of one that has not left yet. `accepted` is called when the
-    /// board has taken it.
-    void post(Bytes request, std::function<void()> accepted = {});
+    /// Takes another mode: before what waits for other axes, and instead of what waits for this one.
+    void enter(int axis, std::vector<Order> orders);
+    /// Behind the mode; a newer target takes the place of one that has not left yet.
+    void aim(int axis, Bytes target);
     /// The board will tell everything, where it does not.
     void learn();
     /// Nothing that was ordered before is sent any more, not even again.
     void stop();
     /// The board was reset.
-    void clear() { m_orders.clear(); }
+    void clear() { m_slots = {}; }
     /// What ended the motion; told once.
     [[nodiscard]] std::optional<Error> takeFailure() { return std::exchange(m_failure, std::nullopt); }
 
 private:
-    struct Order {
-        Bytes request;
-        std::function<void()> accepted;
+    struct Slot {
+        std::deque<Order> entry;
+        std::optional<Bytes> target;
     };
     void begin();
+    [[nodiscard]] std::optional<Order> take();
     [[nodiscard]] Task<void> work();
     [[nodiscard]] Task<void> obey(Bytes order);
 
     PacketPort &m_port;
     BoardLayout &m_layout;
     std::function<void()> m_failed;
-    std::deque<Order> m_orders;
+    std::array<Slot, axes> m_slots;
+    std::size_t m_turn = 0; ///< axis that comes next
     bool m_working = false;
     bool m_learning = false;
     std::uint64_t m_stops = 0;

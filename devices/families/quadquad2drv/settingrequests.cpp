@@ -50,15 +50,10 @@ void SettingRequests::accepted(ParameterIndex index, std::optional<std::int64_t>
         assume(axis, PositionP, PositionWindup);
     else if (which <= VelocityD)
         assume(axis, VelocityP, VelocityD);
-    else if (which == LimitPower)
-        assume(axis, LimitPower, LimitPower);
+    else if (which <= LimitAcceleration)
+        assume(axis, which, which);
     else if (which >= InputMode && which <= InputPosition)
         assume(axis, InputMode, InputPosition);
-}
-
-void SettingRequests::acceptedAll(int axis)
-{
-    assume(axis, AxisParameter::PositionP, AxisParameter::InputPosition);
 }
 
 Bytes SettingRequests::group(int axis, AxisParameter which, std::int64_t raw) const
@@ -120,7 +115,6 @@ std::vector<Bytes> SettingRequests::ofAxis(int axis) const
         setAccelerationLimit(maskOf(axis), bits(LimitAcceleration)),
         group(axis, PositionP, known(axis, PositionP)),
         group(axis, VelocityP, known(axis, VelocityP)),
-        input(axis),
     };
 }
 

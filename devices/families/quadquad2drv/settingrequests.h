@@ -32,10 +32,8 @@ public:
     [[nodiscard]] Bytes write(ParameterIndex index, std::int64_t raw) const;
     /// The board has taken it, with this value if it is another one: so is assumed what travelled with it.
     void accepted(ParameterIndex index, std::optional<std::int64_t> raw = {});
-    /// Of an axis (0…3): gains, limits and input as they are known or assumed to be.
+    /// Of an axis (0…3): limits and gains as they are known or assumed to be.
     [[nodiscard]] std::vector<Bytes> ofAxis(int axis) const;
-    /// The board has taken them all.
-    void acceptedAll(int axis);
     /// The one of the input alone.
     [[nodiscard]] Bytes input(int axis) const;
     /// The profile reads inputs differently than when they were written; once.

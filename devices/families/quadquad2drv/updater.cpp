@@ -204,21 +204,35 @@ Task<void> Updater::sendLine(std::size_t index)
             co_return fail(Fault::Timeout, say("%1 was not confirmed", line));
         if (!answer)
             co_return fail(answer.error());
-        if (*answer == text) { // an echo, and a record may spell a word of failure
-            m_progress.log(Severity::Info, Message::verbatim("< " + *answer));
-            continue;
-        }
-        heard(*answer);
-        if (isBanner(*answer))
-            co_return fail(Fault::Refused, say("the board restarted at %1", line));
-        if (isFailure(*answer))
-            co_return fail(Fault::Refused, say("%1 was refused: %2", line, *answer));
-        confirmed = true;
+        if (auto good = judge(index, *answer); !good)
+            co_return good;
+        confirmed = *answer != text;
     }
     const Instant next = begin + m_settings.lineTime;
     if (next > m_clock.now())
         co_await Sleep(m_clock, next - m_clock.now());
+    while (const auto more
+        = m_console.take()) { // a second answer does not confirm the next line, but it may take back the first
+        if (auto good = judge(index, *more); !good)
+            co_return good;
+    }
     co_return {};
+}
+
+/// What the bootloader says to a line.
+Result<void> Updater::judge(std::size_t index, const std::string &answer)
+{
+    if (answer == m_image.lines()[index]) { // an echo, and a record may spell a word of failure
+        m_progress.log(Severity::Info, Message::verbatim("< " + answer));
+        return {};
+    }
+    heard(answer);
+    const Message line = say("line %1", index + 1);
+    if (isBanner(answer))
+        return fail(Fault::Refused, say("the board restarted at %1", line));
+    if (isFailure(answer))
+        return fail(Fault::Refused, say("%1 was refused: %2", line, answer));
+    return {};
 }
 
 Task<void> Updater::leave()
