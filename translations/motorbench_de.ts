@@ -10807,6 +10807,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>Steps; all are done</source>
         <translation>Schritte; alle sind erledigt</translation>
     </message>
+    <message>
+        <source>The last check found it wrong: the encoder is reversed, or the motor did not move.</source>
+        <translation>Die letzte Prüfung fand es falsch: Der Geber ist verdreht, oder der Motor bewegte sich nicht.</translation>
+    </message>
 </context>
 <context>
     <name>mb::TuningSteps</name>

@@ -10807,6 +10807,10 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>Steps; all are done</source>
         <translation>Pasos; todos están hechos</translation>
     </message>
+    <message>
+        <source>The last check found it wrong: the encoder is reversed, or the motor did not move.</source>
+        <translation>La última comprobación la encontró mal: el encóder está invertido o el motor no se movió.</translation>
+    </message>
 </context>
 <context>
     <name>mb::TuningSteps</name>

@@ -10807,6 +10807,10 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>Steps; all are done</source>
         <translation>Étapes ; toutes sont faites</translation>
     </message>
+    <message>
+        <source>The last check found it wrong: the encoder is reversed, or the motor did not move.</source>
+        <translation>Le dernier contrôle l’a trouvée fausse : le codeur est inversé, ou le moteur n’a pas bougé.</translation>
+    </message>
 </context>
 <context>
     <name>mb::TuningSteps</name>

@@ -10792,6 +10792,10 @@ double click plots it, drag it to a pane or below them</source>
         <source>Steps; all are done</source>
         <translation>手順。すべて完了</translation>
     </message>
+    <message>
+        <source>The last check found it wrong: the encoder is reversed, or the motor did not move.</source>
+        <translation>最後の確認で誤りが見つかりました。エンコーダーが逆か、モーターが動きませんでした。</translation>
+    </message>
 </context>
 <context>
     <name>mb::TuningSteps</name>

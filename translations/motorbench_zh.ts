@@ -10792,6 +10792,10 @@ double click plots it, drag it to a pane or below them</source>
         <source>Steps; all are done</source>
         <translation>步骤；全部完成</translation>
     </message>
+    <message>
+        <source>The last check found it wrong: the encoder is reversed, or the motor did not move.</source>
+        <translation>上次检查发现不正确：编码器接反，或电机没有转动。</translation>
+    </message>
 </context>
 <context>
     <name>mb::TuningSteps</name>
