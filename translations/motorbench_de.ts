@@ -10809,7 +10809,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>The last check found it wrong: the encoder is reversed, or the motor did not move.</source>
-        <translation>Die letzte Prüfung fand es falsch: Der Geber ist verdreht, oder der Motor bewegte sich nicht.</translation>
+        <translation>Die letzte Prüfung fand es falsch: Der Sensor ist umgekehrt, oder der Motor bewegte sich nicht.</translation>
     </message>
 </context>
 <context>

@@ -27,8 +27,8 @@ public:
 private:
     ParameterDesk &m_desk;
     ParameterStore &m_known;
-    std::map<std::uint8_t, FrameRate> m_wishes;    ///< by status frame
-    std::map<std::uint8_t, std::uint32_t> m_usual; ///< what set() goes back to, ms
+    std::map<std::uint8_t, FrameRate> m_wishes;     ///< by status frame
+    std::map<std::uint8_t, std::uint32_t> m_usual;  ///< what set() goes back to, ms
     std::map<std::uint8_t, std::uint32_t> m_wanted; ///< by parameter, ms
     bool m_owed = false;
 };
