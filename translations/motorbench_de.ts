@@ -8395,6 +8395,10 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
         <source>Gain, counts/s at full duty</source>
         <translation>Verstärkung, counts/s bei vollem Tastgrad</translation>
     </message>
+    <message>
+        <source>Not kept</source>
+        <translation>Nicht behalten</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -10941,6 +10945,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>Identify and Autotune push first: %1</source>
         <translation>Vermessen und Selbst abstimmen stoßen zuerst an: %1</translation>
+    </message>
+    <message>
+        <source>Not kept</source>
+        <translation>Nicht behalten</translation>
     </message>
 </context>
 <context>
@@ -18690,6 +18698,22 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>restart it once more</source>
         <translation>noch einmal neu starten</translation>
+    </message>
+    <message>
+        <source>a limit switch was met</source>
+        <translation>ein Endschalter wurde erreicht</translation>
+    </message>
+    <message>
+        <source>no time was left to prove others</source>
+        <translation>für einen Nachweis anderer blieb keine Zeit</translation>
+    </message>
+    <message>
+        <source>what these gains do is predicted, and not proven on the motor</source>
+        <translation>was diese Verstärkungen bewirken, ist vorhergesagt und nicht am Motor bewiesen</translation>
+    </message>
+    <message>
+        <source>what was there is not known, and those that were tried are in force</source>
+        <translation>was da war, ist nicht bekannt, und die zuletzt versuchten gelten</translation>
     </message>
 </context>
 </TS>

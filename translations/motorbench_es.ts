@@ -8395,6 +8395,10 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
         <source>Gain, counts/s at full duty</source>
         <translation>Ganancia, counts/s con ciclo de trabajo pleno</translation>
     </message>
+    <message>
+        <source>Not kept</source>
+        <translation>No conservado</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -10941,6 +10945,10 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>Identify and Autotune push first: %1</source>
         <translation>Identificar y Autoajuste empujan primero: %1</translation>
+    </message>
+    <message>
+        <source>Not kept</source>
+        <translation>No conservado</translation>
     </message>
 </context>
 <context>
@@ -18690,6 +18698,22 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>restart it once more</source>
         <translation>reinícielo una vez más</translation>
+    </message>
+    <message>
+        <source>a limit switch was met</source>
+        <translation>se alcanzó un final de carrera</translation>
+    </message>
+    <message>
+        <source>no time was left to prove others</source>
+        <translation>no quedó tiempo para verificar otras</translation>
+    </message>
+    <message>
+        <source>what these gains do is predicted, and not proven on the motor</source>
+        <translation>lo que hacen estas ganancias está previsto y no verificado en el motor</translation>
+    </message>
+    <message>
+        <source>what was there is not known, and those that were tried are in force</source>
+        <translation>no se sabe lo que había, y las que se probaron están vigentes</translation>
     </message>
 </context>
 </TS>

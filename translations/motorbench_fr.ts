@@ -8395,6 +8395,10 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
         <source>Gain, counts/s at full duty</source>
         <translation>Gain, counts/s à plein rapport cyclique</translation>
     </message>
+    <message>
+        <source>Not kept</source>
+        <translation>Non conservé</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -10941,6 +10945,10 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>Identify and Autotune push first: %1</source>
         <translation>Identifier et Autoréglage poussent d’abord : %1</translation>
+    </message>
+    <message>
+        <source>Not kept</source>
+        <translation>Non conservé</translation>
     </message>
 </context>
 <context>
@@ -18690,6 +18698,22 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>restart it once more</source>
         <translation>redémarrez-le encore une fois</translation>
+    </message>
+    <message>
+        <source>a limit switch was met</source>
+        <translation>un fin de course a été atteint</translation>
+    </message>
+    <message>
+        <source>no time was left to prove others</source>
+        <translation>il ne restait pas de temps pour en vérifier d’autres</translation>
+    </message>
+    <message>
+        <source>what these gains do is predicted, and not proven on the motor</source>
+        <translation>ce que font ces gains est prédit et n’est pas vérifié sur le moteur</translation>
+    </message>
+    <message>
+        <source>what was there is not known, and those that were tried are in force</source>
+        <translation>on ne sait pas ce qu’il y avait, et ceux qui ont été essayés sont en vigueur</translation>
     </message>
 </context>
 </TS>

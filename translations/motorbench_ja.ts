@@ -8384,6 +8384,10 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <source>Gain, counts/s at full duty</source>
         <translation>ゲイン（全デューティでの counts/s）</translation>
     </message>
+    <message>
+        <source>Not kept</source>
+        <translation>採用せず</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -10926,6 +10930,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>Identify and Autotune push first: %1</source>
         <translation>同定とオートチューニングは先に押します: %1</translation>
+    </message>
+    <message>
+        <source>Not kept</source>
+        <translation>採用せず</translation>
     </message>
 </context>
 <context>
@@ -18673,6 +18681,22 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>restart it once more</source>
         <translation>もう一度再起動してください</translation>
+    </message>
+    <message>
+        <source>a limit switch was met</source>
+        <translation>リミットスイッチに達しました</translation>
+    </message>
+    <message>
+        <source>no time was left to prove others</source>
+        <translation>ほかの組を検証する時間は残っていませんでした</translation>
+    </message>
+    <message>
+        <source>what these gains do is predicted, and not proven on the motor</source>
+        <translation>これらのゲインの効果は予測であり、モーターで検証されていません</translation>
+    </message>
+    <message>
+        <source>what was there is not known, and those that were tried are in force</source>
+        <translation>元の値は不明で、試した値が有効になっています</translation>
     </message>
 </context>
 </TS>

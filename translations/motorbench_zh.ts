@@ -8384,6 +8384,10 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <source>Gain, counts/s at full duty</source>
         <translation>增益（满占空比时的 counts/s）</translation>
     </message>
+    <message>
+        <source>Not kept</source>
+        <translation>未保留</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -10926,6 +10930,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>Identify and Autotune push first: %1</source>
         <translation>辨识和自整定会先推动电机：%1</translation>
+    </message>
+    <message>
+        <source>Not kept</source>
+        <translation>未保留</translation>
     </message>
 </context>
 <context>
@@ -18673,6 +18681,22 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>restart it once more</source>
         <translation>请再重新启动一次</translation>
+    </message>
+    <message>
+        <source>a limit switch was met</source>
+        <translation>碰到了限位开关</translation>
+    </message>
+    <message>
+        <source>no time was left to prove others</source>
+        <translation>没有剩余时间验证其他方案</translation>
+    </message>
+    <message>
+        <source>what these gains do is predicted, and not proven on the motor</source>
+        <translation>这些增益的效果是预测的，尚未在电机上验证</translation>
+    </message>
+    <message>
+        <source>what was there is not known, and those that were tried are in force</source>
+        <translation>原有内容未知，试过的值正在生效</translation>
     </message>
 </context>
 </TS>
