@@ -127,10 +127,11 @@ TEST_F(Dmc60cController, AStopBrakesWhereTheLastSetPointOverrodeTheButtonToBrake
     const StopScript script = device->stopScript();
     ASSERT_EQ(script.steps.size(), 1U);
     EXPECT_EQ(toText(*script.steps.front().frame), braked) << "and what stops it from outside";
-    device->stop();
-    device->stop();
-    clock.advance(20ms);
-    EXPECT_EQ(unit.count(braked), 4);
+    for (int told = 1; told <= 2; ++told) {
+        device->stop();
+        clock.advance(20ms);
+        EXPECT_EQ(unit.count(braked), 2 * told);
+    }
     setPoint.brake = false;
     ASSERT_TRUE(device->command(setPoint));
     device->stop();
