@@ -125,7 +125,7 @@ TEST(Minute, ASecondProofIsNotBegunForWhichItIsTooShort)
         if (!text.english().starts_with("proving"))
             return;
         proofs.push_back(std::chrono::duration<double>(bench.bench.clock.now() - begin).count());
-        (void)bench.simulator()->disturb("bus-voltage", 7.0);
+        (void)bench.simulator()->disturb("bus-voltage", 8.5);
     };
     const auto report = test::tune(bench, test::planOf(Mode::Velocity));
     ASSERT_TRUE(report) << report.error().text();
