@@ -150,6 +150,17 @@ Task<void> Notebook::keepReplaced(Device &device, settings::Numbers before, sett
     co_return {};
 }
 
+double Notebook::lagOf(const Device &device, int axis) const
+{
+    const auto kept = m_book ? m_book->tuningsOf(unitKeyOf(device)) : Result<std::vector<KeptTuning>>();
+    if (!kept)
+        return 0.0;
+    const auto newest = std::ranges::find_if(kept->rbegin(), kept->rend(), [axis](const KeptTuning &tuning) {
+        return tuning.report.axis == axis && tuning.report.loop != Mode::Current && tuning.report.plant.tau > 0.0;
+    });
+    return newest == kept->rend() ? 0.0 : newest->report.plant.tau;
+}
+
 Task<std::vector<tuning::OwedGains>> Notebook::owedTo(Device &device)
 {
     if (!m_book)

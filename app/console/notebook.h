@@ -62,6 +62,9 @@ public:
     /// The same for who puts nothing back: a line for each trial, with its remedy, but not of what `written` is about to replace.
     [[nodiscard]] Task<std::vector<std::string>> owedLines(Device &device, std::vector<ParameterChange> written = {});
 
+    /// s, the time constant of the motor of an axis, as its newest tuning found it; 0: none did.
+    [[nodiscard]] double lagOf(const Device &device, int axis) const;
+
 private:
     /// Owed by trials that have ended; a note says what a living program tries.
     [[nodiscard]] Task<std::vector<tuning::OwedGains>> owedTo(Device &device);

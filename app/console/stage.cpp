@@ -74,13 +74,15 @@ Error putsNothingBack(const Error &trouble)
         trouble.help().empty() ? say("see to its rights, or --keep what is tried") : trouble.help()};
 }
 
-Experimenting::Experimenting(Console &console, Session &session, Device &device, Notebook &notebook)
+Experimenting::Experimenting(Console &console, Session &session, Device &device, Notebook &notebook, int axis)
     : m_console(console)
     , m_notebook(notebook)
     , m_stream(session.stream(device))
     , m_renewal(session.clock(), [this] { m_stream.renew(); })
 {
     notebook.noteTrouble();
+    if (const double lag = notebook.lagOf(device, axis); lag > 0.0)
+        m_directions.setLag(device.selector(), axis, lag);
     if (console.isInterrupted())
         m_interruption.interrupt();
     m_signal = console.interrupted().add([this] { m_interruption.interrupt(); });

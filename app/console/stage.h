@@ -41,7 +41,7 @@ using Performance = std::function<Task<int>(Session &, Device &)>;
 /// What the experiments of one verb share with this program while they run: the notebook, the signals that end them, its notes.
 class Experimenting {
 public:
-    Experimenting(Console &console, Session &session, Device &device, Notebook &notebook);
+    Experimenting(Console &console, Session &session, Device &device, Notebook &notebook, int axis);
     Experimenting(const Experimenting &) = delete;
     Experimenting &operator=(const Experimenting &) = delete;
 

@@ -146,7 +146,7 @@ Result<StepPlan> check(const Console &console, const StepArguments &a)
 
 Task<Trial> experiment(Console &console, Session &session, Device &device, const StepPlan &plan, Notebook &notebook)
 {
-    Experimenting experimenting(console, session, device, notebook);
+    Experimenting experimenting(console, session, device, notebook, plan.experiment.axis);
     auto running = runExperiment(device, experimenting.stream(), plan.experiment, experimenting.surroundings());
     co_return co_await std::move(running).attempt();
 }

@@ -112,7 +112,7 @@ Result<TuneOrder> check(const Console &console, const TuneArguments &a)
 
 Task<TuneReport> tuneOn(Console &console, Session &session, Device &device, const TuneOrder &plan, Notebook &notebook)
 {
-    Experimenting experimenting(console, session, device, notebook);
+    Experimenting experimenting(console, session, device, notebook, plan.tuning.axis);
     ExperimentSurroundings surroundings = experimenting.surroundings();
     if (!plan.tuning.propose)
         surroundings.before = [&] { return notebook.keepBefore(device, settings::Occasion::Tuning); };
@@ -133,7 +133,8 @@ Result<int> verdictOf(const TuneReport &report)
             say("remove the cause before it is run again"));
     if (report.result == TuneResult::Stopped && !report.notPutBack.empty())
         return fail(Fault::Unsafe, say("the tuning was interrupted: %1", report.evidence),
-            say("run it again with --yes, which puts them back first"));
+            replacesUnknown(report) ? say("run it again, or write gains that hold")
+                                    : say("run it again with --yes, which puts them back first"));
     if (report.result == TuneResult::Stopped)
         return fail(Fault::Unsafe, say("the tuning was interrupted; the gains are as before"), say("run it again"));
     if (report.result == TuneResult::RolledBack)

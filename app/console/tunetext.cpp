@@ -5,6 +5,7 @@
 #include "app/console/target.h"
 #include "files/filebytes.h"
 #include "tuning/feedforwardnote.h"
+#include "tuning/modelnumbers.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -30,23 +31,20 @@ QJsonObject metricsToJson(const Metrics &metrics)
     return object;
 }
 
-/// Gain of one direction alone, where it was measured.
-QJsonValue oneWay(double gain)
-{
-    return gain > 0.0 ? QJsonValue(gain) : QJsonValue();
-}
-
 QJsonObject modelToJson(const TuneReport &report)
 {
     const MotorFound &motor = *report.motor;
-    QJsonObject object{{QStringLiteral("gain"), motor.line.gain}, {QStringLiteral("gain_error"), motor.line.gainError},
-        {QStringLiteral("tau"), motor.pushes.tau}, {QStringLiteral("tau_error"), motor.pushes.tauError},
-        {QStringLiteral("delay"), report.plant.delay}, {QStringLiteral("delay_error"), motor.pushes.delayError},
-        {QStringLiteral("friction"), motor.line.friction}, {QStringLiteral("friction_error"), motor.line.frictionError},
-        {QStringLiteral("load"), motor.line.offset}, {QStringLiteral("load_error"), motor.line.offsetError},
-        {QStringLiteral("forward"), oneWay(motor.line.forward)},
-        {QStringLiteral("reverse"), oneWay(motor.line.reverse)}, {QStringLiteral("noise"), orNull(motor.restNoise)},
-        {QStringLiteral("latency"), orNull(motor.latency)}, {QStringLiteral("unit"), qt(motor.unit)}};
+    const ModelNumbers numbers = modelNumbers(report);
+    QJsonObject object{{QStringLiteral("unit"), qt(motor.unit)}};
+    for (const auto &[key, number] :
+        {std::pair("gain", numbers.gain), std::pair("tau", numbers.tau), std::pair("delay", numbers.delay),
+            std::pair("friction", numbers.friction), std::pair("load", numbers.load)}) {
+        object.insert(QLatin1String(key), orNull(number.value));
+        object.insert(QLatin1String(key) + QStringLiteral("_error"), orNull(number.error));
+    }
+    for (const auto &[key, number] : {std::pair("forward", numbers.forward), std::pair("reverse", numbers.reverse),
+             std::pair("noise", numbers.noise), std::pair("latency", numbers.latency)})
+        object.insert(QLatin1String(key), orNull(number.value));
     object.insert(
         QStringLiteral("filter"), qt(toString(motor.filter ? motor.filter->kind : VelocityFilter::Kind::None)));
     object.insert(QStringLiteral("window"), motor.filter ? QJsonValue(motor.filter->window) : QJsonValue());
@@ -89,35 +87,45 @@ std::string briefly(const std::optional<double> &value, double scale, const char
     return value ? brief(*value * scale) + unit : std::string("-");
 }
 
+/// Nothing of what nobody knows.
+void addNumber(Table &table, const char *name, const ModelNumber &number, double scale, const std::string &unit)
+{
+    if (number.value)
+        table.add({name, brief(scale * *number.value), number.error ? brief(scale * *number.error) : "", unit});
+}
+
+void addBreakaway(Table &table, const MotorFound &motor)
+{
+    const bool inVolts = motor.supply > 0.0;
+    const double scale = inVolts ? motor.supply : 100.0;
+    const std::string unit = inVolts ? "V" : "% duty";
+    for (const auto &[name, way] :
+        {std::pair("forward", motor.ramp->forward), std::pair("reverse", motor.ramp->reverse)}) {
+        table.add(
+            {std::string("breakaway ") + name, brief(scale * way.breakaway), brief(scale * way.breakawayError), unit});
+        table.add(
+            {std::string("friction ") + name, brief(scale * way.friction), brief(scale * way.frictionError), unit});
+    }
+}
+
 void printModel(Output &out, const TuneReport &report)
 {
     const MotorFound &motor = *report.motor;
+    const ModelNumbers numbers = modelNumbers(report);
     Table table({"model", "value", "±", "unit"});
-    table.add({"gain", brief(motor.line.gain), brief(motor.line.gainError), motor.unit});
-    table.add({"tau", brief(1e3 * motor.pushes.tau), brief(1e3 * motor.pushes.tauError), "ms"});
-    table.add({"delay of the loop", brief(1e3 * report.plant.delay), brief(1e3 * motor.pushes.delayError), "ms"});
-    table.add({"friction", brief(100.0 * motor.line.friction), brief(100.0 * motor.line.frictionError), "% duty"});
-    if (motor.ramp) {
-        const bool inVolts = motor.supply > 0.0;
-        const double scale = inVolts ? motor.supply : 100.0;
-        const std::string unit = inVolts ? "V" : "% duty";
-        for (const auto &[name, way] :
-            {std::pair("forward", motor.ramp->forward), std::pair("reverse", motor.ramp->reverse)}) {
-            table.add({std::string("breakaway ") + name, brief(scale * way.breakaway),
-                brief(scale * way.breakawayError), unit});
-            table.add(
-                {std::string("friction ") + name, brief(scale * way.friction), brief(scale * way.frictionError), unit});
-        }
+    addNumber(table, "gain", numbers.gain, 1.0, motor.unit);
+    addNumber(table, "tau", numbers.tau, 1e3, "ms");
+    addNumber(table, "delay of the loop", numbers.delay, 1e3, "ms");
+    addNumber(table, "friction", numbers.friction, 100.0, "% duty");
+    if (motor.ramp)
+        addBreakaway(table, motor);
+    addNumber(table, "load one way", numbers.load, 100.0, "% duty");
+    if (numbers.load.value) {
+        addNumber(table, "gain forward", numbers.forward, 1.0, motor.unit);
+        addNumber(table, "gain reverse", numbers.reverse, 1.0, motor.unit);
     }
-    if (motor.line.forward > 0.0 && motor.line.reverse > 0.0) {
-        table.add({"load one way", brief(100.0 * motor.line.offset), brief(100.0 * motor.line.offsetError), "% duty"});
-        table.add({"gain forward", brief(motor.line.forward), "", motor.unit});
-        table.add({"gain reverse", brief(motor.line.reverse), "", motor.unit});
-    }
-    if (motor.restNoise)
-        table.add({"noise at rest", brief(*motor.restNoise), "", "counts"});
-    if (motor.latency)
-        table.add({"order to motion", brief(1e3 * *motor.latency), "", "ms"});
+    addNumber(table, "noise at rest", numbers.noise, 1.0, "counts");
+    addNumber(table, "order to motion", numbers.latency, 1e3, "ms");
     if (motor.filter)
         table.add({"velocity filter, " + std::string(toString(motor.filter->kind)), brief(1e3 * motor.filter->window),
             "", "ms"});

@@ -2,6 +2,7 @@
 #include "experiment/announcement.h"
 
 #include "experiment/direction.h"
+#include "experiment/experimentmotion.h"
 #include "experiment/figures.h"
 #include "experiment/guards.h"
 #include "model/family.h"
@@ -46,12 +47,12 @@ std::optional<double> speedOf(const ExperimentPlan &plan, const Stimulus &stimul
 
 /// Pushes go on where the one before has ended; a set-point of speed is followed until its end, and once more on the way back to 0.
 std::optional<double> travelOf(
-    const ExperimentPlan &plan, const Stimulus &stimulus, double origin, std::optional<double> speed)
+    const ExperimentPlan &plan, const Stimulus &stimulus, double origin, std::optional<double> speed, double lag)
 {
     if (plan.mode == Mode::Position)
         return beyondTarget * std::max(std::abs(stimulus.from - origin), std::abs(stimulus.to - origin));
     if (plan.reach)
-        return rollsOn * *plan.reach * plan.repeat;
+        return (rollsOn * *plan.reach + speed.value_or(0.0) * std::max(lag - stopLag, 0.0)) * plan.repeat;
     return speed ? std::optional(rollsOn * *speed * stimulus.length() * plan.repeat) : std::nullopt;
 }
 
@@ -70,7 +71,7 @@ void announceDirection(
 
 } // namespace
 
-Extent extentOf(const ExperimentPlan &plan, const Trial &trial, double origin, double gain)
+Extent extentOf(const ExperimentPlan &plan, const Trial &trial, double origin, double gain, double lag)
 {
     const Envelope &envelope = trial.envelope;
     const Stimulus &stimulus = trial.stimulus;
@@ -78,7 +79,7 @@ Extent extentOf(const ExperimentPlan &plan, const Trial &trial, double origin, d
     extent.duty = plan.mode == Mode::Duty ? std::max(std::abs(stimulus.from), std::abs(stimulus.to))
                                           : envelope.duty.value_or(1.0);
     extent.speed = least(speedOf(plan, stimulus, extent.duty, gain), stopSpeed(envelope));
-    extent.travel = least(travelOf(plan, stimulus, origin, extent.speed), envelope.travel);
+    extent.travel = least(travelOf(plan, stimulus, origin, extent.speed, lag), envelope.travel);
     return extent;
 }
 
@@ -98,10 +99,11 @@ Message textOf(const Extent &extent)
 void announce(const Device &device, const ExperimentSurroundings &surroundings, const ExperimentPlan &plan,
     const Trial &trial, double origin)
 {
-    if (!plan.announced || !surroundings.note)
+    if (!surroundings.note)
         return;
     announceDirection(device, surroundings, plan, trial);
-    surroundings.note(textOf(extentOf(plan, trial, origin, *plan.announced)));
+    const double lag = surroundings.directions ? surroundings.directions->lag(device.selector(), plan.axis) : 0.0;
+    surroundings.note(textOf(extentOf(plan, trial, origin, plan.announced.value_or(0.0), lag)));
 }
 
 } // namespace mb::tuning

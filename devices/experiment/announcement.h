@@ -12,8 +12,10 @@ struct Extent {
     std::optional<double> travel; ///< counts from where it stands
 };
 
-/// `gain` of the motor, counts/s per duty at most; 0: not known, and its guards alone are the bound.
-[[nodiscard]] Extent extentOf(const ExperimentPlan &plan, const Trial &trial, double origin, double gain);
+/// `gain` of the motor, counts/s per duty at most; 0: not known, and its guards alone are the bound. `lag`: s in which it stops, where
+/// that is known.
+[[nodiscard]] Extent extentOf(
+    const ExperimentPlan &plan, const Trial &trial, double origin, double gain, double lag = 0.0);
 
 /// Of whatever stays within these bounds, where nothing more is known of it.
 [[nodiscard]] Extent extentOf(const Envelope &bounds);

@@ -8,8 +8,8 @@
 
 namespace mb::tuning {
 
-/// Which axes were found to count the right way during this run of the program. What a profile kept is shown, and never skips
-/// the check.
+/// What was found of axes during this run of the program: which count the right way, and how slowly a braked motor stops. What a
+/// profile kept is shown, and never skips the check.
 class DirectionBook {
 public:
     /// The duty that moved it then (0 where it was sent); nothing: not checked yet.
@@ -19,14 +19,23 @@ public:
         return found == m_checked.end() ? std::nullopt : std::optional(found->second);
     }
     void add(const std::string &device, int axis, double duty) { m_checked[{device, axis}] = duty; }
+    /// s, the time constant of its motor and load; 0: not known.
+    [[nodiscard]] double lag(const std::string &device, int axis) const
+    {
+        const auto found = m_lags.find({device, axis});
+        return found == m_lags.end() ? 0.0 : found->second;
+    }
+    void setLag(const std::string &device, int axis, double lag) { m_lags[{device, axis}] = lag; }
     /// Motor or sensor may have been plugged differently.
     void forget(const std::string &device)
     {
         std::erase_if(m_checked, [&device](const auto &entry) { return entry.first.first == device; });
+        std::erase_if(m_lags, [&device](const auto &entry) { return entry.first.first == device; });
     }
 
 private:
     std::map<std::pair<std::string, int>, double> m_checked;
+    std::map<std::pair<std::string, int>, double> m_lags;
 };
 
 /// Duty of its strongest push.

@@ -24,7 +24,6 @@ constexpr double restShare = 0.02;
 constexpr double longestReturn = 5.0; ///< s
 /// Of a way back, over which it stays where it began: nothing but its next step waits.
 constexpr double returnedShare = 0.35;
-constexpr double stopLag = 0.2; ///< s, as the guard of the travel counts
 constexpr int relayTurns = 18;
 constexpr Duration relayGlance = 2ms;
 constexpr Duration standsSpan = 150ms; ///< the same without a loop

@@ -9,6 +9,8 @@
 
 namespace mb::tuning {
 
+constexpr double stopLag = 0.2; ///< s, in which a motor is taken to stop, where a push is to end within its reach
+
 /// s from the beginning of a motion at rest to that of its stimulus, and from its end on until it is at X again, of what follows with
 /// that lag (s) a duty whose stimulus is `length` s long; at most.
 [[nodiscard]] double secondsBefore(double lag);

@@ -40,8 +40,8 @@ struct ExperimentPlan {
     double noise = 0.0;         ///< σ of what a loop measures, where it is known: no swing of it is taken for one
     std::vector<ParameterChange> gains; ///< in force while it runs
     Keep keep = Keep::Never;            ///< and afterwards
-    /// What it may make of the motor is said before it moves (announcement.h); its counts/s per duty at most, 0 where nobody knows.
-    std::optional<double> announced;
+    std::optional<double>
+        announced;            ///< its counts/s per duty at most, 0 or nothing where nobody knows (announcement.h)
     Message intent{};         ///< what it is, for people: said when nothing can refuse it any more
     Envelope limits;          ///< what the caller allows
     std::optional<Mode> loop; ///< that it is made for, whose limits must be known, too; nothing: its mode
@@ -59,7 +59,7 @@ struct ExperimentSurroundings {
     std::function<void(const Message &)> warn; ///< one that they should not miss; where empty, a note
     /// When a hold has ended, before the way back: the trial with what this repeat has measured. The motor still runs.
     std::function<void(const Trial &)> measured;
-    /// Why what it has written is still in force, and owed: Trial::notPutBack, also of one that fails.
+    /// Why what it has written is still in force: Trial::notPutBack, also of one that fails; or Keep::Always, and then nothing is owed.
     std::function<void(const Message &)> leftInForce;
 
     void caution(const Message &text) const

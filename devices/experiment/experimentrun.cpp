@@ -200,6 +200,8 @@ GuardPlan ExperimentRun::guardPlan() const
     plan.noise = m_plan.noise;
     plan.dutyKnown = m_plan.mode == Mode::Duty || axisChannel(m_device, "duty", m_plan.axis).has_value();
     plan.isVelocity = m_plan.mode == Mode::Velocity;
+    if (m_around.directions)
+        plan.lag = std::max(plan.lag, m_around.directions->lag(m_device.selector(), m_plan.axis));
     plan.breakaway = m_breakaway;
     plan.late = ofSeconds(secondsUntilPush(m_device, m_trial, m_breakaway));
     plan.hottest = traits.hottest;
@@ -254,6 +256,8 @@ Task<void> ExperimentRun::putBack()
     }
     if (!m_wrote)
         co_return {};
+    if (m_plan.keep == Keep::Always && m_around.leftInForce)
+        m_around.leftInForce(say("what was there is not known, and those that were tried are in force"));
     if (m_plan.keep == Keep::Always && !m_inForce)
         co_return {};
     if (m_plan.keep == Keep::Always || (m_plan.keep == Keep::WhenDone && m_trial.reason == "done")) {
@@ -285,6 +289,10 @@ void ExperimentRun::classifyEnding(const std::optional<Error> &error)
 {
     if (m_recorder.trip() && !m_trip)
         m_trip = m_recorder.trip();
+    if (m_recorder.limitMet())
+        m_trial.flags.emplace_back(flag::limitSwitch);
+    if (m_trip && m_trip->guard == Guard::NoMotion && m_recorder.limitMet())
+        m_trip->detail = joined(m_trip->detail, Message::label(m_recorder.limitMet()->clause));
     Ending ending;
     ending.completed = m_motion.isCompleted();
     ending.trip = m_trip;

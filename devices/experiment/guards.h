@@ -47,7 +47,7 @@ struct GuardPlan {
     double noise = 0.0;      ///< σ of what is measured, in the same unit
     bool dutyKnown = true;   ///< else a large error on end stands for a duty that pushes
     bool isVelocity = false; ///< the loop's: there a large target does
-    double lag = 0.15;       ///< s, in which a braked motor stops, at most
+    double lag = 0.15;       ///< s, in which a braked motor stops where nothing is known of it
     double breakaway = 0.1;  ///< duty that moves it
     Duration late{};         ///< after which a loop of which no duty is told puts out as much; its integral may be slow
     double hottest = 80.0;   ///< °C

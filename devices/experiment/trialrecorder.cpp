@@ -7,6 +7,7 @@
 #include "model/family.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -16,9 +17,11 @@ namespace {
 constexpr Duration guardPeriod = std::chrono::milliseconds(5);
 constexpr std::size_t fewestStill = 3; ///< positions that tell a standstill
 constexpr double stillCounts = 1.0;
-constexpr double settledShare = 0.5;                       ///< of the time since the edge, over which it rests
-constexpr double besideShare = 0.75;                       ///< the same beside its aim
-constexpr Duration besideLeast = std::chrono::seconds(1);  ///< so that the guard of no motion has had its half second
+constexpr double settledShare = 0.5;                      ///< of the time since the edge, over which it rests
+constexpr double besideShare = 0.75;                      ///< the same beside its aim
+constexpr Duration besideLeast = std::chrono::seconds(1); ///< so that the guard of no motion has had its half second
+constexpr std::array<std::string_view, 2> limitSwitches{
+    "limit.forward.switch", "limit.reverse.switch"};       ///< states (model/livestate.h), of whichever family
 constexpr Duration heldUp = std::chrono::milliseconds(20); ///< what came meanwhile is not read yet
 
 } // namespace
@@ -111,10 +114,20 @@ void TrialRecorder::look()
     const Instant before = std::exchange(m_lookedAt, m_device.clock().now());
     const bool isLate = m_lookedAt - before > heldUp;
     const bool wasLate = std::exchange(m_wasLate, isLate);
+    if (m_stream.isRunning())
+        lookForLimits();
     if (isLate && !wasLate)
         return; // who was held up reads first, and then judges silence
     if (m_guards && m_stream.isRunning())
         ended(m_guards->look(m_device.clock().now(), m_samples, lost()));
+}
+
+void TrialRecorder::lookForLimits()
+{
+    for (const StateRow *const row : conditionsOf(m_device.family().states, m_device.states())) {
+        if (std::ranges::find(limitSwitches, row->key) != limitSwitches.end())
+            m_limitMet = row;
+    }
 }
 
 void TrialRecorder::ended(std::optional<Trip> trip)

@@ -33,6 +33,8 @@ public:
     [[nodiscard]] std::vector<Signal> signals(Instant zero, const Span &within = everything) const;
     [[nodiscard]] std::uint64_t samples() const { return m_samples; }
     [[nodiscard]] std::uint64_t lost() const;
+    /// The limit switch that held while the motor was driven, by its row; nullptr: none did, or the device tells none.
+    [[nodiscard]] const StateRow *limitMet() const { return m_limitMet; }
     /// Counts where the motor would come to rest by what its last positions say, in `lag` seconds; 0 while there are too few.
     [[nodiscard]] double stopsAt(double lag) const;
     /// Median time between the last positions, s; 0 while there are too few.
@@ -61,6 +63,7 @@ private:
     void take(const Sample &sample);
     [[nodiscard]] std::optional<Trip> show(const std::string &key, const Sample &sample);
     void look();
+    void lookForLimits();
     void ended(std::optional<Trip> trip);
     [[nodiscard]] std::uint64_t lostSoFar() const;
     [[nodiscard]] const Recorded *find(std::string_view key) const;
@@ -78,6 +81,7 @@ private:
     Instant m_stoppedAt{};
     Instant m_lookedAt{};
     bool m_wasLate = false; ///< it came late when it looked last
+    const StateRow *m_limitMet = nullptr;
     std::uint64_t m_samples = 0;
     std::uint64_t m_lostBefore = 0;
     Timer m_timer;

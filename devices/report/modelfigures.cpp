@@ -3,6 +3,7 @@
 
 #include "files/qttext.h"
 #include "report/htmltext.h"
+#include "tuning/modelnumbers.h"
 
 namespace mb {
 namespace {
@@ -24,20 +25,29 @@ void addBreakaway(const MotorFound &motor, std::vector<ModelFigure> &figures)
         scale * motor.ramp->reverse.breakawayError, 3, unit});
 }
 
-/// What the two directions tell apart, and what was seen before and at the begin of a push.
-void addWays(const MotorFound &motor, const QString &unit, std::vector<ModelFigure> &figures)
+/// Nothing of what nobody knows.
+void add(std::vector<ModelFigure> &figures, ModelFigure figure, const ModelNumber &number, double scale = 1.0)
 {
-    if (motor.line.forward > 0.0 && motor.line.reverse > 0.0) {
-        figures.push_back({ReportText::tr("Load one way kG"), QStringLiteral("kG"), percent * motor.line.offset,
-            percent * motor.line.offsetError, 4, ReportText::tr("% duty")});
-        figures.push_back({ReportText::tr("Gain forwards"), {}, motor.line.forward, {}, 4, unit});
-        figures.push_back({ReportText::tr("Gain backwards"), {}, motor.line.reverse, {}, 4, unit});
+    if (!number.value)
+        return;
+    figure.value = scale * *number.value;
+    if (number.error)
+        figure.error = scale * *number.error;
+    figures.push_back(std::move(figure));
+}
+
+/// What the two directions tell apart, and what was seen before and at the begin of a push.
+void addWays(const ModelNumbers &numbers, const QString &unit, std::vector<ModelFigure> &figures)
+{
+    if (numbers.load.value) {
+        add(figures, {ReportText::tr("Load one way kG"), QStringLiteral("kG"), 0.0, {}, 4, ReportText::tr("% duty")},
+            numbers.load, percent);
+        add(figures, {ReportText::tr("Gain forwards"), {}, 0.0, {}, 4, unit}, numbers.forward);
+        add(figures, {ReportText::tr("Gain backwards"), {}, 0.0, {}, 4, unit}, numbers.reverse);
     }
-    if (motor.restNoise)
-        figures.push_back({ReportText::tr("Noise at rest σ"), QStringLiteral("σ"), *motor.restNoise, {}, 2,
-            ReportText::tr("counts")});
-    if (motor.latency)
-        figures.push_back({ReportText::tr("Order to motion"), {}, milli * *motor.latency, {}, 3, QStringLiteral("ms")});
+    add(figures, {ReportText::tr("Noise at rest σ"), QStringLiteral("σ"), 0.0, {}, 2, ReportText::tr("counts")},
+        numbers.noise);
+    add(figures, {ReportText::tr("Order to motion"), {}, 0.0, {}, 3, QStringLiteral("ms")}, numbers.latency, milli);
 }
 
 } // namespace
@@ -45,21 +55,18 @@ void addWays(const MotorFound &motor, const QString &unit, std::vector<ModelFigu
 std::vector<ModelFigure> modelFigures(const TuneReport &report, const std::function<QString(const Message &)> &phrase)
 {
     const std::optional<MotorFound> &motor = report.motor;
-    const MotorFound found = motor.value_or(MotorFound());
-    const auto error = [&motor](double of) { return motor ? std::optional(of) : std::nullopt; };
-    const QString unit = worded(phrase, Message::label(found.unit));
-    std::vector<ModelFigure> figures{
-        {ReportText::tr("Gain K"), QStringLiteral("K"), report.plant.gain, error(found.line.gainError), 4, unit},
-        {ReportText::tr("Lag τ"), QStringLiteral("τ"), milli * report.plant.tau, error(milli * found.pushes.tauError),
-            4, QStringLiteral("ms")},
-        {ReportText::tr("Dead time θ"), QStringLiteral("θ"), milli * report.plant.delay,
-            error(milli * found.pushes.delayError), 4, QStringLiteral("ms")},
-        {ReportText::tr("Friction kS"), QStringLiteral("kS"), percent * report.plant.friction,
-            error(percent * found.line.frictionError), 4, ReportText::tr("% duty")}};
+    const ModelNumbers numbers = modelNumbers(report);
+    const QString unit = worded(phrase, Message::label(motor.value_or(MotorFound()).unit));
+    std::vector<ModelFigure> figures;
+    add(figures, {ReportText::tr("Gain K"), QStringLiteral("K"), 0.0, {}, 4, unit}, numbers.gain);
+    add(figures, {ReportText::tr("Lag τ"), QStringLiteral("τ"), 0.0, {}, 4, QStringLiteral("ms")}, numbers.tau, milli);
+    add(figures, {ReportText::tr("Dead time θ"), QStringLiteral("θ"), 0.0, {}, 4, QStringLiteral("ms")}, numbers.delay,
+        milli);
+    add(figures, {ReportText::tr("Friction kS"), QStringLiteral("kS"), 0.0, {}, 4, ReportText::tr("% duty")},
+        numbers.friction, percent);
     if (motor && motor->ramp)
         addBreakaway(*motor, figures);
-    if (motor)
-        addWays(*motor, unit, figures);
+    addWays(numbers, unit, figures);
     return figures;
 }
 

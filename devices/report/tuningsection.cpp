@@ -39,7 +39,8 @@ QString verdictHtml(const TuneReport &report)
     switch (report.result) {
     case TuneResult::Kept: return strong(ReportText::tr("Kept"), "ok");
     case TuneResult::Proposed: return strong(ReportText::tr("Proposed, nothing was written"), "accent");
-    case TuneResult::RolledBack: return strong(ReportText::tr("Put back"), "caution");
+    case TuneResult::RolledBack:
+        return strong(replacesUnknown(report) ? ReportText::tr("Not kept") : ReportText::tr("Put back"), "caution");
     case TuneResult::Refused: return strong(ReportText::tr("Refused"), "caution");
     case TuneResult::Stopped: return strong(ReportText::tr("Stopped"), "danger");
     }

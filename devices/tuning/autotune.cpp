@@ -40,6 +40,10 @@ Task<void> proveAny(AutotuneRun &run, TuneDesign &design, TuneProof &proof)
         auto proving = proof.prove();
         co_await std::move(proving);
         again = !run.isOver() && run.report().result == TuneResult::RolledBack;
+        if (again && run.left() < proof.leastSeconds()) {
+            run.report().evidence = joined(run.report().evidence, say("no time was left to prove others"));
+            again = false;
+        }
         if (again) {
             auto reconsidering = design.reconsider();
             again = co_await std::move(reconsidering);
@@ -125,6 +129,7 @@ Task<void> perform(AutotuneRun &run, const TunePlan &plan)
             co_return fail(may.error());
         }
         run.report().result = TuneResult::Proposed;
+        run.report().evidence = say("what these gains do is predicted, and not proven on the motor");
         co_return {};
     }
     TuneProof proof(run, design);
@@ -244,6 +249,8 @@ Task<TuneReport> autotune(Device &device, SetPointStream &stream, TunePlan plan,
     }
     if (run.isOver())
         report.result = TuneResult::Stopped;
+    if (!report.notPutBack.empty() && replacesUnknown(report))
+        report.evidence = joined(report.evidence, report.notPutBack);
     report.seconds = inSeconds(device.clock().now() - begin);
     report.unit = unitKeyOf(device);
     report.firmware = device.identity().firmware;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/autotunerun.h"
 
+#include "experiment/direction.h"
 #include "experiment/envelope.h"
 #include "experiment/figures.h"
 #include "experiment/seconds.h"
@@ -71,7 +72,6 @@ Task<Trial> AutotuneRun::runOnce(ExperimentPlan plan)
         m_here = position->trace.y.back() + (counted ? m_here : 0.0); // each counts from its own start
     }
     m_report.stopped = trial.stopped || m_device.isSeenStopped();
-    m_report.notPutBack = trial.notPutBack;
     if (auto ended = judgeEnding(trial); !ended)
         co_return fail(ended.error());
     co_return trial;
@@ -110,8 +110,7 @@ Task<Trial> AutotuneRun::run(ExperimentPlan plan)
         if (!lossy || again == mostRepeats)
             co_return trial;
         note(say("the wire lost too many frames; the same again"));
-        m_report.stopReason.clear();
-        m_report.evidence = {};
+        forgive();
         const int fewest = plan.mode == Mode::Current ? currentRepeats(0.0, 1.0) : 1; // fewer do not tell it from noise
         plan.repeat = std::max(plan.repeat / 2, std::min(plan.repeat, fewest));
         if (plan.mode == Mode::Position && !m_device.family().capabilities.zeroPosition)
@@ -177,6 +176,8 @@ void AutotuneRun::expectOf(const PlantModel &plant, const std::optional<TriedSca
 {
     if (m_plan.loop != Mode::Current && !scale)
         m_gain = knownReserve * plant.gain;
+    if (m_plan.loop != Mode::Current && m_around.directions)
+        m_around.directions->setLag(m_device.selector(), m_plan.axis, plant.tau);
 }
 
 Result<void> AutotuneRun::take(Finding finding)

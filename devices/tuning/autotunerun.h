@@ -52,7 +52,11 @@ public:
     /// s that are left of a minute (A13).
     [[nodiscard]] double left() const;
     /// The last experiment ended by a guard, and that was to be expected.
-    void forgive() { m_report.stopReason.clear(); }
+    void forgive()
+    {
+        m_report.stopReason.clear();
+        m_report.evidence = {};
+    }
     void note(const Message &text) const;
 
     /// Takes the model that the plan brings, and where the motor stands now; no motion.
@@ -83,6 +87,7 @@ private:
     [[nodiscard]] Task<Trial> runOnce(ExperimentPlan plan);
     [[nodiscard]] Result<void> judgeEnding(const Trial &trial);
     [[nodiscard]] std::optional<double> travelOfPlan() const;
+    /// Of the motor, for what is announced and what guards count on.
     void expectOf(const PlantModel &plant, const std::optional<TriedScale> &scale);
 
     Device &m_device;

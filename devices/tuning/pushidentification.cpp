@@ -145,7 +145,9 @@ Task<void> PushIdentification::probe(AutotuneRun &run)
             break;
         if (duty >= most) {
             run.end(toString(Guard::NoMotion),
-                say("the motor did not turn at up to %1 duty: stalled, or the encoder is dead", percentText(most)));
+                joined(
+                    say("the motor did not turn at up to %1 duty: stalled, or the encoder is dead", percentText(most)),
+                    trial.has(flag::limitSwitch) ? say("a limit switch was met") : Message()));
             break;
         }
         m_held = m_probed;

@@ -99,6 +99,11 @@ double TuneProof::seconds() const
     return 2.0 * proofSeconds(hold(), isCurrent ? currentRepeats(m_run.report().plant.noise, m_design.step()) : 1);
 }
 
+double TuneProof::leastSeconds() const
+{
+    return 2.0 * proofSeconds(hold(), m_run.plan().loop == Mode::Current ? currentRepeats(0.0, 1.0) : 1);
+}
+
 /// The proposal as changes of the slot that it is proven in, with everything else of the slot that it is for.
 std::vector<ParameterChange> TuneProof::inProvingSlot() const
 {
@@ -311,6 +316,7 @@ Task<void> TuneProof::keep()
     auto writing = write();
     co_await std::move(writing);
     report.result = TuneResult::Kept;
+    report.notPutBack = {};
     const Capabilities &can = m_run.device().family().capabilities;
     report.evidence = m_design.isFormer()
         ? say("the steps in both directions kept their limits; the gains are as they were")

@@ -24,6 +24,8 @@ public:
     [[nodiscard]] Task<void> keep();
     /// s that another proof takes, at most.
     [[nodiscard]] double seconds() const;
+    /// The same with as few steps as tell anything.
+    [[nodiscard]] double leastSeconds() const;
 
 private:
     [[nodiscard]] double profileRate() const;

@@ -68,9 +68,12 @@ struct TuneReport {
     Metrics measured;                     ///< the worse of both
     std::string stopReason; ///< of the trial that ended it: a guard's name, "link", "interrupted"; empty else
     bool stopped = true;    ///< the motor was seen stopped
-    Message notPutBack;     ///< as Trial::notPutBack
+    Message notPutBack;     ///< why something else than before, and than was kept, is in force; empty: nothing is
     double seconds = 0.0;
     std::vector<std::int64_t> trials; ///< numbers in the notebook
 };
+
+/// Nobody knows what its gains replaced, so that nothing can put it back, and nothing is owed.
+[[nodiscard]] bool replacesUnknown(const TuneReport &report);
 
 } // namespace mb::tuning

@@ -115,6 +115,30 @@ TEST_F(Dmc60cController, StopsBeforeEverythingThatWaitsAndLetsNoSetPointFollow)
     EXPECT_EQ(*last, stop) << "a set-point that comes after the stop would drive again";
 }
 
+/// Without the override a unit returns to its button (6.1), which may say coast.
+TEST_F(Dmc60cController, AStopBrakesWhereTheLastSetPointOverrodeTheButtonToBrake)
+{
+    const std::string braked = "02060005#3F00000000000000";
+    SetPoint setPoint;
+    setPoint.mode = Mode::Duty;
+    setPoint.target = 0.5;
+    setPoint.brake = true;
+    ASSERT_TRUE(device->command(setPoint));
+    const StopScript script = device->stopScript();
+    ASSERT_EQ(script.steps.size(), 1U);
+    EXPECT_EQ(toText(*script.steps.front().frame), braked) << "and what stops it from outside";
+    for (int told = 1; told <= 2; ++told) {
+        device->stop();
+        clock.advance(20ms);
+        EXPECT_EQ(unit.count(braked), 2 * told);
+    }
+    setPoint.brake = false;
+    ASSERT_TRUE(device->command(setPoint));
+    device->stop();
+    clock.advance(20ms);
+    EXPECT_EQ(unit.count("02060005#0F00000000000000"), 2) << "what was to coast is left to the button";
+}
+
 TEST_F(Dmc60cController, SendsTheStopForAnOffSetPointAndForADuplicate)
 {
     EXPECT_TRUE(command(Mode::Off, 0));

@@ -123,6 +123,21 @@ TEST(Announcement, TheCheckOfTheDirectionIsToldWhereItComesFirst)
     EXPECT_NE(checked, bench.notes.end());
 }
 
+/// One by hand or of a battery, of whose motor nobody has told anything.
+TEST(Announcement, AStepByItselfIsToldWithItsDirectionCheckBeforeItRuns)
+{
+    ExperimentBench bench("sim:can", "dmc60c", 5);
+    const auto trial = bench.run(test::stepTo(Mode::Velocity, 20'000.0));
+    ASSERT_TRUE(trial) << trial.error().text();
+    ASSERT_EQ(trial->reason, "done") << trial->detail;
+    const std::vector<Announced> told = announcedIn(bench.notes);
+    ASSERT_EQ(told.size(), 1U);
+    EXPECT_LE(fastest(trial->signal("position")->trace), told.front().speed.value_or(0.0));
+    EXPECT_LE(farthest(trial->signal("position")->trace), told.front().travel);
+    EXPECT_TRUE(std::any_of(bench.notes.begin(), bench.notes.end(),
+        [](const std::string &note) { return note.starts_with("first its direction is checked"); }));
+}
+
 /// Its guard lets that pass.
 TEST(Announcement, OfASpeedThatTheLimitsBoundIsWhatItsGuardStopsAt)
 {

@@ -279,6 +279,38 @@ TEST(Autotune, TunesBothLoopsOfAnAbstractDcThatCannotBeRead)
     }
 }
 
+/// Nobody knows what it replaces, so that nothing can be put back: half of its first proof is over.
+TEST(Autotune, GainsThatReplaceUnknownOnesAreSaidToBeInForceWhereTheirProofIsCutShort)
+{
+    ExperimentBench bench("sim:can", "abstractdc", 3);
+    Timer cutting(bench.bench.clock);
+    bench.surroundings.note = [&bench, &cutting](const Message &text) {
+        if (text.english().starts_with("proving"))
+            cutting.startIn(std::chrono::milliseconds(800), [&bench] { bench.interruption.interrupt(); });
+    };
+    TunePlan plan = planOf(Mode::Velocity);
+    plan.keep = true;
+    const auto report = tune(bench, plan);
+    ASSERT_TRUE(report) << report.error().text();
+    EXPECT_EQ(report->result, TuneResult::Stopped) << report->evidence;
+    EXPECT_EQ(report->stopReason, "interrupted");
+    EXPECT_NE(report->notPutBack.english().find("those that were tried are in force"), std::string::npos)
+        << report->notPutBack;
+    EXPECT_NE(report->evidence.english().find("those that were tried are in force"), std::string::npos)
+        << report->evidence;
+}
+
+TEST(Autotune, GainsThatReplaceUnknownOnesAndAreKeptOweNothing)
+{
+    ExperimentBench bench("sim:can", "abstractdc", 3);
+    TunePlan plan = planOf(Mode::Velocity);
+    plan.keep = true;
+    const auto report = tune(bench, plan);
+    ASSERT_TRUE(report) << report.error().text();
+    EXPECT_EQ(report->result, TuneResult::Kept) << report->evidence;
+    EXPECT_TRUE(report->notPutBack.empty()) << report->notPutBack;
+}
+
 TEST(Autotune, TunesAnAxisOfACalibratedBoard)
 {
     for (const Mode loop : {Mode::Velocity, Mode::Position}) {

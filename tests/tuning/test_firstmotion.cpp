@@ -162,6 +162,18 @@ TEST(FirstMotion, GainsAndProfileAreAsTheyWereWhereverItIsInterrupted)
     }
 }
 
+/// Its first P are too small to move it, and a guard ends each; that is no news where the next has moved it.
+TEST(FirstMotion, AProposalDoesNotTellTheCauseOfAGuardThatWasForgiven)
+{
+    ThirdBench bench("25dlp", "12");
+    TunePlan plan = test::planOf(Mode::Position);
+    plan.propose = true;
+    const auto report = test::tune(bench, plan);
+    ASSERT_TRUE(report) << report.error().text();
+    ASSERT_EQ(report->result, TuneResult::Proposed) << report->evidence.english();
+    EXPECT_EQ(report->evidence.english(), "what these gains do is predicted, and not proven on the motor");
+}
+
 TEST(FirstMotion, ACheckThatDoesNotBeginToMoveTheMotorIsGivenUpAfterThreeTenthsOfASecond)
 {
     ExperimentBench bench("sim:serial", "supermodified", 4);

@@ -354,6 +354,16 @@ TEST(TuneTrouble, ALimitSwitchInTheWayStopsADmc60c)
     expectEndsWith("dmc60c", {"forward-limit", 1.0, 6s, "no motion"});
 }
 
+TEST(TuneTrouble, ALimitSwitchThatWasMetIsNamed)
+{
+    MatrixUnit unit(cellOf("dmc60c", "25d", Mode::Velocity, 1, 0.0));
+    ASSERT_TRUE(unit.simulator().disturb("forward-limit", 1.0));
+    const auto report = unit.tune({});
+    ASSERT_TRUE(report) << report.error().text();
+    EXPECT_EQ(report->stopReason, "no motion");
+    EXPECT_NE(report->evidence.english().find("a limit switch was met"), std::string::npos) << report->evidence;
+}
+
 TEST(TuneTrouble, ALoadThatAlwaysPullsOneWayIsNamed)
 {
     MatrixUnit unit(cellOf("dmc60c", "25d", Mode::Velocity, 1, 0.0));

@@ -86,12 +86,13 @@ bool isGood(tuning::TuneResult result)
 
 } // namespace
 
-QString resultText(tuning::TuneResult result)
+QString resultText(const tuning::TuneReport &report)
 {
-    switch (result) {
+    switch (report.result) {
     case tuning::TuneResult::Kept: return TuningSteps::tr("Kept");
     case tuning::TuneResult::Proposed: return TuningSteps::tr("Proposed, nothing written");
-    case tuning::TuneResult::RolledBack: return TuningSteps::tr("Rolled back");
+    case tuning::TuneResult::RolledBack:
+        return replacesUnknown(report) ? TuningSteps::tr("Not kept") : TuningSteps::tr("Rolled back");
     case tuning::TuneResult::Refused: return TuningSteps::tr("Refused");
     case tuning::TuneResult::Stopped: return TuningSteps::tr("Stopped");
     }
@@ -164,7 +165,7 @@ void TuningSteps::showState(const OperationView *running, const tuning::TuneRepo
         m_words->setText(tr("STOP ends it at any moment; what was changed is put back."));
     } else if (report) {
         m_glyph->setState(isGood(report->result) ? GlyphState::Done : GlyphState::Warning);
-        m_head->setText(resultText(report->result));
+        m_head->setText(resultText(*report));
         m_words->setText(messageText(report->evidence));
     } else {
         m_glyph->setState(GlyphState::Waiting);

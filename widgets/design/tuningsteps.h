@@ -76,6 +76,6 @@ private:
 };
 
 /// "kept", "rolled back" …, in front of people.
-[[nodiscard]] QString resultText(tuning::TuneResult result);
+[[nodiscard]] QString resultText(const tuning::TuneReport &report);
 
 } // namespace mb

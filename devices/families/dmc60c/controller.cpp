@@ -26,6 +26,15 @@ void awaitAnswer(Timer &unanswered, Presence &presence)
         unanswered.startIn(answerAtMost, [&presence] { presence.enumerate(); });
 }
 
+/// Braked where the set-point before was: without the override it would coast where the unit's button says so.
+CanFrame stopFrame(int address, bool braked)
+{
+    Control control;
+    if (braked)
+        control.brake = true;
+    return encodeControl(address, control);
+}
+
 } // namespace
 
 Controller::Controller(const Family &family, CanLink &link, Clock &clock, Identity identity)
@@ -224,6 +233,7 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
     if (m_commandedAt == Instant{} || clock().now() - m_commandedAt > controlLimit)
         m_wakes = wakesNeeded;
     m_commandedAt = clock().now();
+    m_isBraked = control->brake.value_or(false);
     if (m_wakes > 0) {
         --m_wakes;
         // README.md#stopping: only a target that is not zero ends the halt. The least there is goes first.
@@ -242,7 +252,7 @@ void Controller::doStop()
 {
     m_sense.stopped();
     m_commandedAt = {}; // what comes next finds it halted
-    const CanFrame noDrive = encodeControl(identity().address, Control{});
+    const CanFrame noDrive = stopFrame(identity().address, m_isBraked);
     // Twice (README.md#stopping): the first overtakes what waits, the second comes behind a set-point that the kernel may still hold.
     // A link that is gone cannot be helped from here.
     (void)m_can.send(noDrive, Priority::Urgent);
@@ -253,7 +263,7 @@ void Controller::doStop()
 StopScript Controller::stopScript() const
 {
     StopStep step;
-    step.frame = encodeControl(identity().address, Control{});
+    step.frame = stopFrame(identity().address, m_isBraked);
     step.wait = std::chrono::milliseconds(10);
     step.attempts = 2; // README.md#stopping
     return {{std::move(step)}};

@@ -73,6 +73,7 @@ private:
     std::uint32_t m_livenessKey = ~0U;
     int m_wakes = 0;         ///< frames that are still to take the device out of its halt
     Instant m_commandedAt{}; ///< the latest set-point
+    bool m_isBraked = false; ///< it overrode the unit's button
     Subscription m_received;
     Subscription m_identityChanged;
 };

@@ -13,8 +13,8 @@ namespace mb::dmc60c {
 ///
 /// Address 0…63. Options: `motor` and `load` (simulation/motormodel.h), `gains=tuned|default|overshoot` (what is stored:
 /// slot 0 for velocity, slot 1 for position; tuned unless given), `serial` (12 characters), `session` (1…65535, or
-/// 0x…), `name`, `firmware=1.23`, `product=601`, `state=application|bootloader`, `crc=A|B|C` (README.md#page-check), `velocity=rolling|block`. Anything
-/// else: OutOfRange.
+/// 0x…), `name`, `firmware=1.23`, `product=601`, `state=application|bootloader`, `crc=A|B|C` (README.md#page-check), `velocity=rolling|block`,
+/// `button=brake|coast` (its stored setting). Anything else: OutOfRange.
 ///
 /// Faults count the frames the device sends (`drop`, `corrupt`, `delay`, and `silent`: nothing from that frame on), or
 /// those addressed to it, enumeration included (`power`: the supply goes before the N-th is acted upon), or seconds

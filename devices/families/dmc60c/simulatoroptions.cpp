@@ -47,6 +47,7 @@ using Option = SimulatorOption<UnitOptions>;
 constexpr std::array<std::pair<std::string_view, CrcVariant>, 3> crcs{
     {{"A", CrcVariant::A}, {"B", CrcVariant::B}, {"C", CrcVariant::C}}};
 constexpr std::array<std::pair<std::string_view, bool>, 2> states{{{"application", false}, {"bootloader", true}}};
+constexpr std::array<std::pair<std::string_view, bool>, 2> buttons{{{"brake", true}, {"coast", false}}};
 constexpr std::array<std::pair<std::string_view, VelocityWindow>, 2> windows{
     {{"rolling", VelocityWindow::Rolling}, {"block", VelocityWindow::Block}}};
 constexpr std::array<std::pair<std::string_view, StoredGains>, 3> gains{
@@ -62,6 +63,7 @@ constexpr std::array optionTable{
     Option{"product", setProduct},
     Option{"state", [](UnitOptions &o, std::string_view text) { return takeWord(text, states, o.inBootloader); }},
     Option{"crc", [](UnitOptions &o, std::string_view text) { return takeWord(text, crcs, o.crc); }},
+    Option{"button", [](UnitOptions &o, std::string_view text) { return takeWord(text, buttons, o.brake); }},
     Option{"velocity", [](UnitOptions &o, std::string_view text) { return takeWord(text, windows, o.velocity); }},
     Option{"gains", [](UnitOptions &o, std::string_view text) { return takeWord(text, gains, o.gains); }},
 };

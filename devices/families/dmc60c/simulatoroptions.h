@@ -26,6 +26,7 @@ struct UnitOptions {
     std::uint32_t product = productDmc60c;
     std::uint16_t firmware = 0x0117;
     bool inBootloader = false;
+    bool brake = true; ///< stored setting of the button
     CrcVariant crc = CrcVariant::A;
     VelocityWindow velocity = VelocityWindow::Rolling;
     std::uint64_t seed = 1;

@@ -24,6 +24,7 @@ ConfigImage factoryConfig(const UnitOptions &options)
     ConfigImage image;
     image.sequence = 1;
     image.number = options.number;
+    image.brake = options.brake;
     image.text(Descriptor::DevName) = options.name;
     image.text(Descriptor::ProdName) = "Digilent DMC60C";
     image.text(Descriptor::SN) = options.serial;
