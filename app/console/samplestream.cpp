@@ -57,7 +57,7 @@ SampleStream::SampleStream(Console &console, Device &device, Watched watched, Pu
 
 bool SampleStream::isNews(const StateRow &row) const
 {
-    return row.kind == StateKind::Condition || (row.kind == StateKind::Rest && !m_driven);
+    return row.kind != StateKind::Rest || !m_driven;
 }
 
 void SampleStream::print(const Sample &sample)

@@ -7,7 +7,6 @@
 #include "model/family.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -17,11 +16,9 @@ namespace {
 constexpr Duration guardPeriod = std::chrono::milliseconds(5);
 constexpr std::size_t fewestStill = 3; ///< positions that tell a standstill
 constexpr double stillCounts = 1.0;
-constexpr double settledShare = 0.5;                      ///< of the time since the edge, over which it rests
-constexpr double besideShare = 0.75;                      ///< the same beside its aim
-constexpr Duration besideLeast = std::chrono::seconds(1); ///< so that the guard of no motion has had its half second
-constexpr std::array<std::string_view, 2> limitSwitches{
-    "limit.forward.switch", "limit.reverse.switch"};       ///< states (model/livestate.h), of whichever family
+constexpr double settledShare = 0.5;                       ///< of the time since the edge, over which it rests
+constexpr double besideShare = 0.75;                       ///< the same beside its aim
+constexpr Duration besideLeast = std::chrono::seconds(1);  ///< so that the guard of no motion has had its half second
 constexpr Duration heldUp = std::chrono::milliseconds(20); ///< what came meanwhile is not read yet
 
 } // namespace
@@ -125,7 +122,7 @@ void TrialRecorder::look()
 void TrialRecorder::lookForLimits()
 {
     for (const StateRow *const row : conditionsOf(m_device.family().states, m_device.states())) {
-        if (std::ranges::find(limitSwitches, row->key) != limitSwitches.end())
+        if (row->kind == StateKind::Switch)
             m_limitMet = row;
     }
 }

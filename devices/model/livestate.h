@@ -18,6 +18,7 @@ struct StateIndex {
 
 enum class StateKind : std::uint8_t {
     Condition, ///< its user should know while it is on: a limit that holds
+    Switch,    ///< a condition too: a limit switch that holds
     Rest,      ///< a condition too, and how a motor is while nobody drives it: a halt. No news to who drives it
     Input,     ///< the level of a pin; may change with every frame
 };

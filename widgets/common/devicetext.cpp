@@ -220,7 +220,7 @@ QStringList alertsOf(const DeviceView &device)
 {
     QStringList clauses;
     for (const StateRow *row : conditionsOf(device.family->states, device.states)) {
-        if (row->kind == StateKind::Condition)
+        if (row->kind != StateKind::Rest)
             clauses += tableText(row->clause);
     }
     if (keepsStoppedMove(device))

@@ -9,9 +9,9 @@ namespace {
 constexpr std::array<StateRow, 12> stateRows{{
     {"limit.current", QT_TRANSLATE_NOOP("table", "Current limit"), QT_TRANSLATE_NOOP("table", "current is limited")},
     {"limit.forward.switch", QT_TRANSLATE_NOOP("table", "Forward limit switch"),
-        QT_TRANSLATE_NOOP("table", "forward limit switch holds")},
+        QT_TRANSLATE_NOOP("table", "forward limit switch holds"), StateKind::Switch},
     {"limit.reverse.switch", QT_TRANSLATE_NOOP("table", "Reverse limit switch"),
-        QT_TRANSLATE_NOOP("table", "reverse limit switch holds")},
+        QT_TRANSLATE_NOOP("table", "reverse limit switch holds"), StateKind::Switch},
     {"limit.forward.soft", QT_TRANSLATE_NOOP("table", "Forward soft limit"),
         QT_TRANSLATE_NOOP("table", "forward soft limit holds")},
     {"limit.reverse.soft", QT_TRANSLATE_NOOP("table", "Reverse soft limit"),

@@ -39,7 +39,7 @@ static_assert(checkChannels(channels));
 
 constexpr std::array<StateRow, 1> states{{
     {"end_switch", QT_TRANSLATE_NOOP("table", "Tinkered end switch"),
-        QT_TRANSLATE_NOOP("table", "tinkered end switch holds"), StateKind::Condition},
+        QT_TRANSLATE_NOOP("table", "tinkered end switch holds"), StateKind::Switch},
 }};
 static_assert(checkStates(states));
 
