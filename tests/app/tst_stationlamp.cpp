@@ -22,7 +22,7 @@ private Q_SLOTS:
 
 namespace {
 
-struct Station {
+struct LampBench {
     FakeWorkbench workbench;
     ThemeSource theme{lightTheme()};
     HeaderBar header{theme};
@@ -31,12 +31,12 @@ struct Station {
     StationLamp lamp{workbench, arming, selection, header};
 
     /// Rows whose units are in their self-test.
-    void serveTests(std::size_t units)
+    void serveTests(std::size_t count)
     {
         service::QueueRow row;
         row.state = service::RowState::Running;
         row.visit.step = service::Step::Test;
-        workbench.serve(std::vector<service::QueueRow>(units, row));
+        workbench.serve(std::vector<service::QueueRow>(count, row));
     }
     [[nodiscard]] LampState state() { return header.lamp().status().state; }
 };
@@ -45,7 +45,7 @@ struct Station {
 
 void StationLampTest::aTestThatGoesOnAfterAFailElsewhereIsShownAndCanBeEnded()
 {
-    Station station;
+    LampBench station;
     station.workbench.served.permitted = true;
     station.serveTests(1);
     QCOMPARE(station.state(), LampState::Moving);
@@ -58,7 +58,7 @@ void StationLampTest::aTestThatGoesOnAfterAFailElsewhereIsShownAndCanBeEnded()
 
 void StationLampTest::aMotorThatTurnsIsNotHiddenByTheNoticeOfTheNext()
 {
-    Station station;
+    LampBench station;
     station.workbench.served.armed = station.workbench.served.permitted = true;
     station.workbench.served.announces = true;
     station.serveTests(2);
@@ -67,7 +67,7 @@ void StationLampTest::aMotorThatTurnsIsNotHiddenByTheNoticeOfTheNext()
 
 void StationLampTest::aTestThatIsAnnouncedTurnsNothingYet()
 {
-    Station station;
+    LampBench station;
     station.workbench.served.armed = station.workbench.served.permitted = true;
     station.workbench.served.announces = true;
     station.serveTests(1);
