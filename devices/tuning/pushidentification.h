@@ -2,6 +2,7 @@
 #pragma once
 
 #include "experiment/trial.h"
+#include "tuning/identification.h"
 #include "tuning/motoridentification.h"
 
 #include <vector>

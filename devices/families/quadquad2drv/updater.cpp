@@ -2,6 +2,7 @@
 #include "families/quadquad2drv/updater.h"
 
 #include "async/sleep.h"
+#include "families/quadquad2drv/protocol.h"
 #include "transport/spilink.h"
 
 #include <algorithm>
