@@ -275,6 +275,26 @@ TEST_F(Stream, ANewTargetOrARenewalThatComesFirstAfterAStallDoesNotStartTheMotor
     expectEnded(StreamEnd::Late);
 }
 
+TEST_F(Stream, AStallBetweenTheLookAtTheClockAndTheFrameEndsInAStopAtOnce)
+{
+    drive();
+    Instant thawed{};
+    const Subscription leaving = host.traffic().add([&](const Traffic &passed) {
+        const bool isOrder = passed.direction == Direction::Sent && passed.can->id == controlOfFive;
+        if (!isOrder || thawed != Instant{})
+            return;
+        clock.freeze(146ms);
+        thawed = clock.now();
+    });
+    clock.advance(172ms); // an order is due within 20 ms
+    ASSERT_NE(thawed, Instant{});
+    const auto stop = std::ranges::find_if(control, isStop);
+    ASSERT_NE(stop, control.end());
+    EXPECT_LT(stop->time - thawed, 1ms) << "the motor stood, and what was on its way has started it";
+    EXPECT_TRUE(std::all_of(stop, control.end(), isStop));
+    expectEnded(StreamEnd::Late);
+}
+
 TEST_F(Stream, NothingMovesAgainWhenTheComputerWakesUp)
 {
     drive();

@@ -115,6 +115,11 @@ class Motor:
             time.sleep(0.01)
         return True
 
+    def account(self, since, orders):
+        """What its output did, and the orders that came, by the time of each from `since` on."""
+        lines = [(at, "output on" if on else "output off") for at, on in self.events()] + orders
+        return "; ".join(f"{1000 * (at - since):.1f} ms {what}" for at, what in sorted(lines) if at >= since)
+
     def end(self):
         self.program.end()
 

@@ -60,6 +60,11 @@ class Rounds:
         self.assertLessEqual(off - at, limit, message)
         return off - at
 
+    def stays_off(self, at, message):
+        """What came before and after is told where it does not: which order it was that drove on, and when."""
+        if not self.rig.motor.stays_off(RESUMES):
+            self.fail(f"{message}: {self.rig.account(at - 0.4)}")
+
     def rounds(self):
         for _ in range(ROUNDS):
             try:
@@ -80,7 +85,7 @@ class Rounds:
             program.send(number)
             taken.append(self.off_after(at, 0.25, what))
             self.assertEqual(program.process.wait(PATIENCE), 0, f"it was seen: {program.lines[-3:]}")
-            self.assertTrue(self.rig.motor.stays_off(RESUMES))
+            self.stays_off(at, "what has ended does not resume")
         ROWS.add(self.rig.family, what, self.who, taken, 0.25)
 
     def silence(self):
@@ -98,7 +103,7 @@ class FreezeScenarios(Rounds):
             at = time.time()
             program.send(signal.SIGKILL)
             taken.append(self.off_after(at, self.silence(), "killed"))
-            self.assertTrue(self.rig.motor.stays_off(RESUMES))
+            self.stays_off(at, "what has ended does not resume")
             if not self.rig.watchdog:
                 self.assertTrue(program.wait_for(lambda line: "motorbench-guardian: stopped " in line), f"confirmed by the device: {program.lines[-3:]}")
         ROWS.add(self.rig.family, f"{self.who} is killed", self.by(), taken, self.silence())
@@ -117,7 +122,7 @@ class FreezeScenarios(Rounds):
                 self.assertTrue(self.rig.motor.is_on(), "a short stall ends nothing")
                 continue
             taken.append(self.off_after(at, max(self.silence(), seconds + 0.1), f"frozen for {seconds} s"))
-            self.assertTrue(self.rig.motor.stays_off(RESUMES), "what was thawed does not drive on")
+            self.stays_off(at, "what was thawed does not drive on")
             self.assertEqual(program.process.wait(PATIENCE), self.stopped_for_safety, f"and says that it stopped for safety: {program.lines[-3:]}")
         stopped_by = "nothing needs to" if not taken else self.by() if seconds > 0.5 or self.rig.watchdog else f"{self.who} itself, thawed"
         ROWS.add(self.rig.family, f"{self.who} is frozen for {1000 * seconds:.0f} ms", stopped_by, taken, self.silence() if taken else None)
@@ -145,7 +150,7 @@ class FreezeScenarios(Rounds):
                 continue
             taken.append(ended[0] - at)
             self.assertLessEqual(taken[-1], GUARDIAN)
-            self.assertTrue(self.rig.motor.stays_off(RESUMES), "what has ended does not resume")
+            self.stays_off(at, "what has ended does not resume")
             self.assertEqual(program.process.wait(PATIENCE), self.stopped_for_safety, f"and says that it stopped for safety: {program.lines[-3:]}")
         ROWS.add(self.rig.family, f"{self.who} is frozen for 250 ms", f"{self.who} itself, thawed, or nothing needs to", taken, GUARDIAN if taken else None)
 
@@ -219,7 +224,7 @@ class CableScenarios(Rounds):
                 back.append(max(off - at, 0.0))
                 self.assertLessEqual(back[-1], BACK + CERTAIN)
                 self.assertTrue(self.rig.first_order_is_stop(before), "before anything else")
-            self.assertTrue(self.rig.motor.stays_off(RESUMES), "motion does not resume by itself")
+            self.stays_off(before, "motion does not resume by itself")
         if self.rig.watchdog:
             ROWS.add(self.rig.family, fault, self.by(), without_power, None)  # with the time that the pulling takes
         else:

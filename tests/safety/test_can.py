@@ -93,13 +93,17 @@ class CanRig:
     def plug_in(self):
         return self.cable.plug_in()
 
+    def orders(self):
+        """(time, frame) of what the motor did not send itself; the kernel's time."""
+        frames = [line.split() for line in list(self.bus.lines)]
+        return [(float(stamp.strip("()")), frame) for stamp, _, frame in frames if self.is_ours(frame)]
+
     def first_order_is_stop(self, since):
-        """The first frame after the return that the motor did not send itself."""
-        for line in list(self.bus.lines):
-            stamp, _, frame = line.split()
-            if float(stamp.strip("()")) >= since - 0.005 and self.is_ours(frame):
-                return self.is_stop(frame)
-        return False
+        """The first one after the return."""
+        return next((self.is_stop(frame) for at, frame in self.orders() if at >= since - 0.005), False)
+
+    def account(self, since):
+        return self.motor.account(since, self.orders())
 
 
 class Dmc60cRig(CanRig):

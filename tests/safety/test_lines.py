@@ -37,6 +37,9 @@ class LineRig:
     def plug_in(self):
         return self.cable.plug_in()
 
+    def account(self, since):
+        return self.motor.account(since, [(at, data.hex()) for at, data in list(self.cable.heard)])
+
     def after(self, since):
         return b"".join(data for at, data in list(self.cable.heard) if at >= since)
 
