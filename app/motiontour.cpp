@@ -29,6 +29,7 @@ void MotionTour::plan()
     planCursors();
     planTrigger();
     planViews();
+    show(PageId::Overview, "overview-live", 2000ms);
     show(PageId::Bus, "bus", 1000ms);
     m_stage.add(
         "stop", [this] { m_stage.stopAll(); }, [this] { return !unit()->liveness.moving; });

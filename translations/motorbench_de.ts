@@ -11203,6 +11203,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>Cancelled: nothing was written.</source>
         <translation>Abgebrochen: Es wurde nichts geschrieben.</translation>
     </message>
+    <message>
+        <source>%1, as in the image</source>
+        <translation>%1, wie im Image</translation>
+    </message>
 </context>
 <context>
     <name>mb::UpdateChecks</name>

@@ -11203,6 +11203,10 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>Cancelled: nothing was written.</source>
         <translation>Cancelado: no se escribió nada.</translation>
     </message>
+    <message>
+        <source>%1, as in the image</source>
+        <translation>%1, como en la imagen</translation>
+    </message>
 </context>
 <context>
     <name>mb::UpdateChecks</name>

@@ -11203,6 +11203,10 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>Cancelled: nothing was written.</source>
         <translation>Annulé&#xa0;: rien n’a été écrit.</translation>
     </message>
+    <message>
+        <source>%1, as in the image</source>
+        <translation>%1, comme dans l’image</translation>
+    </message>
 </context>
 <context>
     <name>mb::UpdateChecks</name>

@@ -11186,6 +11186,10 @@ double click plots it, drag it to a pane or below them</source>
         <source>Cancelled: nothing was written.</source>
         <translation>中止しました: 何も書き込まれていません。</translation>
     </message>
+    <message>
+        <source>%1, as in the image</source>
+        <translation>%1（イメージと同じ）</translation>
+    </message>
 </context>
 <context>
     <name>mb::UpdateChecks</name>

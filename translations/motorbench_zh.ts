@@ -11186,6 +11186,10 @@ double click plots it, drag it to a pane or below them</source>
         <source>Cancelled: nothing was written.</source>
         <translation>已取消：未写入任何内容。</translation>
     </message>
+    <message>
+        <source>%1, as in the image</source>
+        <translation>%1，与映像相同</translation>
+    </message>
 </context>
 <context>
     <name>mb::UpdateChecks</name>

@@ -3,6 +3,7 @@
 #include "parameterbench.h"
 #include "support/windowtests.h"
 #include "widgets/firmware/firmwarepage.h"
+#include "widgets/firmware/pagemap.h"
 
 #include <QLabel>
 #include <QPushButton>
@@ -20,6 +21,8 @@ private Q_SLOTS:
     void anotherBusMayBeUpdatedMeanwhile();
     void withoutADeviceNothingIsSaidOfAMotor();
     void aCancelledUpdateSaysWhatIsKnownOfTheUnit();
+    void aUnitThatHasTheVersionOfTheImageIsNotSaidToChange();
+    void theCriticalPageIsOutlinedUntilItIsWritten();
 };
 
 namespace {
@@ -156,6 +159,43 @@ void FirmwareTest::withoutADeviceNothingIsSaidOfAMotor()
     QVERIFY(!bench.says(QStringLiteral("motor stopped")));
     QVERIFY(bench.says(QStringLiteral("motor not known")));
     QVERIFY(bench.says(QStringLiteral("no device")));
+}
+
+void FirmwareTest::aUnitThatHasTheVersionOfTheImageIsNotSaidToChange()
+{
+    FirmwareBench bench;
+    QVERIFY(bench.says(QStringLiteral(" → 1.25")));
+    bench.workbench.shot.devices.front().identity.edit().firmware = "1.25";
+    bench.workbench.publish();
+    QVERIFY(!bench.says(QStringLiteral(" → 1.25")));
+    QVERIFY(bench.says(QStringLiteral("1.25, as in the image")));
+}
+
+void FirmwareTest::theCriticalPageIsOutlinedUntilItIsWritten()
+{
+    FirmwareBench bench;
+    const auto maps = bench.page->findChildren<PageMap *>(); // the queue has one, too
+    const auto map = std::find_if(maps.begin(), maps.end(), [](const PageMap *each) { return each->isVisible(); });
+    QVERIFY(map != maps.end());
+    const auto outlined = [&] {
+        const QImage image = (*map)->grab().toImage();
+        const QColor danger = bench.theme.theme().danger;
+        int red = 0; // its edges are smoothed
+        for (int at = 0; at < image.width() * image.height(); ++at) {
+            const QColor pixel = image.pixelColor(at % image.width(), at / image.width());
+            red += qAbs(pixel.red() - danger.red()) + qAbs(pixel.green() - danger.green()) < 60 ? 1 : 0;
+        }
+        return red > 20;
+    };
+    QVERIFY(outlined());
+    bench.writing();
+    auto &parts = bench.workbench.shot.operations.front().status.parts;
+    parts = {{0, PartState::Active}, {1, PartState::Done}};
+    bench.workbench.publish();
+    QVERIFY(outlined());
+    parts[0] = PartState::Done;
+    bench.workbench.publish();
+    QVERIFY(!outlined());
 }
 
 void FirmwareTest::aCancelledUpdateSaysWhatIsKnownOfTheUnit()

@@ -89,12 +89,18 @@ PartState PageMap::stateOf(int part) const
     return state == m_states.end() ? PartState::Waiting : state->second;
 }
 
+/// What is written cannot be cut any more.
+bool PageMap::mustNotCut(int part) const
+{
+    return part == m_critical && stateOf(part) != PartState::Done;
+}
+
 void PageMap::paintCell(QPainter &painter, std::size_t place) const
 {
     const Theme &theme = m_theme.theme();
     const int part = m_parts[place];
     const PartState state = stateOf(part);
-    const bool critical = part == m_critical;
+    const bool critical = mustNotCut(part);
     QColor fill = theme.control;
     QColor text = theme.dim;
     QPen edge(theme.line, 1);
@@ -142,14 +148,13 @@ void PageMap::paintEvent(QPaintEvent *)
 
 QString PageMap::word(int part) const
 {
-    const QString critical = part == m_critical ? tr(" · must not be interrupted") : QString();
+    const QString critical = mustNotCut(part) ? tr(" · must not be interrupted") : QString();
     switch (stateOf(part)) {
     case PartState::Waiting: return tr("page %1: waiting").arg(part) + critical;
     case PartState::Active: return tr("page %1: being written").arg(part) + critical;
     case PartState::Done:
         return (m_repeated.count(part) > 0 ? tr("page %1: written after it was sent again") : tr("page %1: written"))
-                   .arg(part)
-            + critical;
+            .arg(part);
     case PartState::Repeated: return tr("page %1: sent again").arg(part) + critical;
     case PartState::Absent: return tr("page %1: not in the image").arg(part);
     }

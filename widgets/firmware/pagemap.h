@@ -12,7 +12,8 @@
 
 namespace mb {
 
-/// One cell per flash page in the order they are written; the one that must not be interrupted is outlined in danger.
+/// One cell per flash page in the order they are written; the one that must not be interrupted is outlined in
+/// danger until it is written.
 class PageMap : public QWidget {
     Q_OBJECT
 public:
@@ -34,6 +35,7 @@ private:
     [[nodiscard]] int columns(int width) const;
     [[nodiscard]] QRectF cell(std::size_t place) const;
     [[nodiscard]] PartState stateOf(int part) const;
+    [[nodiscard]] bool mustNotCut(int part) const;
     void paintCell(QPainter &painter, std::size_t place) const;
     [[nodiscard]] QString word(int part) const;
 

@@ -303,7 +303,9 @@ void UnitUpdate::followDevice(const DeviceView *device)
         return m_versions->clear();
     const QString now
         = device->identity->firmware.empty() ? tr("none") : QString::fromStdString(device->identity->firmware);
-    m_versions->setText(m_image.summary() ? tr("%1 → %2").arg(now, m_image.version()) : now);
+    m_versions->setText(!m_image.summary() ? now
+            : m_image.version() == now     ? tr("%1, as in the image").arg(now)
+                                           : tr("%1 → %2").arg(now, m_image.version()));
 }
 
 void UnitUpdate::followChecks(const DeviceView *device, const OperationView *)
