@@ -111,39 +111,47 @@ private:
     FrameLines m_lines;
 };
 
-Result<void> readAll(QFile &file, LogReader reader, bool prints)
+Task<void> readAll(Console &console, QFile &file, LogReader reader, bool prints)
 {
     file.seek(0);
     while (!file.atEnd()) {
         const QByteArray chunk = file.read(static_cast<qint64>(chunkSize));
         if (chunk.isEmpty())
-            return fail(Fault::OutOfRange,
+            co_return fail(Fault::OutOfRange,
                 say("%1 cannot be read: %2", file.fileName().toStdString(), file.errorString().toStdString()));
         if (auto taken
             = reader.take(std::string_view(chunk.constData(), static_cast<std::size_t>(chunk.size())), prints);
             !taken)
-            return taken;
+            co_return fail(taken.error());
+        auto room = console.out().room();
+        co_await std::move(room);
     }
-    return reader.finish(prints);
+    if (auto finished = reader.finish(prints); !finished)
+        co_return fail(finished.error());
+    co_return {};
 }
 
 /// A file is read twice, so that a bad line at its end leaves standard output empty.
-Result<void> decodeFile(Console &console, QFile &file, const std::string &dialect)
+Task<int> decodeFile(Console &console, QFile &file, std::string dialect)
 {
     const std::string name = file.fileName().toStdString();
-    if (auto good = readAll(file, LogReader(console, name, dialect), false); !good)
-        return good;
-    return readAll(file, LogReader(console, name, dialect), true);
+    for (const bool prints : {false, true}) {
+        auto reading = readAll(console, file, LogReader(console, name, dialect), prints);
+        co_await std::move(reading);
+    }
+    co_return exitDone;
 }
 
 /// Standard input, or a pipe that was named, as it comes: there is no beginning to go back to.
 class InputReader {
 public:
     InputReader(Console &console, std::string name, int descriptor, const std::string &dialect)
-        : m_name(std::move(name))
+        : m_out(console.out())
+        , m_name(std::move(name))
         , m_reader(console, m_name, dialect)
         , m_descriptor(descriptor)
         , m_notifier(descriptor, QSocketNotifier::Read)
+        , m_taken(m_out.done().add([this] { m_notifier.setEnabled(!done.isSet()); }))
     {
         QObject::connect(&m_notifier, &QSocketNotifier::activated, &m_notifier, [this] { read(); });
     }
@@ -164,16 +172,18 @@ private:
             result = m_reader.finish();
         else
             result = m_reader.take(std::string_view(buffer.data(), static_cast<std::size_t>(got)));
-        if (got > 0 && result)
-            return;
-        m_notifier.setEnabled(false);
-        done.set();
+        const bool goesOn = got > 0 && result;
+        m_notifier.setEnabled(goesOn && m_out.hasRoom());
+        if (!goesOn)
+            done.set();
     }
 
+    Output &m_out;
     std::string m_name;
     LogReader m_reader;
     int m_descriptor;
     QSocketNotifier m_notifier;
+    Subscription m_taken;
 };
 
 Task<int> decodeStream(Console &console, std::string name, int descriptor, std::string dialect)
@@ -217,9 +227,8 @@ Task<int> decode(Console &console, DecodeArguments arguments)
         auto input = decodeStream(console, arguments.file, file.handle(), arguments.dialect);
         co_return co_await std::move(input);
     }
-    if (auto decoded = decodeFile(console, file, arguments.dialect); !decoded)
-        co_return fail(decoded.error());
-    co_return exitDone;
+    auto decoding = decodeFile(console, file, arguments.dialect);
+    co_return co_await std::move(decoding);
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/output.h"
 
+#include "async/event.h"
+
 #include <QJsonDocument>
 
 #include <algorithm>
@@ -110,6 +112,24 @@ void Output::flush()
     m_writable.setEnabled(!isDone());
     if (isDone())
         m_posted.startIn(Duration::zero(), [this] { m_done.notify(); });
+}
+
+bool Output::hasRoom() const
+{
+    return m_buffer.size() < enough;
+}
+
+Task<void> Output::room()
+{
+    Sleep turn(m_clock, Duration::zero());
+    co_await turn;
+    if (hasRoom())
+        co_return {};
+    Event taken;
+    const Subscription read = m_done.add([&taken] { taken.set(); });
+    const Subscription gone = m_broken.add([&taken] { taken.set(); });
+    co_await taken.wait();
+    co_return {};
 }
 
 void Output::abandon()

@@ -36,6 +36,10 @@ public:
     /// Everything was written, or never will be.
     [[nodiscard]] bool isDone() const { return m_buffer.empty() || m_isBroken; }
     [[nodiscard]] Listeners<> &done() { return m_done; }
+    /// What waits is little. A source that can wait as well, a file, is read on only then.
+    [[nodiscard]] bool hasRoom() const;
+    /// Lets everybody else have a turn, signals too, and then waits for room.
+    [[nodiscard]] Task<void> room();
     /// Drops what waits, and says that it was lost.
     void abandon();
 

@@ -147,8 +147,10 @@ Task<std::optional<Error>> write(Console &console, Device &device, Notebook &not
     auto writing = settings::writeKept(
         device, writes, {settings::Origin::Console, settings::Purpose::Restore}, notebook.settings(), progress);
     const std::vector<TransferOutcome> outcomes = co_await std::move(writing);
-    for (std::size_t i = 0; i < changes.size(); ++i)
-        changes[i].result = i >= outcomes.size() ? "unchanged" : outcomes[i].raw ? "written" : "failed";
+    for (Change &change : changes) { // they were written in the order that is never livelier in between
+        const auto outcome = std::ranges::find(outcomes, change.difference.index, &TransferOutcome::index);
+        change.result = outcome == outcomes.end() ? "unchanged" : outcome->raw ? "written" : "failed";
+    }
     co_return firstError(device, outcomes);
 }
 

@@ -92,11 +92,22 @@ void summarize(Console &console, const SampleStream &samples, const Publisher *p
     }
 }
 
+/// After the link came back: the device may have lost power with it.
+Task<void> raiseAgain(Device &device, WatchPlan plan)
+{
+    if (plan.rate <= 0.0)
+        co_return {};
+    auto raising = setRates(device, plan.watched, plan.rate);
+    (void)co_await std::move(raising);
+    co_return {};
+}
+
 /// From the first sample to the summary.
 Task<int> stream(Console &console, Device &device, WatchPlan plan, Publisher *publisher, Ending &ending)
 {
     std::optional<Error> error;
     {
+        const Reopening reopening(console, device.link(), [&device, plan] { return raiseAgain(device, plan); });
         SampleStream samples(console, device, plan.watched, publisher);
         const Instant start = device.clock().now();
         ending.after(plan.time);
@@ -116,22 +127,16 @@ Task<int> stream(Console &console, Device &device, WatchPlan plan, Publisher *pu
     if (plan.rate > 0.0) {
         auto restoring = setRates(device, plan.watched, 0.0);
         const std::optional<Error> failed = co_await std::move(restoring);
-        if (failed && !error)
-            error = failed->about(say("the device's rate was not put back"));
+        const auto told
+            = failed ? std::optional(failed->about(say("the device's rate was not put back"))) : std::nullopt;
+        if (told && error)
+            console.note(told->text());
+        else if (told)
+            error = told;
     }
     if (error)
         co_return fail(*error);
     co_return exitDone;
-}
-
-/// After the link came back: the device may have lost power with it.
-Task<void> raiseAgain(Device &device, WatchPlan plan)
-{
-    if (plan.rate <= 0.0)
-        co_return {};
-    auto raising = setRates(device, plan.watched, plan.rate);
-    (void)co_await std::move(raising);
-    co_return {};
 }
 
 Task<int> watch(Console &console, WatchArguments arguments)
@@ -161,7 +166,6 @@ Task<int> watch(Console &console, WatchArguments arguments)
             co_return fail(*failed);
         }
     }
-    const Reopening reopening(console, device->link(), [device, plan = *plan] { return raiseAgain(*device, plan); });
     auto streaming = stream(console, *device, *plan, publisher.get(), ending);
     co_return co_await std::move(streaming);
 }

@@ -121,6 +121,12 @@ class DeviceVerbs(ContractTest):
         self.assertGreater(lost, 2 * missed, "position and velocity come in one frame, and others beside it")
         self.assertAlmostEqual(alone["lost"] + alone["samples"], 1.5 / period, delta=2)
 
+    def test_a_raised_rate_that_cannot_be_put_back_is_told_beside_what_went_wrong(self):
+        run = Run(["--json", "watch", "sim:can?fault=silent@150/dmc60c:5", "--rate", "500", "--for", "1.5"])
+        self.assertEqual(run.status, 3)
+        self.assertIn("is not heard any more", run.err)
+        self.assertIn("the device's rate was not put back", run.err)
+
     def test_set_reads_back(self):
         got = self.run_one("set", CIM, "slot0.p=1.5", "limit.forward.soft.enabled=on", "encoder.position=-3")
         self.assertEqual(set(got), GET | {"verified"})
@@ -150,6 +156,18 @@ class DeviceVerbs(ContractTest):
         self.assertEqual(self.run_one("restore", CIM, path, "--dry-run"), {"changes": [dict(change, result="would write")]})
         self.assertEqual(self.run_one("restore", CIM, path), {"changes": [dict(change, result="written")]})
         self.assertIn("slot0.p", self.run_text("restore", CIM, path))
+
+    def test_a_restore_that_fails_in_the_middle_tells_which_key_it_was(self):
+        path = self.path("two.json")
+        with open(path, "w", encoding="utf-8") as file:  # a P that rises is written after what does not make the loop livelier
+            json.dump({"family": "dmc60c", "parameters": {"slot0.p": {"raw": 100000}, "slot0.f": {"raw": 500}}}, file)
+        for silent in range(60, 200, 20):  # frames: it may still be read then, or written
+            run = Run(["--json", "restore", f"sim:can?fault=silent@{silent}/dmc60c:5", path])
+            results = {row["key"]: row["result"] for object_ in run.objects() for row in object_.get("changes", [])}
+            if "failed" in results.values():
+                break
+        self.assertEqual(results, {"slot0.f": "failed", "slot0.p": "unchanged"})
+        self.assertIn("slot0.f: no answer", run.err)
 
     def test_restore_refuses_what_is_not_for_this_device(self):
         path = self.path("other.json")

@@ -110,6 +110,32 @@ class Traffic(ContractTest):
                 out, _ = process.communicate(timeout=contract.LIMIT)
             self.assertEqual((process.returncode, json.loads(out)["t"]), (0, 1.5))
 
+    def test_decode_waits_for_its_reader_and_loses_nothing(self):
+        lines = 60000  # 38 MB of JSON
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "long.log")
+            with open(path, "w", encoding="utf-8") as file:
+                file.writelines(f"({i}.0) can0 02061405#000011007800{i:04X}\n" for i in range(lines))
+            for file in (path, "-"):
+                with open(path, "rb") as source, subprocess.Popen([contract.PROGRAM, "--json", "decode", file], stdin=source,
+                                                                  stdout=subprocess.PIPE) as process:
+                    self.addCleanup(process.kill)
+                    read = [line for line in process.stdout]
+                self.assertEqual((process.returncode, len(read), json.loads(read[-1])["t"]), (0, lines, lines - 1))
+
+    def test_a_signal_ends_the_decoding_of_a_file_whose_reader_waits(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "long.log")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(LOG * 2000)
+            with subprocess.Popen([contract.PROGRAM, "--json", "decode", path], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+                self.addCleanup(process.kill)
+                json.loads(process.stdout.readline())
+                process.send_signal(signal.SIGINT)
+                _, told = process.communicate(timeout=contract.LIMIT)
+            self.assertEqual(process.returncode, 1)
+            self.assertIn("interrupted", told)
+
     def test_decode_names_messages_and_fields(self):
         frames = self.run_json("decode", text=LOG)
         self.assertEqual(len(frames), 4)
