@@ -167,8 +167,19 @@ class Tune(ContractTest):
     def test_a_current_loop_is_tuned(self):
         row = self.run_one("tune", CIM, "--loop", "current")
         self.assertEqual(row["result"], "kept", row["evidence"])
+        self.assertNotIn("stored", row["evidence"])
         self.assertEqual(row["model"]["unit"], "A per duty")
         self.assertLessEqual(row["measured"]["overshoot"], 0.05)
+
+    @contract.long
+    def test_only_what_is_kept_is_stored_and_only_where_that_is_asked_for(self):
+        row = self.run_one("tune", CIM, "--loop", "current", "--store")
+        self.assertEqual(row["result"], "kept", row["evidence"])
+        self.assertIn("the unit has stored them", row["evidence"])
+        run = Run(["--json", "tune", CIM, "--loop", "velocity", "--store", "--response", "0.02", "--damping", "2.5"])
+        row = json.loads(run.out)
+        self.assertEqual((row["result"], run.status), ("rolled-back", 1), run.err)
+        self.assertNotIn("stored", row["evidence"])
 
     def test_what_cannot_be_tuned_is_refused_before_anything_moves(self):
         self.assert_error(2, "tune", "sim:can/abstractdc:3", "--loop", "current")

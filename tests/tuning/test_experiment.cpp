@@ -143,6 +143,20 @@ TEST(Experiment, AMotorThatALoadPullsOneWayIsMarkedAsNotSymmetric)
     EXPECT_TRUE(pulled->has(flag::asymmetric));
 }
 
+TEST(Experiment, AStepThatALimitSwitchKeepsFromMovingIsMarkedSo)
+{
+    ExperimentBench bench;
+    const ExperimentPlan plan = stepTo(Mode::Velocity, 20'000.0);
+    const auto free = bench.run(plan);
+    expectDone(free);
+    EXPECT_FALSE(free->has(flag::limitSwitch));
+    ASSERT_TRUE(bench.simulator()->disturb("forward-limit", 1.0));
+    const auto met = bench.run(plan);
+    ASSERT_TRUE(met) << met.error().text();
+    EXPECT_TRUE(met->has(flag::limitSwitch));
+    EXPECT_TRUE(met->has(flag::didNotMove)) << "the unit applies no duty, so nothing pushes";
+}
+
 TEST(Experiment, DoesNotBeginWhereALoadHoldsTheUnitAwayFromItsStart)
 {
     ExperimentBench bench;
