@@ -86,8 +86,12 @@ void MotionTour::addSignals(PlotsPage &page)
 {
     const DeviceView &other = *m_stage.device(&DemoUnits::overshooting);
     page.addSignal({other.id, *other.telemetry->find("velocity")});
-    (void)page.board().addDerived(tr("acceleration"), tr("counts/s²"),
-        QStringLiteral("average(derivative(d%1_velocity), 0.1)").arg(unit()->identity->address));
+    const Signal velocity{unit()->id, *unit()->telemetry->find("velocity")};
+    for (const SignalBook::Variable &variable : page.board().book().variables()) {
+        if (variable.signal == velocity)
+            (void)page.board().addDerived(
+                tr("acceleration"), tr("counts/s²"), QStringLiteral("average(derivative(%1), 0.1)").arg(variable.name));
+    }
     const int last = page.board().traces().back().id;
     page.board().moveToPane(last, page.board().paneOf(0));
     page.board().setSecondAxis(page.board().traces().back().id, true);

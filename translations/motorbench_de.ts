@@ -9024,6 +9024,10 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
         <source>There is a derived signal of this name.</source>
         <translation>Ein abgeleitetes Signal dieses Namens gibt es schon.</translation>
     </message>
+    <message>
+        <source>%1 may be one of %2</source>
+        <translation>%1 kann eines von %2 sein</translation>
+    </message>
 </context>
 <context>
     <name>mb::SignalList</name>

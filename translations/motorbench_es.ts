@@ -9024,6 +9024,10 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
         <source>There is a derived signal of this name.</source>
         <translation>Ya existe una señal derivada con este nombre.</translation>
     </message>
+    <message>
+        <source>%1 may be one of %2</source>
+        <translation>%1 puede ser uno de %2</translation>
+    </message>
 </context>
 <context>
     <name>mb::SignalList</name>

@@ -9024,6 +9024,10 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
         <source>There is a derived signal of this name.</source>
         <translation>Un signal dérivé porte déjà ce nom.</translation>
     </message>
+    <message>
+        <source>%1 may be one of %2</source>
+        <translation>%1 peut être l’un de %2</translation>
+    </message>
 </context>
 <context>
     <name>mb::SignalList</name>

@@ -9012,6 +9012,10 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <source>There is a derived signal of this name.</source>
         <translation>同じ名前の派生信号があります。</translation>
     </message>
+    <message>
+        <source>%1 may be one of %2</source>
+        <translation>%1 は次のいずれかの可能性があります: %2</translation>
+    </message>
 </context>
 <context>
     <name>mb::SignalList</name>

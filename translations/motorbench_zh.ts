@@ -9012,6 +9012,10 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <source>There is a derived signal of this name.</source>
         <translation>已有同名的派生信号。</translation>
     </message>
+    <message>
+        <source>%1 may be one of %2</source>
+        <translation>%1 可能是以下之一：%2</translation>
+    </message>
 </context>
 <context>
     <name>mb::SignalList</name>

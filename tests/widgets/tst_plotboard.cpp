@@ -22,6 +22,7 @@ private Q_SLOTS:
     void theLevelCanBeDragged();
     void aDerivedSignalIsPlottedLikeAnyOther();
     void aWrongFormulaSaysWhy();
+    void aNumberThatTwoUnitsHaveNamesNeitherInAFormula();
     void referencesStayWhereTheyWereSeen();
     void theSpectrumFindsAWave();
     void oneSignalAgainstAnother();
@@ -225,6 +226,25 @@ void TestPlotBoard::aWrongFormulaSaysWhy()
     QCOMPARE(bench.page->traceCount(), std::size_t{4});
 }
 
+void TestPlotBoard::aNumberThatTwoUnitsHaveNamesNeitherInAFormula()
+{
+    PlotBench bench;
+    auto &devices = bench.workbench.shot.devices;
+    const auto wrong = [&](const char *formula) { return bench.board().book().whatIsWrong(s("x"), s(formula)); };
+    devices[0].link = "socketcan:can0";
+    devices[1].link = "socketcan:can1";
+    devices[1].identity.edit().address = 5;
+    bench.workbench.publish();
+    QCOMPARE(wrong("2 * d5_velocity"), s("d5_velocity may be one of dmc60c5_can0_velocity, dmc60c5_can1_velocity"));
+    QCOMPARE(wrong("dmc60c5_can0_velocity - dmc60c5_can1_velocity"), QString());
+    devices[1].family = findFamily(families(), "abstractdc");
+    bench.workbench.publish();
+    QCOMPARE(wrong("2 * d5_velocity"), s("d5_velocity may be one of dmc60c5_velocity, abstractdc5_velocity"));
+    QVERIFY(bench.board().addDerived(s("twice"), {}, s("2 * dmc60c5_velocity")));
+    const SignalBook::Derived &twice = bench.board().book().derived().front();
+    QCOMPARE(twice.inputs.front().device, devices[0].id);
+}
+
 void TestPlotBoard::referencesStayWhereTheyWereSeen()
 {
     PlotBench bench;
@@ -333,9 +353,11 @@ void TestPlotBoard::aDerivedSignalStaysWithItsDeviceThoughAnotherLinkHasOneOfThe
     Recording far{bench.workbench.time};
     DeviceView twin = tunableDrive(far.telemetry(), 3, 5);
     twin.selector = "socketcan:can1/dmc60c:5";
+    twin.link = "socketcan:can1";
+    bench.workbench.shot.devices[0].link = "sim:can";
     bench.workbench.shot.devices.push_back(twin);
     bench.pass(1.0, 60000.0);
-    QVERIFY(bench.board().addDerived(s("twice"), s("counts/s"), s("2 * d5_velocity")));
+    QVERIFY(bench.board().addDerived(s("twice"), s("counts/s"), s("2 * dmc60c5_can_velocity")));
     bench.pass(0.1, 60000.0);
     const DeviceView own = bench.workbench.shot.devices[0];
     bench.workbench.shot.devices.erase(bench.workbench.shot.devices.begin()); // its link was closed

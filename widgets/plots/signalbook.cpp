@@ -3,18 +3,52 @@
 
 #include "widgets/common/devicetext.h"
 
+#include <QRegularExpression>
+
 #include <algorithm>
+#include <map>
 
 namespace mb {
 namespace {
 
 constexpr std::size_t advanceMost = 20'000; ///< samples of derived signals in one tick: about 3 ms
 
-QString variableName(const DeviceView &device, ChannelIndex channel)
+QString asName(std::string_view text)
 {
-    QString key = qt(device.family->channels[channel.value].key);
-    key.replace(QLatin1Char('.'), QLatin1Char('_'));
-    return QStringLiteral("d%1_%2").arg(device.identity->address).arg(key);
+    QString name = qt(text);
+    for (QChar &each : name) {
+        if (!each.isLetterOrNumber())
+            each = QLatin1Char('_');
+    }
+    return name;
+}
+
+/// As `d5`, whatever else has the number.
+QString plainName(const DeviceView &device)
+{
+    return QStringLiteral("d%1").arg(device.identity->address);
+}
+
+/// The shortest that no other device has: `d5`, with its family `dmc60c5`, with its link `dmc60c5_can1`.
+QString nameAmong(const std::vector<DeviceView> &devices, const DeviceView &device)
+{
+    const auto others = [&](auto isAlike) {
+        return std::ranges::any_of(devices, [&](const DeviceView &other) {
+            return other.id != device.id && other.identity->address == device.identity->address && isAlike(other);
+        });
+    };
+    if (!others([](const DeviceView &) { return true; }))
+        return plainName(device);
+    const QString name = asName(device.family->key) + QString::number(device.identity->address);
+    if (!others([&](const DeviceView &other) { return other.family == device.family; }))
+        return name;
+    const std::string_view link = device.link;
+    return name + QLatin1Char('_') + asName(link.substr(link.find(':') + 1));
+}
+
+QString nameOfChannel(const QString &device, const Channel &channel)
+{
+    return device + QLatin1Char('_') + asName(channel.key);
 }
 
 } // namespace
@@ -61,20 +95,30 @@ QString SignalBook::nameOf(const Signal &signal) const
 std::vector<SignalBook::Variable> SignalBook::variables() const
 {
     std::vector<Variable> all;
-    const auto isTaken = [&all](const QString &name) {
-        return std::ranges::any_of(all, [&](const Variable &variable) { return variable.name == name; });
-    };
-    for (const DeviceView &device : m_workbench.snapshot().devices) {
+    const std::vector<DeviceView> &devices = m_workbench.snapshot().devices;
+    for (const DeviceView &device : devices) {
         if (device.identity->state == DeviceState::Bootloader)
             continue;
-        for (std::uint16_t i = 0; i < device.family->channels.size(); ++i) {
-            QString name = variableName(device, {i});
-            if (isTaken(name)) // the same number on another link
-                name += QStringLiteral("_%1").arg(device.id.value);
-            all.push_back({name, {device.id, {i}}});
-        }
+        const QString name = nameAmong(devices, device);
+        for (std::uint16_t i = 0; i < device.family->channels.size(); ++i)
+            all.push_back({nameOfChannel(name, device.family->channels[i]), {device.id, {i}}});
     }
     return all;
+}
+
+QString SignalBook::whatIsAmbiguous(const QString &formula) const
+{
+    std::map<QString, QStringList> meanings;
+    for (const Variable &variable : variables()) {
+        const DeviceView &device = *m_workbench.snapshot().device(variable.signal.device);
+        const QString plain = nameOfChannel(plainName(device), device.family->channels[variable.signal.channel.value]);
+        meanings[plain].append(variable.name);
+    }
+    for (const auto &[plain, names] : meanings) {
+        if (names.size() > 1 && formula.contains(QRegularExpression(QStringLiteral("\\b%1\\b").arg(plain))))
+            return tr("%1 may be one of %2").arg(plain, names.join(QStringLiteral(", ")));
+    }
+    return {};
 }
 
 SignalAddress SignalBook::addressOf(const Signal &signal) const
@@ -160,7 +204,10 @@ QString SignalBook::whatIsWrong(const QString &name, const QString &formula) con
     for (const Variable &variable : variables())
         names.push_back(variable.name.toStdString());
     const auto expression = Expression::parse(formula.toStdString(), names);
-    return expression ? QString() : errorText(expression.error());
+    if (expression)
+        return {};
+    const QString ambiguous = whatIsAmbiguous(formula);
+    return ambiguous.isEmpty() ? errorText(expression.error()) : ambiguous;
 }
 
 Result<Signal> SignalBook::add(const QString &name, const QString &unit, const QString &formula)

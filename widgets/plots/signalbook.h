@@ -36,7 +36,8 @@ public:
         std::vector<const Channel *> rows{};
         std::shared_ptr<DerivedSignal> signal{}; ///< nothing until then
     };
-    /// A signal as formulas call it: d5_velocity.
+    /// A signal as formulas call it: d5_velocity; where several devices have the number, dmc60c5_velocity, and where that is not enough
+    /// dmc60c5_can1_velocity.
     struct Variable {
         QString name;
         Signal signal;
@@ -72,6 +73,8 @@ public:
     void advance();
 
 private:
+    /// A name that more than one device could have; empty: there is none.
+    [[nodiscard]] QString whatIsAmbiguous(const QString &formula) const;
     bool compile(Derived &derived) const;
     [[nodiscard]] std::vector<Meaning> meaningsOf(const Derived &derived) const;
     [[nodiscard]] bool isOfNow(const Derived &derived) const;
