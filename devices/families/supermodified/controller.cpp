@@ -33,7 +33,7 @@ Controller::Controller(const Family &family, SerialLink &link, Clock &clock, Ide
     , m_serial(link)
     , m_line(Line::of(link, clock))
     , m_node(nodeOf(this->identity(), link))
-    , m_motion(*m_line, m_node,
+    , m_motion(*m_line, m_node, gate(),
           {[this] { onMotion(); }, [this](std::span<const std::uint8_t> codes) { onCodes(codes); },
               [this](const Frame &reply) { m_polls.takePosition(reply); },
               [this](Command command, std::int64_t raw) {
@@ -248,7 +248,7 @@ void Controller::updateLiveness()
     now.moving = m_motion.isEnergized() || (m_presence.isHeard() && m_polls.isTurning());
     now.foreignMaster = m_presence.hasForeignMaster();
     now.restarted = m_presence.hasRestarted();
-    if (const auto &order = m_motion.acknowledged(); order && m_motion.isEnergized())
+    if (const auto &order = m_motion.applied(); order && m_motion.isEnergized())
         now.mode = order->mode;
     now.faults = m_codes.active();
     setLiveness(now);
