@@ -53,8 +53,7 @@ Task<void> StatusRates::set(ChannelIndex channel, double hertz)
     auto writing = m_desk.write(row, periodFor(*number));
     const Result<std::int64_t> inForce = co_await std::move(writing).attempt();
     if (!inForce) {
-        const bool mayHaveCome
-            = inForce.error().fault == Fault::Timeout || inForce.error().fault == Fault::LinkLost;
+        const bool mayHaveCome = inForce.error().fault == Fault::Timeout || inForce.error().fault == Fault::LinkLost;
         if (!mayHaveCome)
             m_wanted.erase(*number);
         else if (m_usual.contains(*number)) // else it has restarted meanwhile

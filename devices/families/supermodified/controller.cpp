@@ -233,7 +233,10 @@ void Controller::setHeard(bool heard)
         m_motion.doubt(); // whatever happens to it now is not seen
     if (Roster &roster = m_line->roster(); heard && !roster.nodes().contains(m_node.id)) { // a scan missed it
         roster.note(m_node.id, m_node.baudrate);
-        roster.noteMask(m_node.id, maskOf(identity()));
+        if (const auto mask = maskOf(identity()))
+            roster.noteMask(m_node.id, *mask);
+        else
+            roster.noteUnreadMask(m_node.id);
     }
     m_polls.setHeard(heard);
     if (!heard)
