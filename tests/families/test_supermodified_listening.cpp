@@ -266,7 +266,8 @@ struct SupermodifiedLateAnswers : SupermodifiedPort {
     static constexpr std::string_view moved = "55 AA 77 04 09 00 09";
     Node node{4, 57600, Dialect::D1};
     MotionGate gate;
-    Motion motion{*line, node, gate, {[] {}, [](auto) {}, [this](auto &) { motion.setPosition(0); }, [](auto, auto) {}}};
+    Motion motion{
+        *line, node, gate, {[] {}, [](auto) {}, [this](auto &) { motion.setPosition(0); }, [](auto, auto) {}}};
 };
 
 TEST_F(SupermodifiedLateAnswers, TheAnswerToAnEarlierQuestionDoesNotPassForTheLookBeforeARelativeMove)

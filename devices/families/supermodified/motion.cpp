@@ -215,6 +215,7 @@ void Motion::done(Step step, const Frame &reply)
         else
             begun(order);
         m_count.took(order);
+        placeDistance();
         m_looked = false;
         m_orders.pop_front();
         m_events.changed();
@@ -249,6 +250,16 @@ void Motion::begun(const SetPoint &order)
     const double target = static_cast<double>(m_count.targetOf(order)) + (order.relative ? from : 0.0);
     if (const auto overrun = bounds().overrun(order, target - from))
         m_run = ProfiledRun(from, target, *overrun);
+}
+
+/// A distance that was taken, as the place where it ends: that can be sent once more (README.md#restarts).
+void Motion::placeDistance()
+{
+    const auto destination = m_count.destination();
+    if (!m_applied || !m_applied->relative || !destination || m_node.dialect == Dialect::D3)
+        return;
+    m_applied->relative = false;
+    m_applied->target = static_cast<double>(*destination);
 }
 
 void Motion::setPosition(std::int64_t raw)

@@ -73,6 +73,7 @@ private:
     [[nodiscard]] Result<void> mayBegin() const;
     void released();
     void begun(const SetPoint &order);
+    void placeDistance();
     void pump();
     [[nodiscard]] Step nextStep() const;
     [[nodiscard]] Result<Line::Request> requestFor(Step step) const;
