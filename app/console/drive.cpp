@@ -92,7 +92,7 @@ Task<void> release(Console &console, Device &device)
     while (!released && stream.isRunning() && !console.isInterrupted() && console.clock().now() < limit) {
         auto waiting = keepAlive(console, stream, lookEvery, [] { return false; });
         co_await std::move(waiting);
-        if (device.liveness().mode == stream.setPoint().mode)
+        if (device.gate().kept().state == KeptMove::State::Acknowledged)
             released = console.session().stops().releaseMoves(device);
     }
     co_return released;

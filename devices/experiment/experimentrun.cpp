@@ -330,10 +330,8 @@ Task<void> ExperimentRun::conclude(std::optional<Error> error)
     measure(m_trial, m_device.family(), m_recorder, m_motion.holds(), m_motion.returns());
     auto putting = putBack();
     co_await std::move(putting);
-    if (m_device.link().state() == LinkState::Open) {
-        auto lowering = m_rates.lower(m_around);
-        co_await std::move(lowering);
-    }
+    auto lowering = m_rates.lower(m_around); // over a lost link too: the device owes it then
+    co_await std::move(lowering);
     if (m_number) {
         auto completing = m_around.journal->complete(*m_number, m_trial);
         const Result<void> completed = co_await std::move(completing).attempt();

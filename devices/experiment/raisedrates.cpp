@@ -18,11 +18,11 @@ Task<void> RaisedRates::raise(int axis, double rate, const ExperimentSurrounding
             continue;
         auto setting = m_device.setRate(*channel, rate);
         const Result<void> set = co_await std::move(setting).attempt();
-        if (set)
+        if (set || set.error().fault == Fault::Timeout || set.error().fault == Fault::LinkLost) // or perhaps
             m_raised.push_back(*channel);
-        else if (set.error().fault == Fault::LinkLost)
+        if (!set && set.error().fault == Fault::LinkLost)
             co_return fail(set.error());
-        else if (set.error().fault != Fault::Unsupported && set.error().fault != Fault::OutOfRange)
+        if (!set && set.error().fault != Fault::Unsupported && set.error().fault != Fault::OutOfRange)
             around.caution(say("%1 is not told as often as was asked for: %2", key, set.error().detail));
     }
     Sleep listening(m_device.clock(), rateTime);

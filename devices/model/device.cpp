@@ -61,7 +61,7 @@ void Device::setLiveness(const Liveness &liveness)
 void Device::setLiveness(const Liveness &liveness, const LiveStates &states, Instant time)
 {
     if (liveness.restarted && !m_liveness.restarted)
-        m_gate.takeMove();
+        (void)m_gate.takeMove();
     const bool changed = liveness != m_liveness;
     if (changed)
         m_liveness = liveness;
@@ -165,8 +165,6 @@ Result<void> Device::command(const SetPoint &setPoint)
         return checked;
     if (auto sent = doCommand(setPoint); !sent)
         return sent;
-    if (setPoint.buffered)
-        m_gate.keepMove();
     if (m_link.state() != LinkState::Open)
         return fail(m_link.notOpen()); // it went with this order, and a stop is owed
     m_stop.driven();

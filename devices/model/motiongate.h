@@ -3,11 +3,24 @@
 
 #include "async/clock.h"
 #include "async/message.h"
+#include "model/setpoint.h"
 
 #include <atomic>
 #include <utility>
 
 namespace mb {
+
+/// A buffered move that a device has until it begins it. No stop takes it away, but another one, and a restart.
+struct KeptMove {
+    enum class State : std::uint8_t {
+        None,
+        Sent, ///< whether the device has it is not known
+        Acknowledged,
+        Stale, ///< stopped before it began: nobody wants it any more, and the device would begin it
+    };
+    State state = State::None;
+    SetPoint order; ///< while it is acknowledged
+};
 
 /// What of this program stands before a motion of a device: STOP that is pressed, an update that runs, a move that the device
 /// keeps for later. Engine thread, but for the flag behind setStopGate().
@@ -23,23 +36,30 @@ public:
 
     /// When this program last told the device to stop.
     [[nodiscard]] Instant stoppedAt() const { return m_stoppedAt; }
-    void stopped(Instant time) { m_stoppedAt = time; }
+    void stopped(Instant time)
+    {
+        m_stoppedAt = time;
+        if (m_kept.state != KeptMove::State::None)
+            m_kept.state = KeptMove::State::Stale;
+    }
 
     /// While an update runs nothing else may talk to the device; empty: nothing runs.
     void setBusy(Message why) { m_busy = std::move(why); }
     [[nodiscard]] const Message &busy() const { return m_busy; }
 
-    /// The device keeps a move that has not begun; a stop does not take it away.
-    [[nodiscard]] bool keepsMove() const { return m_keepsMove; }
-    void keepMove() { m_keepsMove = true; }
-    /// The move has begun, or the device forgot it: whether there was one.
-    bool takeMove() { return std::exchange(m_keepsMove, false); }
+    [[nodiscard]] const KeptMove &kept() const { return m_kept; }
+    [[nodiscard]] bool keepsMove() const { return m_kept.state != KeptMove::State::None; }
+    /// For families: what became of a buffered move.
+    void moveSent() { m_kept.state = KeptMove::State::Sent; }
+    void moveAcknowledged(const SetPoint &order) { m_kept = {KeptMove::State::Acknowledged, order}; }
+    /// The move has begun, or the device forgot it: what it was.
+    KeptMove takeMove() { return std::exchange(m_kept, {}); }
 
 private:
     Message m_busy;
     const std::atomic<bool> *m_stopGate = nullptr;
     Instant m_stoppedAt{};
-    bool m_keepsMove = false;
+    KeptMove m_kept;
 };
 
 } // namespace mb

@@ -59,26 +59,11 @@ void SessionStops::dismiss()
 
 Result<void> SessionStops::releaseMoves(Device &lead)
 {
-    for (const DeviceBook::Entry &entry : m_devices.entries()) {
-        Device &device = *entry.device;
-        if (&device.link() != &lead.link() || !device.gate().keepsMove())
-            continue;
-        if (!entry.isStreaming())
-            return fail(Fault::Unsafe,
-                say("number %1 still keeps a move that was stopped before it began, and would begin it too",
-                    device.identity().address),
-                say("give it a new one, or switch it off and on"));
-        if (!device.guard().stands())
-            return fail(Fault::Unsafe, device.guard().reason());
-    }
-    auto released = lead.releaseMoves();
-    if (!released)
-        return released;
     for (Device *device : m_devices.on(lead.link())) {
-        if (device->gate().takeMove())
-            device->stopping().driven();
+        if (device->gate().keepsMove() && !device->guard().stands())
+            return fail(Fault::Unsafe, device->guard().reason());
     }
-    return released;
+    return lead.releaseMoves();
 }
 
 void SessionStops::linkOpened(Link &link)

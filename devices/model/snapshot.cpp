@@ -66,7 +66,7 @@ DeviceView viewOf(Session &session, Device &device)
     view.mayTurn = device.stopping().mayTurn();
     if (auto allowed = device.mayStop(); !allowed)
         view.mayNotBeStopped = allowed.error().message();
-    view.keepsMove = device.gate().keepsMove();
+    view.kept = device.gate().kept();
     return view;
 }
 

@@ -73,7 +73,7 @@ struct DeviceView {
     bool stopsMotion = false; ///< somebody knew of a motion when it was told to stop (DeviceStop::isForMotion)
     bool mayTurn = false;     ///< nobody has seen it stand, and nothing of its own stops it
     Message mayNotBeStopped;  ///< why STOP leaves it out; empty: it does not
-    bool keepsMove = false;   ///< a buffered move that has not begun
+    KeptMove kept;            ///< a buffered move that has not begun
 
     /// In the units that the device sends in; those of its family where nothing is recorded.
     [[nodiscard]] std::span<const Channel> channels() const;

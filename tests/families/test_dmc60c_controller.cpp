@@ -117,9 +117,22 @@ TEST_F(Dmc60cController, DoesNotLoseTheCountWhenTheAnswerToAClearIsLost)
 
 TEST_F(Dmc60cController, RepeatsAClearOnlyWhenAReadingShowsThatItDidNotArrive)
 {
-    unit.answer("02061805#341235", {{"02061845#350700000000"}});
+    unit.answer("02061805#341235", {{"02061845#350700000000"}, {"02061845#350700000000"}, {"02061845#350000000000"}});
     unit.answer("02061885#34123501000000", {{}, {"02061845#350700000000"}});
     EXPECT_EQ(*run(device->write(index("faults.over_current.count"), 1)), 7);
+    EXPECT_EQ(unit.count("02061885#34123501000000"), 2);
+}
+
+TEST_F(Dmc60cController, AnAnswerToAnotherQuestionDoesNotPassForThatToAClear)
+{
+    unit.answer("02061805#341235", {{"02061845#350700000000"}, {"02061845#350700000000"}, {"02061845#350000000000"}});
+    auto clearing = device->write(index("faults.over_current.count"), 1);
+    clearing.start();
+    ASSERT_TRUE(clock.runUntil([&] { return unit.count("02061885#34123501000000") == 1; }, 1s));
+    unit.send("02061845#350700000000"); // to whoever looks at the faults; the clear is lost
+    ASSERT_TRUE(clock.runUntil([&] { return clearing.isFinished(); }, 10s));
+    ASSERT_TRUE(clearing.result()) << clearing.result().error().text();
+    EXPECT_EQ(*clearing.result(), 7);
     EXPECT_EQ(unit.count("02061885#34123501000000"), 2);
 }
 

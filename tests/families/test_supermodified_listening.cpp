@@ -265,7 +265,9 @@ struct SupermodifiedLateAnswers : SupermodifiedPort {
     static constexpr std::string_view halfPacket = "55 AA 77 04 FA 01 51 AA";
     static constexpr std::string_view moved = "55 AA 77 04 09 00 09";
     Node node{4, 57600, Dialect::D1};
-    Motion motion{*line, node, {[] {}, [](auto) {}, [this](auto &) { motion.setPosition(0); }, [](auto, auto) {}}};
+    MotionGate gate;
+    Motion motion{
+        *line, node, gate, {[] {}, [](auto) {}, [this](auto &) { motion.setPosition(0); }, [](auto, auto) {}}};
 };
 
 TEST_F(SupermodifiedLateAnswers, TheAnswerToAnEarlierQuestionDoesNotPassForTheLookBeforeARelativeMove)

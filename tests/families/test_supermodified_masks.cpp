@@ -49,6 +49,27 @@ TEST(SupermodifiedRoster, AMaskAndAnIdThatWaitForARestartCountAlready)
     EXPECT_NE(roster.hostId(), usualHostId);
 }
 
+TEST(SupermodifiedRoster, AMaskThatWasReadOnceIsKnownAlthoughItIsNotReadAgain)
+{
+    Roster roster;
+    roster.note(4, 57600);
+    roster.note(5, 57600);
+    EXPECT_EQ(roster.lockOf(5), "") << "nobody has asked for it yet";
+    roster.noteUnreadMask(4);
+    EXPECT_NE(roster.lockOf(5).english().find("node 4"), std::string::npos);
+    EXPECT_EQ(roster.lockOf(4), "") << "what it does when others are addressed is not its own matter";
+    roster.noteMask(4, 0xFF);
+    roster.noteUnreadMask(4);
+    EXPECT_EQ(roster.lockOf(5), "");
+    roster.note(6, 9600);
+    roster.noteUnreadMask(6);
+    EXPECT_EQ(roster.lockOf(5), "") << "at another rate it hears no frame";
+    roster.note(6, 57600);
+    EXPECT_NE(roster.lockOf(5), "");
+    roster.forget(6);
+    EXPECT_EQ(roster.lockOf(5), "");
+}
+
 TEST(SupermodifiedRoster, WhereEveryIdIsInAGroupControlIsLocked)
 {
     Roster roster;
@@ -79,6 +100,46 @@ TEST(SupermodifiedMasks, DrivingANodeThatWasOnlyProbedStartsNobodyElse)
     bench.clock.advance(2s);
     EXPECT_FALSE(started);
     EXPECT_FALSE(driven.isOutputOn());
+}
+
+TEST(SupermodifiedMasks, WhileThatOfANodeCannotBeReadNoOtherIsDriven)
+{
+    for (const bool scans : {false, true}) {
+        Bench bench;
+        bench.add("supermodified:4");
+        bench.add("supermodified:5,level=1");
+        if (scans)
+            (void)bench.scanAll();
+        const auto four = bench.connect(4);
+        const auto five = bench.connect(5);
+        const auto allowed = four->mayMove();
+        ASSERT_FALSE(allowed) << scans;
+        EXPECT_EQ(allowed.error().fault, Fault::Unsafe);
+        EXPECT_NE(allowed.error().text().find("node 5"), std::string::npos) << allowed.error().text();
+        ASSERT_TRUE(run(bench.clock, five->write(Bench::index("error.level"), 0)));
+        ASSERT_TRUE(run(bench.clock, five->refresh()));
+        EXPECT_TRUE(four->mayMove()) << four->mayMove().error().text();
+    }
+}
+
+TEST(SupermodifiedMasks, ANodeThatFallsSilentInItsInterviewLeavesItsMaskUnknown)
+{
+    Bench bench;
+    bench.add("supermodified:4");
+    Simulator &other = bench.add("supermodified:5");
+    const auto four = bench.connect(4); // it asks for the masks of others
+    const auto keep = Line::of(bench.host, bench.clock);
+    keep->roster().forget(5);
+    ASSERT_TRUE(four->mayMove());
+    bench.sent.clear();
+    Timer cut(bench.clock);
+    const Subscription asked = bench.host.traffic().add([&](const Traffic &traffic) {
+        const auto frames = test::framesIn({traffic.bytes.begin(), traffic.bytes.end()});
+        if (traffic.direction == Direction::Received && !frames.empty() && frames.back().from == 5)
+            cut.startIn(Duration::zero(), [&] { other.setPowered(false); });
+    });
+    (void)bench.scanAll();
+    EXPECT_FALSE(four->mayMove());
 }
 
 TEST(SupermodifiedMasks, TheDriverOfANodeWithAMaskHearsNoAnswerDoneByIt)

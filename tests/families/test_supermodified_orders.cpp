@@ -163,14 +163,55 @@ TEST(SupermodifiedRelease, AProfiledMoveThatWaitedIsWatchedFromItsReleaseOfAnoth
     EXPECT_GT(passed, 0) << "the simulated firmware has the fault of the real one";
 }
 
-TEST_F(SupermodifiedOrders, AMoveThatWaitsDoesNotStopTheOneThatRunsAndIsAcknowledgedByItsMode)
+TEST(SupermodifiedRelease, ThatAStopOvertookHasBegunNothing)
+{
+    Bench bench;
+    bench.add("supermodified:4");
+    bench.add("supermodified:5");
+    const auto lead = bench.connect(4);
+    const auto member = bench.connect(5);
+    for (Device *one : {lead.get(), member.get()})
+        ASSERT_TRUE(one->command(buffered(setPoint(Mode::Velocity, 300.0))));
+    bench.clock.advance(500ms);
+    bench.line.setLoss(1.0);
+    bench.sent.clear();
+    ASSERT_TRUE(bench.clock.runUntil([&] { return !bench.sent.empty(); }, 1s)) << "a question is under way";
+    ASSERT_TRUE(lead->releaseMoves());
+    lead->stop();
+    bench.line.setLoss(0.0);
+    bench.clock.advance(500ms);
+    ASSERT_EQ(bench.count(Command::DoMove), 0);
+    EXPECT_NE(member->liveness().mode, Mode::Velocity);
+    const auto released = member->releaseMoves();
+    ASSERT_FALSE(released) << "the other node still has its own";
+    EXPECT_EQ(released.error().fault, Fault::Unsafe);
+    ASSERT_TRUE(lead->command(buffered(setPoint(Mode::Velocity, 100.0))));
+    bench.clock.advance(500ms);
+    ASSERT_TRUE(member->releaseMoves());
+    bench.clock.advance(100ms);
+    EXPECT_EQ(member->liveness().mode, Mode::Velocity);
+}
+
+TEST_F(SupermodifiedOrders, AMoveThatWaitsIsNotWhatTheNodeDoes)
+{
+    order(buffered(setPoint(Mode::Velocity, 300.0)), 300ms);
+    EXPECT_FALSE(device->liveness().mode) << "it was started, and stays where it is";
+    order(setPoint(Mode::Velocity, 500.0), 300ms);
+    order(buffered(ramp(5000.0, 2000.0, 20000.0)), 300ms);
+    EXPECT_EQ(device->liveness().mode, Mode::Velocity);
+    ASSERT_TRUE(device->releaseMoves());
+    bench.clock.advance(300ms);
+    EXPECT_EQ(device->liveness().mode, Mode::RampPosition);
+}
+
+TEST_F(SupermodifiedOrders, AMoveThatWaitsDoesNotStopTheOneThatRuns)
 {
     order(ramp(20000.0, 2000.0, 20000.0), 700ms);
     ASSERT_GT(node.position(), 500.0);
     ASSERT_LT(node.position(), 3000.0);
     order(buffered(ramp(5000.0, 2000.0, 20000.0)), 300ms);
     order(buffered(setPoint(Mode::Velocity, 100.0)), 300ms);
-    EXPECT_EQ(device->liveness().mode, Mode::Velocity);
+    EXPECT_EQ(device->liveness().mode, Mode::RampPosition);
     order(buffered(ramp(5000.0, 2000.0, 20000.0)), 4s);
     EXPECT_GT(node.position(), 6500.0);
     EXPECT_TRUE(node.isOutputOn());
@@ -178,6 +219,44 @@ TEST_F(SupermodifiedOrders, AMoveThatWaitsDoesNotStopTheOneThatRunsAndIsAcknowle
     ASSERT_TRUE(device->releaseMoves());
     bench.clock.advance(300ms);
     EXPECT_EQ(device->liveness().mode, Mode::Velocity);
+}
+
+// A node that lost its supply (supermodified/README.md#restarts)
+
+SetPoint by(double distance)
+{
+    SetPoint move = setPoint(Mode::Position, distance);
+    move.relative = true;
+    return move;
+}
+
+TEST_F(SupermodifiedOrders, ARestartAfterDistancesIsNoticedWhereTheNodeCountsFromZeroAnyway)
+{
+    order(by(300.0), 1s);
+    order(by(-300.0), 1s);
+    ASSERT_NEAR(node.position(), 0.0, 5.0);
+    node.setPowered(false);
+    bench.clock.advance(200ms);
+    node.setPowered(true);
+    bench.clock.advance(1s);
+    EXPECT_FALSE(device->liveness().moving);
+    EXPECT_FALSE(device->liveness().mode);
+    EXPECT_FALSE(device->command(by(10.0)));
+}
+
+TEST_F(SupermodifiedOrders, ADistanceIsNotMovedOnceMoreAfterAQuestionWithoutAnswer)
+{
+    order(by(300.0), 1s);
+    order(by(200.0), 20ms); // it is on its way
+    for (int i = 0; i < 10; ++i) {
+        bench.line.setLoss(1.0);
+        bench.clock.advance(60ms);
+        bench.line.setLoss(0.0);
+        bench.clock.advance(200ms);
+    }
+    EXPECT_NEAR(node.position(), 500.0, 5.0);
+    EXPECT_TRUE(node.isOutputOn());
+    EXPECT_GE(bench.count(Command::MoveAbsolute), 1) << "to where it ends";
 }
 
 // The position is reset (supermodified/README.md#hang)

@@ -91,12 +91,12 @@ TEST(Snapshots, TellARateForEachChannelAndWhatIsKnownOfADevice)
     bench.scan();
     bench.clock.advance(3s);
     Device &device = *bench.device(5);
-    device.gate().keepMove();
+    device.gate().moveAcknowledged({});
     const DeviceView view = viewOf(bench.session, device);
     EXPECT_EQ(view.id, bench.session.idOf(device));
     EXPECT_EQ(view.selector, device.selector());
     EXPECT_EQ(view.liveness, device.liveness());
-    EXPECT_TRUE(view.keepsMove);
+    EXPECT_EQ(view.kept.state, KeptMove::State::Acknowledged);
     EXPECT_TRUE(view.mayNotMove.empty());
     ASSERT_EQ(view.rates.size(), device.family().channels.size());
     const auto duty = findChannel(device.family().channels, "duty");

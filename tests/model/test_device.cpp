@@ -250,18 +250,30 @@ TEST_F(CommonDevice, WhileStopIsPressedNothingIsDrivenOrReleased)
     EXPECT_TRUE(motor->stopping().hasMoved());
 }
 
-TEST_F(CommonDevice, OnlyWhatTheDeviceTookHasMovedItAndOnlyABufferedMoveIsKept)
+TEST_F(CommonDevice, OnlyWhatTheDeviceTookHasMovedIt)
 {
     make().obeys = false;
-    EXPECT_FALSE(motor->command(duty(true)));
+    EXPECT_FALSE(motor->command(duty()));
     EXPECT_FALSE(motor->stopping().hasMoved());
-    EXPECT_FALSE(motor->gate().keepsMove());
     motor->obeys = true;
-    EXPECT_TRUE(motor->command(duty(false)));
+    EXPECT_TRUE(motor->command(duty()));
     EXPECT_TRUE(motor->stopping().hasMoved());
+}
+
+TEST_F(CommonDevice, AStopLeavesAMoveThatTheDeviceKeepsAndNobodyWantsIt)
+{
+    make().stop();
     EXPECT_FALSE(motor->gate().keepsMove());
-    EXPECT_TRUE(motor->command(duty(true)));
-    EXPECT_TRUE(motor->gate().keepsMove());
+    for (const bool isAcknowledged : {false, true}) {
+        motor->gate().moveSent();
+        if (isAcknowledged)
+            motor->gate().moveAcknowledged(duty());
+        motor->stop();
+        EXPECT_EQ(motor->gate().kept().state, KeptMove::State::Stale);
+    }
+    motor->gate().moveAcknowledged(duty());
+    EXPECT_EQ(motor->gate().takeMove().order, duty());
+    EXPECT_FALSE(motor->gate().keepsMove());
 }
 
 TEST_F(CommonDevice, OffIsAStopWhateverForbidsAMotion)

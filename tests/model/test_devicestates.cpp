@@ -101,7 +101,7 @@ TEST_F(DeviceStates, LivenessIsShownWhenItChanges)
 
 TEST_F(DeviceStates, ARestartTakesTheMoveThatTheDeviceKept)
 {
-    motor.gate().keepMove();
+    motor.gate().moveSent();
     Liveness now = motor.liveness();
     now.moving = true;
     motor.tell(now);
@@ -109,7 +109,7 @@ TEST_F(DeviceStates, ARestartTakesTheMoveThatTheDeviceKept)
     now.restarted = true;
     motor.tell(now);
     EXPECT_FALSE(motor.gate().keepsMove());
-    motor.gate().keepMove(); // a new one, given since
+    motor.gate().moveSent(); // a new one, given since
     now.moving = false;
     motor.tell(now);
     EXPECT_TRUE(motor.gate().keepsMove());

@@ -327,8 +327,26 @@ TEST_F(BufferedMoves, BeginTogetherAndAreNotKeptAfterwards)
     prepare(5);
     EXPECT_TRUE(node(4).gate().keepsMove());
     ASSERT_TRUE(bench.session.stops().releaseMoves(node(4)));
+    bench.clock.advance(500ms);
     EXPECT_FALSE(node(4).gate().keepsMove());
     EXPECT_FALSE(node(5).gate().keepsMove());
+}
+
+TEST_F(BufferedMoves, ThatWereStoppedAreNotBegunByAReleaseOnceTheirNodeMovesAgain)
+{
+    prepare(4);
+    bench.session.stream(node(4)).stop();
+    bench.clock.advance(500ms);
+    SetPoint turn;
+    turn.mode = Mode::Velocity;
+    turn.target = 200.0;
+    ASSERT_TRUE(bench.session.stream(node(4)).start(turn, 60s));
+    bench.clock.advance(500ms);
+    prepare(5);
+    const auto released = bench.session.stops().releaseMoves(node(5));
+    ASSERT_FALSE(released);
+    EXPECT_EQ(released.error().fault, Fault::Unsafe);
+    EXPECT_NE(released.error().text().find("number 4"), std::string::npos);
 }
 
 TEST_F(BufferedMoves, OfANodeThatWasStoppedIsShownAndDoesNotBeginWithTheOthers)

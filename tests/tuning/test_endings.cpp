@@ -132,6 +132,24 @@ TEST(Endings, GainsThatCouldNotBePutBackAreSaidAndOwed)
     EXPECT_FALSE(step.bench.journal.owed.empty());
 }
 
+TEST(Endings, OverALostLinkPutTheRatesBackWhenItIsThereAgain)
+{
+    StepWithGains step;
+    Device &device = *step.bench.device;
+    const ChannelIndex velocity = *device.telemetry()->find("velocity");
+    const auto rate = [&] { return device.telemetry()->rate(velocity, device.clock().now()); };
+    step.bench.bench.clock.advance(3s);
+    const double own = rate();
+    const Trial trial = step.endedBy([&] {
+        EXPECT_GT(rate(), 1.5 * own);
+        step.bench.bench.link->close();
+    });
+    EXPECT_NE(trial.reason, "done");
+    ASSERT_TRUE(step.bench.bench.link->open());
+    step.bench.bench.clock.advance(5s);
+    EXPECT_NEAR(rate(), own, 0.1 * own);
+}
+
 /// Their loop drives the motor: whoever changes them now changes what it does.
 TEST(Endings, WhoseMotorIsNotSeenToStandOweTheGains)
 {

@@ -47,7 +47,7 @@ struct GroupBench {
             DeviceView &view = workbench.device(id - 1);
             view.motion.running = true;
             view.motion.setPoint = ordered;
-            view.liveness.mode = ordered.mode;
+            view.kept = {KeptMove::State::Acknowledged, ordered};
         }
         workbench.publish();
     }
@@ -59,6 +59,7 @@ class GroupMotionTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void aMemberThatTakesNoPartAnyMoreIsStopped();
+    void aMemberThatMovesAlreadyIsPreparedByWhatItKeeps();
     void aStartThatIsRefusedHasNotBegun();
     void aLateAnswerSaysNothingOfMovesThatWerePreparedSince();
 };
@@ -76,6 +77,24 @@ void GroupMotionTest::aMemberThatTakesNoPartAnyMoreIsStopped()
     bench.workbench.device(2).motion.running = false;
     bench.workbench.publish();
     QVERIFY2(bench.group.isPrepared(), "the others keep theirs");
+}
+
+void GroupMotionTest::aMemberThatMovesAlreadyIsPreparedByWhatItKeeps()
+{
+    GroupBench bench;
+    bench.prepare({1, 2});
+    DeviceView &view = bench.workbench.device(1);
+    const KeptMove kept = std::exchange(view.kept, {});
+    view.liveness.mode = Mode::Position;
+    bench.workbench.publish();
+    QVERIFY2(!bench.group.isPrepared(), "it moves in this mode already");
+    view.kept = {KeptMove::State::Acknowledged, {}};
+    bench.workbench.publish();
+    QVERIFY2(!bench.group.isPrepared(), "it keeps the one before");
+    view.kept = kept;
+    view.liveness.mode = Mode::Velocity;
+    bench.workbench.publish();
+    QVERIFY(bench.group.isPrepared());
 }
 
 void GroupMotionTest::aStartThatIsRefusedHasNotBegun()

@@ -275,7 +275,7 @@ QString badgeOf(const DeviceView &device)
 
 bool keepsStoppedMove(const DeviceView &device)
 {
-    return device.keepsMove && !device.motion.running && !device.liveness.moving;
+    return device.kept.state == KeptMove::State::Stale;
 }
 
 QString tooltipOf(const DeviceView &device)

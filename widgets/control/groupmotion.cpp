@@ -90,8 +90,10 @@ bool GroupMotion::hasAcknowledged(DeviceId device) const
 {
     const auto member = std::ranges::find(m_members, device, &Member::device);
     const DeviceView *view = viewOf(device);
-    return member != m_members.end() && view && view->motion.running && view->motion.setPoint == member->setPoint
-        && view->liveness.mode == member->setPoint.mode;
+    if (member == m_members.end() || !view || !view->motion.running || view->motion.setPoint != member->setPoint)
+        return false;
+    return m_started ? view->liveness.mode == member->setPoint.mode
+                     : view->kept.state == KeptMove::State::Acknowledged && view->kept.order == member->setPoint;
 }
 
 bool GroupMotion::isPrepared() const

@@ -339,6 +339,7 @@ void Controller::onParameter(const ParamResponse &response)
     if (stream && response.status == ParameterStatus::NoError && response.field > 0)
         stream->setPeriod(std::chrono::milliseconds(response.field));
     m_faultWatch.take(response, clock().now());
+    m_rates.told(response);
     updateLiveness();
 }
 

@@ -99,23 +99,26 @@ Task<std::int64_t> ParameterDesk::write(const Parameter &parameter, std::int64_t
     co_return rawOf(parameter.type, response->field);
 }
 
-/// The answer to a clear carries the count before it, so a clear is repeated only when a reading shows that it did not
-/// arrive (README.md#counters); when it did, the reading before it is the count.
+/// The answer to a clear carries the count before it, and so does that to any question before it, such as the fault watch's; so a
+/// clear is believed, and repeated, by a reading after it (README.md#counters). Sticky bits of what is still present come back at once.
 Task<std::int64_t> ParameterDesk::clearCounter(const Parameter &parameter, std::int64_t raw)
 {
     const auto number = static_cast<std::uint8_t>(parameter.id);
     auto reading = read(number);
-    const std::int64_t before = co_await std::move(reading);
+    std::int64_t before = co_await std::move(reading);
     for (int attempt = 0; attempt < counterTries; ++attempt) {
         auto setting = m_exchange.setOnce(m_contact.target(), number, fieldOf(parameter.type, raw));
         const Result<ParamResponse> response = co_await std::move(setting).attempt();
         if (response) {
             if (auto checked = dmc60c::check(*response, parameter.key); !checked)
                 co_return fail(checked.error());
-            co_return rawOf(parameter.type, response->field);
-        }
-        if (response.error().fault != Fault::Timeout)
+            const std::int64_t told = rawOf(parameter.type, response->field);
+            before = std::max(before, told);
+            if (number == param::stickyFaults || before == 0)
+                co_return told;
+        } else if (response.error().fault != Fault::Timeout) {
             co_return fail(response.error());
+        }
         auto again = read(number);
         const std::int64_t now = co_await std::move(again);
         if (now < before || now == 0)

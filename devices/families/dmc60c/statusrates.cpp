@@ -10,6 +10,8 @@
 namespace mb::dmc60c {
 namespace {
 
+constexpr Duration sendEvery = std::chrono::seconds(1);
+
 std::optional<std::uint8_t> periodOf(ChannelIndex index)
 {
     if (index == channel::position || index == channel::velocity)
@@ -42,27 +44,67 @@ Task<void> StatusRates::set(ChannelIndex channel, double hertz)
         const std::int64_t present = co_await std::move(reading);
         m_usual[*number] = static_cast<std::uint32_t>(present);
     }
-    const double milliseconds
-        = hertz > 0.0 ? std::clamp(std::round(1000.0 / hertz), row.minimum, row.maximum) : m_usual[*number];
-    auto writing = m_desk.write(row, static_cast<std::int64_t>(milliseconds));
-    const std::int64_t inForce = co_await std::move(writing);
-    m_known.setRead(*parameterWithId(*number), inForce);
-    if (hertz > 0.0) {
-        m_wanted[*number] = static_cast<std::uint32_t>(inForce);
-    } else {
+    if (hertz > 0.0)
+        m_wanted[*number]
+            = static_cast<std::uint32_t>(std::clamp(std::round(1000.0 / hertz), row.minimum, row.maximum));
+    else
         m_wanted.erase(*number);
-        m_usual.erase(*number);
+    m_owed.erase(*number);
+    auto writing = m_desk.write(row, periodFor(*number));
+    const Result<std::int64_t> inForce = co_await std::move(writing).attempt();
+    if (!inForce) {
+        const bool mayHaveCome = inForce.error().fault == Fault::Timeout || inForce.error().fault == Fault::LinkLost;
+        if (!mayHaveCome)
+            m_wanted.erase(*number);
+        else if (m_usual.contains(*number)) // else it has restarted meanwhile
+            m_owed.insert(*number);
+        co_return fail(inForce.error());
     }
+    m_known.setRead(*parameterWithId(*number), *inForce);
+    settled(*number);
     co_return {};
+}
+
+std::uint32_t StatusRates::periodFor(std::uint8_t parameter) const
+{
+    const auto wanted = m_wanted.find(parameter);
+    return wanted == m_wanted.end() ? m_usual.at(parameter) : wanted->second;
+}
+
+void StatusRates::settled(std::uint8_t parameter)
+{
+    m_owed.erase(parameter);
+    if (!m_wanted.contains(parameter))
+        m_usual.erase(parameter);
+}
+
+void StatusRates::forgotten()
+{
+    std::erase_if(m_usual, [this](const auto &one) { return !m_wanted.contains(one.first); });
+    m_owed.clear();
+    for (const auto &[parameter, period] : m_wanted) {
+        m_usual[parameter] = static_cast<std::uint32_t>(parameterTable()[parameterWithId(parameter)->value].fallback);
+        m_owed.insert(parameter);
+    }
+    m_sentAt.reset();
 }
 
 void StatusRates::sendOwed(const UnitContact &contact)
 {
-    if (!std::exchange(m_owed, false))
+    const Instant now = contact.clock.now();
+    if (m_owed.empty() || (m_sentAt && now - *m_sentAt < sendEvery))
         return;
+    m_sentAt = now;
     const ParameterExchange::Target unit = contact.target();
-    for (const auto &[parameter, period] : m_wanted)
-        (void)contact.link.send(encodeParamSet(unit.device, unit.session, parameter, period));
+    for (const std::uint8_t parameter : m_owed)
+        (void)contact.link.send(encodeParamSet(unit.device, unit.session, parameter, periodFor(parameter)));
+}
+
+void StatusRates::told(const ParamResponse &response)
+{
+    if (m_owed.contains(response.parameter)
+        && (response.status != ParameterStatus::NoError || response.field == periodFor(response.parameter)))
+        settled(response.parameter);
 }
 
 } // namespace mb::dmc60c

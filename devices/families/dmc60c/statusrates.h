@@ -5,7 +5,8 @@
 #include "telemetry/framerate.h"
 
 #include <map>
-#include <utility>
+#include <optional>
+#include <set>
 
 namespace mb::dmc60c {
 
@@ -19,18 +20,24 @@ public:
     }
     /// Device::setRate().
     [[nodiscard]] Task<void> set(ChannelIndex channel, double hertz);
-    /// The unit has forgotten what was set, in a restart.
-    void forgotten() { m_owed = true; }
-    /// Once after that; waits for no answer.
+    /// The unit has forgotten what was set, in a restart, or it is another one.
+    void forgotten();
+    /// What is owed after that, or because no answer came, once a second until it is answered; waits for none.
     void sendOwed(const UnitContact &contact);
+    /// The unit has told a parameter.
+    void told(const ParamResponse &response);
 
 private:
+    [[nodiscard]] std::uint32_t periodFor(std::uint8_t parameter) const;
+    void settled(std::uint8_t parameter);
+
     ParameterDesk &m_desk;
     ParameterStore &m_known;
     std::map<std::uint8_t, FrameRate> m_wishes;     ///< by status frame
     std::map<std::uint8_t, std::uint32_t> m_usual;  ///< what set() goes back to, ms
     std::map<std::uint8_t, std::uint32_t> m_wanted; ///< by parameter, ms
-    bool m_owed = false;
+    std::set<std::uint8_t> m_owed;                  ///< parameters
+    std::optional<Instant> m_sentAt;                ///< of what is owed
 };
 
 } // namespace mb::dmc60c

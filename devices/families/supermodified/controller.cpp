@@ -33,7 +33,7 @@ Controller::Controller(const Family &family, SerialLink &link, Clock &clock, Ide
     , m_serial(link)
     , m_line(Line::of(link, clock))
     , m_node(nodeOf(this->identity(), link))
-    , m_motion(*m_line, m_node,
+    , m_motion(*m_line, m_node, gate(),
           {[this] { onMotion(); }, [this](std::span<const std::uint8_t> codes) { onCodes(codes); },
               [this](const Frame &reply) { m_polls.takePosition(reply); },
               [this](Command command, std::int64_t raw) {
@@ -233,7 +233,10 @@ void Controller::setHeard(bool heard)
         m_motion.doubt(); // whatever happens to it now is not seen
     if (Roster &roster = m_line->roster(); heard && !roster.nodes().contains(m_node.id)) { // a scan missed it
         roster.note(m_node.id, m_node.baudrate);
-        roster.noteMask(m_node.id, maskOf(identity()));
+        if (const auto mask = maskOf(identity()))
+            roster.noteMask(m_node.id, *mask);
+        else
+            roster.noteUnreadMask(m_node.id);
     }
     m_polls.setHeard(heard);
     if (!heard)
@@ -248,7 +251,7 @@ void Controller::updateLiveness()
     now.moving = m_motion.isEnergized() || (m_presence.isHeard() && m_polls.isTurning());
     now.foreignMaster = m_presence.hasForeignMaster();
     now.restarted = m_presence.hasRestarted();
-    if (const auto &order = m_motion.acknowledged(); order && m_motion.isEnergized())
+    if (const auto &order = m_motion.applied(); order && m_motion.isEnergized())
         now.mode = order->mode;
     now.faults = m_codes.active();
     setLiveness(now);

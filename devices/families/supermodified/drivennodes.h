@@ -30,25 +30,30 @@ public:
     /// Whether that holds for this node; once.
     [[nodiscard]] bool takeFollowerStop(int node) { return m_followerStops.erase(node) > 0; }
 
-    /// Whether the buffered moves of all nodes may begin together.
+    /// The buffered moves of all nodes of a line begin with one command, so each node is asked before it and told of it.
+    struct Release {
+        bool isBegun = false;
+        Result<void> allowed{}; ///< whoever keeps one replaces a success by why it may not begin
+    };
+    [[nodiscard]] Listeners<Release &> &releasing() { return m_releasing; }
     [[nodiscard]] Result<void> mayRelease()
     {
-        Result<void> allowed;
-        m_releasing.notify(allowed);
-        return allowed;
+        Release asked;
+        m_releasing.notify(asked);
+        return asked.allowed;
     }
-    /// Whoever keeps one replaces a success by why it may not begin.
-    [[nodiscard]] Listeners<Result<void> &> &releasing() { return m_releasing; }
-    /// They have begun.
-    [[nodiscard]] Listeners<> &released() { return m_released; }
+    void released()
+    {
+        Release told{true};
+        m_releasing.notify(told);
+    }
 
 private:
     const Roster &m_roster;
     std::set<int> m_driven;
     std::set<int> m_followerStops; ///< nodes that have not taken theirs
     Listeners<> m_followersTold;
-    Listeners<Result<void> &> m_releasing;
-    Listeners<> m_released;
+    Listeners<Release &> m_releasing;
 };
 
 } // namespace mb::supermodified

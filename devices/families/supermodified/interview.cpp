@@ -9,7 +9,8 @@ namespace mb::supermodified {
 namespace {
 
 constexpr std::string_view baudKey = "baud";
-constexpr std::string_view maskKey = "mask";
+constexpr std::string_view maskKey = "mask"; ///< where it is not exact
+constexpr std::string_view unread = "unknown";
 
 /// The dialect by the lengths of three replies; nothing when the node refuses, or they contradict each other.
 Task<std::optional<Dialect>> detect(Line &line, Node node, CodeSink codes)
@@ -29,35 +30,35 @@ Task<std::optional<Dialect>> detect(Line &line, Node node, CodeSink codes)
 }
 
 /// Nothing when the node refuses.
-Task<std::optional<std::int64_t>> numberOf(Line &line, Node node, Command command)
+Task<std::optional<std::int64_t>> numberOf(Line &line, Node node, Command command, Format format)
 {
     auto asked = converse(line, asking(node, command), {});
     const Result<Frame> reply = co_await std::move(asked).attempt();
     if (!reply && reply.error().fault != Fault::Refused)
         co_return fail(reply.error());
-    co_return reply ? valueOf(reply->payload(), formatOf(command, *node.dialect)) : std::nullopt;
+    co_return reply ? valueOf(reply->payload(), format) : std::nullopt;
 }
 
-/// Of a node whose dialect is known: its mask, and what bounds its moves.
+/// What bounds the moves of a node whose dialect is known.
 Task<void> readBounds(Line &line, Node node, Interview &said)
 {
-    auto first = numberOf(line, node, Command::GetNodeMask);
-    const auto mask = co_await std::move(first);
-    said.mask = static_cast<std::uint8_t>(mask.value_or(exactMask));
-    auto second = numberOf(line, node, Command::GetP);
-    said.gainP = co_await std::move(second);
-    auto third = numberOf(line, node, Command::GetProfileVelocity);
-    said.profileVelocity = co_await std::move(third);
-    auto fourth = numberOf(line, node, Command::GetProfileAcceleration);
-    said.profileAcceleration = co_await std::move(fourth);
+    const auto formatIn = [&node](Command command) { return formatOf(command, *node.dialect); };
+    auto first = numberOf(line, node, Command::GetP, formatIn(Command::GetP));
+    said.gainP = co_await std::move(first);
+    auto second = numberOf(line, node, Command::GetProfileVelocity, formatIn(Command::GetProfileVelocity));
+    said.profileVelocity = co_await std::move(second);
+    auto third = numberOf(line, node, Command::GetProfileAcceleration, formatIn(Command::GetProfileAcceleration));
+    said.profileAcceleration = co_await std::move(third);
     co_return {};
 }
 
 void keep(Roster &roster, const Node &node, const Interview &said)
 {
     roster.note(node.id, node.baudrate);
-    if (said.dialect)
-        roster.noteMask(node.id, said.mask);
+    if (said.mask)
+        roster.noteMask(node.id, *said.mask);
+    else
+        roster.noteUnreadMask(node.id);
     if (said.gainP)
         roster.noteSetting(node.id, Command::P, said.gainP);
     if (said.profileVelocity)
@@ -79,6 +80,11 @@ Task<Interview> interview(Line &line, Node node)
         co_return fail(dialect.error());
     said.levelOne = !dialect && last == code::invalidGetCount;
     said.dialect = dialect.value_or(std::nullopt);
+    if (!said.levelOne) { // one byte in every dialect
+        auto reading = numberOf(line, node, Command::GetNodeMask, Format::U8);
+        if (const auto mask = co_await std::move(reading); mask)
+            said.mask = static_cast<std::uint8_t>(*mask);
+    }
     if (said.dialect) {
         node.dialect = said.dialect;
         auto reading = readBounds(line, node, said);
@@ -98,7 +104,8 @@ Identity identityOf(const Roster &roster, const Node &node, const Interview &int
         identity.dialect = toString(*interview.dialect);
     identity.descriptors.emplace_back(baudKey, std::to_string(node.baudrate));
     if (interview.mask != exactMask)
-        identity.descriptors.emplace_back(maskKey, std::to_string(interview.mask));
+        identity.descriptors.emplace_back(
+            maskKey, interview.mask ? std::to_string(*interview.mask) : std::string(unread));
     if (interview.levelOne)
         identity.detail = say("Its error level is 1, so every reading fails. Set error.level to 0.");
     else if (!interview.dialect)
@@ -121,8 +128,11 @@ void takeDescriptor(const Identity &identity, std::string_view key, int &number)
 
 } // namespace
 
-std::uint8_t maskOf(const Identity &identity)
+std::optional<std::uint8_t> maskOf(const Identity &identity)
 {
+    if (std::ranges::find(identity.descriptors, std::pair{std::string(maskKey), std::string(unread)})
+        != identity.descriptors.end())
+        return std::nullopt;
     int mask = exactMask;
     takeDescriptor(identity, maskKey, mask);
     return static_cast<std::uint8_t>(mask);

@@ -9,7 +9,7 @@ namespace mb::supermodified {
 /// What the gets of README.md#scan say about a node that answers.
 struct Interview {
     std::optional<Dialect> dialect; ///< nothing when it refuses to tell
-    std::uint8_t mask = exactMask;
+    std::optional<std::uint8_t> mask;
     bool levelOne = false; ///< its error level makes every reading fail (README.md#error-level)
     /// What bounds its moves; nothing when it did not tell.
     std::optional<std::int64_t> gainP;
@@ -22,8 +22,8 @@ struct Interview {
 
 /// The row of a scan.
 [[nodiscard]] Identity identityOf(const Roster &roster, const Node &node, const Interview &interview);
-/// Mask of a node as identityOf() told it.
-[[nodiscard]] std::uint8_t maskOf(const Identity &identity);
+/// Mask of a node as identityOf() told it; nothing where it was not read.
+[[nodiscard]] std::optional<std::uint8_t> maskOf(const Identity &identity);
 /// The other way round: what a row says about how to reach the node.
 [[nodiscard]] Node nodeOf(const Identity &identity, const SerialLink &link);
 

@@ -242,10 +242,13 @@ void Line::transmit(const Result<void> &rate)
     }
     m_inFlight->sentEnd = m_clock.now() + timeOf(m_link, bytes.size());
     m_inFlight->replyTime = request.answered ? timeOf(m_link, frameOverhead + request.replySize) : Duration::zero();
-    if (sent)
+    if (sent) {
         armTimeout(stopWaits() && request.rank != Rank::Stop ? std::min(patience, hurriedPatience) : patience);
-    else
+        if (const auto left = request.left)
+            left();
+    } else {
         m_timeout.startIn(Duration::zero(), [this, error = sent.error()] { finish(fail(error)); });
+    }
 }
 
 /// The stop of a driven motor, a guardian's too, goes out at the rate that the line has.

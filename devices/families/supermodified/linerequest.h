@@ -19,7 +19,8 @@ struct LineRequest {
     std::size_t replySize = 0;      ///< data bytes to expect
     Duration patience = answerTime; ///< after the wire time of both frames; longer where answers are known to be late
     Rank rank = Rank::Task;
-    bool answered = true; ///< false for broadcasts
+    bool answered = true;            ///< false for broadcasts
+    std::function<void()> left = {}; ///< it is on the wire
     bool settles
         = false; ///< afterwards no answer to an earlier question is still to come: waits for silence where one may be
 };

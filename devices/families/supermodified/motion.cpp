@@ -17,17 +17,18 @@ Error notAcknowledged()
 
 } // namespace
 
-Motion::Motion(Line &line, const Node &node, Events events)
+Motion::Motion(Line &line, const Node &node, MotionGate &gate, Events events)
     : m_line(line)
     , m_node(node)
+    , m_gate(gate)
     , m_events(std::move(events))
-    , m_kept(line.driven(),
-          {[this] { return mayBegin(); },
-              [this](const SetPoint &kept) {
-                  begun(kept);
-                  m_events.changed();
-              }})
     , m_stop(line, node, {[this] { stopped(); }, m_events.codes})
+    , m_releasing(line.driven().releasing().add([this](DrivenNodes::Release &release) {
+        if (release.isBegun)
+            released();
+        else if (release.allowed)
+            release.allowed = mayBegin();
+    }))
 {
 }
 
@@ -139,6 +140,8 @@ void Motion::send(Step step)
     m_step = step;
     ++m_tries;
     m_ticket = m_line.submit(*request, [this, step](const Result<Frame> &reply) { answered(step, reply); });
+    if (step == Step::Move && m_orders.front().buffered)
+        m_gate.moveSent();
     if (step == Step::Start) {
         ++m_starts;
         m_count.startSent();
@@ -208,10 +211,11 @@ void Motion::done(Step step, const Frame &reply)
     case Step::Acceleration: stored(step); break;
     case Step::Move:
         if (order.buffered)
-            m_kept.keep(order);
+            m_gate.moveAcknowledged(order);
         else
             begun(order);
         m_count.took(order);
+        placeDistance();
         m_looked = false;
         m_orders.pop_front();
         m_events.changed();
@@ -238,6 +242,7 @@ void Motion::stored(Step step)
 void Motion::begun(const SetPoint &order)
 {
     m_applied = order;
+    m_applied->buffered = false; // once more it would be kept
     m_run.reset();
     if (!m_count.ofNode())
         return;
@@ -245,6 +250,16 @@ void Motion::begun(const SetPoint &order)
     const double target = static_cast<double>(m_count.targetOf(order)) + (order.relative ? from : 0.0);
     if (const auto overrun = bounds().overrun(order, target - from))
         m_run = ProfiledRun(from, target, *overrun);
+}
+
+/// A distance that was taken, as the place where it ends: that can be sent once more (README.md#restarts).
+void Motion::placeDistance()
+{
+    const auto destination = m_count.destination();
+    if (!m_applied || !m_applied->relative || !destination || m_node.dialect == Dialect::D3)
+        return;
+    m_applied->relative = false;
+    m_applied->target = static_cast<double>(*destination);
 }
 
 void Motion::setPosition(std::int64_t raw)
@@ -269,9 +284,20 @@ Result<void> Motion::release()
         return allowed;
     Line::Request tell = telling(m_node, Command::DoMove);
     tell.rank = Line::Rank::Move;
+    tell.left = [this] { m_line.driven().released(); };
     m_releaseTicket = m_line.submit(tell, [](const Result<Frame> &) {});
-    m_line.driven().released().notify();
     return {};
+}
+
+/// What is still sent comes after it; what was to be stopped is gone with it.
+void Motion::released()
+{
+    if (m_gate.kept().state == KeptMove::State::Sent)
+        return;
+    if (const KeptMove kept = m_gate.takeMove(); kept.state == KeptMove::State::Acknowledged) {
+        begun(kept.order);
+        m_events.changed();
+    }
 }
 
 /// The move that it keeps, from where the motor is by now.
@@ -279,18 +305,24 @@ Result<void> Motion::mayBegin() const
 {
     if (std::ranges::any_of(m_orders, [](const SetPoint &order) { return order.buffered; }))
         return mb::fail(notAcknowledged());
-    const auto &kept = m_kept.order();
-    if (!kept)
+    const KeptMove &kept = m_gate.kept();
+    if (kept.state == KeptMove::State::None)
         return {};
     if (m_failure)
         return mb::fail(Fault::Unsafe, *m_failure);
-    return kept->relative ? Result<void>() : bounds().checkReach(*kept, m_count.stepOf(*kept, m_energized));
+    if (kept.state == KeptMove::State::Sent)
+        return mb::fail(notAcknowledged());
+    if (kept.state == KeptMove::State::Stale)
+        return mb::fail(Fault::Unsafe,
+            say("number %1 still keeps a move that was stopped before it began, and would begin it too", m_node.id),
+            say("give it a new one, or switch it off and on"));
+    const SetPoint &order = kept.order;
+    return order.relative ? Result<void>() : bounds().checkReach(order, m_count.stepOf(order, m_energized));
 }
 
 void Motion::reassert()
 {
-    if (!m_energized || m_failure || isBusy() || m_stop.isPending() || !m_applied || m_applied->relative
-        || m_applied->buffered)
+    if (!m_energized || m_failure || isBusy() || m_stop.isPending() || !m_applied || m_applied->relative)
         return;
     m_orders.push_back(*m_applied);
     pump();
@@ -339,7 +371,6 @@ void Motion::stop()
     m_orders.clear();
     m_wanted.reset();
     m_applied.reset();
-    m_kept.reset();
     m_failure.reset();
     m_run.reset();
     m_looked = false;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "families/supermodified/keptmove.h"
 #include "families/supermodified/motioncount.h"
 #include "families/supermodified/motionstop.h"
 #include "families/supermodified/movebounds.h"
 #include "families/supermodified/profiledrun.h"
+#include "model/motiongate.h"
 
 #include <deque>
 #include <functional>
@@ -26,7 +26,8 @@ public:
         std::function<void(Command, std::int64_t)> stored; ///< a move needed this setting, which the node keeps
     };
 
-    Motion(Line &line, const Node &node, Events events);
+    /// They outlive it. The gate is told of the moves that the node keeps.
+    Motion(Line &line, const Node &node, MotionGate &gate, Events events);
     Motion(const Motion &) = delete;
     Motion &operator=(const Motion &) = delete;
 
@@ -61,11 +62,8 @@ public:
     [[nodiscard]] bool isBusy() const { return m_step.has_value() || !m_orders.empty(); }
     /// When the last stop was acknowledged.
     [[nodiscard]] std::optional<Instant> stoppedAt() const { return m_stop.acknowledgedAt(); }
-    /// What was acknowledged last: what it does, or the move that waits for its release.
-    [[nodiscard]] const std::optional<SetPoint> &acknowledged() const
-    {
-        return m_kept.order() ? m_kept.order() : m_applied;
-    }
+    /// What it moves by; nothing before its first move has begun.
+    [[nodiscard]] const std::optional<SetPoint> &applied() const { return m_applied; }
     [[nodiscard]] MotionCount &count() { return m_count; }
     /// The last position that the node told, without origin.
     void setPosition(std::int64_t raw);
@@ -73,7 +71,9 @@ public:
 private:
     enum class Step { Stop, Look, Start, Velocity, Acceleration, Move };
     [[nodiscard]] Result<void> mayBegin() const;
+    void released();
     void begun(const SetPoint &order);
+    void placeDistance();
     void pump();
     [[nodiscard]] Step nextStep() const;
     [[nodiscard]] Result<Line::Request> requestFor(Step step) const;
@@ -88,11 +88,11 @@ private:
 
     Line &m_line;
     const Node &m_node;
+    MotionGate &m_gate;
     Events m_events;
     std::deque<SetPoint> m_orders; ///< not acknowledged yet; the first one is under way
     std::optional<SetPoint> m_wanted;
     std::optional<SetPoint> m_applied; ///< the node moves by it
-    KeptMove m_kept;
     std::optional<Step> m_step;
     int m_tries = 0;
     bool m_looked = false;
@@ -105,6 +105,7 @@ private:
     Line::Ticket m_ticket;
     Line::Ticket m_releaseTicket;
     MotionStop m_stop;
+    Subscription m_releasing;
 };
 
 } // namespace mb::supermodified

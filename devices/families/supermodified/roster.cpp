@@ -33,9 +33,16 @@ void Roster::noteMask(int node, std::uint8_t inForce)
 {
     Entry &known = m_nodes[node];
     known.mask = inForce;
+    known.hidesMask = false;
     if (known.nextMask == inForce)
         known.nextMask.reset();
     chooseHost();
+}
+
+void Roster::noteUnreadMask(int node)
+{
+    Entry &known = m_nodes[node];
+    known.hidesMask = !known.mask;
 }
 
 void Roster::noteNextMask(int node, std::uint8_t written)
@@ -78,8 +85,9 @@ void Roster::forget(int node)
 bool Roster::follows(int node, const Entry &known, int address)
 {
     const auto fits = [address](int id, std::uint8_t mask) { return (address & mask) == (id & mask); };
+    const std::uint8_t mask = known.mask.value_or(exactMask);
     for (const int id : {node, known.nextId.value_or(node)}) {
-        if (fits(id, known.mask) || fits(id, known.nextMask.value_or(known.mask)))
+        if (fits(id, mask) || fits(id, known.nextMask.value_or(mask)))
             return true;
     }
     return false;
@@ -120,6 +128,12 @@ Message Roster::lockOf(int node) const
         return say("what is sent to node %1 is also done by node %2, now or after a restart, because of an acceptance "
                    "mask; set its node.mask to 255 and restart it",
             node, listOf(followers));
+    for (const auto &[other, known] : m_nodes) {
+        if (other != node && known.hidesMask && known.baudrate == entry(node).baudrate) // else it hears no frame
+            return say(
+                "the acceptance mask of node %1 is not known, so it may do what is sent to node %2, too; scan again",
+                other, node);
+    }
     if (!m_hostIsFree)
         return say("every id that this program could use on the line belongs to the group of a node, so answers would "
                    "be taken for commands; set node.mask to 255 and restart the nodes");

@@ -18,7 +18,8 @@ class Roster {
 public:
     struct Entry {
         int baudrate = 0;
-        std::uint8_t mask = exactMask;
+        std::optional<std::uint8_t> mask;     ///< in force, once it was read
+        bool hidesMask = false;               ///< it was asked for its mask in vain
         std::optional<std::uint8_t> nextMask; ///< written, and in force after a restart
         std::optional<int> nextId;            ///< the same
         std::optional<std::int64_t> gainP;    ///< this and the next two bound what may be commanded
@@ -32,6 +33,8 @@ public:
     /// Somebody answered under this id.
     void note(int node, int baudrate);
     void noteMask(int node, std::uint8_t inForce);
+    /// It was to be read, and was not: where it never was, nobody knows whose orders the node does.
+    void noteUnreadMask(int node);
     void noteNextMask(int node, std::uint8_t written);
     void noteNextId(int node, int written);
     /// P, and velocity and acceleration of a profile: not known from when another value is sent until it is acknowledged. What

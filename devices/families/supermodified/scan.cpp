@@ -86,7 +86,8 @@ void Search::recall()
         if (!legal || m_line->roster().nodes().contains(node.id))
             continue;
         m_line->roster().note(node.id, node.baudrate);
-        m_line->roster().noteMask(node.id, maskOf(identity));
+        if (const auto mask = maskOf(identity))
+            m_line->roster().noteMask(node.id, *mask);
         m_recalled.push_back(node.id);
     }
 }
@@ -164,6 +165,8 @@ Task<bool> Search::look(Place place, Duration patience)
     const Result<Interview> said = co_await std::move(talk).attempt();
     if (!said && said.error().fault == Fault::LinkLost)
         co_return fail(said.error());
+    if (!said)
+        m_line->roster().noteUnreadMask(node.id);
     m_found.push_back(node.id);
     m_sink.found(identityOf(m_line->roster(), node, said.value_or(Interview{})));
     co_return true;
@@ -349,11 +352,15 @@ Task<bool> Search::learnMask(Node node)
     }
     if (!reply && reply.error().fault == Fault::LinkLost)
         co_return fail(reply.error());
-    if (const auto mask = reply ? valueOf(reply->payload(), Format::U8) : std::nullopt) {
-        m_line->roster().note(node.id, node.baudrate);
+    if (!reply)
+        co_return false;
+    const auto mask = codesOf(*reply) ? std::nullopt : valueOf(reply->payload(), Format::U8);
+    m_line->roster().note(node.id, node.baudrate);
+    if (mask)
         m_line->roster().noteMask(node.id, static_cast<std::uint8_t>(*mask));
-    }
-    co_return reply.has_value();
+    else
+        m_line->roster().noteUnreadMask(node.id);
+    co_return true;
 }
 
 } // namespace
