@@ -48,7 +48,10 @@ Controller::Controller(const Family &family, CanLink &link, Clock &clock, Identi
     , m_logs(link, clock, telemetry(), knowledge().profile(), owner())
     , m_places(knowledge().profile(), [this](const PlaceMemory::Counters &values) { knowledge().setCounters(values); })
     , m_debt(knowledge().profile(),
-          [this](std::int64_t owed) { knowledge().setCounter(std::string(counter::powerCycle), owed); })
+          [this](std::int64_t owed) {
+              knowledge().setCounter(std::string(counter::powerCycle), owed);
+              updateLiveness();
+          })
     , m_desk(*this, link, m_logs, m_debt,
           [this](const std::string &key, std::int64_t value) { knowledge().setCounter(key, value); })
     , m_received(link.received().add([this](const CanFrame &frame) { onFrame(frame, false); }))
@@ -103,6 +106,7 @@ void Controller::doProfileChanged()
 {
     telemetry()->useTable(channelTable(knowledge().profile().calibrated(calibration::amperes) > 0.0,
         knowledge().profile().calibrated(calibration::degrees) > 0.0));
+    updateLiveness();
 }
 
 // Control
@@ -119,14 +123,17 @@ Result<void> Controller::doMayMove() const
         return alone;
     if (!m_debt.isOwed())
         return {};
-    const bool isNear = std::abs(m_logs.motion().position().value_or(0)) < RestartSense::provesPower;
-    return fail(Fault::Unsafe,
-        say("its averaging was lowered, as far as can be known, and until it has lost its power once it may "
-            "overwrite its own memory"),
-        isNear ? say("turn its shaft until its position is %1 counts away from 0, which shows that it was off, then "
+    Message remedy = say("switch it off and on");
+    if (m_desk.overrunsEver())
+        remedy = say("write an averaging of 1 … 500, then switch it off and on");
+    else if (std::abs(m_logs.motion().position().value_or(0)) < RestartSense::provesPower)
+        remedy = say("turn its shaft until its position is %1 counts away from 0, which shows that it was off, then "
                      "switch it off and on",
-            RestartSense::provesPower)
-               : say("switch it off and on"));
+            RestartSense::provesPower);
+    return fail(Fault::Unsafe,
+        say("its averaging was lowered, or set beyond 500, as far as can be known, and until it has lost its power "
+            "once it may overwrite its own memory"),
+        std::move(remedy));
 }
 
 Result<void> Controller::check(const SetPoint &setPoint) const
@@ -318,7 +325,8 @@ void Controller::onRestart(Restart restart)
         return;
     m_desk.restarted();
     if (restart != Restart::Maybe) {
-        m_debt.pay();
+        if (!m_desk.overrunsEver())
+            m_debt.pay();
         m_isHeldByOther = false;
     }
     if (restart != Restart::Seen)
@@ -349,6 +357,8 @@ void Controller::updateLiveness()
     now.foreignMaster = m_foreignAt.has_value();
     now.restarted = m_restarted;
     now.faults = m_logs.output().faults();
+    if (m_debt.isOwed())
+        now.faults.emplace_back(PowerCycleDebt::fault);
     setLiveness(now);
 }
 
@@ -393,12 +403,15 @@ void Controller::settingsReplaced(bool blank)
 
 Task<std::vector<FaultRecord>> Controller::readFaults()
 {
-    co_return m_logs.output().records();
+    std::vector<FaultRecord> records = m_logs.output().records();
+    records.push_back({PowerCycleDebt::fault, m_debt.isOwed(), m_debt.isOwed(), std::nullopt});
+    co_return records;
 }
 
 Task<std::vector<FaultRecord>> Controller::clearFaults()
 {
-    auto records = m_logs.output().records();
+    auto reading = readFaults();
+    std::vector<FaultRecord> records = co_await std::move(reading);
     m_logs.output().clearCounts();
     co_return records;
 }

@@ -101,8 +101,6 @@ Result<void> LogSense::wish(ChannelIndex channel, double hertz)
         m_wishes[*log] = hertz;
     else
         m_wishes.erase(*log);
-    if (*log == Log::Velocity && hertz > 0.0) // outside its mode velocity is computed from positions
-        m_wishes[Log::Position] = std::max(m_wishes[Log::Position], hertz);
     plan();
     return {};
 }
@@ -127,10 +125,14 @@ double LogSense::rateOf(Log log) const
 {
     if (!isFresh(log))
         return 0.0;
-    const auto wished = m_wishes.find(log);
-    const double wish = wished == m_wishes.end() ? 0.0 : wished->second;
+    const auto wished = [this](Log which) {
+        const auto found = m_wishes.find(which);
+        return found == m_wishes.end() ? 0.0 : found->second;
+    };
+    const double wish = wished(log);
     switch (log) {
-    case Log::Position: return std::max(wish, isDriven() || m_look.isActive() ? drivenRate : positionRate);
+    case Log::Position: // outside its mode velocity is computed from positions
+        return std::max({wish, wished(Log::Velocity), isDriven() || m_look.isActive() ? drivenRate : positionRate});
     case Log::Velocity: return std::max(wish, drivenRate);
     case Log::Voltage: return std::max(wish, loopRate);
     case Log::Current: return wish > 0.0 ? wish : slowRate;

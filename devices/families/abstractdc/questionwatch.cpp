@@ -145,6 +145,12 @@ bool QuestionWatch::isOf(int offset, const Dialect *dialect) const
     return asked;
 }
 
+bool QuestionWatch::isOpen(const Question &question) const
+{
+    return std::ranges::any_of(
+        m_open, [&, now = m_clock.now()](const Open &open) { return open.question == question && open.until > now; });
+}
+
 bool QuestionWatch::isFree(const Question &question, std::uint32_t answer) const
 {
     return std::ranges::none_of(m_open, [&, now = m_clock.now()](const Open &open) {

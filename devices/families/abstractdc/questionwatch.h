@@ -38,6 +38,8 @@ public:
     /// `dialect` nullptr: of a drive that was asked for the speed and by itself.
     [[nodiscard]] bool isOf(int offset, const Dialect *dialect) const;
 
+    /// Somebody has asked this and may still be answered.
+    [[nodiscard]] bool isOpen(const Question &question) const;
     /// Nobody else waits for an answer on this identifier.
     [[nodiscard]] bool isFree(const Question &question, std::uint32_t answer) const;
 
