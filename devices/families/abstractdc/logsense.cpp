@@ -50,6 +50,7 @@ LogSense::LogSense(
                   if (log == Log::Position)
                       m_telemetry->lost(channel::position, 1);
               }})
+    , m_whereabouts(profile, m_owner.stands)
     , m_look(clock)
 {
 }
@@ -168,21 +169,24 @@ void LogSense::take(Log log, std::int32_t value, Instant time)
     case Log::Voltage: takeVoltage(value, time); break;
     }
     m_owner.heard();
+    if (!m_link.address().isRecording() && !isDriven() && m_motion.standsSince(Instant::min()))
+        m_whereabouts.stands();
 }
 
 void LogSense::takePosition(std::int32_t value, Instant time)
 {
-    m_owner.located(value);
+    if (const Restart restart = m_whereabouts.heard(value, m_clock.now()); restart != Restart::No)
+        m_owner.restarted(restart);
     const MotionSense::Reading reading = m_motion.add(value, time);
     if (reading == MotionSense::Reading::Glitch) {
         m_telemetry->lost(channel::position, 1);
         return;
     }
     if (reading == MotionSense::Reading::Anew) {
-        m_entry.restarted(time);
-        m_owner.restarted();
+        m_whereabouts.restarted(time);
+        m_owner.restarted(Restart::Seen);
     }
-    m_entry.located(value, time, m_loop == Loop::Velocity && hasPassed(time));
+    m_whereabouts.located(value, time, m_loop == Loop::Velocity && hasPassed(time));
     m_telemetry->append({channel::position, time, static_cast<double>(value)});
     if (isFresh(Log::Velocity))
         return; // the drive measures it itself
@@ -221,8 +225,8 @@ std::optional<double> LogSense::feedback(Loop loop, double target) const
 
 void LogSense::forget()
 {
+    m_whereabouts.silent(m_link.state() == LinkState::Open, m_motion.standsSince(Instant::min()));
     m_motion.forget();
-    m_entry.forget();
     m_velocity.reset();
 }
 
