@@ -31,6 +31,27 @@ TEST_F(AbstractDcAsked, TheAnswerToAQuestionThatWasAskedBeforeASettingDoesNotPro
     EXPECT_EQ(written.error().fault, Fault::Timeout);
 }
 
+/// Speeds of this one (dialect F) and of one of dialect L with the offset 27 have one identifier.
+TEST_F(AbstractDcController, AQuestionThatNobodyAnswersAloneHoldsASettingUpForAWhileOnly)
+{
+    add("abstractdc:3");
+    open(3, &dialectF);
+    VirtualCanLink other(*LinkAddress::parse("sim:can"), bus);
+    ASSERT_TRUE(other.open());
+    Timer asking(clock);
+    std::function<void()> ask = [&] {
+        for (const char *question : {"387#01", "39F#01"})
+            (void)other.send(*canFrameFromText(question));
+        asking.startIn(5ms, ask);
+    };
+    ask();
+    clock.advance(100ms);
+    const Instant begin = clock.now();
+    (void)write("velocity.p", 5);
+    EXPECT_FALSE(sentOf("387#01").empty());
+    EXPECT_LT(clock.now() - begin, 1s);
+}
+
 TEST_F(AbstractDcController, AWishForTheVelocityRaisesTheRateOfThePositionOnlyWhileItLasts)
 {
     add("abstractdc:3");

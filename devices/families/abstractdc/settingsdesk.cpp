@@ -56,7 +56,9 @@ Task<void> SettingsDesk::expectAnswer()
     const int offset = m_device.identity().address;
     const std::array answers{replyId(dialectF, offset, log), replyId(dialectL, offset, log)};
     const Question question{offset, dialect.request, static_cast<std::uint8_t>(dialect.codeOf(log))};
-    while (m_logs.questions().isOpen(question)) // that was asked before: its answer would not prove that the order came
+    // The answer to the same question that was asked before the order would not prove that it came. It comes by then, or never.
+    const Instant latest = m_device.clock().now() + 2 * answerTime(m_can);
+    while (m_logs.questions().isOpen(question) && m_device.clock().now() < latest)
         co_await Sleep(m_device.clock(), std::chrono::milliseconds(1));
     CanInbox::Match match = [this, answers, question](const CanFrame &frame) {
         return !frame.extended && frame.size == 4 && std::ranges::find(answers, frame.id) != answers.end()
