@@ -7,6 +7,7 @@
 #include "model/parameterfile.h"
 #include "model/parametertransfer.h"
 #include "support/simulatedsession.h"
+#include "transport/backends/virtualspi.h"
 
 #include <algorithm>
 
@@ -165,6 +166,20 @@ TEST_F(QuadQuad2DrvReset, ARateThatIsStillWishedForComesBackAfterIt)
     powerCycle();
     bench.clock.advance(3s);
     EXPECT_NEAR(rate(), 100.0, 5.0) << "nobody wishes for another one any more";
+}
+
+TEST_F(QuadQuad2DrvReset, ARateThatCouldNotBeToldAgainIsToldLater)
+{
+    auto &link = static_cast<VirtualSpiLink &>(*bench.link);
+    const ChannelIndex position = channelOf(0, AxisChannel::Position);
+    ASSERT_TRUE(run(bench.clock, device->setRate(position, 500.0)));
+    powerCycle();
+    link.setLoss(0.6);
+    bench.clock.advance(5s);
+    ASSERT_TRUE(device->liveness().restarted);
+    link.setLoss(0.0);
+    bench.clock.advance(3s);
+    EXPECT_NEAR(device->telemetry()->rate(position, device->clock().now()), 498.0, 10.0);
 }
 
 TEST_F(QuadQuad2DrvReset, WhatWasWrittenIsLostThoughTheRateHasComeBack)

@@ -36,6 +36,8 @@ public:
     [[nodiscard]] Task<bool> resumeRate();
     /// A reset has ended a rate that is still wished for; once.
     [[nodiscard]] bool takeEndedRate() { return std::exchange(m_rateEnded, false); }
+    /// Nobody answered: takeEndedRate() once more.
+    void resumeLater() { m_rateEnded = true; }
 
     /// Of every axis.
     [[nodiscard]] bool tellsEverything() const;

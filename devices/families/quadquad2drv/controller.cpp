@@ -135,10 +135,12 @@ void Controller::look()
         m_checking = true;
         m_scope.spawn<void>(m_layout.check(), [this](const Result<void> &) { m_checking = false; });
     }
-    if (m_heard && !m_checking && gate().busy().empty() && m_layout.takeEndedRate())
+    if (m_heard && gate().busy().empty() && m_layout.takeEndedRate())
         m_scope.spawn<bool>(m_layout.resumeRate(), [this](const Result<bool> &another) {
             if (another && *another)
                 breakLines();
+            else if (!another && another.error().fault == Fault::Timeout)
+                m_layout.resumeLater();
         });
     if (!m_poll.isActive())
         schedulePoll();
