@@ -13532,10 +13532,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>diese Firmware kann bei einer Bewegung mit Profil über 2500 counts/s das Ziel überfahren; sie wird dann gestoppt</translation>
     </message>
     <message>
-        <source>Its averaging was lowered, as far as can be known, and saved. Switch it off and on now: until then it may overwrite its memory.</source>
-        <translation>Seine Mittelung wurde, soweit man das wissen kann, verkleinert und gespeichert. Schalten Sie ihn jetzt aus und wieder ein: bis dahin kann er seinen Speicher überschreiben.</translation>
-    </message>
-    <message>
         <source>current is limited</source>
         <translation>Strom ist begrenzt</translation>
     </message>
@@ -15534,10 +15530,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>its address is not a number</source>
         <translation>seine Adresse ist keine Zahl</translation>
-    </message>
-    <message>
-        <source>its averaging was lowered, as far as can be known, and until it has lost its power once it may overwrite its own memory</source>
-        <translation>seine Mittelung wurde verkleinert, soweit man das wissen kann, und bis er einmal stromlos war, kann er seinen eigenen Speicher überschreiben</translation>
     </message>
     <message>
         <source>its dialect is not known</source>
@@ -18746,6 +18738,30 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>what was there is not known, and those that were tried are in force</source>
         <translation>was da war, ist nicht bekannt, und die zuletzt versuchten gelten</translation>
+    </message>
+    <message>
+        <source>averaging lowered: switch it off and on</source>
+        <translation>Mittelung verkleinert: aus- und einschalten</translation>
+    </message>
+    <message>
+        <source>its averaging was lowered, or set beyond 500, as far as can be known, and until it has lost its power once it may overwrite its own memory</source>
+        <translation>seine Mittelung wurde verkleinert oder über 500 gesetzt, soweit man das wissen kann, und bis er einmal stromlos war, kann er seinen eigenen Speicher überschreiben</translation>
+    </message>
+    <message>
+        <source>stop the motor before its calibration is changed</source>
+        <translation>stoppen Sie den Motor, bevor seine Kalibrierung geändert wird</translation>
+    </message>
+    <message>
+        <source>the power limit of axis %1 is %2: its motor gets no more</source>
+        <translation>die Leistungsgrenze der Achse %1 ist %2: mehr bekommt ihr Motor nicht</translation>
+    </message>
+    <message>
+        <source>the velocity limit of axis %1 is %2: its motor goes no faster</source>
+        <translation>die Drehzahlgrenze der Achse %1 ist %2: schneller wird ihr Motor nicht</translation>
+    </message>
+    <message>
+        <source>write an averaging of 1 … 500, then switch it off and on</source>
+        <translation>schreiben Sie eine Mittelung von 1 … 500, dann schalten Sie ihn aus und wieder ein</translation>
     </message>
 </context>
 </TS>

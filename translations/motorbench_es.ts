@@ -13956,10 +13956,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>Sus respuestas no encajan en ningún dialecto conocido.</translation>
     </message>
     <message>
-        <source>Its averaging was lowered, as far as can be known, and saved. Switch it off and on now: until then it may overwrite its memory.</source>
-        <translation>Su promediado se redujo, hasta donde se puede saber, y se guardó. Apáguelo y enciéndalo ahora: hasta entonces puede sobrescribir su memoria.</translation>
-    </message>
-    <message>
         <source>Its error level is 1, so every reading fails. Set error.level to 0.</source>
         <translation>Su nivel de error es 1, así que toda lectura falla. Ponga error.level a 0.</translation>
     </message>
@@ -15254,10 +15250,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>its address is not a number</source>
         <translation>su dirección no es un número</translation>
-    </message>
-    <message>
-        <source>its averaging was lowered, as far as can be known, and until it has lost its power once it may overwrite its own memory</source>
-        <translation>su promediado se redujo, hasta donde se puede saber, y mientras no haya perdido una vez la alimentación puede sobrescribir su propia memoria</translation>
     </message>
     <message>
         <source>its dialect is not known</source>
@@ -18746,6 +18738,30 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>what was there is not known, and those that were tried are in force</source>
         <translation>no se sabe lo que había, y las que se probaron están vigentes</translation>
+    </message>
+    <message>
+        <source>averaging lowered: switch it off and on</source>
+        <translation>promediado reducido: apáguelo y enciéndalo</translation>
+    </message>
+    <message>
+        <source>its averaging was lowered, or set beyond 500, as far as can be known, and until it has lost its power once it may overwrite its own memory</source>
+        <translation>su promediado se redujo o pasó de 500, hasta donde se puede saber, y mientras no haya perdido una vez la alimentación puede sobrescribir su propia memoria</translation>
+    </message>
+    <message>
+        <source>stop the motor before its calibration is changed</source>
+        <translation>pare el motor antes de cambiar su calibración</translation>
+    </message>
+    <message>
+        <source>the power limit of axis %1 is %2: its motor gets no more</source>
+        <translation>el límite de potencia del eje %1 es %2: su motor no recibe más</translation>
+    </message>
+    <message>
+        <source>the velocity limit of axis %1 is %2: its motor goes no faster</source>
+        <translation>el límite de velocidad del eje %1 es %2: su motor no va más rápido</translation>
+    </message>
+    <message>
+        <source>write an averaging of 1 … 500, then switch it off and on</source>
+        <translation>escriba un promediado de 1 … 500, luego apáguelo y enciéndalo</translation>
     </message>
 </context>
 </TS>

@@ -13956,10 +13956,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>Ses réponses ne correspondent à aucun dialecte connu.</translation>
     </message>
     <message>
-        <source>Its averaging was lowered, as far as can be known, and saved. Switch it off and on now: until then it may overwrite its memory.</source>
-        <translation>Son moyennage a été diminué, pour autant qu’on le sache, et mémorisé. Éteignez-le et rallumez-le maintenant&#xa0;: jusque-là, il peut écraser sa mémoire.</translation>
-    </message>
-    <message>
         <source>Its error level is 1, so every reading fails. Set error.level to 0.</source>
         <translation>Son niveau d’erreur est 1, donc chaque lecture échoue. Mettez error.level à 0.</translation>
     </message>
@@ -15254,10 +15250,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>its address is not a number</source>
         <translation>son adresse n’est pas un nombre</translation>
-    </message>
-    <message>
-        <source>its averaging was lowered, as far as can be known, and until it has lost its power once it may overwrite its own memory</source>
-        <translation>son moyennage a été diminué, pour autant qu’on le sache, et tant qu’il n’a pas été mis une fois hors tension, il peut écraser sa propre mémoire</translation>
     </message>
     <message>
         <source>its dialect is not known</source>
@@ -18746,6 +18738,30 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>what was there is not known, and those that were tried are in force</source>
         <translation>on ne sait pas ce qu’il y avait, et ceux qui ont été essayés sont en vigueur</translation>
+    </message>
+    <message>
+        <source>averaging lowered: switch it off and on</source>
+        <translation>moyennage réduit&#xa0;: éteignez-le et rallumez-le</translation>
+    </message>
+    <message>
+        <source>its averaging was lowered, or set beyond 500, as far as can be known, and until it has lost its power once it may overwrite its own memory</source>
+        <translation>son moyennage a été diminué ou porté au-delà de 500, pour autant qu’on le sache, et tant qu’il n’a pas été mis une fois hors tension, il peut écraser sa propre mémoire</translation>
+    </message>
+    <message>
+        <source>stop the motor before its calibration is changed</source>
+        <translation>arrêtez le moteur avant de changer son étalonnage</translation>
+    </message>
+    <message>
+        <source>the power limit of axis %1 is %2: its motor gets no more</source>
+        <translation>la limite de puissance de l’axe %1 est de %2&#xa0;: son moteur ne reçoit pas plus</translation>
+    </message>
+    <message>
+        <source>the velocity limit of axis %1 is %2: its motor goes no faster</source>
+        <translation>la limite de vitesse de l’axe %1 est de %2&#xa0;: son moteur ne va pas plus vite</translation>
+    </message>
+    <message>
+        <source>write an averaging of 1 … 500, then switch it off and on</source>
+        <translation>écrivez un moyennage de 1 … 500, puis éteignez-le et rallumez-le</translation>
     </message>
 </context>
 </TS>

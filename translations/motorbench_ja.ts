@@ -13939,10 +13939,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>応答が既知のどのダイアレクトにも一致しません。</translation>
     </message>
     <message>
-        <source>Its averaging was lowered, as far as can be known, and saved. Switch it off and on now: until then it may overwrite its memory.</source>
-        <translation>平均化の値が小さくされて保存されたと考えられます。今すぐ電源を入れ直してください: それまではメモリを上書きするおそれがあります。</translation>
-    </message>
-    <message>
         <source>Its error level is 1, so every reading fails. Set error.level to 0.</source>
         <translation>エラーレベルが 1 のため、読出しはすべて失敗します。error.level を 0 にしてください。</translation>
     </message>
@@ -15237,10 +15233,6 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>its address is not a number</source>
         <translation>アドレスが数値ではありません</translation>
-    </message>
-    <message>
-        <source>its averaging was lowered, as far as can be known, and until it has lost its power once it may overwrite its own memory</source>
-        <translation>平均化の値が小さくされたと考えられ、電源を一度切るまで自身のメモリを上書きするおそれがあります</translation>
     </message>
     <message>
         <source>its dialect is not known</source>
@@ -18729,6 +18721,30 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>what was there is not known, and those that were tried are in force</source>
         <translation>元の値は不明で、試した値が有効になっています</translation>
+    </message>
+    <message>
+        <source>averaging lowered: switch it off and on</source>
+        <translation>平均化を小さくした: 電源を入れ直す</translation>
+    </message>
+    <message>
+        <source>its averaging was lowered, or set beyond 500, as far as can be known, and until it has lost its power once it may overwrite its own memory</source>
+        <translation>平均化の値が小さくされたか 500 を超えて設定されたと考えられ、電源を一度切るまで自身のメモリを上書きするおそれがあります</translation>
+    </message>
+    <message>
+        <source>stop the motor before its calibration is changed</source>
+        <translation>校正を変更する前にモーターを停止してください</translation>
+    </message>
+    <message>
+        <source>the power limit of axis %1 is %2: its motor gets no more</source>
+        <translation>軸 %1 の出力制限は %2 です。モーターにはそれ以上かかりません</translation>
+    </message>
+    <message>
+        <source>the velocity limit of axis %1 is %2: its motor goes no faster</source>
+        <translation>軸 %1 の速度制限は %2 です。モーターはそれより速くなりません</translation>
+    </message>
+    <message>
+        <source>write an averaging of 1 … 500, then switch it off and on</source>
+        <translation>1 … 500 の平均化を書き込み、その後電源を入れ直してください</translation>
     </message>
 </context>
 </TS>

@@ -13939,10 +13939,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>其应答不符合任何已知方言。</translation>
     </message>
     <message>
-        <source>Its averaging was lowered, as far as can be known, and saved. Switch it off and on now: until then it may overwrite its memory.</source>
-        <translation>据所知，其平均数已减小并保存。请立即将其断电再上电：在此之前它可能会覆盖自身的存储器。</translation>
-    </message>
-    <message>
         <source>Its error level is 1, so every reading fails. Set error.level to 0.</source>
         <translation>其错误级别为 1，因此每次读取都会失败。请将 error.level 设为 0。</translation>
     </message>
@@ -15237,10 +15233,6 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>its address is not a number</source>
         <translation>其地址不是数值</translation>
-    </message>
-    <message>
-        <source>its averaging was lowered, as far as can be known, and until it has lost its power once it may overwrite its own memory</source>
-        <translation>据所知，其平均数已减小，在断电一次之前，它可能会覆盖自身的存储器</translation>
     </message>
     <message>
         <source>its dialect is not known</source>
@@ -18729,6 +18721,30 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>what was there is not known, and those that were tried are in force</source>
         <translation>原有内容未知，试过的值正在生效</translation>
+    </message>
+    <message>
+        <source>averaging lowered: switch it off and on</source>
+        <translation>平均数已减小：断电再上电</translation>
+    </message>
+    <message>
+        <source>its averaging was lowered, or set beyond 500, as far as can be known, and until it has lost its power once it may overwrite its own memory</source>
+        <translation>据所知，其平均数已减小或被设为超过 500，在断电一次之前，它可能会覆盖自身的存储器</translation>
+    </message>
+    <message>
+        <source>stop the motor before its calibration is changed</source>
+        <translation>更改校准之前请先停止电机</translation>
+    </message>
+    <message>
+        <source>the power limit of axis %1 is %2: its motor gets no more</source>
+        <translation>轴 %1 的功率限值为 %2：其电机得不到更多</translation>
+    </message>
+    <message>
+        <source>the velocity limit of axis %1 is %2: its motor goes no faster</source>
+        <translation>轴 %1 的速度限值为 %2：其电机不会更快</translation>
+    </message>
+    <message>
+        <source>write an averaging of 1 … 500, then switch it off and on</source>
+        <translation>请写入 1 … 500 的平均数，然后将其断电再上电</translation>
     </message>
 </context>
 </TS>

@@ -39,8 +39,11 @@ void DeviceJobs::carryOut(const orders::ClearFaults &order, const Finished &fini
 void DeviceJobs::carryOut(const orders::Calibrate &order, const Finished &finished)
 {
     Device *device = m_context.session.find(order.device);
-    finished(device ? device->knowledge().calibrate(order.key, order.value)
-                    : fail(Fault::Timeout, say("the device is gone")));
+    if (device && m_context.session.stream(*device).isRunning()) // its set-points are computed from it
+        finished(fail(Fault::Unsafe, say("stop the motor before its calibration is changed")));
+    else
+        finished(device ? device->knowledge().calibrate(order.key, order.value)
+                        : fail(Fault::Timeout, say("the device is gone")));
 }
 
 void DeviceJobs::carryOut(const orders::SetDialect &order, const Finished &finished)

@@ -174,6 +174,28 @@ TEST_F(EngineParts, ADeviceHasOneJobAtATimeAndWhoIsRefusedIsTold)
     EXPECT_EQ(operations.jobs().size(), 2U);
 }
 
+TEST_F(EngineParts, WhatSetPointsAreComputedFromIsNotChangedWhileTheyAreSent)
+{
+    const auto all = session.devices();
+    Device &drive = **std::ranges::find_if(all, [](const Device *one) { return one->family().key == "abstractdc"; });
+    std::vector<Result<void>> answers;
+    const auto calibrate = [&](double amperes) {
+        jobs.carryOut(orders::Calibrate{session.idOf(drive), "amperes_per_count", amperes}, into(answers));
+        return answers.back();
+    };
+    ASSERT_TRUE(calibrate(0.01));
+    SetPoint current;
+    current.mode = Mode::Current;
+    current.target = 1.0;
+    ASSERT_TRUE(session.stream(drive).start(current, 10s));
+    clock.advance(100ms);
+    EXPECT_EQ(calibrate(0.001).error().fault, Fault::Unsafe);
+    EXPECT_EQ(drive.knowledge().profile().calibrated("amperes_per_count"), 0.01);
+    EXPECT_TRUE(session.stream(drive).isRunning());
+    session.stream(drive).stop();
+    EXPECT_TRUE(calibrate(0.001));
+}
+
 TEST_F(EngineParts, WhatBeganByItselfMakesWayForAnOrder)
 {
     std::vector<Result<void>> byItself;

@@ -51,6 +51,28 @@ TEST_F(AbstractDcController, ALoweredAveragingNeedsTheDriveSwitchedOffOnce)
     EXPECT_TRUE(device->mayMove());
 }
 
+TEST_F(AbstractDcController, ThatAPowerCycleIsOwedIsSaidAsLongAsItIs)
+{
+    const auto faults = [this] { return device->liveness().faults; };
+    const std::vector<std::string> owed{"power_cycle_owed"};
+    Simulator &drive = add("abstractdc:3");
+    open(3, &dialectF);
+    ASSERT_TRUE(turnsAwayFromZero());
+    EXPECT_TRUE(faults().empty());
+    ASSERT_TRUE(write("current.averaging", 10));
+    EXPECT_EQ(faults(), owed);
+    device->setIdentity(identityOf(3, &dialectF));
+    ASSERT_TRUE(test::run(clock, device->refresh()));
+    EXPECT_EQ(faults(), owed) << "a scan and a look do not take it away";
+    EXPECT_EQ(device->identity().detail.english().find("Switch it off"), std::string::npos);
+    const auto records = test::run(clock, device->readFaults());
+    ASSERT_TRUE(records);
+    EXPECT_TRUE(std::ranges::any_of(
+        *records, [](const FaultRecord &record) { return record.key == "power_cycle_owed" && record.active; }));
+    powerCycle(drive, 500ms);
+    EXPECT_TRUE(faults().empty());
+}
+
 TEST_F(AbstractDcController, AnAveragingThatNobodyKnowsIsTakenForAGreaterOne)
 {
     Simulator &drive = add("abstractdc:3");
@@ -86,6 +108,7 @@ TEST_F(AbstractDcController, AnotherRunOfTheProgramKnowsThatThePowerCycleIsOwed)
     EXPECT_TRUE(device->mayMove());
     device->knowledge().setProfile(kept);
     EXPECT_FALSE(device->mayMove());
+    EXPECT_EQ(device->liveness().faults.size(), 1U) << "and says so";
     powerCycle(drive, 500ms);
     EXPECT_TRUE(device->mayMove());
     EXPECT_NE(device->knowledge().profile(), kept) << "to be kept";

@@ -58,6 +58,41 @@ TEST_F(AbstractDcForeign, AnAveragingThatAnotherMasterLoweredOwesAPowerCycle)
     EXPECT_TRUE(device->mayMove());
 }
 
+/// What a drive has loaded from its flash nobody can ask, so that any value but the greatest may be a lower one.
+TEST_F(AbstractDcForeign, AFirstAveragingOfAnotherMasterOwesAPowerCycleUnlessItIsTheGreatestAndSaysSo)
+{
+    add("abstractdc:3");
+    open(3, &dialectF);
+    others("0CB#0204F4010000"); // 500
+    EXPECT_TRUE(device->mayMove());
+    EXPECT_TRUE(device->liveness().faults.empty());
+    open(3, &dialectF);
+    others("0CB#020432000000"); // 50
+    EXPECT_FALSE(device->mayMove());
+    EXPECT_EQ(device->liveness().faults, std::vector<std::string>{"power_cycle_owed"});
+}
+
+TEST_F(AbstractDcForeign, AnAveragingBeyondTheBufferThatAnotherMasterWroteOwesOneToo)
+{
+    Simulator &drive = add("abstractdc:3");
+    open(3, &dialectF);
+    ASSERT_TRUE(turnsAwayFromZero());
+    others("0CB#0204E8030000"); // 1000
+    EXPECT_FALSE(device->mayMove());
+    powerCycle(drive, 500ms);
+    EXPECT_TRUE(device->mayMove()) << "it was not saved";
+    ASSERT_TRUE(turnsAwayFromZero());
+    others("0CB#0204E8030000");
+    others("0CB#02");
+    powerCycle(drive, 500ms);
+    EXPECT_NE(device->mayMove().error().remedy.english().find("write an averaging"), std::string::npos)
+        << "it has loaded the same";
+    ASSERT_TRUE(write("current.averaging", 100));
+    powerCycle(drive, 500ms);
+    EXPECT_FALSE(device->mayMove()) << "it stood near 0: nothing shows that it was off";
+    EXPECT_EQ(device->mayMove().error().remedy.english().find("write an averaging"), std::string::npos);
+}
+
 TEST_F(AbstractDcForeign, WhatAnotherMasterHoldsIsItsAfterAGapOfTheBusToo)
 {
     add("abstractdc:3");

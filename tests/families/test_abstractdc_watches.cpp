@@ -5,7 +5,7 @@
 #include "families/abstractdc/outputwatch.h"
 #include "families/abstractdc/parameters.h"
 #include "families/abstractdc/powercycledebt.h"
-#include "families/abstractdc/restartsense.h"
+#include "families/abstractdc/whereabouts.h"
 
 #include <gtest/gtest.h>
 
@@ -130,10 +130,13 @@ protected:
     /// Silent at `before`, heard at `after`.
     Restart heardAt(std::optional<std::int64_t> before, std::int32_t after, bool lineOpen = true, bool stood = true)
     {
-        sense.silent(lineOpen, before, stood);
-        return sense.heard(after);
+        if (before)
+            where.located(static_cast<double>(*before), {}, false);
+        where.silent(lineOpen, stood);
+        return where.heard(after, {});
     }
-    RestartSense sense;
+    DeviceProfile profile;
+    Whereabouts where{profile, [](const Whereabouts::Counters &) {}};
 };
 
 TEST_F(AbstractDcRestartSense, IsProvenByAPositionThatBeginsAnewFarFromWhereItStood)
@@ -159,12 +162,14 @@ TEST_F(AbstractDcRestartSense, IsNotProvenByASilenceAloneWhereItStoodNearZeroOrN
 TEST_F(AbstractDcRestartSense, IsProvenOnlyByTheFirstPositionAfterASilenceOnAnOpenLine)
 {
     EXPECT_EQ(heardAt(5000, 0, false), Restart::Maybe) << "the link was closed: nobody listened";
-    EXPECT_EQ(sense.heard(0), Restart::No);
+    where.located(0, {}, false);
+    EXPECT_EQ(where.heard(0, {}), Restart::No);
     EXPECT_EQ(heardAt(5000, 5000), Restart::No);
-    EXPECT_EQ(sense.heard(0), Restart::No) << "that was a motion";
-    sense.silent(true, 5000, true);
-    sense.silent(false, std::nullopt, false); // the link is closed meanwhile: it was silent all the same
-    EXPECT_EQ(sense.heard(0), Restart::Proven);
+    where.located(5000, {}, false);
+    EXPECT_EQ(where.heard(0, {}), Restart::No) << "that was a motion";
+    where.silent(true, true);
+    where.silent(false, false); // the link is closed meanwhile: it was silent all the same
+    EXPECT_EQ(where.heard(0, {}), Restart::Proven);
 }
 
 TEST_F(AbstractDcRestartSense, APositionFromBeforeAnEarlierSilenceProvesNothing)
@@ -177,23 +182,24 @@ TEST_F(AbstractDcRestartSense, APositionFromBeforeAnEarlierSilenceProvesNothing)
 
 TEST_F(AbstractDcRestartSense, IsMaybeTheFirstTimeThatItIsHeardNearZeroWhereItWasKnownToBeAway)
 {
-    EXPECT_EQ(sense.heard(3, 5000), Restart::Maybe);
+    profile.counters["place.position"] = 5000;
+    EXPECT_EQ(where.heard(3, {}), Restart::Maybe);
     EXPECT_EQ(heardAt(5000, 3, false), Restart::Maybe);
 }
 
 TEST_F(AbstractDcRestartSense, IsNoneWhereItWasNearZeroWhenItWasLastHeardAndNobodySawItSilent)
 {
-    EXPECT_EQ(sense.heard(3), Restart::No);
+    EXPECT_EQ(where.heard(3, {}), Restart::No);
     EXPECT_EQ(heardAt(0, 0, false), Restart::No) << "its line was gone";
     EXPECT_EQ(heardAt(0, 0, true), Restart::Maybe) << "it was silent while its line was open";
 }
 
 TEST_F(AbstractDcRestartSense, IsSeenWhereNoShaftGetsToZeroSoFast)
 {
-    EXPECT_EQ(RestartSense::between(5000, 200, 200), Restart::Seen);
-    EXPECT_EQ(RestartSense::between(5000, 201, 200), Restart::No) << "not near 0";
-    EXPECT_EQ(RestartSense::between(250, 50, 200), Restart::No) << "it may have turned there";
-    EXPECT_EQ(RestartSense::between(251, 50, 200), Restart::Seen);
+    EXPECT_EQ(Whereabouts::between(5000, 200, 200), Restart::Seen);
+    EXPECT_EQ(Whereabouts::between(5000, 201, 200), Restart::No) << "not near 0";
+    EXPECT_EQ(Whereabouts::between(250, 50, 200), Restart::No) << "it may have turned there";
+    EXPECT_EQ(Whereabouts::between(251, 50, 200), Restart::Seen);
 }
 
 // The power cycle that it owes: abstractdc/README.md#averaging

@@ -52,6 +52,29 @@ struct QuadQuad2DrvAssumed : testing::Test {
     Subscription heard;
 };
 
+TEST_F(QuadQuad2DrvAssumed, ATargetBeyondAKnownLimitOfItsAxisIsSaid)
+{
+    const auto caution = [this](Mode mode, double target, double velocity = 0.0) {
+        SetPoint setPoint;
+        setPoint.mode = mode;
+        setPoint.target = target;
+        setPoint.velocity = velocity;
+        return device->caution(setPoint).english();
+    };
+    EXPECT_NE(caution(Mode::Duty, -0.3).find("power limit of axis 1 is 25 %"), std::string::npos) << "the first one";
+    EXPECT_EQ(caution(Mode::Duty, 0.25), "");
+    EXPECT_EQ(caution(Mode::Velocity, 3000.0), "") << "nobody knows what the board starts with";
+    ASSERT_TRUE(run(bench.clock, device->write(indexOf(0, AxisParameter::LimitVelocity), 1500 * 4096)));
+    ASSERT_TRUE(run(bench.clock, device->write(indexOf(0, AxisParameter::LimitPower), 8191)));
+    EXPECT_EQ(caution(Mode::Duty, 1.0), "");
+    for (const Mode mode : {Mode::Velocity, Mode::RampVelocity})
+        EXPECT_NE(caution(mode, -3000.0).find("velocity limit of axis 1 is 1500 counts/s"), std::string::npos);
+    EXPECT_NE(caution(Mode::RampPosition, 10.0, 1501.0).find("1500 counts/s"), std::string::npos);
+    EXPECT_EQ(caution(Mode::RampPosition, 10000.0, 1500.0), "");
+    EXPECT_EQ(caution(Mode::Velocity, 1500.0), "");
+    EXPECT_EQ(caution(Mode::Position, 100000.0), "");
+}
+
 TEST_F(QuadQuad2DrvAssumed, AFirstPowerLimitThatAStopOvertookGoesOutWithTheNextStart)
 {
     ASSERT_TRUE(begin());

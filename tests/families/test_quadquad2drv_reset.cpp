@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A board that was reset: what was written to it is unknown, kept, and written again. On virtual time.
+#include "families/quadquad2drv/channels.h"
 #include "families/quadquad2drv/codec.h"
 #include "families/quadquad2drv/parameters.h"
 #include "model/operation.h"
 #include "model/parameterfile.h"
 #include "model/parametertransfer.h"
 #include "support/simulatedsession.h"
+#include "transport/backends/virtualspi.h"
 
 #include <algorithm>
 
@@ -143,6 +145,53 @@ TEST_F(QuadQuad2DrvReset, TheFirstMotionAfterItIsLimitedAgain)
     ASSERT_TRUE(bench.session.stream(*device).start(setPoint, 10s));
     bench.clock.advance(100ms);
     EXPECT_TRUE(hasSent(setPowerLimit(1, 2048)));
+}
+
+TEST_F(QuadQuad2DrvReset, ARateThatIsStillWishedForComesBackAfterIt)
+{
+    const ChannelIndex position = channelOf(0, AxisChannel::Position);
+    const auto rate = [&] { return device->telemetry()->rate(position, device->clock().now()); };
+    ASSERT_TRUE(run(bench.clock, device->setRate(position, 500.0)));
+    for (const bool byHand : {true, false}) {
+        bench.clock.advance(1s);
+        ASSERT_NEAR(rate(), 498.0, 10.0);
+        if (byHand)
+            powerCycle();
+        else
+            EXPECT_TRUE(run(bench.clock, device->restart()));
+        bench.clock.advance(3s);
+        EXPECT_NEAR(rate(), 498.0, 10.0) << byHand;
+    }
+    ASSERT_TRUE(run(bench.clock, device->setRate(position, 0.0)));
+    powerCycle();
+    bench.clock.advance(3s);
+    EXPECT_NEAR(rate(), 100.0, 5.0) << "nobody wishes for another one any more";
+}
+
+TEST_F(QuadQuad2DrvReset, ARateThatCouldNotBeToldAgainIsToldLater)
+{
+    auto &link = static_cast<VirtualSpiLink &>(*bench.link);
+    const ChannelIndex position = channelOf(0, AxisChannel::Position);
+    ASSERT_TRUE(run(bench.clock, device->setRate(position, 500.0)));
+    powerCycle();
+    link.setLoss(0.6);
+    bench.clock.advance(5s);
+    ASSERT_TRUE(device->liveness().restarted);
+    link.setLoss(0.0);
+    bench.clock.advance(3s);
+    EXPECT_NEAR(device->telemetry()->rate(position, device->clock().now()), 498.0, 10.0);
+}
+
+TEST_F(QuadQuad2DrvReset, WhatWasWrittenIsLostThoughTheRateHasComeBack)
+{
+    writeSome();
+    ASSERT_TRUE(run(bench.clock, device->setRate(channelOf(0, AxisChannel::Position), 500.0)));
+    powerCycle();
+    bench.clock.advance(3s);
+    EXPECT_TRUE(device->liveness().restarted);
+    EXPECT_EQ(lost(), 4U);
+    ASSERT_TRUE(run(bench.clock, rewriteSettings(*device, progress)));
+    EXPECT_EQ(lost(), 0U);
 }
 
 TEST_F(QuadQuad2DrvReset, WritingAgainIsRefusedWhileAMotorTurns)

@@ -46,9 +46,11 @@ Controller::Controller(const Family &family, CanLink &link, Clock &clock, Identi
     : Device(family, link, clock, std::move(identity))
     , m_can(link)
     , m_logs(link, clock, telemetry(), knowledge().profile(), owner())
-    , m_places(knowledge().profile(), [this](const PlaceMemory::Counters &values) { knowledge().setCounters(values); })
     , m_debt(knowledge().profile(),
-          [this](std::int64_t owed) { knowledge().setCounter(std::string(counter::powerCycle), owed); })
+          [this](std::int64_t owed) {
+              knowledge().setCounter(std::string(counter::powerCycle), owed);
+              updateLiveness();
+          })
     , m_desk(*this, link, m_logs, m_debt,
           [this](const std::string &key, std::int64_t value) { knowledge().setCounter(key, value); })
     , m_received(link.received().add([this](const CanFrame &frame) { onFrame(frame, false); }))
@@ -64,14 +66,8 @@ Controller::Controller(const Family &family, CanLink &link, Clock &clock, Identi
 LogSense::Owner Controller::owner()
 {
     return {
-        .located =
-            [this](std::int32_t position) {
-                const bool isFirst = !m_logs.motion().position();
-                if (const auto passed = isFirst ? m_places.passed(position, clock().now()) : std::nullopt)
-                    m_logs.entry().recall(*passed);
-                onRestart(m_restarts.heard(position, m_places.place()));
-            },
-        .restarted = [this] { onRestart(Restart::Seen); },
+        .restarted = [this](Restart restart) { onRestart(restart); },
+        .stands = [this](const Whereabouts::Counters &values) { knowledge().setCounters(values); },
         .wrapped =
             [this] {
                 if (m_ours)
@@ -79,13 +75,7 @@ LogSense::Owner Controller::owner()
             },
         .output = [this](std::int32_t output, Instant time) { m_probe.heard(output, time); },
         .silent = [this] { onSilence(); },
-        .heard =
-            [this] {
-                updateLiveness();
-                const MotionSense &motion = m_logs.motion();
-                if (!m_can.address().isRecording() && !m_logs.isDriven() && motion.standsSince(Instant::min()))
-                    m_places.stands(*motion.position(), m_logs.entry().lastPass());
-            },
+        .heard = [this] { updateLiveness(); },
     };
 }
 
@@ -103,6 +93,7 @@ void Controller::doProfileChanged()
 {
     telemetry()->useTable(channelTable(knowledge().profile().calibrated(calibration::amperes) > 0.0,
         knowledge().profile().calibrated(calibration::degrees) > 0.0));
+    updateLiveness();
 }
 
 // Control
@@ -119,14 +110,17 @@ Result<void> Controller::doMayMove() const
         return alone;
     if (!m_debt.isOwed())
         return {};
-    const bool isNear = std::abs(m_logs.motion().position().value_or(0)) < RestartSense::provesPower;
-    return fail(Fault::Unsafe,
-        say("its averaging was lowered, as far as can be known, and until it has lost its power once it may "
-            "overwrite its own memory"),
-        isNear ? say("turn its shaft until its position is %1 counts away from 0, which shows that it was off, then "
+    Message remedy = say("switch it off and on");
+    if (m_desk.overrunsEver())
+        remedy = say("write an averaging of 1 … 500, then switch it off and on");
+    else if (std::abs(m_logs.motion().position().value_or(0)) < Whereabouts::provesPower)
+        remedy = say("turn its shaft until its position is %1 counts away from 0, which shows that it was off, then "
                      "switch it off and on",
-            RestartSense::provesPower)
-               : say("switch it off and on"));
+            Whereabouts::provesPower);
+    return fail(Fault::Unsafe,
+        say("its averaging was lowered, or set beyond 500, as far as can be known, and until it has lost its power "
+            "once it may overwrite its own memory"),
+        std::move(remedy));
 }
 
 Result<void> Controller::check(const SetPoint &setPoint) const
@@ -177,7 +171,7 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
     const auto feedback = m_logs.feedback(command->loop, command->target);
     const bool hasPassed = m_ours && m_logs.loop() == command->loop && m_logs.hasPassed(now);
     const double most = greatestError(parameters(), command->loop, hasPassed, m_probe.most());
-    const EntrySpeed::Range entry = m_logs.entrySpeed();
+    const Whereabouts::SpeedRange entry = m_logs.entrySpeed();
     const std::int32_t target = command->loop == Loop::Velocity && !hasPassed // README.md#first-pass
         ? m_lead.next(*command, setPoint.ramp, entry.middle(), std::max(0.0, most - entry.halfWidth()), now)
         : m_lead.next(*command, setPoint.ramp, feedback, most, now);
@@ -299,8 +293,6 @@ void Controller::onSent(const CanFrame &frame)
 
 void Controller::onSilence()
 {
-    m_restarts.silent(
-        m_can.state() == LinkState::Open, m_logs.motion().position(), m_logs.motion().standsSince(Instant::min()));
     m_logs.forget();
     enter(std::nullopt, clock().now());
     breakLines();
@@ -314,11 +306,12 @@ void Controller::onRestart(Restart restart)
     if (restart == Restart::Seen)
         breakLines();
     const bool isOfRecording = restart == Restart::Seen && m_can.address().isRecording();
-    if (restart == Restart::No || isOfRecording)
+    if (isOfRecording)
         return;
     m_desk.restarted();
     if (restart != Restart::Maybe) {
-        m_debt.pay();
+        if (!m_desk.overrunsEver())
+            m_debt.pay();
         m_isHeldByOther = false;
     }
     if (restart != Restart::Seen)
@@ -349,6 +342,8 @@ void Controller::updateLiveness()
     now.foreignMaster = m_foreignAt.has_value();
     now.restarted = m_restarted;
     now.faults = m_logs.output().faults();
+    if (m_debt.isOwed())
+        now.faults.emplace_back(PowerCycleDebt::fault);
     setLiveness(now);
 }
 
@@ -393,12 +388,15 @@ void Controller::settingsReplaced(bool blank)
 
 Task<std::vector<FaultRecord>> Controller::readFaults()
 {
-    co_return m_logs.output().records();
+    std::vector<FaultRecord> records = m_logs.output().records();
+    records.push_back({PowerCycleDebt::fault, m_debt.isOwed(), m_debt.isOwed(), std::nullopt});
+    co_return records;
 }
 
 Task<std::vector<FaultRecord>> Controller::clearFaults()
 {
-    auto records = m_logs.output().records();
+    auto reading = readFaults();
+    std::vector<FaultRecord> records = co_await std::move(reading);
     m_logs.output().clearCounts();
     co_return records;
 }

@@ -3,9 +3,7 @@
 
 #include "families/abstractdc/leadprobe.h"
 #include "families/abstractdc/logsense.h"
-#include "families/abstractdc/placememory.h"
 #include "families/abstractdc/powercycledebt.h"
-#include "families/abstractdc/restartsense.h"
 #include "families/abstractdc/setpoints.h"
 #include "families/abstractdc/settingsdesk.h"
 
@@ -60,8 +58,6 @@ private:
 
     CanLink &m_can;
     LogSense m_logs;
-    PlaceMemory m_places;
-    RestartSense m_restarts;
     PowerCycleDebt m_debt;
     SettingsDesk m_desk;
     TargetLead m_lead;

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/abstractdc/decode.h"
 
-#include "families/abstractdc/protocol.h"
+#include "families/abstractdc/questionbook.h"
 #include "wire/bytes.h"
 
 #include <algorithm>
 #include <array>
 #include <string>
-#include <vector>
 
 namespace mb::abstractdc {
 namespace {
@@ -121,11 +120,6 @@ std::optional<DecodedFrame> logReply(const Dialect &dialect, const CanFrame &fra
     return std::nullopt;
 }
 
-/// A question for the voltage log, whose answer does not tell from whom it comes (README.md#dialects).
-struct VoltageQuestion {
-    int offset = 0;
-    Instant time{};
-};
 constexpr Duration voltagePatience = std::chrono::seconds(1); ///< an answer at 1250 bit/s takes 128 ms
 
 } // namespace
@@ -146,19 +140,19 @@ std::optional<DecodedFrame> decodeCan(const CanFrame &frame, std::string_view di
 
 CanDecoder followCan(std::string_view dialect)
 {
-    return [dialect = std::string(dialect), asked = std::vector<VoltageQuestion>()](const CanFrame &frame) mutable {
+    return [dialect = std::string(dialect), asked = QuestionBook()](const CanFrame &frame) mutable {
         auto decoded = decodeCan(frame, dialect);
         if (!decoded)
             return decoded;
-        std::erase_if(asked, [&frame](const VoltageQuestion &old) { return frame.time - old.time > voltagePatience; });
-        const bool voltage = frame.size == 1 && frame.data[0] == dialectF.codeOf(Log::Voltage);
-        if (voltage && decoded->message == "log request") {
-            std::erase_if(asked, [&decoded](const VoltageQuestion &old) { return old.offset == decoded->address; });
-            asked.push_back({decoded->address, frame.time});
+        asked.expire(frame.time);
+        const auto question = questionIn(frame);
+        if (question && question->code == dialectF.codeOf(Log::Voltage)) {
+            asked.ask(*question, frame.time, voltagePatience);
         } else if (frame.id == id::voltageLog && decoded->message == logNames.at(static_cast<std::size_t>(Log::Voltage))
-            && asked.size() == 1) {
-            decoded->address = asked.front().offset;
-            asked.clear();
+            && asked.open().size() == 1) { // its identifier does not tell from whom it comes (README.md#dialects)
+            const Question answered = asked.open().front().question;
+            decoded->address = answered.offset;
+            asked.close(answered);
         }
         return decoded;
     };

@@ -74,9 +74,10 @@ constexpr std::array routes{UpdateRoute{.scheme = "openocd",
     .programmers = programmers,
     .words = programmed}};
 
-constexpr std::array<FaultRow, 2> faultRows{{
+constexpr std::array<FaultRow, 3> faultRows{{
     {"output_saturated", QT_TRANSLATE_NOOP("table", "output saturated")},
     {"output_wrapped", QT_TRANSLATE_NOOP("table", "output wrapped around")},
+    {PowerCycleDebt::fault, QT_TRANSLATE_NOOP("table", "averaging lowered: switch it off and on")},
 }};
 
 constexpr std::array<ChannelRate, 3> watched{{{"velocity", 100.0}, {"position", 100.0}, {"current", 50.0}}};

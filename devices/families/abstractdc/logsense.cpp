@@ -50,6 +50,7 @@ LogSense::LogSense(
                   if (log == Log::Position)
                       m_telemetry->lost(channel::position, 1);
               }})
+    , m_whereabouts(profile, m_owner.stands)
     , m_look(clock)
 {
 }
@@ -101,8 +102,6 @@ Result<void> LogSense::wish(ChannelIndex channel, double hertz)
         m_wishes[*log] = hertz;
     else
         m_wishes.erase(*log);
-    if (*log == Log::Velocity && hertz > 0.0) // outside its mode velocity is computed from positions
-        m_wishes[Log::Position] = std::max(m_wishes[Log::Position], hertz);
     plan();
     return {};
 }
@@ -127,10 +126,14 @@ double LogSense::rateOf(Log log) const
 {
     if (!isFresh(log))
         return 0.0;
-    const auto wished = m_wishes.find(log);
-    const double wish = wished == m_wishes.end() ? 0.0 : wished->second;
+    const auto wished = [this](Log which) {
+        const auto found = m_wishes.find(which);
+        return found == m_wishes.end() ? 0.0 : found->second;
+    };
+    const double wish = wished(log);
     switch (log) {
-    case Log::Position: return std::max(wish, isDriven() || m_look.isActive() ? drivenRate : positionRate);
+    case Log::Position: // outside its mode velocity is computed from positions
+        return std::max({wish, wished(Log::Velocity), isDriven() || m_look.isActive() ? drivenRate : positionRate});
     case Log::Velocity: return std::max(wish, drivenRate);
     case Log::Voltage: return std::max(wish, loopRate);
     case Log::Current: return wish > 0.0 ? wish : slowRate;
@@ -166,21 +169,24 @@ void LogSense::take(Log log, std::int32_t value, Instant time)
     case Log::Voltage: takeVoltage(value, time); break;
     }
     m_owner.heard();
+    if (!m_link.address().isRecording() && !isDriven() && m_motion.standsSince(Instant::min()))
+        m_whereabouts.stands();
 }
 
 void LogSense::takePosition(std::int32_t value, Instant time)
 {
-    m_owner.located(value);
+    if (const Restart restart = m_whereabouts.heard(value, m_clock.now()); restart != Restart::No)
+        m_owner.restarted(restart);
     const MotionSense::Reading reading = m_motion.add(value, time);
     if (reading == MotionSense::Reading::Glitch) {
         m_telemetry->lost(channel::position, 1);
         return;
     }
     if (reading == MotionSense::Reading::Anew) {
-        m_entry.restarted(time);
-        m_owner.restarted();
+        m_whereabouts.restarted(time);
+        m_owner.restarted(Restart::Seen);
     }
-    m_entry.located(value, time, m_loop == Loop::Velocity && hasPassed(time));
+    m_whereabouts.located(value, time, m_loop == Loop::Velocity && hasPassed(time));
     m_telemetry->append({channel::position, time, static_cast<double>(value)});
     if (isFresh(Log::Velocity))
         return; // the drive measures it itself
@@ -219,8 +225,8 @@ std::optional<double> LogSense::feedback(Loop loop, double target) const
 
 void LogSense::forget()
 {
+    m_whereabouts.silent(m_link.state() == LinkState::Open, m_motion.standsSince(Instant::min()));
     m_motion.forget();
-    m_entry.forget();
     m_velocity.reset();
 }
 

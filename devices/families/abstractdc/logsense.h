@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "families/abstractdc/entryspeed.h"
 #include "families/abstractdc/logpoller.h"
 #include "families/abstractdc/motionsense.h"
 #include "families/abstractdc/outputwatch.h"
+#include "families/abstractdc/whereabouts.h"
 
 #include <map>
 #include <memory>
@@ -17,8 +17,8 @@ class LogSense {
 public:
     /// What follows from the logs.
     struct Owner {
-        std::function<void(std::int32_t)> located;         ///< counts, before it is judged and recorded
-        std::function<void()> restarted;                   ///< it counts from 0 again: MotionSense
+        std::function<void(Restart)> restarted;                    ///< as far as its positions tell
+        std::function<void(const Whereabouts::Counters &)> stands; ///< keeps where
         std::function<void()> wrapped;                     ///< the output has turned to full reverse: OutputWatch
         std::function<void(std::int32_t, Instant)> output; ///< of the loop that runs, PWM units
         std::function<void()> silent;                      ///< several questions in a row have had no answer
@@ -52,11 +52,10 @@ public:
     /// What the loop regulates: counts/s or counts; nothing for other loops, and while it is not known. Where the drive's own
     /// speed and that of its positions differ, the one further from `target`: its own may be older than is known.
     [[nodiscard]] std::optional<double> feedback(Loop loop, double target) const;
-    [[nodiscard]] EntrySpeed &entry() { return m_entry; }
     /// What the velocity loop measures until it has passed twice.
-    [[nodiscard]] EntrySpeed::Range entrySpeed() const
+    [[nodiscard]] Whereabouts::SpeedRange entrySpeed() const
     {
-        return m_entry.range(m_motion.velocity(m_clock.now()).value_or(0.0));
+        return m_whereabouts.entrySpeed(m_motion.velocity(m_clock.now()).value_or(0.0));
     }
     /// The loop has passed twice, so that what the drive tells of it is of this run (README.md#stale-logs).
     [[nodiscard]] bool hasPassed(Instant time) const;
@@ -78,7 +77,7 @@ private:
     const Dialect *m_dialect = nullptr;
     LogPoller m_poller;
     MotionSense m_motion;
-    EntrySpeed m_entry;
+    Whereabouts m_whereabouts;
     OutputWatch m_output;
     std::map<Log, double> m_wishes;   ///< of setRate()
     std::optional<Loop> m_loop;       ///< last commanded, by us or by somebody we heard

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/abstractdc/motionsense.h"
 
-#include "families/abstractdc/restartsense.h"
+#include "families/abstractdc/whereabouts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,7 +69,7 @@ bool MotionSense::isAnew(std::int32_t position, Instant time) const
         return false;
     const Seen &last = m_seen.back();
     const double reach = turnedAtOnce + 2.0 * m_fastest * seconds(time - last.time);
-    return RestartSense::between(last.position, position, reach) == Restart::Seen;
+    return Whereabouts::between(last.position, position, reach) == Restart::Seen;
 }
 
 void MotionSense::take(const Seen &seen)

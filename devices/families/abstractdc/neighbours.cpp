@@ -17,18 +17,6 @@ bool isOfOffsetZero(std::uint32_t identifier)
     });
 }
 
-bool isAnswered(const Dialect &dialect, const Question &question, std::uint32_t identifier)
-{
-    const bool toAll = question.offset == 0 && question.base == id::logRequest;
-    for (std::size_t i = 0; i < logCount && dialect.request == question.base; ++i) {
-        const int offset = static_cast<int>(identifier) - dialect.reply.at(i);
-        if (dialect.has(static_cast<Log>(i)) && dialect.log.at(i) == question.code && offset > 0 && offset <= maxOffset
-            && (toAll || offset == question.offset))
-            return true;
-    }
-    return false;
-}
-
 } // namespace
 
 Neighbours::Neighbours(CanLink &link, Clock &clock)
@@ -46,24 +34,18 @@ void Neighbours::pass(const CanFrame &frame)
     if (frame.extended || frame.error || frame.remote)
         return;
     if (const auto question = questionIn(frame)) {
-        ask(*question, frame.time);
+        m_book.ask(*question, frame.time, 2 * answerTime(m_link));
         return;
     }
     if (frame.size != 4 || isOfOffsetZero(frame.id))
         return;
-    const bool isHeard = std::ranges::any_of(m_asked, [&frame](const Asked &asked) {
-        return asked.until > frame.time && std::ranges::any_of(dialects, [&](const Dialect *dialect) {
-            return isAnswered(*dialect, asked.question, frame.id);
-        });
+    m_book.expire(frame.time);
+    const bool isHeard = std::ranges::any_of(m_book.open(), [&frame](const QuestionBook::Open &open) {
+        const bool everybody = open.question.offset == 0 && open.question.base == id::logRequest;
+        return !explain(open.question, frame.id, everybody).empty();
     });
     if (isHeard)
         m_heardAt = frame.time;
-}
-
-void Neighbours::ask(const Question &question, Instant time)
-{
-    std::erase_if(m_asked, [&](const Asked &asked) { return asked.question == question || asked.until <= time; });
-    m_asked.push_back({question, time + 2 * answerTime(m_link)});
 }
 
 bool Neighbours::areHeard() const

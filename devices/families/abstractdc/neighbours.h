@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "families/abstractdc/questionwatch.h"
+#include "families/abstractdc/questionbook.h"
+#include "transport/canlink.h"
 
 #include <optional>
-#include <vector>
 
 namespace mb::abstractdc {
 
@@ -18,17 +18,11 @@ public:
     [[nodiscard]] bool areHeard() const;
 
 private:
-    struct Asked {
-        Question question;
-        Instant until{}; ///< an answer may come until then
-    };
-
     void pass(const CanFrame &frame);
-    void ask(const Question &question, Instant time);
 
     CanLink &m_link;
     Clock &m_clock;
-    std::vector<Asked> m_asked; ///< stays behind its first answer: all drives answer what offset 0 is asked
+    QuestionBook m_book; ///< none is closed by its first answer: all drives answer what offset 0 is asked
     std::optional<Instant> m_heardAt;
     Subscription m_traffic;
 };

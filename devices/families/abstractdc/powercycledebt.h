@@ -8,10 +8,12 @@
 
 namespace mb::abstractdc {
 
-/// A drive whose averaging was lowered owes a power cycle before it may be driven (README.md#averaging). Kept in its profile:
-/// another run of this program must know it, too. In doubt (RestartSense) the debt stays. Engine thread.
+/// A drive whose averaging was lowered, by anybody, owes a power cycle before it may be driven (README.md#averaging). Kept in its profile:
+/// another run of this program must know it, too. In doubt (Whereabouts) the debt stays. Engine thread.
 class PowerCycleDebt {
 public:
+    static constexpr const char *fault = "power_cycle_owed"; ///< Liveness::faults
+
     /// `keep` writes DeviceProfile::counters; the profile outlives this.
     PowerCycleDebt(const DeviceProfile &profile, std::function<void(std::int64_t owed)> keep);
 

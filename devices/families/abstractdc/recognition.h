@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "families/abstractdc/protocol.h"
+#include "families/abstractdc/questionbook.h"
 #include "model/identity.h"
-#include "wire/canframe.h"
 
 #include <array>
 #include <optional>
-#include <vector>
 
 namespace mb::abstractdc {
 
@@ -19,21 +17,9 @@ public:
     [[nodiscard]] std::optional<Identity> take(const CanFrame &frame);
 
 private:
-    struct Question {
-        std::uint32_t base = 0; ///< of its identifier: another one asks the oldest dialect
-        int offset = 0;
-        int code = 0;
-        Instant time{};
-    };
-    struct Explanation {
-        int offset = 0;
-        const Dialect *dialect = nullptr;
-    };
-    void ask(const CanFrame &frame);
-    [[nodiscard]] std::vector<Explanation> explain(const CanFrame &answer) const;
     [[nodiscard]] Identity identityOf(int offset, const Dialect *dialect);
 
-    std::vector<Question> m_asked; ///< in the last second
+    QuestionBook m_book; ///< none is closed by its answer: two drives may have been asked the same
     std::array<const Dialect *, maxOffset + 1> m_proven{};
 };
 

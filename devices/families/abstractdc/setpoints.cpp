@@ -103,7 +103,7 @@ double greatestError(const ParameterStore &known, Loop loop, bool hasPassed, dou
     return *strength > 0.0 ? std::max(1.0, std::floor(safeOutput / *strength)) : farthest;
 }
 
-Result<void> mayEnterVelocity(const EntrySpeed::Range &entry, const ParameterStore &known, double unknown)
+Result<void> mayEnterVelocity(const Whereabouts::SpeedRange &entry, const ParameterStore &known, double unknown)
 {
     if (entry.halfWidth() <= greatestError(known, Loop::Velocity, false, unknown))
         return {};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "families/abstractdc/entryspeed.h"
 #include "families/abstractdc/protocol.h"
+#include "families/abstractdc/whereabouts.h"
 #include "model/deviceprofile.h"
 #include "model/parameterstore.h"
 #include "model/setpoint.h"
@@ -36,7 +36,7 @@ struct Command {
 /// There is a target from which neither the speed of now nor the one that the first pass measures is too far (README.md#first-pass); else
 /// Unsafe. `unknown` as in greatestError().
 [[nodiscard]] Result<void> mayEnterVelocity(
-    const EntrySpeed::Range &entry, const ParameterStore &known, double unknown);
+    const Whereabouts::SpeedRange &entry, const ParameterStore &known, double unknown);
 
 /// Leads the target from where the motor is to where it shall be: duty at full range in a quarter of a second, or as the
 /// set-point's ramp says; loops never further ahead of the feedback than is safe.

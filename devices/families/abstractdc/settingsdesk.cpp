@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/abstractdc/settingsdesk.h"
 
+#include "async/sleep.h"
 #include "families/abstractdc/answertime.h"
 #include "families/abstractdc/parameters.h"
 #include "families/abstractdc/setpoints.h"
@@ -31,6 +32,11 @@ std::string unsavedOf(const Parameter &parameter)
     return std::string(counter::unsaved) + std::string(parameter.key);
 }
 
+bool isLegalAveraging(std::int64_t raw)
+{
+    return raw >= 1 && raw <= averagingMost;
+}
+
 } // namespace
 
 SettingsDesk::SettingsDesk(Device &device, CanLink &link, const LogSense &logs, PowerCycleDebt &debt,
@@ -50,6 +56,10 @@ Task<void> SettingsDesk::expectAnswer()
     const int offset = m_device.identity().address;
     const std::array answers{replyId(dialectF, offset, log), replyId(dialectL, offset, log)};
     const Question question{offset, dialect.request, static_cast<std::uint8_t>(dialect.codeOf(log))};
+    // The answer to the same question that was asked before the order would not prove that it came. It comes by then, or never.
+    const Instant latest = m_device.clock().now() + 2 * answerTime(m_can);
+    while (m_logs.questions().isOpen(question) && m_device.clock().now() < latest)
+        co_await Sleep(m_device.clock(), std::chrono::milliseconds(1));
     CanInbox::Match match = [this, answers, question](const CanFrame &frame) {
         return !frame.extended && frame.size == 4 && std::ranges::find(answers, frame.id) != answers.end()
             && m_logs.questions().isAnswerTo(question);
@@ -78,20 +88,29 @@ Result<void> SettingsDesk::mayWrite(const Parameter &parameter, std::int64_t raw
         return fail(Fault::Unsafe, say("a divisor changes all gains at once"), say("stop the motor first"));
     if (field != Field::Averaging)
         return {};
-    if (raw < 1 || raw > averagingMost)
+    if (!isLegalAveraging(raw))
         return fail(Fault::OutOfRange, say("legal is 1 … 500"),
             say("the drive does not check it and would overwrite its memory"));
-    if (!mayLowerAveraging(raw))
+    if (!mayOverrun(raw))
         return {};
     if (m_logs.isDriven() || m_logs.isMoving())
         return fail(Fault::Unsafe, say("lowering it needs a stopped motor"));
-    return maySave(loopOf(parameter));
+    const auto saves = maySave(loopOf(parameter));
+    return saves ? Result<void>() : fail(saves.error());
 }
 
-/// What is in force is known only where it was written since this run of the program began, whatever a file says: otherwise any value but the greatest may be a lower one.
-bool SettingsDesk::mayLowerAveraging(std::int64_t raw) const
+/// README.md#averaging: from now on its sample index may run out of the buffer. What is in force is known only where it was written
+/// since this run of the program began, whatever a file says: otherwise any value but the greatest may be a lower one.
+bool SettingsDesk::mayOverrun(std::int64_t averaging) const
 {
-    return raw < m_averaging.value_or(averagingMost);
+    return !isLegalAveraging(averaging) || averaging < m_averaging.value_or(averagingMost);
+}
+
+bool SettingsDesk::overrunsEver() const
+{
+    const auto averaging = parameterOf(Loop::Current, Field::Averaging);
+    const auto raw = averaging ? m_device.parameters().entry(*averaging).raw : std::nullopt;
+    return raw && !isLegalAveraging(*raw);
 }
 
 Task<std::int64_t> SettingsDesk::write(const Parameter &parameter, std::int64_t raw)
@@ -100,7 +119,7 @@ Task<std::int64_t> SettingsDesk::write(const Parameter &parameter, std::int64_t 
         co_return fail(allowed.error());
     const Loop loop = loopOf(parameter);
     const auto value = static_cast<std::int32_t>(raw);
-    const bool lowered = fieldOf(parameter) == Field::Averaging && mayLowerAveraging(raw);
+    const bool lowered = fieldOf(parameter) == Field::Averaging && mayOverrun(raw);
     if (lowered)
         m_debt.incur(); // before it can be in force
     const int offset = m_device.identity().address;
@@ -114,10 +133,6 @@ Task<std::int64_t> SettingsDesk::write(const Parameter &parameter, std::int64_t 
         NoProgress unheard;
         auto saving = save(loop, unheard);
         co_await std::move(saving);
-        Identity known = m_device.identity();
-        known.detail = say("Its averaging was lowered, as far as can be known, and saved. Switch it off and on now: "
-                           "until then it may overwrite its memory.");
-        m_device.setIdentity(std::move(known));
     }
     co_return raw;
 }
@@ -129,27 +144,29 @@ std::int64_t SettingsDesk::savesOf(Loop loop) const
     return counted == counters.end() ? 0 : counted->second;
 }
 
-Result<void> SettingsDesk::maySave(Loop loop) const
+Result<std::int64_t> SettingsDesk::maySave(Loop loop) const
 {
-    if (savesOf(loop) < savesPerPage)
-        return {};
-    return fail(Fault::Unsafe, say("the settings of the %1 loop were saved %2 times", nameOf(loop), savesOf(loop)),
+    const std::int64_t saves = savesOf(loop);
+    if (saves < savesPerPage)
+        return saves;
+    return fail(Fault::Unsafe, say("the settings of the %1 loop were saved %2 times", nameOf(loop), saves),
         say("one more would make the drive load something else. Erase its settings pages with a firmware update "
             "(erase settings), then save again"));
 }
 
 Task<void> SettingsDesk::save(Loop loop, Progress &progress)
 {
-    if (auto allowed = maySave(loop); !allowed)
-        co_return allowed;
-    const std::int64_t saves = savesOf(loop);
-    if (saves + 1 >= savesUntilWarning)
+    const auto before = maySave(loop);
+    if (!before)
+        co_return fail(before.error());
+    const std::int64_t saves = *before + 1;
+    if (saves >= savesUntilWarning)
         progress.log(Severity::Caution,
-            say("the %1 loop was saved %2 times; after %3 its settings pages must be erased", nameOf(loop), saves + 1,
+            say("the %1 loop was saved %2 times; after %3 its settings pages must be erased", nameOf(loop), saves,
                 savesPerPage));
     if (auto sent = m_can.send(encodeSave(*m_logs.dialect(), m_device.identity().address, loop)); !sent)
         co_return fail(sent.error());
-    m_count(counterOf(loop), saves + 1);
+    m_count(counterOf(loop), saves);
     auto asking = expectAnswer();
     co_await std::move(asking);
     settle(loop);
@@ -205,8 +222,8 @@ void SettingsDesk::replaced(bool blank)
 void SettingsDesk::written(ParameterIndex index, std::int64_t raw)
 {
     if (fieldOf(parameterTable()[index.value]) == Field::Averaging) {
-        if (mayLowerAveraging(raw))
-            m_debt.incur(); // README.md#averaging: from now on its sample index may run out of the buffer
+        if (mayOverrun(raw))
+            m_debt.incur();
         m_averaging = raw;
     }
     setUnsaved(index, true);

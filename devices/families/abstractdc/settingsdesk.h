@@ -32,14 +32,17 @@ public:
     void saved(Loop loop);
     /// The drive has begun anew: what was not saved is not in force any more.
     void restarted();
+    /// The averaging in force is none of 1 … 500 (somebody else wrote it), and so it is when the drive begins anew.
+    [[nodiscard]] bool overrunsEver() const;
     /// How often each loop was saved since its page was erased, for Identity::descriptors.
     [[nodiscard]] std::vector<std::pair<std::string, std::string>> saves() const;
 
 private:
     [[nodiscard]] Result<void> mayWrite(const Parameter &parameter, std::int64_t raw) const;
-    [[nodiscard]] bool mayLowerAveraging(std::int64_t raw) const;
+    [[nodiscard]] bool mayOverrun(std::int64_t averaging) const;
     [[nodiscard]] std::int64_t savesOf(Loop loop) const;
-    [[nodiscard]] Result<void> maySave(Loop loop) const;
+    /// How often it was saved before; Unsafe where one more is too many.
+    [[nodiscard]] Result<std::int64_t> maySave(Loop loop) const;
     [[nodiscard]] Task<void> save(Loop loop, Progress &progress);
     void settle(Loop loop);
     /// In the order of the table.

@@ -65,6 +65,23 @@ Result<void> checkSetPoint(const SetPoint &setPoint)
     return {};
 }
 
+Message cautionOf(const SetPoint &setPoint, const ParameterStore &known)
+{
+    const auto limit = [&](AxisParameter which) { return known.entry(indexOf(setPoint.axis - 1, which)).raw; };
+    const double size = std::abs(setPoint.target);
+    const auto power = static_cast<double>(limit(AxisParameter::LimitPower).value_or(SettingRequests::firstPowerLimit));
+    if (setPoint.mode == Mode::Duty && std::round(size * fullPower) > power)
+        return say("the power limit of axis %1 is %2: its motor gets no more", setPoint.axis,
+            MessageNumber{100.0 * power / fullPower, 0, "%"});
+    const bool isVelocity = setPoint.mode == Mode::Velocity || setPoint.mode == Mode::RampVelocity;
+    const double wished = isVelocity ? size : setPoint.mode == Mode::RampPosition ? setPoint.velocity : 0.0;
+    const auto velocity = limit(AxisParameter::LimitVelocity); // what a board starts with is not documented
+    if (velocity && wished * limitOne > static_cast<double>(*velocity))
+        return say("the velocity limit of axis %1 is %2: its motor goes no faster", setPoint.axis,
+            MessageNumber{static_cast<double>(*velocity) / limitOne, -1, "counts/s"});
+    return {};
+}
+
 Result<void> AxisDrives::command(const SetPoint &setPoint)
 {
     const int axis = setPoint.axis - 1;

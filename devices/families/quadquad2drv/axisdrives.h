@@ -12,6 +12,8 @@ namespace mb::quadquad2drv {
 
 /// OutOfRange, Unsupported: what the board cannot do.
 [[nodiscard]] Result<void> checkSetPoint(const SetPoint &setPoint);
+/// What a limit of the axis, where it is known, will make of it; empty: nothing. Of a checked one.
+[[nodiscard]] Message cautionOf(const SetPoint &setPoint, const ParameterStore &known);
 
 /// What each axis (0…3) was told to do, which the board does not say; set-points become orders. Engine thread.
 class AxisDrives {

@@ -36,6 +36,17 @@ double secondsOf(Duration time)
     return std::chrono::duration<double>(time).count();
 }
 
+/// How fast the velocity estimate is at present.
+Task<History> askHistory(PacketPort &port)
+{
+    auto asking = port.request(getRequest(PacketId::GetHistory));
+    const Packet reply = co_await std::move(asking);
+    const auto history = parseHistory(reply);
+    if (!history)
+        co_return fail(Fault::BadReply, say("the history has an unexpected length"));
+    co_return *history;
+}
+
 } // namespace
 
 AxisTrial::AxisTrial(Controller &board, SetPointStream &stream, const ExperimentOptions &options, Progress &progress)
@@ -67,7 +78,7 @@ AxisTrial::~AxisTrial()
 /// No limit but that of the power, and a velocity estimate that is fast. All of it can be put back.
 Task<void> AxisTrial::prepare()
 {
-    auto asking = m_board.askHistory();
+    auto asking = askHistory(m_board.port());
     const History history = co_await std::move(asking);
     m_leavesStartGains = !knowsGains(m_board.parameters(), m_axis);
     if (m_leavesStartGains)

@@ -6,10 +6,11 @@
 
 namespace mb::quadquad2drv {
 
-BoardLayout::BoardLayout(SpiLink &link, PacketPort &port, Owner owner)
+BoardLayout::BoardLayout(SpiLink &link, PacketPort &port, Clock &clock, Owner owner)
     : m_link(link)
     , m_port(port)
     , m_owner(std::move(owner))
+    , m_rateTurns(clock)
 {
 }
 
@@ -94,6 +95,7 @@ void BoardLayout::forget()
 {
     m_changed = m_holds = false;
     m_before.reset();
+    m_rateEnded = m_wishes.highest() > 0.0;
     m_restarted = true;
     ++m_resets;
     m_streamPeriod = 0;
@@ -104,6 +106,14 @@ void BoardLayout::forget()
 Task<bool> BoardLayout::setRate(ChannelIndex channel, double hertz)
 {
     m_wishes.set(channel, hertz);
+    auto resuming = resumeRate();
+    const bool another = co_await std::move(resuming);
+    co_return another;
+}
+
+Task<bool> BoardLayout::resumeRate()
+{
+    const Turns::Turn turn = co_await m_rateTurns.take();
     const double wished = m_wishes.highest();
     if (wished <= 0.0) {
         if (!m_before)

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/turns.h"
 #include "families/quadquad2drv/packetport.h"
 #include "telemetry/framerate.h"
 
 #include <functional>
+#include <utility>
 
 namespace mb::quadquad2drv {
 
@@ -18,7 +20,7 @@ public:
         std::function<void()> streamChanged; ///< another period
     };
 
-    BoardLayout(SpiLink &link, PacketPort &port, Owner owner);
+    BoardLayout(SpiLink &link, PacketPort &port, Clock &clock, Owner owner);
 
     /// Replies must fit the masks exactly, so these are read before anything is understood.
     [[nodiscard]] Task<void> read();
@@ -30,6 +32,12 @@ public:
     /// One rate for the whole board; the period is a multiple of 40.96 µs, at least one pass of the loop (README.md#ready-line). With the
     /// last wish ends what the first one began. Yields whether the stream is another. Unsupported without a ready line.
     [[nodiscard]] Task<bool> setRate(ChannelIndex channel, double hertz);
+    /// What setRate() was asked for, once more: a reset ended it. Yields whether the stream is another.
+    [[nodiscard]] Task<bool> resumeRate();
+    /// A reset has ended a rate that is still wished for; once.
+    [[nodiscard]] bool takeEndedRate() { return std::exchange(m_rateEnded, false); }
+    /// Nobody answered: takeEndedRate() once more.
+    void resumeLater() { m_rateEnded = true; }
 
     /// Of every axis.
     [[nodiscard]] bool tellsEverything() const;
@@ -63,7 +71,9 @@ private:
     SpiLink &m_link;
     PacketPort &m_port;
     Owner m_owner;
+    Turns m_rateTurns; ///< one rate at a time
     FrameRate m_wishes;
+    bool m_rateEnded = false;
     std::uint16_t m_streamPeriod = 0;
     std::optional<Stream> m_before; ///< what the stream of ours replaced
     bool m_holds = false;           ///< what a reset undoes, and is not of the stream

@@ -69,13 +69,19 @@ void PacketReader::align()
     const auto begin = std::ranges::find(m_bytes, stx);
     if (std::any_of(m_bytes.begin(), begin, [](std::uint8_t byte) { return byte != 0; }))
         ++m_strays;
-    m_bytes.erase(m_bytes.begin(), begin);
+    drop(static_cast<std::size_t>(begin - m_bytes.begin()));
 }
 
 void PacketReader::giveUp()
 {
     ++m_bad;
-    m_bytes.erase(m_bytes.begin());
+    drop(1);
+}
+
+void PacketReader::drop(std::size_t count)
+{
+    m_bytes.erase(m_bytes.begin(), m_bytes.begin() + static_cast<std::ptrdiff_t>(count));
+    m_taken += count;
 }
 
 std::optional<Packet> PacketReader::next()
@@ -94,7 +100,7 @@ std::optional<Packet> PacketReader::next()
             continue;
         }
         Packet found{m_bytes[2], Bytes(m_bytes.begin() + 3, end - 1)};
-        m_bytes.erase(m_bytes.begin(), end);
+        drop(size);
         return found;
     }
     return std::nullopt;

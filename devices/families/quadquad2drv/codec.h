@@ -44,13 +44,18 @@ public:
     {
         return m_strays;
     } ///< pieces without a beginning, filler not among them
-    void clear() { m_bytes.clear(); }
+    /// Bytes that were fed, and those up to the end of the packet that next() has yielded.
+    [[nodiscard]] std::uint64_t fed() const { return m_taken + m_bytes.size(); }
+    [[nodiscard]] std::uint64_t taken() const { return m_taken; }
+    void clear() { drop(m_bytes.size()); }
 
 private:
     void align();
     void giveUp();
+    void drop(std::size_t count);
 
     Bytes m_bytes;
+    std::uint64_t m_taken = 0; ///< bytes that are not in m_bytes any more
     std::uint64_t m_bad = 0;
     std::uint64_t m_strays = 0;
 };

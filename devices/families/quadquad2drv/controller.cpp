@@ -42,7 +42,7 @@ Controller::Controller(const Family &known, SpiLink &link, Clock &clock, Identit
     : Device(known, link, clock, std::move(identity))
     , m_spi(link)
     , m_port(link, clock)
-    , m_layout(link, m_port,
+    , m_layout(link, m_port, clock,
           {[this] { return knowledge().holdsSettings(); }, [this] { onReset(); }, [this] { schedulePoll(); }})
     , m_settings(parameters(), knowledge().profile())
     , m_sense(telemetry())
@@ -135,6 +135,13 @@ void Controller::look()
         m_checking = true;
         m_scope.spawn<void>(m_layout.check(), [this](const Result<void> &) { m_checking = false; });
     }
+    if (m_heard && gate().busy().empty() && m_layout.takeEndedRate())
+        m_scope.spawn<bool>(m_layout.resumeRate(), [this](const Result<bool> &another) {
+            if (another && *another)
+                breakLines();
+            else if (!another && another.error().fault == Fault::Timeout)
+                m_layout.resumeLater();
+        });
     if (!m_poll.isActive())
         schedulePoll();
     updateLiveness();
@@ -305,9 +312,8 @@ Task<void> Controller::renumber(int)
 Task<void> Controller::setRate(ChannelIndex channel, double hertz)
 {
     auto setting = m_layout.setRate(channel, hertz);
-    if (const bool another = co_await std::move(setting); !another)
-        co_return {};
-    breakLines();
+    if (const bool another = co_await std::move(setting); another)
+        breakLines();
     co_return {};
 }
 
@@ -341,26 +347,6 @@ Task<void> Controller::tell(Bytes request)
     auto asking = m_port.request(std::move(request));
     co_await std::move(asking);
     co_return {};
-}
-
-Task<std::uint8_t> Controller::askStatus(int axis)
-{
-    auto asking = m_port.request(getRequest(PacketId::GetMotion));
-    const Packet reply = co_await std::move(asking);
-    const auto motion = parseMotion(reply, m_port.masks(), m_port.streamConfig());
-    if (!motion || !motion->channels[static_cast<std::size_t>(axis)].status)
-        co_return fail(Fault::BadReply, say("the board did not tell its status"));
-    co_return *motion->channels[static_cast<std::size_t>(axis)].status;
-}
-
-Task<History> Controller::askHistory()
-{
-    auto asking = m_port.request(getRequest(PacketId::GetHistory));
-    const Packet reply = co_await std::move(asking);
-    const auto history = parseHistory(reply);
-    if (!history)
-        co_return fail(Fault::BadReply, say("the history has an unexpected length"));
-    co_return *history;
 }
 
 std::unique_ptr<Device> open(Link &link, Clock &clock, const Identity &identity)

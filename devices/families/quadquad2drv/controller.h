@@ -19,10 +19,8 @@ public:
     /// @{
     /// Sends a request and waits until the board has accepted it.
     [[nodiscard]] Task<void> tell(Bytes request);
-    /// Status bits of an axis (0…3) now.
-    [[nodiscard]] Task<std::uint8_t> askStatus(int axis);
-    /// How fast the velocity estimate is at present: packet 13.
-    [[nodiscard]] Task<History> askHistory();
+    /// For what changes nothing.
+    [[nodiscard]] PacketPort &port() { return m_port; }
     /// Those that make the settings of an axis what they are known or assumed to be.
     [[nodiscard]] SettingRequests &settings() { return m_settings; }
     /// Goes on whoever waits for it or not.
@@ -40,6 +38,10 @@ public:
     Task<void> renumber(int address) override;
     Task<void> setRate(ChannelIndex channel, double hertz) override;
     [[nodiscard]] Result<void> check(const SetPoint &setPoint) const override { return checkSetPoint(setPoint); }
+    [[nodiscard]] Message caution(const SetPoint &setPoint) const override
+    {
+        return checkSetPoint(setPoint) ? cautionOf(setPoint, parameters()) : Message();
+    }
     [[nodiscard]] bool isSeenStopped() const override;
     [[nodiscard]] StopScript stopScript() const override;
 

@@ -58,6 +58,17 @@ constexpr std::array<Experiment, 2> experimentTable{{
     },
 }};
 
+/// Status bits of an axis (0…3) now.
+Task<std::uint8_t> askStatus(PacketPort &port, int axis)
+{
+    auto asking = port.request(getRequest(PacketId::GetMotion));
+    const Packet reply = co_await std::move(asking);
+    const auto motion = parseMotion(reply, port.masks(), port.streamConfig());
+    if (!motion || !motion->channels[static_cast<std::size_t>(axis)].status)
+        co_return fail(Fault::BadReply, say("the board did not tell its status"));
+    co_return *motion->channels[static_cast<std::size_t>(axis)].status;
+}
+
 /// Whether the input is active with this polarity bit, as it is on the wire. Edge 0 records and sets nothing in both readings.
 Task<bool> isActive(Controller &board, int axis, int bit)
 {
@@ -66,7 +77,7 @@ Task<bool> isActive(Controller &board, int axis, int bit)
     auto telling = board.tell(setInputMode(maskOf(axis), input));
     co_await std::move(telling);
     co_await Sleep(board.clock(), settling);
-    auto asking = board.askStatus(axis);
+    auto asking = askStatus(board.port(), axis);
     const std::uint8_t bits = co_await std::move(asking);
     co_return (bits & status::inputActive) != 0;
 }

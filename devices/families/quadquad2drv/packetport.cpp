@@ -37,7 +37,8 @@ void PacketPort::hear(const Traffic &traffic)
     m_reader.feed(traffic.bytes);
     while (const auto packet = m_reader.next()) {
         noteDamage(); // which was before it
-        if (m_round && !m_round->reply && packet->id == m_round->id)
+        const std::uint64_t begin = m_reader.taken() - packet->payload.size() - overhead;
+        if (m_round && !m_round->reply && packet->id == m_round->id && begin >= m_round->from)
             m_round->reply = *packet;
         m_received.notify(*packet, traffic.time);
     }
@@ -100,11 +101,8 @@ Task<void> PacketPort::listenFor(Round &round, std::size_t expected)
 Task<Packet> PacketPort::ask(const Bytes &request, const Gate &gate, Duration patience)
 {
     const Turns::Turn turn = co_await m_link.turns().take();
-    // A packet that is ready first would be clocked out by the request.
-    if (m_link.ready().value_or(false)) {
-        auto pending = clockOut(streamPacketSize(m_masks, m_streamConfig));
-        co_await std::move(pending);
-    }
+    auto pending = takeWaiting(); // the request would clock it out, and what is late is no reply to it
+    co_await std::move(pending);
     Round round{request[2], {}, m_clock.now() + patience};
     struct Hearing {
         Hearing(Round *&slot, Round &round)
@@ -121,6 +119,7 @@ Task<Packet> PacketPort::ask(const Bytes &request, const Gate &gate, Duration pa
     const Result<Bytes> sent = co_await m_link.transfer(request);
     if (!sent)
         co_return fail(sent.error());
+    round.from = m_reader.fed();
     auto listening = listenFor(round, replySize(request, m_masks));
     const Result<void> heard = co_await std::move(listening).attempt();
     if (!heard) {

@@ -46,6 +46,8 @@ private:
         std::uint8_t id = 0;
         std::optional<Packet> reply;
         Instant deadline{};
+        std::uint64_t from
+            = UINT64_MAX; ///< PacketReader::fed() once the request was clocked: no reply to it begins before
     };
     void hear(const Traffic &traffic);
     void noteDamage();
