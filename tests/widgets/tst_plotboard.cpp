@@ -26,8 +26,6 @@ private Q_SLOTS:
     void theSpectrumFindsAWave();
     void oneSignalAgainstAnother();
     void anotherUnitOfAChannelIsFollowed();
-    void aDerivedSignalGoesOnWhereItsDeviceBeginsAnew();
-    void aDerivedSignalStaysWithItsDeviceThoughAnotherLinkHasOneOfTheSameNumber();
     void aCursorReadsTheSampleAndNotWhatAColumnDraws();
     void aCaughtEventStaysWhenAReferenceIsKept();
     void theTriggerStaysOnItsSignalWhateverItIsCalled();
@@ -299,55 +297,6 @@ void TestPlotBoard::anotherUnitOfAChannelIsFollowed()
     QVERIFY(bench.trace("#5 current").style.strip != bench.trace("#7 current").style.strip);
     QCOMPARE(unitInList(), s("mA"));
     QVERIFY(before >= 0);
-}
-
-void TestPlotBoard::aDerivedSignalGoesOnWhereItsDeviceBeginsAnew()
-{
-    PlotBench bench;
-    bench.pass(1.0, 60000.0);
-    QVERIFY(bench.board().addDerived(s("twice"), s("counts/s"), s("2 * d5_velocity")));
-    bench.pass(0.5, 60000.0);
-    QTRY_VERIFY(bench.trace("twice").source->telemetry().size({0}) > 100);
-    Recording anew{bench.workbench.time}; // as after a jump in a recording
-    bench.workbench.shot.devices[0].telemetry = anew.telemetry();
-    anew.run(1.0, 60000.0);
-    bench.workbench.publish();
-    bench.pass(0.1, 60000.0);
-    QTRY_COMPARE(bench.trace("twice").source->telemetry().size({0}), std::size_t{100});
-    DeviceView again = bench.workbench.shot.devices[0]; // as after its link was opened again
-    Recording third{bench.workbench.time};
-    again.telemetry = third.telemetry();
-    again.id = {3};
-    bench.workbench.shot.devices.erase(bench.workbench.shot.devices.begin());
-    bench.workbench.publish();
-    third.run(0.5, 60000.0);
-    bench.workbench.shot.devices.push_back(again);
-    bench.workbench.publish();
-    bench.pass(0.1, 60000.0);
-    QTRY_COMPARE(bench.trace("twice").source->telemetry().size({0}), std::size_t{50});
-}
-
-void TestPlotBoard::aDerivedSignalStaysWithItsDeviceThoughAnotherLinkHasOneOfTheSameNumber()
-{
-    PlotBench bench;
-    Recording far{bench.workbench.time};
-    DeviceView twin = tunableDrive(far.telemetry(), 3, 5);
-    twin.selector = "socketcan:can1/dmc60c:5";
-    bench.workbench.shot.devices.push_back(twin);
-    bench.pass(1.0, 60000.0);
-    QVERIFY(bench.board().addDerived(s("twice"), s("counts/s"), s("2 * d5_velocity")));
-    bench.pass(0.1, 60000.0);
-    const DeviceView own = bench.workbench.shot.devices[0];
-    bench.workbench.shot.devices.erase(bench.workbench.shot.devices.begin()); // its link was closed
-    far.run(1.0, 100.0);
-    bench.workbench.publish();
-    bench.pass(0.1, 60000.0);
-    const SignalBook::Derived &derived = bench.board().book().derived().front();
-    QVERIFY(&derived.signal->input(0) == own.telemetry.get());
-    bench.workbench.shot.devices.push_back(own); // and is open again, behind the other
-    bench.workbench.publish();
-    bench.pass(0.1, 60000.0);
-    QVERIFY(&derived.signal->input(0) == own.telemetry.get());
 }
 
 void TestPlotBoard::aCursorReadsTheSampleAndNotWhatAColumnDraws()
