@@ -33,7 +33,7 @@ public:
     [[nodiscard]] const Snapshot &snapshot() const override { return m_snapshot; }
     [[nodiscard]] Instant now() const override { return m_clock.now(); }
     [[nodiscard]] Duration unixOffset() const override { return m_clock.unixOffset(); }
-    [[nodiscard]] Duration slept() const override { return m_clock.slept(); }
+    [[nodiscard]] SleepLog sleeps() override { return m_clock.sleeps(); }
     [[nodiscard]] const std::vector<LinkListing> &listings() const override { return m_listings; }
 
     [[nodiscard]] SettingsArchive &settings() override;

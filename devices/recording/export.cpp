@@ -51,7 +51,7 @@ std::vector<ExportChannel> channelsOf(const DeviceView &device, bool simulated)
     for (std::uint16_t i = 0; i < device.channels().size(); ++i) {
         const Channel &row = device.channels()[i];
         channels.push_back({device.telemetry, {i}, device.selector, std::string(device.family->key),
-            std::string(row.key), std::string(row.unit), {}, simulated});
+            std::string(row.key), std::string(row.unit), {}, simulated, device.identity->serial});
     }
     return channels;
 }
@@ -84,7 +84,8 @@ std::vector<std::pair<std::string, mcap::Map>> describe(const DeviceView &device
             text += ' ' + std::string(row.unit);
         parameters[std::string(row.key)] = text;
     }
-    return {{"device " + device.selector, facts}, {"parameters " + device.selector, parameters}};
+    const std::string whose = device.selector + (identity.serial.empty() ? "" : ' ' + identity.serial);
+    return {{"device " + whose, facts}, {"parameters " + whose, parameters}};
 }
 
 std::map<std::string, mcap::Map> lossOf(const ExportPlan &plan)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "async/result.h"
+#include "async/sleeplog.h"
 #include "model/snapshot.h"
 #include "recording/mcapformat.h"
 
@@ -19,6 +20,7 @@ struct ExportChannel {
     std::string unit;
     std::string formula; ///< of a derived signal
     bool simulated = false;
+    std::string serial{}; ///< of the unit; empty where it tells none
 
     /// "dmc60c:5 velocity": what stands over a column.
     [[nodiscard]] std::string title() const;
@@ -38,9 +40,14 @@ struct ExportPlan {
     std::vector<ExportChannel> channels;
     Instant from{};
     Instant to{};
-    Duration unixOffset{};                                ///< what to add to a time stamp to get Unix time
+    Duration unixOffset{}; ///< what to add to a time stamp to get Unix time, but for what the computer has slept
+    SleepLog sleeps;
     std::vector<std::pair<std::string, mcap::Map>> about; ///< of devices: see describe()
     std::vector<TimedNote> notes;
+    [[nodiscard]] Duration unixTime(Instant time) const
+    {
+        return time.time_since_epoch() + unixOffset + sleeps.sleptAt(time);
+    }
 };
 
 struct ExportReport {
@@ -53,7 +60,8 @@ using ExportProgress = std::function<bool(double)>;
 
 /// All channels of a device.
 [[nodiscard]] std::vector<ExportChannel> channelsOf(const DeviceView &device, bool simulated);
-/// Identity and parameters of a device, as they are now: "device SELECTOR", "parameters SELECTOR".
+/// Identity and parameters of a device, as they are now: "device SELECTOR SERIAL", "parameters SELECTOR SERIAL"; without a serial
+/// number the selector alone.
 [[nodiscard]] std::vector<std::pair<std::string, mcap::Map>> describe(const DeviceView &device);
 /// "loss SELECTOR" with each channel's samples known missing in the stretch: "84 of 1700".
 [[nodiscard]] std::map<std::string, mcap::Map> lossOf(const ExportPlan &plan);

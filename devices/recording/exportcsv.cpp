@@ -54,9 +54,8 @@ std::string oneLine(std::string text)
 /// Everything that is not a number.
 std::string headOf(const ExportPlan &plan)
 {
-    std::string head = "# MotorBench recording\n# time_s 0 is "
-        + isoTime(plan.from.time_since_epoch() + plan.unixOffset) + " (Unix "
-        + numberText(seconds(plan.from.time_since_epoch() + plan.unixOffset)) + ")\n";
+    std::string head = "# MotorBench recording\n# time_s 0 is " + isoTime(plan.unixTime(plan.from)) + " (Unix "
+        + numberText(seconds(plan.unixTime(plan.from))) + ")\n";
     for (const auto &[name, facts] : plan.about) {
         for (const auto &[key, value] : facts)
             head += "# " + name + ": " + key + " = " + oneLine(value) + '\n';
@@ -72,7 +71,8 @@ std::string headOf(const ExportPlan &plan)
             head += "# simulated: " + channel.title() + '\n';
     }
     for (const TimedNote &note : plan.notes)
-        head += "# note " + numberText(seconds(note.time - plan.from)) + " s: " + oneLine(note.text) + '\n';
+        head += "# note " + numberText(seconds(plan.unixTime(note.time) - plan.unixTime(plan.from)))
+            + " s: " + oneLine(note.text) + '\n';
     head += "time_s";
     for (const ExportChannel &channel : plan.channels)
         head += ',' + quoted(channel.unit.empty() ? channel.title() : channel.title() + " (" + channel.unit + ')');
@@ -105,12 +105,12 @@ public:
         m_empty = false;
         m_fields[next.channel] = "nan";
     }
-    void writeTo(std::string &out, Instant start)
+    void writeTo(std::string &out, const ExportPlan &plan)
     {
         if (m_empty)
             return;
         std::array<char, 40> time{};
-        const double since = seconds(m_time - start);
+        const double since = seconds(plan.unixTime(m_time) - plan.unixTime(plan.from));
         out.append(time.data(), // with a dot in every locale
             std::to_chars(time.data(), time.data() + time.size(), since, std::chars_format::fixed, 6).ptr);
         for (std::string &field : m_fields) {
@@ -142,11 +142,11 @@ Result<ExportReport> exportCsv(const ExportPlan &plan, const std::string &path, 
     const double span = std::max(seconds(plan.to - plan.from), 1e-9);
     while (const auto next = samples.next()) {
         if (next->gap) {
-            row.writeTo(text, plan.from);
+            row.writeTo(text, plan);
             row.putGap(*next);
         }
         if (!row.fits(*next))
-            row.writeTo(text, plan.from);
+            row.writeTo(text, plan);
         row.put(*next);
         report.lost += next->lost;
         if (++report.samples % lookEvery != 0)
@@ -156,7 +156,7 @@ Result<ExportReport> exportCsv(const ExportPlan &plan, const std::string &path, 
         file.write(text);
         text.clear();
     }
-    row.writeTo(text, plan.from);
+    row.writeTo(text, plan);
     file.write(text);
     if (auto written = file.commit(); !written)
         return fail(written.error());

@@ -11,11 +11,6 @@ namespace {
 
 constexpr std::uint64_t lookEverySamples = 16384;
 
-std::int64_t unixNanoseconds(const ExportPlan &plan, Instant time)
-{
-    return std::chrono::duration_cast<std::chrono::nanoseconds>(time.time_since_epoch() + plan.unixOffset).count();
-}
-
 } // namespace
 
 mcap::Map aboutChannel(const ExportChannel &channel)
@@ -26,6 +21,8 @@ mcap::Map aboutChannel(const ExportChannel &channel)
         about["formula"] = channel.formula;
     if (channel.simulated)
         about["simulated"] = "true";
+    if (!channel.serial.empty())
+        about["serial"] = channel.serial;
     return about;
 }
 
@@ -42,7 +39,7 @@ Result<ExportReport> exportMcap(const ExportPlan &plan, const std::string &path,
     for (const auto &[name, facts] : lossOf(plan))
         (*writer)->metadata(name, facts);
     for (const TimedNote &note : plan.notes)
-        (*writer)->metadata("note", {{"time", std::to_string(unixNanoseconds(plan, note.time))}, {"text", note.text}});
+        (*writer)->metadata("note", {{"time", std::to_string(plan.unixTime(note.time).count())}, {"text", note.text}});
     std::vector<std::uint16_t> ids;
     for (const ExportChannel &channel : plan.channels)
         ids.push_back((*writer)->addChannel({channel.topic(), aboutChannel(channel)}));
@@ -51,7 +48,7 @@ Result<ExportReport> exportMcap(const ExportPlan &plan, const std::string &path,
     const auto span = static_cast<double>(std::max<std::int64_t>((plan.to - plan.from).count(), 1));
     while (const auto next = samples.next()) {
         (*writer)->write(
-            ids[next->channel], unixNanoseconds(plan, next->point.time), next->point.value, next->lost, next->gap);
+            ids[next->channel], plan.unixTime(next->point.time).count(), next->point.value, next->lost, next->gap);
         report.lost += next->lost;
         if (++report.samples % lookEverySamples == 0 && progress
             && !progress(static_cast<double>((next->point.time - plan.from).count()) / span))

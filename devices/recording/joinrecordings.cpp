@@ -30,7 +30,14 @@ std::unique_ptr<Descriptor> claim(const fs::path &folder)
     return file;
 }
 
-/// Files that follow each other, in one writer: a topic of several in one unit is one channel, of their facts the last counts.
+std::string factOf(const mcap::Map &about, const char *key)
+{
+    const auto found = about.find(key);
+    return found == about.end() ? std::string() : found->second;
+}
+
+/// Files that follow each other, in one writer: a topic of several in one unit and of one serial number is one channel, of their facts
+/// the last counts.
 class Joint {
 public:
     explicit Joint(McapWriter &writer)
@@ -44,11 +51,16 @@ public:
         std::map<std::uint16_t, std::uint16_t> ids;
         McapReader reader;
         reader.channel = [&](std::uint16_t id, const std::string &topic, const mcap::Map &about) {
-            const auto unit = about.find("unit");
-            const std::pair key(topic, unit == about.end() ? std::string() : unit->second);
-            const auto known = m_channels.find(key);
-            ids[id] = known != m_channels.end() ? known->second : m_writer.addChannel({topic, about});
-            m_channels[key] = ids[id];
+            const auto known
+                = std::ranges::find_if(m_channels, [&](const Channel &channel) { return channel.isOf(topic, about); });
+            if (known == m_channels.end()) {
+                ids[id] = m_writer.addChannel({topic, about});
+                m_channels.push_back({topic, about, ids[id]});
+                return;
+            }
+            ids[id] = known->id;
+            if (factOf(known->about, "serial").empty())
+                known->about = about;
         };
         reader.metadata = [&](const std::string &name, const mcap::Map &map) {
             if (name == "note")
@@ -74,9 +86,22 @@ public:
     [[nodiscard]] const ExportReport &report() const { return m_report; }
 
 private:
+    struct Channel {
+        std::string topic;
+        mcap::Map about;
+        std::uint16_t id = 0;
+        /// It may not have told its serial number in the one or the other.
+        [[nodiscard]] bool isOf(const std::string &other, const mcap::Map &facts) const
+        {
+            const std::string serial = factOf(facts, "serial");
+            const std::string known = factOf(about, "serial");
+            return topic == other && factOf(about, "unit") == factOf(facts, "unit")
+                && (known == serial || known.empty() || serial.empty());
+        }
+    };
     McapWriter &m_writer;
     ExportReport m_report;
-    std::map<std::pair<std::string, std::string>, std::uint16_t> m_channels; ///< by topic and unit
+    std::vector<Channel> m_channels;
     std::map<std::string, mcap::Map> m_facts;
 };
 

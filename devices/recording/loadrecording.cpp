@@ -4,6 +4,7 @@
 #include "recording/loadtable.h"
 #include "recording/mcapreader.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace mb {
@@ -64,10 +65,12 @@ Result<std::shared_ptr<LoadedRecording>> loadMcap(const std::string &path, std::
             const auto found = about.find(key);
             return found == about.end() ? std::string() : found->second;
         };
-        const std::string title = fact("title");
+        std::string title = fact("title").empty() ? topic : fact("title");
+        if (std::ranges::find(loaded->table, std::string_view(title), &Channel::key) != loaded->table.end())
+            title += fact("serial").empty() ? "" : ' ' + fact("serial"); // another unit had the number before
         loaded->simulated = loaded->simulated || fact("simulated") == "true";
         places[id] = static_cast<std::uint16_t>(loaded->table.size());
-        addLoadedChannel(*loaded, title.empty() ? topic : title, fact("unit"));
+        addLoadedChannel(*loaded, title, fact("unit"));
     };
     std::size_t about = 0;
     reader.metadata = [&](const std::string &name, const mcap::Map &facts) {

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "recording/merge.h"
 
+#include <utility>
+
 namespace mb {
 
 MergedSamples::MergedSamples(const ExportPlan &plan)
     : m_to(plan.to)
+    , m_sleeps(plan.sleeps)
 {
     for (const ExportChannel &channel : plan.channels) {
         m_sources.push_back({SampleCursor(channel.telemetry, channel.channel, plan.from),
@@ -26,6 +29,8 @@ void MergedSamples::load(Source &source)
     if (!next)
         return;
     source.waiting = *next;
+    const Duration slept = m_sleeps.sleptAt(next->time);
+    source.broken = source.broken || std::exchange(source.slept, slept).value_or(slept) != slept;
     source.cursor.pop();
 }
 

@@ -26,10 +26,12 @@ private:
         std::size_t gap = 0;
         std::optional<Point> waiting;
         bool broken = false;
+        std::optional<Duration> slept{}; ///< by the time of the sample that waits
     };
     void load(Source &source);
 
     Instant m_to;
+    SleepLog m_sleeps;
     std::vector<Source> m_sources;
 };
 

@@ -18,14 +18,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr Duration settling = std::chrono::milliseconds(100);     ///< channels of a device are committed together
-constexpr Duration shortestSleep = std::chrono::milliseconds(10); ///< below it two clocks were read one after the other
+constexpr Duration settling = std::chrono::milliseconds(100); ///< channels of a device are committed together
 constexpr const char *lockName = "lock";
 constexpr const char *lastName = "last-session";
 
-std::int64_t unixNanoseconds(Instant time, Duration offset)
+/// A unit that has not told its serial number yet, or again, is the one before.
+bool isSame(const ExportChannel &known, const ExportChannel &now)
 {
-    return std::chrono::duration_cast<std::chrono::nanoseconds>(time.time_since_epoch() + offset).count();
+    return known.unit == now.unit && (known.serial == now.serial || known.serial.empty() || now.serial.empty());
 }
 
 std::uint64_t lostBefore(const ExportChannel &channel, Instant time)
@@ -91,18 +91,22 @@ void RollingRecorder::follow(
         const auto known = std::ranges::find_if(m_tracked, [&](const Tracked &tracked) {
             return tracked.channel.telemetry == channel.telemetry && tracked.channel.channel == channel.channel;
         });
-        if (known != m_tracked.end() && known->channel.unit == channel.unit) {
+        const bool isKnown = known != m_tracked.end();
+        if (isKnown && isSame(known->channel, channel)) {
             known->gone = false;
-            if (known->channel.device != channel.device) { // it has another number now
+            const bool isNews = known->channel.serial.empty() && !channel.serial.empty();
+            if (isNews || known->channel.device != channel.device) { // it has another number now
+                const std::string serial = channel.serial.empty() ? known->channel.serial : channel.serial;
                 known->channel = channel;
+                known->channel.serial = serial;
                 if (m_writer)
                     addToFile(*known);
             }
             continue;
         }
-        if (known != m_tracked.end())
-            m_tracked.erase(known); // what it had in its unit is forgotten there, too
-        m_tracked.push_back({channel, SampleCursor(channel.telemetry, channel.channel), m_trackedEver++});
+        if (isKnown)
+            m_tracked.erase(known); // what it had in its unit, or of the one before, is forgotten there, too
+        m_tracked.push_back({channel, SampleCursor(channel.telemetry, channel.channel), m_trackedEver++, isKnown});
         if (m_writer)
             addToFile(m_tracked.back());
     }
@@ -206,38 +210,36 @@ void RollingRecorder::writeSamples(Instant horizon)
             earliest->cursor.pop();
         }
         const std::uint64_t lost = gap ? lostBefore(earliest->channel, point.time) : 0;
-        const bool isApart = std::exchange(earliest->isAfterSleep, false) || gap;
-        m_writer->write(earliest->id, unixNanoseconds(point.time, *m_unixOffset), point.value, lost, isApart);
+        const Duration slept = m_sleeps.sleptAt(point.time);
+        const bool isAfterSleep = std::exchange(earliest->slept, slept).value_or(slept) != slept;
+        const bool isApart = std::exchange(earliest->isApart, false) || isAfterSleep || gap;
+        m_writer->write(earliest->id, unixNanoseconds(point.time), point.value, lost, isApart);
         segment.last = std::max(segment.last, point.time);
         ++segment.samples;
     }
 }
 
-Result<void> RollingRecorder::write(Instant now, Duration unixOffset, Duration slept)
+Result<void> RollingRecorder::write(Instant now, Duration unixOffset, const SleepLog &sleeps)
 {
-    followClock(unixOffset, slept);
+    followClock(now, unixOffset, sleeps);
     return writeUntil(now, now - settling);
 }
 
-Result<void> RollingRecorder::writeAll(Instant now, Duration unixOffset, Duration slept)
+Result<void> RollingRecorder::writeAll(Instant now, Duration unixOffset, const SleepLog &sleeps)
 {
-    followClock(unixOffset, slept);
+    followClock(now, unixOffset, sleeps);
     return writeUntil(now, now);
 }
 
-/// Time stamps stand still while the computer sleeps, and the time of day does not.
-void RollingRecorder::followClock(Duration unixOffset, Duration slept)
+void RollingRecorder::followClock(Instant now, Duration unixOffset, const SleepLog &sleeps)
 {
-    if (!m_unixOffset)
-        m_slept = slept;
-    m_unixOffset = m_unixOffset.value_or(unixOffset);
-    if (slept - m_slept < shortestSleep)
-        return;
-    *m_unixOffset += slept - m_slept;
-    m_slept = slept;
-    for (Tracked &tracked : m_tracked)
-        tracked.isAfterSleep = true;
-    (void)endSegment(); // what it could not write is written to the next
+    m_unixOffset = m_unixOffset.value_or(unixOffset - sleeps.sleptAt(now));
+    m_sleeps = sleeps;
+}
+
+std::int64_t RollingRecorder::unixNanoseconds(Instant time) const
+{
+    return (time.time_since_epoch() + *m_unixOffset + m_sleeps.sleptAt(time)).count();
 }
 
 Result<void> RollingRecorder::writeUntil(Instant now, Instant horizon)
@@ -288,8 +290,7 @@ Result<void> RollingRecorder::writeSegment(Instant now, Instant horizon)
         m_aboutChanged = false;
     }
     for (const TimedNote &note : m_newNotes)
-        m_writer->metadata(
-            "note", {{"time", std::to_string(unixNanoseconds(note.time, *m_unixOffset))}, {"text", note.text}});
+        m_writer->metadata("note", {{"time", std::to_string(unixNanoseconds(note.time))}, {"text", note.text}});
     writeSamples(horizon);
     auto flushed = m_writer->flush();
     if (!flushed) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/sleeplog.h"
 #include "recording/export.h"
 #include "recording/mcapwriter.h"
 #include "recording/samplecursor.h"
@@ -30,16 +31,16 @@ public:
     ~RollingRecorder();
 
     /// What there is now. Channels that went away stay in the files that have them, and are let go of once all of theirs is there;
-    /// one in another unit is another channel.
+    /// one in another unit, or of a unit with another serial number, is another channel.
     void follow(const std::vector<ExportChannel> &channels, std::vector<std::pair<std::string, mcap::Map>> about);
     /// Writes what has been recorded since and hands it to the kernel. NotKept with path and cause; nothing is lost as
     /// long as the histories have it: files end with their last whole sample, and the next call goes on behind it, in a new one.
     /// A folder that was taken away, or its disk, is told once, and made anew with what was in it, as far as the histories have that.
     /// Unix time is `unixOffset` of the first call: a clock that is set meanwhile leaves neither gaps nor times that go back.
-    /// What the computer has slept since (Clock::slept()) is added, and a gap in a file of its own.
-    [[nodiscard]] Result<void> write(Instant now, Duration unixOffset, Duration slept = {});
+    /// What the computer has slept since is added to what was recorded after it, behind a gap.
+    [[nodiscard]] Result<void> write(Instant now, Duration unixOffset, const SleepLog &sleeps = {});
     /// The same with what is still settling: samples of several channels may be in another order than their times.
-    [[nodiscard]] Result<void> writeAll(Instant now, Duration unixOffset, Duration slept = {});
+    [[nodiscard]] Result<void> writeAll(Instant now, Duration unixOffset, const SleepLog &sleeps = {});
     /// A note for the file.
     void note(Instant time, const std::string &text);
 
@@ -62,11 +63,12 @@ private:
     struct Tracked {
         ExportChannel channel;
         SampleCursor cursor;
-        std::size_t number = 0;     ///< of all that were ever tracked
-        std::uint16_t id = 0;       ///< in the file that is being written
-        SampleCursor::Place safe{}; ///< everything before it is in a file
-        bool gone = false;          ///< nothing comes any more
-        bool isAfterSleep = false;  ///< what comes next is the first since the computer slept
+        std::size_t number = 0;          ///< of all that were ever tracked
+        bool isApart = false;            ///< what comes next does not connect to what is in the file
+        std::uint16_t id = 0;            ///< in the file that is being written
+        SampleCursor::Place safe{};      ///< everything before it is in a file
+        bool gone = false;               ///< nothing comes any more
+        std::optional<Duration> slept{}; ///< by the time of the sample that was written last
     };
     struct Segment {
         std::string path;
@@ -80,7 +82,8 @@ private:
     [[nodiscard]] Result<void> beginSegment(Instant now);
     [[nodiscard]] Result<void> endSegment();
     [[nodiscard]] Result<void> writeUntil(Instant now, Instant horizon);
-    void followClock(Duration unixOffset, Duration slept);
+    void followClock(Instant now, Duration unixOffset, const SleepLog &sleeps);
+    [[nodiscard]] std::int64_t unixNanoseconds(Instant time) const;
     [[nodiscard]] Result<void> writeSegment(Instant now, Instant horizon);
     void addToFile(Tracked &tracked);
     void settle();
@@ -97,11 +100,11 @@ private:
     std::vector<std::pair<std::string, mcap::Map>> m_about;
     std::vector<TimedNote> m_newNotes;
     std::unique_ptr<McapWriter> m_writer;
-    std::list<Segment> m_segments;  ///< oldest first; the last is being written
-    Segment m_safe;                 ///< of the last: what a full disk cannot take any more
-    std::optional<Error> m_failure; ///< of the last write
-    std::optional<Duration> m_unixOffset;
-    Duration m_slept{};
+    std::list<Segment> m_segments;        ///< oldest first; the last is being written
+    Segment m_safe;                       ///< of the last: what a full disk cannot take any more
+    std::optional<Error> m_failure;       ///< of the last write
+    std::optional<Duration> m_unixOffset; ///< without what the computer has slept
+    SleepLog m_sleeps;
     std::size_t m_number = 0;
     std::size_t m_trackedEver = 0;
     bool m_keeping = false;

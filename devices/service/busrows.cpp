@@ -43,7 +43,6 @@ void BusRows::take(const std::vector<Device *> &found, const Row *serving)
         addMissing();
     }
     markAbsent(serving);
-    markTwins();
     m_isFirstLook = false;
 }
 
@@ -172,21 +171,12 @@ void BusRows::markAbsent(const Row *serving)
         });
 }
 
-std::multiset<std::string> BusRows::serials() const
+bool BusRows::hasTwin(const Row &row) const
 {
-    std::multiset<std::string> units;
-    for (const Row &row : m_rows) {
-        if (row.seen && unitByOf(row.shown.visit.unit) == UnitBy::Serial)
-            units.insert(row.shown.visit.unit);
-    }
-    return units;
-}
-
-void BusRows::markTwins()
-{
-    const auto units = serials();
-    for (Row &row : m_rows)
-        row.twin = row.seen && units.count(row.shown.visit.unit) > 1;
+    const std::string &unit = row.shown.visit.unit;
+    return row.seen && unitByOf(unit) == UnitBy::Serial && std::ranges::any_of(m_rows, [&](const Row &other) {
+        return &other != &row && other.seen && other.shown.visit.unit == unit;
+    });
 }
 
 bool BusRows::hasWaiting() const

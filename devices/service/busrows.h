@@ -20,7 +20,6 @@ public:
         std::optional<Instant> absentAt; ///< since when nobody saw it
         bool gone = false;               ///< long enough to begin again
         bool missing = false;            ///< cut off in the run that is resumed, and not seen since
-        bool twin = false;               ///< another one that is there tells the same serial number
         bool moved = false;              ///< seen under the number that it was given: its first place is another's now
         [[nodiscard]] bool isMissed() const { return missing && shown.state == RowState::Waiting; }
     };
@@ -45,8 +44,8 @@ public:
     [[nodiscard]] Row *find(std::uint32_t id);
     /// Of the other units that are there.
     [[nodiscard]] std::set<int> numbersBeside(const Row &row) const;
-    /// Those that have a serial number and were there at the last look.
-    [[nodiscard]] std::multiset<std::string> serials() const;
+    /// Another one that was here at the last look tells the same serial number.
+    [[nodiscard]] bool hasTwin(const Row &row) const;
 
 private:
     void notice(const Device &device);
@@ -57,7 +56,6 @@ private:
     void addMissing();
     [[nodiscard]] Row *missingOf(const Device &device);
     void markAbsent(const Row *serving);
-    void markTwins();
 
     Session &m_session;
     Link &m_link;

@@ -84,6 +84,7 @@ QueueBus::QueueBus(QueueRun &run, Session &session, Link &link)
     , m_rows(session, link, {run.matter().recipe.family, run.earlier(), run.isOnce(), run.options().onlyChosen},
           run.lastRow())
 {
+    m_run.addPlace(session, link);
 }
 
 QueueBus::~QueueBus() = default;
@@ -124,7 +125,6 @@ Task<void> QueueBus::look()
     auto scanning = m_session.scan(m_link);
     const std::vector<Device *> found = co_await std::move(scanning);
     m_rows.take(found, m_serving);
-    m_run.setPresent(this, m_rows.serials());
     m_run.changed().notify();
     co_return {};
 }
@@ -185,7 +185,7 @@ Task<void> QueueBus::check(Row &row)
 /// What tells two units apart tells them nothing of each other: what one was given would be taken for the other's.
 Result<void> QueueBus::isAlone(const Row &row) const
 {
-    if (!row.twin && !m_run.isElsewhere(this, row.shown.visit.unit))
+    if (!m_rows.hasTwin(row) && !m_run.isElsewhere(m_link, row.shown.visit.unit))
         return {};
     return fail(Fault::Refused, say("two units tell the serial number %1", row.shown.visit.serial),
         say("take one of them off, then test the other again"));
@@ -237,13 +237,13 @@ public:
         m_bus.m_serving = &row;
         m_bus.m_wantsSkip = false;
         m_bus.m_interruption = std::make_unique<tuning::Interruption>();
-        m_bus.m_run.serving(1);
+        m_bus.m_run.begin(m_bus.m_link, row.shown.visit.unit);
     }
     Serving(const Serving &) = delete;
     Serving &operator=(const Serving &) = delete;
     ~Serving()
     {
-        m_bus.m_run.serving(-1);
+        m_bus.m_run.end(m_bus.m_link);
         m_bus.m_serving = nullptr;
         m_bus.m_stream = nullptr;
     }

@@ -81,13 +81,20 @@ bool QueueRun::mayBegin() const
 {
     const bool sharesWayIn = m_matter.recipe.firmware && !m_matter.recipe.firmware->via.empty();
     return !m_isPausing && !m_isFinishing && !(sharesWayIn && isServing())
-        && (!m_options.units || *m_options.units == 0 || m_counts.ended() + m_serving < *m_options.units);
+        && (!m_options.units || *m_options.units == 0
+            || m_counts.ended() + static_cast<int>(m_serving.size()) < *m_options.units);
 }
 
-bool QueueRun::isElsewhere(const void *bus, const std::string &unit) const
+bool QueueRun::isElsewhere(const Link &link, const std::string &unit) const
 {
-    return std::ranges::any_of(
-        m_present, [&](const auto &other) { return other.first != bus && other.second.contains(unit); });
+    const auto isThere = [&](const auto &place) {
+        return place.second != &link && std::ranges::any_of(place.first->devices(), [&](const Device *device) {
+            return &device->link() == place.second && device->liveness().heard && unitKeyOf(*device) == unit;
+        });
+    };
+    const auto isServed = [&](const auto &one) { return one.first != &link && one.second == unit; };
+    return unitByOf(unit) == UnitBy::Serial
+        && (std::ranges::any_of(m_serving, isServed) || std::ranges::any_of(m_places, isThere));
 }
 
 void QueueRun::setTrouble(const Error &error)

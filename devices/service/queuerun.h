@@ -2,6 +2,7 @@
 #pragma once
 
 #include "async/listeners.h"
+#include "model/session.h"
 #include "service/queuerow.h"
 #include "service/unitservice.h"
 
@@ -9,8 +10,8 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace mb::service {
@@ -74,13 +75,15 @@ public:
     [[nodiscard]] bool isPausing() const { return m_isPausing; }
     void finish();
     [[nodiscard]] bool isFinishing() const { return m_isFinishing; }
-    /// Who is on a bus, by its serial number, as its last look found.
-    void setPresent(const void *bus, std::multiset<std::string> units) { m_present[bus] = std::move(units); }
-    [[nodiscard]] bool isElsewhere(const void *bus, const std::string &unit) const;
 
+    /// A bus of the run; both outlive it.
+    void addPlace(Session &session, const Link &link) { m_places.emplace_back(&session, &link); }
+    /// A unit of this serial number is heard, or being served, on another bus of the run.
+    [[nodiscard]] bool isElsewhere(const Link &link, const std::string &unit) const;
     /// A bus has taken a unit in hand, or let go of it.
-    void serving(int by) { m_serving += by; }
-    [[nodiscard]] bool isServing() const { return m_serving > 0; }
+    void begin(const Link &link, const std::string &unit) { m_serving[&link] = unit; }
+    void end(const Link &link) { m_serving.erase(&link); }
+    [[nodiscard]] bool isServing() const { return !m_serving.empty(); }
     [[nodiscard]] bool isComplete() const;
     [[nodiscard]] bool mayBegin() const;
 
@@ -104,9 +107,9 @@ private:
     std::vector<Visit> m_earlier;
     QueueCounts m_counts;
     std::optional<Error> m_trouble;
-    std::map<const void *, std::multiset<std::string>> m_present;
+    std::vector<std::pair<Session *, const Link *>> m_places;
+    std::map<const Link *, std::string> m_serving; ///< unit
     std::uint32_t m_lastRow = 0;
-    int m_serving = 0;
     bool m_isPausing = false;
     bool m_isFinishing = false;
     Listeners<> m_changed;

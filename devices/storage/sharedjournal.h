@@ -41,6 +41,8 @@ private:
     template <class Answer>
     [[nodiscard]] Task<Answer> askServer(std::function<Result<Answer>(const JournalServer &)> what);
     [[nodiscard]] Task<std::optional<int>> recalled(service::NumberWish wish, std::string here);
+    /// When it was last asked for something.
+    [[nodiscard]] bool isSilent() const { return m_trouble.fault == Fault::Timeout && !m_trouble.detail.empty(); }
     [[nodiscard]] std::string hereOf(const std::string &scope) const;
     [[nodiscard]] Result<std::string> tokenFor(const std::string &scope);
 

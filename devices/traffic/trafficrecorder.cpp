@@ -7,7 +7,6 @@ namespace mb {
 namespace {
 
 constexpr Duration tickTime = std::chrono::milliseconds(100);
-constexpr Duration shortestSleep = std::chrono::milliseconds(10); ///< below it two clocks were read one after the other
 
 } // namespace
 
@@ -31,10 +30,9 @@ Result<std::unique_ptr<TrafficRecorder>> TrafficRecorder::start(
 
 TrafficRecorder::TrafficRecorder(Link &link, Clock &clock, Duration unixOffset, std::unique_ptr<BackgroundFile> file)
     : m_clock(clock)
-    , m_slept(clock.slept())
     , m_file(std::move(file))
     , m_writer(formatOfName(m_file->path()))
-    , m_unixOffset(unixOffset)
+    , m_unixOffset(unixOffset - clock.slept())
     , m_linkLostBefore(link.counters().lost)
     , m_since(clock.now())
     , m_tick(clock)
@@ -43,7 +41,6 @@ TrafficRecorder::TrafficRecorder(Link &link, Clock &clock, Duration unixOffset, 
         m_linkLostBefore = std::min(m_linkLostBefore, link.counters().lost);
     }))
     , m_batch(link.batchEnded().add([this, &link] {
-        followSleep();
         m_linkLost += link.counters().lost - m_linkLostBefore;
         m_linkLostBefore = link.counters().lost;
     }))
@@ -64,22 +61,14 @@ void TrafficRecorder::take(const Traffic &traffic)
     if (!traffic.can)
         return;
     ++m_frames;
-    m_frame.time = std::max(traffic.time.time_since_epoch() + m_unixOffset, Duration::zero());
+    m_sleeps.look(m_clock.now(), m_clock.slept());
+    const Duration offset = m_unixOffset + m_sleeps.sleptAt(traffic.time);
+    m_frame.time = std::max(traffic.time.time_since_epoch() + offset, Duration::zero());
     m_frame.frame = *traffic.can;
     m_frame.direction = traffic.direction == Direction::Sent ? LogDirection::Sent : LogDirection::Received;
     m_text.clear();
     m_writer.write(m_frame, m_text);
     append();
-}
-
-/// Time stamps stand still while the computer sleeps, and the time of day does not.
-void TrafficRecorder::followSleep()
-{
-    const Duration slept = m_clock.slept();
-    if (slept - m_slept < shortestSleep)
-        return;
-    m_unixOffset += slept - m_slept;
-    m_slept = slept;
 }
 
 void TrafficRecorder::append()
@@ -91,7 +80,7 @@ void TrafficRecorder::append()
 void TrafficRecorder::tick()
 {
     m_tick.startIn(tickTime, [this] { tick(); });
-    followSleep();
+    m_sleeps.look(m_clock.now(), m_clock.slept());
     m_file->flush();
     const BackgroundFile::Status status = m_file->status();
     const bool news = status.finished || (!m_told && !status.problem.empty());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "async/backgroundfile.h"
+#include "async/sleeplog.h"
 #include "transport/canlink.h"
 #include "wire/framelog.h"
 
@@ -52,13 +53,12 @@ private:
     void take(const Traffic &traffic);
     void append();
     void tick();
-    void followSleep();
 
     Clock &m_clock;
-    Duration m_slept;
+    SleepLog m_sleeps;
     std::shared_ptr<BackgroundFile> m_file;
     FrameLogWriter m_writer;
-    Duration m_unixOffset;
+    Duration m_unixOffset; ///< without what the computer has slept
     std::string m_text;
     LoggedFrame m_frame;
     std::uint64_t m_frames = 0;

@@ -53,6 +53,7 @@ QtClock::QtClock(KernelClocks clocks)
     , m_descriptor(::timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_CLOEXEC))
     , m_notifier(std::make_unique<QSocketNotifier>(m_descriptor, QSocketNotifier::Read))
 {
+    lookForSleep();
     QObject::connect(m_notifier.get(), &QSocketNotifier::activated, m_notifier.get(), [this] { runDue(); });
 }
 
@@ -78,6 +79,19 @@ Duration QtClock::slept() const
     return ahead(m_clocks.awake, m_clocks.always);
 }
 
+SleepLog QtClock::sleeps()
+{
+    lookForSleep();
+    const std::lock_guard lock(m_sleepMutex);
+    return m_sleeps;
+}
+
+void QtClock::lookForSleep()
+{
+    const std::lock_guard lock(m_sleepMutex);
+    m_sleeps.look(now(), slept());
+}
+
 void QtClock::rescheduled()
 {
     if (m_running)
@@ -97,6 +111,7 @@ void QtClock::runDue()
 {
     std::uint64_t expirations = 0;
     [[maybe_unused]] const auto got = ::read(m_descriptor, &expirations, sizeof expirations);
+    lookForSleep();
     m_running = true;
     // Work that arms itself again for now, or lags behind its deadlines, must not starve the descriptors: one pass up
     // to the time it began at, for a short while.

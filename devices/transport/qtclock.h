@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "async/clock.h"
+#include "async/sleeplog.h"
 
 #include <functional>
 #include <memory>
+#include <mutex>
 
 class QSocketNotifier;
 
@@ -29,12 +30,18 @@ public:
     [[nodiscard]] Instant now() const override;
     [[nodiscard]] Duration unixOffset() const override;
     [[nodiscard]] Duration slept() const override;
+    /// When the computer slept, since this clock is there. Any thread.
+    [[nodiscard]] SleepLog sleeps();
 
 private:
     void rescheduled() override;
     void runDue();
 
+    void lookForSleep();
+
     KernelClocks m_clocks;
+    std::mutex m_sleepMutex;
+    SleepLog m_sleeps;
     int m_descriptor = -1;
     bool m_running = false;
     Instant m_programmed{};

@@ -79,6 +79,28 @@ TEST(TrafficRecorder, AddsWhatTheComputerHasSleptToTheTimeOfDay)
     EXPECT_EQ(folder.read("run.log"), "(1700000001.000000) can7 005# T\n(1700007202.000000) can7 005# T\n");
 }
 
+TEST(TrafficRecorder, WhatCameBeforeTheComputerSleptAndIsReadAfterItKeepsItsTime)
+{
+    test::FreezingClock clock;
+    LosingLink link(clock);
+    ASSERT_TRUE(link.open());
+    test::TemporaryFolder folder;
+    {
+        const auto recorder
+            = TrafficRecorder::start(link, clock, std::chrono::seconds(1'700'000'000), folder.path("run.log"));
+        ASSERT_TRUE(recorder);
+        clock.advance(std::chrono::seconds(1));
+        CanFrame frame = standardFrame(5, {});
+        frame.time = clock.now() - std::chrono::milliseconds(1);
+        clock.suspend(std::chrono::hours(2));
+        clock.freeze(std::chrono::milliseconds(10));
+        link.deliver(frame);
+        frame.time = clock.now();
+        link.deliver(frame);
+    } // is written to its end
+    EXPECT_EQ(folder.read("run.log"), "(1700000001.999000) can7 005# R\n(1700007202.010000) can7 005# R\n");
+}
+
 TEST(TrafficRecorder, EndsItsFileOnceHoweverOftenItIsStopped)
 {
     VirtualClock clock;

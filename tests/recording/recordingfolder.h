@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "async/clock.h"
+#include "recording/rollingrecorder.h"
 
 #include <filesystem>
 #include <string>
@@ -27,5 +27,15 @@ struct Folder {
     }
     [[nodiscard]] std::string file(const char *name) const { return (path / name).string(); }
 };
+
+inline RollingRecorder::Options rolling(const Folder &folder, const char *name)
+{
+    RollingRecorder::Options options;
+    options.folder = folder.path.string();
+    options.name = name;
+    options.keep = std::chrono::seconds(10);
+    options.segment = std::chrono::seconds(2);
+    return options;
+}
 
 } // namespace mb::test

@@ -22,16 +22,6 @@ namespace {
 using namespace test;
 namespace fs = std::filesystem;
 
-RollingRecorder::Options rolling(const Folder &folder, const char *name)
-{
-    RollingRecorder::Options options;
-    options.folder = folder.path.string();
-    options.name = name;
-    options.keep = 10s;
-    options.segment = 2s;
-    return options;
-}
-
 /// A device that sends 100 samples a second, and a recorder that looks every half second.
 struct Running {
     std::shared_ptr<Telemetry> recording = telemetry();
@@ -155,27 +145,6 @@ TEST(RollingRecorder, AClockThatIsSetMeanwhileLeavesNoGapAndNoTimeThatGoesBack)
     const auto loaded = loadRecording(folder.file("kept.mcap"));
     ASSERT_TRUE(loaded);
     EXPECT_NEAR(std::chrono::duration<double>((*loaded)->last - (*loaded)->first).count(), 1.99, 0.02);
-}
-
-TEST(RollingRecorder, TheTimeThatTheComputerSleptIsInTheTimesAndAGapInAFileOfItsOwn)
-{
-    const Folder folder;
-    Running bench;
-    RollingRecorder recorder(rolling(folder, "run"));
-    bench.run(recorder, 2);
-    ASSERT_TRUE(
-        recorder.write(bench.now, unixOffset)); // the computer sleeps for an hour, and goes on at the same time stamp
-    bench.now += 10ms;
-    bench.recording->append({velocity, bench.now, 1.0});
-    bench.recording->commit();
-    ASSERT_TRUE(recorder.writeAll(bench.now, unixOffset + 3600s, 3600s));
-    EXPECT_TRUE(fs::exists(folder.path / "run" / "segment-000001.mcap"));
-    ASSERT_TRUE(recorder.writeAll(bench.now, unixOffset + 3600s, 3600s)) << "once";
-    EXPECT_FALSE(fs::exists(folder.path / "run" / "segment-000002.mcap"));
-    ASSERT_TRUE(recorder.save(folder.file("kept.mcap"), {}));
-    const auto loaded = loadRecording(folder.file("kept.mcap"));
-    ASSERT_TRUE(loaded);
-    EXPECT_NEAR(std::chrono::duration<double>((*loaded)->last - (*loaded)->first).count(), 3601.0, 0.2);
 }
 
 TEST(RollingRecorder, ASegmentThatCannotBeReadIsNotLeftOutWithoutAWord)

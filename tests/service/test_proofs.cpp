@@ -156,6 +156,72 @@ TEST_F(ProvedQueues, TwoUnitsOfOneSerialNumberOnTwoBusesGetNoCommonNumber)
     EXPECT_EQ(run.queue.counts().ended(), 2);
 }
 
+const QByteArray storingRecipe
+    = R"({"recipe":1,"name":"p","family":"dmc60c","number":{"first":10},"parameters":{"file":"base.json"}})";
+
+/// Two buses, each with the units that tell 210334000001; A serves another one as well.
+class TwoBuses : public ProvedQueues {
+protected:
+    void begin(std::optional<int> units)
+    {
+        a.emplace(std::vector<std::string>{"dmc60c:5,serial=210334000001", "dmc60c:6,serial=210334000002"});
+        b.emplace(std::vector<std::string>{"dmc60c:7,serial=210334000001"}, "sim:can", &a->clock);
+        a->putOn(0);
+        QueueOptions options;
+        options.units = units;
+        run.emplace(
+            *a, *books, load(*a, storingRecipe, R"({"family":"dmc60c","parameters":{"slot1.d":{"raw":77}}})"), options);
+        run->queue.addBus(*b->session, *b->link);
+    }
+    [[nodiscard]] bool hasEnded(int passed, int refused)
+    {
+        return a->clock.runUntil(
+            [&] { return run->queue.counts().passed == passed && run->queue.counts().refused == refused; }, 2min);
+    }
+    std::optional<UnitRack> a;
+    std::optional<UnitRack> b;
+    std::optional<QueueRun> run;
+};
+
+TEST_F(TwoBuses, OneOfTwoUnitsIsServedAgainOnceItsTwinWasTakenOffTheOtherBus)
+{
+    begin({});
+    ASSERT_TRUE(run->run());
+    ASSERT_EQ(run->queue.counts().refused, 2);
+    b->putOn({});
+    a->clock.advance(1s);
+    const auto rows = run->queue.rows();
+    ASSERT_EQ(rows.size(), 2U);
+    EXPECT_TRUE(run->queue.retry(rows[rows[0].visit.device.ends_with(":5") ? 0 : 1].id));
+    EXPECT_TRUE(hasEnded(1, 1));
+}
+
+TEST_F(TwoBuses, AUnitOfALostLinkIsServedOnTheOther)
+{
+    begin(0);
+    b->putOn({});
+    run->queue.start();
+    ASSERT_TRUE(hasEnded(1, 0));
+    a->link->close();
+    a->clock.advance(1s);
+    b->putOn(0);
+    EXPECT_TRUE(hasEnded(2, 0));
+}
+
+TEST_F(TwoBuses, AUnitThatIsMovedWhileItsBusServesTheNextIsServedOnTheOther)
+{
+    begin(0);
+    a->unit(1).setPowered(true);
+    b->putOn({});
+    run->queue.start();
+    ASSERT_TRUE(hasEnded(1, 0));
+    a->clock.advance(50ms);
+    ASSERT_EQ(run->queue.rows()[1].state, RowState::Running);
+    a->putOn(1);
+    b->putOn(0);
+    EXPECT_TRUE(hasEnded(3, 0));
+}
+
 /// A journal whose disk is full from the n-th write on.
 class FullJournal final : public ServiceJournal {
 public:

@@ -4,6 +4,7 @@
 #include "storage/schema.h"
 #include "storage/serverconnection.h"
 #include "storage/sharedjournal.h"
+#include "support/heldbackground.h"
 #include "support/postgresserver.h"
 
 #include <cstdio>
@@ -330,6 +331,31 @@ TEST_F(StationNumbers, AreTheSameForAUnitThatComesToAnotherStation)
     server.stop();
     EXPECT_EQ(two.serve("a"), first) << "it knows by now";
     EXPECT_EQ(two.serve("c"), 16) << "what it has left";
+}
+
+TEST_F(StationNumbers, ThatLieHereAreGivenAtOnceWhileTheServerIsSilent)
+{
+    test::ServiceBooks books(clock);
+    ServiceBook book(*books.database, clock, "bench 1", "anna");
+    test::HeldBackground background;
+    SharedJournal journal(book, *JournalServer::parse(server.url()), clock, &background);
+    const auto ask = [&](const std::string &unit, bool answers) {
+        auto asking = journal.number({"dmc60c rev C", unit, unit, 10, 63, {}});
+        asking.start();
+        for (int i = 0; answers && i < 3; ++i)
+            background.release();
+        const Instant begun = clock.now();
+        EXPECT_TRUE(clock.runUntil([&] { return asking.isFinished(); }, 1min));
+        const auto given = asking.isFinished() ? asking.result() : Result<std::optional<int>>();
+        return std::pair(given ? given->value_or(-1) : -2, clock.now() - begun);
+    };
+    EXPECT_EQ(ask("a", true).first, 10);
+    const auto opening = test::run(clock, journal.open(Visit())); // is not delivered
+    ASSERT_TRUE(opening);
+    clock.advance(13s);
+    ASSERT_FALSE(journal.trouble().detail.empty());
+    EXPECT_EQ(ask("b", false), std::pair(11, Duration()));
+    EXPECT_EQ(ask("a", false), std::pair(10, Duration())) << "as before";
 }
 
 TEST_F(StationNumbers, AreWaitedForWhileAnotherStationHoldsTheServer)

@@ -140,6 +140,7 @@ private Q_SLOTS:
     void aRestoreDoesNotTurnTheComparisonRound();
     void whatBelongsToOneUnitIsCopiedOnlyIfItIsTickedItself();
     void theTimelineTellsWhoWroteWhatFromWhere();
+    void theTimelineHasNoDayOfWhatWasOnlyStored();
     void anyTwoStatesAreCompared();
     void undoTakesBackAnEditAndElseTheLastWrite();
     void aSnapshotIsTakenByItsKey();
@@ -379,6 +380,28 @@ void TestHistory::theTimelineTellsWhoWroteWhatFromWhere()
     QVERIFY(text.indexOf(QStringLiteral("console, anna")) < text.indexOf(QStringLiteral("as found")));
     QVERIFY(text.contains(QStringLiteral("3 differ")));
     QVERIFY(text.contains(QStringLiteral("like A")));
+}
+
+void TestHistory::theTimelineHasNoDayOfWhatWasOnlyStored()
+{
+    HistoryBench bench;
+    const QString before = bench.timeline();
+    settings::SettingsChange stored;
+    stored.number = 2;
+    stored.time = 86400.0 * 10;
+    stored.person = "anna";
+    stored.purpose = settings::Purpose::Store;
+    SettingsTimeline &kept = bench.workbench.archive.kept[bench.workbench.device(0).unit];
+    kept.changes.push_back(stored);
+    stored.time += 86400.0;
+    stored.purpose = settings::Purpose::Write;
+    stored.values = {{"slot1.p", rawOf("slot1.p", 0), rawOf("slot1.p", 2), settings::Proof::Equal}};
+    kept.changes.push_back(stored);
+    bench.page->showHistory(false);
+    bench.page->showHistory(true);
+    QTRY_VERIFY(bench.timeline() != before);
+    QVERIFY(bench.timeline().contains(dayText(momentOf(stored.time).date())));
+    QVERIFY2(!bench.timeline().contains(dayText(momentOf(86400.0 * 10).date())), qPrintable(bench.timeline()));
 }
 
 void TestHistory::anyTwoStatesAreCompared()

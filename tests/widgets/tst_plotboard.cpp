@@ -22,13 +22,10 @@ private Q_SLOTS:
     void theLevelCanBeDragged();
     void aDerivedSignalIsPlottedLikeAnyOther();
     void aWrongFormulaSaysWhy();
-    void aNumberThatTwoUnitsHaveNamesNeitherInAFormula();
     void referencesStayWhereTheyWereSeen();
     void theSpectrumFindsAWave();
     void oneSignalAgainstAnother();
     void anotherUnitOfAChannelIsFollowed();
-    void aDerivedSignalGoesOnWhereItsDeviceBeginsAnew();
-    void aDerivedSignalStaysWithItsDeviceThoughAnotherLinkHasOneOfTheSameNumber();
     void aCursorReadsTheSampleAndNotWhatAColumnDraws();
     void aCaughtEventStaysWhenAReferenceIsKept();
     void theTriggerStaysOnItsSignalWhateverItIsCalled();
@@ -226,25 +223,6 @@ void TestPlotBoard::aWrongFormulaSaysWhy()
     QCOMPARE(bench.page->traceCount(), std::size_t{4});
 }
 
-void TestPlotBoard::aNumberThatTwoUnitsHaveNamesNeitherInAFormula()
-{
-    PlotBench bench;
-    auto &devices = bench.workbench.shot.devices;
-    const auto wrong = [&](const char *formula) { return bench.board().book().whatIsWrong(s("x"), s(formula)); };
-    devices[0].link = "socketcan:can0";
-    devices[1].link = "socketcan:can1";
-    devices[1].identity.edit().address = 5;
-    bench.workbench.publish();
-    QCOMPARE(wrong("2 * d5_velocity"), s("d5_velocity may be one of dmc60c5_can0_velocity, dmc60c5_can1_velocity"));
-    QCOMPARE(wrong("dmc60c5_can0_velocity - dmc60c5_can1_velocity"), QString());
-    devices[1].family = findFamily(families(), "abstractdc");
-    bench.workbench.publish();
-    QCOMPARE(wrong("2 * d5_velocity"), s("d5_velocity may be one of dmc60c5_velocity, abstractdc5_velocity"));
-    QVERIFY(bench.board().addDerived(s("twice"), {}, s("2 * dmc60c5_velocity")));
-    const SignalBook::Derived &twice = bench.board().book().derived().front();
-    QCOMPARE(twice.inputs.front().device, devices[0].id);
-}
-
 void TestPlotBoard::referencesStayWhereTheyWereSeen()
 {
     PlotBench bench;
@@ -319,57 +297,6 @@ void TestPlotBoard::anotherUnitOfAChannelIsFollowed()
     QVERIFY(bench.trace("#5 current").style.strip != bench.trace("#7 current").style.strip);
     QCOMPARE(unitInList(), s("mA"));
     QVERIFY(before >= 0);
-}
-
-void TestPlotBoard::aDerivedSignalGoesOnWhereItsDeviceBeginsAnew()
-{
-    PlotBench bench;
-    bench.pass(1.0, 60000.0);
-    QVERIFY(bench.board().addDerived(s("twice"), s("counts/s"), s("2 * d5_velocity")));
-    bench.pass(0.5, 60000.0);
-    QTRY_VERIFY(bench.trace("twice").source->telemetry().size({0}) > 100);
-    Recording anew{bench.workbench.time}; // as after a jump in a recording
-    bench.workbench.shot.devices[0].telemetry = anew.telemetry();
-    anew.run(1.0, 60000.0);
-    bench.workbench.publish();
-    bench.pass(0.1, 60000.0);
-    QTRY_COMPARE(bench.trace("twice").source->telemetry().size({0}), std::size_t{100});
-    DeviceView again = bench.workbench.shot.devices[0]; // as after its link was opened again
-    Recording third{bench.workbench.time};
-    again.telemetry = third.telemetry();
-    again.id = {3};
-    bench.workbench.shot.devices.erase(bench.workbench.shot.devices.begin());
-    bench.workbench.publish();
-    third.run(0.5, 60000.0);
-    bench.workbench.shot.devices.push_back(again);
-    bench.workbench.publish();
-    bench.pass(0.1, 60000.0);
-    QTRY_COMPARE(bench.trace("twice").source->telemetry().size({0}), std::size_t{50});
-}
-
-void TestPlotBoard::aDerivedSignalStaysWithItsDeviceThoughAnotherLinkHasOneOfTheSameNumber()
-{
-    PlotBench bench;
-    Recording far{bench.workbench.time};
-    DeviceView twin = tunableDrive(far.telemetry(), 3, 5);
-    twin.selector = "socketcan:can1/dmc60c:5";
-    twin.link = "socketcan:can1";
-    bench.workbench.shot.devices[0].link = "sim:can";
-    bench.workbench.shot.devices.push_back(twin);
-    bench.pass(1.0, 60000.0);
-    QVERIFY(bench.board().addDerived(s("twice"), s("counts/s"), s("2 * dmc60c5_can_velocity")));
-    bench.pass(0.1, 60000.0);
-    const DeviceView own = bench.workbench.shot.devices[0];
-    bench.workbench.shot.devices.erase(bench.workbench.shot.devices.begin()); // its link was closed
-    far.run(1.0, 100.0);
-    bench.workbench.publish();
-    bench.pass(0.1, 60000.0);
-    const SignalBook::Derived &derived = bench.board().book().derived().front();
-    QVERIFY(&derived.signal->input(0) == own.telemetry.get());
-    bench.workbench.shot.devices.push_back(own); // and is open again, behind the other
-    bench.workbench.publish();
-    bench.pass(0.1, 60000.0);
-    QVERIFY(&derived.signal->input(0) == own.telemetry.get());
 }
 
 void TestPlotBoard::aCursorReadsTheSampleAndNotWhatAColumnDraws()

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The live plot of the page Tune: its units are those of the device now, its set-points those of the mode.
+#include "recording/loadrecording.h"
 #include "support/windowtests.h"
 #include "tunebench.h"
 #include "widgets/control/tuneplot.h"
 
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <algorithm>
@@ -49,6 +51,7 @@ class TunePlotTest : public QObject {
 private Q_SLOTS:
     void aUnitThatChangesIsTheUnitThatIsSaid();
     void setPointsOfAnotherModeStayAwayWhenItsMotorIsChosenAgain();
+    void itsTableTellsTheTimeOfDayAndWhatIsMissing();
 };
 
 void TunePlotTest::aUnitThatChangesIsTheUnitThatIsSaid()
@@ -78,6 +81,34 @@ void TunePlotTest::setPointsOfAnotherModeStayAwayWhenItsMotorIsChosenAgain()
     plot.choose(other, Mode::Velocity);
     plot.choose(first, Mode::Position);
     QCOMPARE(pointsOf(traceOf(plot, TraceRole::Setpoint), begun, changed - 0.1), std::size_t{0});
+}
+
+void TunePlotTest::itsTableTellsTheTimeOfDayAndWhatIsMissing()
+{
+    TuneBench bench;
+    bench.workbench.publish();
+    bench.pass(0.5, 5000.0);
+    bench.recording.telemetry()->lost(*bench.recording.telemetry()->find("velocity"), 3);
+    bench.pass(0.5, 5000.0);
+    PlotStack &stack = bench.page->plot().stack();
+    const double end = plotKey(bench.recording.now());
+    stack.view().setRange(end - 0.9, end);
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("seen.csv"));
+    QVERIFY(stack.exporter().exportTo(path));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QStringList lines = QString::fromUtf8(file.readAll()).split(QLatin1Char('\n'));
+    const QString unixTime = QString::number(end - 0.9, 'f', 6);
+    QVERIFY2(lines[0].startsWith(QStringLiteral("# time_s 0 is 1970-01-01T"))
+            && lines[0].endsWith(QStringLiteral("(Unix %1)").arg(unixTime)),
+        qPrintable(lines[0]));
+    QVERIFY2(lines[1].startsWith(QStringLiteral("# loss: Velocity = 3 of ")), qPrintable(lines[1]));
+    QVERIFY2(lines[2].startsWith(QStringLiteral("time_s,Velocity (counts/s)")), qPrintable(lines[2]));
+    QVERIFY2(lines[3].startsWith(QStringLiteral("0.0")), qPrintable(lines[3]));
+    const auto table = loadRecording(path.toStdString());
+    QVERIFY(table);
+    QCOMPARE((*table)->telemetry->gaps({0}, Instant::min(), Instant::max()).size(), std::size_t{1});
 }
 
 MB_WINDOW_TEST(TunePlotTest);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/sleeplog.h"
 #include "model/snapshot.h"
 #include "transport/linkcatalog.h"
 #include "widgets/orders/reply.h"
@@ -62,8 +63,8 @@ public:
     /// The present time on the line of all time stamps, and what to add to get Unix time.
     [[nodiscard]] virtual Instant now() const = 0;
     [[nodiscard]] virtual Duration unixOffset() const = 0;
-    /// Clock::slept().
-    [[nodiscard]] virtual Duration slept() const { return {}; }
+    /// When the computer slept since the program began.
+    [[nodiscard]] virtual SleepLog sleeps() { return {}; }
     [[nodiscard]] virtual const std::vector<LinkListing> &listings() const = 0;
     /// Snapshots and writes of earlier.
     [[nodiscard]] virtual SettingsArchive &settings() = 0;

@@ -109,8 +109,6 @@ void TimelineList::addChange(const Family &family, const settings::SettingsChang
 {
     const QString values
         = messageText(settings::textOf(family, change)).replace(QStringLiteral("->"), QStringLiteral("→"));
-    if (values.isEmpty())
-        return;
     const QString when = clockText(momentOf(change.time));
     const QString who = change.origin == settings::Origin::Elsewhere
         ? originText(change.origin)
@@ -135,8 +133,11 @@ void TimelineList::addChangesSince(
     const Family &family, const SettingsTimeline &timeline, double time, std::size_t &left)
 {
     for (; left > 0 && timeline.changes[left - 1].time >= time; --left) {
-        addDay(momentOf(timeline.changes[left - 1].time).date());
-        addChange(family, timeline.changes[left - 1]);
+        const settings::SettingsChange &change = timeline.changes[left - 1];
+        if (settings::textOf(family, change).empty()) // nothing was taken, or what was there was stored
+            continue;
+        addDay(momentOf(change.time).date());
+        addChange(family, change);
     }
 }
 

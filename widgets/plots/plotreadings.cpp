@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/plotreadings.h"
 
+#include "widgets/common/clocktext.h"
 #include "widgets/common/numberformat.h"
 
 #include <QRegularExpression>
@@ -234,6 +235,25 @@ QString PlotReadings::numbers() const
     return table;
 }
 
+QString PlotReadings::tableHead(double from, double to) const
+{
+    QString head;
+    if (const auto clock = m_strips.clock()) {
+        const double unixTime = *clock + from;
+        head = QStringLiteral("# time_s 0 is %1 (Unix %2)\n")
+                   .arg(momentOf(unixTime).toUTC().toString(Qt::ISODateWithMs), QString::number(unixTime, 'f', 6));
+    }
+    for (const auto &[id, trace] : m_strips.traces()) {
+        const auto found = trace.visible && trace.source ? trace.source->statistics(from, to) : std::nullopt;
+        if (found && found->lost > 0)
+            head += QStringLiteral("# loss: %1 = %2 of %3 lost\n")
+                        .arg(QString(trace.style.name).replace(QLatin1Char('\n'), QLatin1Char(' ')))
+                        .arg(found->lost)
+                        .arg(found->count + found->lost);
+    }
+    return head;
+}
+
 QByteArray PlotReadings::table() const
 {
     struct Column {
@@ -241,6 +261,7 @@ QByteArray PlotReadings::table() const
         std::size_t next = 0;
     };
     const auto [from, to] = m_view.range();
+    const double zero = m_strips.clock() ? from : 0.0;
     QStringList head{QStringLiteral("time_s")};
     std::vector<Column> columns;
     std::map<double, int>
@@ -264,9 +285,9 @@ QByteArray PlotReadings::table() const
     QByteArray content;
     QTextStream out(&content);
     out.setCodec("UTF-8");
-    out << head.join(QLatin1Char(',')) << '\n';
-    const auto writeRow = [&](double key) {
-        out << QString::number(key, 'f', 6);
+    out << tableHead(from, to) << head.join(QLatin1Char(',')) << '\n';
+    const auto writeRow = [&, zero](double key) {
+        out << QString::number(key - zero, 'f', 6);
         for (Column &column : columns) {
             while (column.next < column.points.size() && column.points[column.next].key < key)
                 ++column.next;

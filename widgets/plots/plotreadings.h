@@ -45,10 +45,12 @@ public:
     [[nodiscard]] QString summary() const;
     /// A and B (or both ends of what is seen), difference and statistics of every trace: a table with tabs.
     [[nodiscard]] QString numbers() const;
-    /// Every sample of what is seen, as CSV.
+    /// Every sample of what is seen, as CSV. Where the axis has the time of day, that of `time_s` 0 stands before it, and what is known
+    /// missing of each trace.
     [[nodiscard]] QByteArray table() const;
 
 private:
+    [[nodiscard]] QString tableHead(double from, double to) const;
     void addStatistics(std::vector<PlotCursorRow> &rows, int id) const;
     [[nodiscard]] QString summaryOf(const PlotTrace &trace) const;
     [[nodiscard]] std::pair<double, double> cursorKeys() const;

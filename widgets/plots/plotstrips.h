@@ -80,6 +80,7 @@ public:
     void setValueRange(int strip, std::optional<std::pair<double, double>> range);
     /// Time of day on the axis, given the Unix time of key 0; empty: seconds.
     void setClock(std::optional<double> unixAtZero);
+    [[nodiscard]] std::optional<double> clock() const { return m_unixAtZero; }
     /// "DEMO" behind every strip and in every export.
     void setWatermark(const QString &text);
     [[nodiscard]] QString watermark() const { return m_watermark; }

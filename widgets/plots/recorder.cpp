@@ -57,7 +57,7 @@ Recorder::~Recorder()
         const std::lock_guard lock(m_mutex);
         m_now = m_workbench.now();
         m_unixOffset = m_workbench.unixOffset();
-        m_slept = m_workbench.slept();
+        m_sleeps = m_workbench.sleeps();
         m_end = true;
     }
     m_wake.notify_one();
@@ -82,7 +82,7 @@ void Recorder::follow()
         const std::lock_guard lock(m_mutex);
         m_now = m_workbench.now();
         m_unixOffset = m_workbench.unixOffset();
-        m_slept = m_workbench.slept();
+        m_sleeps = m_workbench.sleeps();
         m_due = true;
         m_orders.push_back([channels = std::move(channels), about = std::move(about)](
                                RollingRecorder &recorder) mutable { recorder.follow(channels, std::move(about)); });
@@ -112,13 +112,13 @@ void Recorder::work()
         const bool due = std::exchange(m_due, false) || end;
         const Instant now = m_now;
         const Duration offset = m_unixOffset;
-        const Duration slept = m_slept;
+        const SleepLog sleeps = m_sleeps;
         lock.unlock();
         for (const auto &order : orders)
             order(recorder);
         const Result<void> written = !due ? Result<void>()
-            : end                         ? recorder.writeAll(now, offset, slept)
-                                          : recorder.write(now, offset, slept);
+            : end                         ? recorder.writeAll(now, offset, sleeps)
+                                          : recorder.write(now, offset, sleeps);
         lock.lock();
         m_state.keeping = recorder.isKeeping();
         m_state.bytes = recorder.bytes();
@@ -194,9 +194,9 @@ void Recorder::save(const QString &path)
         const std::lock_guard lock(m_mutex);
         m_state.saving = true;
     }
-    post([this, path, now = m_workbench.now(), offset = m_workbench.unixOffset(), slept = m_workbench.slept()](
+    post([this, path, now = m_workbench.now(), offset = m_workbench.unixOffset(), sleeps = m_workbench.sleeps()](
              RollingRecorder &recorder) {
-        (void)recorder.writeAll(now, offset, slept); // why it fails save() tells
+        (void)recorder.writeAll(now, offset, sleeps); // why it fails save() tells
         const auto report = saveTo(recorder, path);
         const QString error = report ? QString() : errorText(report.error());
         {

@@ -62,7 +62,7 @@ private:
     State m_state;
     Instant m_now{};
     Duration m_unixOffset{};
-    Duration m_slept{};
+    SleepLog m_sleeps;
     bool m_due = false;
     bool m_end = false;
     QString m_keepFolder;

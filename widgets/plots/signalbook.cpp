@@ -180,13 +180,14 @@ bool SignalBook::compile(Derived &derived) const
     return true;
 }
 
-bool SignalBook::isOfNow(const Derived &derived) const
+/// A unit that got another number is the same, and is found under that from now on.
+bool SignalBook::isOfNow(Derived &derived) const
 {
     for (std::size_t i = 0; derived.signal && i < derived.inputs.size(); ++i) {
         const Signal &input = derived.inputs[i];
-        if (telemetryOf(input).get() != &derived.signal->input(i) || rowOf(input) != derived.rows[i]
-            || addressOf(input) != derived.meanings[i].address)
+        if (telemetryOf(input).get() != &derived.signal->input(i) || rowOf(input) != derived.rows[i])
             return false;
+        derived.meanings[i].address = addressOf(input);
     }
     return derived.signal != nullptr;
 }

@@ -77,7 +77,7 @@ private:
     [[nodiscard]] QString whatIsAmbiguous(const QString &formula) const;
     bool compile(Derived &derived) const;
     [[nodiscard]] std::vector<Meaning> meaningsOf(const Derived &derived) const;
-    [[nodiscard]] bool isOfNow(const Derived &derived) const;
+    [[nodiscard]] bool isOfNow(Derived &derived) const;
 
     Workbench &m_workbench;
     std::deque<Derived> m_derived;
