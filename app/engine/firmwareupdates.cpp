@@ -54,11 +54,14 @@ void FirmwareUpdates::ended(Operations::Job &job, const Result<UpdateReport> &re
 {
     const UpdateReport report = result ? *result : unfinished(job.operation->status().update, result.error());
     const bool good = report.outcome == UpdateOutcome::Done || report.outcome == UpdateOutcome::UpToDate;
+    const Severity severity = !good                                 ? Severity::Danger
+        : report.outcome == UpdateOutcome::Done && !report.verified ? Severity::Caution
+                                                                    : Severity::Good;
     job.update = report;
     const auto devices = m_context.session.devices();
     if (const auto unit = std::ranges::find(devices, job.unit); unit != devices.end()) {
         saveTranscript(job, **unit);
-        m_context.log.tell(good ? Severity::Good : Severity::Danger, **unit, say("firmware: %1", report.summary()));
+        m_context.log.tell(severity, **unit, say("firmware: %1", report.summary()));
         m_scans.scan((*unit)->link());
     }
     if (!result)

@@ -4,6 +4,8 @@
 #include "support/windowtests.h"
 #include "widgets/firmware/firmwarepage.h"
 
+#include <QCheckBox>
+#include <QFile>
 #include <QLabel>
 #include <QPushButton>
 
@@ -20,6 +22,8 @@ private Q_SLOTS:
     void anotherBusMayBeUpdatedMeanwhile();
     void withoutADeviceNothingIsSaidOfAMotor();
     void aCancelledUpdateSaysWhatIsKnownOfTheUnit();
+    void anUpdateThatEndedBeforeItWroteSaysSo();
+    void whatWasWrittenAndNotProvedIsNotCalledVerified();
 };
 
 namespace {
@@ -31,9 +35,11 @@ struct FirmwareBench {
     Selection selection;
     ThemeSource theme{lightTheme()};
     std::unique_ptr<FirmwarePage> page;
+    const Family *of = nullptr;
 
-    explicit FirmwareBench(const std::string &secondLink = "sim:can")
+    explicit FirmwareBench(const std::string &secondLink = "sim:can", const Family *family = &dmc60c())
     {
+        of = family;
         add(1, 5, "sim:can");
         add(2, 7, secondLink);
         selection.select({1});
@@ -45,8 +51,9 @@ struct FirmwareBench {
     void add(std::uint32_t id, int address, const std::string &link)
     {
         DeviceView device = readDrive(id, address);
+        device.family = of;
         device.link = link;
-        device.telemetry = std::make_shared<Telemetry>(dmc60c().channels);
+        device.telemetry = std::make_shared<Telemetry>(of->channels);
         workbench.shot.devices.push_back(device);
         if (!workbench.shot.link(link)) {
             LinkView view;
@@ -55,6 +62,7 @@ struct FirmwareBench {
             workbench.shot.links.push_back(view);
         }
     }
+    [[nodiscard]] DeviceView &device() { return workbench.device(0); }
     void writing(bool mayInterrupt = true)
     {
         OperationView operation;
@@ -177,6 +185,42 @@ void FirmwareTest::aCancelledUpdateSaysWhatIsKnownOfTheUnit()
     operation.update->remedy = say("run the update again");
     bench.workbench.publish();
     QVERIFY(bench.says(QStringLiteral("page 4 is the last that was written")));
+}
+
+/// Before the first page there are others to count: parameters of the backup, seconds until a unit has stored them.
+void FirmwareTest::anUpdateThatEndedBeforeItWroteSaysSo()
+{
+    FirmwareBench bench;
+    bench.writing();
+    OperationView &operation = bench.workbench.shot.operations.front();
+    operation.status.state = OperationStatus::State::Cancelled;
+    operation.status.done = 3;
+    operation.status.total = 20;
+    operation.update = UpdateReport{};
+    operation.update->outcome = UpdateOutcome::Cancelled;
+    bench.workbench.publish();
+    QVERIFY(bench.says(QStringLiteral("nothing was written")));
+    bench.device().identity.edit().state = DeviceState::Bootloader; // for this
+    bench.workbench.publish();
+    QVERIFY(!bench.says(QStringLiteral("nothing was written")));
+}
+
+void FirmwareTest::whatWasWrittenAndNotProvedIsNotCalledVerified()
+{
+    FirmwareBench bench;
+    bench.writing();
+    OperationView &operation = bench.workbench.shot.operations.front();
+    operation.status.state = OperationStatus::State::Done;
+    operation.update = UpdateReport{};
+    operation.update->outcome = UpdateOutcome::Done;
+    operation.update->evidence = say("nothing proves the new firmware");
+    bench.workbench.publish();
+    QVERIFY(!bench.says(QStringLiteral("Verified")));
+    QVERIFY(bench.says(QStringLiteral("Written, not proved: nothing proves the new firmware")));
+    operation.update->verified = true;
+    operation.update->evidence = say("it answers with 1.25");
+    bench.workbench.publish();
+    QVERIFY(bench.says(QStringLiteral("Verified: it answers with 1.25")));
 }
 
 MB_WINDOW_TEST(FirmwareTest);

@@ -55,14 +55,18 @@ QString cancelledText(const UpdateReport &report, const UpdateWords &words, bool
                    : UnitUpdate::tr("Cancelled: nothing was written.");
 }
 
-QString resultOf(const UpdateReport &report, const UpdateWords &words, bool touched)
+/// What came of an update, and how good that is.
+std::pair<QString, Tone> endingOf(const UpdateReport &report, const UpdateWords &words, bool touched)
 {
+    const QString summary = messageText(report.summary());
     switch (report.outcome) {
-    case UpdateOutcome::Done: return UnitUpdate::tr("Verified: %1").arg(messageText(report.summary()));
-    case UpdateOutcome::UpToDate: return UnitUpdate::tr("Not needed: %1").arg(messageText(report.summary()));
-    case UpdateOutcome::Refused: return UnitUpdate::tr("Refused: %1").arg(messageText(report.summary()));
-    case UpdateOutcome::Failed: return UnitUpdate::tr("Failed: %1").arg(messageText(report.summary()));
-    case UpdateOutcome::Cancelled: return cancelledText(report, words, touched);
+    case UpdateOutcome::Done:
+        return report.verified ? std::pair(UnitUpdate::tr("Verified: %1").arg(summary), Tone::Ok)
+                               : std::pair(UnitUpdate::tr("Written, not proved: %1").arg(summary), Tone::Caution);
+    case UpdateOutcome::UpToDate: return {UnitUpdate::tr("Not needed: %1").arg(summary), Tone::Ok};
+    case UpdateOutcome::Refused: return {UnitUpdate::tr("Refused: %1").arg(summary), Tone::Danger};
+    case UpdateOutcome::Failed: return {UnitUpdate::tr("Failed: %1").arg(summary), Tone::Danger};
+    case UpdateOutcome::Cancelled: return {cancelledText(report, words, touched), Tone::Danger};
     }
     return {};
 }
@@ -385,12 +389,12 @@ void UnitUpdate::showEnd(const OperationView &operation)
     const double seconds = std::chrono::duration<double>(status.endedAt - status.startedAt).count();
     const UpdateReport report = operation.update.value_or(UpdateReport{});
     const DeviceView *const unit = m_workbench.snapshot().device(operation.device);
-    const bool touched = report.pages > 0 || status.done > 0 || !unit
+    const bool touched = report.pages > 0 || !unit
         || unit->identity->state == DeviceState::Bootloader; // it may have entered it for this
-    m_step->setText(resultOf(report, wordsFor(&operation), touched));
+    const auto [text, tone] = endingOf(report, wordsFor(&operation), touched);
+    m_step->setText(text);
+    setTone(*m_step, tone);
     m_rate->setText(tr("%1 s, pages sent again: %2").arg(formatNumber(seconds, 1)).arg(report.retries));
-    const bool good = report.outcome == UpdateOutcome::Done || report.outcome == UpdateOutcome::UpToDate;
-    setTone(*m_step, good ? Tone::Ok : Tone::Danger);
     if (report.outcome == UpdateOutcome::Done)
         m_progress->setValue(m_progress->maximum());
 }
