@@ -20,6 +20,7 @@ private Q_SLOTS:
     void whenNothingIsWrittenNothingIsSaidOfACut();
     void aSecondUpdateOnTheBusIsRefusedWithWords();
     void anotherBusMayBeUpdatedMeanwhile();
+    void theButtonOfAnotherBusIsFreeMeanwhile();
     void withoutADeviceNothingIsSaidOfAMotor();
     void aCancelledUpdateSaysWhatIsKnownOfTheUnit();
     void anUpdateThatEndedBeforeItWroteSaysSo();
@@ -185,6 +186,18 @@ void FirmwareTest::aCancelledUpdateSaysWhatIsKnownOfTheUnit()
     operation.update->remedy = say("run the update again");
     bench.workbench.publish();
     QVERIFY(bench.says(QStringLiteral("page 4 is the last that was written")));
+}
+
+void FirmwareTest::theButtonOfAnotherBusIsFreeMeanwhile()
+{
+    FirmwareBench bench("socketcan:can0");
+    QPushButton *start = bench.start();
+    bench.writing();
+    QVERIFY(!start->isEnabled());
+    bench.selection.select({2});
+    QVERIFY(start->isEnabled());
+    start->click();
+    QCOMPARE(bench.workbench.given<orders::UpdateFirmware>().size(), 1U);
 }
 
 /// Before the first page there are others to count: parameters of the backup, seconds until a unit has stored them.

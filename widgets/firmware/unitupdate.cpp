@@ -336,7 +336,7 @@ void UnitUpdate::followChecks(const DeviceView *device, const OperationView *)
 void UnitUpdate::followOrders(const DeviceView *device, const OperationView *operation)
 {
     const bool running = isRunning(operation);
-    m_start->setEnabled(canStart() && !running);
+    m_start->setEnabled(canStart());
     m_start->setToolTip(hindrance());
     m_start->setAccessibleDescription(m_start->toolTip());
     const bool boot = device && device->identity->state == DeviceState::Bootloader;
