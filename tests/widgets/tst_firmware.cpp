@@ -25,6 +25,7 @@ private Q_SLOTS:
     void aCancelledUpdateSaysWhatIsKnownOfTheUnit();
     void anUpdateThatEndedBeforeItWroteSaysSo();
     void whatWasWrittenAndNotProvedIsNotCalledVerified();
+    void anImageThatWasBuiltAnewIsReadAgainBeforeItIsWritten();
 };
 
 namespace {
@@ -234,6 +235,26 @@ void FirmwareTest::whatWasWrittenAndNotProvedIsNotCalledVerified()
     operation.update->evidence = say("it answers with 1.25");
     bench.workbench.publish();
     QVERIFY(bench.says(QStringLiteral("Verified: it answers with 1.25")));
+}
+
+void FirmwareTest::anImageThatWasBuiltAnewIsReadAgainBeforeItIsWritten()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("built.hex"));
+    QVERIFY(QFile::copy(imageFile, path));
+    QVERIFY(QFile::setPermissions(path, QFile::ReadOwner | QFile::WriteOwner));
+    FirmwareBench bench;
+    bench.page->loadImage(path);
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::Append));
+    file.write("\n");
+    file.close();
+    bench.page->startUpdate();
+    QVERIFY(bench.workbench.given<orders::UpdateFirmware>().empty());
+    QVERIFY(!bench.workbench.lines.empty());
+    QVERIFY(bench.workbench.lines.back().text.contains(QStringLiteral("built.hex has changed")));
+    bench.page->startUpdate();
+    QCOMPARE(bench.workbench.given<orders::UpdateFirmware>().size(), 1U);
 }
 
 MB_WINDOW_TEST(FirmwareTest);

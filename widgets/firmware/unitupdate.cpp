@@ -271,6 +271,12 @@ void UnitUpdate::start()
         inspectImage();
     if (!canStart())
         return;
+    if (m_image.isReplaced()) { // nobody has looked at what would be written
+        loadImage(m_image.path());
+        m_workbench.report(Severity::Caution, {},
+            tr("%1 has changed since it was opened and is read again; start the update once more").arg(m_image.name()));
+        return;
+    }
     m_workbench.send(orders::UpdateFirmware{m_selection.device(), m_image.image(), m_route->options()});
 }
 
