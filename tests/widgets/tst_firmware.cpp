@@ -26,6 +26,7 @@ private Q_SLOTS:
     void anUpdateThatEndedBeforeItWroteSaysSo();
     void whatWasWrittenAndNotProvedIsNotCalledVerified();
     void anImageThatWasBuiltAnewIsReadAgainBeforeItIsWritten();
+    void erasingIsChosenForOneUpdateOfOneUnit();
 };
 
 namespace {
@@ -255,6 +256,28 @@ void FirmwareTest::anImageThatWasBuiltAnewIsReadAgainBeforeItIsWritten()
     QVERIFY(bench.workbench.lines.back().text.contains(QStringLiteral("built.hex has changed")));
     bench.page->startUpdate();
     QCOMPARE(bench.workbench.given<orders::UpdateFirmware>().size(), 1U);
+}
+
+void FirmwareTest::erasingIsChosenForOneUpdateOfOneUnit()
+{
+    FirmwareBench bench("socketcan:can0", findFamily(families(), "abstractdc"));
+    auto *erase = bench.page->findChild<QCheckBox *>(QStringLiteral("eraseSettings"));
+    QVERIFY(erase && erase->isVisible());
+    erase->setChecked(true);
+    bench.selection.select({2});
+    QVERIFY(!erase->isChecked());
+    const QTemporaryDir folder;
+    QFile file(folder.filePath(QStringLiteral("drive.hex")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(":020000040800F2\n:0C0000000050002009000008FEE700BFCF\n:00000001FF\n");
+    file.close();
+    bench.page->loadImage(file.fileName());
+    erase->setChecked(true);
+    bench.page->startUpdate();
+    const auto sent = bench.workbench.given<orders::UpdateFirmware>();
+    QCOMPARE(sent.size(), 1U);
+    QVERIFY(sent.front().options.eraseSettings);
+    QVERIFY(!erase->isChecked());
 }
 
 MB_WINDOW_TEST(FirmwareTest);

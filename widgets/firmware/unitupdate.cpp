@@ -203,6 +203,8 @@ void UnitUpdate::loadImage(const QString &path)
 void UnitUpdate::inspectImage()
 {
     const DeviceView *device = m_workbench.snapshot().device(m_selection.device());
+    if (m_inspectedFor != m_selection.device())
+        m_route->keepSettings();
     m_inspectedFor = m_selection.device();
     m_image.check(device ? device->family : nullptr);
     m_imageName->setText(m_image.name());
@@ -278,6 +280,7 @@ void UnitUpdate::start()
         return;
     }
     m_workbench.send(orders::UpdateFirmware{m_selection.device(), m_image.image(), m_route->options()});
+    m_route->keepSettings();
 }
 
 void UnitUpdate::showEvent(QShowEvent *event)
