@@ -3,18 +3,13 @@
 
 #include "async/background.h"
 #include "model/family.h"
+#include "service/busydevice.h"
+
+#include <algorithm>
 
 namespace mb {
 namespace {
 constexpr Duration transcriptLimit = std::chrono::seconds(30);
-
-/// One story after another, which may fail.
-template <class T> Task<T> after(Task<void> first, Task<T> then)
-{
-    (void)co_await std::move(first).attempt();
-    co_return co_await std::move(then).attempt();
-}
-
 } // namespace
 
 FirmwareUpdates::FirmwareUpdates(const EngineContext &context, const ParameterJobs &parameters, Scans &scans)
@@ -37,26 +32,37 @@ void FirmwareUpdates::carryOut(const orders::UpdateFirmware &order, const Finish
             say("one update a bus: %1 is being written; nothing was sent", m_context.log.labelOf(*other))));
     m_context.operations.begin<UpdateReport>(
         order.device, {say("Update firmware"), OperationKind::UpdateFirmware},
-        [this, image = order.image, options = order.options](Device &unit, Progress &progress) {
-            unit.gate().setBusy(say("firmware update"));
-            return after<UpdateReport>(m_parameters.keepBefore(unit, settings::Occasion::Update, progress),
-                unit.family().update(unit, *image, options, progress));
-        },
-        [this, image = order.image, finished](
-            Operations::Job &job, const Result<UpdateReport> &report) { ended(job, report, finished); },
+        [this, image = order.image, options = order.options](
+            Device &unit, Progress &progress) { return update(unit, image, options, progress); },
+        [this, finished](Operations::Job &job, const Result<UpdateReport> &report) { ended(job, report, finished); },
         refused);
 }
 
+Task<UpdateReport> FirmwareUpdates::update(
+    Device &device, std::shared_ptr<const FirmwareImage> image, UpdateOptions options, Progress &progress)
+{
+    m_scans.forget(device.link());
+    const service::BusyDevice busy(device, say("firmware update"));
+    auto keeping = m_parameters.keepBefore(device, settings::Occasion::Update, progress);
+    (void)co_await std::move(keeping).attempt();
+    auto updating = device.family().update(device, *image, std::move(options), progress);
+    co_return co_await std::move(updating).attempt();
+}
+
+/// The unit may have another id by now: another one took its place.
 void FirmwareUpdates::ended(Operations::Job &job, const Result<UpdateReport> &result, const Finished &finished)
 {
     const UpdateReport report = result ? *result : unfinished(job.operation->status().update, result.error());
     const bool good = report.outcome == UpdateOutcome::Done || report.outcome == UpdateOutcome::UpToDate;
+    const Severity severity = !good                                 ? Severity::Danger
+        : report.outcome == UpdateOutcome::Done && !report.verified ? Severity::Caution
+                                                                    : Severity::Good;
     job.update = report;
-    if (Device *device = m_context.session.find(job.device)) {
-        device->gate().setBusy({});
-        saveTranscript(job, *device);
-        m_context.log.tell(good ? Severity::Good : Severity::Danger, *device, say("firmware: %1", report.summary()));
-        m_scans.scan(device->link());
+    const auto devices = m_context.session.devices();
+    if (const auto unit = std::ranges::find(devices, job.unit); unit != devices.end()) {
+        saveTranscript(job, **unit);
+        m_context.log.tell(severity, **unit, say("firmware: %1", report.summary()));
+        m_scans.scan((*unit)->link());
     }
     if (!result)
         finished(fail(result.error()));

@@ -20,6 +20,8 @@ public:
     void carryOut(const orders::UpdateFirmware &order, const Finished &finished);
 
 private:
+    [[nodiscard]] Task<UpdateReport> update(
+        Device &device, std::shared_ptr<const FirmwareImage> image, UpdateOptions options, Progress &progress);
     void ended(Operations::Job &job, const Result<UpdateReport> &report, const Finished &finished);
     [[nodiscard]] const Device *updatedBeside(const Device &device) const;
     void saveTranscript(const Operations::Job &job, const Device &device);

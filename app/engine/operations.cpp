@@ -123,10 +123,11 @@ bool Operations::hasOn(const Link &link) const
 
 bool Operations::isUpdatedOn(const Link &link) const
 {
-    return std::ranges::any_of(m_jobs, [this, &link](const Job &job) {
-        const Device *const device = m_session.find(job.device);
-        return isRunning(job) && job.operation->status().kind == OperationKind::UpdateFirmware && device
-            && &device->link() == &link;
+    const auto devices = m_session.devices();
+    return std::ranges::any_of(m_jobs, [&](const Job &job) {
+        const auto unit = std::ranges::find(devices, job.unit);
+        return isRunning(job) && job.operation->status().kind == OperationKind::UpdateFirmware && unit != devices.end()
+            && &(*unit)->link() == &link;
     });
 }
 

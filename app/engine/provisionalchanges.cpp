@@ -90,7 +90,13 @@ void ProvisionalChanges::take(DeviceId id, const std::vector<SettingsChange> &op
     tick();
 }
 
-/// What is due is offered until it went back: a busy device, or a lost link, is no reason to forget it.
+/// A device that a job has, or of which nobody knows which unit it is, is looked at again: what is due goes back by itself.
+bool ProvisionalChanges::mayPutBack(DeviceId device) const
+{
+    return !m_context.operations.has(device) && m_context.operations.checkRecognised(device);
+}
+
+/// What is due is offered until it went back: a lost link is no reason to forget it.
 void ProvisionalChanges::tick()
 {
     const Instant now = m_context.clock.now();
@@ -103,7 +109,7 @@ void ProvisionalChanges::tick()
         if (!device || !entry.confirmation)
             continue;
         counts = true;
-        if (entry.confirmation->look(*device, now) != Confirmation::State::Due)
+        if (entry.confirmation->look(*device, now) != Confirmation::State::Due || !mayPutBack(entry.device))
             continue;
         entry.confirmation.reset();
         due.emplace_back(entry.device, entry.change.number);

@@ -35,6 +35,7 @@ private:
     };
     void take(DeviceId id, const std::vector<settings::SettingsChange> &open, bool counting);
     void tick();
+    [[nodiscard]] bool mayPutBack(DeviceId device) const;
     [[nodiscard]] Entry *find(DeviceId id, std::int64_t change);
 
     EngineContext m_context;

@@ -30,10 +30,16 @@ Link *Scans::linkUnder(const std::string &address) const
     return parsed ? m_context.session.linkBook().find(*parsed) : nullptr;
 }
 
+/// A question would reach a unit between two pages of its firmware.
+bool Scans::isTaken(const Link &link) const
+{
+    return m_context.operations.isUpdatedOn(link) || m_context.operations.isLent(link);
+}
+
 void Scans::scan(Link &link, ScanExtent extent)
 {
     Round &round = m_rounds[&link];
-    if (round.running || link.state() != LinkState::Open)
+    if (round.running || link.state() != LinkState::Open || isTaken(link))
         return;
     round.running = true;
     m_last = m_context.clock.now();
@@ -132,6 +138,9 @@ void Scans::carryOut(const orders::ScanEverything &order, const Finished &finish
     Link *const link = linkUnder(order.link);
     if (!link)
         return finished(fail(Fault::LinkLost, say("the link is not open")));
+    if (isTaken(*link))
+        return finished(fail(Fault::Unsafe, say("firmware is written here, or units are served; nothing was searched"),
+            say("wait until it is done")));
     end(m_rounds[link]);
     scan(*link, ScanExtent::Everything);
     finished({});

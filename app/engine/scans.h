@@ -16,6 +16,7 @@ public:
     /// Ends all scans; what they have found stays.
     ~Scans();
 
+    /// Nothing where firmware is written to a unit, or units are served.
     void scan(Link &link, ScanExtent extent = ScanExtent::Quick);
     /// Once a second: every open CAN link, when the last look is some time ago and nothing runs or moves.
     void look();
@@ -41,6 +42,7 @@ private:
     static void end(Round &round);
     void probeSilent(Link &link);
     [[nodiscard]] bool isQuiet() const;
+    [[nodiscard]] bool isTaken(const Link &link) const;
     [[nodiscard]] Link *linkUnder(const std::string &address) const;
 
     EngineContext m_context;

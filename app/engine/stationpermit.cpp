@@ -4,10 +4,14 @@
 #include "model/device.h"
 #include "model/session.h"
 
+#include <algorithm>
+
 namespace mb {
 namespace {
 
 constexpr Duration armedAgain = std::chrono::milliseconds(100);
+constexpr Duration awakeEvery = std::chrono::seconds(1);
+constexpr Duration asleep = std::chrono::milliseconds(20); ///< less is two clocks that are not read at one instant
 
 /// One more, as long as it lives.
 class Counted {
@@ -38,6 +42,7 @@ void StationPermit::arm(bool on)
     m_armings += on && !m_isArmed;
     m_isArmed = on;
     m_isPermitted = on;
+    m_slept = m_clock.slept();
     restart();
     m_changed.notify();
 }
@@ -52,10 +57,18 @@ void StationPermit::disarmNext()
 void StationPermit::restart()
 {
     m_end = m_clock.now() + armedTime;
-    if (m_isArmed)
-        m_until.start(m_end, [this] { arm(false); });
-    else
+    look();
+}
+
+/// Whoever armed it has left when the computer has slept.
+void StationPermit::look()
+{
+    if (!m_isArmed)
         m_until.stop();
+    else if (m_clock.now() >= m_end || m_clock.slept() - m_slept > asleep)
+        arm(false);
+    else
+        m_until.start(std::min(m_end, m_clock.now() + awakeEvery), [this] { look(); });
 }
 
 /// Three seconds in which everybody is told, and somebody can still say no: then it waits again, and tells it anew.

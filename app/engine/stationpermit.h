@@ -8,8 +8,8 @@
 
 namespace mb {
 
-/// Who may let the motors of self-tests turn: whoever has armed the station, until it is disarmed or five minutes pass without a
-/// unit. Each motion is announced for three seconds, in which somebody can still say no. Engine thread.
+/// Who may let the motors of self-tests turn: whoever has armed the station, until it is disarmed, five minutes pass without a
+/// unit or the computer sleeps. Each motion is announced for three seconds, in which somebody can still say no. Engine thread.
 class StationPermit final : public service::MotionPermit {
 public:
     explicit StationPermit(Clock &clock);
@@ -44,6 +44,7 @@ public:
     static constexpr Duration armedTime = std::chrono::minutes(5);
 
 private:
+    void look();
     [[nodiscard]] Task<void> untilArmed(const Device &device, Progress &progress);
 
     Clock &m_clock;
@@ -51,6 +52,7 @@ private:
     bool m_isPermitted = false;
     int m_armings = 0;
     Instant m_end{};
+    Duration m_slept{}; ///< Clock::slept() when it was armed
     int m_announcing = 0;
     int m_waiting = 0;
     bool m_isLeaving = false;

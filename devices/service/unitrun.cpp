@@ -207,15 +207,17 @@ Task<Message> UnitRun::update()
     if (!report.from.empty() || m_visit.from.empty())
         m_visit.from = m_visit.from.empty() ? report.from : m_visit.from;
     m_visit.to = report.to;
+    m_visit.unproved = report.outcome == UpdateOutcome::Done && !report.verified;
     m_visit.evidence = report.summary();
     if (report.outcome == UpdateOutcome::Cancelled)
         co_return fail(Fault::Cancelled, report.evidence);
     if (report.outcome == UpdateOutcome::Done || report.outcome == UpdateOutcome::UpToDate) {
         auto meeting = meet(); // its restart was our own: no reason to stop the motor later
         co_await std::move(meeting);
-        co_return report.outcome == UpdateOutcome::UpToDate
-            ? say("already %1", report.to)
-            : say("%1 pages, %2 sent again", report.pages, report.retries);
+        if (report.outcome == UpdateOutcome::UpToDate)
+            co_return say("already %1", report.to);
+        const Message written = say("%1 pages, %2 sent again", report.pages, report.retries);
+        co_return m_visit.unproved ? joined(written, report.evidence) : written;
     }
     co_return fail(report.fault.value_or(Fault::Refused), report.evidence, report.remedy);
 }

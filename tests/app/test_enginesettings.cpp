@@ -199,6 +199,28 @@ TEST_F(SettingsCore, AWiderLimitGoesBackAfterThirtySecondsUnlessSomebodyKeepsIt)
     EXPECT_EQ(known("current_limit.peak"), old * 2);
 }
 
+TEST_F(SettingsCore, AWiderLimitGoesBackOnceTheDeviceIsFreeWhereAJobHasItWhenTheTimeIsOver)
+{
+    clock.advance(3s);
+    const std::int64_t old = known("current_limit.peak").value_or(0);
+    ASSERT_TRUE(write({change("current_limit.peak", old * 2)}));
+    clock.advance(29s);
+    ASSERT_EQ(core.snapshot().unconfirmed.size(), 1U);
+    bool reads = true;
+    std::function<void()> read = [&] {
+        if (reads)
+            core.send(orders::ReadParameters{id()}, [&](const Result<void> &) { read(); });
+    };
+    read();
+    clock.advance(3s);
+    ASSERT_EQ(core.snapshot().unconfirmed.size(), 1U);
+    EXPECT_EQ(core.snapshot().unconfirmed.front().state, UnconfirmedView::State::AwaitsStandstill);
+    reads = false;
+    clock.advance(3s);
+    EXPECT_EQ(known("current_limit.peak"), old);
+    EXPECT_TRUE(core.snapshot().unconfirmed.empty());
+}
+
 TEST_F(SettingsCore, ATighterLimitIsNobodysQuestion)
 {
     clock.advance(3s);

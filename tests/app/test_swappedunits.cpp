@@ -2,6 +2,7 @@
 // Another unit takes the place of one under the same number: nothing that was meant for the former reaches it. Virtual time.
 #include "app/engine/enginecore.h"
 #include "async/virtualclock.h"
+#include "firmware/firmwareimage.h"
 #include "heard.h"
 #include "model/registry.h"
 #include "model/unit.h"
@@ -9,9 +10,11 @@
 #include "storage/settingsbook.h"
 #include "support/coreapplication.h"
 #include "support/fakejournal.h"
+#include "support/sourcetree.h"
 
 #include <gtest/gtest.h>
 
+#include <QFile>
 #include <QTemporaryDir>
 
 #include <algorithm>
@@ -196,6 +199,52 @@ TEST_F(SwappedUnits, GainsAreOwedToTheUnitThatAnExperimentChangedAndToNoOther)
     EXPECT_FALSE(journal.owed.empty()) << "it is owed still";
     swap(1, 0);
     ASSERT_TRUE(clock.runUntil([&] { return core->owedGains().count(first) == 1; }, 20s)) << "it is back";
+}
+
+class SwappedOnUpdate : public SwappedUnits {
+protected:
+    SwappedOnUpdate()
+    {
+        QFile file(QString::fromStdString(inSourceTree("resources/firmware/dmc60c-demo.hex")));
+        EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+        auto image = FirmwareImage::fromIntelHex(file.readAll().toStdString());
+        EXPECT_TRUE(image);
+        core->send(orders::UpdateFirmware{id(), std::make_shared<FirmwareImage>(*image), {}}, ended.finished());
+        EXPECT_TRUE(clock.runUntil([this] { return status().update.pages == 5; }, 60s));
+    }
+    [[nodiscard]] OperationStatus status() { return core->snapshot().operations.back().status; }
+    [[nodiscard]] bool isScanned() { return core->snapshot().links.front().scanning; }
+    void end()
+    {
+        ASSERT_TRUE(clock.runUntil([&] { return ended.has_value(); }, 5min));
+    }
+
+    test::Heard<> ended;
+};
+
+TEST_F(SwappedOnUpdate, ASearchByHandLeavesTheBusOfAnUpdateAloneWhichEndsAsIfNobodyHadAskedForIt)
+{
+    EXPECT_TRUE(ordered(orders::ScanLinks{}));
+    EXPECT_FALSE(isScanned());
+    const Result<void> everything = ordered(orders::ScanEverything{"sim:can"});
+    ASSERT_FALSE(everything);
+    EXPECT_EQ(everything.error().fault, Fault::Unsafe);
+    end();
+    EXPECT_TRUE(*ended);
+    EXPECT_EQ(status().update.retries, 0);
+    EXPECT_TRUE(ordered(orders::ScanLinks{}));
+    EXPECT_TRUE(isScanned()) << "afterwards it may";
+}
+
+TEST_F(SwappedOnUpdate, TheUnitThatTookThePlaceDuringAnUpdateIsFreeWhenItHasEnded)
+{
+    swap(0, 1);
+    core->send(orders::ScanLinks{});
+    end();
+    EXPECT_FALSE(*ended);
+    EXPECT_TRUE(device()->gate().busy().empty()) << device()->gate().busy().english();
+    meet(right);
+    EXPECT_TRUE(ordered(orders::ReadParameters{id()}));
 }
 
 class SwappedOnTrial : public SwappedUnits, public testing::WithParamInterface<int> {

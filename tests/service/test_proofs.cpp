@@ -11,8 +11,20 @@ using test::QueueRun;
 using test::ServiceBooks;
 using test::UnitRack;
 
+/// Every page was taken, and the version is that of before.
+Task<UpdateReport> writtenBlind(Device &, const FirmwareImage &, UpdateOptions, Progress &)
+{
+    UpdateReport report;
+    report.outcome = UpdateOutcome::Done;
+    report.from = report.to = "1.3";
+    report.pages = 4;
+    report.evidence = say("nothing proves the new firmware");
+    co_return report;
+}
+
 constexpr Family storingFamily = [] {
     Family family = test::looseFamily;
+    family.update = &writtenBlind;
     family.capabilities.storesAfter = 15s;
     return family;
 }();
@@ -62,6 +74,28 @@ TEST(Proofs, AUnitWhoseFlashIsNotProvedHasFailedAndSaysHowItCanBe)
     const Visit passed = serve();
     EXPECT_EQ(passed.outcome, Outcome::Passed) << told(passed);
     EXPECT_NE(passed.evidence.english().find("nothing had to be stored"), std::string::npos) << told(passed);
+}
+
+TEST(Proofs, AUnitThatWasWrittenWithoutProofSaysSo)
+{
+    VirtualClock clock;
+    test::LoggedLink link{clock, {Outlet::Form::CanSocket, 7}};
+    ASSERT_TRUE(link.open());
+    UnprovedUnit unit(link, clock);
+    unit.isStored = true;
+    SetPointStream stream(unit, clock);
+    ServiceBooks books(clock);
+    RecipeMatter matter;
+    matter.recipe.firmware = FirmwareRule{"new.hex", {}};
+    NoProgress unseen;
+    const ServiceSurroundings around{matter, *books.journal, nullptr, {}, nullptr, {}, {}};
+    const Visit opened = *test::run(clock, books.journal->open({}));
+    const Visit passed = *test::run(clock, serveUnit(unit, stream, opened, around, unseen));
+    EXPECT_EQ(passed.outcome, Outcome::Passed) << told(passed);
+    EXPECT_TRUE(passed.unproved);
+    EXPECT_NE(
+        passed.evidence.english().find("4 pages, 0 sent again; nothing proves the new firmware"), std::string::npos)
+        << told(passed);
 }
 
 class ProvedQueues : public ServiceQueues {

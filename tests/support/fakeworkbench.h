@@ -39,6 +39,7 @@ public:
     std::map<DeviceId, std::vector<tuning::OwedGains>> owed;
     Snapshot shot;
     Instant time{std::chrono::seconds(1000)};
+    Duration asleep{}; ///< of the computer, up to now
     std::vector<LinkListing> links;
     std::vector<Notice> lines;
 
@@ -71,6 +72,7 @@ public:
     const Snapshot &snapshot() const override { return shot; }
     Instant now() const override { return time; }
     Duration unixOffset() const override { return {}; }
+    Duration slept() const override { return asleep; }
     const std::vector<LinkListing> &listings() const override { return links; }
     SettingsArchive &settings() override { return archive; }
     TrialNotebook &trials() override { return book; }

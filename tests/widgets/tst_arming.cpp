@@ -32,6 +32,7 @@ private Q_SLOTS:
     void theBatteryIsWhatThePageSaysWhenItIsRun();
     void silenceAndARestartEndAnArming_data();
     void silenceAndARestartEndAnArming();
+    void aComputerThatSleptIsArmedAnew();
     void anUnknownPositionIsNoPlaceToStartFrom();
 
 private:
@@ -269,6 +270,21 @@ void TestArming::silenceAndARestartEndAnArming()
     QVERIFY(!m_bench->arming.reason().isEmpty());
     m_bench->arming.arm({1});
     QVERIFY2(m_bench->arming.state() == LampState::Stopped, "as long as that is so");
+}
+
+void TestArming::aComputerThatSleptIsArmedAnew()
+{
+    FakeWorkbench &workbench = m_bench->workbench;
+    workbench.asleep += std::chrono::milliseconds(5); // two clocks are not read at one instant
+    workbench.publish();
+    QVERIFY(m_bench->arming.isArmed({1}));
+    workbench.asleep += std::chrono::hours(2);
+    workbench.publish();
+    QCOMPARE(m_bench->arming.state(), LampState::Stopped);
+    QCOMPARE(m_bench->arming.reason(), s("the computer slept"));
+    m_bench->arm();
+    workbench.publish();
+    QVERIFY(m_bench->arming.isArmed({1}));
 }
 
 void TestArming::anUnknownPositionIsNoPlaceToStartFrom()

@@ -21,6 +21,7 @@ class TestEnvelopes : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void whatWasEnteredIsThereAtTheNextStart();
+    void twoWindowsKeepWhatEachHasEntered();
     void namedLimitsAreChosenAgain();
     void limitsGoAlongWhenAUnitTellsItsSerialNumber();
     void anotherFileIsSaidAndLeftAlone();
@@ -72,6 +73,24 @@ void TestEnvelopes::whatWasEnteredIsThereAtTheNextStart()
     QCOMPARE(read.speed, std::optional(70'000.0));
     QCOMPARE(read.duty, std::optional(0.4));
     QVERIFY(!read.travel && !read.current);
+}
+
+void TestEnvelopes::twoWindowsKeepWhatEachHasEntered()
+{
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(s("limits.json"));
+    EnvelopeBook one;
+    EnvelopeBook other;
+    QVERIFY(one.open(file) && other.open(file));
+    QVERIFY(one.enter("x", {500.0, {}, {}, {}}).has_value());
+    QVERIFY(one.keep("x", s("narrow"), {100.0, {}, {}, {}}).has_value());
+    QVERIFY(other.enter("y", {{}, 70'000.0, {}, {}}).has_value());
+    QVERIFY(one.forget("x", s("narrow")).has_value());
+    EnvelopeBook again;
+    QVERIFY(again.open(file));
+    QCOMPARE(again.entered("x").travel, std::optional(500.0));
+    QVERIFY(again.names("x").isEmpty());
+    QCOMPARE(again.entered("y").speed, std::optional(70'000.0));
 }
 
 void TestEnvelopes::namedLimitsAreChosenAgain()

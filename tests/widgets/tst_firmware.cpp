@@ -5,6 +5,8 @@
 #include "widgets/firmware/firmwarepage.h"
 #include "widgets/firmware/pagemap.h"
 
+#include <QCheckBox>
+#include <QFile>
 #include <QLabel>
 #include <QPushButton>
 
@@ -19,10 +21,15 @@ private Q_SLOTS:
     void whenNothingIsWrittenNothingIsSaidOfACut();
     void aSecondUpdateOnTheBusIsRefusedWithWords();
     void anotherBusMayBeUpdatedMeanwhile();
+    void theButtonOfAnotherBusIsFreeMeanwhile();
     void withoutADeviceNothingIsSaidOfAMotor();
     void aCancelledUpdateSaysWhatIsKnownOfTheUnit();
     void aUnitThatHasTheVersionOfTheImageIsNotSaidToChange();
     void theCriticalPageIsOutlinedUntilItIsWritten();
+    void anUpdateThatEndedBeforeItWroteSaysSo();
+    void whatWasWrittenAndNotProvedIsNotCalledVerified();
+    void anImageThatWasBuiltAnewIsReadAgainBeforeItIsWritten();
+    void erasingIsChosenForOneUpdateOfOneUnit();
 };
 
 namespace {
@@ -34,9 +41,11 @@ struct FirmwareBench {
     Selection selection;
     ThemeSource theme{lightTheme()};
     std::unique_ptr<FirmwarePage> page;
+    const Family *of = nullptr;
 
-    explicit FirmwareBench(const std::string &secondLink = "sim:can")
+    explicit FirmwareBench(const std::string &secondLink = "sim:can", const Family *family = &dmc60c())
     {
+        of = family;
         add(1, 5, "sim:can");
         add(2, 7, secondLink);
         selection.select({1});
@@ -48,8 +57,9 @@ struct FirmwareBench {
     void add(std::uint32_t id, int address, const std::string &link)
     {
         DeviceView device = readDrive(id, address);
+        device.family = of;
         device.link = link;
-        device.telemetry = std::make_shared<Telemetry>(dmc60c().channels);
+        device.telemetry = std::make_shared<Telemetry>(of->channels);
         workbench.shot.devices.push_back(device);
         if (!workbench.shot.link(link)) {
             LinkView view;
@@ -58,6 +68,7 @@ struct FirmwareBench {
             workbench.shot.links.push_back(view);
         }
     }
+    [[nodiscard]] DeviceView &device() { return workbench.device(0); }
     void writing(bool mayInterrupt = true)
     {
         OperationView operation;
@@ -217,6 +228,96 @@ void FirmwareTest::aCancelledUpdateSaysWhatIsKnownOfTheUnit()
     operation.update->remedy = say("run the update again");
     bench.workbench.publish();
     QVERIFY(bench.says(QStringLiteral("page 4 is the last that was written")));
+}
+
+void FirmwareTest::theButtonOfAnotherBusIsFreeMeanwhile()
+{
+    FirmwareBench bench("socketcan:can0");
+    QPushButton *start = bench.start();
+    bench.writing();
+    QVERIFY(!start->isEnabled());
+    bench.selection.select({2});
+    QVERIFY(start->isEnabled());
+    start->click();
+    QCOMPARE(bench.workbench.given<orders::UpdateFirmware>().size(), 1U);
+}
+
+/// Before the first page there are others to count: parameters of the backup, seconds until a unit has stored them.
+void FirmwareTest::anUpdateThatEndedBeforeItWroteSaysSo()
+{
+    FirmwareBench bench;
+    bench.writing();
+    OperationView &operation = bench.workbench.shot.operations.front();
+    operation.status.state = OperationStatus::State::Cancelled;
+    operation.status.done = 3;
+    operation.status.total = 20;
+    operation.update = UpdateReport{};
+    operation.update->outcome = UpdateOutcome::Cancelled;
+    bench.workbench.publish();
+    QVERIFY(bench.says(QStringLiteral("nothing was written")));
+    bench.device().identity.edit().state = DeviceState::Bootloader; // for this
+    bench.workbench.publish();
+    QVERIFY(!bench.says(QStringLiteral("nothing was written")));
+}
+
+void FirmwareTest::whatWasWrittenAndNotProvedIsNotCalledVerified()
+{
+    FirmwareBench bench;
+    bench.writing();
+    OperationView &operation = bench.workbench.shot.operations.front();
+    operation.status.state = OperationStatus::State::Done;
+    operation.update = UpdateReport{};
+    operation.update->outcome = UpdateOutcome::Done;
+    operation.update->evidence = say("nothing proves the new firmware");
+    bench.workbench.publish();
+    QVERIFY(!bench.says(QStringLiteral("Verified")));
+    QVERIFY(bench.says(QStringLiteral("Written, not proved: nothing proves the new firmware")));
+    operation.update->verified = true;
+    operation.update->evidence = say("it answers with 1.25");
+    bench.workbench.publish();
+    QVERIFY(bench.says(QStringLiteral("Verified: it answers with 1.25")));
+}
+
+void FirmwareTest::anImageThatWasBuiltAnewIsReadAgainBeforeItIsWritten()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("built.hex"));
+    QVERIFY(QFile::copy(imageFile, path));
+    QVERIFY(QFile::setPermissions(path, QFile::ReadOwner | QFile::WriteOwner));
+    FirmwareBench bench;
+    bench.page->loadImage(path);
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::Append));
+    file.write("\n");
+    file.close();
+    bench.page->startUpdate();
+    QVERIFY(bench.workbench.given<orders::UpdateFirmware>().empty());
+    QVERIFY(!bench.workbench.lines.empty());
+    QVERIFY(bench.workbench.lines.back().text.contains(QStringLiteral("built.hex has changed")));
+    bench.page->startUpdate();
+    QCOMPARE(bench.workbench.given<orders::UpdateFirmware>().size(), 1U);
+}
+
+void FirmwareTest::erasingIsChosenForOneUpdateOfOneUnit()
+{
+    FirmwareBench bench("socketcan:can0", findFamily(families(), "abstractdc"));
+    auto *erase = bench.page->findChild<QCheckBox *>(QStringLiteral("eraseSettings"));
+    QVERIFY(erase && erase->isVisible());
+    erase->setChecked(true);
+    bench.selection.select({2});
+    QVERIFY(!erase->isChecked());
+    const QTemporaryDir folder;
+    QFile file(folder.filePath(QStringLiteral("drive.hex")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(":020000040800F2\n:0C0000000050002009000008FEE700BFCF\n:00000001FF\n");
+    file.close();
+    bench.page->loadImage(file.fileName());
+    erase->setChecked(true);
+    bench.page->startUpdate();
+    const auto sent = bench.workbench.given<orders::UpdateFirmware>();
+    QCOMPARE(sent.size(), 1U);
+    QVERIFY(sent.front().options.eraseSettings);
+    QVERIFY(!erase->isChecked());
 }
 
 MB_WINDOW_TEST(FirmwareTest);

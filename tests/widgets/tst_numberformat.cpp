@@ -35,6 +35,8 @@ private Q_SLOTS:
     void parsesIntegers();
     void editTextReadsBackEqual();
     void aLanguageWithACommaWritesAndUnderstandsIt();
+    void everyLanguageUnderstandsWhatItWrites_data();
+    void everyLanguageUnderstandsWhatItWrites();
     void theTimeOfDayHasTwentyFourHoursInEveryLanguage_data();
     void theTimeOfDayHasTwentyFourHoursInEveryLanguage();
 };
@@ -163,6 +165,25 @@ void NumberFormatTest::aLanguageWithACommaWritesAndUnderstandsIt()
             QStringLiteral("12,43\u00a0V"), QStringLiteral("0,25"), QStringLiteral("-1,500"), QStringLiteral("1,5"),
             QStringLiteral("= 1,5"), QString(), QStringLiteral("ended at 0,5"), QStringLiteral("ended at 0.5")}));
     QCOMPARE(back, std::optional(0.125));
+}
+
+void NumberFormatTest::everyLanguageUnderstandsWhatItWrites_data()
+{
+    QTest::addColumn<QLocale>("locale");
+    for (const char *name : {"en_US", "de_DE", "fa_IR", "ar_EG", "ja_JP"})
+        QTest::newRow(name) << QLocale(QString::fromLatin1(name));
+}
+
+void NumberFormatTest::everyLanguageUnderstandsWhatItWrites()
+{
+    QFETCH(QLocale, locale);
+    const QLocale before;
+    QLocale::setDefault(locale);
+    const auto shown = parseNumber(editText(12.5));
+    const auto typed = parseNumber(asWritten(QStringLiteral("0.7")));
+    QLocale::setDefault(before);
+    QCOMPARE(shown, std::optional(12.5));
+    QCOMPARE(typed, std::optional(0.7));
 }
 
 void NumberFormatTest::theTimeOfDayHasTwentyFourHoursInEveryLanguage_data()

@@ -10,6 +10,8 @@ class TestParameterOrders : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void writeSendsExactlyWhatIsStaged();
+    void undoTakesBackWhatIsStagedBeforeWhatWasWritten();
+    void undoAfterADiscardStagesAgain();
     void writeIsRefusedWhileAnErrorIsStaged();
     void writeOfAnOpenFieldTakesItAlong();
     void aFailedWriteKeepsTheRestAndSaysWhy();
@@ -38,6 +40,34 @@ void TestParameterOrders::writeSendsExactlyWhatIsStaged()
     calls[0].finished({});
     QCOMPARE(bench.edits().count(), 1);
     QVERIFY(bench.edits().find(named("slot1.i")));
+}
+
+void TestParameterOrders::undoTakesBackWhatIsStagedBeforeWhatWasWritten()
+{
+    ParameterBench bench;
+    bench.stage("slot0.p", "2");
+    bench.stage("slot1.i", "3");
+    bench.edits().setIncluded(named("slot1.i"), false);
+    QTest::keyClick(bench.page.get(), Qt::Key_S, Qt::ControlModifier);
+    const auto written = bench.workbench.given<orders::WriteParameters>();
+    QCOMPARE(written.size(), std::size_t{1});
+    bench.stage("slot1.p", "4"); // between the order and its answer
+    written[0].finished({});
+    for (const int left : {1, 0}) {
+        QTest::keyClick(bench.page.get(), Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(bench.edits().count(), left);
+        QVERIFY2(bench.workbench.given<orders::UndoWrite>().empty(), "the unit keeps what was written");
+    }
+}
+
+void TestParameterOrders::undoAfterADiscardStagesAgain()
+{
+    ParameterBench bench;
+    bench.stage("slot0.p", "2");
+    bench.edits().discard();
+    QTest::keyClick(bench.page.get(), Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(bench.edits().count(), 1);
+    QVERIFY(bench.workbench.given<orders::UndoWrite>().empty());
 }
 
 void TestParameterOrders::writeIsRefusedWhileAnErrorIsStaged()

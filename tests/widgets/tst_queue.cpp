@@ -26,6 +26,7 @@ private Q_SLOTS:
     void withoutRecipeOrTickNothingStarts();
     void anImageOfAnotherKindIsRefusedWithWords();
     void eachRowTellsHowFarItIsAndWhatCameOfIt();
+    void whatWasWrittenAndNotProvedIsNotCalledVerified();
     void theUnitBesideTheQueueIsTheChosenOrTheRunningOrTheLastOne();
     void pagesThatWereSentAgainAreThoseOfTheShownUnit();
     void whatMustNotBeCutIsShown();
@@ -172,6 +173,21 @@ void QueueTest::eachRowTellsHowFarItIsAndWhatCameOfIt()
     QCOMPARE(bench.board().bar().headline(), QStringLiteral("Unit 4 of 4"));
     QVERIFY(bench.says(QStringLiteral("1 done · 1 failed · 1 refused")));
     QVERIFY(bench.says(QStringLiteral("about 5 s left"))); // 9.8 s on average, 5 of them are over
+}
+
+void QueueTest::whatWasWrittenAndNotProvedIsNotCalledVerified()
+{
+    QueueBench bench;
+    QVERIFY(bench.board().openImage(demoImage));
+    QueueRow passed = bench.row(1, 1, RowState::Passed);
+    passed.visit.to = passed.visit.from;
+    bench.workbench.serve({passed});
+    QCOMPARE(bench.cell(0, QueueModel::StepNow), QStringLiteral("verified"));
+    QCOMPARE(bench.cell(0, QueueModel::Outcome), QStringLiteral("already 1.23"));
+    passed.visit.unproved = true;
+    bench.workbench.serve({passed});
+    QCOMPARE(bench.cell(0, QueueModel::StepNow), QStringLiteral("written, not proved"));
+    QVERIFY(!bench.cell(0, QueueModel::Outcome).contains(QStringLiteral("already")));
 }
 
 void QueueTest::theUnitBesideTheQueueIsTheChosenOrTheRunningOrTheLastOne()

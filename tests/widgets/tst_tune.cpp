@@ -41,6 +41,7 @@ private Q_SLOTS:
     void whatChangesTheMeaningOfASetPointDisarms();
     void theEditedSlotDoesNotDisarm();
     void aRunFromElsewhereIsShown();
+    void aRunFromElsewhereDoesNotWriteOverWhatIsTyped();
 };
 
 void TestTune::runIsRefusedWhenNotArmed()
@@ -272,6 +273,31 @@ void TestTune::aRunFromElsewhereIsShown()
     QVERIFY2(problemOf(bench).contains(s("Moving | velocity 60\u202F000\u00A0counts/s, slot 0")),
         qPrintable(problemOf(bench)));
     QCOMPARE(bench.workbench.given<orders::UpdateMotion>().size(), 0U);
+}
+
+void TestTune::aRunFromElsewhereDoesNotWriteOverWhatIsTyped()
+{
+    TuneBench bench;
+    bench.arm();
+    SetPoint setPoint;
+    setPoint.mode = Mode::Velocity;
+    setPoint.target = 60000.0;
+    bench.arming.run(setPoint);
+    bench.confirmMotion();
+    auto *field = bench.find<QLineEdit>("Set-point");
+    field->setFocus();
+    type(field, "1");
+    bench.pass(0.1, 60000.0);
+    QCOMPARE(field->text(), s("1"));
+    bench.device().motion.setPoint.target = 50000.0; // by whoever runs it
+    bench.pass(0.1, 50000.0);
+    QCOMPARE(field->text(), s("1"));
+    bench.page->setFocus();
+    bench.pass(0.1, 50000.0);
+    QCOMPARE(field->text(), s("1"));
+    bench.device().motion.setPoint.target = 40000.0;
+    bench.pass(0.1, 40000.0);
+    QCOMPARE(field->text(), s("40000"));
 }
 
 MB_WINDOW_TEST(TestTune);

@@ -43,7 +43,7 @@ QString fixed(double value, int decimals)
 
 QChar decimalSign()
 {
-    return QLocale().decimalPoint();
+    return QLocale().decimalPoint() == QLatin1Char(',') ? QLatin1Char(',') : QLatin1Char('.'); // digits are Latin, too
 }
 
 QChar foreignSign()

@@ -25,7 +25,8 @@ struct TrialEnding {
 namespace {
 
 constexpr Duration startTime = std::chrono::seconds(1);
-constexpr std::chrono::minutes armedTime{5}; // without motion
+constexpr std::chrono::minutes armedTime{5};               // without motion
+constexpr Duration asleep = std::chrono::milliseconds(20); ///< less is two clocks that are not read at one instant
 
 /// A lease that ran out is a word of the program's; what people saw is a window that hung.
 QString endOf(const MotionView &motion, Duration silence)
@@ -168,8 +169,10 @@ void Arming::enter(LampState state, const QString &reason)
     m_byHand = false;
     m_started = false;
     m_renewal.keep(state == LampState::Moving ? std::vector{m_device} : std::vector<DeviceId>());
-    if (state == LampState::Armed)
+    if (state == LampState::Armed) {
         m_armedUntil = m_workbench.now() + armedTime;
+        m_slept = m_workbench.slept();
+    }
     Q_EMIT changed();
 }
 
@@ -343,6 +346,8 @@ void Arming::follow()
     }
     if (m_state != LampState::Armed && m_state != LampState::Moving)
         return;
+    if (m_workbench.slept() - m_slept > asleep)
+        return stopMoved(tr("the computer slept"));
     const DeviceView *view = m_workbench.snapshot().device(m_device);
     if (!view) {
         enter(LampState::Stopped, tr("the device is gone"));

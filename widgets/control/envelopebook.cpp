@@ -7,6 +7,7 @@
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QLockFile>
 
 #include <array>
 #include <utility>
@@ -15,6 +16,7 @@ namespace mb {
 namespace {
 
 constexpr std::int64_t largestFile = 1'000'000;
+constexpr int lockTime = 500; ///< ms
 
 const QLatin1String kindKey("motorbench");
 const QLatin1String fileKind("experiment limits");
@@ -44,24 +46,30 @@ Envelope fromJson(const QJsonObject &object)
     return limits;
 }
 
-} // namespace
-
-Result<void> EnvelopeBook::open(const QString &file)
+/// None where there is no file.
+Result<QJsonObject> unitsIn(const QString &file)
 {
-    m_file.clear(); // what is not ours is not written over
-    m_units.clear();
-    if (!QFileInfo::exists(file)) {
-        m_file = file;
-        return {};
-    }
+    if (!QFileInfo::exists(file))
+        return QJsonObject();
     const auto bytes = loadFile(file.toStdString(), largestFile);
     if (!bytes)
         return fail(Fault::OutOfRange, bytes.error().detail, say("remove it, or make it readable"));
     const QJsonObject all = QJsonDocument::fromJson(*bytes).object();
     if (all.value(kindKey).toString() != fileKind)
         return fail(Fault::OutOfRange, say("%1 holds no limits of experiments", file.toStdString()), say("remove it"));
-    const QJsonObject units = all.value(unitsKey).toObject();
-    for (auto unit = units.begin(); unit != units.end(); ++unit) {
+    return all.value(unitsKey).toObject();
+}
+
+} // namespace
+
+Result<void> EnvelopeBook::open(const QString &file)
+{
+    m_file.clear(); // what is not ours is not written over
+    m_units.clear();
+    const Result<QJsonObject> units = unitsIn(file);
+    if (!units)
+        return fail(units.error());
+    for (auto unit = units->begin(); unit != units->end(); ++unit) {
         Unit &read = m_units[unit.key().toStdString()];
         const QJsonObject object = unit.value().toObject();
         read.entered = fromJson(object.value(enteredKey).toObject());
@@ -73,20 +81,24 @@ Result<void> EnvelopeBook::open(const QString &file)
     return {};
 }
 
-Result<void> EnvelopeBook::write() const
+/// Another window may have entered something for other units since the file was read.
+Result<void> EnvelopeBook::write(const std::string &name) const
 {
     if (m_file.isEmpty())
         return {};
-    QJsonObject units;
-    for (const auto &[name, unit] : m_units) {
-        QJsonObject named;
-        for (const auto &[title, limits] : unit.named)
-            named.insert(title, toJson(limits));
-        units.insert(QString::fromStdString(name), QJsonObject{{enteredKey, toJson(unit.entered)}, {namedKey, named}});
-    }
     QDir().mkpath(QFileInfo(m_file).path());
+    QLockFile lock(m_file + QStringLiteral(".lock"));
+    (void)lock.tryLock(lockTime); // where none can be made nobody else writes either
+    Result<QJsonObject> units = unitsIn(m_file);
+    if (!units)
+        return fail(units.error());
+    const Unit &unit = m_units.at(name);
+    QJsonObject named;
+    for (const auto &[title, limits] : unit.named)
+        named.insert(title, toJson(limits));
+    units->insert(QString::fromStdString(name), QJsonObject{{enteredKey, toJson(unit.entered)}, {namedKey, named}});
     return saveFile(
-        m_file.toStdString(), QJsonDocument(QJsonObject{{kindKey, QString(fileKind)}, {unitsKey, units}}).toJson());
+        m_file.toStdString(), QJsonDocument(QJsonObject{{kindKey, QString(fileKind)}, {unitsKey, *units}}).toJson());
 }
 
 Envelope EnvelopeBook::entered(const std::string &unit) const
@@ -100,7 +112,7 @@ Result<void> EnvelopeBook::enter(const std::string &unit, const Envelope &limits
     if (unit.empty() || entered(unit) == limits)
         return {};
     m_units[unit].entered = limits;
-    return write();
+    return write(unit);
 }
 
 Result<void> EnvelopeBook::carry(const std::string &from, const std::string &to)
@@ -110,7 +122,7 @@ Result<void> EnvelopeBook::carry(const std::string &from, const std::string &to)
         return {};
     const Unit unit = found->second;
     m_units.emplace(to, unit);
-    return write();
+    return write(to);
 }
 
 QStringList EnvelopeBook::names(const std::string &unit) const
@@ -138,7 +150,7 @@ Result<void> EnvelopeBook::keep(const std::string &unit, const QString &name, co
     if (unit.empty() || name.trimmed().isEmpty())
         return {};
     m_units[unit].named[name.trimmed()] = limits;
-    return write();
+    return write(unit);
 }
 
 Result<void> EnvelopeBook::forget(const std::string &unit, const QString &name)
@@ -146,7 +158,7 @@ Result<void> EnvelopeBook::forget(const std::string &unit, const QString &name)
     const auto found = m_units.find(unit);
     if (found == m_units.end() || found->second.named.erase(name) == 0)
         return {};
-    return write();
+    return write(unit);
 }
 
 } // namespace mb

@@ -13,7 +13,7 @@
 namespace mb {
 
 /// The limits of experiments that people have entered, by unit (Trial::unit): what holds for it now, and sets with names to
-/// choose again. Kept in one JSON file, in the units of Envelope; without a file for as long as the program runs. GUI thread.
+/// choose again. Kept in one JSON file, which several windows may have open, in the units of Envelope; without a file for as long as the program runs. GUI thread.
 class EnvelopeBook {
 public:
     /// Reads the file, where there is one; OutOfRange when it is another, which is then neither taken nor written over.
@@ -36,7 +36,7 @@ private:
         Envelope entered;
         std::map<QString, Envelope> named;
     };
-    [[nodiscard]] Result<void> write() const;
+    [[nodiscard]] Result<void> write(const std::string &unit) const;
 
     QString m_file;
     std::map<std::string, Unit> m_units;

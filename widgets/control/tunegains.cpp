@@ -129,7 +129,7 @@ void TuneGains::undo(bool again)
     if (!chosen || !chosen->edits || !view)
         return;
     QUndoStack &stack = chosen->edits->undoStack();
-    if (again ? stack.canRedo() : stack.canUndo() && !stack.isClean()) {
+    if (again ? stack.canRedo() : chosen->edits->canUndo()) {
         again ? stack.redo() : stack.undo();
         return;
     }

@@ -10,6 +10,7 @@
 #include "widgets/control/setpointpanel.h"
 #include "widgets/control/tunecolumn.h"
 
+#include <QApplication>
 #include <QPointer>
 
 #include <algorithm>
@@ -198,9 +199,16 @@ void TuneMotion::followForeignRun(const DeviceView &view)
     const bool moving = m_arming.isMoving() && m_arming.device() == view.id && view.motion.running;
     const SetPoint *const told = m_choices.axis() > 0 ? view.motion.on(m_choices.axis()) : &view.motion.setPoint;
     const TuneChoice &chosen = *m_choices.current();
-    if (!moving || !told || told->relative || chosen.ours || told->mode != chosen.mode)
+    if (!moving || !told || told->relative || chosen.ours || told->mode != chosen.mode) {
+        m_foreign.reset();
         return;
-    if (panel.target() != told->target)
+    }
+    const std::pair<TuneMotor, double> foreign{m_choices.shown(), told->target};
+    if (m_foreign == foreign)
+        return;
+    m_foreign = foreign;
+    const bool isTyped = panel.entered().range(chosen.mode).touched && panel.isAncestorOf(QApplication::focusWidget());
+    if (panel.target() != told->target && !isTyped)
         panel.showTarget(told->target);
 }
 

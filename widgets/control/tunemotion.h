@@ -53,6 +53,7 @@ private:
     Arming &m_arming;
     TuneChoices &m_choices;
     TuneColumn &m_column;
+    std::optional<std::pair<TuneMotor, double>> m_foreign; ///< the last set-point that was given elsewhere
 };
 
 } // namespace mb

@@ -20,7 +20,10 @@ struct ImageText {
 
 void ImageChoice::load(const QString &path)
 {
+    const QFileInfo file(path);
     m_path = path;
+    m_size = file.size();
+    m_time = file.lastModified();
     m_image.reset();
     m_summary.reset();
     m_error.clear();
@@ -35,6 +38,12 @@ void ImageChoice::load(const QString &path)
         m_image = std::make_shared<const FirmwareImage>(std::move(*image));
     else
         m_error = errorText(image.error());
+}
+
+bool ImageChoice::isReplaced() const
+{
+    const QFileInfo file(m_path);
+    return file.exists() && (file.size() != m_size || file.lastModified() != m_time);
 }
 
 void ImageChoice::check(const Family *family)

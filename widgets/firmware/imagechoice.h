@@ -4,6 +4,7 @@
 #include "firmware/firmwareimage.h"
 #include "model/family.h"
 
+#include <QDateTime>
 #include <QString>
 
 #include <memory>
@@ -16,6 +17,8 @@ class ImageChoice {
 public:
     /// Reads it anew; check() is due then.
     void load(const QString &path);
+    /// Another file has taken its place since; one that is away is none.
+    [[nodiscard]] bool isReplaced() const;
     /// What it is to this family; nullptr: nobody knows.
     void check(const Family *family);
 
@@ -36,6 +39,8 @@ public:
 
 private:
     QString m_path;
+    qint64 m_size = 0; ///< of the file as it was read …
+    QDateTime m_time;  ///< … and from when it was
     std::shared_ptr<const FirmwareImage> m_image;
     std::optional<ImageSummary> m_summary;
     QString m_error;

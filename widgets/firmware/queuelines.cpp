@@ -102,10 +102,12 @@ void describePassed(QueueLine &line, const service::Visit &visit)
 {
     line.glyph = GlyphState::Done;
     line.done = 100;
-    line.tone = Tone::Ok;
-    line.step = QueueText::tr("verified");
+    line.tone = visit.unproved ? Tone::Caution : Tone::Ok;
+    line.step = visit.unproved ? QueueText::tr("written, not proved") : QueueText::tr("verified");
     if (visit.parameters)
         line.result = QueueText::tr("%1 parameters equal").arg(*visit.parameters);
+    else if (visit.unproved)
+        line.result = QueueText::tr("answers with %1, as before").arg(qt(visit.to));
     else if (!visit.to.empty() && visit.from == visit.to)
         line.result = QueueText::tr("already %1").arg(qt(visit.to));
     else

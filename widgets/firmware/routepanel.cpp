@@ -36,6 +36,7 @@ RoutePanel::RoutePanel(const ThemeSource &theme, QWidget *parent)
     m_target->setAccessibleName(tr("Microcontroller"));
     m_target->setToolTip(tr("Which microcontroller the unit has"));
     m_erase = new QCheckBox(tr("Erase what the unit has stored: its gains are lost"), this);
+    m_erase->setObjectName(QStringLiteral("eraseSettings"));
     m_more = linkButton(tr("What is not known of it…"), this);
     m_more->setToolTip(tr("What the maker does not tell of the bootloader, with the likely values"));
     m_more->setCheckable(true);
@@ -86,7 +87,6 @@ void RoutePanel::show(const Family *family, const std::vector<LinkListing> &list
     for (const std::string_view target : route.targets)
         m_target->addItem(qt(target).toUpper(), qt(target));
     m_target->setVisible(!route.targets.empty());
-    m_erase->setChecked(false);
     m_erase->setVisible(route.erasesSettings);
     buildFields(route);
 }
@@ -144,6 +144,11 @@ void RoutePanel::buildFields(const UpdateRoute &route)
     }
     layout()->addWidget(m_settings);
     m_settings->setVisible(false);
+}
+
+void RoutePanel::keepSettings()
+{
+    m_erase->setChecked(false);
 }
 
 void RoutePanel::setVia(const QString &via)

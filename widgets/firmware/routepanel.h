@@ -28,6 +28,8 @@ public:
     /// nullptr: no device. The listings name the serial ports that there are; `own` is the address of the device's link.
     void show(const Family *family, const std::vector<LinkListing> &listings, const std::string &own);
     [[nodiscard]] UpdateOptions options() const;
+    /// What a unit has stored is erased in one update of one unit: the next one is asked anew.
+    void keepSettings();
     /// As typed into the field.
     void setVia(const QString &via);
     /// What is missing before an update can begin; empty when nothing is.

@@ -55,14 +55,18 @@ QString cancelledText(const UpdateReport &report, const UpdateWords &words, bool
                    : UnitUpdate::tr("Cancelled: nothing was written.");
 }
 
-QString resultOf(const UpdateReport &report, const UpdateWords &words, bool touched)
+/// What came of an update, and how good that is.
+std::pair<QString, Tone> endingOf(const UpdateReport &report, const UpdateWords &words, bool touched)
 {
+    const QString summary = messageText(report.summary());
     switch (report.outcome) {
-    case UpdateOutcome::Done: return UnitUpdate::tr("Verified: %1").arg(messageText(report.summary()));
-    case UpdateOutcome::UpToDate: return UnitUpdate::tr("Not needed: %1").arg(messageText(report.summary()));
-    case UpdateOutcome::Refused: return UnitUpdate::tr("Refused: %1").arg(messageText(report.summary()));
-    case UpdateOutcome::Failed: return UnitUpdate::tr("Failed: %1").arg(messageText(report.summary()));
-    case UpdateOutcome::Cancelled: return cancelledText(report, words, touched);
+    case UpdateOutcome::Done:
+        return report.verified ? std::pair(UnitUpdate::tr("Verified: %1").arg(summary), Tone::Ok)
+                               : std::pair(UnitUpdate::tr("Written, not proved: %1").arg(summary), Tone::Caution);
+    case UpdateOutcome::UpToDate: return {UnitUpdate::tr("Not needed: %1").arg(summary), Tone::Ok};
+    case UpdateOutcome::Refused: return {UnitUpdate::tr("Refused: %1").arg(summary), Tone::Danger};
+    case UpdateOutcome::Failed: return {UnitUpdate::tr("Failed: %1").arg(summary), Tone::Danger};
+    case UpdateOutcome::Cancelled: return {cancelledText(report, words, touched), Tone::Danger};
     }
     return {};
 }
@@ -199,6 +203,8 @@ void UnitUpdate::loadImage(const QString &path)
 void UnitUpdate::inspectImage()
 {
     const DeviceView *device = m_workbench.snapshot().device(m_selection.device());
+    if (m_inspectedFor != m_selection.device())
+        m_route->keepSettings();
     m_inspectedFor = m_selection.device();
     m_image.check(device ? device->family : nullptr);
     m_imageName->setText(m_image.name());
@@ -267,7 +273,14 @@ void UnitUpdate::start()
         inspectImage();
     if (!canStart())
         return;
+    if (m_image.isReplaced()) { // nobody has looked at what would be written
+        loadImage(m_image.path());
+        m_workbench.report(Severity::Caution, {},
+            tr("%1 has changed since it was opened and is read again; start the update once more").arg(m_image.name()));
+        return;
+    }
     m_workbench.send(orders::UpdateFirmware{m_selection.device(), m_image.image(), m_route->options()});
+    m_route->keepSettings();
 }
 
 void UnitUpdate::showEvent(QShowEvent *event)
@@ -334,7 +347,7 @@ void UnitUpdate::followChecks(const DeviceView *device, const OperationView *)
 void UnitUpdate::followOrders(const DeviceView *device, const OperationView *operation)
 {
     const bool running = isRunning(operation);
-    m_start->setEnabled(canStart() && !running);
+    m_start->setEnabled(canStart());
     m_start->setToolTip(hindrance());
     m_start->setAccessibleDescription(m_start->toolTip());
     const bool boot = device && device->identity->state == DeviceState::Bootloader;
@@ -387,12 +400,12 @@ void UnitUpdate::showEnd(const OperationView &operation)
     const double seconds = std::chrono::duration<double>(status.endedAt - status.startedAt).count();
     const UpdateReport report = operation.update.value_or(UpdateReport{});
     const DeviceView *const unit = m_workbench.snapshot().device(operation.device);
-    const bool touched = report.pages > 0 || status.done > 0 || !unit
+    const bool touched = report.pages > 0 || !unit
         || unit->identity->state == DeviceState::Bootloader; // it may have entered it for this
-    m_step->setText(resultOf(report, wordsFor(&operation), touched));
+    const auto [text, tone] = endingOf(report, wordsFor(&operation), touched);
+    m_step->setText(text);
+    setTone(*m_step, tone);
     m_rate->setText(tr("%1 s, pages sent again: %2").arg(formatNumber(seconds, 1)).arg(report.retries));
-    const bool good = report.outcome == UpdateOutcome::Done || report.outcome == UpdateOutcome::UpToDate;
-    setTone(*m_step, good ? Tone::Ok : Tone::Danger);
     if (report.outcome == UpdateOutcome::Done)
         m_progress->setValue(m_progress->maximum());
 }

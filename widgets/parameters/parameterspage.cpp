@@ -284,7 +284,7 @@ void ParametersPage::undo(bool redo)
     view().commitField();
     QUndoStack &stack = m_model->edits()->undoStack();
     const DeviceView *shown = device();
-    if (redo ? stack.canRedo() : stack.canUndo() && !stack.isClean())
+    if (redo ? stack.canRedo() : m_model->edits()->canUndo())
         redo ? stack.redo() : stack.undo();
     else if (shown && !m_file && shown->liveness.heard)
         m_commands->undoWrite(shown->id, redo);
