@@ -203,6 +203,20 @@ TEST(SupermodifiedUpdate, AsksTheBootloaderAtBothOfItsRates)
     EXPECT_TRUE(bench.calls().contains("-b 57600 -D -U flash:w:"));
 }
 
+TEST(SupermodifiedUpdate, WhatItsMemoryHeldIsUnknownOnceAvrdudeHasBegunHoweverItEnds)
+{
+    for (const auto &[script, isKept] :
+        {std::pair{QByteArray("echo 'avrdude: programmer is not responding' >&2; exit 1\n"), true},
+            {QByteArray("echo 'Writing | ####' >&2; exit 1\n"), false}, {QByteArray(supermodifiedSuccess), false}}) {
+        SupermodifiedUpdateBench bench;
+        const auto gain = *findParameter(bench.device->family().parameters, "gain.p");
+        bench.device->parameters().setRead(gain, 900);
+        bench.standIn(script);
+        (void)bench.update("avrdude:arduino:/dev/ttyUSB7");
+        EXPECT_EQ(bench.device->parameters().entry(gain).raw.has_value(), isKept) << script.toStdString();
+    }
+}
+
 TEST(SupermodifiedUpdate, AFailureInTheMiddleSaysWhatTheUnitIsWorth)
 {
     SupermodifiedUpdateBench bench;
