@@ -67,7 +67,9 @@ Task<Attempt> program(
             reading.take(piece.text);
         if (reading.stage() != before && reading.stage() == Stage::Writing)
             mark(PartState::Active);
-        if (reading.isErased() && !wasErased) // now: it may be cancelled, or die
+        if (before < Stage::Erasing && reading.stage() == Stage::Erasing) // now: it may be cancelled, or die
+            drive.settingsReplaced(reading.isErased());
+        if (reading.isErased() && !wasErased)
             drive.settingsReplaced(true);
         if (takesSettings && before < Stage::Writing && reading.stage() >= Stage::Writing)
             drive.settingsReplaced(false);
