@@ -275,6 +275,36 @@ TEST_F(AbstractDcUpdate, WhileItsSettingsAreErasedItIsNotToBeCancelledAndTheyAre
     task.cancel();
 }
 
+TEST_F(AbstractDcUpdate, AProbeOnAnotherDriveIsFoundOutByTheOneThatAnswersMeanwhile)
+{
+    const auto gain = *findParameter(family.parameters, "velocity.p");
+    device->knowledge().assume(gain, 7);
+    const std::string text = success;
+    const auto middle = text.find("Info : device id");
+    standIn("echo '** Erasing Settings **' >&2\nsleep 1\necho 'erased address 0x0800c800 (length 3072) in 0.124s' >&2\n"
+            "cat >&2 <<'END'\n"
+        + text.substr(0, middle) + "END\nsleep 0.5\n" + replay(text.substr(middle), 0));
+    const auto report = update(by("openocd:stlink", true));
+    ASSERT_FALSE(report);
+    EXPECT_EQ(report.error().fault, Fault::BadCheck);
+    EXPECT_NE(report.error().text().find("another unit"), std::string::npos) << report.error().text();
+    EXPECT_EQ(device->parameters().entry(gain).raw, 7) << "that of the other one was replaced";
+}
+
+TEST_F(AbstractDcUpdate, ADriveThatIsSilentWhileItIsWrittenAndAnswersThenIsDone)
+{
+    const std::string text = success;
+    const auto middle = text.find("Info : device id");
+    standIn("cat >&2 <<'END'\n" + text.substr(0, middle) + "END\nsleep 0.5\n" + replay(text.substr(middle), 0));
+    steps.onStep = [this](const std::string &step) {
+        if (step == "Writing flash" || step == "Restarting the drive")
+            drive->setPowered(step == "Restarting the drive");
+    };
+    const auto report = update(by("openocd:stlink"));
+    ASSERT_TRUE(report) << report.error().text();
+    EXPECT_TRUE(report->verified);
+}
+
 TEST_F(AbstractDcUpdate, AVerifyThatFailsIsAFailureWhateverTheExitStatus)
 {
     standIn(

@@ -98,19 +98,27 @@ struct Attempt {
 Task<Attempt> runOnce(Controller &device, avrdude::Job job, Progress &progress)
 {
     avrdude::Reading reading;
+    HeldDevice held(device);
     const auto take = [&](const ExternalProgram::Piece &piece) {
         const bool had = reading.hasBegun();
         reading.take(piece.text, piece.complete);
-        if (reading.hasBegun() && !had)
+        if (reading.hasBegun() && !had) {
             device.parameters().forgetAll();
+            if (!job.isBootloader()) // which has the line for itself
+                held.hold([] {});
+        }
+        if (reading.isVerified())
+            held.release();
         show(reading, progress);
     };
     show(reading, progress);
     auto running
         = runProgrammer(device.clock(), avrdude::commandOf(job), say("check the cables and try again"), take, progress);
     const Result<ExternalProgram::Exit> exit = co_await std::move(running).attempt();
+    held.release();
     if (exit && exit->isSuccess() && reading.isVerified())
-        co_return Attempt{std::move(reading), {}, true};
+        co_return Attempt{
+            std::move(reading), held.hasAnswered() ? std::optional(anotherUnit(device)) : std::nullopt, true};
     Error error = exit ? reading.failure(job) : exit.error();
     if (reading.hasBegun())
         error.remedy = joined(
