@@ -1907,6 +1907,10 @@
         <source>an experiment on it has not ended</source>
         <translation>ein Versuch damit ist noch nicht zu Ende</translation>
     </message>
+    <message>
+        <source>the computer slept</source>
+        <translation>der Rechner hat geschlafen</translation>
+    </message>
 </context>
 <context>
     <name>mb::AxesPanel</name>
@@ -7252,6 +7256,14 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
         <source>hold Arm in the header</source>
         <translation>Scharf-Taste in der Kopfzeile halten</translation>
     </message>
+    <message>
+        <source>written, not proved</source>
+        <translation>geschrieben, nicht bewiesen</translation>
+    </message>
+    <message>
+        <source>answers with %1, as before</source>
+        <translation>antwortet mit %1, wie zuvor</translation>
+    </message>
 </context>
 <context>
     <name>mb::RamBlock</name>
@@ -11202,6 +11214,14 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>Cancelled: nothing was written.</source>
         <translation>Abgebrochen: Es wurde nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>Written, not proved: %1</source>
+        <translation>Geschrieben, nicht bewiesen: %1</translation>
+    </message>
+    <message>
+        <source>%1 has changed since it was opened and is read again; start the update once more</source>
+        <translation>%1 hat sich seit dem Öffnen geändert und ist neu gelesen; das Update noch einmal starten</translation>
     </message>
 </context>
 <context>
@@ -18738,6 +18758,26 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>what was there is not known, and those that were tried are in force</source>
         <translation>was da war, ist nicht bekannt, und die zuletzt versuchten gelten</translation>
+    </message>
+    <message>
+        <source>Nothing is written yet. Where OpenOCD has halted the drive already it stands still: switch it off and on</source>
+        <translation>Noch ist nichts geschrieben. Hat OpenOCD den Antrieb schon angehalten, so steht er: aus- und wieder einschalten</translation>
+    </message>
+    <message>
+        <source>firmware is written here, or units are served; nothing was searched</source>
+        <translation>hier wird Firmware geschrieben, oder Geräte werden bedient; nichts wurde gesucht</translation>
+    </message>
+    <message>
+        <source>put the programmer on it, and look at the other one</source>
+        <translation>den Programmer dort anschließen, und nach dem anderen sehen</translation>
+    </message>
+    <message>
+        <source>the programmer wrote another unit: %1 answered all the while</source>
+        <translation>der Programmer hat ein anderes Gerät beschrieben: %1 hat die ganze Zeit geantwortet</translation>
+    </message>
+    <message>
+        <source>wait until it is done</source>
+        <translation>warten, bis es fertig ist</translation>
     </message>
 </context>
 </TS>

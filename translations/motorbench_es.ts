@@ -1907,6 +1907,10 @@
         <source>an experiment on it has not ended</source>
         <translation>un ensayo con él aún no ha terminado</translation>
     </message>
+    <message>
+        <source>the computer slept</source>
+        <translation>el ordenador estuvo suspendido</translation>
+    </message>
 </context>
 <context>
     <name>mb::AxesPanel</name>
@@ -7252,6 +7256,14 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
         <source>hold Arm in the header</source>
         <translation>mantenga Armar en la cabecera</translation>
     </message>
+    <message>
+        <source>written, not proved</source>
+        <translation>escrito, sin demostrar</translation>
+    </message>
+    <message>
+        <source>answers with %1, as before</source>
+        <translation>responde con %1, como antes</translation>
+    </message>
 </context>
 <context>
     <name>mb::RamBlock</name>
@@ -11202,6 +11214,14 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>Cancelled: nothing was written.</source>
         <translation>Cancelado: no se escribió nada.</translation>
+    </message>
+    <message>
+        <source>Written, not proved: %1</source>
+        <translation>Escrito, sin demostrar: %1</translation>
+    </message>
+    <message>
+        <source>%1 has changed since it was opened and is read again; start the update once more</source>
+        <translation>%1 ha cambiado desde que se abrió y se ha leído de nuevo; inicie la actualización otra vez</translation>
     </message>
 </context>
 <context>
@@ -18738,6 +18758,26 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>what was there is not known, and those that were tried are in force</source>
         <translation>no se sabe lo que había, y las que se probaron están vigentes</translation>
+    </message>
+    <message>
+        <source>Nothing is written yet. Where OpenOCD has halted the drive already it stands still: switch it off and on</source>
+        <translation>Aún no se ha escrito nada. Si OpenOCD ya detuvo el accionamiento, está parado: apáguelo y enciéndalo</translation>
+    </message>
+    <message>
+        <source>firmware is written here, or units are served; nothing was searched</source>
+        <translation>aquí se escribe firmware o se atienden unidades; no se buscó nada</translation>
+    </message>
+    <message>
+        <source>put the programmer on it, and look at the other one</source>
+        <translation>conecte el programador a ella y revise la otra</translation>
+    </message>
+    <message>
+        <source>the programmer wrote another unit: %1 answered all the while</source>
+        <translation>el programador escribió otra unidad: %1 respondió todo el tiempo</translation>
+    </message>
+    <message>
+        <source>wait until it is done</source>
+        <translation>espere a que termine</translation>
     </message>
 </context>
 </TS>

@@ -1907,6 +1907,10 @@
         <source>an experiment on it has not ended</source>
         <translation>un essai avec lui n’est pas encore terminé</translation>
     </message>
+    <message>
+        <source>the computer slept</source>
+        <translation>l&apos;ordinateur était en veille</translation>
+    </message>
 </context>
 <context>
     <name>mb::AxesPanel</name>
@@ -7252,6 +7256,14 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
         <source>hold Arm in the header</source>
         <translation>maintenir Armer dans l’en-tête</translation>
     </message>
+    <message>
+        <source>written, not proved</source>
+        <translation>écrit, non prouvé</translation>
+    </message>
+    <message>
+        <source>answers with %1, as before</source>
+        <translation>répond avec %1, comme avant</translation>
+    </message>
 </context>
 <context>
     <name>mb::RamBlock</name>
@@ -11202,6 +11214,14 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>Cancelled: nothing was written.</source>
         <translation>Annulé&#xa0;: rien n’a été écrit.</translation>
+    </message>
+    <message>
+        <source>Written, not proved: %1</source>
+        <translation>Écrit, non prouvé : %1</translation>
+    </message>
+    <message>
+        <source>%1 has changed since it was opened and is read again; start the update once more</source>
+        <translation>%1 a changé depuis son ouverture et a été relu ; relancez la mise à jour</translation>
     </message>
 </context>
 <context>
@@ -18738,6 +18758,26 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>what was there is not known, and those that were tried are in force</source>
         <translation>on ne sait pas ce qu’il y avait, et ceux qui ont été essayés sont en vigueur</translation>
+    </message>
+    <message>
+        <source>Nothing is written yet. Where OpenOCD has halted the drive already it stands still: switch it off and on</source>
+        <translation>Rien n&apos;est encore écrit. Si OpenOCD a déjà arrêté le variateur, il reste immobile : éteignez-le et rallumez-le</translation>
+    </message>
+    <message>
+        <source>firmware is written here, or units are served; nothing was searched</source>
+        <translation>un firmware est écrit ici, ou des unités sont servies ; rien n&apos;a été cherché</translation>
+    </message>
+    <message>
+        <source>put the programmer on it, and look at the other one</source>
+        <translation>branchez le programmateur dessus, et regardez l&apos;autre</translation>
+    </message>
+    <message>
+        <source>the programmer wrote another unit: %1 answered all the while</source>
+        <translation>le programmateur a écrit une autre unité : %1 a répondu pendant tout ce temps</translation>
+    </message>
+    <message>
+        <source>wait until it is done</source>
+        <translation>attendez que ce soit terminé</translation>
     </message>
 </context>
 </TS>

@@ -1906,6 +1906,10 @@
         <source>an experiment on it has not ended</source>
         <translation>この機器での実験がまだ終わっていません</translation>
     </message>
+    <message>
+        <source>the computer slept</source>
+        <translation>コンピューターがスリープしていました</translation>
+    </message>
 </context>
 <context>
     <name>mb::AxesPanel</name>
@@ -7242,6 +7246,14 @@ double click or End returns to the present · right click for more</source>
         <source>hold Arm in the header</source>
         <translation>ヘッダの駆動許可ボタンを長押し</translation>
     </message>
+    <message>
+        <source>written, not proved</source>
+        <translation>書き込み済み、未確認</translation>
+    </message>
+    <message>
+        <source>answers with %1, as before</source>
+        <translation>以前と同じく %1 と応答</translation>
+    </message>
 </context>
 <context>
     <name>mb::RamBlock</name>
@@ -11185,6 +11197,14 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>Cancelled: nothing was written.</source>
         <translation>中止しました: 何も書き込まれていません。</translation>
+    </message>
+    <message>
+        <source>Written, not proved: %1</source>
+        <translation>書き込み済み、未確認: %1</translation>
+    </message>
+    <message>
+        <source>%1 has changed since it was opened and is read again; start the update once more</source>
+        <translation>%1 は開いた後に変更されたため読み直しました。もう一度更新を開始してください</translation>
     </message>
 </context>
 <context>
@@ -18721,6 +18741,26 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>what was there is not known, and those that were tried are in force</source>
         <translation>元の値は不明で、試した値が有効になっています</translation>
+    </message>
+    <message>
+        <source>Nothing is written yet. Where OpenOCD has halted the drive already it stands still: switch it off and on</source>
+        <translation>まだ何も書き込んでいません。OpenOCD がすでにドライブを停止させている場合は止まったままです。電源を入れ直してください</translation>
+    </message>
+    <message>
+        <source>firmware is written here, or units are served; nothing was searched</source>
+        <translation>ここではファームウェアの書き込み中か、ユニットの処理中です。何も検索していません</translation>
+    </message>
+    <message>
+        <source>put the programmer on it, and look at the other one</source>
+        <translation>プログラマーをこちらに接続し、もう一方を確認してください</translation>
+    </message>
+    <message>
+        <source>the programmer wrote another unit: %1 answered all the while</source>
+        <translation>プログラマーは別のユニットに書き込みました: %1 はその間ずっと応答していました</translation>
+    </message>
+    <message>
+        <source>wait until it is done</source>
+        <translation>終わるまで待ってください</translation>
     </message>
 </context>
 </TS>

@@ -1906,6 +1906,10 @@
         <source>an experiment on it has not ended</source>
         <translation>其上的实验尚未结束</translation>
     </message>
+    <message>
+        <source>the computer slept</source>
+        <translation>计算机曾进入睡眠</translation>
+    </message>
 </context>
 <context>
     <name>mb::AxesPanel</name>
@@ -7242,6 +7246,14 @@ double click or End returns to the present · right click for more</source>
         <source>hold Arm in the header</source>
         <translation>按住标题栏中的“解锁”</translation>
     </message>
+    <message>
+        <source>written, not proved</source>
+        <translation>已写入，未证实</translation>
+    </message>
+    <message>
+        <source>answers with %1, as before</source>
+        <translation>仍以 %1 应答，与之前相同</translation>
+    </message>
 </context>
 <context>
     <name>mb::RamBlock</name>
@@ -11185,6 +11197,14 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>Cancelled: nothing was written.</source>
         <translation>已取消：未写入任何内容。</translation>
+    </message>
+    <message>
+        <source>Written, not proved: %1</source>
+        <translation>已写入，未证实：%1</translation>
+    </message>
+    <message>
+        <source>%1 has changed since it was opened and is read again; start the update once more</source>
+        <translation>%1 在打开后已更改，现已重新读取；请再次开始更新</translation>
     </message>
 </context>
 <context>
@@ -18721,6 +18741,26 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>what was there is not known, and those that were tried are in force</source>
         <translation>原有内容未知，试过的值正在生效</translation>
+    </message>
+    <message>
+        <source>Nothing is written yet. Where OpenOCD has halted the drive already it stands still: switch it off and on</source>
+        <translation>尚未写入任何内容。若 OpenOCD 已暂停驱动器，它会保持停止：请断电再上电</translation>
+    </message>
+    <message>
+        <source>firmware is written here, or units are served; nothing was searched</source>
+        <translation>此处正在写入固件或正在处理设备；未进行任何搜索</translation>
+    </message>
+    <message>
+        <source>put the programmer on it, and look at the other one</source>
+        <translation>请将编程器接到它上面，并检查另一台</translation>
+    </message>
+    <message>
+        <source>the programmer wrote another unit: %1 answered all the while</source>
+        <translation>编程器写入了另一台设备：%1 期间一直在应答</translation>
+    </message>
+    <message>
+        <source>wait until it is done</source>
+        <translation>请等待其完成</translation>
     </message>
 </context>
 </TS>
