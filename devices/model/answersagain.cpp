@@ -27,4 +27,19 @@ Task<bool> answersAgain(Device &device)
     co_return false;
 }
 
+Error anotherUnit(const Device &device)
+{
+    return {Fault::BadCheck, say("the programmer wrote another unit: %1 answered all the while", device.selector()),
+        say("put the programmer on it, and look at the other one")};
+}
+
+void HeldDevice::hold(std::function<void()> silent)
+{
+    m_asking.spawn<void>(m_device.refresh(), [this, silent = std::move(silent)](const Result<void> &answer) {
+        m_hasAnswered = answer.has_value();
+        if (!answer)
+            silent();
+    });
+}
+
 } // namespace mb

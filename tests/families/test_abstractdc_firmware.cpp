@@ -2,7 +2,6 @@
 // Firmware through OpenOCD: against a stand-in that prints what the real one printed, and against the real one where there is
 // no probe. The interfaces named for the real one are kinds that hardly anybody has plugged in.
 #include "families/abstractdc/firmware.h"
-#include "families/abstractdc/openocd.h"
 #include "families/abstractdc/scan.h"
 #include "families/abstractdc/simulator.h"
 #include "firmware/intelhex.h"
@@ -17,13 +16,13 @@
 #include <QTemporaryDir>
 
 #include <csignal>
+#include <functional>
 
 namespace mb::abstractdc {
 extern const Family family;
 namespace {
 
 using namespace std::chrono_literals;
-using openocd::Stage;
 
 /// A small program: stack pointer, reset vector, code behind them.
 test::HexText program()
@@ -52,69 +51,6 @@ Info : flash size = 64 KiB
 ** Verified OK **
 ** Resetting Target **
 shutdown command invoked)";
-
-TEST(AbstractDcOpenOcd, AsksForWhatTheRepositoryConfigures)
-{
-    const auto text = [](const openocd::Job &job) {
-        std::string all;
-        for (const std::string &argument : openocd::commandOf(job).arguments)
-            all += argument + '|';
-        return all;
-    };
-    auto f1 = *openocd::jobOf("openocd:stlink", "f1");
-    f1.file = "a.hex";
-    EXPECT_EQ(text(f1),
-        "-f|interface/stlink.cfg|-c|transport select hla_swd|-f|target/stm32f1x.cfg|-c|reset_config none separate|-c|"
-        "program {a.hex} verify reset exit|");
-    auto f4 = *openocd::jobOf("openocd:cmsis-dap", "f4");
-    f4.file = "a.hex";
-    f4.eraseSettings = true;
-    EXPECT_EQ(text(f4),
-        "-f|interface/cmsis-dap.cfg|-c|transport select swd|-f|target/stm32f4x.cfg|-c|adapter speed "
-        "2000|-c|reset_config "
-        "srst_only srst_nogate|-c|init|-c|reset halt|-c|flash erase_address pad 0x0800C800 0xC00|-c|program {a.hex} "
-        "verify "
-        "reset exit|");
-}
-
-TEST(AbstractDcOpenOcd, RefusesWhatIsNoWayIn)
-{
-    for (const char *via : {"", "avrdude:x", "openocd", "openocd:", "openocd:../x", "openocd:a b", "openocd:a;b"}) {
-        const auto job = openocd::jobOf(via, "f1");
-        ASSERT_FALSE(job) << via;
-        EXPECT_EQ(job.error().fault, Fault::OutOfRange);
-    }
-    for (const char *target : {"", "f2", "F1"})
-        EXPECT_FALSE(openocd::jobOf("openocd:stlink", target)) << target;
-}
-
-TEST(AbstractDcOpenOcd, EveryKnownFailureIsOneLineWithARemedy)
-{
-    struct Case {
-        const char *line;
-        Fault fault;
-        const char *says;
-    };
-    for (const Case &c : {Case{"Error: open failed", Fault::LinkLost, "no debug probe"},
-             Case{"Error: unable to find a matching CMSIS-DAP device", Fault::LinkLost, "no debug probe"},
-             Case{"Error: No J-Link device found", Fault::LinkLost, "no debug probe"},
-             Case{"Error: libusb_open() failed with LIBUSB_ERROR_ACCESS", Fault::LinkLost, "udev"},
-             Case{"embedded:startup.tcl:28: Error: Can't find interface/x.cfg", Fault::OutOfRange,
-                 "no interface of this name"},
-             Case{"Error: init mode failed (unable to connect to the target)", Fault::Timeout, "SWDIO"},
-             Case{"Error: Error connecting DP: cannot read IDR", Fault::Timeout, "SWDIO"},
-             Case{"Warn : UNEXPECTED idcode: 0x2ba01477", Fault::Refused, "--target"},
-             Case{"** Programming Failed **", Fault::Refused, "protected"},
-             Case{"** Verify Failed **", Fault::BadCheck, "does not hold"},
-             Case{"Error: something new", Fault::BadReply, "something new"}, Case{"", Fault::BadReply, "by hand"}}) {
-        openocd::Reading reading;
-        reading.take(c.line);
-        const Error error = reading.failure({"stlink", "f1", "a.hex", false});
-        EXPECT_EQ(error.fault, c.fault) << c.line;
-        EXPECT_NE(error.text().find(c.says), std::string::npos) << error.text();
-        EXPECT_NE(error.text().find("; "), std::string::npos) << "a remedy: " << error.text();
-    }
-}
 
 TEST(AbstractDcFirmware, AnImageIsAProgramForAnStm32)
 {
@@ -232,12 +168,16 @@ protected:
     struct Steps final : Progress {
         void step(const Message &what, int, int) override
         {
-            if (said.empty() || said.back() != what.english())
-                said.push_back(what.english());
+            if (!said.empty() && said.back() == what.english())
+                return;
+            said.push_back(what.english());
+            if (onStep)
+                onStep(what.english());
         }
         void part(int number, PartState state) override { parts.emplace_back(number, state); }
         void log(Severity severity, const Message &) override { worst = std::max(worst, severity); }
         void mayInterrupt(bool may) override { interruptible = may; }
+        std::function<void(const std::string &)> onStep;
         bool interruptible = true;
         std::vector<std::string> said;
         std::vector<std::pair<int, PartState>> parts;
@@ -317,6 +257,52 @@ TEST_F(AbstractDcUpdate, SettingsThatWereErasedBeforeItFailedAreForgottenAllTheS
     const auto divisor = *findParameter(family.parameters, "velocity.divisor");
     EXPECT_EQ(device->parameters().entry(divisor).raw, 0) << "blank flash";
     EXPECT_NE(report.error().text().find("half a program"), std::string::npos) << report.error().text();
+}
+
+TEST_F(AbstractDcUpdate, WhileItsSettingsAreErasedItIsNotToBeCancelledAndTheyAreDoubted)
+{
+    const auto divisor = *findParameter(family.parameters, "velocity.divisor");
+    device->knowledge().assume(divisor, 1000);
+    standIn("echo '** Erasing Settings **' >&2\nexec sleep 60\n"); // an F4 takes a whole sector with them
+    drive->setPowered(false);                                      // its processor is halted
+    const FirmwareImage image = imageOf(program());
+    auto task = abstractdc::update(*device, image, by("openocd:stlink", true), steps);
+    task.start();
+    EXPECT_TRUE(
+        loop.runUntil([&] { return !steps.said.empty() && steps.said.back() == "Erasing the stored settings"; }, 5s));
+    EXPECT_FALSE(steps.interruptible);
+    EXPECT_TRUE(loop.runUntil([&] { return !device->parameters().entry(divisor).raw; }, 5s));
+    task.cancel();
+}
+
+TEST_F(AbstractDcUpdate, AProbeOnAnotherDriveIsFoundOutByTheOneThatAnswersMeanwhile)
+{
+    const auto gain = *findParameter(family.parameters, "velocity.p");
+    device->knowledge().assume(gain, 7);
+    const std::string text = success;
+    const auto middle = text.find("Info : device id");
+    standIn("echo '** Erasing Settings **' >&2\nsleep 1\necho 'erased address 0x0800c800 (length 3072) in 0.124s' >&2\n"
+            "cat >&2 <<'END'\n"
+        + text.substr(0, middle) + "END\nsleep 0.5\n" + replay(text.substr(middle), 0));
+    const auto report = update(by("openocd:stlink", true));
+    ASSERT_FALSE(report);
+    EXPECT_EQ(report.error().fault, Fault::BadCheck);
+    EXPECT_NE(report.error().text().find("another unit"), std::string::npos) << report.error().text();
+    EXPECT_EQ(device->parameters().entry(gain).raw, 7) << "that of the other one was replaced";
+}
+
+TEST_F(AbstractDcUpdate, ADriveThatIsSilentWhileItIsWrittenAndAnswersThenIsDone)
+{
+    const std::string text = success;
+    const auto middle = text.find("Info : device id");
+    standIn("cat >&2 <<'END'\n" + text.substr(0, middle) + "END\nsleep 0.5\n" + replay(text.substr(middle), 0));
+    steps.onStep = [this](const std::string &step) {
+        if (step == "Writing flash" || step == "Restarting the drive")
+            drive->setPowered(step == "Restarting the drive");
+    };
+    const auto report = update(by("openocd:stlink"));
+    ASSERT_TRUE(report) << report.error().text();
+    EXPECT_TRUE(report->verified);
 }
 
 TEST_F(AbstractDcUpdate, AVerifyThatFailsIsAFailureWhateverTheExitStatus)

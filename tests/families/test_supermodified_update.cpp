@@ -182,7 +182,7 @@ TEST(SupermodifiedUpdate, IsNotDoneWhenTheNodeStaysSilent)
 {
     SupermodifiedUpdateBench bench;
     bench.standIn(supermodifiedSuccess);
-    bench.simulator->setPowered(false);
+    bench.cut();
     const auto report = bench.update("avrdude:usbasp:usb");
     ASSERT_TRUE(report);
     EXPECT_EQ(report->outcome, UpdateOutcome::Failed);
@@ -201,6 +201,31 @@ TEST(SupermodifiedUpdate, AsksTheBootloaderAtBothOfItsRates)
     EXPECT_EQ(report->outcome, UpdateOutcome::Done);
     EXPECT_EQ(bench.calls().count('\n'), 2);
     EXPECT_TRUE(bench.calls().contains("-b 57600 -D -U flash:w:"));
+}
+
+TEST(SupermodifiedUpdate, AProgrammerOnThePinsOfAnotherNodeIsFoundOutByTheOneThatAnswersMeanwhile)
+{
+    SupermodifiedUpdateBench bench;
+    bench.halts = false;
+    bench.standIn("echo 'Writing | ####' >&2; sleep 1\n" + QByteArray(supermodifiedSuccess));
+    const auto report = bench.update("avrdude:usbasp:usb");
+    ASSERT_FALSE(report);
+    EXPECT_EQ(report.error().fault, Fault::BadCheck);
+    EXPECT_NE(report.error().text().find("another unit"), std::string::npos) << report.error().text();
+}
+
+TEST(SupermodifiedUpdate, WhatItsMemoryHeldIsUnknownOnceAvrdudeHasBegunHoweverItEnds)
+{
+    for (const auto &[script, isKept] :
+        {std::pair{QByteArray("echo 'avrdude: programmer is not responding' >&2; exit 1\n"), true},
+            {QByteArray("echo 'Writing | ####' >&2; exit 1\n"), false}, {QByteArray(supermodifiedSuccess), false}}) {
+        SupermodifiedUpdateBench bench;
+        const auto gain = *findParameter(bench.device->family().parameters, "gain.p");
+        bench.device->parameters().setRead(gain, 900);
+        bench.standIn(script);
+        (void)bench.update("avrdude:arduino:/dev/ttyUSB7");
+        EXPECT_EQ(bench.device->parameters().entry(gain).raw.has_value(), isKept) << script.toStdString();
+    }
 }
 
 TEST(SupermodifiedUpdate, AFailureInTheMiddleSaysWhatTheUnitIsWorth)

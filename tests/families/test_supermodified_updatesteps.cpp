@@ -169,7 +169,7 @@ TEST(SupermodifiedUpdate, ALinkThatIsClosedByHandWhileItLooksForTheNodeStaysClos
     const PortFile port;
     SupermodifiedUpdateBench bench(port.address());
     bench.standIn(supermodifiedSuccess);
-    bench.simulator->setPowered(false);
+    bench.cut();
     EXPECT_FALSE(bench.update("avrdude:arduino:" + port.name(), [&bench](Operation &operation) {
         if (operation.status().step.english() == "Looking for the controller")
             bench.host.close();
@@ -184,10 +184,13 @@ struct TitledSteps final : Progress {
         const std::pair<std::string, double> told{what.english(), static_cast<double>(done) / total};
         if (steps.empty() || steps.back() != told)
             steps.push_back(told);
+        if (bench)
+            bench->power(!SupermodifiedUpdateBench::isHeld(what.english()));
     }
     void part(int, PartState) override { }
     void log(Severity, const Message &) override { }
     std::vector<std::pair<std::string, double>> steps;
+    SupermodifiedUpdateBench *bench = nullptr; ///< whose node the programmer sits on
 };
 
 TEST(SupermodifiedUpdate, TellsEachOfFourQuartersAndHowFarItIs)
@@ -201,6 +204,7 @@ TEST(SupermodifiedUpdate, TellsEachOfFourQuartersAndHowFarItIs)
                   "echo 'Reading | ##################################################' >&2\n"
                   "echo 'avrdude: 6 bytes of flash verified' >&2\n");
     TitledSteps told;
+    told.bench = &bench;
     auto options = bench.options;
     options.via = "avrdude:usbasp:usb";
     auto task = supermodified::update(*bench.device, bench.written, options, told);
@@ -231,7 +235,7 @@ TEST(SupermodifiedUpdate, MayBeCancelledAgainWhileItLooksForTheNode)
 {
     SupermodifiedUpdateBench bench;
     bench.standIn(supermodifiedSuccess);
-    bench.simulator->setPowered(false);
+    bench.cut();
     bool looked = false;
     const auto cancelled = bench.update("avrdude:usbasp:usb", [&](Operation &operation) {
         if (operation.status().step.english() == "Looking for the controller" && !std::exchange(looked, true)) {

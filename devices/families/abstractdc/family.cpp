@@ -62,7 +62,8 @@ constexpr std::array programmers{
     Programmer{"jlink", "J-Link"},
 };
 constexpr UpdateWords programmed{
-    .cancel = QT_TRANSLATE_NOOP("table", "Nothing is written yet; the update can be run again"),
+    .cancel = QT_TRANSLATE_NOOP("table",
+        "Nothing is written yet. Where OpenOCD has halted the drive already it stands still: switch it off and on"),
     .critical = QT_TRANSLATE_NOOP("table", "The flash is being written: it must not be cut"),
     .cut = QT_TRANSLATE_NOOP("table",
         "A unit that is cut while it is written holds half a program. It runs again once an update has succeeded."),

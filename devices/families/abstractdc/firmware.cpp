@@ -44,43 +44,69 @@ struct Attempt {
     std::optional<Error> error; ///< of one that failed
 };
 
+/// From when on the drive does not hold its settings any more, and whether they are blank now; nothing while it does.
+std::optional<bool> blankSettings(const openocd::Reading &reading, const openocd::Job &job, bool takesSettings)
+{
+    if (takesSettings && reading.stage() >= Stage::Writing)
+        return false;
+    if (job.eraseSettings && reading.stage() >= Stage::Erasing)
+        return reading.isErased();
+    return std::nullopt;
+}
+
+void mark(Progress &progress, const std::vector<int> &pages, PartState state)
+{
+    for (const int page : pages)
+        progress.part(page, state);
+}
+
+void show(const openocd::Reading &reading, Progress &progress)
+{
+    progress.mayInterrupt(reading.stage() == Stage::Connecting || reading.stage() == Stage::Over);
+    progress.step(titleOf(reading.stage()), static_cast<int>(reading.stage()), static_cast<int>(Stage::Over));
+}
+
 /// Runs OpenOCD to its end; its error is one line that names the remedy.
 Task<Attempt> program(
     Controller &drive, openocd::Job job, std::vector<int> pages, bool takesSettings, Progress &progress)
 {
-    const auto mark = [&pages, &progress](PartState state) {
-        for (const int page : pages)
-            progress.part(page, state);
-    };
     if (!ExternalProgram::locate("openocd"))
         co_return fail(
             Fault::LinkLost, say("openocd is not installed"), say("install it with"), "sudo apt install openocd");
     openocd::Reading reading;
-    const auto show = [&reading, &progress] {
-        progress.mayInterrupt(reading.stage() == Stage::Connecting || reading.stage() == Stage::Over);
-        progress.step(titleOf(reading.stage()), static_cast<int>(reading.stage()), static_cast<int>(Stage::Over));
+    HeldDevice held(drive);
+    const auto forget = [&] {
+        if (const auto blank = blankSettings(reading, job, takesSettings))
+            drive.settingsReplaced(*blank);
     };
     const auto take = [&](const ExternalProgram::Piece &piece) {
         const Stage before = reading.stage();
         const bool wasErased = reading.isErased();
         if (piece.complete)
             reading.take(piece.text);
+        if (before == Stage::Connecting && reading.stage() > before)
+            held.hold(forget);
+        if (reading.stage() >= Stage::Resetting)
+            held.release();
+        if (reading.isErased() && !wasErased && !held.hasAnswered()) // now: it may die
+            forget();
         if (reading.stage() != before && reading.stage() == Stage::Writing)
-            mark(PartState::Active);
-        if (reading.isErased() && !wasErased) // now: it may be cancelled, or die
-            drive.settingsReplaced(true);
-        if (takesSettings && before < Stage::Writing && reading.stage() >= Stage::Writing)
-            drive.settingsReplaced(false);
+            mark(progress, pages, PartState::Active);
         if (reading.stage() != before && reading.stage() == Stage::Verifying)
-            mark(PartState::Done);
-        show();
+            mark(progress, pages, PartState::Done);
+        show(reading, progress);
     };
-    mark(PartState::Waiting);
-    show();
+    mark(progress, pages, PartState::Waiting);
+    show(reading, progress);
     auto running
         = runProgrammer(drive.clock(), openocd::commandOf(job), say("check the probe and try again"), take, progress);
     const Result<ExternalProgram::Exit> exit = co_await std::move(running).attempt();
-    if (exit && exit->isSuccess() && reading.isVerified())
+    held.release();
+    const bool isWritten = exit && exit->isSuccess() && reading.isVerified();
+    if (isWritten && held.hasAnswered())
+        co_return Attempt{std::move(reading), anotherUnit(drive)};
+    forget();
+    if (isWritten)
         co_return Attempt{std::move(reading), {}};
     Error error = exit ? reading.failure(job) : exit.error();
     if (reading.stage() >= Stage::Writing)

@@ -132,7 +132,8 @@ ExternalProgram::Command commandOf(const Job &job)
     if (job.eraseSettings) {
         order("init");
         order("reset halt");
-        order(eraseCommand()); // before the program, which may share a sector with the settings
+        order("echo {** Erasing Settings **}"); // it says only afterwards that it has
+        order(eraseCommand());                  // before the program, which may share a sector with the settings
     }
     order("program {" + job.file + "} verify reset exit");
     return {"openocd", std::move(arguments)};
@@ -163,6 +164,8 @@ void Reading::take(std::string_view line)
         m_erased = true;
         m_stage = Stage::Erasing;
     }
+    if (low.find("** erasing settings **") != std::string::npos)
+        m_stage = Stage::Erasing;
     if (low.find("** programming started **") != std::string::npos)
         m_stage = Stage::Writing;
     if (low.find("** verify started **") != std::string::npos)

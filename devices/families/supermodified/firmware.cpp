@@ -94,18 +94,31 @@ struct Attempt {
     bool hasBegun = false;      ///< to write, so that it is not simply tried again
 };
 
-Task<Attempt> runOnce(Clock &clock, avrdude::Job job, Progress &progress)
+/// What was read of the controller is not known any more once its memory is written, however that ends.
+Task<Attempt> runOnce(Controller &device, avrdude::Job job, Progress &progress)
 {
     avrdude::Reading reading;
-    const auto take = [&reading, &progress](const ExternalProgram::Piece &piece) {
+    HeldDevice held(device);
+    const auto take = [&](const ExternalProgram::Piece &piece) {
+        const bool had = reading.hasBegun();
         reading.take(piece.text, piece.complete);
+        if (reading.hasBegun() && !had) {
+            device.parameters().forgetAll();
+            if (!job.isBootloader()) // which has the line for itself
+                held.hold([] {});
+        }
+        if (reading.isVerified())
+            held.release();
         show(reading, progress);
     };
     show(reading, progress);
-    auto running = runProgrammer(clock, avrdude::commandOf(job), say("check the cables and try again"), take, progress);
+    auto running
+        = runProgrammer(device.clock(), avrdude::commandOf(job), say("check the cables and try again"), take, progress);
     const Result<ExternalProgram::Exit> exit = co_await std::move(running).attempt();
+    held.release();
     if (exit && exit->isSuccess() && reading.isVerified())
-        co_return Attempt{std::move(reading), {}, true};
+        co_return Attempt{
+            std::move(reading), held.hasAnswered() ? std::optional(anotherUnit(device)) : std::nullopt, true};
     Error error = exit ? reading.failure(job) : exit.error();
     if (reading.hasBegun())
         error.remedy = joined(
@@ -115,13 +128,13 @@ Task<Attempt> runOnce(Clock &clock, avrdude::Job job, Progress &progress)
 }
 
 /// The bootloader is asked at both of its rates.
-Task<avrdude::Reading> program(Clock &clock, avrdude::Job job, Progress &progress)
+Task<avrdude::Reading> program(Controller &device, avrdude::Job job, Progress &progress)
 {
     if (!ExternalProgram::locate("avrdude"))
         co_return fail(
             Fault::LinkLost, say("avrdude is not installed"), say("install it with"), "sudo apt install avrdude");
     if (!job.isBootloader()) {
-        auto run = runOnce(clock, job, progress);
+        auto run = runOnce(device, job, progress);
         Attempt attempt = co_await std::move(run);
         if (attempt.error)
             co_return fail(*attempt.error);
@@ -130,7 +143,7 @@ Task<avrdude::Reading> program(Clock &clock, avrdude::Job job, Progress &progres
     Error last{Fault::Timeout, say("no bootloader answers")};
     for (const int rate : avrdude::bootloaderRates) {
         job.rate = rate;
-        auto run = runOnce(clock, job, progress);
+        auto run = runOnce(device, job, progress);
         Attempt attempt = co_await std::move(run);
         if (!attempt.error)
             co_return std::move(attempt.reading);
@@ -222,7 +235,7 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
         co_return fail(file.error());
     job->file = (*file)->fileName().toStdString();
     PortLease lease(controller, job->port);
-    auto programming = program(device.clock(), *job, progress);
+    auto programming = program(controller, *job, progress);
     const auto programmed = co_await std::move(programming).attempt();
     auto ending = lease.end();
     const auto opened = co_await std::move(ending).attempt();
