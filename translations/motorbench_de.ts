@@ -18739,5 +18739,9 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>what was there is not known, and those that were tried are in force</source>
         <translation>was da war, ist nicht bekannt, und die zuletzt versuchten gelten</translation>
     </message>
+    <message>
+        <source>the acceptance mask of node %1 is not known, so it may do what is sent to node %2, too; scan again</source>
+        <translation>die Akzeptanzmaske von Knoten %1 ist nicht bekannt, er führt also vielleicht auch aus, was an Knoten %2 geht; neu suchen</translation>
+    </message>
 </context>
 </TS>

@@ -18739,5 +18739,9 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>what was there is not known, and those that were tried are in force</source>
         <translation>no se sabe lo que había, y las que se probaron están vigentes</translation>
     </message>
+    <message>
+        <source>the acceptance mask of node %1 is not known, so it may do what is sent to node %2, too; scan again</source>
+        <translation>no se conoce la máscara de aceptación del nodo %1, así que quizá ejecute también lo que se envía al nodo %2; busque de nuevo</translation>
+    </message>
 </context>
 </TS>
