@@ -18811,5 +18811,9 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>wait until it is done</source>
         <translation>warten, bis es fertig ist</translation>
     </message>
+<message>
+        <source>the acceptance mask of node %1 is not known, so it may do what is sent to node %2, too; scan again</source>
+        <translation>die Akzeptanzmaske von Knoten %1 ist nicht bekannt, er führt also vielleicht auch aus, was an Knoten %2 geht; neu suchen</translation>
+    </message>
 </context>
 </TS>

@@ -18811,5 +18811,9 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>wait until it is done</source>
         <translation>espere a que termine</translation>
     </message>
+<message>
+        <source>the acceptance mask of node %1 is not known, so it may do what is sent to node %2, too; scan again</source>
+        <translation>no se conoce la máscara de aceptación del nodo %1, así que quizá ejecute también lo que se envía al nodo %2; busque de nuevo</translation>
+    </message>
 </context>
 </TS>

@@ -18811,5 +18811,9 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <source>wait until it is done</source>
         <translation>attendez que ce soit terminé</translation>
     </message>
+<message>
+        <source>the acceptance mask of node %1 is not known, so it may do what is sent to node %2, too; scan again</source>
+        <translation>le masque d’acceptation du nœud %1 n’est pas connu, il exécute donc peut-être aussi ce qui est envoyé au nœud %2 ; relancez la recherche</translation>
+    </message>
 </context>
 </TS>

@@ -18794,5 +18794,9 @@ double click plots it, drag it to a pane or below them</source>
         <source>wait until it is done</source>
         <translation>終わるまで待ってください</translation>
     </message>
+<message>
+        <source>the acceptance mask of node %1 is not known, so it may do what is sent to node %2, too; scan again</source>
+        <translation>ノード %1 のアクセプタンスマスクが分からないため、ノード %2 への指令も実行する可能性があります。再スキャンしてください</translation>
+    </message>
 </context>
 </TS>

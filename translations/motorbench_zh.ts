@@ -18794,5 +18794,9 @@ double click plots it, drag it to a pane or below them</source>
         <source>wait until it is done</source>
         <translation>请等待其完成</translation>
     </message>
+<message>
+        <source>the acceptance mask of node %1 is not known, so it may do what is sent to node %2, too; scan again</source>
+        <translation>节点 %1 的接收掩码未知，发送给节点 %2 的内容它可能也会执行；请重新扫描</translation>
+    </message>
 </context>
 </TS>

@@ -61,7 +61,7 @@ void Device::setLiveness(const Liveness &liveness)
 void Device::setLiveness(const Liveness &liveness, const LiveStates &states, Instant time)
 {
     if (liveness.restarted && !m_liveness.restarted)
-        (void)m_gate.takeMove();
+        m_gate.forgetMove();
     const bool changed = liveness != m_liveness;
     if (changed)
         m_liveness = liveness;

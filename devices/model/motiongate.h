@@ -52,8 +52,16 @@ public:
     /// For families: what became of a buffered move.
     void moveSent() { m_kept.state = KeptMove::State::Sent; }
     void moveAcknowledged(const SetPoint &order) { m_kept = {KeptMove::State::Acknowledged, order}; }
-    /// The move has begun, or the device forgot it: what it was.
-    KeptMove takeMove() { return std::exchange(m_kept, {}); }
+    /// Its release is on the wire: what the device begins. One that is only sent comes after it, and one that was to be stopped is gone.
+    std::optional<SetPoint> moveReleased()
+    {
+        if (m_kept.state == KeptMove::State::Sent)
+            return std::nullopt;
+        const KeptMove was = std::exchange(m_kept, {});
+        return was.state == KeptMove::State::Acknowledged ? std::optional(was.order) : std::nullopt;
+    }
+    /// The device has none any more.
+    void forgetMove() { m_kept = {}; }
 
 private:
     Message m_busy;

@@ -271,8 +271,13 @@ TEST_F(CommonDevice, AStopLeavesAMoveThatTheDeviceKeepsAndNobodyWantsIt)
         motor->stop();
         EXPECT_EQ(motor->gate().kept().state, KeptMove::State::Stale);
     }
+    EXPECT_FALSE(motor->gate().moveReleased()) << "nobody wants it";
+    EXPECT_FALSE(motor->gate().keepsMove()) << "but it is gone";
+    motor->gate().moveSent();
+    EXPECT_FALSE(motor->gate().moveReleased()) << "the release was before it";
+    EXPECT_TRUE(motor->gate().keepsMove());
     motor->gate().moveAcknowledged(duty());
-    EXPECT_EQ(motor->gate().takeMove().order, duty());
+    EXPECT_EQ(motor->gate().moveReleased(), duty());
     EXPECT_FALSE(motor->gate().keepsMove());
 }
 

@@ -24,10 +24,13 @@ Motion::Motion(Line &line, const Node &node, MotionGate &gate, Events events)
     , m_events(std::move(events))
     , m_stop(line, node, {[this] { stopped(); }, m_events.codes})
     , m_releasing(line.driven().releasing().add([this](DrivenNodes::Release &release) {
-        if (release.isBegun)
-            released();
-        else if (release.allowed)
+        const auto kept = release.isBegun ? m_gate.moveReleased() : std::nullopt;
+        if (kept) {
+            begun(*kept);
+            m_events.changed();
+        } else if (!release.isBegun && release.allowed) {
             release.allowed = mayBegin();
+        }
     }))
 {
 }
@@ -210,12 +213,11 @@ void Motion::done(Step step, const Frame &reply)
     case Step::Velocity:
     case Step::Acceleration: stored(step); break;
     case Step::Move:
+        m_count.took(order);
         if (order.buffered)
             m_gate.moveAcknowledged(order);
         else
             begun(order);
-        m_count.took(order);
-        placeDistance();
         m_looked = false;
         m_orders.pop_front();
         m_events.changed();
@@ -243,6 +245,10 @@ void Motion::begun(const SetPoint &order)
 {
     m_applied = order;
     m_applied->buffered = false; // once more it would be kept
+    if (const auto end = m_count.destination(); end && order.relative && m_node.dialect != Dialect::D3) {
+        m_applied->relative = false; // as a place it can be sent once more (README.md#restarts)
+        m_applied->target = static_cast<double>(*end);
+    }
     m_run.reset();
     if (!m_count.ofNode())
         return;
@@ -250,16 +256,6 @@ void Motion::begun(const SetPoint &order)
     const double target = static_cast<double>(m_count.targetOf(order)) + (order.relative ? from : 0.0);
     if (const auto overrun = bounds().overrun(order, target - from))
         m_run = ProfiledRun(from, target, *overrun);
-}
-
-/// A distance that was taken, as the place where it ends: that can be sent once more (README.md#restarts).
-void Motion::placeDistance()
-{
-    const auto destination = m_count.destination();
-    if (!m_applied || !m_applied->relative || !destination || m_node.dialect == Dialect::D3)
-        return;
-    m_applied->relative = false;
-    m_applied->target = static_cast<double>(*destination);
 }
 
 void Motion::setPosition(std::int64_t raw)
@@ -287,17 +283,6 @@ Result<void> Motion::release()
     tell.left = [this] { m_line.driven().released(); };
     m_releaseTicket = m_line.submit(tell, [](const Result<Frame> &) {});
     return {};
-}
-
-/// What is still sent comes after it; what was to be stopped is gone with it.
-void Motion::released()
-{
-    if (m_gate.kept().state == KeptMove::State::Sent)
-        return;
-    if (const KeptMove kept = m_gate.takeMove(); kept.state == KeptMove::State::Acknowledged) {
-        begun(kept.order);
-        m_events.changed();
-    }
 }
 
 /// The move that it keeps, from where the motor is by now.
