@@ -26,15 +26,15 @@ void StationLamp::follow()
     m_header.setLampStatus(over(m_arming.status(m_selection.device())));
 }
 
-/// The unit whose self-test runs now, its motor with it; a test that is announced turns nothing yet.
+/// The unit whose self-test runs now, its motor with it; one that is announced, or waits, turns nothing yet.
 const service::QueueRow *StationLamp::tested() const
 {
     const ServiceView &view = m_workbench.service();
     const auto isTested = [](const service::QueueRow &row) {
         return row.state == service::RowState::Running && row.visit.step == service::Step::Test;
     };
-    const bool turns = std::ranges::count_if(view.rows, isTested) > (view.announces ? 1 : 0);
-    return turns && (view.armed || view.permitted) ? &*std::ranges::find_if(view.rows, isTested) : nullptr;
+    const bool turns = std::ranges::count_if(view.rows, isTested) > view.announced + view.waiting;
+    return turns && view.mayTurn != MayTurn::Nothing ? &**std::ranges::find_if(view.rows, isTested) : nullptr;
 }
 
 /// What a queue says never makes less of a motor that moves, or may.
@@ -47,10 +47,10 @@ LampStatus StationLamp::over(LampStatus status) const
     if (const service::QueueRow *row = tested()) {
         status.state = LampState::Moving;
         status.detail = tr("%1 self-test").arg(nameOf(*row));
-    } else if (view.armed) {
+    } else if (view.isArmed()) {
         status.state = LampState::Armed;
-        status.detail = view.announces ? tr("turns in a moment") : tr("self-tests");
-        if (!view.announces)
+        status.detail = view.announced > 0 ? tr("turns in a moment") : tr("self-tests");
+        if (view.announced == 0)
             status.remaining = std::chrono::duration_cast<std::chrono::seconds>(
                 std::max(view.armedUntil - m_workbench.now(), Duration::zero()));
     } else {
@@ -72,7 +72,7 @@ void StationLamp::arm()
 void StationLamp::disarm()
 {
     const bool turns = tested() != nullptr;
-    if (!turns && !m_workbench.service().armed)
+    if (!turns && !m_workbench.service().isArmed())
         return m_arming.disarm();
     if (turns)
         m_arming.stopAll(tr("Arm button"));

@@ -102,8 +102,7 @@ void ServiceJobs::followLinks()
     ServiceView last = view();
     leave();
     last.running = false;
-    last.armed = false;
-    last.permitted = false;
+    last.mayTurn = MayTurn::Nothing;
     m_last = std::move(last);
     m_changed.notify();
 }
@@ -241,11 +240,7 @@ ServiceView ServiceJobs::view() const
         return m_last;
     ServiceView view;
     view.links = m_links.addresses();
-    view.armed = m_permit.isArmed();
-    view.permitted = m_permit.isPermitted();
-    view.armedUntil = m_permit.armedUntil();
-    view.announces = m_permit.isAnnouncing();
-    view.waits = m_permit.isWaitedFor();
+    m_permit.describe(view);
     view.trouble = m_trouble;
     view.matter = m_matter;
     view.run = m_queue->run();

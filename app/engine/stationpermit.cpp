@@ -39,19 +39,30 @@ StationPermit::StationPermit(Clock &clock)
 
 void StationPermit::arm(bool on)
 {
-    m_armings += on && !m_isArmed;
-    m_isArmed = on;
-    m_isPermitted = on;
+    m_armings += on && !isArmed();
     m_slept = m_clock.slept();
+    set(on ? MayTurn::Every : MayTurn::Nothing);
+}
+
+void StationPermit::set(MayTurn mayTurn)
+{
+    m_mayTurn = mayTurn;
     restart();
     m_changed.notify();
 }
 
+void StationPermit::describe(ServiceView &view) const
+{
+    view.mayTurn = m_mayTurn;
+    view.armedUntil = m_end;
+    view.announced = m_announcing;
+    view.waiting = m_waiting;
+}
+
 void StationPermit::disarmNext()
 {
-    const bool permitted = m_isPermitted;
-    arm(false);
-    m_isPermitted = permitted;
+    if (isArmed())
+        set(MayTurn::WhatTurns);
 }
 
 void StationPermit::restart()
@@ -63,7 +74,7 @@ void StationPermit::restart()
 /// Whoever armed it has left when the computer has slept.
 void StationPermit::look()
 {
-    if (!m_isArmed)
+    if (!isArmed())
         m_until.stop();
     else if (m_clock.now() >= m_end || m_clock.slept() - m_slept > asleep)
         arm(false);
@@ -84,7 +95,7 @@ Task<void> StationPermit::beforeMotion(const Device &device, const service::Self
         m_changed.notify();
         Sleep warning(m_clock, announcement);
         co_await warning;
-    } while (!m_isArmed || arming != m_armings);
+    } while (!isArmed() || arming != m_armings);
     m_changed.notify();
     co_return {};
 }
@@ -95,7 +106,7 @@ Task<void> StationPermit::untilArmed(const Device &device, Progress &progress)
     const Counted waiting(m_waiting);
     const bool isFollowed = device.liveness().heard;
     Instant heardAt = m_clock.now();
-    while (!m_isArmed) {
+    while (!isArmed()) {
         if (m_isLeaving)
             co_return fail(Fault::Cancelled, say("left before the station was armed"));
         if (device.link().state() != LinkState::Open)

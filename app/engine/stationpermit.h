@@ -5,6 +5,7 @@
 #include "async/sleep.h"
 #include "service/selftest.h"
 #include "service/servicesurroundings.h"
+#include "widgets/common/serviceview.h"
 
 namespace mb {
 
@@ -22,15 +23,8 @@ public:
     /// Nobody will arm any more: units that wait for it are cut off; until the next queue begins.
     void setLeaving(bool on) { m_isLeaving = on; }
 
-    [[nodiscard]] bool isArmed() const { return m_isArmed; }
-    /// What was let turn may do so still.
-    [[nodiscard]] bool isPermitted() const { return m_isPermitted; }
-    /// Of it, without a unit.
-    [[nodiscard]] Instant armedUntil() const { return m_end; }
-    /// The motor of a unit turns in a moment.
-    [[nodiscard]] bool isAnnouncing() const { return m_announcing > 0; }
-    /// A unit waits until the station is armed.
-    [[nodiscard]] bool isWaitedFor() const { return m_waiting > 0 && !m_isArmed; }
+    /// Its part of what the window sees.
+    void describe(ServiceView &view) const;
     [[nodiscard]] Listeners<> &changed() { return m_changed; }
 
     [[nodiscard]] Task<void> beforeMotion(
@@ -44,12 +38,13 @@ public:
     static constexpr Duration armedTime = std::chrono::minutes(5);
 
 private:
+    [[nodiscard]] bool isArmed() const { return m_mayTurn == MayTurn::Every; }
+    void set(MayTurn mayTurn);
     void look();
     [[nodiscard]] Task<void> untilArmed(const Device &device, Progress &progress);
 
     Clock &m_clock;
-    bool m_isArmed = false;
-    bool m_isPermitted = false;
+    MayTurn m_mayTurn = MayTurn::Nothing;
     int m_armings = 0;
     Instant m_end{};
     Duration m_slept{}; ///< Clock::slept() when it was armed

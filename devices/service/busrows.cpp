@@ -58,12 +58,13 @@ void BusRows::notice(const Device &device)
         return;
     }
     if (std::exchange(known->missing, false))
-        known->shown.what = {};
-    known->moved = known->moved || isMoved(known->shown.visit, device);
+        known->shown.edit().what = {};
+    known->moved = known->moved || isMoved(known->shown->visit, device);
     known->seen = true;
     known->absentAt.reset();
     known->gone = false;
-    known->shown.device = m_session.idOf(device);
+    if (known->shown->device != m_session.idOf(device))
+        known->shown.edit().device = m_session.idOf(device);
 }
 
 /// By the number that was given here first, however long it was gone; else by its name, while it was not gone. One that another
@@ -72,10 +73,10 @@ BusRows::Row *BusRows::rowOf(const Device &device, const std::string &unit)
 {
     Row *known = nullptr;
     for (Row &row : m_rows) {
-        if (isMoved(row.shown.visit, device))
+        if (isMoved(row.shown->visit, device))
             return &row;
-        if (row.shown.visit.unit == unit && !row.gone && !row.moved && !row.seen
-            && (!known || known->shown.device != m_session.idOf(device)))
+        if (row.shown->visit.unit == unit && !row.gone && !row.moved && !row.seen
+            && (!known || known->shown->device != m_session.idOf(device)))
             known = &row;
     }
     return known;
@@ -85,15 +86,16 @@ void BusRows::addRow(const Device &device, const std::string &unit)
 {
     Row &row = m_rows.emplace_back();
     row.seen = true;
-    row.shown.id = ++m_lastRow;
-    row.shown.device = m_session.idOf(device);
-    row.shown.link = m_link.address().text();
-    row.shown.visit.unit = unit;
-    row.shown.visit.serial = device.identity().serial;
-    row.shown.visit.device = device.selector();
-    row.shown.visit.family = device.identity().family;
-    row.shown.visit.from = device.identity().firmware;
-    row.shown.state = m_wanted.onlyChosen ? RowState::Skipped : RowState::Waiting;
+    QueueRow &shown = row.shown.edit();
+    shown.id = ++m_lastRow;
+    shown.device = m_session.idOf(device);
+    shown.link = m_link.address().text();
+    shown.visit.unit = unit;
+    shown.visit.serial = device.identity().serial;
+    shown.visit.device = device.selector();
+    shown.visit.family = device.identity().family;
+    shown.visit.from = device.identity().firmware;
+    shown.state = m_wanted.onlyChosen ? RowState::Skipped : RowState::Waiting;
 }
 
 /// What the run that is resumed knows of those that are here: done, or cut off. Who stands in a place may be another than the one
@@ -105,12 +107,12 @@ void BusRows::recall(const std::vector<Device *> &found)
         const auto moved = std::ranges::find_if(found, [&](const Device *device) { return isMoved(visit, *device); });
         const DeviceId id = moved == found.end() ? DeviceId{} : m_session.idOf(**moved);
         for (Row &row : m_rows) {
-            const bool here = row.shown.visit.unit == visit.unit && (!isPlace || visit.outcome == Outcome::Open);
-            if (moved == found.end() ? !here : row.shown.device != id)
+            const bool here = row.shown->visit.unit == visit.unit && (!isPlace || visit.outcome == Outcome::Open);
+            if (moved == found.end() ? !here : row.shown->device != id)
                 continue;
             row.moved = moved != found.end();
-            row.shown.visit = visit;
-            row.shown.state = stateOf(visit.outcome);
+            row.shown.edit().visit = visit;
+            row.shown.edit().state = stateOf(visit.outcome);
         }
     }
 }
@@ -127,16 +129,18 @@ bool BusRows::isMoved(const Visit &visit, const Device &device) const
 void BusRows::addMissing()
 {
     for (const Visit &visit : m_wanted.earlier) {
-        const bool known = std::ranges::any_of(m_rows,
-            [&visit](const Row &row) { return row.shown.visit.id == visit.id || row.shown.visit.unit == visit.unit; });
+        const bool known = std::ranges::any_of(m_rows, [&visit](const Row &row) {
+            return row.shown->visit.id == visit.id || row.shown->visit.unit == visit.unit;
+        });
         if (known || visit.outcome != Outcome::Open || linkOf(visit) != m_link.address().text())
             continue;
         Row &row = m_rows.emplace_back();
         row.missing = true;
-        row.shown.id = ++m_lastRow;
-        row.shown.link = m_link.address().text();
-        row.shown.visit = visit;
-        row.shown.what = say("does not answer");
+        QueueRow &shown = row.shown.edit();
+        shown.id = ++m_lastRow;
+        shown.link = m_link.address().text();
+        shown.visit = visit;
+        shown.what = say("does not answer");
     }
 }
 
@@ -144,7 +148,7 @@ BusRows::Row *BusRows::missingOf(const Device &device)
 {
     const std::string unit = unitKeyOf(device);
     const auto found = std::ranges::find_if(m_rows, [&](const Row &row) {
-        return row.missing && (row.shown.visit.unit == unit || isMoved(row.shown.visit, device));
+        return row.missing && (row.shown->visit.unit == unit || isMoved(row.shown->visit, device));
     });
     return found == m_rows.end() ? nullptr : &*found;
 }
@@ -167,34 +171,34 @@ void BusRows::markAbsent(const Row *serving)
     }
     if (!m_wanted.once)
         m_rows.remove_if([serving](const Row &row) {
-            return &row != serving && row.gone && row.shown.state == RowState::Waiting && row.shown.visit.id.empty();
+            return &row != serving && row.gone && row.shown->state == RowState::Waiting && row.shown->visit.id.empty();
         });
 }
 
 bool BusRows::hasTwin(const Row &row) const
 {
-    const std::string &unit = row.shown.visit.unit;
+    const std::string &unit = row.shown->visit.unit;
     return row.seen && unitByOf(unit) == UnitBy::Serial && std::ranges::any_of(m_rows, [&](const Row &other) {
-        return &other != &row && other.seen && other.shown.visit.unit == unit;
+        return &other != &row && other.seen && other.shown->visit.unit == unit;
     });
 }
 
 bool BusRows::hasWaiting() const
 {
-    return std::ranges::any_of(m_rows, [](const Row &row) { return row.shown.state == RowState::Waiting; });
+    return std::ranges::any_of(m_rows, [](const Row &row) { return row.shown->state == RowState::Waiting; });
 }
 
 BusRows::Row *BusRows::next()
 {
     const auto found = std::ranges::find_if(m_rows, [this](const Row &row) {
-        return row.shown.state == RowState::Waiting && !row.missing && (row.seen || m_wanted.once);
+        return row.shown->state == RowState::Waiting && !row.missing && (row.seen || m_wanted.once);
     });
     return found == m_rows.end() ? nullptr : &*found;
 }
 
 BusRows::Row *BusRows::find(std::uint32_t id)
 {
-    const auto found = std::ranges::find_if(m_rows, [id](const Row &row) { return row.shown.id == id; });
+    const auto found = std::ranges::find_if(m_rows, [id](const Row &row) { return row.shown->id == id; });
     return found == m_rows.end() ? nullptr : &*found;
 }
 
@@ -202,7 +206,7 @@ std::set<int> BusRows::numbersBeside(const Row &row) const
 {
     std::set<int> taken;
     for (const Row &other : m_rows) {
-        const Device *const device = m_session.find(other.shown.device);
+        const Device *const device = m_session.find(other.shown->device);
         if (&other != &row && device && !other.gone)
             taken.insert(device->identity().address);
     }

@@ -15,13 +15,13 @@ namespace mb::service {
 class BusRows {
 public:
     struct Row {
-        QueueRow shown;
+        Published<QueueRow> shown;
         bool seen = false;               ///< in the last look
         std::optional<Instant> absentAt; ///< since when nobody saw it
         bool gone = false;               ///< long enough to begin again
         bool missing = false;            ///< cut off in the run that is resumed, and not seen since
         bool moved = false;              ///< seen under the number that it was given: its first place is another's now
-        [[nodiscard]] bool isMissed() const { return missing && shown.state == RowState::Waiting; }
+        [[nodiscard]] bool isMissed() const { return missing && shown->state == RowState::Waiting; }
     };
     /// All of it outlives the rows.
     struct Wanted {

@@ -40,27 +40,28 @@ public:
     }
     void step(const Message &what, int done, int total) override
     {
-        m_row.what = what;
-        m_row.done = done;
-        m_row.total = total;
+        QueueRow &row = m_row.edit();
+        row.what = what;
+        row.done = done;
+        row.total = total;
         m_bus.m_operation->step(what, done, total);
         m_bus.m_run.changed().notify();
     }
     void part(int number, PartState state) override
     {
-        m_row.parts[number] = state;
+        m_row.edit().parts[number] = state;
         m_bus.m_operation->part(number, state);
         m_bus.m_run.changed().notify();
     }
     void log(Severity severity, const Message &text) override
     {
         m_bus.m_operation->log(severity, text);
-        m_row.log = extended(m_row.log, {m_bus.m_run.clock().now(), severity, text});
+        m_row.edit().log = extended(m_row->log, {m_bus.m_run.clock().now(), severity, text});
         m_bus.m_run.changed().notify();
     }
     void mayInterrupt(bool may) override
     {
-        m_row.mayInterrupt = may;
+        m_row.edit().mayInterrupt = may;
         m_bus.m_operation->mayInterrupt(may);
         if (may && m_bus.m_wantsSkip)
             (void)m_bus.m_operation->cancel();
@@ -68,13 +69,13 @@ public:
     }
     void written(const Visit &visit)
     {
-        m_row.visit = visit;
+        m_row.edit().visit = visit;
         m_bus.m_run.changed().notify();
     }
 
 private:
     QueueBus &m_bus;
-    QueueRow &m_row;
+    Published<QueueRow> &m_row;
 };
 
 QueueBus::QueueBus(QueueRun &run, Session &session, Link &link)
@@ -136,7 +137,7 @@ Task<void> QueueBus::giveUpMissing()
     for (Row &row : m_rows.all()) {
         if (!row.isMissed() || row.seen || now - row.absentAt.value_or(now) < missedAfter)
             continue;
-        Visit visit = row.shown.visit;
+        Visit visit = row.shown->visit;
         visit.outcome = Outcome::Failed;
         visit.cause = say("it was cut off at '%1' and does not answer any more", Message::label(toString(visit.step)));
         visit.remedy = say("look at cable and supply; when it answers again it is served from the beginning");
@@ -155,7 +156,7 @@ Task<void> QueueBus::giveUpMissing()
 Task<void> QueueBus::checkAll()
 {
     for (Row &row : m_rows.all()) {
-        if (row.shown.state != RowState::Waiting || !row.shown.visit.id.empty())
+        if (row.shown->state != RowState::Waiting || !row.shown->visit.id.empty())
             continue;
         auto checking = check(row);
         co_await std::move(checking);
@@ -165,11 +166,11 @@ Task<void> QueueBus::checkAll()
 
 Task<void> QueueBus::check(Row &row)
 {
-    Device *const device = m_session.find(row.shown.device);
+    Device *const device = m_session.find(row.shown->device);
     if (!device)
         co_return {};
     NoProgress unseen;
-    row.shown.what = say("Preflight");
+    row.shown.edit().what = say("Preflight");
     m_run.changed().notify();
     auto looking = preflight(*device, m_run.matter(), m_run.around().trials, unseen);
     Result<void> looked = co_await std::move(looking).attempt();
@@ -185,15 +186,15 @@ Task<void> QueueBus::check(Row &row)
 /// What tells two units apart tells them nothing of each other: what one was given would be taken for the other's.
 Result<void> QueueBus::isAlone(const Row &row) const
 {
-    if (!m_rows.hasTwin(row) && !m_run.isElsewhere(m_link, row.shown.visit.unit))
+    if (!m_rows.hasTwin(row) && !m_run.isElsewhere(m_link, row.shown->visit.unit))
         return {};
-    return fail(Fault::Refused, say("two units tell the serial number %1", row.shown.visit.serial),
+    return fail(Fault::Refused, say("two units tell the serial number %1", row.shown->visit.serial),
         say("take one of them off, then test the other again"));
 }
 
 Task<void> QueueBus::refuse(Row &row, const Device &device, Error error)
 {
-    Visit visit = row.shown.visit;
+    Visit visit = row.shown->visit;
     if (visit.id.empty()) {
         auto opening = openVisit(row, device);
         visit = co_await std::move(opening);
@@ -215,7 +216,7 @@ Task<Visit> QueueBus::openVisit(Row &row, const Device &device)
     visit.recipe = m_run.matter().recipe.name;
     visit.recipeHash = m_run.matter().hash;
     visit.imageHash = m_run.matter().imageHash;
-    visit.unit = row.shown.visit.unit;
+    visit.unit = row.shown->visit.unit;
     visit.serial = device.identity().serial;
     visit.device = device.selector();
     visit.family = device.identity().family;
@@ -224,7 +225,7 @@ Task<Visit> QueueBus::openVisit(Row &row, const Device &device)
     visit.station = m_run.options().station;
     auto opening = m_run.around().journal.open(visit);
     Visit opened = co_await std::move(opening);
-    row.shown.visit = opened;
+    row.shown.edit().visit = opened;
     co_return opened;
 }
 
@@ -237,7 +238,7 @@ public:
         m_bus.m_serving = &row;
         m_bus.m_wantsSkip = false;
         m_bus.m_interruption = std::make_unique<tuning::Interruption>();
-        m_bus.m_run.begin(m_bus.m_link, row.shown.visit.unit);
+        m_bus.m_run.begin(m_bus.m_link, row.shown->visit.unit);
     }
     Serving(const Serving &) = delete;
     Serving &operator=(const Serving &) = delete;
@@ -254,18 +255,19 @@ private:
 
 Task<void> QueueBus::serve(Row &row)
 {
-    Device *const device = m_session.find(row.shown.device);
+    Device *const device = m_session.find(row.shown->device);
     if (!device) {
-        row.shown.state = RowState::Skipped;
-        row.shown.visit.cause = say("another unit stands in its place by now");
+        row.shown.edit().state = RowState::Skipped;
+        row.shown.edit().visit.cause = say("another unit stands in its place by now");
         m_run.changed().notify();
         co_return {};
     }
     const Serving serving(*this, row);
-    row.shown.state = RowState::Running;
-    row.shown.startedAt = m_run.clock().now();
-    row.shown.parts.clear();
-    ++row.shown.tries;
+    QueueRow &shown = row.shown.edit();
+    shown.state = RowState::Running;
+    shown.startedAt = m_run.clock().now();
+    shown.parts.clear();
+    ++shown.tries;
     m_run.changed().notify();
     auto working = serveHere(row, *device);
     const Result<void> served = co_await std::move(working).attempt();
@@ -287,7 +289,7 @@ Task<void> QueueBus::serveHere(Row &row, Device &device)
         co_await std::move(refusing);
         co_return {};
     }
-    Visit visit = row.shown.visit;
+    Visit visit = row.shown->visit;
     if (visit.id.empty()) {
         auto opening = openVisit(row, device);
         visit = co_await std::move(opening);
@@ -303,11 +305,12 @@ Task<void> QueueBus::serveHere(Row &row, Device &device)
 /// Its visit is open still.
 void QueueBus::leftOut(Row &row, const Error &why)
 {
-    row.shown.state = RowState::Skipped;
-    row.shown.what = {};
-    row.shown.mayInterrupt = true;
-    row.shown.visit.cause = why.detail;
-    row.shown.visit.remedy = why.help();
+    QueueRow &shown = row.shown.edit();
+    shown.state = RowState::Skipped;
+    shown.what = {};
+    shown.mayInterrupt = true;
+    shown.visit.cause = why.detail;
+    shown.visit.remedy = why.help();
     m_run.changed().notify();
 }
 
@@ -354,10 +357,11 @@ Task<Visit> QueueBus::perform(Row &row, Device &device, Visit visit)
 
 void QueueBus::ended(Row &row, const Visit &visit)
 {
-    row.shown.visit = visit;
-    row.shown.state = stateOf(visit.outcome);
-    row.shown.what = {};
-    row.shown.mayInterrupt = true;
+    QueueRow &shown = row.shown.edit();
+    shown.visit = visit;
+    shown.state = stateOf(visit.outcome);
+    shown.what = {};
+    shown.mayInterrupt = true;
     m_run.count(visit);
 }
 
@@ -366,10 +370,10 @@ bool QueueBus::isReal() const
     return !m_link.address().isSimulated() && !m_link.address().isRecording();
 }
 
-void QueueBus::addRows(std::vector<QueueRow> &rows) const
+void QueueBus::addRows(std::vector<Shared<QueueRow>> &rows) const
 {
     for (const Row &row : m_rows.all())
-        rows.push_back(row.shown);
+        rows.push_back(row.shown.shared());
 }
 
 bool QueueBus::skip(std::uint32_t id)
@@ -381,8 +385,8 @@ bool QueueBus::skip(std::uint32_t id)
         m_wantsSkip = true;
         if (m_operation)
             (void)m_operation->cancel();
-    } else if (row->shown.state == RowState::Waiting) {
-        row->shown.state = RowState::Skipped;
+    } else if (row->shown->state == RowState::Waiting) {
+        row->shown.edit().state = RowState::Skipped;
     }
     return true;
 }
@@ -394,23 +398,23 @@ Result<void> QueueBus::retry(std::uint32_t id)
         return fail(Fault::Refused, say("it is not in the queue"));
     if (m_run.isFinishing())
         return fail(Fault::Refused, say("the queue was ended"), say("begin it once more to serve this unit again"));
-    if (row == m_serving || row->shown.state == RowState::Waiting)
+    if (row == m_serving || row->shown->state == RowState::Waiting)
         return fail(Fault::Refused, say("it is being served, or waits for its turn"));
-    if (row->shown.state == RowState::Passed)
+    if (row->shown->state == RowState::Passed)
         return fail(Fault::Refused, say("it has passed"), say("take it off and put it on again to serve it once more"));
     if (row->gone)
         return fail(Fault::Refused, say("it was taken off"), say("put it on again; it gets a row of its own"));
-    if (isEnded(row->shown.state)) {
-        m_run.uncount(row->shown.visit);
+    if (isEnded(row->shown->state)) {
+        m_run.uncount(row->shown->visit);
         Visit again;
-        again.unit = row->shown.visit.unit;
-        again.serial = row->shown.visit.serial;
-        again.device = row->shown.visit.device;
-        again.family = row->shown.visit.family;
-        row->shown.visit = std::move(again);
+        again.unit = row->shown->visit.unit;
+        again.serial = row->shown->visit.serial;
+        again.device = row->shown->visit.device;
+        again.family = row->shown->visit.family;
+        row->shown.edit().visit = std::move(again);
     }
-    row->shown.state = RowState::Waiting;
-    row->shown.what = {};
+    row->shown.edit().state = RowState::Waiting;
+    row->shown.edit().what = {};
     return {};
 }
 
@@ -418,8 +422,8 @@ bool QueueBus::retryFailed()
 {
     bool any = false;
     for (const Row &row : m_rows.all()) {
-        if (row.shown.state == RowState::Failed)
-            any = retry(row.shown.id).has_value() || any;
+        if (row.shown->state == RowState::Failed)
+            any = retry(row.shown->id).has_value() || any;
     }
     return any;
 }

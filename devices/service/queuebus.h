@@ -24,7 +24,7 @@ public:
     [[nodiscard]] bool isServing() const { return m_serving != nullptr; }
     /// Neither simulated nor a recording.
     [[nodiscard]] bool isReal() const;
-    void addRows(std::vector<QueueRow> &rows) const;
+    void addRows(std::vector<Shared<QueueRow>> &rows) const;
 
     bool skip(std::uint32_t row);
     [[nodiscard]] bool has(std::uint32_t row) { return m_rows.find(row) != nullptr; }

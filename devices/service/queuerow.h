@@ -3,6 +3,7 @@
 
 #include "model/operation.h"
 #include "model/session.h"
+#include "model/shared.h"
 #include "service/visit.h"
 
 #include <map>
@@ -15,7 +16,7 @@ enum class RowState { Waiting, Running, Skipped, Passed, Failed, Refused };
 /// The word of a verdict for a row; Waiting while there is none.
 [[nodiscard]] RowState stateOf(Outcome outcome);
 
-/// One unit of the queue, by value for a window. What is empty is not known.
+/// One unit of the queue, for a window. What is empty is not known.
 struct QueueRow {
     std::uint32_t id = 0; ///< stable while the queue lives
     DeviceId device;      ///< in the session of its bus

@@ -66,12 +66,12 @@ bool ServiceQueue::mustStayAwake() const
     return std::ranges::any_of(m_buses, [](const auto &bus) { return bus->isServing() && bus->isReal(); });
 }
 
-std::vector<QueueRow> ServiceQueue::rows() const
+std::vector<Shared<QueueRow>> ServiceQueue::rows() const
 {
-    std::vector<QueueRow> rows;
+    std::vector<Shared<QueueRow>> rows;
     for (const auto &bus : m_buses)
         bus->addRows(rows);
-    std::ranges::sort(rows, [](const QueueRow &a, const QueueRow &b) { return a.id < b.id; });
+    std::ranges::sort(rows, {}, &QueueRow::id);
     return rows;
 }
 

@@ -28,8 +28,8 @@ public:
     void addBus(Session &session, Link &link);
     void start();
 
-    /// In the order in which units were found.
-    [[nodiscard]] std::vector<QueueRow> rows() const;
+    /// In the order in which units were found; a row is the same object until something of it changes.
+    [[nodiscard]] std::vector<Shared<QueueRow>> rows() const;
     [[nodiscard]] QueueCounts counts() const { return m_run.counts(); }
     [[nodiscard]] const RecipeMatter &matter() const { return m_run.matter(); }
     /// Name of this start, to be resumed; known once a unit has begun or start() has found it.

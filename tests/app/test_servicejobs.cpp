@@ -85,7 +85,7 @@ TEST_F(Served, NothingTurnsUnlessItIsArmed)
 {
     ASSERT_TRUE(serve({recipe(moving), {"sim:can"}, std::nullopt}));
     EXPECT_FALSE(clock.runUntil([this] { return anyMoves() || !view().running; }, 20min));
-    EXPECT_TRUE(view().waits);
+    EXPECT_TRUE(view().waitsForArm());
     EXPECT_EQ(waiting().visit.step, service::Step::Test);
     EXPECT_EQ(waiting().what.english(), "waits until the station is armed");
     EXPECT_TRUE(waiting().mayInterrupt);
@@ -93,20 +93,20 @@ TEST_F(Served, NothingTurnsUnlessItIsArmed)
     core->send(orders::CancelService{});
     ASSERT_TRUE(clock.runUntil([this] { return !view().running; }, 1min));
     EXPECT_EQ(view().counts.passed + view().counts.failed, 0) << "it goes on when it is resumed";
-    EXPECT_FALSE(view().waits);
+    EXPECT_FALSE(view().waitsForArm());
 }
 
 TEST_F(Served, WhoWaitsForArmingGoesOnByItselfAndWhoComesAfterAFailWaits)
 {
     ASSERT_TRUE(serve({recipe(failing), {"sim:can"}, std::nullopt}));
-    ASSERT_TRUE(clock.runUntil([this] { return view().waits; }, 5min));
+    ASSERT_TRUE(clock.runUntil([this] { return view().waitsForArm(); }, 5min));
     clock.advance(1min);
     const std::uint32_t first = waiting().id;
     core->send(orders::ArmService{true});
-    EXPECT_FALSE(view().waits);
+    EXPECT_FALSE(view().waitsForArm());
     ASSERT_TRUE(renewedUntil([this] { return view().counts.failed == 1; }));
-    EXPECT_FALSE(view().armed) << "FAIL disarms";
-    ASSERT_TRUE(renewedUntil([this] { return view().waits; }));
+    EXPECT_FALSE(view().isArmed()) << "FAIL disarms";
+    ASSERT_TRUE(renewedUntil([this] { return view().waitsForArm(); }));
     EXPECT_NE(waiting().id, first);
     clock.advance(1min);
     EXPECT_EQ(view().counts.failed, 1) << "the next waits, and has not failed";
@@ -128,9 +128,9 @@ TEST_F(Served, AFailOnOneBusEndsNoSelfTestOnAnother)
     core->send(orders::ArmService{true});
     EXPECT_TRUE(clock.runUntil(
         [this] {
-            if (view().armed || view().permitted) // as the page does
+            if (view().mayTurn != MayTurn::Nothing) // as the page does
                 core->send(orders::RenewService{});
-            if (!view().armed && view().counts.failed % 2 == 0)
+            if (!view().isArmed() && view().counts.failed % 2 == 0)
                 core->send(orders::ArmService{true});
             return view().counts.failed >= 4;
         },
@@ -141,18 +141,18 @@ TEST_F(Served, AFailOnOneBusEndsNoSelfTestOnAnother)
         }
     }
     core->send(orders::ArmService{false});
-    EXPECT_FALSE(view().permitted) << "whoever disarms ends what runs, too";
+    EXPECT_EQ(view().mayTurn, MayTurn::Nothing) << "whoever disarms ends what runs, too";
 }
 
 TEST_F(Served, DisarmedInTheLastThreeSecondsItWaitsAgain)
 {
     ASSERT_TRUE(serve({recipe(moving), {"sim:can"}, std::nullopt}));
     core->send(orders::ArmService{true});
-    ASSERT_TRUE(clock.runUntil([this] { return view().announces; }, 5min));
+    ASSERT_TRUE(clock.runUntil([this] { return view().announced > 0; }, 5min));
     core->send(orders::ArmService{false});
     ASSERT_FALSE(clock.runUntil([this] { return anyMoves(); }, 1min));
-    EXPECT_TRUE(view().waits);
-    EXPECT_FALSE(view().announces);
+    EXPECT_TRUE(view().waitsForArm());
+    EXPECT_EQ(view().announced, 0);
     EXPECT_EQ(view().counts.failed, 0);
     core->send(orders::ArmService{true});
     EXPECT_TRUE(renewedUntil([this] { return anyMoves(); }));
@@ -162,7 +162,7 @@ TEST_F(Served, ArmedAnewInTheLastThreeSecondsItIsAnnouncedAnew)
 {
     ASSERT_TRUE(serve({recipe(moving), {"sim:can"}, std::nullopt}));
     core->send(orders::ArmService{true});
-    ASSERT_TRUE(clock.runUntil([this] { return view().announces; }, 5min));
+    ASSERT_TRUE(clock.runUntil([this] { return view().announced > 0; }, 5min));
     clock.advance(200ms);
     core->send(orders::ArmService{false});
     clock.advance(2600ms);
@@ -175,7 +175,7 @@ TEST_F(Served, ArmedAnewInTheLastThreeSecondsItIsAnnouncedAnew)
 TEST_F(Served, AUnitThatIsTakenOffWhileItWaitsForArmingHasFailedForThat)
 {
     ASSERT_TRUE(serve({recipe(moving), {"sim:can"}, std::nullopt}));
-    ASSERT_TRUE(clock.runUntil([this] { return view().waits; }, 5min));
+    ASSERT_TRUE(clock.runUntil([this] { return view().waitsForArm(); }, 5min));
     const std::uint32_t first = waiting().id;
     const int address = core->session().find(waiting().device)->identity().address;
     for (Simulator *unit : core->session().bench(*core->session().links().front())->simulators()) {
@@ -186,15 +186,15 @@ TEST_F(Served, AUnitThatIsTakenOffWhileItWaitsForArmingHasFailedForThat)
     const service::QueueRow row = view().rows.front();
     EXPECT_EQ(row.id, first);
     EXPECT_NE(row.visit.cause.english().find("taken off"), std::string::npos) << row.visit.cause.english();
-    ASSERT_TRUE(clock.runUntil([this] { return view().waits; }, 1min)) << "and the rest goes on";
+    ASSERT_TRUE(clock.runUntil([this] { return view().waitsForArm(); }, 1min)) << "and the rest goes on";
 }
 
 TEST_F(Served, ArmedItSaysSoThreeSecondsBeforeAMotorTurns)
 {
     ASSERT_TRUE(serve({recipe(moving), {"sim:can"}, std::nullopt}));
     core->send(orders::ArmService{true});
-    EXPECT_TRUE(view().armed);
-    ASSERT_TRUE(clock.runUntil([this] { return view().announces; }, 5min));
+    EXPECT_TRUE(view().isArmed());
+    ASSERT_TRUE(clock.runUntil([this] { return view().announced > 0; }, 5min));
     const Instant told = clock.now();
     ASSERT_TRUE(clock.runUntil(
         [this] {
@@ -205,7 +205,7 @@ TEST_F(Served, ArmedItSaysSoThreeSecondsBeforeAMotorTurns)
     EXPECT_GE(clock.now() - told, 3s);
     core->stopAll(StopCause::User);
     core->stopAll(StopCause::User);
-    EXPECT_FALSE(view().armed);
+    EXPECT_FALSE(view().isArmed());
     ASSERT_TRUE(clock.runUntil([this] { return !view().running && !anyMoves(); }, 30s));
 }
 
@@ -214,7 +214,7 @@ TEST_F(Served, WhoeverEndsItDisarms)
     ASSERT_TRUE(serve({recipe(moving), {"sim:can"}, 0}));
     core->send(orders::ArmService{true});
     core->send(orders::FinishService{});
-    EXPECT_FALSE(view().armed);
+    EXPECT_FALSE(view().isArmed());
     EXPECT_FALSE(serve({recipe(moving), {"sim:nowhere"}, 0})) << "no such link";
 }
 
@@ -222,7 +222,7 @@ TEST_F(Served, AQueueThatWasEndedWaitsForNoArmingWhateverIsRefusedMeanwhile)
 {
     ASSERT_TRUE(serve({recipe(moving), {"sim:can"}, std::nullopt}));
     ASSERT_TRUE(clock.runUntil([this] { return view().counts.failed > 0 || waiting().id != 0; }, 1min));
-    ASSERT_FALSE(view().waits) << "its self-test is yet to come";
+    ASSERT_FALSE(view().waitsForArm()) << "its self-test is yet to come";
     core->send(orders::FinishService{});
     test::Heard<> retried;
     core->send(orders::RetryUnit{waiting().id}, retried.finished());
@@ -230,7 +230,7 @@ TEST_F(Served, AQueueThatWasEndedWaitsForNoArmingWhateverIsRefusedMeanwhile)
     EXPECT_FALSE(*retried);
     core->send(orders::RetryFailedUnits{});
     EXPECT_TRUE(clock.runUntil([this] { return !view().running; }, 5min));
-    EXPECT_FALSE(view().waits);
+    EXPECT_FALSE(view().waitsForArm());
 }
 
 TEST_F(Served, TickedUnitsOnlyAndTheOthersAreLeftOut)

@@ -18,6 +18,7 @@ private Q_SLOTS:
     void aTestThatGoesOnAfterAFailElsewhereIsShownAndCanBeEnded();
     void aMotorThatTurnsIsNotHiddenByTheNoticeOfTheNext();
     void aTestThatIsAnnouncedTurnsNothingYet();
+    void unitsThatWaitForArmingOrAreAnnouncedSideBySideTurnNothing();
 };
 
 namespace {
@@ -46,7 +47,7 @@ struct LampBench {
 void StationLampTest::aTestThatGoesOnAfterAFailElsewhereIsShownAndCanBeEnded()
 {
     LampBench station;
-    station.workbench.served.permitted = true;
+    station.workbench.served.mayTurn = MayTurn::WhatTurns;
     station.serveTests(1);
     QCOMPARE(station.state(), LampState::Moving);
     Q_EMIT station.header.lamp().disarmRequested();
@@ -59,8 +60,8 @@ void StationLampTest::aTestThatGoesOnAfterAFailElsewhereIsShownAndCanBeEnded()
 void StationLampTest::aMotorThatTurnsIsNotHiddenByTheNoticeOfTheNext()
 {
     LampBench station;
-    station.workbench.served.armed = station.workbench.served.permitted = true;
-    station.workbench.served.announces = true;
+    station.workbench.served.mayTurn = MayTurn::Every;
+    station.workbench.served.announced = 1;
     station.serveTests(2);
     QCOMPARE(station.state(), LampState::Moving);
 }
@@ -68,9 +69,23 @@ void StationLampTest::aMotorThatTurnsIsNotHiddenByTheNoticeOfTheNext()
 void StationLampTest::aTestThatIsAnnouncedTurnsNothingYet()
 {
     LampBench station;
-    station.workbench.served.armed = station.workbench.served.permitted = true;
-    station.workbench.served.announces = true;
+    station.workbench.served.mayTurn = MayTurn::Every;
+    station.workbench.served.announced = 1;
     station.serveTests(1);
+    QCOMPARE(station.state(), LampState::Armed);
+}
+
+void StationLampTest::unitsThatWaitForArmingOrAreAnnouncedSideBySideTurnNothing()
+{
+    LampBench station;
+    station.workbench.served.mayTurn = MayTurn::WhatTurns; // that has ended since
+    station.workbench.served.waiting = 1;
+    station.serveTests(1);
+    QCOMPARE(station.state(), LampState::Safe);
+    station.workbench.served.mayTurn = MayTurn::Every;
+    station.workbench.served.waiting = 0;
+    station.workbench.served.announced = 2;
+    station.serveTests(2);
     QCOMPARE(station.state(), LampState::Armed);
 }
 

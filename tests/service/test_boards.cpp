@@ -23,7 +23,7 @@ public:
         , m_racks(std::move(racks))
     {
     }
-    void follow(const std::vector<QueueRow> &rows)
+    void follow(const std::vector<Shared<QueueRow>> &rows)
     {
         int running = 0;
         for (const QueueRow &row : rows) {

@@ -115,7 +115,7 @@ protected:
         EXPECT_TRUE(rack.clock.runUntil(
             [&] {
                 const auto rows = run.queue.rows();
-                return !rows.empty() && rows[0].visit.step == Step::Firmware && rows[0].done > 5;
+                return !rows.empty() && rows[0]->visit.step == Step::Firmware && rows[0]->done > 5;
             },
             1min));
         return run.queue.run();
@@ -140,8 +140,8 @@ TEST_F(CutUnits, WhichStaySilentHaveFailedAndNobodyWaitsForEver)
         QueueRun again(rack, *books, matter, options(name, units));
         again.queue.start();
         ASSERT_TRUE(rack.clock.runUntil([&] { return !again.queue.rows().empty(); }, 5s));
-        EXPECT_EQ(again.queue.rows()[0].state, RowState::Waiting);
-        EXPECT_EQ(again.queue.rows()[0].what.english(), "does not answer") << "its row says so meanwhile";
+        EXPECT_EQ(again.queue.rows()[0]->state, RowState::Waiting);
+        EXPECT_EQ(again.queue.rows()[0]->what.english(), "does not answer") << "its row says so meanwhile";
         ASSERT_TRUE(rack.clock.runUntil([&] { return again.isEnded; }, 30s));
         const auto visits = books->visits();
         ASSERT_EQ(visits.size(), 1U);

@@ -145,7 +145,7 @@ protected:
         EXPECT_TRUE(rack.clock.runUntil(
             [&] {
                 const auto rows = run.queue.rows();
-                return !rows.empty() && rows[0].visit.number;
+                return !rows.empty() && rows[0]->visit.number;
             },
             1min));
         return run.queue.run();

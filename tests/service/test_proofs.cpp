@@ -173,7 +173,7 @@ TEST_F(ProvedQueues, OneOfTwoUnitsOfOneSerialNumberIsServedOnceTheOtherWasTakenO
     rack.clock.advance(10s);
     const auto rows = run.queue.rows();
     ASSERT_EQ(rows.size(), 2U);
-    EXPECT_TRUE(run.queue.retry(rows[1].id));
+    EXPECT_TRUE(run.queue.retry(rows[1]->id));
     rack.clock.advance(1min);
     EXPECT_EQ(run.queue.counts().passed, 1);
 }
@@ -226,7 +226,7 @@ TEST_F(TwoBuses, OneOfTwoUnitsIsServedAgainOnceItsTwinWasTakenOffTheOtherBus)
     a->clock.advance(1s);
     const auto rows = run->queue.rows();
     ASSERT_EQ(rows.size(), 2U);
-    EXPECT_TRUE(run->queue.retry(rows[rows[0].visit.device.ends_with(":5") ? 0 : 1].id));
+    EXPECT_TRUE(run->queue.retry(rows[rows[0]->visit.device.ends_with(":5") ? 0 : 1]->id));
     EXPECT_TRUE(hasEnded(1, 1));
 }
 
@@ -250,10 +250,25 @@ TEST_F(TwoBuses, AUnitThatIsMovedWhileItsBusServesTheNextIsServedOnTheOther)
     run->queue.start();
     ASSERT_TRUE(hasEnded(1, 0));
     a->clock.advance(50ms);
-    ASSERT_EQ(run->queue.rows()[1].state, RowState::Running);
+    ASSERT_EQ(run->queue.rows()[1]->state, RowState::Running);
     a->putOn(1);
     b->putOn(0);
     EXPECT_TRUE(hasEnded(3, 0));
+}
+
+TEST_F(TwoBuses, ARowOfWhichNothingChangedIsTheSameObjectForWhoeverLooks)
+{
+    begin({});
+    b->putOn({});
+    a->unit(1).setPowered(true);
+    run->queue.start();
+    ASSERT_TRUE(hasEnded(1, 0));
+    const auto before = run->queue.rows();
+    a->clock.advance(1s);
+    const auto after = run->queue.rows();
+    ASSERT_EQ(after.size(), 2U);
+    EXPECT_TRUE(after[0].isSameAs(before[0])) << "it has ended";
+    EXPECT_FALSE(after[1].isSameAs(before[1])) << "it is being served";
 }
 
 /// A journal whose disk is full from the n-th write on.
@@ -300,12 +315,12 @@ TEST_F(ProvedQueues, AUnitWhoseJournalIsFullIsNotRunningForEverAndGoesOnWhenTher
         ASSERT_TRUE(run.queue.trouble());
         const auto rows = run.queue.rows();
         ASSERT_EQ(rows.size(), 1U);
-        EXPECT_EQ(rows[0].state, RowState::Skipped);
-        EXPECT_TRUE(rows[0].what.empty()) << rows[0].what.english();
-        EXPECT_EQ(rows[0].visit.cause.english(), "the disk is full");
-        EXPECT_EQ(rows[0].visit.outcome, Outcome::Open);
+        EXPECT_EQ(rows[0]->state, RowState::Skipped);
+        EXPECT_TRUE(rows[0]->what.empty()) << rows[0]->what.english();
+        EXPECT_EQ(rows[0]->visit.cause.english(), "the disk is full");
+        EXPECT_EQ(rows[0]->visit.outcome, Outcome::Open);
         journal.left = 1000;
-        EXPECT_TRUE(run.queue.retry(rows[0].id));
+        EXPECT_TRUE(run.queue.retry(rows[0]->id));
         ASSERT_TRUE(rack.clock.runUntil([&] { return run.queue.counts().passed == 1; }, 2min));
         EXPECT_EQ(books->visits().size(), 1U);
     }

@@ -17,8 +17,8 @@ TEST_F(ServiceQueues, PauseSkipAndRetry)
     QueueRun run(rack, *books, load(rack, shortText));
     run.queue.start();
     ASSERT_TRUE(rack.clock.runUntil([&] { return run.queue.rows().size() == 3; }, 10s));
-    run.queue.skip(run.queue.rows()[1].id);
-    ASSERT_TRUE(rack.clock.runUntil([&] { return run.queue.rows()[0].state == RowState::Running; }, 10s));
+    run.queue.skip(run.queue.rows()[1]->id);
+    ASSERT_TRUE(rack.clock.runUntil([&] { return run.queue.rows()[0]->state == RowState::Running; }, 10s));
     run.queue.pause();
     ASSERT_TRUE(rack.clock.runUntil([&] { return run.queue.isPaused(); }, 2min));
     EXPECT_EQ(run.queue.counts().ended(), 1);
@@ -26,19 +26,19 @@ TEST_F(ServiceQueues, PauseSkipAndRetry)
     EXPECT_EQ(run.queue.counts().ended(), 1);
     run.queue.resume();
     ASSERT_TRUE(rack.clock.runUntil([&] { return run.isEnded; }, 2min));
-    EXPECT_EQ(run.queue.rows()[1].state, RowState::Skipped);
-    EXPECT_EQ(run.queue.rows()[2].state, RowState::Failed) << run.queue.rows()[2].visit.cause.english();
-    EXPECT_FALSE(run.queue.rows()[2].visit.number); // a failed unit uses up no number
+    EXPECT_EQ(run.queue.rows()[1]->state, RowState::Skipped);
+    EXPECT_EQ(run.queue.rows()[2]->state, RowState::Failed) << run.queue.rows()[2]->visit.cause.english();
+    EXPECT_FALSE(run.queue.rows()[2]->visit.number); // a failed unit uses up no number
     run.isEnded = false;
-    ASSERT_TRUE(run.queue.retry(run.queue.rows()[1].id));
+    ASSERT_TRUE(run.queue.retry(run.queue.rows()[1]->id));
     ASSERT_TRUE(rack.clock.runUntil([&] { return run.isEnded; }, 2min));
     EXPECT_EQ(run.queue.counts().passed, 2);
-    EXPECT_EQ(run.queue.rows()[1].visit.number, 11);
+    EXPECT_EQ(run.queue.rows()[1]->visit.number, 11);
     run.isEnded = false;
     run.queue.retryFailed();
     ASSERT_TRUE(rack.clock.runUntil([&] { return run.isEnded; }, 2min));
     EXPECT_EQ(run.queue.counts().failed, 1);
-    EXPECT_EQ(run.queue.rows()[2].tries, 2);
+    EXPECT_EQ(run.queue.rows()[2]->tries, 2);
     EXPECT_EQ(books->visits().size(), 4U);
 }
 
@@ -50,11 +50,11 @@ TEST_F(ServiceQueues, AQueueThatWasEndedTriesNothingAgainAndKeepsItsVerdict)
     ASSERT_TRUE(rack.clock.runUntil([&] { return run.queue.counts().failed == 1; }, 5min));
     run.queue.finish();
     ASSERT_TRUE(rack.clock.runUntil([&] { return run.isEnded; }, 1min));
-    const std::string cause = run.queue.rows()[0].visit.cause.english();
-    EXPECT_FALSE(run.queue.retry(run.queue.rows()[0].id));
+    const std::string cause = run.queue.rows()[0]->visit.cause.english();
+    EXPECT_FALSE(run.queue.retry(run.queue.rows()[0]->id));
     run.queue.retryFailed();
-    EXPECT_EQ(run.queue.rows()[0].state, RowState::Failed);
-    EXPECT_EQ(run.queue.rows()[0].visit.cause.english(), cause);
+    EXPECT_EQ(run.queue.rows()[0]->state, RowState::Failed);
+    EXPECT_EQ(run.queue.rows()[0]->visit.cause.english(), cause);
     EXPECT_EQ(run.queue.counts().failed, 1);
 }
 
@@ -100,9 +100,9 @@ TEST_F(ServiceQueues, AUnitThatIsLeftOutWhileItsVisitIsBeingOpenedIsNotServed)
     QueueRun run(rack, *books, matter, {}, &slow);
     run.queue.start();
     ASSERT_TRUE(rack.clock.runUntil([&] { return slow.isOpening; }, 10s));
-    run.queue.skip(run.queue.rows()[0].id);
+    run.queue.skip(run.queue.rows()[0]->id);
     ASSERT_TRUE(rack.clock.runUntil([&] { return run.isEnded; }, 5min));
-    EXPECT_EQ(run.queue.rows()[0].state, RowState::Skipped);
+    EXPECT_EQ(run.queue.rows()[0]->state, RowState::Skipped);
     EXPECT_EQ(run.queue.counts().ended(), 0);
     EXPECT_EQ(run.permit.count, 0);
 }
@@ -117,8 +117,8 @@ TEST_F(ServiceQueues, AStopWhileAVisitIsBeingOpenedKeepsItsMotorStill)
     ASSERT_TRUE(rack.clock.runUntil([&] { return slow.isOpening; }, 10s));
     run.queue.stop();
     ASSERT_TRUE(rack.clock.runUntil([&] { return run.isEnded; }, 5min));
-    EXPECT_NE(run.queue.rows()[0].state, RowState::Passed);
-    EXPECT_EQ(run.queue.rows()[0].visit.cause.english(), "the self-test was stopped by hand");
+    EXPECT_NE(run.queue.rows()[0]->state, RowState::Passed);
+    EXPECT_EQ(run.queue.rows()[0]->visit.cause.english(), "the self-test was stopped by hand");
 }
 
 TEST_F(ServiceQueues, AUnitThatWasTakenOffIsNotTriedAgainAndItsFailureStays)
@@ -132,11 +132,11 @@ TEST_F(ServiceQueues, AUnitThatWasTakenOffIsNotTriedAgainAndItsFailureStays)
     ASSERT_TRUE(rack.clock.runUntil([&] { return run.queue.counts().failed == 1; }, 5min));
     rack.putOn(std::nullopt);
     rack.clock.advance(1min);
-    const Result<void> again = run.queue.retry(run.queue.rows()[0].id);
+    const Result<void> again = run.queue.retry(run.queue.rows()[0]->id);
     ASSERT_FALSE(again);
     EXPECT_FALSE(again.error().detail.empty());
     EXPECT_EQ(run.queue.counts().failed, 1);
-    EXPECT_EQ(run.queue.rows()[0].state, RowState::Failed);
+    EXPECT_EQ(run.queue.rows()[0]->state, RowState::Failed);
     EXPECT_FALSE(run.queue.retry(4711)) << "there is no such row";
 }
 

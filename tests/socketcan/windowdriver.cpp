@@ -222,8 +222,8 @@ private:
     void arm()
     {
         const mb::ServiceView &view = m_engine.service();
-        m_holds = m_holds && !view.armed;
-        if (!view.running || view.armed || m_page->armButton().isHidden() || std::exchange(m_holds, true))
+        m_holds = m_holds && !view.isArmed();
+        if (!view.running || view.isArmed() || m_page->armButton().isHidden() || std::exchange(m_holds, true))
             return;
         ++m_touched;
         Q_EMIT m_page->armButton().activated();

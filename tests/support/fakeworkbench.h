@@ -39,7 +39,7 @@ public:
     std::map<DeviceId, std::vector<tuning::OwedGains>> owed;
     Snapshot shot;
     Instant time{std::chrono::seconds(1000)};
-    Duration asleep{}; ///< of the computer, up to now
+    SleepLog slept;
     std::vector<LinkListing> links;
     std::vector<Notice> lines;
 
@@ -50,11 +50,11 @@ public:
         Q_EMIT changed();
     }
     /// Tells the pages of units that are served, or were.
-    void serve(std::vector<service::QueueRow> rows, bool running = true)
+    void serve(const std::vector<service::QueueRow> &rows, bool running = true)
     {
         served.running = running;
         served.links = {"sim:can"};
-        served.rows = std::move(rows);
+        served.rows.assign(rows.begin(), rows.end());
         Q_EMIT serviceChanged();
     }
     /// The orders of one kind, oldest first.
@@ -71,8 +71,8 @@ public:
 
     const Snapshot &snapshot() const override { return shot; }
     Instant now() const override { return time; }
-    Duration unixOffset() const override { return {}; }
-    Duration slept() const override { return asleep; }
+    Duration unixOffset() const override { return slept.sleptAt(time); }
+    SleepLog sleeps() override { return slept; }
     const std::vector<LinkListing> &listings() const override { return links; }
     SettingsArchive &settings() override { return archive; }
     TrialNotebook &trials() override { return book; }

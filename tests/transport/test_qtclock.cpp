@@ -143,6 +143,18 @@ TEST(QtClock, TellsHowLongTheComputerHasSleptByTwoClocksOfTheKernel)
     EXPECT_EQ(clock.slept(), 90s);
 }
 
+TEST(QtClock, KnowsOfATimeWhetherItWasBeforeTheComputerSlept)
+{
+    test::EventLoop loop;
+    Computer computer;
+    const Instant before = loop.clock().now();
+    QtClock clock(computer.clocks());
+    computer.asleep = 90s;
+    const SleepLog sleeps = clock.sleeps();
+    EXPECT_EQ(sleeps.sleptAt(before), 0s);
+    EXPECT_EQ(sleeps.sleptAt(clock.now()), 90s);
+}
+
 TEST(QtClock, AProgramHeldUpBetweenTheTwoClocksDoesNotTakeThatForSleep)
 {
     test::EventLoop loop;

@@ -275,11 +275,15 @@ void TestArming::silenceAndARestartEndAnArming()
 void TestArming::aComputerThatSleptIsArmedAnew()
 {
     FakeWorkbench &workbench = m_bench->workbench;
-    workbench.asleep += std::chrono::milliseconds(5); // two clocks are not read at one instant
-    workbench.publish();
+    const auto slept = [&workbench](std::chrono::nanoseconds inAll) {
+        workbench.time += std::chrono::milliseconds(10);
+        workbench.slept.look(workbench.time, inAll);
+        workbench.publish();
+    };
+    slept({});
+    slept(std::chrono::milliseconds(5)); // two clocks are not read at one instant
     QVERIFY(m_bench->arming.isArmed({1}));
-    workbench.asleep += std::chrono::hours(2);
-    workbench.publish();
+    slept(std::chrono::hours(2));
     QCOMPARE(m_bench->arming.state(), LampState::Stopped);
     QCOMPARE(m_bench->arming.reason(), s("the computer slept"));
     m_bench->arm();

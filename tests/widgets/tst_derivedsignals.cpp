@@ -2,6 +2,7 @@
 // Signals by formulas: whose samples they are computed from, whatever comes, goes and is renumbered.
 #include "plotbench.h"
 #include "support/windowtests.h"
+#include "widgets/common/devicetext.h"
 
 using namespace mb;
 using namespace mb::test;

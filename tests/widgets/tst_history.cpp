@@ -384,24 +384,25 @@ void TestHistory::theTimelineTellsWhoWroteWhatFromWhere()
 
 void TestHistory::theTimelineHasNoDayOfWhatWasOnlyStored()
 {
-    HistoryBench bench;
-    const QString before = bench.timeline();
     settings::SettingsChange stored;
-    stored.number = 2;
     stored.time = 86400.0 * 10;
-    stored.person = "anna";
     stored.purpose = settings::Purpose::Store;
-    SettingsTimeline &kept = bench.workbench.archive.kept[bench.workbench.device(0).unit];
-    kept.changes.push_back(stored);
-    stored.time += 86400.0;
-    stored.purpose = settings::Purpose::Write;
-    stored.values = {{"slot1.p", rawOf("slot1.p", 0), rawOf("slot1.p", 2), settings::Proof::Equal}};
-    kept.changes.push_back(stored);
-    bench.page->showHistory(false);
-    bench.page->showHistory(true);
-    QTRY_VERIFY(bench.timeline() != before);
-    QVERIFY(bench.timeline().contains(dayText(momentOf(stored.time).date())));
-    QVERIFY2(!bench.timeline().contains(dayText(momentOf(86400.0 * 10).date())), qPrintable(bench.timeline()));
+    settings::SettingsChange written;
+    written.time = 86400.0 * 20;
+    written.values = {{"slot1.p", rawOf("slot1.p", 0), rawOf("slot1.p", 2), settings::Proof::Equal}};
+    SettingsTimeline kept;
+    kept.changes = {stored, written};
+    UnitState defaults;
+    defaults.kind = UnitState::Kind::Defaults;
+    const ThemeSource theme{lightTheme()};
+    TimelineList list(theme, nullptr);
+    list.show(dmc60c(), {defaults}, kept);
+    QStringList texts;
+    for (int row = 0; row < list.count(); ++row)
+        texts << list.item(row)->text();
+    const auto dayOf = [](double time) { return dayText(momentOf(time).date()); };
+    QVERIFY2(texts.contains(dayOf(written.time)), qPrintable(texts.join(QLatin1Char('|'))));
+    QVERIFY2(!texts.contains(dayOf(stored.time)), qPrintable(texts.join(QLatin1Char('|'))));
 }
 
 void TestHistory::anyTwoStatesAreCompared()

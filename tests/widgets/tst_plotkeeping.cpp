@@ -12,6 +12,7 @@ class TestPlotKeeping : public QObject {
 private Q_SLOTS:
     void notesStandInThePlotAndInTheFile();
     void theWholeSessionIsExportedWithItsDevices();
+    void anExportHasTheTimesOfBeforeAndAfterTheComputerSlept();
     void anExportCanBeCancelled();
     void layoutsComeBack();
     void aLayoutWaitsForItsDevices();
@@ -64,12 +65,32 @@ void TestPlotKeeping::theWholeSessionIsExportedWithItsDevices()
     QVERIFY(loaded);
     const LoadedRecording &file = **loaded;
     QCOMPARE(file.table.size(), dmc60c().channels.size() * 2);
-    QCOMPARE(file.about.at("device sim:can/dmc60c:5").at("name"), std::string("shooter"));
-    QCOMPARE(file.about.at("parameters sim:can/dmc60c:5").at("slot0.p").substr(0, 5), std::string("1.165"));
+    QCOMPARE(file.about.at("device sim:can/dmc60c:5 2103343A79F2").at("name"), std::string("shooter"));
+    QCOMPARE(
+        file.about.at("parameters sim:can/dmc60c:5 2103343A79F2").at("slot0.p").substr(0, 5), std::string("1.165"));
     QCOMPARE(file.about.at("loss sim:can/dmc60c:5").at("velocity"), std::string("9 of 409"));
     QCOMPARE(file.telemetry->size({0}) > 0, true);
     QTRY_VERIFY(!bench.workbench.lines.empty());
     QTRY_VERIFY2(bench.workbench.lines.back().text.contains(s("lost")), qPrintable(bench.workbench.lines.back().text));
+}
+
+void TestPlotKeeping::anExportHasTheTimesOfBeforeAndAfterTheComputerSlept()
+{
+    PlotBench bench;
+    const QTemporaryDir folder;
+    bench.workbench.slept.look(bench.workbench.time, {});
+    bench.pass(1.0, 60000.0);
+    bench.workbench.slept.look(bench.workbench.time, {});
+    const Instant before = bench.workbench.time;
+    bench.workbench.slept.look(bench.workbench.time + 1ms, 3600s);
+    bench.pass(1.0, 60000.0);
+    const Instant after = bench.workbench.time;
+    bench.page->exportBar().exportSamples({ExportChoice::Range::Session, false, folder.filePath(s("a.mcap"))});
+    QTRY_VERIFY(QFile::exists(folder.filePath(s("a.mcap"))));
+    const auto loaded = loadRecording(folder.filePath(s("a.mcap")).toStdString());
+    QVERIFY(loaded);
+    QVERIFY((*loaded)->first < before);
+    QVERIFY((*loaded)->last > before + 3600s && (*loaded)->last <= after + 3600s);
 }
 
 void TestPlotKeeping::anExportCanBeCancelled()

@@ -198,7 +198,7 @@ void TestProduction::armingShowsFirstWhatWillMove()
     bench.show({});
     Q_EMIT bench.page->armButton().activated();
     QCOMPARE(bench.armed(), std::vector<bool>{true});
-    bench.workbench.served.armed = true;
+    bench.workbench.served.mayTurn = MayTurn::Every;
     Q_EMIT bench.workbench.serviceChanged();
     QTRY_VERIFY(bench.workbench.given<orders::RenewService>().size() > 1);
     Q_EMIT bench.page->armButton().activated();
@@ -271,7 +271,7 @@ void TestProduction::aUnitThatHadEverythingIsNoWork()
 {
     auto rows = aShift();
     ServiceView before;
-    before.rows = rows;
+    before.rows.assign(rows.begin(), rows.end());
     auto current = rowOf(100, service::RowState::Passed, "A1");
     current.visit.outcome = service::Outcome::Passed;
     current.visit.time = 1.7e9 - 5000.0;
@@ -280,11 +280,11 @@ void TestProduction::aUnitThatHadEverythingIsNoWork()
     current.visit.parameters.reset();
     rows.push_back(current);
     ServiceView after;
-    after.rows = rows;
+    after.rows.assign(rows.begin(), rows.end());
     QCOMPARE(unitsAnHour(after), unitsAnHour(before));
     QCOMPARE(meanSeconds(after), meanSeconds(before));
     rows.back().visit.parameters = 55; // those were written and read back
-    after.rows = rows;
+    after.rows.assign(rows.begin(), rows.end());
     QVERIFY(meanSeconds(after) != meanSeconds(before));
 }
 
@@ -360,10 +360,10 @@ void TestProduction::aSelfTestThatRunsIsWatchedOverThoughAFailHasDisarmed()
 {
     ProductionBench bench;
     QVERIFY(bench.open(moving));
-    bench.workbench.served.permitted = true;
+    bench.workbench.served.mayTurn = MayTurn::WhatTurns;
     bench.show({rowOf(1, service::RowState::Running, "A1")});
     QTRY_VERIFY(!bench.workbench.given<orders::RenewService>().empty());
-    bench.workbench.served.permitted = false;
+    bench.workbench.served.mayTurn = MayTurn::Nothing;
     bench.show({});
     const auto before = bench.workbench.given<orders::RenewService>().size();
     passTimers(std::chrono::milliseconds(300));
@@ -384,7 +384,7 @@ void TestProduction::soundCanBeSwitchedOff()
         Q_EMIT bench.workbench.unitEnded(visit);
     };
     const auto announce = [&bench](bool on) {
-        bench.workbench.served.announces = on;
+        bench.workbench.served.announced = on ? 1 : 0;
         bench.show({rowOf(1, service::RowState::Running, "A1")});
     };
     box->setChecked(true);
@@ -406,13 +406,13 @@ void TestProduction::aUnitThatWaitsForArmingSaysSo()
     auto row = rowOf(1, service::RowState::Running, "A1");
     row.visit.step = service::Step::Test;
     row.what = say("waits until the station is armed");
-    bench.workbench.served.waits = true;
+    bench.workbench.served.waiting = 1;
     bench.show({row});
     const Verdict &verdict = bench.page->verdict().verdict();
     QCOMPARE(verdict.step, s("waits until the station is armed"));
     QCOMPARE(verdict.next, s("Hold Arm to go on"));
     QVERIFY(bench.page->verdict().accessibleDescription().contains(s("Hold Arm to go on")));
-    bench.workbench.served.waits = false;
+    bench.workbench.served.waiting = 0;
     bench.show({row});
     QVERIFY(bench.page->verdict().verdict().next != s("Hold Arm to go on"));
 }

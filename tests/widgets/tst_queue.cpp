@@ -267,7 +267,7 @@ void QueueTest::aUnitWhoseSelfTestTurnsItsMotorIsNotSafeToUnplug()
     QVERIFY(bench.board().openImage(demoImage));
     QueueRow testing = bench.row(1, 1, RowState::Running);
     testing.visit.step = service::Step::Test;
-    bench.workbench.served.waits = true;
+    bench.workbench.served.waiting = 1;
     bench.workbench.serve({testing});
     QVERIFY(!bench.says(QStringLiteral("Safe to unplug")));
     QVERIFY(bench.says(QStringLiteral("Do not unplug: DMC60C #5")));
@@ -283,7 +283,7 @@ void QueueTest::aUnitWhoseSelfTestTurnsItsMotorIsNotSafeToUnplug()
         QVERIFY2(
             needed < table.columnWidth(column) - 8, qPrintable(bench.cell(0, static_cast<QueueModel::Column>(column))));
     }
-    bench.workbench.served.waits = false;
+    bench.workbench.served.waiting = 0;
     bench.workbench.serve({testing});
     QVERIFY(!bench.says(QStringLiteral("Safe to unplug")));
     QVERIFY(bench.says(QStringLiteral("The self-test turns the motor.")));

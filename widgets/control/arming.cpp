@@ -25,8 +25,13 @@ struct TrialEnding {
 namespace {
 
 constexpr Duration startTime = std::chrono::seconds(1);
-constexpr std::chrono::minutes armedTime{5};               // without motion
-constexpr Duration asleep = std::chrono::milliseconds(20); ///< less is two clocks that are not read at one instant
+constexpr std::chrono::minutes armedTime{5}; // without motion
+
+/// How long the computer has slept by now.
+Duration sleptOf(Workbench &workbench)
+{
+    return workbench.sleeps().sleptAt(workbench.now());
+}
 
 /// A lease that ran out is a word of the program's; what people saw is a window that hung.
 QString endOf(const MotionView &motion, Duration silence)
@@ -171,7 +176,7 @@ void Arming::enter(LampState state, const QString &reason)
     m_renewal.keep(state == LampState::Moving ? std::vector{m_device} : std::vector<DeviceId>());
     if (state == LampState::Armed) {
         m_armedUntil = m_workbench.now() + armedTime;
-        m_slept = m_workbench.slept();
+        m_slept = sleptOf(m_workbench);
     }
     Q_EMIT changed();
 }
@@ -346,7 +351,7 @@ void Arming::follow()
     }
     if (m_state != LampState::Armed && m_state != LampState::Moving)
         return;
-    if (m_workbench.slept() - m_slept > asleep)
+    if (sleptOf(m_workbench) > m_slept)
         return stopMoved(tr("the computer slept"));
     const DeviceView *view = m_workbench.snapshot().device(m_device);
     if (!view) {

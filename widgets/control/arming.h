@@ -94,7 +94,7 @@ private:
     bool m_started = false; ///< a snapshot has shown the motion running
     Instant m_runAt{};
     Instant m_armedUntil{};
-    Duration m_slept{}; ///< Workbench::slept() when it was armed
+    Duration m_slept{}; ///< by the computer, when it was armed
     MotionRenewal m_renewal;
 };
 

@@ -97,7 +97,7 @@ void ProductionHead::follow(const ServiceView &view)
     m_start->setSymbol(view.running ? Symbol::Pause : Symbol::Play);
     m_link->setEnabled(!view.running);
     m_arm->setEnabled(view.running);
-    m_arm->setText(view.armed ? tr("ARMED, hold to disarm") : tr("Hold to arm self-tests"));
+    m_arm->setText(view.isArmed() ? tr("ARMED, hold to disarm") : tr("Hold to arm self-tests"));
 }
 
 void ProductionHead::follow(const Snapshot &shot)

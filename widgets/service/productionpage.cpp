@@ -80,7 +80,7 @@ void ProductionPage::connectHead()
 {
     connect(m_head, &ProductionHead::recipeWanted, this, &ProductionPage::askRecipe);
     connect(m_head, &ProductionHead::startWanted, this, &ProductionPage::startOrEnd);
-    connect(m_head, &ProductionHead::armWanted, this, [this] { arm(!m_workbench.service().armed); });
+    connect(m_head, &ProductionHead::armWanted, this, [this] { arm(!m_workbench.service().isArmed()); });
     connect(m_head, &ProductionHead::leaveWanted, this, &ProductionPage::leaveRequested);
     connect(m_head, &ProductionHead::serialTaken, this, &ProductionPage::take);
     followBench();
@@ -296,9 +296,9 @@ void ProductionPage::follow()
     showRecipe(view);
     m_head->follow(view);
     m_units->follow(view);
-    if (!std::exchange(m_announced, view.announces) && view.announces)
+    if (const bool announces = view.announced > 0; !std::exchange(m_announced, announces) && announces)
         sound(2);
-    if (const bool turns = view.running && (view.armed || view.permitted); turns != m_renewal.isActive())
+    if (const bool turns = view.running && view.mayTurn != MayTurn::Nothing; turns != m_renewal.isActive())
         turns ? m_renewal.start() : m_renewal.stop();
 }
 

@@ -128,7 +128,7 @@ Verdict waiting(const ServiceView &view)
 const QueueRow *running(const ServiceView &view)
 {
     const auto found = std::ranges::find(view.rows, RowState::Running, &QueueRow::state);
-    return found == view.rows.end() ? nullptr : &*found;
+    return found == view.rows.end() ? nullptr : &**found;
 }
 
 } // namespace
@@ -182,7 +182,7 @@ Verdict verdictOf(const ServiceView &view, const std::vector<std::uint32_t> &set
     verdict.seconds = row->visit.seconds;
     verdict.facts = factsOf(row->visit);
     if (verdict.kind == Verdict::Kind::Working) {
-        verdict.step = view.announces ? BenchText::tr("The motor turns in a moment") : messageText(row->what);
+        verdict.step = view.announced > 0 ? BenchText::tr("The motor turns in a moment") : messageText(row->what);
         verdict.share = row->total > 0 ? static_cast<double>(row->done) / row->total : 0.0;
         verdict.next = isWaitingForArm(view, *row) ? BenchText::tr("Hold Arm to go on")
             : mayUnplug(*row)                      ? BenchText::tr("Safe to unplug")
@@ -200,7 +200,7 @@ Verdict verdictOf(const ServiceView &view, const std::vector<std::uint32_t> &set
 
 bool isWaitingForArm(const ServiceView &view, const QueueRow &row)
 {
-    return view.waits && row.state == RowState::Running && row.visit.step == service::Step::Test;
+    return view.waitsForArm() && row.state == RowState::Running && row.visit.step == service::Step::Test;
 }
 
 bool mayUnplug(const QueueRow &row)
